@@ -1,0 +1,93 @@
+// Cartographer submaps as plain values: who they are, where they lie, what a robot answers when asked for one.
+// Source: submap-textures.md ("Messages", "Versions, cache and fetch rules"), axbot.md (/submap_list).
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/pose.h"
+
+namespace mapwright::map {
+
+/// A submap within one SLAM session. Painting order is ascending by this.
+struct SubmapId {
+  std::int32_t trajectory = 0;
+  std::int32_t index = 0;
+  auto operator<=>(const SubmapId&) const = default;
+};
+
+/// "12-3": how a submap is named towards people.
+std::string toText(SubmapId id);
+
+/// Identity of content. The pose is not part of it.
+struct SubmapKey {
+  std::string uuid;
+  SubmapId id;
+  std::int32_t version = 0;
+  auto operator<=>(const SubmapKey&) const = default;
+};
+
+/// One row of a /submap_list. `pose` is as received and may be unusable (geometry::toIsometry says so).
+struct SubmapEntry {
+  SubmapId id;
+  std::int32_t version = 0;
+  geometry::Pose3 pose;
+  bool is_frozen = false;
+  bool is_incremental = false;
+  bool is_nearby = false;
+  bool operator==(const SubmapEntry&) const = default;
+};
+
+enum class SlamState { Invalid, Slam, Positioning };
+
+/// A whole /submap_list message. Rows that could not be read at all are in `rejected`, one sentence each.
+struct SubmapList {
+  SlamState slam_state = SlamState::Invalid;
+  std::string uuid;
+  std::vector<SubmapEntry> entries;
+  std::vector<std::string> rejected;
+};
+
+/// One slice of a submap as it came: nothing in it is checked yet.
+struct RawSlice {
+  std::int32_t cell_format = 0;  // 0 LOG_ODDS, 1 TSDF_DELTA, 2 INTENSITY
+  std::string cells;             // any container, any layout
+  std::int32_t width = 0;        // columns
+  std::int32_t height = 0;       // rows
+  double resolution_m = 0;       // metres per cell
+  std::int32_t z_level = 0;
+  geometry::Pose3 slice_pose;    // identity when the robot sent none
+};
+
+/// How a query for one submap ended.
+struct SubmapAnswer {
+  enum class Outcome {
+    Ok,         // `slices` is what the robot has
+    NotFound,   // 404 or NOT_FOUND: remembered for this key
+    WrongUuid,  // UUID_MISMATCH: wait for the next list
+    Corrupt,    // an answer that cannot be read; asked again at the next version
+    Failed,     // anything else: wait, then try again
+    Cancelled,  // nobody wants it any more
+  };
+  SubmapKey key;  // as it was asked
+  Outcome outcome = Outcome::Failed;
+  std::string reason;           // for people, empty when Ok
+  std::int32_t version = 0;     // the answer's own version; 0 = the robot did not say
+  std::vector<RawSlice> slices;  // by slice id
+  std::size_t bytes = 0;        // payload size
+  bool from_cache = false;      // no body travelled: disk, or 304
+};
+
+}  // namespace mapwright::map
+
+template <>
+struct std::hash<mapwright::map::SubmapId> {
+  std::size_t operator()(mapwright::map::SubmapId id) const noexcept {
+    return std::hash<std::uint64_t>{}((std::uint64_t(std::uint32_t(id.trajectory)) << 32) | std::uint32_t(id.index));
+  }
+};

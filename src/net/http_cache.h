@@ -1,0 +1,52 @@
+// Answers kept on disk under HTTP's own rules: immutable, max-age, no-cache, no-store, ETag, 304 (RFC 9111).
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QString>
+#include <QUrl>
+
+namespace mapwright::net {
+
+/// A body with the headers that govern its reuse.
+struct CachedAnswer {
+  QByteArray body;
+  QByteArray content_type;
+  QByteArray etag;
+  bool fresh = false;  // may be used without asking; otherwise ask with If-None-Match when there is an etag
+};
+
+/// A private cache in one folder, one file per URL, written atomically (a torn file reads as a miss and is removed).
+/// Not thread-safe: owned by one thread; several processes may share the folder. Never fails loudly: a full or read-only disk turns it
+/// into a cache that forgets, and lastError() says why.
+class HttpCache {
+ public:
+  using Now = std::function<QDateTime()>;
+  /// `budget_bytes` bounds the folder; the files used longest ago are removed first.
+  HttpCache(QString folder, qint64 budget_bytes, Now now = &QDateTime::currentDateTimeUtc);
+
+  std::optional<CachedAnswer> find(const QUrl& url);
+  /// Keeps the answer if its Cache-Control allows it. With neither Cache-Control nor ETag it is kept only when
+  /// `content_addressed` (the URL names a version, so its body never changes), then as if immutable.
+  void store(const QUrl& url, const QByteArray& body, const QByteArray& content_type, const QByteArray& cache_control,
+             const QByteArray& etag, bool content_addressed);
+  /// A 304 came: the stored body is fresh again under these headers.
+  void refresh(const QUrl& url, const QByteArray& cache_control, const QByteArray& etag);
+  void remove(const QUrl& url);
+
+  qint64 bytes() const;
+  QString lastError() const;
+  QString folder() const { return folder_; }
+
+ private:
+  QString folder_;
+  qint64 budget_bytes_;
+  Now now_;
+  qint64 bytes_ = -1;
+  QString last_error_;
+};
+
+}  // namespace mapwright::net

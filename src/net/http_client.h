@@ -1,0 +1,57 @@
+// HTTP to one robot: bounded, cancellable, secret kept to its own origin, cached on disk.
+// Source: axbot.md "Requests"; submap-textures.md "Versions, cache and fetch rules".
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QUrl>
+
+namespace mapwright::net {
+
+class HttpCache;
+
+struct HttpRequest {
+  QUrl url;  // absolute
+  QByteArray accept = "application/json";
+  bool cacheable = false;  // look into and fill the disk cache
+  qint64 max_bytes = qint64(256) << 20;  // a longer body is cut off and fails
+  std::chrono::milliseconds timeout{30'000};  // without any byte arriving
+};
+
+struct HttpAnswer {
+  enum class Kind { Answered, Unreachable, TimedOut, TooLarge, Refused, Cancelled };
+  Kind kind = Kind::Unreachable;
+  int status = 0;          // HTTP status when Answered (304 is resolved to the stored 200)
+  QByteArray body;
+  QByteArray content_type;
+  QString sentence;        // for people: why it is not a 2xx; plain text, at most 300 characters, never markup
+  bool from_cache = false; // the body did not travel: fresh on disk, or 304
+  bool ok() const { return kind == Kind::Answered && status >= 200 && status < 300; }
+};
+
+/// Asks one robot. Lives on the thread that made it; callbacks arrive there, exactly once, never from within get().
+class HttpClient : public QObject {
+  Q_OBJECT
+ public:
+  /// `origin`: scheme, host, port that `secret` belongs to. The `Secret:` header goes to that origin only; a redirect to
+  /// another origin is refused. `cache` may be null and outlives the client. No secret is ever logged or part of a sentence.
+  HttpClient(QUrl origin, QByteArray secret, HttpCache* cache, QObject* parent = nullptr);
+  ~HttpClient() override;
+
+  using Reply = std::function<void(HttpAnswer)>;
+  using RequestId = quint64;
+  RequestId get(const HttpRequest& request, Reply reply);
+  void cancel(RequestId id);  // the reply comes with Kind::Cancelled; unknown ids are ignored
+  void cancelAll();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mapwright::net

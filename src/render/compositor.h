@@ -1,0 +1,72 @@
+// The composition of overlapping, rotated submap textures, exactly as specified: pure functions, any thread.
+// Source: submap-textures.md, "Geometry" and "Composition".
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/pose.h"
+#include "geometry/rect.h"
+#include "map/submap.h"
+#include "raster/cell_texture.h"
+#include "render/dense_cache.h"
+
+namespace mapwright::render {
+
+/// What a pixel of a composition is made of (bits of Composition::flags).
+enum PixelFlag : std::uint8_t {
+  kObserved = 1,
+  kIncremental = 2,  // the topmost observed texture is_incremental
+  kActive = 4,       // ... is not frozen
+  kNearby = 8,       // ... is_nearby
+};
+
+/// A texture where it lies. `flags`: the PixelFlag bits (without kObserved) its pixels get.
+struct PlacedTexture {
+  map::SubmapId id;
+  std::shared_ptr<const raster::CellTexture> texture;
+  geometry::Pose2 world_from_texture;  // columns run along -y, rows along -x of this frame
+  std::uint8_t flags = 0;
+};
+
+/// The world rectangle that a placed texture can touch, one cell of bilinear fade included.
+geometry::WorldRect boundsOf(const PlacedTexture& placed);
+
+/// A raster of square pixels anywhere on the plane. World of the corner of pixel (0,0) is origin; column direction is
+/// (cos, -sin) of rotation and row direction is "down": as geometry::ViewTransform with the same rotation_rad.
+struct PixelGrid {
+  Eigen::Vector2d origin_m{0, 0};
+  double scale_m_per_px = 0.05;
+  double rotation_rad = 0;
+  int width_px = 0, height_px = 0;
+  Eigen::Vector2d worldFromPixel(double column, double row) const;  // continuous: centre of pixel (0,0) = (0.5, 0.5)
+  geometry::WorldRect bounds() const;
+};
+
+/// A finished composition, row-major from the top row.
+struct Composition {
+  int width_px = 0, height_px = 0;
+  std::vector<std::uint8_t> intensity;  // 128 where nothing was observed
+  std::vector<std::uint8_t> flags;      // PixelFlag bits, 0 = not observed
+};
+
+enum class Quality {
+  Exact,    // the composition at native resolution, reduced by area average
+  Preview,  // composed from reduced levels, one sample a pixel: quick, walls pale
+};
+
+/// Which inner loop runs. All give the same bytes.
+enum class Kernel { Best, Portable, Avx2 };
+bool kernelAvailable(Kernel kernel);
+
+/// Composes `textures`, which must be in ascending (trajectory, index) order. Per texture, the sampling is bilinear, or nearest
+/// where a cell covers more than 4x4 pixels. A pixel larger than the finest cell under it is the area average of k*k
+/// samples no coarser than that cell. flags of a reduced pixel are the union of its samples' flags.
+/// `cancelled` (may be null) is polled; when it becomes true the result is empty (width 0).
+Composition compose(const PixelGrid& grid, std::span<const PlacedTexture> textures, Quality quality, DenseCache& cache,
+                    Kernel kernel = Kernel::Best, const std::atomic<bool>* cancelled = nullptr);
+
+}  // namespace mapwright::render
