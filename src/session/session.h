@@ -1,0 +1,146 @@
+// One connected robot as the window and the command line see it: the live state, the submaps, their fetches, the problems.
+// Ties the robot port to the submap cache. GUI-thread object; decoding runs on a pool (architecture, decision 4).
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+
+#include "geometry/rect.h"
+#include "map/live_state.h"
+#include "robot/robot.h"
+#include "session/problem_log.h"
+#include "submap/fetch_scheduler.h"
+#include "submap/submap_book.h"
+
+namespace mapwright::session {
+
+/// How one submap stands, for a row of the inspector.
+enum class SubmapStatus {
+  OnScreen,  // the listed version is held and drawn (or would be, were it visible)
+  Updating,  // an older version is on screen, the listed one is queued or being fetched
+  Queued,
+  Fetching,
+  NoSlice,  // held, but it has no slice of the chosen number
+  Missing,  // 404
+  Waiting,  // failed; will be tried again
+  Corrupt,  // came, but cannot be drawn
+  Unplaced,  // no usable pose
+};
+
+/// Counters over all listed submaps. shown + pending + without_slice + missing + failed + corrupt == listed.
+struct SubmapCounts {
+  bool list_received = false;
+  int listed = 0;
+  int shown = 0;          // have a drawable chosen slice (OnScreen, or an older version while Updating)
+  int pending = 0;        // nothing held yet: queued, being fetched or being decoded
+  int without_slice = 0;
+  int missing = 0;
+  int failed = 0;         // waiting for another try, nothing held
+  int corrupt = 0;        // corrupt chosen slice, or no usable pose
+  int hidden = 0;         // by the user's choice (independent of the above)
+  int updating = 0;       // a newer version than the one on screen is on its way
+  int trajectories = 0;
+  int fetching = 0, queued = 0;  // fetch work
+  qint64 texture_bytes = 0;
+  quint64 fetches = 0;      // answers that travelled over the network
+  quint64 cache_hits = 0;   // answers from disk
+  quint64 bytes_fetched = 0;
+  bool operator==(const SubmapCounts&) const = default;
+};
+
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  struct Options {
+    submap::SchedulerOptions scheduler;
+    int decode_threads = 0;  // 0 = one per core
+  };
+  /// Takes the robot over; connect with open(). `monotonic` is the clock of all waits.
+  Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent = nullptr,
+          std::function<submap::Millis()> monotonic = {});
+  ~Session() override;
+
+  void open();
+  void close();
+  void retryNow();  // reconnect if need be; ask again for everything that failed or was missing
+
+  robot::Robot& robot() { return *robot_; }
+  const robot::Robot& robot() const { return *robot_; }
+  robot::ConnectionState connection() const { return robot_->connection(); }
+  const map::LiveState& live() const { return live_; }
+  const submap::SubmapBook& book() const { return book_; }
+  const ProblemLog& problems() const { return problems_; }
+  void clearProblems();
+  /// When live messages stopped (link lost); nullopt while online or never online.
+  std::optional<QDateTime> staleSince() const { return stale_since_; }
+
+  SubmapCounts counts() const;
+  SubmapStatus status(map::SubmapId id) const;
+  QString reason(map::SubmapId id) const;  // why Missing, Waiting, Corrupt or Unplaced; plain text
+  /// True when nothing more can be expected of the present list without waiting for another try of a failed one:
+  /// every listed submap is on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
+  bool settled(int tries) const;
+
+  int slice() const { return slice_; }
+  void setSlice(int slice);
+  void setVisible(const std::vector<map::SubmapId>& ids, bool visible);
+  /// What the user looks at, to fetch that first.
+  void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
+
+  /// Bounds of everything drawn and visible; while nothing is held, of the poses. Empty without submaps.
+  geometry::WorldRect contentBounds() const;
+
+ Q_SIGNALS:
+  void connectionChanged();
+  void identityChanged();
+  void liveChanged();      // pose, trail, model, slam status
+  void listChanged();      // submaps were added or removed, or the session is new
+  void sessionRestarted();  // new uuid: every picture is gone. Comes before listChanged()
+  void submapsPlaced(const std::vector<mapwright::map::SubmapId>& ids);   // picture, pose, flags or visibility: draw again
+  void submapsRemoved(const std::vector<mapwright::map::SubmapId>& ids);
+  void sliceChanged();     // every picture: draw again
+  void rowsChanged();      // some status or counter; coalesced to 10 times a second
+  void problemsChanged();  // coalesced likewise
+
+ private:
+  void takeTopic(const map::TopicMessage& message);
+  void takeList(const map::SubmapList& list);
+  void takeAnswer(map::SubmapAnswer answer);
+  void takeDecoded(submap::DecodedSubmap decoded);
+  void report(const map::Problem& problem);
+  void publish(const submap::BookChange& change);
+  void pump();
+  void noteConnection();
+  double priorityOf(map::SubmapId id) const;
+  void touchRows();
+  submap::Millis now() const { return monotonic_(); }
+
+  std::unique_ptr<robot::Robot> robot_;
+  std::function<submap::Millis()> monotonic_;
+  map::LiveState live_;
+  submap::SubmapBook book_;
+  submap::FetchScheduler scheduler_;
+  ProblemLog problems_;
+  std::unordered_map<map::SubmapId, std::string> failure_reasons_;
+  std::unordered_map<map::SubmapId, int> decoding_;
+  std::optional<QDateTime> stale_since_;
+  bool was_online_ = false;
+  int slice_ = 0;
+  geometry::WorldRect view_;
+  Eigen::Vector2d view_center_{0, 0};
+  quint64 generation_ = 0;
+  quint64 fetches_ = 0, cache_hits_ = 0, bytes_fetched_ = 0;
+  QThreadPool decode_pool_;
+  QTimer wake_timer_, rows_timer_, problems_timer_;
+};
+
+}  // namespace mapwright::session

@@ -1,0 +1,198 @@
+#include "submap/submap_book.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mapwright::submap {
+namespace {
+
+std::string describe(map::SubmapId id, std::int32_t version) {
+  return "Submap " + map::toText(id) + " v" + std::to_string(version);
+}
+
+std::string poseProblem(const geometry::Pose3& pose) {
+  if (!geometry::toIsometry(pose)) {
+    const double length = std::hypot(std::hypot(pose.qx, pose.qy), std::hypot(pose.qz, pose.qw));
+    return std::isfinite(length) && length < 1e-6 ? "its orientation is a zero quaternion"
+                                                  : "its pose holds numbers that are not finite";
+  }
+  if (std::max(std::abs(pose.x), std::abs(pose.y)) > kMaxCoordinateM) {
+    return "its pose lies more than 1,000 km from the map's origin";
+  }
+  return {};
+}
+
+/// The list without duplicates: per id the highest version, then the first.
+std::map<map::SubmapId, map::SubmapEntry> uniqueEntries(const map::SubmapList& list,
+                                                        std::vector<map::Problem>& problems) {
+  std::map<map::SubmapId, map::SubmapEntry> entries;
+  for (const map::SubmapEntry& entry : list.entries) {
+    const auto [it, added] = entries.try_emplace(entry.id, entry);
+    if (added) continue;
+    problems.push_back({map::Severity::Warning, "Submap " + map::toText(entry.id),
+                        it->second == entry ? "It is listed twice. Counted once."
+                                            : "It is listed twice, differently. The highest version with a "
+                                              "usable pose is used."});
+    const auto rank = [](const map::SubmapEntry& e) {
+      return std::pair(poseProblem(e.pose).empty(), e.version);
+    };
+    if (rank(entry) > rank(it->second)) it->second = entry;
+  }
+  return entries;
+}
+
+std::size_t bytesOf(const std::vector<Slice>& slices) {
+  std::size_t bytes = 0;
+  for (const Slice& slice : slices) bytes += slice.texture ? slice.texture->bytes() : 0;
+  return bytes;
+}
+
+}  // namespace
+
+std::string SubmapRow::corruptReason() const {
+  std::string reason;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    if (slices[i].corrupt.empty()) continue;
+    if (!reason.empty()) reason += "; ";
+    if (slices.size() > 1) reason += "slice " + std::to_string(i) + ": ";
+    reason += slices[i].corrupt;
+  }
+  return reason;
+}
+
+BookChange SubmapBook::apply(const map::SubmapList& list) {
+  BookChange change;
+  for (const std::string& sentence : list.rejected) {
+    change.problems.push_back({map::Severity::Warning, "Submap list", sentence});
+  }
+  if (list.uuid != uuid_ || !list_received_) {
+    change.new_session = true;
+    change.set_changed = true;
+    rows_.clear();
+    backward_lists_.clear();
+    texture_bytes_ = 0;
+    uuid_ = list.uuid;
+  }
+  list_received_ = true;
+  slam_state_ = list.slam_state;
+  const auto entries = uniqueEntries(list, change.problems);
+
+  for (auto it = rows_.begin(); it != rows_.end();) {
+    if (entries.contains(it->first)) {
+      ++it;
+      continue;
+    }
+    change.removed.push_back(it->first);
+    change.set_changed = true;
+    texture_bytes_ -= it->second.texture_bytes;
+    backward_lists_.erase(it->first);
+    it = rows_.erase(it);
+  }
+
+  for (const auto& [id, entry] : entries) {
+    const auto [it, added] = rows_.try_emplace(id);
+    SubmapRow& row = it->second;
+    change.set_changed |= added;
+    const std::string problem = poseProblem(entry.pose);
+    if (!problem.empty() && problem != row.pose_problem) {
+      change.problems.push_back({map::Severity::Error, describe(id, entry.version),
+                                 "It cannot be placed: " + problem +
+                                     (row.pose_usable ? ". It stays where it was." : ". Shown without it.")});
+    }
+    row.pose_problem = problem;
+    const map::SubmapEntry before = row.entry;
+    row.entry = entry;
+    if (!problem.empty()) row.entry.pose = before.pose;
+    const bool was_usable = row.pose_usable;
+    row.pose_usable |= problem.empty();
+
+    if (entry.version < row.shown_version) {
+      const int lists = ++backward_lists_[id];
+      if (!row.stale_texture) {
+        change.problems.push_back({map::Severity::Warning, describe(id, entry.version),
+                                   "Its version went back from " + std::to_string(row.shown_version) +
+                                       ". The newer picture stays unless the robot insists."});
+      }
+      row.stale_texture = true;
+      if (lists == kBackwardLists) change.restarted.push_back(id);
+    } else {
+      backward_lists_.erase(id);
+      row.stale_texture = false;
+    }
+
+    const bool looks_different = row.entry.pose != before.pose || entry.is_frozen != before.is_frozen ||
+                                 entry.is_incremental != before.is_incremental ||
+                                 entry.is_nearby != before.is_nearby || was_usable != row.pose_usable;
+    if (looks_different && row.shown_version >= 0) change.placed.push_back(id);
+  }
+  return change;
+}
+
+BookChange SubmapBook::commit(DecodedSubmap decoded) {
+  BookChange change;
+  const auto it = rows_.find(decoded.key.id);
+  if (decoded.key.uuid != uuid_ || it == rows_.end()) return change;
+  SubmapRow& row = it->second;
+  const auto backward = backward_lists_.find(decoded.key.id);
+  const bool insisted = backward != backward_lists_.end() && backward->second >= kBackwardLists;
+  if (decoded.version < row.shown_version && !insisted) return change;
+  row.shown_version = decoded.version;
+  row.stale_texture = false;
+  backward_lists_.erase(decoded.key.id);
+  texture_bytes_ -= row.texture_bytes;
+  row.slices = std::move(decoded.slices);
+  row.texture_bytes = bytesOf(row.slices);
+  texture_bytes_ += row.texture_bytes;
+  if (const std::string reason = row.corruptReason(); !reason.empty()) {
+    change.problems.push_back({map::Severity::Error, describe(decoded.key.id, decoded.version),
+                               reason + ". Shown without it. It will be asked for again at the next version."});
+  }
+  change.placed.push_back(decoded.key.id);
+  return change;
+}
+
+void SubmapBook::setVisible(map::SubmapId id, bool visible) {
+  if (const auto it = rows_.find(id); it != rows_.end()) it->second.visible = visible;
+}
+
+const SubmapRow* SubmapBook::find(map::SubmapId id) const {
+  const auto it = rows_.find(id);
+  return it == rows_.end() ? nullptr : &it->second;
+}
+
+std::optional<Placement> SubmapBook::placement(map::SubmapId id, int slice) const {
+  const SubmapRow* row = find(id);
+  if (!row || !row->pose_usable || slice < 0 || std::size_t(slice) >= row->slices.size()) return std::nullopt;
+  const Slice& chosen = row->slices[std::size_t(slice)];
+  const auto world_from_submap = geometry::toIsometry(row->entry.pose);
+  const auto submap_from_slice = geometry::toIsometry(chosen.slice_pose);
+  if (!chosen.texture || !world_from_submap || !submap_from_slice) return std::nullopt;
+  return Placement{chosen.texture, geometry::projectToPlane(*world_from_submap * *submap_from_slice)};
+}
+
+geometry::WorldRect SubmapBook::bounds(map::SubmapId id, int slice) const {
+  geometry::WorldRect rect;
+  const SubmapRow* row = find(id);
+  if (!row || !row->pose_usable) return rect;
+  if (const auto placed = placement(id, slice)) {
+    const double rows_m = placed->texture->height() * placed->texture->resolutionM();
+    const double columns_m = placed->texture->width() * placed->texture->resolutionM();
+    for (const double along : {0.0, -rows_m}) {
+      for (const double across : {0.0, -columns_m}) {
+        rect.extend(placed->world_from_texture.apply({along, across}));
+      }
+    }
+    return rect;
+  }
+  rect.extend(Eigen::Vector2d(row->entry.pose.x, row->entry.pose.y));
+  return rect;
+}
+
+int SubmapBook::maxSlices() const {
+  std::size_t most = 0;
+  for (const auto& [id, row] : rows_) most = std::max(most, row.slices.size());
+  return int(most);
+}
+
+}  // namespace mapwright::submap

@@ -1,0 +1,43 @@
+#include <cmath>
+
+#include "raster/decode_cells.h"
+#include "submap/submap_book.h"
+
+namespace mapwright::submap {
+namespace {
+
+Slice decodeSlice(const map::RawSlice& raw) {
+  Slice slice;
+  slice.slice_pose = raw.slice_pose;
+  slice.z_level = raw.z_level;
+  // A robot that has no such slice sends an empty texture to keep the slice ids in step.
+  if (raw.cells.empty() && raw.width == 0 && raw.height == 0) return slice;
+  const auto pose = geometry::toIsometry(raw.slice_pose);
+  if (!pose || pose->translation().cwiseAbs().maxCoeff() > kMaxCoordinateM) {
+    slice.corrupt = "its slice pose is not usable (a number that is not finite, or a zero quaternion)";
+    return slice;
+  }
+  const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(raw.cells.data()),
+                                            raw.cells.size());
+  auto texture = raster::decodeCells(bytes, raw.width, raw.height, raw.resolution_m, raw.cell_format);
+  if (texture) {
+    slice.texture = std::move(*texture);
+  } else {
+    slice.corrupt = texture.error().sentence;
+  }
+  return slice;
+}
+
+}  // namespace
+
+DecodedSubmap decode(const map::SubmapAnswer& answer) {
+  DecodedSubmap decoded;
+  decoded.key = answer.key;
+  decoded.version = answer.version > 0 ? answer.version : answer.key.version;
+  decoded.bytes = answer.bytes;
+  decoded.slices.reserve(answer.slices.size());
+  for (const map::RawSlice& raw : answer.slices) decoded.slices.push_back(decodeSlice(raw));
+  return decoded;
+}
+
+}  // namespace mapwright::submap

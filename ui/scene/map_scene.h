@@ -1,0 +1,89 @@
+// The map as a QGraphicsScene: the same for the window and for snapshots. Scene coordinates are viewport pixels; the
+// camera (geometry::ViewTransform) places the layers, so precision and speed do not depend on how far the map reaches.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QGraphicsScene>
+
+#include "geometry/view_transform.h"
+#include "render/tile_renderer.h"
+#include "scene/map_theme.h"
+#include "session/session.h"
+
+namespace mapwright::scene {
+
+/// What can be shown, bottom to top. Names for the command line by layerName().
+enum class Layer { Submaps, Grid, Outlines, Ids, Trail, Robot, ScaleBar };
+QString layerName(Layer layer);  // "submaps", "grid", "outlines", "ids", "trail", "robot", "scalebar"
+std::vector<Layer> allLayers();
+
+/// A measured polyline in world metres.
+struct Measurement {
+  std::vector<Eigen::Vector2d> points;
+};
+
+class MapScene : public QGraphicsScene {
+  Q_OBJECT
+ public:
+  /// `renderer_options.previews` false makes a scene for snapshots: only exact pictures, no animation.
+  explicit MapScene(render::TileRenderer::Options renderer_options, QObject* parent = nullptr);
+  ~MapScene() override;
+
+  /// Shows a session (not owned; null = none). The session must outlive this or be taken away before.
+  void setSession(session::Session* session);
+  session::Session* session() const { return session_; }
+
+  const geometry::ViewTransform& view() const { return view_; }
+  void setView(const geometry::ViewTransform& view);
+
+  void setTheme(const MapTheme& theme);
+  const MapTheme& theme() const { return theme_; }
+  void setColorMode(render::ColorMode mode);
+  render::ColorMode colorMode() const { return color_mode_; }
+
+  bool layerVisible(Layer layer) const;
+  void setLayerVisible(Layer layer, bool visible);
+  double layerOpacity(Layer layer) const;
+  void setLayerOpacity(Layer layer, double opacity);  // 0..1
+
+  /// A submap to point at (selected in the tree): outlined in the accent colour.
+  void setHighlighted(std::optional<map::SubmapId> id);
+  std::optional<map::SubmapId> highlighted() const;
+  /// The topmost visible submap whose slice covers the point.
+  std::optional<map::SubmapId> submapAt(const Eigen::Vector2d& world_m) const;
+
+  void setMeasurement(std::optional<Measurement> measurement);
+
+  render::TileRenderer& renderer() { return *renderer_; }
+  /// Occupancy in percent (0 free .. 100 occupied) at a point; nullopt where nothing was observed.
+  std::optional<int> occupancyAt(const Eigen::Vector2d& world_m) const;
+  /// Every listed submap's picture is in and every visible tile is exact.
+  bool settled() const;
+
+  /// "Drawn as of" greying while the link is lost.
+  void setStale(bool stale);
+
+ Q_SIGNALS:
+  void viewChanged();
+  void layersChanged();
+  void tilesSettled();
+
+ private:
+  class Impl;
+  void syncPlaced(const std::vector<map::SubmapId>& ids);
+  void syncAll();
+
+  session::Session* session_ = nullptr;
+  geometry::ViewTransform view_;
+  MapTheme theme_;
+  render::ColorMode color_mode_ = render::ColorMode::Normal;
+  std::unique_ptr<render::TileRenderer> renderer_;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mapwright::scene

@@ -1,0 +1,23 @@
+// The colours and the type of the map, light and dark (window.md, "Colours").
+#pragma once
+
+#include <QColor>
+#include <QFont>
+
+#include "render/tile_renderer.h"
+
+namespace mapwright::scene {
+
+struct MapTheme {
+  render::MapColors map;
+  QColor grid_minor, grid_major, axis;
+  QColor text, text_halo;
+  QColor accent, robot, robot_outline, trail, outline, outline_frozen, measure, stale_veil;
+  QFont label_font;
+  bool dark = false;
+};
+
+MapTheme lightMapTheme();
+MapTheme darkMapTheme();
+
+}  // namespace mapwright::scene
