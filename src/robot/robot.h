@@ -78,3 +78,6 @@ class Robot : public QObject {
 
 Q_DECLARE_METATYPE(mapwright::map::TopicMessage)
 Q_DECLARE_METATYPE(mapwright::map::Problem)
+Q_DECLARE_METATYPE(mapwright::map::SubmapAnswer)
+Q_DECLARE_METATYPE(mapwright::robot::ConnectionState)
+Q_DECLARE_METATYPE(mapwright::robot::RobotIdentity)

@@ -77,6 +77,7 @@ std::vector<map::SubmapKey> FetchScheduler::take(Millis now) {
     const map::SubmapId id = queue_.back();
     queue_.pop_back();
     Wish& wish = wishes_.at(id);
+    if (!open(wish)) continue;  // satisfied since the queue was made
     if (wish.not_before > now) {
       not_yet.push_back(id);
       continue;

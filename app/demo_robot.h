@@ -1,0 +1,25 @@
+// The embedded simulator as a robot of this process.
+#pragma once
+
+#include <memory>
+
+#include <QUrlQuery>
+
+#include <tl/expected.hpp>
+
+#include "robot/robot.h"
+#include "simulator/simulator.h"
+
+namespace mapwright::app {
+
+/// Whether the demo's world goes on by itself or stands still, so that every snapshot of it is the same.
+enum class DemoTime { Running, Frozen };
+
+/// The simulator's options from the query of "demo:?scene=warehouse&submaps=500&seed=3"; the error is a sentence.
+tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query, DemoTime time);
+
+/// Starts a simulator on a free loopback port and a client connected to it.
+tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString& address,
+                                                                   const simulator::Options& options);
+
+}  // namespace mapwright::app

@@ -1,0 +1,62 @@
+#include "app/display.h"
+
+#include <QByteArray>
+#include <QDir>
+#include <QFile>
+#include <QGuiApplication>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+namespace mapwright::app {
+namespace {
+
+// Parameters behind the colon mark our own fallback, so that a user's plain "offscreen" still opens the window there.
+constexpr char kFallback[] = "offscreen:";
+
+constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
+<!DOCTYPE fontconfig SYSTEM "fonts.dtd">
+<fontconfig>
+  <dir>/usr/share/fonts</dir>
+  <cachedir prefix="xdg">fontconfig</cachedir>
+  <match target="font">
+    <edit name="antialias" mode="assign"><bool>true</bool></edit>
+    <edit name="hinting" mode="assign"><bool>false</bool></edit>
+    <edit name="rgba" mode="assign"><const>none</const></edit>
+  </match>
+</fontconfig>
+)";
+
+/// Snapshots must not follow the user's font settings.
+void pinFonts() {
+  const QString folder =
+      QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/mapwright");
+  const QString path = folder + QStringLiteral("/snapshot-fonts.conf");
+  QFile present(path);
+  if (!present.open(QIODevice::ReadOnly) || present.readAll() != kFontConfig) {
+    QDir().mkpath(folder);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(kFontConfig) < 0 || !file.commit()) return;
+  }
+  qputenv("FONTCONFIG_FILE", QFile::encodeName(path));
+}
+
+}  // namespace
+
+void chooseWindowPlatform() {
+  if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) return;
+  QByteArray platforms;
+  if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) platforms += "wayland;";
+  if (!qEnvironmentVariableIsEmpty("DISPLAY")) platforms += "xcb;";
+  qputenv("QT_QPA_PLATFORM", platforms + kFallback);
+}
+
+void chooseOffscreenPlatform() {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  pinFonts();
+}
+
+bool haveDisplay() {
+  return QGuiApplication::platformName() != QLatin1String("offscreen") || !qgetenv("QT_QPA_PLATFORM").endsWith(kFallback);
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,47 @@
+// What `mapwright snapshot` was asked for, from the words of the command line to values (cli.md).
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include <QSize>
+#include <QString>
+
+#include <Eigen/Core>
+#include <tl/expected.hpp>
+
+#include "render/tile_renderer.h"
+#include "scene/map_scene.h"
+
+namespace mapwright::app {
+
+/// The words as typed; empty = not given.
+struct SnapshotWords {
+  std::string robot, secret_file, output, mode = "submaps", map, center, size = "1280x800", layers, colors = "normal",
+                                          theme = "light", settle = "complete", report;
+  double scale = 0, rotate_deg = 0, timeout_s = 60;
+  int slice = 0;
+  bool fit = false, raw = false, json = false;
+};
+
+struct SnapshotOptions {
+  QString robot, secret_file, output, report;
+  std::optional<Eigen::Vector2d> center_m;  // nullopt = fit
+  double scale_m_per_px = 0;
+  QSize size_px;
+  double rotation_rad = 0;
+  std::set<scene::Layer> layers;
+  int slice = 0;
+  render::ColorMode colors = render::ColorMode::Normal;
+  bool dark = false;
+  bool raw = false;
+  bool json = false;
+  std::optional<double> settle_s;  // nullopt = complete
+  double timeout_s = 60;
+};
+
+/// The error is a sentence that names the option.
+tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words);
+
+}  // namespace mapwright::app

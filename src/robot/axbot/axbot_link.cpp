@@ -1,0 +1,281 @@
+#include "robot/axbot/axbot_link.h"
+
+#include <algorithm>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QUrlQuery>
+
+#include "robot/axbot/parse_submap.h"
+#include "robot/axbot/parse_topics.h"
+
+namespace mapwright::robot::axbot {
+namespace {
+
+constexpr int kSubscribeAnswerMs = 3'000;
+
+const QStringList& topics() {
+  static const QStringList list{QStringLiteral("/submap_list"), QStringLiteral("/tracked_pose"),
+                                QStringLiteral("/robot_model"), QStringLiteral("/slam/state")};
+  return list;
+}
+
+std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
+
+/// A member by any of its names, looked for here and one level down: firmware versions nest them differently.
+QJsonValue findMember(const QJsonObject& object, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    if (const auto value = object.value(QLatin1String(name)); !value.isUndefined() && !value.isNull()) return value;
+  }
+  for (const QJsonValue& child : object) {
+    if (!child.isObject()) continue;
+    const QJsonObject inner = child.toObject();
+    for (const char* name : names) {
+      if (const auto value = inner.value(QLatin1String(name)); !value.isUndefined() && !value.isNull()) return value;
+    }
+  }
+  return QJsonValue::Undefined;
+}
+
+QString memberText(const QJsonObject& object, std::initializer_list<const char*> names) {
+  const QJsonValue value = findMember(object, names);
+  return value.isString() ? value.toString().left(200) : value.isDouble() ? value.toVariant().toString() : QString();
+}
+
+QUrl socketUrl(const QUrl& base, bool binary) {
+  QUrl url = base;
+  url.setScheme(base.scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
+  url.setPath(base.path() + QStringLiteral("/ws/v2/topics"));
+  if (binary) url.setQuery(QStringLiteral("pb=1"));
+  return url;
+}
+
+}  // namespace
+
+AxbotLink::AxbotLink(LinkOptions options) : options_(std::move(options)) {}
+
+AxbotLink::~AxbotLink() {
+  // Replies of what is under way must not reach a half-destroyed object.
+  if (http_) http_->disconnect(this);
+  socket_.reset();
+  http_.reset();
+}
+
+void AxbotLink::start() {
+  if (http_) return;
+  if (!options_.cache_folder.isEmpty()) {
+    cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
+  }
+  http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
+  // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
+  socket_ = std::make_unique<net::WebSocketLink>(
+      QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret, options_.socket);
+  list_timer_ = std::make_unique<QTimer>();
+  subscribe_timer_ = std::make_unique<QTimer>();
+  for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get()}) timer->setSingleShot(true);
+  connect(list_timer_.get(), &QTimer::timeout, this, [this] {
+    Q_EMIT problemFound(problem(map::Severity::Warning,
+                                tr("It has not sent a submap list yet. It may have no SLAM session, or its firmware "
+                                   "may not know the topic /submap_list. Still listening.")));
+  });
+  connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
+    if (!topics_confirmed_) subscribeOneByOne();
+  });
+  connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
+  connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
+    topics_confirmed_ = false;
+    if (device_info_answered_) subscribe();
+    else askDeviceInfo();
+  });
+  connect(socket_.get(), &net::WebSocketLink::textReceived, this, &AxbotLink::takeText);
+  connect(socket_.get(), &net::WebSocketLink::binaryReceived, this, [this](const QByteArray& bytes) {
+    if (const auto message = parseBinaryFrame(view(bytes))) emitTopic(*message);
+  });
+}
+
+void AxbotLink::open() {
+  start();
+  wanted_ = true;
+  socket_->open();
+}
+
+void AxbotLink::close() {
+  wanted_ = false;
+  if (!http_) return;
+  list_timer_->stop();
+  subscribe_timer_->stop();
+  cancelAll();
+  socket_->close();
+  publishState();
+}
+
+QUrl AxbotLink::urlOf(const QString& path) const {
+  QUrl url = options_.base;
+  url.setPath(options_.base.path() + path);
+  return url;
+}
+
+QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const {
+  QUrl url = options_.base;
+  const QString uuid = QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(key.uuid)));
+  url.setPath(QString::fromLatin1(QUrl::toPercentEncoding(options_.base.path(), "/")) +
+                  QStringLiteral("/ros/slam/submaps/%1/%2/%3").arg(uuid).arg(key.id.trajectory).arg(key.id.index),
+              QUrl::TolerantMode);
+  QUrlQuery query;
+  query.addQueryItem(QStringLiteral("ver"), QString::number(version));
+  url.setQuery(query);
+  return url;
+}
+
+map::Problem AxbotLink::problem(map::Severity severity, const QString& sentence) const {
+  const QString host = QStringLiteral("Robot %1:%2").arg(options_.base.host()).arg(options_.base.port());
+  return {severity, host.toStdString(), sentence.toStdString()};
+}
+
+void AxbotLink::askDeviceInfo() {
+  if (device_info_asked_) return;
+  device_info_asked_ = true;
+  net::HttpRequest request;
+  request.url = urlOf(QStringLiteral("/device/info"));
+  request.timeout = std::chrono::milliseconds(5'000);
+  request.max_bytes = qint64(4) << 20;
+  http_->get(request, [this](const net::HttpAnswer& answer) { takeDeviceInfo(answer); });
+}
+
+void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
+  device_info_asked_ = false;
+  if (answer.ok()) {
+    const QJsonObject info = QJsonDocument::fromJson(answer.body).object();
+    RobotIdentity identity;
+    identity.model = memberText(info, {"model"});
+    identity.serial = memberText(info, {"sn", "serial", "serial_number"});
+    identity.name = memberText(info, {"nickname", "name"});
+    identity.version = memberText(info, {"axbot_version", "version", "software_version"});
+    takes_topic_lists_ = findMember(info, {"supportsEnableTopicList"}).toBool(false);
+    Q_EMIT identityChanged(identity);
+  } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
+    // Not fatal: the robot is then taken for the oldest kind.
+    Q_EMIT problemFound(problem(map::Severity::Info, tr("It does not say what it is: %1").arg(answer.sentence)));
+  }
+  device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
+  if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
+}
+
+void AxbotLink::subscribe() {
+  if (list_timer_) list_timer_->start(options_.list_expected_within);
+  if (!takes_topic_lists_) {
+    subscribeOneByOne();
+    return;
+  }
+  const QJsonObject request{{QStringLiteral("enable_topic"), QJsonArray::fromStringList(topics())}};
+  socket_->sendText(QString::fromUtf8(QJsonDocument(request).toJson(QJsonDocument::Compact)));
+  // Some firmware claims lists and ignores them.
+  subscribe_timer_->start(kSubscribeAnswerMs);
+}
+
+void AxbotLink::subscribeOneByOne() {
+  for (const QString& topic : topics()) {
+    const QJsonObject request{{QStringLiteral("enable_topic"), topic}};
+    socket_->sendText(QString::fromUtf8(QJsonDocument(request).toJson(QJsonDocument::Compact)));
+  }
+}
+
+void AxbotLink::takeText(const QByteArray& utf8) {
+  const TextFrame frame = parseTextFrame(view(utf8));
+  if (frame.message) {
+    emitTopic(*frame.message);
+  } else if (frame.enabled_topics) {
+    takeEnabledTopics(*frame.enabled_topics);
+  } else if (!frame.error.empty()) {
+    Q_EMIT problemFound(problem(map::Severity::Warning,
+                                tr("It answered: %1").arg(QString::fromStdString(frame.error.substr(0, 300)))));
+  }
+}
+
+void AxbotLink::takeEnabledTopics(const std::vector<std::string>& enabled) {
+  if (std::find(enabled.begin(), enabled.end(), "/submap_list") != enabled.end()) topics_confirmed_ = true;
+}
+
+void AxbotLink::emitTopic(const map::TopicMessage& message) {
+  if (std::holds_alternative<map::SubmapList>(message)) {
+    topics_confirmed_ = true;
+    list_timer_->stop();
+  }
+  Q_EMIT topicReceived(message);
+}
+
+void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {
+  start();
+  net::HttpRequest request;
+  request.url = submapUrl(key, key.version);
+  request.accept = "application/x-protobuf";
+  request.cacheable = true;
+  request.timeout = options_.fetch_timeout;
+  under_way_[key] = http_->get(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
+    takeSubmap(key, url, answer, ticket);
+  });
+}
+
+void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket) {
+  using Outcome = map::SubmapAnswer::Outcome;
+  under_way_.erase(key);
+  map::SubmapAnswer answer;
+  if (http.ok()) {
+    answer = parseSubmapResponse(key, view(http.body));
+    answer.from_cache = http.from_cache;
+    if (cache_ && !http.from_cache) {
+      // The address names the version asked for; the body is the version that the robot has. Keep it under its own name
+      // only, so that neither a failure nor an older picture is taken for that version after a restart.
+      const bool other_version = answer.version > 0 && answer.version != key.version;
+      if (answer.outcome == Outcome::Ok && other_version) {
+        cache_->copy(url, submapUrl(key, answer.version));
+      }
+      if (answer.outcome != Outcome::Ok || (other_version && answer.version < key.version)) cache_->remove(url);
+    }
+  } else {
+    answer.key = key;
+    answer.reason = http.sentence.toStdString();
+    answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
+                     : http.status == 404                          ? Outcome::NotFound
+                                                                   : Outcome::Failed;
+  }
+  Q_EMIT answered(ticket, answer);
+}
+
+void AxbotLink::cancel(const map::SubmapKey& key) {
+  if (const auto it = under_way_.find(key); it != under_way_.end()) http_->cancel(it->second);
+}
+
+void AxbotLink::cancelAll() {
+  const auto requests = under_way_;
+  for (const auto& [key, id] : requests) http_->cancel(id);
+}
+
+void AxbotLink::publishState() {
+  using State = net::WebSocketLink::State;
+  ConnectionState state;
+  state.reason = socket_->reason();
+  state.attempt = socket_->attempt();
+  state.retry_in_ms = socket_->retryInMs();
+  state.round_trip_ms = socket_->roundTripMs();
+  switch (socket_->state()) {
+    case State::Open:
+      state.phase = ConnectionPhase::Online;
+      state.reason.clear();
+      break;
+    case State::Connecting:
+      state.phase = state.attempt <= 1 ? ConnectionPhase::Connecting : ConnectionPhase::Interrupted;
+      break;
+    case State::Waiting:
+      state.phase = ConnectionPhase::Interrupted;
+      break;
+    case State::Closed:
+      state.phase = wanted_ ? ConnectionPhase::Refused : ConnectionPhase::Offline;
+      if (!wanted_) state.reason.clear();
+      break;
+  }
+  Q_EMIT stateChanged(state);
+}
+
+}  // namespace mapwright::robot::axbot

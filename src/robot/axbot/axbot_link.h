@@ -1,0 +1,79 @@
+// The network half of an Autoxing robot. Lives on a thread of its own; values go in and out by queued calls.
+// Source: axbot.md, "Requests" and "WebSocket".
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QTimer>
+#include <QUrl>
+
+#include "map/live_state.h"
+#include "net/http_cache.h"
+#include "net/http_client.h"
+#include "net/web_socket_link.h"
+#include "robot/robot.h"
+
+namespace mapwright::robot::axbot {
+
+/// How to reach a robot. `secret` is sent to `base` only.
+struct LinkOptions {
+  QUrl base;  // http(s)://host:port[/prefix]
+  QByteArray secret;
+  QString cache_folder;  // empty = nothing is kept on disk
+  qint64 cache_budget_bytes = qint64(2) << 30;
+  net::WebSocketLinkOptions socket;
+  std::chrono::milliseconds fetch_timeout{30'000};
+  std::chrono::milliseconds list_expected_within{10'000};  // after subscribing, before it is remarked upon
+};
+
+class AxbotLink : public QObject {
+  Q_OBJECT
+ public:
+  explicit AxbotLink(LinkOptions options);
+  ~AxbotLink() override;
+
+  void open();
+  void close();
+  void fetch(quint64 ticket, const map::SubmapKey& key);
+  void cancel(const map::SubmapKey& key);
+  void cancelAll();
+
+ Q_SIGNALS:
+  void stateChanged(const mapwright::robot::ConnectionState& state);
+  void identityChanged(const mapwright::robot::RobotIdentity& identity);
+  void topicReceived(const mapwright::map::TopicMessage& message);
+  void problemFound(const mapwright::map::Problem& problem);
+  void answered(quint64 ticket, const mapwright::map::SubmapAnswer& answer);
+
+ private:
+  void start();  // makes the network objects, on this object's thread
+  void askDeviceInfo();
+  void takeDeviceInfo(const net::HttpAnswer& answer);
+  void subscribe();
+  void subscribeOneByOne();
+  void takeText(const QByteArray& utf8);
+  void takeEnabledTopics(const std::vector<std::string>& topics);
+  void takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket);
+  void emitTopic(const map::TopicMessage& message);
+  void publishState();
+  QUrl urlOf(const QString& path) const;
+  QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
+  map::Problem problem(map::Severity severity, const QString& sentence) const;
+
+  LinkOptions options_;
+  std::unique_ptr<net::HttpCache> cache_;
+  std::unique_ptr<net::HttpClient> http_;
+  std::unique_ptr<net::WebSocketLink> socket_;
+  std::unique_ptr<QTimer> list_timer_, subscribe_timer_;
+  bool wanted_ = false;
+  bool device_info_answered_ = false;
+  bool device_info_asked_ = false;
+  bool takes_topic_lists_ = false;
+  bool topics_confirmed_ = false;
+  std::map<map::SubmapKey, net::HttpClient::RequestId> under_way_;
+};
+
+}  // namespace mapwright::robot::axbot

@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include <zlib.h>
+
+#include "robot/axbot/parse_submap.h"
+#include "robot/axbot/parse_topics.h"
+#include "ros_messages/wrapper.pb.h"
+
+namespace mapwright::robot::axbot {
+namespace {
+
+constexpr std::size_t kMaxInflated = std::size_t(256) << 20;
+
+/// Inflates gzip or zlib data of unknown size up to kMaxInflated; nullopt when broken, cut off or larger.
+std::optional<std::string> inflateBounded(std::string_view packed) {
+  z_stream stream{};
+  if (inflateInit2(&stream, 15 + 32) != Z_OK) return std::nullopt;
+  std::string out;
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = uInt(packed.size());
+  int result = Z_OK;
+  while (result == Z_OK && out.size() < kMaxInflated) {
+    const std::size_t had = out.size();
+    out.resize(std::min(kMaxInflated, std::max<std::size_t>(had * 2, packed.size() * 4 + 4096)));
+    stream.next_out = reinterpret_cast<Bytef*>(out.data() + had);
+    stream.avail_out = uInt(out.size() - had);
+    result = inflate(&stream, Z_NO_FLUSH);
+    out.resize(out.size() - stream.avail_out);
+    if (result == Z_OK && stream.avail_in == 0 && stream.avail_out > 0) break;  // cut off
+  }
+  inflateEnd(&stream);
+  if (result != Z_STREAM_END) return std::nullopt;
+  return out;
+}
+
+}  // namespace
+
+std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
+  const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
+  if (bytes.size() < length + 2) {
+    return map::UnreadableMessage{"(unknown)", "A binary message of " + std::to_string(bytes.size()) +
+                                                   " bytes is too short to be read. It was left out."};
+  }
+  const std::string topic(bytes.substr(1, length));
+  if (topic != "/submap_list") return std::nullopt;
+  std::string_view body = bytes.substr(length + 2);
+  std::string inflated;
+  if (bytes[length + 1] != 0) {
+    auto unpacked = inflateBounded(body);
+    if (!unpacked) {
+      return map::UnreadableMessage{topic, "A compressed message could not be unpacked. The list before it stays."};
+    }
+    inflated = std::move(*unpacked);
+    body = inflated;
+  }
+  ros_messages::RosMessageWrapper wrapper;
+  if (!wrapper.ParseFromArray(body.data(), int(body.size())) || !wrapper.has_submap_list()) {
+    return map::UnreadableMessage{topic, "A binary message could not be read. The list before it stays."};
+  }
+  return toSubmapList(wrapper.submap_list());
+}
+
+}  // namespace mapwright::robot::axbot

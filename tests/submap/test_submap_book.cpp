@@ -1,0 +1,194 @@
+#include <cmath>
+
+#include <QTest>
+
+#include "submap/submap_book.h"
+
+using namespace mapwright;
+using submap::BookChange;
+using submap::DecodedSubmap;
+using submap::SubmapBook;
+
+namespace {
+
+map::SubmapEntry entry(int trajectory, int index, int version, double x = 0, double yaw = 0) {
+  map::SubmapEntry e;
+  e.id = {trajectory, index};
+  e.version = version;
+  e.pose = geometry::poseFromYaw(x, 0, yaw);
+  return e;
+}
+
+map::SubmapList listOf(std::vector<map::SubmapEntry> entries, const std::string& uuid = "u") {
+  map::SubmapList list;
+  list.uuid = uuid;
+  list.slam_state = map::SlamState::Slam;
+  list.entries = std::move(entries);
+  return list;
+}
+
+/// A 10 x 20 texture of 0.1 m cells whose cells all hold `value`.
+DecodedSubmap decoded(map::SubmapId id, int version, std::uint8_t value = 7, const std::string& uuid = "u") {
+  map::SubmapAnswer answer;
+  answer.key = {uuid, id, version};
+  answer.version = version;
+  map::RawSlice slice;
+  slice.width = 10;
+  slice.height = 20;
+  slice.resolution_m = 0.1;
+  slice.cells.assign(10 * 20 * 2, 0);
+  for (std::size_t i = 0; i < slice.cells.size(); i += 2) slice.cells[i] = char(value);
+  answer.slices.push_back(slice);
+  return submap::decode(answer);
+}
+
+}  // namespace
+
+class SubmapBookTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aListAddsAndRemovesSubmaps() {
+    SubmapBook book;
+    QVERIFY(book.apply(listOf({entry(0, 0, 1), entry(0, 1, 1)})).new_session);
+    QCOMPARE(book.rows().size(), std::size_t(2));
+    const BookChange change = book.apply(listOf({entry(0, 1, 1)}));
+    QVERIFY(!change.new_session && change.set_changed);
+    QCOMPARE(change.removed, std::vector<map::SubmapId>({{0, 0}}));
+  }
+
+  void aMovedPoseMovesThePictureWithoutANewVersion() {
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 1, 5)}));
+    book.commit(decoded({0, 0}, 1));
+    const auto before = book.placement({0, 0}, 0);
+    const BookChange change = book.apply(listOf({entry(0, 0, 1, 6, 0.5)}));
+    QCOMPARE(change.placed, std::vector<map::SubmapId>({{0, 0}}));
+    const auto after = book.placement({0, 0}, 0);
+    QCOMPARE(after->texture.get(), before->texture.get());
+    QCOMPARE(after->world_from_texture.x_m, 6.0);
+    QVERIFY(book.apply(listOf({entry(0, 0, 1, 6, 0.5)})).placed.empty());
+  }
+
+  void theOldPictureStaysUntilTheNewOneIsCommitted() {
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 1)}));
+    book.commit(decoded({0, 0}, 1, 1));
+    book.apply(listOf({entry(0, 0, 2)}));
+    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 1);
+    book.commit(decoded({0, 0}, 2, 2));
+    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 2);
+  }
+
+  void aLateOlderAnswerIsDropped() {
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 3)}));
+    book.commit(decoded({0, 0}, 3, 3));
+    QVERIFY(book.commit(decoded({0, 0}, 2, 2)).placed.empty());
+    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 3);
+  }
+
+  void anAnswerOfAnotherSessionIsDropped() {
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 1)}));
+    QVERIFY(book.commit(decoded({0, 0}, 1, 1, "other")).placed.empty());
+    QVERIFY(book.commit(decoded({5, 5}, 1)).placed.empty());
+  }
+
+  void aNewUuidDropsEverything() {
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 1)}));
+    book.commit(decoded({0, 0}, 1));
+    QVERIFY(book.textureBytes() > 0);
+    QVERIFY(book.apply(listOf({entry(0, 0, 1)}, "v")).new_session);
+    QCOMPARE(book.textureBytes(), std::size_t(0));
+    QVERIFY(!book.placement({0, 0}, 0));
+  }
+
+  void aBadPoseCostsOnlyItself() {
+    SubmapBook book;
+    auto broken = entry(0, 0, 1), zero = entry(0, 1, 1), far = entry(0, 2, 1, 1e9);
+    broken.pose.x = std::nan("");
+    zero.pose = {0, 0, 0, 0, 0, 0, 0};
+    const BookChange change = book.apply(listOf({broken, zero, far, entry(0, 3, 1)}));
+    QCOMPARE(change.problems.size(), std::size_t(3));
+    QVERIFY(QString::fromStdString(change.problems[1].sentence).contains(QStringLiteral("zero quaternion")));
+    QVERIFY(!book.find({0, 0})->pose_usable);
+    QVERIFY(book.find({0, 3})->pose_usable);
+    QVERIFY2(book.apply(listOf({broken, zero, far, entry(0, 3, 1)})).problems.empty(), "said once, not at every list");
+  }
+
+  void aPoseThatTurnsBadLeavesTheSubmapWhereItWas() {
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 1, 4)}));
+    book.commit(decoded({0, 0}, 1));
+    auto broken = entry(0, 0, 1);
+    broken.pose.qw = std::nan("");
+    QCOMPARE(book.apply(listOf({broken})).problems.size(), std::size_t(1));
+    QCOMPARE(book.placement({0, 0}, 0)->world_from_texture.x_m, 4.0);
+  }
+
+  void aDuplicateCountsOnceAndTheHighestUsableVersionWins() {
+    SubmapBook book;
+    auto unusable = entry(0, 0, 9);
+    unusable.pose.y = std::nan("");
+    const BookChange change = book.apply(listOf({entry(0, 0, 1), entry(0, 0, 2), unusable}));
+    QCOMPARE(book.rows().size(), std::size_t(1));
+    QCOMPARE(book.find({0, 0})->entry.version, 2);
+    QCOMPARE(change.problems.size(), std::size_t(2));
+  }
+
+  void aVersionThatGoesBackKeepsTheNewerPictureUnlessTheRobotInsists() {
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 5)}));
+    book.commit(decoded({0, 0}, 5, 5));
+    QCOMPARE(book.apply(listOf({entry(0, 0, 3)})).problems.size(), std::size_t(1));
+    QVERIFY(book.commit(decoded({0, 0}, 3, 3)).placed.empty());
+    QVERIFY(book.apply(listOf({entry(0, 0, 3)})).restarted.empty());
+    QCOMPARE(book.apply(listOf({entry(0, 0, 3)})).restarted.size(), std::size_t(1));
+    QCOMPARE(book.commit(decoded({0, 0}, 3, 3)).placed.size(), std::size_t(1));
+    QCOMPARE(int(book.placement({0, 0}, 0)->texture->at(0, 0).value), 3);
+  }
+
+  void aCorruptSliceLeavesTheOthers() {
+    map::SubmapAnswer answer;
+    answer.key = {"u", {0, 0}, 4};
+    answer.version = 4;
+    map::RawSlice bad, good, absent, crooked;
+    bad.width = bad.height = 160;
+    bad.resolution_m = 0.05;
+    bad.cells.assign(3200, 'x');
+    good.width = good.height = 1;
+    good.resolution_m = 0.05;
+    good.cells = std::string("\x05\x00", 2);
+    crooked = good;
+    crooked.slice_pose = {0, 0, 0, 0, 0, 0, 0};
+    answer.slices = {bad, good, absent, crooked};
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 4)}));
+    const BookChange change = book.commit(submap::decode(answer));
+    QCOMPARE(change.problems.size(), std::size_t(1));
+    const QString sentence = QString::fromStdString(change.problems[0].sentence);
+    QVERIFY2(sentence.contains(QStringLiteral("slice 0: 3,200 bytes where")), qPrintable(sentence));
+    QVERIFY2(sentence.contains(QStringLiteral("slice 3:")), qPrintable(sentence));
+    QVERIFY(!book.placement({0, 0}, 0));
+    QVERIFY(book.placement({0, 0}, 1));
+    QVERIFY(!book.placement({0, 0}, 2));
+    QVERIFY(!book.placement({0, 0}, 3));
+    QVERIFY(!book.placement({0, 0}, 99));
+  }
+
+  void boundsFollowTheTextureAxes() {
+    // Columns run along -y and rows along -x of the slice: 20 rows and 10 columns of 0.1 m from (5, 0).
+    SubmapBook book;
+    book.apply(listOf({entry(0, 0, 1, 5)}));
+    const geometry::WorldRect point = book.bounds({0, 0}, 0);
+    QCOMPARE(point.width(), 0.0);
+    book.commit(decoded({0, 0}, 1));
+    const geometry::WorldRect rect = book.bounds({0, 0}, 0);
+    QVERIFY(std::abs(rect.min_x - 3) < 1e-9 && std::abs(rect.max_x - 5) < 1e-9);
+    QVERIFY(std::abs(rect.min_y + 1) < 1e-9 && std::abs(rect.max_y) < 1e-9);
+  }
+};
+
+QTEST_GUILESS_MAIN(SubmapBookTest)
+#include "test_submap_book.moc"

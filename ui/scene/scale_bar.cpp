@@ -1,0 +1,47 @@
+#include <cmath>
+
+#include <QFontMetricsF>
+#include <QLocale>
+#include <QPainter>
+
+#include "scene/map_layers.h"
+
+namespace mapwright::scene {
+
+QString lengthText(double metres) {
+  const QLocale plain = QLocale::c();
+  const auto trimmed = [&](double value, int decimals) {
+    QString text = plain.toString(value, 'f', decimals);
+    if (text.contains(QLatin1Char('.'))) {
+      while (text.endsWith(QLatin1Char('0'))) text.chop(1);
+      if (text.endsWith(QLatin1Char('.'))) text.chop(1);
+    }
+    return text;
+  };
+  if (metres < 0.0995) return trimmed(metres * 1000, metres < 0.00995 ? 1 : 0) + QStringLiteral(" mm");
+  if (metres < 1) return trimmed(metres * 100, 1) + QStringLiteral(" cm");
+  if (metres < 1000) return trimmed(metres, metres < 100 ? 2 : 1) + QStringLiteral(" m");
+  return trimmed(metres / 1000, metres < 10'000 ? 2 : 1) + QStringLiteral(" km");
+}
+
+void ScaleBarLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  constexpr double kWidestPx = 140, kLeft = 16, kBottom = 16;
+  const double length_m = roundDown125(kWidestPx * context_.view.scale_m_per_px);
+  const double width = std::round(length_m / context_.view.scale_m_per_px);
+  const double y = context_.view.height_px - kBottom;
+  const QString text = lengthText(length_m);
+  const QFontMetricsF metrics(context_.theme.label_font);
+  painter->setRenderHint(QPainter::Antialiasing);
+  QColor plate = context_.theme.text_halo;
+  plate.setAlpha(190);
+  painter->setPen(Qt::NoPen);
+  painter->setBrush(plate);
+  painter->drawRoundedRect(QRectF(kLeft - 8, y - 24, width + 16, 32), 4, 4);
+  painter->setRenderHint(QPainter::Antialiasing, false);
+  painter->setPen(QPen(context_.theme.text, 2));
+  painter->drawPolyline(QPolygonF{{kLeft, y - 6}, {kLeft, y}, {kLeft + width, y}, {kLeft + width, y - 6}});
+  drawLabel(*painter, {kLeft + (width - metrics.horizontalAdvance(text)) / 2, y - 8}, text, context_.theme,
+            context_.theme.text);
+}
+
+}  // namespace mapwright::scene
