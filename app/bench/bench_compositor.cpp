@@ -1,20 +1,24 @@
-// How fast tiles are composed, and how exactly, next to what other libraries make of the same tiles in the same run.
-// Each kernel benchmark reports: Mpixel_per_s (samples of one layer), max_error and off_by_more_than_1 (percent) against
-// a double-precision reference over three layers.
+// How fast tiles are composed, and how exactly, next to what other libraries make of the same tiles in the
+// same run. Each kernel benchmark reports: Mpixel_per_s (samples of one layer), max_error and
+// off_by_more_than_1 (percent) against a double-precision reference over three layers.
 #include <algorithm>
+#include <cairo.h>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <random>
 #include <vector>
 
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
 #include <QImage>
 #include <QPainter>
 #include <benchmark/benchmark.h>
-#include <cairo.h>
 #include <opencv2/imgproc.hpp>
 
 #include "render/compositor.h"
+#include "render/tile_renderer.h"
 
 namespace {
 
@@ -220,15 +224,17 @@ void composeCairo(benchmark::State& state) {
       const QImage image = premultiplied(layer);
       Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, kCells, kCells), cairo_surface_destroy);
       for (int y = 0; y < kCells; ++y) {
-        std::memcpy(cairo_image_surface_get_data(surface.get()) + y * cairo_image_surface_get_stride(surface.get()),
-                    image.constScanLine(y), std::size_t(kCells) * 4);
+        std::memcpy(
+            cairo_image_surface_get_data(surface.get()) + y * cairo_image_surface_get_stride(surface.get()),
+            image.constScanLine(y), std::size_t(kCells) * 4);
       }
       cairo_surface_mark_dirty(surface.get());
       surfaces[t].push_back(std::move(surface));
     }
   }
   runKernel(state, tiles, [&](std::size_t t) {
-    const Surface target(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, kTile, kTile), cairo_surface_destroy);
+    const Surface target(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, kTile, kTile),
+                         cairo_surface_destroy);
     cairo_t* const context = cairo_create(target.get());
     cairo_set_source_rgb(context, 128 / 255.0, 128 / 255.0, 128 / 255.0);
     cairo_paint(context);
@@ -243,7 +249,8 @@ void composeCairo(benchmark::State& state) {
     }
     cairo_destroy(context);
     cairo_surface_flush(target.get());
-    return grayOf(cairo_image_surface_get_data(target.get()), std::size_t(cairo_image_surface_get_stride(target.get())));
+    return grayOf(cairo_image_surface_get_data(target.get()),
+                  std::size_t(cairo_image_surface_get_stride(target.get())));
   });
 }
 BENCHMARK(composeCairo)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
@@ -277,5 +284,107 @@ void composeOpenCv(benchmark::State& state) {
   });
 }
 BENCHMARK(composeOpenCv)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+// `count` submaps side by side so that three layers of known cells lie on every spot.
+std::vector<render::PlacedTexture> mapOf(int count) {
+  constexpr double kSpacing = 7.3;
+  constexpr std::size_t kDistinct = 64;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> jitter(-2, 2), angle(-3.14, 3.14);
+  std::vector<std::shared_ptr<const raster::CellTexture>> textures;
+  while (textures.size() < std::min(kDistinct, std::size_t(count))) {
+    textures.push_back(raster::CellTexture::fromPairs(kCells, kCells, kResolution, submapCells(random)));
+  }
+  const int across = int(std::ceil(std::sqrt(count)));
+  std::vector<render::PlacedTexture> placed;
+  for (int i = 0; i < count; ++i) {
+    const double yaw = angle(random), half = kCells * kResolution / 2;
+    const Eigen::Vector2d middle = geometry::Pose2{0, 0, yaw}.apply({-half, -half});
+    render::PlacedTexture submap;
+    submap.id = {0, i};
+    submap.texture = textures[std::size_t(i) % textures.size()];
+    submap.world_from_texture = {(i % across - across / 2) * kSpacing + jitter(random) - middle.x(),
+                                 (i / across - across / 2) * kSpacing + jitter(random) - middle.y(), yaw};
+    placed.push_back(std::move(submap));
+  }
+  return placed;
+}
+
+geometry::ViewTransform screen(double scale) {
+  geometry::ViewTransform view;
+  view.width_px = 1920;
+  view.height_px = 1080;
+  view.scale_m_per_px = scale;
+  return view;
+}
+
+void waitUntilSettled(render::TileRenderer& renderer) {
+  while (!renderer.settled()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
+double milliseconds(const QElapsedTimer& timer) { return double(timer.nsecsElapsed()) / 1e6; }
+
+// All poses of a map move a little, as after a loop closure, while the screen shows a part of it at 1:1.
+void crispAfterAllPosesMoved(benchmark::State& state) {
+  if (QCoreApplication::instance() == nullptr) {
+    state.SkipWithError("needs a QCoreApplication");
+    return;
+  }
+  auto placed = mapOf(int(state.range(0)));
+  render::TileRenderer renderer({});
+  renderer.setView(screen(kResolution));
+  renderer.upsert(placed);
+  waitUntilSettled(renderer);
+  double upsert_ms = 0;
+  for (auto _ : state) {
+    for (auto& submap : placed) submap.world_from_texture.x_m += 0.011;
+    QElapsedTimer timer;
+    timer.start();
+    renderer.upsert(placed);
+    upsert_ms += milliseconds(timer);
+    waitUntilSettled(renderer);
+  }
+  state.counters["upsert_ms"] = upsert_ms / double(state.iterations());
+}
+BENCHMARK(crispAfterAllPosesMoved)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10'000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+// A whole map appears on an empty screen: when all of it can be seen, and when it is exact.
+void wholeMap(benchmark::State& state) {
+  if (QCoreApplication::instance() == nullptr) {
+    state.SkipWithError("needs a QCoreApplication");
+    return;
+  }
+  const auto placed = mapOf(int(state.range(0)));
+  double preview_ms = 0;
+  for (auto _ : state) {
+    QElapsedTimer timer;
+    timer.start();
+    render::TileRenderer renderer({});
+    renderer.upsert(placed);
+    renderer.setView(screen(0.05).fitted(renderer.contentBounds(), 20));
+    while (true) {
+      const render::TileCounts counts = renderer.counts();
+      if (counts.exact + counts.preview == counts.visible) break;
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    preview_ms += milliseconds(timer);
+    waitUntilSettled(renderer);
+    state.counters["tiles_MB"] = double(renderer.counts().cache_bytes) / 1e6;
+  }
+  state.counters["preview_ms"] = preview_ms / double(state.iterations());
+}
+BENCHMARK(wholeMap)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10'000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 }  // namespace

@@ -90,7 +90,7 @@ std::vector<std::uint8_t> gzipped(std::span<const CellPair> cells) {
   stream.next_out = packed.data();
   stream.avail_out = uInt(packed.size());
   deflate(&stream, Z_FINISH);
-  packed.resize(packed.size() - stream.avail_out);
+  packed.erase(packed.end() - std::ptrdiff_t(stream.avail_out), packed.end());
   deflateEnd(&stream);
   return packed;
 }

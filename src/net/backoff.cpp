@@ -12,7 +12,8 @@ std::chrono::milliseconds Backoff::next() {
   ++tries_;
   const double jitter = std::uniform_real_distribution<double>(1.0, 1.25)(random_);
   const double wait = std::min(doubled * jitter, double(limit_.count()));
-  return std::chrono::milliseconds(std::max<std::int64_t>(std::int64_t(wait), std::min(first_, limit_).count()));
+  return std::chrono::milliseconds(
+      std::max<std::int64_t>(std::int64_t(wait), std::min(first_, limit_).count()));
 }
 
 void Backoff::reset() { tries_ = 0; }

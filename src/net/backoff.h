@@ -7,8 +7,8 @@
 
 namespace mapwright::net {
 
-/// Exponential backoff with jitter: the n-th wait lies between `first` * 2^n and 1.25 times that, at most `limit`.
-/// The first wait is never shorter than `first`.
+/// Exponential backoff with jitter: the n-th wait lies between `first` * 2^n and 1.25 times that, at most
+/// `limit`. The first wait is never shorter than `first`.
 class Backoff {
  public:
   Backoff(std::chrono::milliseconds first, std::chrono::milliseconds limit, std::uint32_t seed);

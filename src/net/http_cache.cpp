@@ -1,0 +1,261 @@
+#include "net/http_cache.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <QCryptographicHash>
+#include <QDataStream>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include "net/cache_control.h"
+
+namespace mapwright::net {
+
+namespace {
+
+constexpr char kMagic[] = "MWCACHE1";
+constexpr qsizetype kMagicBytes = 8;
+constexpr qsizetype kChecksumBytes = 20;  // SHA-1
+constexpr qint64 kForever = -1;
+constexpr int kStoresBetweenScans = 512;
+constexpr qint64 kUnfinishedMs =
+    3600 * 1000;  // a file that another process began to write this long ago is a left-over
+constexpr qint64 kTouchEveryMs = 60 * 1000;
+constexpr QFileDevice::Permissions kPrivateFile = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
+constexpr QFileDevice::Permissions kPrivateFolder = kPrivateFile | QFileDevice::ExeOwner;
+const QLatin1String kSuffix(".answer");
+
+QByteArray keyOf(const QUrl& url) { return url.toEncoded(QUrl::RemoveFragment | QUrl::RemoveUserInfo); }
+
+QByteArray nameOf(const QUrl& url) {
+  return QCryptographicHash::hash(keyOf(url), QCryptographicHash::Sha1).toHex();
+}
+
+}  // namespace
+
+struct HttpCache::Record {
+  QByteArray url;
+  QByteArray content_type;
+  QByteArray etag;
+  qint64 stored_ms = 0;
+  qint64 fresh_s = 0;  // kForever, or seconds from stored_ms on
+  QByteArray body;
+};
+
+HttpCache::HttpCache(QString folder, qint64 budget_bytes, Now now)
+    : folder_(std::move(folder)), budget_bytes_(budget_bytes), now_(std::move(now)) {}
+
+QString HttpCache::pathOf(const QByteArray& name) const {
+  return folder_ + u'/' + QString::fromLatin1(name.left(2)) + u'/' + QString::fromLatin1(name.mid(2)) +
+         kSuffix;
+}
+
+std::optional<HttpCache::Record> HttpCache::read(const QByteArray& name, const QUrl& url) {
+  QFile file(pathOf(name));
+  if (!file.open(QIODevice::ReadOnly)) {
+    return std::nullopt;
+  }
+  const bool plausible = file.size() <= budget_bytes_ && file.size() >= kMagicBytes + kChecksumBytes;
+  const QByteArray bytes = plausible ? file.readAll() : QByteArray();
+  const QByteArray content = bytes.mid(kMagicBytes + kChecksumBytes);
+  const bool whole =
+      bytes.startsWith(kMagic) &&
+      bytes.mid(kMagicBytes, kChecksumBytes) == QCryptographicHash::hash(content, QCryptographicHash::Sha1);
+  Record record;
+  if (whole) {
+    QDataStream stream(content);
+    stream.setVersion(QDataStream::Qt_6_4);
+    stream >> record.url >> record.content_type >> record.etag >> record.stored_ms >> record.fresh_s >>
+        record.body;
+    if (stream.status() == QDataStream::Ok && record.url == keyOf(url)) {
+      const qint64 now_ms = now_().toMSecsSinceEpoch();
+      if (qAbs(now_ms - file.fileTime(QFileDevice::FileModificationTime).toMSecsSinceEpoch()) >
+          kTouchEveryMs) {
+        file.setFileTime(now_(), QFileDevice::FileModificationTime);
+      }
+      if (const auto entry = index_.find(name); entry != index_.end()) {
+        entry->last_use_ms = now_ms;
+      }
+      return record;
+    }
+  }
+  file.close();
+  forget(name);
+  return std::nullopt;
+}
+
+std::optional<CachedAnswer> HttpCache::find(const QUrl& url) {
+  auto record = read(nameOf(url), url);
+  if (!record) {
+    return std::nullopt;
+  }
+  // An answer from the future tells that the clock was set back: its age is unknown.
+  const qint64 age_ms = now_().toMSecsSinceEpoch() - record->stored_ms;
+  const bool fresh = record->fresh_s == kForever || (age_ms >= 0 && age_ms < record->fresh_s * 1000);
+  return CachedAnswer{record->body, record->content_type, record->etag, fresh};
+}
+
+void HttpCache::store(const QUrl& url, const QByteArray& body, const QByteArray& content_type,
+                      const QByteArray& cache_control, const QByteArray& etag, bool content_addressed) {
+  const QByteArray name = nameOf(url);
+  const CacheControl control = parseCacheControl(cache_control);
+  Record record{keyOf(url), content_type, etag, now_().toMSecsSinceEpoch(), 0, body};
+  if (control.no_cache) {
+    record.fresh_s = 0;
+  } else if (control.max_age_s) {
+    record.fresh_s = *control.max_age_s;
+  } else if (control.immutable || (content_addressed && etag.isEmpty())) {
+    record.fresh_s = kForever;
+  }
+  const bool of_use = record.fresh_s != 0 || !etag.isEmpty();
+  if (control.no_store || !of_use) {
+    forget(name);
+    return;
+  }
+  write(name, record);
+}
+
+void HttpCache::refresh(const QUrl& url, const QByteArray& cache_control, const QByteArray& etag) {
+  const QByteArray name = nameOf(url);
+  auto record = read(name, url);
+  if (!record) {
+    return;
+  }
+  const CacheControl control = parseCacheControl(cache_control);
+  if (control.no_store) {
+    forget(name);
+    return;
+  }
+  if (control.no_cache) {
+    record->fresh_s = 0;
+  } else if (control.max_age_s) {
+    record->fresh_s = *control.max_age_s;
+  } else if (control.immutable) {
+    record->fresh_s = kForever;
+  }
+  if (!etag.isEmpty()) {
+    record->etag = etag;
+  }
+  record->stored_ms = now_().toMSecsSinceEpoch();
+  write(name, *record);
+}
+
+void HttpCache::remove(const QUrl& url) { forget(nameOf(url)); }
+
+void HttpCache::forget(const QByteArray& name) {
+  QFile file(pathOf(name));
+  if (file.exists() && !file.remove()) {
+    last_error_ = QStringLiteral("%1 cannot be removed: %2").arg(file.fileName(), file.errorString());
+    return;
+  }
+  if (const auto entry = index_.find(name); entry != index_.end()) {
+    bytes_ -= entry->bytes;
+    index_.erase(entry);
+  }
+}
+
+bool HttpCache::makeFolder(const QString& path) {
+  if (QFileInfo(path).isDir()) {
+    return true;
+  }
+  if (!QDir().mkpath(path) || !QFile::setPermissions(path, kPrivateFolder)) {
+    last_error_ = QStringLiteral("the folder %1 cannot be made").arg(path);
+    return false;
+  }
+  return true;
+}
+
+void HttpCache::write(const QByteArray& name, const Record& record) {
+  QByteArray content;
+  QDataStream stream(&content, QIODevice::WriteOnly);
+  stream.setVersion(QDataStream::Qt_6_4);
+  stream << record.url << record.content_type << record.etag << record.stored_ms << record.fresh_s
+         << record.body;
+  const qint64 size = kMagicBytes + kChecksumBytes + content.size();
+  if (size > budget_bytes_) {
+    forget(name);
+    return;
+  }
+  const QString path = pathOf(name);
+  if (!makeFolder(folder_) || !makeFolder(QFileInfo(path).path())) {
+    return;
+  }
+  if (bytes_ < 0 || ++stores_since_scan_ >= kStoresBetweenScans) {
+    scan();
+  }
+  QSaveFile file(path);
+  const QByteArray checksum = QCryptographicHash::hash(content, QCryptographicHash::Sha1);
+  const bool written = file.open(QIODevice::WriteOnly) && file.setPermissions(kPrivateFile) &&
+                       file.write(kMagic, kMagicBytes) == kMagicBytes &&
+                       file.write(checksum) == checksum.size() && file.write(content) == content.size() &&
+                       file.flush() && file.setFileTime(now_(), QFileDevice::FileModificationTime) &&
+                       file.commit();
+  if (!written) {
+    last_error_ = QStringLiteral("%1 cannot be written: %2").arg(path, file.errorString());
+    file.cancelWriting();
+    return;
+  }
+  Entry& entry = index_[name];
+  bytes_ += size - entry.bytes;
+  entry = {size, now_().toMSecsSinceEpoch()};
+  if (bytes_ > budget_bytes_) {
+    evict(name);
+  }
+}
+
+void HttpCache::scan() const {
+  index_.clear();
+  bytes_ = 0;
+  stores_since_scan_ = 0;
+  QDirIterator files(folder_, QDir::Files | QDir::Hidden | QDir::NoSymLinks, QDirIterator::Subdirectories);
+  while (files.hasNext()) {
+    files.next();
+    const QFileInfo info = files.fileInfo();
+    const qint64 last_use_ms = info.lastModified().toMSecsSinceEpoch();
+    const QString shard = info.dir().dirName();
+    const QString file_name = info.fileName();
+    const QByteArray name =
+        (shard + file_name.chopped(std::min(file_name.size(), kSuffix.size()))).toLatin1();
+    if (file_name.endsWith(kSuffix) && info.filePath() == pathOf(name)) {
+      index_.insert(name, {info.size(), last_use_ms});
+      bytes_ += info.size();
+    } else if (file_name.contains(kSuffix) &&
+               QDateTime::currentMSecsSinceEpoch() - last_use_ms > kUnfinishedMs) {
+      QFile::remove(info.filePath());
+    }
+  }
+}
+
+void HttpCache::evict(const QByteArray& keep) {
+  scan();  // another process may have made room, or used some
+  std::vector<std::pair<qint64, QByteArray>> oldest_first;
+  oldest_first.reserve(std::size_t(index_.size()));
+  for (auto entry = index_.constBegin(); entry != index_.constEnd(); ++entry) {
+    if (entry.key() != keep) {
+      oldest_first.emplace_back(entry->last_use_ms, entry.key());
+    }
+  }
+  std::sort(oldest_first.begin(), oldest_first.end());
+  const qint64 goal = budget_bytes_ - budget_bytes_ / 10;  // so that not every store has to make room
+  for (const auto& [last_use_ms, name] : oldest_first) {
+    if (bytes_ <= goal) {
+      return;
+    }
+    forget(name);
+  }
+}
+
+qint64 HttpCache::bytes() const {
+  if (bytes_ < 0) {
+    scan();
+  }
+  return bytes_;
+}
+
+QString HttpCache::lastError() const { return last_error_; }
+
+}  // namespace mapwright::net

@@ -1,0 +1,388 @@
+#include "net/http_client.h"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <optional>
+
+#include <QLocale>
+#include <QNetworkAccessManager>
+#include <QNetworkReply>
+#include <QTimer>
+
+#include "net/http_cache.h"
+#include "net/plain_sentences.h"
+
+namespace mapwright::net {
+
+namespace {
+
+constexpr int kMaxRedirects = 5;
+constexpr qint64 kReadAhead = qint64(1) << 20;  // what Qt may hold back that was not counted yet
+
+bool isRedirect(int status) {
+  return status == 301 || status == 302 || status == 303 || status == 307 || status == 308;
+}
+
+QString grouped(qint64 number) { return QLocale(QLocale::English).toString(number); }
+
+HttpAnswer failure(HttpAnswer::Kind kind, const QString& sentence) {
+  HttpAnswer answer;
+  answer.kind = kind;
+  answer.sentence = plainText(sentence);
+  return answer;
+}
+
+QString unreachableSentence(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
+  switch (error) {
+    case QNetworkReply::ConnectionRefusedError:
+      return QStringLiteral("connection refused by %1").arg(hostAndPort(url));
+    case QNetworkReply::HostNotFoundError:
+      return QStringLiteral("the host %1 is not known").arg(url.host());
+    case QNetworkReply::RemoteHostClosedError:
+      return QStringLiteral("the robot closed the connection");
+    case QNetworkReply::SslHandshakeFailedError:
+      return QStringLiteral("no secure connection to %1 can be made").arg(hostAndPort(url));
+    default:
+      return QStringLiteral("%1 cannot be reached: %2").arg(hostAndPort(url), error_text);
+  }
+}
+
+}  // namespace
+
+class HttpClient::Impl {
+ public:
+  Impl(HttpClient* owner, QUrl origin, QByteArray secret, HttpCache* cache)
+      : owner_(owner), origin_(std::move(origin)), secret_(headerSafe(secret)), cache_(cache) {
+    // Unpacked bodies are bounded here, request by request.
+    network_.setAutoDeleteReplies(false);
+  }
+
+  ~Impl() {
+    for (auto& [id, job] : jobs_) {
+      drop(job);
+    }
+  }
+
+  RequestId add(const HttpRequest& request, Reply reply) {
+    const RequestId id = ++last_id_;
+    Job& job = jobs_[id];
+    job.request = request;
+    job.reply = std::move(reply);
+    job.url = request.url;
+    later([this, id] { begin(id); });
+    return id;
+  }
+
+  void cancel(RequestId id) {
+    if (jobs_.contains(id)) {
+      finish(id, failure(HttpAnswer::Kind::Cancelled, QStringLiteral("cancelled")));
+    }
+  }
+
+  void cancelAll() {
+    std::vector<RequestId> ids;
+    for (const auto& [id, job] : jobs_) {
+      ids.push_back(id);
+    }
+    for (const RequestId id : ids) {
+      cancel(id);
+    }
+  }
+
+ private:
+  struct Job {
+    HttpRequest request;
+    Reply reply;
+    QUrl url;  // the one under way: after redirects not the one asked for
+    int redirects = 0;
+    std::optional<CachedAnswer> stored;
+    std::optional<HttpAnswer> answer;  // set: only waits to be told
+    QNetworkReply* network_reply = nullptr;
+    std::unique_ptr<QTimer> silence;
+    QByteArray body;
+  };
+
+  template <typename Call>
+  void later(Call call) {
+    QMetaObject::invokeMethod(owner_, std::move(call), Qt::QueuedConnection);
+  }
+
+  /// The job, unless it is gone or finished already.
+  Job* active(RequestId id) {
+    const auto found = jobs_.find(id);
+    return found == jobs_.end() || found->second.answer ? nullptr : &found->second;
+  }
+
+  void begin(RequestId id) {
+    Job* job = active(id);
+    if (job == nullptr) {
+      return;
+    }
+    const QString scheme = job->url.scheme();
+    if (!job->url.isValid() || job->url.host().isEmpty() ||
+        (scheme != QLatin1String("http") && scheme != QLatin1String("https"))) {
+      finish(id,
+             failure(HttpAnswer::Kind::Refused, QStringLiteral("the address is not one of a web server")));
+      return;
+    }
+    if (job->request.cacheable && cache_ != nullptr) {
+      job->stored = cache_->find(job->url);
+      if (job->stored && job->stored->fresh) {
+        finish(id, storedAnswer(*job));
+        return;
+      }
+    }
+    waiting_.push_back(id);
+    startWaiting();
+  }
+
+  void startWaiting() {
+    while (!waiting_.empty() && in_flight_ < kInFlight) {
+      const RequestId id = waiting_.front();
+      waiting_.pop_front();
+      if (Job* job = active(id)) {
+        ++in_flight_;
+        send(id, *job);
+      }
+    }
+  }
+
+  void send(RequestId id, Job& job) {
+    QNetworkRequest request(job.url);
+    request.setAttribute(QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::ManualRedirectPolicy);
+    request.setAttribute(QNetworkRequest::CacheLoadControlAttribute, QNetworkRequest::AlwaysNetwork);
+    request.setAttribute(QNetworkRequest::CookieLoadControlAttribute, QNetworkRequest::Manual);
+    request.setAttribute(QNetworkRequest::CookieSaveControlAttribute, QNetworkRequest::Manual);
+    request.setAttribute(QNetworkRequest::AuthenticationReuseAttribute, QNetworkRequest::Manual);
+    request.setAttribute(QNetworkRequest::Http2AllowedAttribute, false);
+    request.setDecompressedSafetyCheckThreshold(-1);
+    request.setRawHeader("Accept", headerSafe(job.request.accept));
+    if (!secret_.isEmpty() && sameOrigin(job.url, origin_)) {
+      request.setRawHeader("Secret", secret_);
+    }
+    if (job.stored && !job.stored->etag.isEmpty()) {
+      request.setRawHeader("If-None-Match", headerSafe(job.stored->etag));
+    }
+    job.body.clear();
+    job.network_reply = network_.get(request);
+    job.network_reply->setReadBufferSize(kReadAhead);
+    QObject::connect(job.network_reply, &QNetworkReply::metaDataChanged, owner_,
+                     [this, id] { checkHeaders(id); });
+    QObject::connect(job.network_reply, &QNetworkReply::readyRead, owner_, [this, id] { takeBytes(id); });
+    QObject::connect(job.network_reply, &QNetworkReply::finished, owner_, [this, id] { conclude(id); });
+    if (job.silence == nullptr) {
+      job.silence = std::make_unique<QTimer>();
+      job.silence->setSingleShot(true);
+      QObject::connect(job.silence.get(), &QTimer::timeout, owner_, [this, id] {
+        if (const Job* silent = active(id)) {
+          finish(id,
+                 failure(
+                     HttpAnswer::Kind::TimedOut,
+                     QStringLiteral("no answer for %1").arg(durationWords(silent->request.timeout.count()))));
+        }
+      });
+    }
+    job.silence->start(job.request.timeout);
+  }
+
+  void checkHeaders(RequestId id) {
+    Job* job = active(id);
+    if (job == nullptr || job->network_reply == nullptr) {
+      return;
+    }
+    job->silence->start();
+    if (job->network_reply->header(QNetworkRequest::ContentLengthHeader).toLongLong() >
+        job->request.max_bytes) {
+      finish(id, tooLarge(*job));
+    }
+  }
+
+  /// False when the job came to its end.
+  bool takeBytes(RequestId id) {
+    Job* job = active(id);
+    if (job == nullptr || job->network_reply == nullptr) {
+      return false;
+    }
+    job->silence->start();
+    while (job->network_reply->bytesAvailable() > 0) {
+      const qint64 room = job->request.max_bytes - job->body.size();
+      const QByteArray part = job->network_reply->read(std::min(room + 1, kReadAhead));
+      if (part.isEmpty()) {
+        break;
+      }
+      if (part.size() > room) {
+        finish(id, tooLarge(*job));
+        return false;
+      }
+      job->body += part;
+    }
+    return true;
+  }
+
+  void conclude(RequestId id) {
+    if (!takeBytes(id)) {
+      return;
+    }
+    Job& job = *active(id);
+    const QNetworkReply& reply = *job.network_reply;
+    const int status = reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
+    const QNetworkReply::NetworkError error = reply.error();
+    // Below 200 are Qt's errors of the connection and of proxies; the others only repeat the HTTP status.
+    const bool broken = error != QNetworkReply::NoError && error < QNetworkReply::ContentAccessDenied;
+    if (status == 0 || broken) {
+      finish(id, status == 0 ? failure(HttpAnswer::Kind::Unreachable,
+                                       unreachableSentence(error, reply.errorString(), job.url))
+                             : brokenOff(job));
+      return;
+    }
+    if (error == QNetworkReply::ProtocolFailure || error == QNetworkReply::UnknownContentError ||
+        isShort(job, status)) {
+      finish(id, brokenOff(job));
+      return;
+    }
+    if (isRedirect(status) && reply.hasRawHeader("Location")) {
+      follow(id, job);
+      return;
+    }
+    finish(id, answered(job, status));
+  }
+
+  static bool isShort(const Job& job, int status) {
+    const QNetworkReply& reply = *job.network_reply;
+    if (status == 304 || status == 204 || reply.hasRawHeader("Content-Encoding") ||
+        !reply.hasRawHeader("Content-Length")) {
+      return false;
+    }
+    return job.body.size() < reply.header(QNetworkRequest::ContentLengthHeader).toLongLong();
+  }
+
+  void follow(RequestId id, Job& job) {
+    const QUrl target = job.url.resolved(QUrl::fromEncoded(job.network_reply->rawHeader("Location")));
+    if (!target.isValid() || !sameOrigin(target, job.url)) {
+      finish(id, failure(HttpAnswer::Kind::Refused,
+                         QStringLiteral("the robot points to another server, %1, which is not followed")
+                             .arg(hostAndPort(target))));
+      return;
+    }
+    if (++job.redirects > kMaxRedirects) {
+      finish(id, failure(HttpAnswer::Kind::Refused,
+                         QStringLiteral("the robot points from one address to the next without end")));
+      return;
+    }
+    job.network_reply->disconnect(owner_);
+    job.network_reply->deleteLater();
+    job.url = target;
+    job.stored.reset();  // its ETag belongs to the address that was asked first
+    send(id, job);
+  }
+
+  HttpAnswer answered(Job& job, int status) {
+    const QNetworkReply& reply = *job.network_reply;
+    const QByteArray cache_control = reply.rawHeader("Cache-Control");
+    const QByteArray etag = reply.rawHeader("ETag");
+    const bool caching = job.request.cacheable && cache_ != nullptr && job.redirects == 0;
+    if (status == 304 && job.stored) {
+      cache_->refresh(job.request.url, cache_control, etag);
+      return storedAnswer(job);
+    }
+    HttpAnswer answer;
+    answer.kind = HttpAnswer::Kind::Answered;
+    answer.status = status;
+    answer.content_type = reply.rawHeader("Content-Type");
+    answer.body = std::move(job.body);
+    if (!answer.ok()) {
+      answer.sentence = statusSentence(status, answer.body, answer.content_type);
+    }
+    if (caching && status == 200) {
+      cache_->store(job.request.url, answer.body, answer.content_type, cache_control, etag,
+                    job.request.content_addressed);
+    } else if (caching && (status == 404 || status == 410)) {
+      cache_->remove(job.request.url);
+    }
+    return answer;
+  }
+
+  static HttpAnswer storedAnswer(const Job& job) {
+    HttpAnswer answer;
+    answer.kind = HttpAnswer::Kind::Answered;
+    answer.status = 200;
+    answer.body = job.stored->body;
+    answer.content_type = job.stored->content_type;
+    answer.from_cache = true;
+    return answer;
+  }
+
+  static HttpAnswer tooLarge(const Job& job) {
+    return failure(
+        HttpAnswer::Kind::TooLarge,
+        QStringLiteral("the answer is longer than the %1 bytes allowed").arg(grouped(job.request.max_bytes)));
+  }
+
+  static HttpAnswer brokenOff(const Job& job) {
+    const qint64 length = job.network_reply->header(QNetworkRequest::ContentLengthHeader).toLongLong();
+    return failure(HttpAnswer::Kind::Unreachable,
+                   length > 0
+                       ? QStringLiteral("the answer broke off after %1 of %2 bytes")
+                             .arg(grouped(job.body.size()), grouped(length))
+                       : QStringLiteral("the answer broke off after %1 bytes").arg(grouped(job.body.size())));
+  }
+
+  /// Takes the job off the network; its answer is told from the event loop.
+  void finish(RequestId id, HttpAnswer answer) {
+    Job& job = jobs_.at(id);
+    const bool first = !job.answer;
+    job.answer = std::move(answer);
+    if (!first) {
+      return;
+    }
+    if (job.network_reply != nullptr) {
+      --in_flight_;
+    }
+    drop(job);
+    later([this, id] { tell(id); });
+    later([this] { startWaiting(); });
+  }
+
+  void drop(Job& job) {
+    job.silence.reset();
+    if (job.network_reply != nullptr) {
+      job.network_reply->disconnect(owner_);
+      job.network_reply->abort();
+      job.network_reply->deleteLater();
+      job.network_reply = nullptr;
+    }
+  }
+
+  void tell(RequestId id) {
+    auto node = jobs_.extract(id);
+    if (!node.empty() && node.mapped().reply) {
+      node.mapped().reply(std::move(*node.mapped().answer));  // may destroy the client
+    }
+  }
+
+  HttpClient* owner_;
+  QUrl origin_;
+  QByteArray secret_;
+  HttpCache* cache_;
+  QNetworkAccessManager network_;
+  std::map<RequestId, Job> jobs_;
+  std::deque<RequestId> waiting_;
+  int in_flight_ = 0;
+  RequestId last_id_ = 0;
+};
+
+HttpClient::HttpClient(QUrl origin, QByteArray secret, HttpCache* cache, QObject* parent)
+    : QObject(parent), impl_(std::make_unique<Impl>(this, std::move(origin), std::move(secret), cache)) {}
+
+HttpClient::~HttpClient() = default;
+
+HttpClient::RequestId HttpClient::get(const HttpRequest& request, Reply reply) {
+  return impl_->add(request, std::move(reply));
+}
+
+void HttpClient::cancel(RequestId id) { impl_->cancel(id); }
+
+void HttpClient::cancelAll() { impl_->cancelAll(); }
+
+}  // namespace mapwright::net

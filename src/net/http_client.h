@@ -19,27 +19,35 @@ struct HttpRequest {
   QUrl url;  // absolute
   QByteArray accept = "application/json";
   bool cacheable = false;  // look into and fill the disk cache
-  qint64 max_bytes = qint64(256) << 20;  // a longer body is cut off and fails
-  std::chrono::milliseconds timeout{30'000};  // without any byte arriving
+  bool content_addressed =
+      false;  // the URL names a version: without Cache-Control and ETag the body is kept for good
+  qint64 max_bytes = qint64(256) << 20;       // a longer body is cut off and fails
+  std::chrono::milliseconds timeout{30'000};  // without any byte arriving, once the request has been sent
 };
 
 struct HttpAnswer {
   enum class Kind { Answered, Unreachable, TimedOut, TooLarge, Refused, Cancelled };
   Kind kind = Kind::Unreachable;
-  int status = 0;          // HTTP status when Answered (304 is resolved to the stored 200)
+  int status = 0;  // HTTP status when Answered (304 is resolved to the stored 200)
   QByteArray body;
   QByteArray content_type;
-  QString sentence;        // for people: why it is not a 2xx; plain text, at most 300 characters, never markup
-  bool from_cache = false; // the body did not travel: fresh on disk, or 304
+  QString sentence;  // for people: why it is not a 2xx; plain text, at most 300 characters, never markup
+  bool from_cache = false;  // the body did not travel: fresh on disk, or 304
   bool ok() const { return kind == Kind::Answered && status >= 200 && status < 300; }
 };
 
-/// Asks one robot. Lives on the thread that made it; callbacks arrive there, exactly once, never from within get().
+/// Asks one robot. Lives on the thread that made it; callbacks arrive there from its event loop, exactly
+/// once, never from within get(), cancel() or cancelAll(). A destroyed client calls nobody any more. At most
+/// kInFlight requests are under way at once, the others wait their turn; answers that are fresh on disk do
+/// not wait.
 class HttpClient : public QObject {
   Q_OBJECT
  public:
-  /// `origin`: scheme, host, port that `secret` belongs to. The `Secret:` header goes to that origin only; a redirect to
-  /// another origin is refused. `cache` may be null and outlives the client. No secret is ever logged or part of a sentence.
+  static constexpr int kInFlight = 6;
+
+  /// `origin`: scheme, host, port that `secret` belongs to. The `Secret:` header goes to that origin only; a
+  /// redirect to another origin is refused. `cache` may be null and outlives the client. No secret is ever
+  /// logged or part of a sentence.
   HttpClient(QUrl origin, QByteArray secret, HttpCache* cache, QObject* parent = nullptr);
   ~HttpClient() override;
 

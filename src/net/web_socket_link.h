@@ -28,21 +28,21 @@ class WebSocketLink : public QObject {
  public:
   enum class State { Closed, Connecting, Open, Waiting };
 
-  /// `urls` are tried in turn when the server refuses the handshake (HTTP 4xx), e.g. with and without a query that old
-  /// firmware does not know. `secret` goes as the `Secret:` header and into no log or sentence.
+  /// `urls` are tried in turn when the server refuses the handshake (HTTP 4xx), e.g. with and without a query
+  /// that old firmware does not know. `secret` goes as the `Secret:` header and into no log or sentence.
   WebSocketLink(QList<QUrl> urls, QByteArray secret, WebSocketLinkOptions options, QObject* parent = nullptr);
   ~WebSocketLink() override;
 
-  void open();   // also "now, do not wait"
-  void close();  // stays closed
+  void open();                         // also "now, do not wait"
+  void close();                        // stays closed
   void sendText(const QString& text);  // dropped unless Open
 
   State state() const;
-  QString reason() const;                    // why it is not open, for people; plain text
-  int handshakeStatus() const;               // HTTP status of a refused handshake, else 0
-  int attempt() const;                       // tries since last open
-  std::optional<int> retryInMs() const;      // while Waiting
-  std::optional<int> roundTripMs() const;    // last ping
+  QString reason() const;                  // why it is not open, for people; plain text
+  int handshakeStatus() const;             // HTTP status of a refused handshake, else 0
+  int attempt() const;                     // tries since last open
+  std::optional<int> retryInMs() const;    // while Waiting
+  std::optional<int> roundTripMs() const;  // last ping
 
  Q_SIGNALS:
   void changed();

@@ -17,56 +17,65 @@ struct CellPair {
   bool operator==(const CellPair&) const = default;
 };
 
-/// How the cells of a texture are stored. Every known Cartographer variant folds without loss into one signed byte;
-/// what does not (INTENSITY, foreign pairs) keeps its pairs.
+/// How the cells of a texture are stored. Every known Cartographer variant folds without loss into one signed
+/// byte; what does not (INTENSITY, foreign pairs) keeps its pairs.
 enum class CellLayout : std::uint8_t {
   Folded,  // int8 d: 0 = unknown; d > 0: value d, alpha 0; d < 0: value 0, alpha -d (never -128)
   Pairs,   // uint8 value, uint8 alpha
 };
 
-/// One level of a texture laid out densely for the compositor. A frame of zero cells, kBorder wide on every side,
-/// surrounds the cells so that a bilinear tap next to an edge reads "unknown", and kSlack zero bytes follow the last row so
-/// that a 32-bit load at any cell is inside the buffer.
-/// Cell (column u, row v) of the level starts at data[((v + kBorder) * stride + (u + kBorder)) * bytes_per_cell].
+/// One level of a texture laid out densely for the compositor. A frame of zero cells, kBorder wide on every
+/// side, surrounds the cells so that a bilinear tap next to an edge reads "unknown", and kSlack zero bytes
+/// follow the last row so that a 32-bit load at any cell is inside the buffer. Cell (column u, row v) of the
+/// level starts at data[((v + kBorder) * stride + (u + kBorder)) * bytes_per_cell].
 struct DenseCells {
   static constexpr int kBorder = 2;
   static constexpr int kSlack = 32;
   static constexpr int kBlock = 8;  // edge of the blocks of `occupied_sum`
 
   CellLayout layout = CellLayout::Folded;
-  int bytes_per_cell = 1;  // 1 folded, 2 pairs
+  int bytes_per_cell = 1;     // 1 folded, 2 pairs
   int width = 0, height = 0;  // columns, rows of this level, without the border
   int stride = 0;             // cells per row including the border
   std::vector<std::uint8_t> data;
 
-  /// Summed-area table over kBlock x kBlock cells: how many blocks hold an observed cell. (blocks_x+1)*(blocks_y+1)
-  /// entries, first row and column zero. Lets the compositor step over empty ground.
+  /// Summed-area table over kBlock x kBlock cells: how many blocks hold an observed cell.
+  /// (blocks_x+1)*(blocks_y+1) entries, first row and column zero. Lets the compositor step over empty
+  /// ground.
   int blocks_x = 0, blocks_y = 0;
   std::vector<std::uint32_t> occupied_sum;
 
-  /// True when no observed cell lies in the cell rectangle [u0,u1] x [v0,v1] (inclusive, clamped to the level).
+  /// True when no observed cell lies in the cell rectangle [u0,u1] x [v0,v1] (inclusive, clamped to the
+  /// level). Decided by whole blocks in constant time: true is certain, false may be owed to a cell elsewhere
+  /// in a block it touches.
   bool emptyWithin(int u0, int v0, int u1, int v1) const;
   std::size_t bytes() const { return data.size() + occupied_sum.size() * sizeof(std::uint32_t); }
 };
 
-/// Immutable cells of one slice with reduced levels for previews. Level 0 is exact; level n has cells 2^n times as
-/// large (see cell_texture.cpp for how they are averaged; they serve previews only). Held as sparse blocks, so unknown ground
-/// costs next to nothing. Safe to share between threads.
+/// Immutable cells of one slice with reduced levels for previews. Level 0 is exact; level n has cells 2^n
+/// times as large (see cell_texture.cpp for how they are averaged; they serve previews only). Held as sparse
+/// blocks, so unknown ground costs next to nothing. Safe to share between threads.
 class CellTexture {
  public:
-  /// `pairs` has width*height elements, row-major, row 0 first. Precondition: sizes match, width, height >= 1,
-  /// resolution_m finite and > 0.
+  /// `pairs` has width*height elements, row-major, row 0 first. Precondition: sizes match, width, height >=
+  /// 1, resolution_m finite and > 0.
   static std::shared_ptr<const CellTexture> fromPairs(int width, int height, double resolution_m,
                                                       std::span<const CellPair> pairs);
+  /// The same from cells that are folded already (CellLayout::Folded, one signed byte each, none of them
+  /// -128).
+  static std::shared_ptr<const CellTexture> fromFolded(int width, int height, double resolution_m,
+                                                       std::span<const std::uint8_t> cells);
   ~CellTexture();
+  CellTexture(const CellTexture&) = delete;
+  CellTexture& operator=(const CellTexture&) = delete;
 
-  int width() const;             // columns of level 0
-  int height() const;            // rows of level 0
-  double resolutionM() const;    // metres per cell of level 0
+  int width() const;           // columns of level 0
+  int height() const;          // rows of level 0
+  double resolutionM() const;  // metres per cell of level 0
   CellLayout layout() const;
-  int levels() const;            // >= 1; the last level is at most 8 cells wide and high
+  int levels() const;  // >= 1; the last level is at most 8 cells wide and high
   std::size_t observedCells() const;
-  std::size_t bytes() const;     // memory held
+  std::size_t bytes() const;  // memory held
 
   /// A dense copy of `level` (0 .. levels()-1). Width of level n is ceil(width / 2^n).
   DenseCells expand(int level) const;
@@ -74,8 +83,12 @@ class CellTexture {
   CellPair at(int column, int row) const;
 
  private:
+  struct PaddedLevel;
   struct Level;
   CellTexture();
+  void keepLevels(PaddedLevel padded);
+  bool occupiedBlock(int level, int bx, int by) const;
+  void expandDerived(int level, std::uint8_t* first, std::size_t stride_bytes) const;
   std::vector<Level> levels_;
   int width_ = 0, height_ = 0;
   double resolution_m_ = 0;

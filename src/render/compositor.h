@@ -35,15 +35,24 @@ struct PlacedTexture {
 /// The world rectangle that a placed texture can touch, one cell of bilinear fade included.
 geometry::WorldRect boundsOf(const PlacedTexture& placed);
 
-/// A raster of square pixels anywhere on the plane. World of the corner of pixel (0,0) is origin; column direction is
-/// (cos, -sin) of rotation and row direction is "down": as geometry::ViewTransform with the same rotation_rad.
+/// A raster of square pixels anywhere on the plane, and the window of it that is wanted. Column direction is
+/// (cos, -sin) of rotation and row direction is "down": as geometry::ViewTransform with the same
+/// rotation_rad.
+///
+/// origin_m is the world point of the corner where column 0 meets row 0 of the whole, endless raster; the
+/// window's first pixel is (first_column, first_row). Windows of one raster (same origin, scale, rotation)
+/// give the same bytes for the same pixels wherever they are cut, provided each is given all textures that
+/// touch its bounds() grown by 32 pixels; when all textures have one resolution, those that touch its
+/// bounds() suffice.
 struct PixelGrid {
   Eigen::Vector2d origin_m{0, 0};
   double scale_m_per_px = 0.05;
   double rotation_rad = 0;
   int width_px = 0, height_px = 0;
-  Eigen::Vector2d worldFromPixel(double column, double row) const;  // continuous: centre of pixel (0,0) = (0.5, 0.5)
-  geometry::WorldRect bounds() const;
+  std::int64_t first_column = 0, first_row = 0;
+  /// Continuous, counted from the window's first pixel, whose centre is (0.5, 0.5).
+  Eigen::Vector2d worldFromPixel(double column, double row) const;
+  geometry::WorldRect bounds() const;  // of the window
 };
 
 /// A finished composition, row-major from the top row.
@@ -62,11 +71,15 @@ enum class Quality {
 enum class Kernel { Best, Portable, Avx2 };
 bool kernelAvailable(Kernel kernel);
 
-/// Composes `textures`, which must be in ascending (trajectory, index) order. Per texture, the sampling is bilinear, or nearest
-/// where a cell covers more than 4x4 pixels. A pixel larger than the finest cell under it is the area average of k*k
-/// samples no coarser than that cell. flags of a reduced pixel are the union of its samples' flags.
-/// `cancelled` (may be null) is polled; when it becomes true the result is empty (width 0).
-Composition compose(const PixelGrid& grid, std::span<const PlacedTexture> textures, Quality quality, DenseCache& cache,
-                    Kernel kernel = Kernel::Best, const std::atomic<bool>* cancelled = nullptr);
+/// Composes `textures`, which must be in ascending (trajectory, index) order (they are painted in the order
+/// given). Per texture, the sampling is bilinear, or nearest where a cell covers more than 4x4 pixels. A
+/// pixel larger than the finest cell under it is the area average of k*k samples no coarser than that cell.
+/// flags of a reduced pixel are the union of its samples' flags. `cancelled` (may be null) is polled; when it
+/// becomes true the result is empty (width 0). Runs on any thread, one core. A grid without pixels, or whose
+/// scale, origin or rotation is not finite and positive, gives an empty result; a texture without cells, or
+/// placed where no number can say, draws nothing.
+Composition compose(const PixelGrid& grid, std::span<const PlacedTexture> textures, Quality quality,
+                    DenseCache& cache, Kernel kernel = Kernel::Best,
+                    const std::atomic<bool>* cancelled = nullptr);
 
 }  // namespace mapwright::render

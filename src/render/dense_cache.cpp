@@ -1,0 +1,86 @@
+#include "render/dense_cache.h"
+
+#include <functional>
+
+namespace mapwright::render {
+
+TapCells tapCellsOf(raster::DenseCells dense) {
+  TapCells cells;
+  if (dense.layout == raster::CellLayout::Pairs) {
+    cells.taps = std::move(dense.data);
+  } else {
+    const std::size_t count = dense.data.size(), stride = std::size_t(dense.stride);
+    cells.taps.resize(2 * count);
+    const std::uint8_t* const in = dense.data.data();
+    std::uint8_t* const out = cells.taps.data();
+    const std::size_t with_row_below = count > stride ? count - stride : 0;
+    for (std::size_t i = 0; i < with_row_below; ++i) out[2 * i] = in[i], out[2 * i + 1] = in[i + stride];
+    for (std::size_t i = with_row_below; i < count; ++i) out[2 * i] = in[i];
+  }
+  dense.data = {};
+  cells.level = std::move(dense);
+  return cells;
+}
+
+// The texture is held weakly: the cache must not keep evicted submaps alive, and a new texture may come to
+// lie at the address of a dead one, so a hit counts only when the owners agree.
+struct DenseCache::Entry {
+  Key key;
+  std::weak_ptr<const raster::CellTexture> owner;
+  std::shared_ptr<const TapCells> cells;
+};
+
+std::size_t DenseCache::KeyHash::operator()(const Key& key) const noexcept {
+  return std::hash<const void*>{}(key.texture) * 31 + std::size_t(key.level);
+}
+
+DenseCache::DenseCache(std::size_t budget_bytes) : budget_(budget_bytes) {}
+
+DenseCache::~DenseCache() = default;
+
+std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const raster::CellTexture>& texture,
+                                                int level) {
+  const Key key{texture.get(), level};
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = index_.find(key);
+    if (found != index_.end()) {
+      const auto entry = found->second;
+      if (!entry->owner.owner_before(texture) && !texture.owner_before(entry->owner)) {
+        entries_.splice(entries_.begin(), entries_, entry);
+        return entry->cells;
+      }
+      bytes_ -= entry->cells->bytes();
+      entries_.erase(entry);
+      index_.erase(found);
+    }
+  }
+  // Outside the lock: expanding is the long part. Two threads may do it at the same time; the later one is
+  // not kept.
+  auto cells = std::make_shared<const TapCells>(tapCellsOf(texture->expand(level)));
+  const std::lock_guard lock(mutex_);
+  if (index_.contains(key)) return cells;
+  entries_.push_front({key, texture, cells});
+  index_.emplace(key, entries_.begin());
+  bytes_ += cells->bytes();
+  while (bytes_ > budget_ && !entries_.empty()) {
+    bytes_ -= entries_.back().cells->bytes();
+    index_.erase(entries_.back().key);
+    entries_.pop_back();
+  }
+  return cells;
+}
+
+std::size_t DenseCache::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return bytes_;
+}
+
+void DenseCache::clear() {
+  const std::lock_guard lock(mutex_);
+  index_.clear();
+  entries_.clear();
+  bytes_ = 0;
+}
+
+}  // namespace mapwright::render

@@ -3,20 +3,44 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <vector>
 
 #include "raster/cell_texture.h"
 
 namespace mapwright::render {
 
-/// Thread-safe least-recently-used cache with a budget in bytes. Entries in use stay alive through their shared_ptr.
+/// A level laid out for the inner loops. `level` has its size, stride and empty blocks; its own data is given
+/// up.
+///
+/// Folded: two bytes a cell, the cell and the one in the row below it, so that one 32-bit load at a cell
+/// brings all four bilinear taps (top left, bottom left, top right, bottom right). Pairs: value and alpha as
+/// in raster::DenseCells. Cell (column u, row v) starts at taps[((v + kBorder) * stride + (u + kBorder)) *
+/// kBytesPerCell].
+struct TapCells {
+  static constexpr int kBytesPerCell = 2;
+  raster::DenseCells level;
+  std::vector<std::uint8_t> taps;
+  std::size_t bytes() const { return taps.size() + level.bytes(); }
+};
+TapCells tapCellsOf(raster::DenseCells dense);
+
+/// Thread-safe least-recently-used cache with a budget in bytes. Entries in use stay alive through their
+/// shared_ptr.
 class DenseCache {
  public:
   explicit DenseCache(std::size_t budget_bytes = std::size_t(64) << 20);
-  std::shared_ptr<const raster::DenseCells> get(const std::shared_ptr<const raster::CellTexture>& texture, int level);
+  ~DenseCache();
+  DenseCache(const DenseCache&) = delete;
+  DenseCache& operator=(const DenseCache&) = delete;
+
+  /// The level laid out for sampling, from the cache or expanded now. Preconditions: texture set, level
+  /// within its levels.
+  std::shared_ptr<const TapCells> get(const std::shared_ptr<const raster::CellTexture>& texture, int level);
   std::size_t bytes() const;
   void clear();
 

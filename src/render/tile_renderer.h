@@ -14,21 +14,13 @@
 #include "geometry/view_transform.h"
 #include "map/submap.h"
 #include "render/compositor.h"
-
-class QThreadPool;
+#include "render/map_colors.h"
 
 namespace mapwright::render {
 
-/// How intensities become colours. Plain RGB of the palette; see window.md, "Colours".
-enum class ColorMode { Normal, Incremental, Active };
-struct MapColors {
-  std::uint32_t unknown = 0xff778899, free = 0xffffffff, occupied = 0xff15181c;
-  std::uint32_t incremental_free = 0xff8fb8f0, incremental_occupied = 0xffe04b4b;
-  bool operator==(const MapColors&) const = default;
-};
-
-/// One image to draw: `image` (RGB32, opaque) maps to viewport pixels through `to_viewport`; a pure integer translation when the
-/// tile belongs to the present scale and rotation, else a stand-in of an earlier view or level.
+/// One image to draw: `image` (RGB32, opaque) maps to viewport pixels through `to_viewport`; a pure integer
+/// translation when the tile belongs to the present scale and rotation, else (stand_in) a picture of an
+/// earlier view, warped.
 struct DrawnTile {
   QImage image;
   QTransform to_viewport;
@@ -45,31 +37,36 @@ struct TileCounts {
 /// GUI-thread object; composes on a pool. Cost of a frame depends on the screen, not on the map.
 ///
 /// - Textures are kept in a spatial index; changing one dirties only the tiles under its old and new bounds.
-/// - Tiles lie in the grid of the view (its scale and rotation), so finished ones are drawn at integer offsets. While they
-///   are remade (zoom, new content) the best older picture stands in: old content of the same tile first (no flicker, no holes), else tiles of
-///   the view before, warped, else a quick preview.
-/// - Zoomed out beyond 2 native cells a pixel, exact tiles are reduced from a world-aligned pyramid of exact tiles
+/// - Tiles lie in the grid of the view (its scale and rotation), so finished ones are drawn at integer
+/// offsets. While they
+///   are remade (zoom, new content) the best older picture stands in: old content of the same tile first (no
+///   flicker, no holes), else tiles of the view before, warped, else a quick preview.
+/// - Zoomed out beyond 2 native cells a pixel, exact tiles are reduced from a world-aligned pyramid of exact
+/// tiles
 ///   that is remade only where something changed; until then a preview from reduced textures is shown.
-/// - Answers for a view or content that is no longer current are dropped (generations); nearest-to-centre tiles are made first.
+/// - Answers for a view or content that is no longer current are dropped (generations); nearest-to-centre
+/// tiles are made first.
 class TileRenderer : public QObject {
   Q_OBJECT
  public:
   struct Options {
     std::size_t tile_budget_bytes = std::size_t(192) << 20;
     std::size_t dense_budget_bytes = std::size_t(64) << 20;
-    int threads = 0;  // 0 = one per core
+    int threads = 0;       // 0 = one per core
     bool previews = true;  // false: only exact tiles are ever shown (snapshots)
   };
   explicit TileRenderer(Options options, QObject* parent = nullptr);
   ~TileRenderer() override;
 
-  /// Adds or replaces (same id) textures; a moved pose is a replacement with the same texture pointer.
+  /// Adds or replaces (same id) textures; a moved pose is a replacement with the same texture pointer. One
+  /// without cells, or whose pose is not finite, counts as removed.
   void upsert(std::vector<PlacedTexture> placed);
   void remove(const std::vector<map::SubmapId>& ids);
   void clear();
   geometry::WorldRect contentBounds() const;
   std::size_t textureCount() const;
 
+  /// A view without pixels or with numbers that are not finite shows nothing.
   void setView(const geometry::ViewTransform& view);
   void setColors(const MapColors& colors, ColorMode mode);
   const MapColors& colors() const;
@@ -80,6 +77,11 @@ class TileRenderer : public QObject {
   /// True when every visible tile is exact for the present view and content.
   bool settled() const;
   TileCounts counts() const;
+
+  /// The raw raster of the viewport from the tiles at hand: all of the picture when settled(). For snapshots
+  /// (previews = false) it equals compose() of the view's own pixel grid, byte for byte; else it lies as the
+  /// drawn tiles do, moved by up to half a pixel.
+  Composition composition() const;
 
   /// Intensity (0..255) at a world point from the tiles on screen, nullopt where unobserved or not known yet.
   std::optional<int> intensityAt(const Eigen::Vector2d& world_m) const;

@@ -1,0 +1,133 @@
+#include "simulator/simulator.h"
+
+#include <cmath>
+#include <mutex>
+
+#include "simulator/server.h"
+
+namespace mapwright::simulator {
+namespace {
+
+std::optional<std::string> problemOf(const Options& options, bool scene_exists) {
+  if (!scene_exists) {
+    std::string names;
+    for (const auto& [name, sentence] : sceneNames()) names += (names.empty() ? "" : ", ") + name;
+    return "There is no scene \"" + options.scene + "\". Choose one of: " + names + ".";
+  }
+  if (options.submaps < 0 || options.submaps > kMostSubmaps) {
+    return "The number of submaps must lie between 0 and " + std::to_string(kMostSubmaps) + ".";
+  }
+  if (!std::isfinite(options.speed) || options.speed < 0 || options.speed > 1e6) {
+    return "The speed must lie between 0 and 1,000,000 simulated seconds per second.";
+  }
+  if (!std::isfinite(options.start_at_s) || options.start_at_s < 0 || options.start_at_s > 1e8) {
+    return "The start must lie between 0 and 100,000,000 simulated seconds.";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+class Simulator::Impl {
+ public:
+  explicit Impl(Options chosen) : Impl(chosen, sceneFor(chosen)) {}
+
+  void publish() {
+    const std::lock_guard lock(server_mutex);
+    if (server) server->publishList();
+  }
+
+  const Options options;
+  const std::optional<std::string> problem;
+  RobotState state;
+  FaultPlan faults;
+  RequestLog log;
+  mutable std::mutex server_mutex;
+  std::unique_ptr<Server> server;
+
+ private:
+  static std::optional<Scene> sceneFor(const Options& options) {
+    if (options.submaps < 0 || options.submaps > kMostSubmaps) return Scene{};
+    return makeScene(options.scene, options.submaps, options.seed);
+  }
+  Impl(const Options& chosen, std::optional<Scene> scene)
+      : options(chosen),
+        problem(problemOf(chosen, scene.has_value())),
+        state(problem || !scene ? Scene{} : std::move(*scene), chosen.seed,
+              {chosen.start_at_s, chosen.speed, chosen.paused}),
+        faults(chosen.faults, chosen.seed) {}
+};
+
+Simulator::Simulator(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+
+Simulator::~Simulator() { stop(); }
+
+std::optional<std::string> Simulator::start() {
+  if (impl_->problem) return impl_->problem;
+  const std::lock_guard lock(impl_->server_mutex);
+  if (impl_->server) return std::nullopt;
+  auto server = std::make_unique<Server>(impl_->options, impl_->state, impl_->faults, impl_->log);
+  if (std::optional<std::string> failure = server->start(impl_->options.port)) return failure;
+  impl_->server = std::move(server);
+  return std::nullopt;
+}
+
+void Simulator::stop() {
+  const std::lock_guard lock(impl_->server_mutex);
+  impl_->server.reset();
+}
+
+std::uint16_t Simulator::port() const {
+  const std::lock_guard lock(impl_->server_mutex);
+  return impl_->server ? impl_->server->port() : 0;
+}
+
+std::string Simulator::address() const { return "axbot+http://127.0.0.1:" + std::to_string(port()); }
+
+std::vector<RequestRecord> Simulator::requestLog() const { return impl_->log.records(); }
+
+void Simulator::clearRequestLog() { impl_->log.clear(); }
+
+void Simulator::setFaults(const Faults& faults) {
+  impl_->faults.setFaults(faults);
+  impl_->publish();
+}
+
+void Simulator::advance(double simulated_s) {
+  impl_->state.advance(simulated_s);
+  impl_->publish();
+}
+
+void Simulator::closeLoop() {
+  impl_->state.closeLoop();
+  impl_->publish();
+}
+
+void Simulator::restartSlam() {
+  impl_->state.restartSlam();
+  impl_->publish();
+}
+
+void Simulator::dropWebSockets() {
+  const std::lock_guard lock(impl_->server_mutex);
+  if (impl_->server) impl_->server->dropWebSockets();
+}
+
+void Simulator::removeSubmap(int trajectory, int index) {
+  impl_->state.remove({trajectory, index});
+  impl_->publish();
+}
+
+void Simulator::bumpVersion(int trajectory, int index) {
+  impl_->state.bump({trajectory, index});
+  impl_->publish();
+}
+
+std::string Simulator::uuid() const { return impl_->state.uuid(); }
+
+int Simulator::openWebSockets() const {
+  const std::lock_guard lock(impl_->server_mutex);
+  return impl_->server ? impl_->server->openWebSockets() : 0;
+}
+
+}  // namespace mapwright::simulator

@@ -1,5 +1,6 @@
 // An Autoxing robot on one loopback port, for demos and tests. Written from the specification (axbot.md,
-// submap-textures.md); shares no code with the client except the generated protobuf classes and the map's value types.
+// submap-textures.md); shares no code with the client except the generated protobuf classes and the map's
+// value types.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace mapwright::simulator {
 
-/// What may go wrong on request. All rates are probabilities per submap request in 0..1, decided by the seed and the
-/// request's key and try, so that a run can be repeated.
+/// What may go wrong on request. All rates are probabilities per submap request in 0..1, decided by the seed
+/// and the request's key and try, so that a run can be repeated.
 struct Faults {
   int latency_ms = 0;              // added to every submap answer
   int jitter_ms = 0;               // plus 0..jitter
@@ -24,15 +25,16 @@ struct Faults {
   double status_code_rate = 0;     // HTTP 200 whose StatusResponse is an error
   int websocket_drop_every_s = 0;  // > 0: the WebSocket is cut this often
   int uuid_change_every_s = 0;     // > 0: the SLAM session restarts this often
-  bool bad_entries = false;        // /submap_list also holds NaN poses, zero quaternions, duplicates, a version going back
-  bool silent_websocket = false;   // accepts, then never sends nor pongs
+  bool bad_entries =
+      false;  // /submap_list also holds NaN poses, zero quaternions, duplicates, a version going back
+  bool silent_websocket = false;  // accepts, then never sends nor pongs
 };
 
 /// How the robot behaves and what it offers.
 struct Options {
-  std::uint16_t port = 0;         // 0 = a free one
-  std::string scene = "office";   // see sceneNames()
-  int submaps = 0;                // > 0: a map of about this many submaps, overriding the scene's own size
+  std::uint16_t port = 0;        // 0 = a free one
+  std::string scene = "office";  // see sceneNames()
+  int submaps = 0;               // > 0: a map of about this many submaps, overriding the scene's own size
   std::uint32_t seed = 1;
   double speed = 1;               // simulated seconds per real second
   double start_at_s = 0;          // simulated time at start
@@ -45,14 +47,14 @@ struct Options {
 
 /// One line of the request log.
 struct RequestRecord {
-  double at_s = 0;         // real seconds since start
-  double until_s = -1;     // when the answer was written or given up; -1 while under way
+  double at_s = 0;      // real seconds since start
+  double until_s = -1;  // when the answer was written or given up; -1 while under way
   std::string method;
-  std::string target;      // path and query
-  int status = 0;          // 0: dropped without an answer
-  std::size_t bytes = 0;   // body sent
-  int concurrent = 0;      // requests to /ros/slam/submaps/ under way, this one included, when it came
-  bool had_secret = false; // a Secret header was present (its value is not kept)
+  std::string target;       // path and query
+  int status = 0;           // 0: dropped without an answer
+  std::size_t bytes = 0;    // body sent
+  int concurrent = 0;       // requests to /ros/slam/submaps/ under way, this one included, when it came
+  bool had_secret = false;  // a Secret header was present (its value is not kept)
   std::string if_none_match;
 };
 
@@ -75,9 +77,9 @@ class Simulator {
   void setFaults(const Faults& faults);
 
   // Scripted moments, for tests and demos; they take effect at once and are published.
-  void advance(double simulated_s);       // moves the paused or running clock forward
-  void closeLoop();                       // every pose moves, no version changes
-  void restartSlam();                     // a new uuid
+  void advance(double simulated_s);  // moves the paused or running clock forward
+  void closeLoop();                  // every pose moves, no version changes
+  void restartSlam();                // a new uuid
   void dropWebSockets();
   void removeSubmap(int trajectory, int index);
   void bumpVersion(int trajectory, int index);  // new version, new cells

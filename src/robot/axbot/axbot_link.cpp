@@ -211,6 +211,7 @@ void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {
   request.url = submapUrl(key, key.version);
   request.accept = "application/x-protobuf";
   request.cacheable = true;
+  request.content_addressed = true;
   request.timeout = options_.fetch_timeout;
   under_way_[key] = http_->get(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
     takeSubmap(key, url, answer, ticket);

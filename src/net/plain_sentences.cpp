@@ -1,0 +1,140 @@
+#include "net/plain_sentences.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+
+namespace mapwright::net {
+
+namespace {
+
+constexpr qsizetype kMaxErrorBody = 64 * 1024;  // what an error says stands at its beginning
+
+int portOf(const QUrl& url) {
+  const QString scheme = url.scheme();
+  const bool secure = scheme == QLatin1String("https") || scheme == QLatin1String("wss");
+  return url.port(secure ? 443 : 80);
+}
+
+QString withoutTags(QString text) {
+  static const QRegularExpression kUnseen(
+      QStringLiteral("<(script|style|head)\\b[^<>]*>.*?(</\\1\\s*>|$)|<!--.*?(-->|$)"),
+      QRegularExpression::CaseInsensitiveOption | QRegularExpression::DotMatchesEverythingOption);
+  static const QRegularExpression kTag(QStringLiteral("</?[A-Za-z!][^<>]*(>|$)"));
+  text.replace(kUnseen, QStringLiteral(" "));
+  text.replace(kTag, QStringLiteral(" "));
+  constexpr std::array<std::pair<const char16_t*, char16_t>, 6> kEntities{{{u"&nbsp;", u' '},
+                                                                           {u"&quot;", u'"'},
+                                                                           {u"&#39;", u'\''},
+                                                                           {u"&lt;", u'<'},
+                                                                           {u"&gt;", u'>'},
+                                                                           {u"&amp;", u'&'}}};
+  for (const auto& [entity, character] : kEntities) {
+    text.replace(QStringView(entity).toString(), QString(QChar(character)));
+  }
+  return text;
+}
+
+}  // namespace
+
+QString plainText(const QString& text) {
+  QString plain = withoutTags(text.left(kMaxErrorBody));
+  for (QChar& character : plain) {
+    if (character == u'<') {
+      character = QChar(u'\u2039');
+    } else if (character == u'>') {
+      character = QChar(u'\u203a');
+    } else if (character.category() == QChar::Other_Control || character.category() == QChar::Other_Format) {
+      character = u' ';
+    }
+  }
+  plain = plain.simplified();
+  if (plain.size() > kMaxSentence) {
+    plain.truncate(kMaxSentence - 1);
+    if (plain.back().isHighSurrogate()) {
+      plain.chop(1);
+    }
+    plain += QChar(u'\u2026');
+  }
+  return plain;
+}
+
+QString statusWords(int status) {
+  constexpr std::array<std::pair<int, const char*>, 19> kWords{{{304, "not modified"},
+                                                                {400, "bad request"},
+                                                                {401, "not authorised"},
+                                                                {403, "forbidden"},
+                                                                {404, "not found"},
+                                                                {405, "method not allowed"},
+                                                                {408, "request timeout"},
+                                                                {409, "conflict"},
+                                                                {410, "gone"},
+                                                                {413, "too large"},
+                                                                {415, "unsupported media type"},
+                                                                {422, "cannot be processed"},
+                                                                {426, "upgrade required"},
+                                                                {429, "too many requests"},
+                                                                {500, "internal error"},
+                                                                {501, "not implemented"},
+                                                                {502, "bad gateway"},
+                                                                {503, "unavailable"},
+                                                                {504, "gateway timeout"}}};
+  const auto* found =
+      std::find_if(kWords.begin(), kWords.end(), [status](const auto& word) { return word.first == status; });
+  if (found == kWords.end()) {
+    return QString::number(status);
+  }
+  return QStringLiteral("%1 (%2)").arg(status).arg(QLatin1String(found->second));
+}
+
+QString errorText(const QByteArray& body, const QByteArray& content_type) {
+  const QByteArray beginning = body.left(kMaxErrorBody).trimmed();
+  if (beginning.startsWith('{') || content_type.contains("json")) {
+    const QJsonObject object = QJsonDocument::fromJson(beginning).object();
+    for (const auto* member : {u"detail", u"message", u"error"}) {
+      const QString text = plainText(object.value(QStringView(member)).toString());
+      if (!text.isEmpty()) {
+        return text;
+      }
+    }
+    return {};
+  }
+  const bool binary = content_type.startsWith("image/") || content_type.contains("octet-stream") ||
+                      content_type.contains("protobuf") || beginning.contains('\0');
+  return binary ? QString() : plainText(QString::fromUtf8(beginning));
+}
+
+QString statusSentence(int status, const QByteArray& body, const QByteArray& content_type) {
+  QString sentence = QStringLiteral("the robot answered %1").arg(statusWords(status));
+  const QString text = errorText(body, content_type);
+  if (!text.isEmpty()) {
+    sentence += QStringLiteral(": ") + text;
+  }
+  return plainText(sentence);
+}
+
+QString hostAndPort(const QUrl& url) {
+  const QString host = url.host();
+  const QString shown = host.contains(u':') ? u'[' + host + u']' : host;
+  return plainText(QStringLiteral("%1:%2").arg(shown).arg(portOf(url)));
+}
+
+QString durationWords(qint64 ms) {
+  return ms < 1000 ? QStringLiteral("%1 ms").arg(ms) : QStringLiteral("%1 s").arg(double(ms) / 1000);
+}
+
+bool sameOrigin(const QUrl& a, const QUrl& b) {
+  return a.scheme() == b.scheme() && a.host() == b.host() && portOf(a) == portOf(b);
+}
+
+QByteArray headerSafe(const QByteArray& value) {
+  QByteArray safe;
+  std::copy_if(value.begin(), value.end(), std::back_inserter(safe),
+               [](char c) { return std::uint8_t(c) >= 0x20 && c != 0x7f; });
+  return safe;
+}
+
+}  // namespace mapwright::net

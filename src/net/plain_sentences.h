@@ -1,0 +1,31 @@
+// Words for people about what went wrong on the network. Pure functions; what they return is plain text,
+// never markup.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QUrl>
+
+namespace mapwright::net {
+
+inline constexpr qsizetype kMaxSentence = 300;  // characters
+
+/// At most kMaxSentence characters on one line, without tags, control characters and angle brackets.
+QString plainText(const QString& text);
+/// "404 (not found)"; "299" when the number has no common name.
+QString statusWords(int status);
+/// What an error's body says: the text of a JSON object's detail, message or error, or of a short plain or
+/// HTML page; empty when there is nothing to show.
+QString errorText(const QByteArray& body, const QByteArray& content_type);
+/// "the robot answered 404 (not found): No such map".
+QString statusSentence(int status, const QByteArray& body, const QByteArray& content_type);
+/// "10.0.0.7:8090": where a URL leads, the default port of its scheme filled in.
+QString hostAndPort(const QUrl& url);
+/// "1.5 s", "250 ms".
+QString durationWords(qint64 ms);
+/// Scheme, host and port are the same.
+bool sameOrigin(const QUrl& a, const QUrl& b);
+/// A header value that cannot break out of its line.
+QByteArray headerSafe(const QByteArray& value);
+
+}  // namespace mapwright::net

@@ -1,0 +1,202 @@
+#include "render/block_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mapwright::render {
+namespace {
+
+constexpr std::size_t kHeldBytes = std::size_t(16) << 20;
+constexpr double kFinestStep =
+    8;                     // cells between samples up to which a block fits into the fixed-point range
+constexpr int kPart = 16;  // samples; parts of a block this large are tested for empty ground
+constexpr double kUnit = double(1 << kCoordinateBits);
+constexpr double kRounding =
+    double(1 << (kCoordinateBits - kWeightBits - 1));  // of a coordinate to its weight
+constexpr float kUnobservedIntensity = 128.0F;
+
+std::int32_t fixed(double cells) { return std::int32_t(std::llround(cells * kUnit)); }
+
+std::int32_t fixedLimit(int cells_from_base) {
+  const std::int64_t limit = std::int64_t(cells_from_base) * (1 << kCoordinateBits);
+  return std::int32_t(std::clamp<std::int64_t>(limit, std::numeric_limits<std::int32_t>::min(),
+                                               std::numeric_limits<std::int32_t>::max()));
+}
+
+void (*kernelFunction(Kernel kernel))(const BlockPass&, SampleBlock&) {
+  if (kernel == Kernel::Portable || !kernelAvailable(Kernel::Avx2)) return paintPortable;
+  return paintAvx2;
+}
+
+// The taps that samples around (u, v) within the reaches can have, as a rectangle of cells.
+struct TapRange {
+  double u0, v0, u1, v1;
+};
+
+}  // namespace
+
+// Sampling positions of a block in the cells of the level that is used.
+struct BlockPainter::Sampling {
+  int samples = 0;
+  double u = 0, v = 0;  // tap coordinates of sample (0, 0)
+  double u_per_column = 0, v_per_column = 0, u_per_row = 0, v_per_row = 0;
+  double uAt(double column, double row) const { return u + column * u_per_column + row * u_per_row; }
+  double vAt(double column, double row) const { return v + column * v_per_column + row * v_per_row; }
+
+  TapRange tapsOf(int first_column, int first_row, int columns, int rows) const {
+    const double half_columns = (columns - 1) / 2.0, half_rows = (rows - 1) / 2.0;
+    const double centre_u = uAt(first_column + half_columns, first_row + half_rows);
+    const double centre_v = vAt(first_column + half_columns, first_row + half_rows);
+    // A thousandth of a cell for the rounding of the increments.
+    const double reach_u = half_columns * std::abs(u_per_column) + half_rows * std::abs(u_per_row) + 1e-3;
+    const double reach_v = half_columns * std::abs(v_per_column) + half_rows * std::abs(v_per_row) + 1e-3;
+    return {std::floor(centre_u - reach_u), std::floor(centre_v - reach_v),
+            std::floor(centre_u + reach_u) + 1, std::floor(centre_v + reach_v) + 1};
+  }
+};
+
+BlockPainter::BlockPainter(DenseCache& cache, Kernel kernel, std::size_t placements)
+    : cache_(cache), kernel_(kernelFunction(kernel)), held_(placements) {}
+
+const TapCells& BlockPainter::denseOf(const Placement& placement, std::size_t index) {
+  if (!held_[index]) {
+    if (held_bytes_ > kHeldBytes) {
+      for (const std::size_t held : held_indexes_) held_[held].reset();
+      held_indexes_.clear();
+      held_bytes_ = 0;
+    }
+    held_[index] = cache_.get(placement.placed->texture, placement.level);
+    held_indexes_.push_back(index);
+    held_bytes_ += held_[index]->bytes();
+  }
+  return *held_[index];
+}
+
+void BlockPainter::begin(int samples) {
+  if (begun_) return;
+  begun_ = true;
+  for (int j = 0; j < samples; ++j) {
+    std::fill_n(block_->intensity + j * kBlockEdge, kBlockEdge, kUnobservedIntensity);
+    std::fill_n(block_->flags + j * kBlockEdge, kBlockEdge, 0);
+  }
+}
+
+bool BlockPainter::paint(const PixelSquare& square, int samples, std::span<const Placement> placements,
+                         std::span<const std::uint32_t> candidates) {
+  begun_ = false;
+  for (const std::uint32_t index : candidates) paintTexture(square, samples, placements[index], index);
+  return begun_;
+}
+
+bool BlockPainter::paintTexture(const PixelSquare& square, int samples, const Placement& p,
+                                std::size_t index) {
+  const double step = square.edge / samples;
+  const double cell = 1.0 / double(1 << p.level);
+  const double tap_offset = p.nearest ? 0.0 : -0.5;
+  const double column = square.column + step / 2, row = square.row + step / 2;
+  Sampling s;
+  s.samples = samples;
+  s.u = (p.u + column * p.u_per_column + row * p.u_per_row) * cell + tap_offset;
+  s.v = (p.v + column * p.v_per_column + row * p.v_per_row) * cell + tap_offset;
+  s.u_per_column = p.u_per_column * step * cell, s.u_per_row = p.u_per_row * step * cell;
+  s.v_per_column = p.v_per_column * step * cell, s.v_per_row = p.v_per_row * step * cell;
+
+  const TapCells& tap_cells = denseOf(p, index);
+  const raster::DenseCells& cells = tap_cells.level;
+  const TapRange taps = s.tapsOf(0, 0, samples, samples);
+  if (!(taps.u1 >= 0 && taps.u0 < cells.width && taps.v1 >= 0 && taps.v0 < cells.height)) return false;
+  if (std::hypot(s.u_per_column, s.v_per_column) > kFinestStep) {
+    paintCoarse(s, tap_cells, p);
+    return true;
+  }
+  return paintFine(s, tap_cells, p);
+}
+
+// Far fewer samples than cells, as in a preview from far away: one tap a sample, in doubles.
+void BlockPainter::paintCoarse(const Sampling& s, const TapCells& tap_cells, const Placement& p) {
+  const raster::DenseCells& cells = tap_cells.level;
+  for (int j = 0; j < s.samples; ++j) {
+    for (int i = 0; i < s.samples; ++i) {
+      const double u = std::floor(s.uAt(i, j) + 0.5), v = std::floor(s.vAt(i, j) + 0.5);
+      if (!(u >= 0 && v >= 0 && u < cells.width && v < cells.height)) continue;
+      constexpr int kBorder = raster::DenseCells::kBorder;
+      const std::ptrdiff_t at = std::ptrdiff_t(int(v) + kBorder) * cells.stride + (int(u) + kBorder);
+      const std::uint8_t* cell = tap_cells.taps.data() + at * TapCells::kBytesPerCell;
+      int value = 0, alpha = 0;
+      if (cells.layout == raster::CellLayout::Pairs) {
+        value = cell[0], alpha = cell[1];
+      } else {
+        const int d = *reinterpret_cast<const std::int8_t*>(cell);
+        value = std::max(d, 0), alpha = std::max(-d, 0);
+      }
+      if (value == 0 && alpha == 0) continue;
+      begin(s.samples);
+      const int sample = j * kBlockEdge + i;
+      float& intensity = block_->intensity[sample];
+      intensity = std::min(intensity - intensity * (float(alpha) / 255.0F) + float(value), 255.0F);
+      block_->flags[sample] = p.placed->flags | kObserved;
+    }
+  }
+}
+
+bool BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const Placement& p) {
+  const raster::DenseCells& cells = tap_cells.level;
+  constexpr int kBorder = raster::DenseCells::kBorder;
+  const double middle = (s.samples - 1) / 2.0;
+  const int base_u = int(std::clamp(std::floor(s.uAt(middle, middle)), -1.0, double(cells.width)));
+  const int base_v = int(std::clamp(std::floor(s.vAt(middle, middle)), -1.0, double(cells.height)));
+  BlockPass pass;
+  pass.cells =
+      tap_cells.taps.data() +
+      (std::ptrdiff_t(base_v + kBorder) * cells.stride + (base_u + kBorder)) * TapCells::kBytesPerCell;
+  pass.stride = cells.stride;
+  pass.layout = cells.layout;
+  pass.u = fixed(s.u - base_u) + (p.nearest ? 0 : std::int32_t(kRounding));
+  pass.v = fixed(s.v - base_v) + (p.nearest ? 0 : std::int32_t(kRounding));
+  pass.u_per_column = fixed(s.u_per_column), pass.v_per_column = fixed(s.v_per_column);
+  pass.u_per_row = fixed(s.u_per_row), pass.v_per_row = fixed(s.v_per_row);
+  pass.u_low = fixedLimit(-1 - base_u), pass.u_high = fixedLimit(cells.width - base_u);
+  pass.v_low = fixedLimit(-1 - base_v), pass.v_high = fixedLimit(cells.height - base_v);
+  pass.nearest = p.nearest;
+  pass.flags = p.placed->flags | kObserved;
+
+  bool painted = false;
+  for (int row = 0; row < s.samples; row += kPart) {
+    const int rows = std::min(kPart, s.samples - row);
+    // Neighbouring parts of a row that hold something are painted in one go.
+    int run_start = -1;
+    bool run_inside = true;
+    const auto flush = [&](int end) {
+      if (run_start < 0) return;
+      begin(s.samples);
+      pass.first_column = run_start, pass.columns = end - run_start;
+      pass.first_row = row, pass.rows = rows;
+      pass.inside = run_inside;
+      kernel_(pass, *block_);
+      painted = true;
+      run_start = -1;
+      run_inside = true;
+    };
+    for (int column = 0; column < s.samples; column += kPart) {
+      // Whole vectors: up to 7 samples past the wanted ones are painted too.
+      const int columns = std::min(kPart, (s.samples - column + 7) / 8 * 8);
+      const TapRange taps = s.tapsOf(column, row, columns, rows);
+      const bool touches = taps.u1 >= 0 && taps.u0 < cells.width && taps.v1 >= 0 && taps.v0 < cells.height &&
+                           !cells.emptyWithin(int(std::max(taps.u0, 0.0)), int(std::max(taps.v0, 0.0)),
+                                              int(std::min(taps.u1, cells.width - 1.0)),
+                                              int(std::min(taps.v1, cells.height - 1.0)));
+      if (!touches) {
+        flush(column);
+        continue;
+      }
+      if (run_start < 0) run_start = column;
+      run_inside =
+          run_inside && taps.u0 >= -1 && taps.u1 <= cells.width && taps.v0 >= -1 && taps.v1 <= cells.height;
+      if (column + columns >= s.samples) flush(column + columns);
+    }
+  }
+  return painted;
+}
+
+}  // namespace mapwright::render

@@ -1,0 +1,46 @@
+// Pictures of earlier views that stand in, warped, until the present one is ready. Private to this room; GUI
+// thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/view_transform.h"
+#include "render/tile_colors.h"
+#include "render/tile_renderer.h"
+
+namespace mapwright::render {
+
+/// The pixels of a tile and the image painted from them.
+struct Picture {
+  PixelGrid grid;
+  std::shared_ptr<const Composition> pixels;  // null: can only be shown in the colours it has
+  QImage image;
+};
+
+/// Layers of pictures, the newest on top. Bounded: when views follow each other faster than tiles are made,
+/// the layers are painted together into one picture of the viewport.
+class StandIns {
+ public:
+  static constexpr std::size_t kMostLayers = 4;
+
+  bool empty() const { return layers_.empty(); }
+  void clear() { layers_.clear(); }
+  /// `view` is the one that the pictures were shown in.
+  void push(std::vector<Picture> pictures, const geometry::ViewTransform& view, std::uint32_t background);
+  void repaint(const ColorTable& colors);
+  /// What of them is in view, bottom to top.
+  void draw(const geometry::ViewTransform& view, std::vector<DrawnTile>& out) const;
+  std::size_t bytes() const;
+
+ private:
+  void flatten(const geometry::ViewTransform& view, std::uint32_t background);
+  std::vector<std::vector<Picture>> layers_;  // bottom first
+};
+
+/// From the pixels of a grid's window to those of a viewport.
+QTransform viewportFromGrid(const PixelGrid& grid, const geometry::ViewTransform& view);
+
+std::size_t bytesOf(const Composition& pixels);
+
+}  // namespace mapwright::render

@@ -1,0 +1,31 @@
+// Intensities and flags become colours. Pure; any thread.
+// Source: window.md, "Colours".
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <QImage>
+
+#include "render/compositor.h"
+#include "render/map_colors.h"
+
+namespace mapwright::render {
+
+/// The colour of every (flags, intensity): what is not observed is `unknown`, else occupied (0) to free
+/// (255), linear. Incremental: kIncremental pixels use the incremental colours. Active: pixels without
+/// kActive keep 35 % over `unknown`.
+class ColorTable {
+ public:
+  ColorTable(const MapColors& colors, ColorMode mode);
+  std::uint32_t at(std::uint8_t flags, std::uint8_t intensity) const {
+    return table_[std::size_t((flags & 15) << 8 | intensity)];
+  }
+  /// An RGB32 image of the whole composition.
+  QImage paint(const Composition& pixels) const;
+
+ private:
+  std::array<std::uint32_t, 16 * 256> table_;
+};
+
+}  // namespace mapwright::render

@@ -1,0 +1,84 @@
+// Decides which piece of tile work is done next and takes in what was done. Private to this room; GUI thread.
+// Source: architecture.md, decisions 3 and 4.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "render/pyramid.h"
+#include "render/texture_index.h"
+#include "render/tile_colors.h"
+#include "render/tile_renderer.h"
+#include "render/tile_workers.h"
+#include "render/view_tiles.h"
+
+namespace mapwright::render {
+
+/// The tiles of a view over an index of textures, kept up to date by workers. Does nothing by itself:
+/// proceed() starts what there is room for, and `changed` is called when the picture or the outlook has
+/// changed.
+class TileWork {
+ public:
+  TileWork(const TileRenderer::Options& options, std::function<void()> changed);
+
+  TextureIndex& index() { return index_; }
+  const TextureIndex& index() const { return index_; }
+  const ViewTiles& tiles() const { return tiles_; }
+  const StandIns& standIns() const { return stand_ins_; }
+
+  void setView(const geometry::ViewTransform& view);
+  void setColors(const MapColors& colors, ColorMode mode);
+  const MapColors& colors() const { return colors_; }
+  /// The content under the rectangles has changed in the index.
+  void contentChanged(const std::vector<geometry::WorldRect>& rects);
+  void contentCleared();
+
+  /// Starts the most urgent work.
+  void proceed();
+  /// The image of a tile in the present colours; null when nothing is there.
+  QImage imageOf(const TilePlace& place);
+  bool settled() const;
+  TileCounts counts() const;
+
+ private:
+  struct ViewWork {
+    TilePlace place;
+    std::uint64_t raster = 0, generation = 0, colors = 0;
+    bool exact = false;
+  };
+  bool usesPyramid() const;
+  void receive(std::vector<TileWorkers::Outcome> outcomes);
+  void take(const ViewWork& work, TileWorkers::Outcome& outcome);
+  void markEmptyGround();
+  void startPreviews();
+  void startExact();
+  bool startFromPyramid(const TilePlace& place, ViewTile& tile);
+  void startComposing(const TilePlace& place, ViewTile& tile, Quality quality);
+  using Compose = std::function<Composition(const std::atomic<bool>& cancelled)>;
+  TileWorkers::Ticket startWork(const TilePlace& place, bool exact, Compose compose);
+  int pyramidLevel() const;
+  void cancelWork(ViewTile& tile);
+  void dropStandInsWhenCovered();
+  void trim();
+
+  TileRenderer::Options options_;
+  std::function<void()> changed_;
+  TextureIndex index_;
+  DenseCache dense_;
+  ViewTiles tiles_;
+  StandIns stand_ins_;
+  MapColors colors_;
+  std::shared_ptr<const ColorTable> color_table_;
+  std::uint64_t colors_revision_ = 1;
+  std::uint64_t raster_ = 0;      // counts changes of the view's raster
+  std::uint64_t generation_ = 0;  // counts changes of the content
+  std::unordered_map<TileWorkers::Ticket, ViewWork> under_way_;
+  std::uint64_t composed_ = 0, dropped_stale_ = 0;
+  TileWorkers workers_;  // after all that running work refers to: it waits for that when destroyed
+  Pyramid pyramid_;
+};
+
+}  // namespace mapwright::render

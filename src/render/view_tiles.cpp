@@ -1,0 +1,183 @@
+#include "render/view_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mapwright::render {
+namespace {
+
+constexpr double kFarthestPixel = double(std::int64_t(1) << 50);
+constexpr double kFarthestPlace = kFarthestPixel / kTileEdge;
+constexpr std::size_t kTileBytes = 256;
+
+bool usable(const geometry::ViewTransform& view) {
+  return view.width_px > 0 && view.height_px > 0 && std::isfinite(view.scale_m_per_px) &&
+         view.scale_m_per_px > 0 && std::isfinite(view.rotation_rad) && std::isfinite(view.center_m.x()) &&
+         std::isfinite(view.center_m.y());
+}
+
+std::size_t bytesOf(const Picture& picture) {
+  return std::size_t(picture.image.sizeInBytes()) + (picture.pixels ? render::bytesOf(*picture.pixels) : 0);
+}
+
+}  // namespace
+
+std::size_t ViewTiles::PlaceHash::operator()(const TilePlace& place) const noexcept {
+  std::uint64_t h = std::uint64_t(place.x) * 0x9e3779b97f4a7c15ULL;
+  h = (h ^ (h >> 29) ^ std::uint64_t(place.y)) * 0xbf58476d1ce4e5b9ULL;
+  return std::size_t(h ^ (h >> 32));
+}
+
+bool ViewTiles::rasterChanges(const geometry::ViewTransform& view) const {
+  if (snapshot_) return !(view == view_);
+  return view.scale_m_per_px != view_.scale_m_per_px || view.rotation_rad != view_.rotation_rad;
+}
+
+void ViewTiles::setView(const geometry::ViewTransform& view) {
+  if (rasterChanges(view)) clear();
+  view_ = view;
+  visible_.clear();
+  if (!usable(view)) return;
+  raster_ = {};
+  raster_.scale_m_per_px = view.scale_m_per_px;
+  raster_.rotation_rad = view.rotation_rad;
+  offset_x_ = offset_y_ = 0;
+  if (snapshot_) {
+    raster_.origin_m = view.worldFromPixel({0, 0});
+  } else {
+    const Eigen::Vector2d origin = view.pixelFromWorld({0, 0});
+    offset_x_ = std::round(origin.x());
+    offset_y_ = std::round(origin.y());
+  }
+  if (std::abs(offset_x_) < kFarthestPixel && std::abs(offset_y_) < kFarthestPixel) listVisible();
+}
+
+void ViewTiles::listVisible() {
+  ++views_;
+  const auto placeOf = [](double pixel) { return std::int64_t(std::floor(pixel / kTileEdge)); };
+  const std::int64_t x0 = placeOf(-offset_x_), x1 = placeOf(view_.width_px - 1 - offset_x_);
+  const std::int64_t y0 = placeOf(-offset_y_), y1 = placeOf(view_.height_px - 1 - offset_y_);
+  for (std::int64_t y = y0; y <= y1; ++y) {
+    for (std::int64_t x = x0; x <= x1; ++x) {
+      visible_.push_back({x, y});
+      if (ViewTile* const tile = find({x, y})) tile->last_visible = views_;
+    }
+  }
+  const double middle_x = view_.width_px / 2.0 - kTileEdge / 2.0,
+               middle_y = view_.height_px / 2.0 - kTileEdge / 2.0;
+  const auto distance = [&](const TilePlace& place) {
+    const QPointF offset = offsetOf(place);
+    return std::hypot(offset.x() - middle_x, offset.y() - middle_y);
+  };
+  std::stable_sort(visible_.begin(), visible_.end(),
+                   [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+}
+
+ViewTile& ViewTiles::at(const TilePlace& place) {
+  const auto [found, added] = tiles_.try_emplace(place);
+  if (added) {
+    found->second.last_visible = views_;
+    found->second.picture.grid = gridOf(place);
+    bytes_ += kTileBytes;
+  }
+  return found->second;
+}
+
+ViewTile* ViewTiles::find(const TilePlace& place) {
+  const auto found = tiles_.find(place);
+  return found == tiles_.end() ? nullptr : &found->second;
+}
+
+const ViewTile* ViewTiles::find(const TilePlace& place) const {
+  const auto found = tiles_.find(place);
+  return found == tiles_.end() ? nullptr : &found->second;
+}
+
+PixelGrid ViewTiles::gridOf(const TilePlace& place) const {
+  PixelGrid grid = raster_;
+  grid.first_column = place.x * kTileEdge;
+  grid.first_row = place.y * kTileEdge;
+  grid.width_px = grid.height_px = kTileEdge;
+  if (snapshot_) {
+    grid.width_px = int(std::min<std::int64_t>(kTileEdge, view_.width_px - grid.first_column));
+    grid.height_px = int(std::min<std::int64_t>(kTileEdge, view_.height_px - grid.first_row));
+  }
+  return grid;
+}
+
+QPointF ViewTiles::offsetOf(const TilePlace& place) const {
+  return {offset_x_ + double(place.x * kTileEdge), offset_y_ + double(place.y * kTileEdge)};
+}
+
+std::optional<ViewTiles::Pixel> ViewTiles::pixelAt(const Eigen::Vector2d& world_m) const {
+  if (visible_.empty()) return std::nullopt;
+  const double c = std::cos(raster_.rotation_rad), s = std::sin(raster_.rotation_rad);
+  const Eigen::Vector2d d = (world_m - raster_.origin_m) / raster_.scale_m_per_px;
+  const double column = std::floor(c * d.x() - s * d.y()), row = std::floor(-(s * d.x() + c * d.y()));
+  if (!(std::abs(column) < kFarthestPixel && std::abs(row) < kFarthestPixel)) return std::nullopt;
+  const TilePlace place{std::int64_t(std::floor(column / kTileEdge)),
+                        std::int64_t(std::floor(row / kTileEdge))};
+  return Pixel{place, int(std::int64_t(column) - place.x * kTileEdge),
+               int(std::int64_t(row) - place.y * kTileEdge)};
+}
+
+ViewTiles::PlaceRange ViewTiles::placesUnder(const geometry::WorldRect& rect) const {
+  const double c = std::cos(raster_.rotation_rad), s = std::sin(raster_.rotation_rad);
+  geometry::WorldRect pixels;
+  for (const double x : {rect.min_x, rect.max_x}) {
+    for (const double y : {rect.min_y, rect.max_y}) {
+      const Eigen::Vector2d d = (Eigen::Vector2d(x, y) - raster_.origin_m) / raster_.scale_m_per_px;
+      pixels.extend(Eigen::Vector2d(c * d.x() - s * d.y(), -(s * d.x() + c * d.y())));
+    }
+  }
+  // A pixel more for the rounding of the corners.
+  const auto placeOf = [](double pixel) {
+    return std::clamp(std::floor(pixel / kTileEdge), -kFarthestPlace, kFarthestPlace);
+  };
+  return {placeOf(pixels.min_x - 1), placeOf(pixels.min_y - 1), placeOf(pixels.max_x + 1),
+          placeOf(pixels.max_y + 1)};
+}
+
+void ViewTiles::setPicture(ViewTile& tile, std::shared_ptr<const Composition> pixels, QImage image,
+                           std::uint64_t colors) {
+  bytes_ -= bytesOf(tile.picture);
+  tile.picture.pixels = std::move(pixels);
+  tile.picture.image = std::move(image);
+  tile.colors = colors;
+  bytes_ += bytesOf(tile.picture);
+}
+
+std::vector<Picture> ViewTiles::pictures(std::size_t others) const {
+  std::vector<Picture> pictures;
+  for (const auto& [place, tile] : tiles_) {
+    if (tile.picture.image.isNull()) continue;
+    const bool in_view = !visible_.empty() && tile.last_visible == views_;
+    if (!in_view && others == 0) continue;
+    if (!in_view) --others;
+    pictures.push_back(tile.picture);
+  }
+  return pictures;
+}
+
+void ViewTiles::clear() {
+  tiles_.clear();
+  bytes_ = 0;
+}
+
+void ViewTiles::trim(std::size_t budget_bytes) {
+  if (bytes_ <= budget_bytes) return;
+  std::vector<std::pair<std::uint64_t, TilePlace>> hidden;
+  for (const auto& [place, tile] : tiles_) {
+    if (tile.last_visible != views_ && tile.exact_work == 0 && tile.preview_work == 0) {
+      hidden.emplace_back(tile.last_visible, place);
+    }
+  }
+  std::sort(hidden.begin(), hidden.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [last_visible, place] : hidden) {
+    if (bytes_ <= budget_bytes) return;
+    bytes_ -= bytesOf(tiles_.at(place).picture) + kTileBytes;
+    tiles_.erase(place);
+  }
+}
+
+}  // namespace mapwright::render

@@ -1,0 +1,126 @@
+// The tiles in the grid of the present view. Private to this room; GUI thread.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/view_transform.h"
+#include "render/stand_ins.h"
+#include "render/tile_workers.h"
+
+namespace mapwright::render {
+
+/// Tile (x, y) covers kTileEdge x kTileEdge pixels of the view's endless raster.
+struct TilePlace {
+  std::int64_t x = 0, y = 0;
+  bool operator==(const TilePlace&) const = default;
+};
+
+struct ViewTile {
+  Picture picture;            // pixels null: nothing yet, or nothing is there
+  bool known = false;         // has something to show, if only that nothing is there
+  bool exact = false;         // what it shows is no preview
+  std::uint64_t shown = 0;    // generation of the content that it shows
+  std::uint64_t touched = 0;  // latest generation that changed something under it
+  std::uint64_t colors = 0;   // revision of the colours of picture.image
+  TileWorkers::Ticket exact_work = 0, preview_work = 0;  // under way, 0 = none
+  std::uint64_t last_visible = 0;
+  bool current() const { return known && shown >= touched; }
+  bool settled() const { return current() && exact; }
+};
+
+/// Tiles by place. Their raster is anchored at the world origin so that panning keeps them; a snapshot's at
+/// the corner of its first pixel so that pixels are exactly where they were asked for.
+class ViewTiles {
+ public:
+  explicit ViewTiles(bool snapshot) : snapshot_(snapshot) {}
+
+  /// True when the raster changed: all tiles are then forgotten (take what is needed before, with
+  /// pictures()).
+  bool rasterChanges(const geometry::ViewTransform& view) const;
+  void setView(const geometry::ViewTransform& view);
+  const geometry::ViewTransform& view() const { return view_; }
+
+  /// In view, nearest to the centre first.
+  const std::vector<TilePlace>& visible() const { return visible_; }
+  ViewTile& at(const TilePlace& place);  // created when new
+  ViewTile* find(const TilePlace& place);
+  const ViewTile* find(const TilePlace& place) const;
+  PixelGrid gridOf(const TilePlace& place) const;
+  /// Viewport pixel of the tile's first pixel: whole numbers.
+  QPointF offsetOf(const TilePlace& place) const;
+  /// The tile and the pixel in it that show a world point; nullopt when no tile could.
+  struct Pixel {
+    TilePlace place;
+    int column = 0, row = 0;
+  };
+  std::optional<Pixel> pixelAt(const Eigen::Vector2d& world_m) const;
+
+  /// Marks what lies under the rectangles as changed in `generation` and gives `outdated` each tile.
+  template <typename Outdated>
+  void touch(const std::vector<geometry::WorldRect>& rects, std::uint64_t generation, Outdated outdated);
+  void setPicture(ViewTile& tile, std::shared_ptr<const Composition> pixels, QImage image,
+                  std::uint64_t colors);
+  /// Pictures of the tiles that have one, those in view and at most `others` more.
+  std::vector<Picture> pictures(std::size_t others) const;
+  template <typename Visit>
+  void forEach(Visit visit) {
+    for (auto& [place, tile] : tiles_) visit(tile);
+  }
+
+  void clear();
+  std::size_t bytes() const { return bytes_; }
+  /// Forgets tiles out of view, those longest out of view first, until bytes() <= budget.
+  void trim(std::size_t budget_bytes);
+
+ private:
+  struct PlaceHash {
+    std::size_t operator()(const TilePlace& place) const noexcept;
+  };
+  // Tiles touched by a world rectangle, as a range of (clamped) places.
+  struct PlaceRange {
+    double x0, y0, x1, y1;
+  };
+  PlaceRange placesUnder(const geometry::WorldRect& rect) const;
+  void listVisible();
+
+  bool snapshot_;
+  geometry::ViewTransform view_{.width_px = 0, .height_px = 0};
+  PixelGrid raster_;
+  double offset_x_ = 0, offset_y_ = 0;  // viewport pixel of raster pixel (0, 0), whole numbers
+  std::unordered_map<TilePlace, ViewTile, PlaceHash> tiles_;
+  std::vector<TilePlace> visible_;
+  std::uint64_t views_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+template <typename Outdated>
+void ViewTiles::touch(const std::vector<geometry::WorldRect>& rects, std::uint64_t generation,
+                      Outdated outdated) {
+  const auto mark = [&](ViewTile& tile) {
+    if (tile.touched == generation) return;
+    tile.touched = generation;
+    outdated(tile);
+  };
+  for (const geometry::WorldRect& rect : rects) {
+    if (rect.empty() || tiles_.empty()) continue;
+    const PlaceRange range = placesUnder(rect);
+    if ((range.x1 - range.x0 + 1) * (range.y1 - range.y0 + 1) > double(tiles_.size())) {
+      for (auto& [place, tile] : tiles_) {
+        const auto x = double(place.x), y = double(place.y);
+        if (x >= range.x0 && x <= range.x1 && y >= range.y0 && y <= range.y1) mark(tile);
+      }
+      continue;
+    }
+    for (auto y = std::int64_t(range.y0); y <= std::int64_t(range.y1); ++y) {
+      for (auto x = std::int64_t(range.x0); x <= std::int64_t(range.x1); ++x) {
+        if (ViewTile* const tile = find({x, y})) mark(*tile);
+      }
+    }
+  }
+}
+
+}  // namespace mapwright::render

@@ -1,0 +1,46 @@
+// Which request goes wrong, and how: decided by the seed, the request's key and its try.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "simulator/simulator.h"
+
+namespace mapwright::simulator {
+
+enum class FaultKind { None, Drop, Truncate, WrongSize, Corrupt, HttpError, StatusError };
+
+struct Fault {
+  FaultKind kind = FaultKind::None;
+  int delay_ms = 0;
+  int http_status = 500;
+  std::uint64_t dice = 0;  // for whatever else the fault leaves to chance
+};
+
+/// Safe from any thread.
+class FaultPlan {
+ public:
+  FaultPlan(const Faults& faults, std::uint32_t seed) : faults_(faults), seed_(seed) {}
+
+  Faults faults() const;
+  void setFaults(const Faults& faults);
+  /// The lot of the next try of `key`.
+  Fault draw(const std::string& key);
+
+ private:
+  mutable std::mutex mutex_;
+  Faults faults_;
+  const std::uint32_t seed_;
+  std::map<std::string, std::uint32_t> tries_;
+};
+
+/// The protobuf `body` with a width and height that its cells do not fit.
+std::string withWrongSize(const std::string& body);
+/// Bytes that are no protobuf message.
+std::string garbage(std::uint64_t seed);
+/// An answer whose StatusResponse reports an error.
+std::string statusAnswer(int code, const std::string& message);
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,49 @@
+// What stands in the building: solid shapes on the floor, in world metres.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace mapwright::simulator {
+
+/// A box (centre, half extents, turned by yaw) or, when `round`, a disc of radius half.x().
+struct Solid {
+  Eigen::Vector2d centre{0, 0};
+  Eigen::Vector2d half{0, 0};
+  double yaw_rad = 0;
+  bool round = false;
+  bool movable = false;  // furniture: gives way to the robot's route; walls do not
+
+  /// Radius of the circle around `centre` that holds the shape.
+  double reach() const { return round ? half.x() : half.norm(); }
+  /// Metres from `point` to the shape; 0 or less inside it.
+  double distanceTo(const Eigen::Vector2d& point) const;
+};
+
+/// All solids of a scene, findable by place. Immutable, safe to read from any thread.
+class FloorPlan {
+ public:
+  FloorPlan() = default;
+  explicit FloorPlan(std::vector<Solid> solids);
+
+  const std::vector<Solid>& solids() const { return solids_; }
+  /// Indices of the solids that may touch the rectangle, each once, ascending.
+  std::vector<std::uint32_t> near(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
+
+ private:
+  struct Span {
+    int x0, y0, x1, y1;
+  };
+  Span cellsOf(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
+
+  std::vector<Solid> solids_;
+  Eigen::Vector2d origin_{0, 0};
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<std::uint32_t> starts_;   // per grid cell, into members_
+  std::vector<std::uint32_t> members_;  // solid indices
+};
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,154 @@
+#include "simulator/http_session.h"
+
+#include <chrono>
+
+#include <boost/beast/websocket/rfc6455.hpp>
+
+#include "simulator/json_text.h"
+#include "simulator/web_socket_session.h"
+
+namespace mapwright::simulator {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using boost::asio::ip::tcp;
+
+constexpr std::uint32_t kMostHeaderBytes = 16 << 10;
+constexpr std::uint64_t kMostBodyBytes = 64 << 10;
+constexpr auto kIdle = std::chrono::seconds(60);
+constexpr std::string_view kTopicsPath = "/ws/v2/topics";
+
+std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+}  // namespace
+
+HttpSession::HttpSession(tcp::socket socket, Services services)
+    : stream_(std::move(socket)), timer_(stream_.get_executor()), services_(services) {}
+
+void HttpSession::read() {
+  parser_.emplace();
+  parser_->header_limit(kMostHeaderBytes);
+  parser_->body_limit(kMostBodyBytes);
+  stream_.expires_after(kIdle);
+  http::async_read(
+      stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+        self->stream_.expires_never();
+        if (!error) {
+          self->take();
+          return;
+        }
+        const bool refused = error == http::error::header_limit || error == http::error::body_limit;
+        const bool unreadable = error.category() == make_error_code(http::error::bad_target).category() &&
+                                error != http::error::end_of_stream && error != http::error::partial_message;
+        if (!refused && !unreadable) {
+          self->close();
+          return;
+        }
+        const int status = error == http::error::header_limit ? 431
+                           : error == http::error::body_limit ? 413
+                                                              : 400;
+        self->answer_ = jsonAnswer(status, jsonDetail("The request is too large or no HTTP."));
+        self->keep_alive_ = false;
+        self->respond();
+      });
+}
+
+void HttpSession::take() {
+  const auto& request = parser_->get();
+  const std::string_view target = view(request.target()), path = pathOf(target);
+  HttpQuestion question{view(request.method_string()), target, view(request["Secret"]),
+                        view(request[http::field::if_none_match])};
+  RequestRecord record;
+  record.method = question.method;
+  record.target = target;
+  record.had_secret = request.find("Secret") != request.end();
+  record.if_none_match = question.if_none_match;
+  keep_alive_ = request.keep_alive();
+  head_only_ = request.method() == http::verb::head;
+  logged_.emplace(services_.log, record, isSubmapPath(path));
+  if (path == kTopicsPath && question.method == "GET" && services_.routes.allows(question.secret)) {
+    if (beast::websocket::is_upgrade(request)) {
+      logged_->finish(101, 0);
+      std::make_shared<WebSocketSession>(stream_.release_socket(), services_)->accept(request);
+      return;
+    }
+    answer_ = jsonAnswer(400, jsonDetail("This address speaks WebSocket only."));
+  } else {
+    answer_ = services_.routes.answer(question);
+  }
+  if (answer_.delay_ms > 0) {
+    wait();
+  } else {
+    respond();
+  }
+}
+
+void HttpSession::wait() {
+  timer_.expires_after(std::chrono::milliseconds(answer_.delay_ms));
+  timer_.async_wait([self = shared_from_this()](beast::error_code error) {
+    if (error) return;
+    beast::error_code ignored;  // only ends watchPeer
+    self->stream_.socket().cancel(ignored);
+    self->respond();
+  });
+  watchPeer();
+}
+
+void HttpSession::watchPeer() {
+  // A client that hangs up while it waits is no request under way any more.
+  stream_.socket().async_wait(tcp::socket::wait_read, [self = shared_from_this()](beast::error_code error) {
+    if (error) return;
+    char byte = 0;
+    self->stream_.socket().non_blocking(true, error);
+    const std::size_t seen =
+        self->stream_.socket().receive(boost::asio::buffer(&byte, 1), tcp::socket::message_peek, error);
+    if (seen > 0 || error == boost::asio::error::would_block) return;
+    self->timer_.cancel();
+    self->logged_.reset();
+    self->close();
+  });
+}
+
+void HttpSession::respond() {
+  if (answer_.drop) {
+    logged_.reset();
+    close();
+    return;
+  }
+  response_.emplace();
+  response_->version(11);
+  response_->result(static_cast<unsigned>(answer_.status));
+  response_->set(http::field::server, "axbot");
+  if (!answer_.content_type.empty()) response_->set(http::field::content_type, answer_.content_type);
+  for (const auto& [name, value] : answer_.headers) response_->set(name, value);
+  const std::size_t whole = answer_.body ? answer_.body->size() : 0;
+  const std::size_t sent = head_only_ ? 0 : answer_.truncate ? whole / 2 : whole;
+  if (answer_.status != 304) response_->content_length(whole);
+  response_->keep_alive(keep_alive_);
+  if (sent > 0) response_->body() = {answer_.body->data(), sent};
+  stream_.expires_after(kIdle);
+  http::async_write(stream_, *response_,
+                    [self = shared_from_this(), sent](beast::error_code error, std::size_t) {
+                      self->stream_.expires_never();
+                      if (self->logged_) {
+                        self->logged_->finish(error ? 0 : self->answer_.status, error ? 0 : sent);
+                        self->logged_.reset();
+                      }
+                      const bool go_on = !error && self->keep_alive_ && !self->answer_.truncate;
+                      self->answer_ = {};
+                      if (go_on) {
+                        self->read();
+                      } else {
+                        self->close();
+                      }
+                    });
+}
+
+void HttpSession::close() {
+  beast::error_code ignored;  // the connection ends either way
+  stream_.socket().shutdown(tcp::socket::shutdown_both, ignored);
+  stream_.close();
+}
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,22 @@
+// What every connection of the simulated robot works with. Outlives all connections.
+#pragma once
+
+#include "simulator/fault_plan.h"
+#include "simulator/http_routes.h"
+#include "simulator/request_log.h"
+#include "simulator/topic_messages.h"
+#include "simulator/web_socket_hub.h"
+
+namespace mapwright::simulator {
+
+struct Services {
+  const Options& options;
+  const RobotState& state;
+  FaultPlan& faults;
+  RequestLog& log;
+  HttpRoutes& routes;
+  TopicMessages& messages;
+  WebSocketHub& hub;
+};
+
+}  // namespace mapwright::simulator

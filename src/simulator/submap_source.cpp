@@ -1,0 +1,123 @@
+#include "simulator/submap_source.h"
+
+#include <array>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "ros_messages/slam.pb.h"
+#include "simulator/cell_encoding.h"
+#include "simulator/noise.h"
+
+namespace mapwright::simulator {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+Isometry3d planar(const geometry::Pose2& pose) {
+  Isometry3d transform = Isometry3d::Identity();
+  transform.linear() = AngleAxisd(pose.yaw_rad, Vector3d::UnitZ()).toRotationMatrix();
+  transform.translation() = Vector3d(pose.x_m, pose.y_m, 0);
+  return transform;
+}
+
+Packing packingOf(map::SubmapId id) {
+  // Neighbours differ, and eight consecutive submaps show every way of packing.
+  constexpr std::array<Packing, kPackings> kOrder{
+      Packing::PngGray,    Packing::GzipPairs, Packing::PngGrayAlpha, Packing::RawBytes,
+      Packing::PngPalette, Packing::ZlibPairs, Packing::GzipBytes,    Packing::RawPairs};
+  return kOrder[static_cast<std::size_t>(id.index + 3 * id.trajectory) % kOrder.size()];
+}
+
+CellFormat formatOf(const SubmapSource& source) {
+  if (source.nearby && source.id.index % 3 == 1) return CellFormat::Intensity;
+  return source.id.index % 5 == 3 ? CellFormat::TsdfDelta : CellFormat::LogOdds;
+}
+
+void addTexture(ros_messages::slam::SubmapQueryV2Response& response, const SubmapSource& source,
+                const ScanGrid& grid, Packing packing, CellFormat format, int z_level) {
+  ros_messages::slam::SubmapTexture& texture = *response.add_textures();
+  texture.set_cell_format(static_cast<int>(format));
+  texture.set_cells(packCells(grid.cells, grid.width, grid.height, packing, format));
+  texture.set_width(grid.width);
+  texture.set_height(grid.height);
+  texture.set_resolution(grid.resolution_m);
+  texture.set_z_level(z_level);
+  const Isometry3d world_from_submap = geometry::toIsometry(source.pose).value_or(Isometry3d::Identity());
+  const Isometry3d slice = world_from_submap.inverse() * planar(grid.world_from_slice);
+  const Eigen::Quaterniond q(slice.linear());
+  ros_messages::Pose& pose = *texture.mutable_slice_pose();
+  pose.set_x(slice.translation().x());
+  pose.set_y(slice.translation().y());
+  pose.set_z(slice.translation().z());
+  pose.set_qx(q.x());
+  pose.set_qy(q.y());
+  pose.set_qz(q.z());
+  pose.set_qw(q.w());
+}
+
+}  // namespace
+
+geometry::Pose3 nominalPose(const geometry::Pose2& anchor, map::SubmapId id, std::uint64_t seed) {
+  Dice dice(hashOf(seed, 11));
+  Isometry3d transform = planar(anchor);
+  if (id.index % 4 == 1) {
+    transform.rotate(AngleAxisd(dice.uniform(-std::numbers::pi, std::numbers::pi), Vector3d::UnitZ()));
+  } else if (id.index % 4 == 2) {
+    transform.translation().z() = dice.uniform(-1.5, 1.5);
+    transform.rotate(AngleAxisd(dice.uniform(-0.3, 0.3), Vector3d::UnitY()));
+    transform.rotate(AngleAxisd(dice.uniform(-0.3, 0.3), Vector3d::UnitX()));
+  }
+  const Eigen::Quaterniond q(transform.linear());
+  const Vector3d t = transform.translation();
+  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+}
+
+std::string makeSubmapBody(const FloorPlan& plan, const SubmapSource& source) {
+  ros_messages::slam::SubmapQueryV2Response response;
+  response.mutable_status()->set_code(ros_messages::slam::OK);
+  response.set_submap_version(source.version);
+  const Eigen::Vector2d anchor(source.anchor.x_m, source.anchor.y_m);
+  ScanSettings settings;
+  settings.seed = source.seed;
+  addTexture(response, source,
+             scanGrid(plan, source.extra, source.scans, anchor, source.anchor.yaw_rad, settings),
+             packingOf(source.id), formatOf(source), 0);
+  if (source.id.index % 7 == 2) {  // the coarse grid that 3D SLAM keeps besides the fine one
+    settings.resolution_m = 0.1;
+    settings.range_m = 9;
+    settings.rays = 180;
+    const CellFormat format = source.id.index % 14 == 2 ? CellFormat::Intensity : CellFormat::LogOdds;
+    addTexture(response, source,
+               scanGrid(plan, source.extra, source.scans, anchor, source.anchor.yaw_rad, settings),
+               Packing::PngGray, format, 1);
+  }
+  return response.SerializeAsString();
+}
+
+std::shared_ptr<const std::string> BodyCache::bodyOf(const FloorPlan& plan, const SubmapSource& source) {
+  const Key key{source.session, source.id, source.version};
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = by_key_.find(key); found != by_key_.end()) {
+      entries_.splice(entries_.begin(), entries_, found->second);
+      return found->second->body;
+    }
+  }
+  auto body = std::make_shared<const std::string>(makeSubmapBody(plan, source));
+  const std::lock_guard lock(mutex_);
+  if (by_key_.contains(key)) return body;
+  entries_.push_front({key, body});
+  by_key_[key] = entries_.begin();
+  bytes_ += body->size();
+  while (bytes_ > budget_ && entries_.size() > 1) {
+    bytes_ -= entries_.back().body->size();
+    by_key_.erase(entries_.back().key);
+    entries_.pop_back();
+  }
+  return body;
+}
+
+}  // namespace mapwright::simulator

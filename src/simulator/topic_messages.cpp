@@ -1,0 +1,197 @@
+#include "simulator/topic_messages.h"
+
+#include <array>
+#include <limits>
+
+#include "ros_messages/wrapper.pb.h"
+#include "simulator/cell_encoding.h"
+#include "simulator/json_text.h"
+
+namespace mapwright::simulator {
+namespace {
+
+constexpr std::size_t kGzipFrom = 4096;
+
+std::string_view textOf(map::SlamState state) {
+  switch (state) {
+    case map::SlamState::Slam:
+      return "slam";
+    case map::SlamState::Positioning:
+      return "positioning";
+    case map::SlamState::Invalid:
+      break;
+  }
+  return "invalid";
+}
+
+ros_messages::slam::SlamState wireOf(map::SlamState state) {
+  switch (state) {
+    case map::SlamState::Slam:
+      return ros_messages::slam::SLAM_STATE_SLAM;
+    case map::SlamState::Positioning:
+      return ros_messages::slam::SLAM_STATE_POSITIONING;
+    case map::SlamState::Invalid:
+      break;
+  }
+  return ros_messages::slam::SLAM_STATE_INVALID;
+}
+
+std::string trackedPose(const geometry::Pose2& pose) {
+  std::string out = R"({"topic":"/tracked_pose","pos":[)";
+  appendJsonFixed(out, pose.x_m, 4);
+  out += ',';
+  appendJsonFixed(out, pose.y_m, 4);
+  out += R"(],"ori":)";
+  appendJsonFixed(out, pose.yaw_rad, 4);
+  out += '}';
+  return out;
+}
+
+std::string slamState(map::SlamState state) {
+  std::string out = R"({"topic":"/slam/state","state":)";
+  appendJsonText(out, textOf(state));
+  out += R"(,"reliable":true,"position_quality":10,"lidar_matching_score":0.87,"lidar_matched":true})";
+  return out;
+}
+
+constexpr std::string_view kRobotModel =
+    R"({"topic":"/robot_model","footprint":[[0.3,-0.2],[0.35,-0.12],[0.35,0.12],[0.3,0.2],[-0.25,0.27],[-0.32,0.2],)"
+    R"([-0.32,-0.2],[-0.25,-0.27]],"expanded_footprint":[[0.35,-0.25],[0.4,-0.13],[0.4,0.13],[0.35,0.25],)"
+    R"([-0.28,0.32],[-0.37,0.23],[-0.37,-0.23],[-0.28,-0.32]],"width":0.54})";
+
+}  // namespace
+
+std::string submapListJson(const map::SubmapList& list) {
+  std::string out;
+  out.reserve(200 + list.entries.size() * 300);
+  out += R"({"topic":"/submap_list","slam_state":)";
+  appendJsonText(out, textOf(list.slam_state));
+  out += R"(,"uuid":)";
+  appendJsonText(out, list.uuid);
+  out += R"(,"submap":[)";
+  const auto flag = [&](std::string_view key, bool value) {
+    out += key;
+    out += value ? "true" : "false";
+  };
+  bool first = true;
+  for (const map::SubmapEntry& entry : list.entries) {
+    out += first ? R"({"trajectory_id":)" : R"(,{"trajectory_id":)";
+    first = false;
+    out += std::to_string(entry.id.trajectory);
+    out += R"(,"submap_index":)";
+    out += std::to_string(entry.id.index);
+    out += R"(,"submap_version":)";
+    out += std::to_string(entry.version);
+    out += R"(,"pose":)";
+    char separator = '{';
+    const geometry::Pose3& p = entry.pose;
+    for (const auto& [key, value] : {std::pair{"\"x\":", p.x},
+                                     {"\"y\":", p.y},
+                                     {"\"z\":", p.z},
+                                     {"\"qx\":", p.qx},
+                                     {"\"qy\":", p.qy},
+                                     {"\"qz\":", p.qz},
+                                     {"\"qw\":", p.qw}}) {
+      out += separator;
+      separator = ',';
+      out += key;
+      appendJsonNumber(out, value);
+    }
+    flag(R"(},"is_frozen":)", entry.is_frozen);
+    flag(R"(,"is_incremental_submap":)", entry.is_incremental);
+    flag(R"(,"is_nearby_map":)", entry.is_nearby);
+    out += '}';
+  }
+  out += "]}";
+  return out;
+}
+
+std::string submapListBinary(const map::SubmapList& list) {
+  ros_messages::RosMessageWrapper wrapper;
+  wrapper.set_type(ros_messages::SUBMAP_LIST);
+  ros_messages::slam::SubmapList& message = *wrapper.mutable_submap_list();
+  message.set_slam_state(wireOf(list.slam_state));
+  message.set_uuid(list.uuid);
+  for (const map::SubmapEntry& entry : list.entries) {
+    ros_messages::slam::SubmapEntry& row = *message.add_submaps();
+    row.set_trajectory_id(entry.id.trajectory);
+    row.set_submap_index(entry.id.index);
+    row.set_submap_version(entry.version);
+    ros_messages::Pose& pose = *row.mutable_pose();
+    pose.set_x(entry.pose.x);
+    pose.set_y(entry.pose.y);
+    pose.set_z(entry.pose.z);
+    pose.set_qx(entry.pose.qx);
+    pose.set_qy(entry.pose.qy);
+    pose.set_qz(entry.pose.qz);
+    pose.set_qw(entry.pose.qw);
+    row.set_is_frozen(entry.is_frozen);
+    row.set_is_incremental_submap(entry.is_incremental);
+    row.set_is_nearby_map(entry.is_nearby);
+  }
+  std::string payload = wrapper.SerializeAsString();
+  const bool zipped = payload.size() >= kGzipFrom;
+  if (zipped) payload = gzip(payload);
+  std::string frame;
+  frame += static_cast<char>(kSubmapListTopic.size());
+  frame += kSubmapListTopic;
+  frame += static_cast<char>(zipped ? 1 : 0);
+  return frame + payload;
+}
+
+void addBadEntries(map::SubmapList& list) {
+  const std::vector<map::SubmapEntry> good(
+      list.entries.begin(), list.entries.begin() + std::min<std::ptrdiff_t>(2, std::ssize(list.entries)));
+  map::SubmapEntry bad;
+  bad.version = 1;
+  bad.id = {90, 0};
+  bad.pose.x = std::numeric_limits<double>::quiet_NaN();
+  list.entries.push_back(bad);
+  bad.id = {90, 1};
+  bad.pose = {};
+  bad.pose.qw = 0;
+  list.entries.push_back(bad);
+  if (!good.empty()) list.entries.push_back(good.front());
+  if (good.size() > 1) {
+    map::SubmapEntry back = good[1];
+    back.version -= 1;
+    list.entries.push_back(back);
+  }
+}
+
+bool isLatched(std::string_view topic) {
+  return topic == kSubmapListTopic || topic == kRobotModelTopic || topic == kSlamStateTopic;
+}
+
+Frame TopicMessages::listMessage(bool binary, bool bad_entries) {
+  const std::lock_guard lock(mutex_);
+  const ListStamp stamp = state_.stamp();
+  const std::string uuid = state_.uuid();
+  if (stamp != stamp_ || uuid != uuid_ || bad_entries != bad_entries_) {
+    json_ = binary_ = {};
+    stamp_ = stamp;
+    uuid_ = uuid;
+    bad_entries_ = bad_entries;
+  }
+  Frame& frame = binary ? binary_ : json_;
+  if (!frame.bytes) {
+    map::SubmapList list = state_.list();
+    if (bad_entries) addBadEntries(list);
+    frame = {std::make_shared<const std::string>(binary ? submapListBinary(list) : submapListJson(list)),
+             binary};
+  }
+  return frame;
+}
+
+std::optional<Frame> TopicMessages::messageOf(std::string_view topic, bool binary_list, bool bad_entries) {
+  const auto text = [](std::string message) {
+    return Frame{std::make_shared<const std::string>(std::move(message)), false};
+  };
+  if (topic == kSubmapListTopic) return listMessage(binary_list, bad_entries);
+  if (topic == kTrackedPoseTopic) return text(trackedPose(state_.robotPose()));
+  if (topic == kRobotModelTopic) return text(std::string(kRobotModel));
+  if (topic == kSlamStateTopic) return text(slamState(state_.list().slam_state));
+  return std::nullopt;
+}
+
+}  // namespace mapwright::simulator

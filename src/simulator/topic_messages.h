@@ -1,0 +1,55 @@
+// The messages of /ws/v2/topics (axbot.md, "WebSocket"), as the bytes of one frame each.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simulator/robot_state.h"
+
+namespace mapwright::simulator {
+
+struct Frame {
+  std::shared_ptr<const std::string> bytes;
+  bool binary = false;
+};
+
+/// {"topic":"/submap_list",...}; key `submap`, slam_state as text. Numbers that JSON lacks are null.
+std::string submapListJson(const map::SubmapList& list);
+/// Topic length, topic, gzip flag, RosMessageWrapper (gzipped when large).
+std::string submapListBinary(const map::SubmapList& list);
+/// Rows as a robot with a broken SLAM sends them: NaN, zero quaternions, duplicates, a version going back.
+void addBadEntries(map::SubmapList& list);
+
+/// Makes the messages of the topics that this robot publishes; the list is made once per change. Safe from
+/// any thread.
+class TopicMessages {
+ public:
+  explicit TopicMessages(const RobotState& state) : state_(state) {}
+
+  /// The current message; nullopt for topics that are never published.
+  std::optional<Frame> messageOf(std::string_view topic, bool binary_list, bool bad_entries);
+
+ private:
+  Frame listMessage(bool binary, bool bad_entries);
+
+  const RobotState& state_;
+  std::mutex mutex_;
+  ListStamp stamp_;
+  bool bad_entries_ = false;
+  std::optional<std::string> uuid_;
+  Frame json_, binary_;
+};
+
+/// Topics whose last message is sent at once to whoever enables them.
+bool isLatched(std::string_view topic);
+
+constexpr std::string_view kSubmapListTopic = "/submap_list";
+constexpr std::string_view kTrackedPoseTopic = "/tracked_pose";
+constexpr std::string_view kRobotModelTopic = "/robot_model";
+constexpr std::string_view kSlamStateTopic = "/slam/state";
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,191 @@
+#include "simulator/web_socket_session.h"
+
+#include <vector>
+
+#include <simdjson.h>
+
+#include "simulator/json_text.h"
+
+namespace mapwright::simulator {
+namespace {
+
+namespace beast = boost::beast;
+namespace websocket = boost::beast::websocket;
+
+constexpr std::size_t kMostMessageBytes = 64 << 10;
+constexpr std::size_t kMostTopics = 256;
+constexpr std::size_t kLongestTopic = 255;
+constexpr std::size_t kMostQueued = 32;                           // beyond it, poses are left out
+constexpr std::size_t kMostQueuedBytes = std::size_t{256} << 20;  // beyond it, the reader is given up
+
+std::string errorMessage(std::string_view sentence) {
+  std::string out = "{\"error\":";
+  appendJsonText(out, sentence);
+  out += '}';
+  return out;
+}
+
+Frame textFrame(std::string text) { return {std::make_shared<const std::string>(std::move(text)), false}; }
+
+/// The topics that a value of enable_topic names; an empty vector and a sentence when it cannot be used.
+std::vector<std::string> topicsOf(simdjson::dom::element value, bool lists_allowed, std::string& problem) {
+  std::vector<std::string> topics;
+  std::string_view name;
+  simdjson::dom::array list;
+  if (value.get(name) == simdjson::SUCCESS) {
+    topics.emplace_back(name);
+  } else if (value.get(list) == simdjson::SUCCESS) {
+    if (!lists_allowed) {
+      problem = "A list of topics is not supported by this robot; enable them one by one.";
+      return {};
+    }
+    for (const simdjson::dom::element one : list) {
+      if (one.get(name) != simdjson::SUCCESS || topics.size() >= kMostTopics) {
+        problem = "A list of topics holds something that is no topic.";
+        return {};
+      }
+      topics.emplace_back(name);
+    }
+  } else {
+    problem = "A topic is a text or a list of texts.";
+  }
+  for (const std::string& topic : topics) {
+    if (topic.empty() || topic.size() > kLongestTopic) {
+      problem = "A topic's name is empty or too long.";
+      return {};
+    }
+  }
+  return topics;
+}
+
+}  // namespace
+
+WebSocketSession::WebSocketSession(boost::asio::ip::tcp::socket socket, Services services)
+    : stream_(std::move(socket)), services_(services) {}
+
+void WebSocketSession::accept(const Request& request) {
+  request_ = request;
+  const std::string_view target(request_.target().data(), request_.target().size());
+  binary_list_ = services_.options.binary_topics && queryValue(target, "pb") == "1";
+  silent_ = services_.faults.faults().silent_websocket;
+  beast::get_lowest_layer(stream_).expires_never();
+  websocket::stream_base::timeout timeout{};
+  timeout.handshake_timeout = std::chrono::seconds(10);
+  timeout.idle_timeout = websocket::stream_base::none();
+  timeout.keep_alive_pings = false;
+  stream_.set_option(timeout);
+  stream_.read_message_max(kMostMessageBytes);
+  stream_.async_accept(request_, [self = shared_from_this()](beast::error_code error) {
+    if (error) return;
+    self->services_.hub.join(self);
+    if (!self->silent_) self->read();  // who does not read does not pong either
+  });
+}
+
+void WebSocketSession::read() {
+  stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+    if (error) {
+      self->services_.hub.leave(self.get());
+      self->topics_.clear();
+      return;
+    }
+    const auto bytes = self->buffer_.data();
+    const std::string text(static_cast<const char*>(bytes.data()), bytes.size());
+    self->buffer_.consume(self->buffer_.size());
+    if (self->stream_.got_text()) {
+      self->understand(text);
+    } else {
+      self->send(textFrame(errorMessage("Binary messages are not understood.")));
+    }
+    self->read();
+  });
+}
+
+void WebSocketSession::understand(std::string_view text) {
+  simdjson::dom::parser parser;
+  simdjson::dom::element document;
+  simdjson::dom::object object;
+  if (parser.parse(text.data(), text.size()).get(document) != simdjson::SUCCESS ||
+      document.get(object) != simdjson::SUCCESS) {
+    send(textFrame(errorMessage("The message is no JSON object.")));
+    return;
+  }
+  bool understood = false;
+  std::vector<std::string> added;
+  for (const bool enable : {true, false}) {
+    simdjson::dom::element value;
+    if (object[enable ? "enable_topic" : "disable_topic"].get(value) != simdjson::SUCCESS) continue;
+    std::string problem;
+    const std::vector<std::string> named = topicsOf(value, services_.options.enable_topic_list, problem);
+    if (!problem.empty()) {
+      send(textFrame(errorMessage(problem)));
+      return;
+    }
+    understood = true;
+    for (const std::string& topic : named) {
+      if (!enable) {
+        topics_.erase(topic);
+      } else if (topics_.size() < kMostTopics) {
+        topics_.insert(topic);
+        added.push_back(topic);
+      }
+    }
+  }
+  if (!understood) {
+    send(textFrame(errorMessage("The message names neither enable_topic nor disable_topic.")));
+    return;
+  }
+  std::string reply = "{\"enabled_topics\":[";
+  for (const std::string& topic : topics_) {
+    if (reply.back() != '[') reply += ',';
+    appendJsonText(reply, topic);
+  }
+  send(textFrame(reply + "]}"));
+  for (const std::string& topic : added) {
+    if (isLatched(topic)) publish(topic);
+  }
+}
+
+void WebSocketSession::publish(std::string_view topic) {
+  if (!topics_.contains(topic)) return;
+  const Faults faults = services_.faults.faults();
+  if (silent_ || faults.silent_websocket) return;
+  if (topic == kTrackedPoseTopic && outgoing_.size() > kMostQueued) return;
+  if (std::optional<Frame> frame = services_.messages.messageOf(topic, binary_list_, faults.bad_entries)) {
+    send(std::move(*frame));
+  }
+}
+
+void WebSocketSession::send(Frame frame) {
+  outgoing_bytes_ += frame.bytes->size();
+  if (outgoing_bytes_ > kMostQueuedBytes) {
+    cut();
+    return;
+  }
+  outgoing_.push_back(std::move(frame));
+  if (outgoing_.size() == 1) write();
+}
+
+void WebSocketSession::write() {
+  stream_.binary(outgoing_.front().binary);
+  stream_.async_write(boost::asio::buffer(*outgoing_.front().bytes),
+                      [self = shared_from_this()](beast::error_code error, std::size_t) {
+                        if (error) {
+                          self->cut();
+                          return;
+                        }
+                        self->outgoing_bytes_ -= self->outgoing_.front().bytes->size();
+                        self->outgoing_.pop_front();
+                        if (!self->outgoing_.empty()) self->write();
+                      });
+}
+
+void WebSocketSession::cut() {
+  services_.hub.leave(this);
+  topics_.clear();
+  beast::error_code ignored;  // it is being given up either way
+  beast::get_lowest_layer(stream_).socket().shutdown(boost::asio::ip::tcp::socket::shutdown_both, ignored);
+  beast::get_lowest_layer(stream_).close();
+}
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,126 @@
+// The program as a script sees it: exit codes, one line on stderr, files.
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QString out, err;
+};
+
+}  // namespace
+
+class CommandLineTest : public QObject {
+  Q_OBJECT
+ private:
+  QTemporaryDir folder_;
+
+  QProcessEnvironment environment() const {
+    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"}) {
+      env.remove(QLatin1String(name));
+    }
+    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
+    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.filePath(QStringLiteral("config")));
+    return env;
+  }
+  Outcome run(const QStringList& arguments, const QProcessEnvironment& env) const {
+    QProcess process;
+    process.setProcessEnvironment(env);
+    process.setWorkingDirectory(folder_.path());
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
+    if (!process.waitForFinished(120'000)) return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+  }
+  Outcome run(const QStringList& arguments) const { return run(arguments, environment()); }
+  QString at(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+
+ private Q_SLOTS:
+  void helpAndVersionAreThereOnEveryLevel() {
+    QCOMPARE(run({QStringLiteral("--help")}).code, 0);
+    QVERIFY(run({QStringLiteral("snapshot"), QStringLiteral("--help")}).out.contains(QStringLiteral("--settle")));
+    QVERIFY(run({QStringLiteral("simulate"), QStringLiteral("--help")}).out.contains(QStringLiteral("--corrupt-rate")));
+    QVERIFY(run({QStringLiteral("--version")}).out.startsWith(QStringLiteral("mapwright ")));
+  }
+
+  void wrongUsageIsOneLineAndExitCodeTwo_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"nonsense", "snapshot", "snapshot --output p.png", "snapshot --robot demo: --output p.png --size big",
+          "snapshot --robot aimdk+http://h --output p.png", "snapshot --robot demo:?scene=moon --output p.png",
+          "snapshot --robot demo: --output /no/such/folder/p.png", "simulate --scene moon", "simulate --drop-rate 2",
+          "snapshot --robot demo: --secret-file /no/such/file --output p.png"}) {
+      QTest::newRow(line) << QString::fromLatin1(line);
+    }
+  }
+  void wrongUsageIsOneLineAndExitCodeTwo() {
+    QFETCH(QString, line);
+    const Outcome outcome = run(line.split(QLatin1Char(' ')));
+    QCOMPARE(outcome.code, 2);
+    QCOMPARE(outcome.err.count(QLatin1Char('\n')), 1);
+    QVERIFY(outcome.out.isEmpty());
+  }
+
+  void aRobotThatIsNotThereIsExitCodeThree() {
+    const Outcome outcome = run({QStringLiteral("snapshot"), QStringLiteral("--robot"),
+                                 QStringLiteral("axbot+http://127.0.0.1:1"), QStringLiteral("--output"), at("p.png")});
+    QCOMPARE(outcome.code, 3);
+    QCOMPARE(outcome.err.count(QLatin1Char('\n')), 1);
+    QVERIFY2(outcome.err.contains(QStringLiteral("127.0.0.1:1")), qPrintable(outcome.err));
+    QVERIFY(!QFile::exists(at("p.png")));
+  }
+
+  void withoutADisplayTheWindowSaysSoAndTheDemoBecomesAPicture() {
+    QCOMPARE(run({}).code, 2);
+    const Outcome outcome = run({QStringLiteral("demo")});
+    QVERIFY2(outcome.code == 0, qPrintable(outcome.err));
+    QVERIFY(outcome.out.contains(QStringLiteral("mapwright-demo.png")));
+    QVERIFY(outcome.err.contains(QStringLiteral("no display")));
+    QVERIFY(QFile::exists(at("mapwright-demo.png")));
+  }
+
+  void simulateServesUntilItIsToldToStopAndSnapshotReadsIt() {
+    QProcess robot;
+    robot.setProcessEnvironment(environment());
+    robot.start(QStringLiteral(MAPWRIGHT_PROGRAM),
+                {QStringLiteral("simulate"), QStringLiteral("--paused"), QStringLiteral("--start-at"), QStringLiteral("30")});
+    QVERIFY(robot.waitForReadyRead(30'000));
+    const QJsonObject ready = QJsonDocument::fromJson(robot.readLine()).object();
+    const QString address = ready[QLatin1String("axbot")].toString();
+    QVERIFY(address.startsWith(QStringLiteral("axbot+http://127.0.0.1:")));
+
+    QProcessEnvironment env = environment();
+    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"), address);
+    const QStringList snapshot{QStringLiteral("snapshot"), QStringLiteral("--output"), at("one.png"),
+                               QStringLiteral("--size"), QStringLiteral("300x200"), QStringLiteral("--json")};
+    const Outcome first = run(snapshot, env);
+    QVERIFY2(first.code == 0, qPrintable(first.err));
+    const QJsonObject report = QJsonDocument::fromJson(first.out.toUtf8()).object();
+    QVERIFY(report[QLatin1String("fetches")].toInt() > 0);
+    QFile one(at("one.png"));
+    QVERIFY(one.open(QIODevice::ReadOnly));
+    const QByteArray bytes = one.readAll();
+    const Outcome second = run(snapshot, env);
+    const QJsonObject again = QJsonDocument::fromJson(second.out.toUtf8()).object();
+    QCOMPARE(again[QLatin1String("fetches")].toInt(), 0);
+    QCOMPARE(again[QLatin1String("cache_hits")].toInt(), report[QLatin1String("fetches")].toInt());
+    one.close();
+    QVERIFY(one.open(QIODevice::ReadOnly));
+    QCOMPARE(one.readAll(), bytes);
+
+    robot.terminate();
+    QVERIFY(robot.waitForFinished(30'000));
+    QCOMPARE(robot.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(robot.exitCode(), 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(CommandLineTest)
+#include "test_command_line.moc"

@@ -1,0 +1,106 @@
+#include <QTest>
+
+#include "app/snapshot_options.h"
+
+using namespace mapwright;
+using app::parseSnapshotOptions;
+using app::SnapshotWords;
+
+class SnapshotOptionsTest : public QObject {
+  Q_OBJECT
+ private:
+  static SnapshotWords words() {
+    SnapshotWords w;
+    w.robot = "demo:";
+    w.output = "picture.png";
+    return w;
+  }
+
+ private Q_SLOTS:
+  void withoutMoreItFitsEverything() {
+    const auto options = parseSnapshotOptions(words());
+    QVERIFY(options.has_value());
+    QVERIFY(!options->center_m);
+    QCOMPARE(options->size_px, QSize(1280, 800));
+    QVERIFY(options->layers.contains(scene::Layer::Submaps) && !options->layers.contains(scene::Layer::Ids));
+  }
+
+  void everyOptionIsTakenOver() {
+    SnapshotWords w = words();
+    w.center = "12.5,-3";
+    w.scale = 0.1;
+    w.size = "640x480";
+    w.rotate_deg = 450;
+    w.layers = "submaps,ids";
+    w.colors = "active";
+    w.theme = "dark";
+    w.settle = "2.5";
+    const auto options = parseSnapshotOptions(w);
+    QVERIFY(options.has_value());
+    QCOMPARE(*options->center_m, Eigen::Vector2d(12.5, -3));
+    QCOMPARE(options->size_px, QSize(640, 480));
+    QVERIFY(std::abs(options->rotation_rad - 1.5707963267948966) < 1e-12);
+    QCOMPARE(options->layers.size(), std::size_t(2));
+    QCOMPARE(*options->settle_s, 2.5);
+    QVERIFY(options->dark && options->colors == render::ColorMode::Active);
+  }
+
+  void wrongWordsAreRefusedWithASentence_data() {
+    QTest::addColumn<QString>("option");
+    QTest::addColumn<QString>("value");
+    const auto row = [](const char* option, const char* value) {
+      QTest::addRow("%s=%s", option, value) << QString::fromLatin1(option) << QString::fromLatin1(value);
+    };
+    row("size", "0x10");
+    row("size", "wide");
+    row("size", "30000x30000");
+    row("size", "99999999999x1");
+    row("center", "1");
+    row("center", "nan,0");
+    row("center", "1e9,0");
+    row("colors", "pink");
+    row("theme", "blue");
+    row("layers", "submaps,moon");
+    row("settle", "soon");
+    row("settle", "-1");
+    row("mode", "whole");
+    row("map", "3");
+    row("robot", "");
+    row("output", "/no/such/folder/p.png");
+  }
+  void wrongWordsAreRefusedWithASentence() {
+    QFETCH(QString, option);
+    QFETCH(QString, value);
+    SnapshotWords w = words();
+    const std::string v = value.toStdString();
+    if (option == QLatin1String("size")) w.size = v;
+    if (option == QLatin1String("center")) w.center = v, w.scale = 1;
+    if (option == QLatin1String("colors")) w.colors = v;
+    if (option == QLatin1String("theme")) w.theme = v;
+    if (option == QLatin1String("layers")) w.layers = v;
+    if (option == QLatin1String("settle")) w.settle = v;
+    if (option == QLatin1String("mode")) w.mode = v;
+    if (option == QLatin1String("map")) w.map = v;
+    if (option == QLatin1String("robot")) w.robot = v;
+    if (option == QLatin1String("output")) w.output = v;
+    const auto options = parseSnapshotOptions(w);
+    QVERIFY(!options.has_value());
+    QVERIFY(options.error().size() > 10);
+  }
+
+  void centerAndScaleBelongTogether() {
+    SnapshotWords w = words();
+    w.center = "0,0";
+    QVERIFY(!parseSnapshotOptions(w));
+    w.scale = 0.05;
+    QVERIFY(parseSnapshotOptions(w));
+    w.fit = true;
+    QVERIFY(!parseSnapshotOptions(w));
+    w.fit = false;
+    w.scale = -1;
+    QVERIFY(!parseSnapshotOptions(w));
+  }
+};
+
+QTEST_GUILESS_MAIN(SnapshotOptionsTest)
+#include "test_snapshot_options.moc"

@@ -1,0 +1,270 @@
+#include <QDir>
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "net/cache_control.h"
+#include "net/http_cache.h"
+
+using namespace mapwright::net;
+
+namespace {
+
+const QUrl kUrl(QStringLiteral("http://robot:8090/ros/slam/submaps/u/0/1?ver=7"));
+
+QStringList filesIn(const QString& folder) {
+  QStringList files;
+  QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+  while (all.hasNext()) {
+    files.append(all.next());
+  }
+  return files;
+}
+
+}  // namespace
+
+class TestHttpCache : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    now_ = QDateTime(QDate(2030, 5, 1), QTime(12, 0), Qt::UTC);
+  }
+
+  void obeysTheHeaders_data() {
+    QTest::addColumn<QByteArray>("cache_control");
+    QTest::addColumn<QByteArray>("etag");
+    QTest::addColumn<bool>("content_addressed");
+    QTest::addColumn<bool>("kept");
+    QTest::addColumn<qint64>("fresh_for_s");  // -1: for good
+    const auto row = [](const char* name, const char* control, const char* etag, bool versioned, bool kept,
+                        qint64 fresh) {
+      QTest::addRow("%s", name) << QByteArray(control) << QByteArray(etag) << versioned << kept << fresh;
+    };
+    row("a year", "public, max-age=31536000, immutable", "", true, true, 31536000);
+    row("a minute", "max-age=60", "\"x\"", false, true, 60);
+    row("in capitals and quotes", "Max-Age=\"60\"", "", false, true, 60);
+    row("immutable alone", "immutable", "", false, true, -1);
+    row("no-store", "no-store", "\"x\"", true, false, 0);
+    row("no-store among others", "max-age=60, No-Store", "\"x\"", true, false, 0);
+    row("no-cache with an ETag", "no-cache", "W/\"x\"", false, true, 0);
+    row("no-cache beats max-age", "no-cache, max-age=60", "W/\"x\"", false, true, 0);
+    row("no-cache without an ETag", "no-cache", "", true, false, 0);
+    row("max-age=0 without an ETag", "max-age=0", "", true, false, 0);
+    row("unreadable age", "max-age=soon", "\"x\"", false, true, 0);
+    row("negative age", "max-age=-5", "\"x\"", false, true, 0);
+    row("endless age", "max-age=99999999999999999999999", "", false, true, qint64(1) << 31);
+    row("only an ETag", "", "\"x\"", false, true, 0);
+    row("nothing", "", "", false, false, 0);
+    row("nothing, but versioned", "", "", true, true, -1);
+  }
+  void obeysTheHeaders() {
+    QFETCH(QByteArray, cache_control);
+    QFETCH(QByteArray, etag);
+    QFETCH(bool, content_addressed);
+    QFETCH(bool, kept);
+    QFETCH(qint64, fresh_for_s);
+    HttpCache cache = open();
+    cache.store(kUrl, "body", "text/plain", cache_control, etag, content_addressed);
+    const auto found = cache.find(kUrl);
+    QCOMPARE(found.has_value(), kept);
+    if (!kept) {
+      QVERIFY(filesIn(folder_->path()).isEmpty());
+      return;
+    }
+    QCOMPARE(found->body, QByteArray("body"));
+    QCOMPARE(found->content_type, QByteArray("text/plain"));
+    QCOMPARE(found->etag, etag);
+    QCOMPARE(found->fresh, fresh_for_s != 0);
+    if (fresh_for_s > 0) {
+      now_ = now_.addSecs(fresh_for_s - 1);
+      QVERIFY(cache.find(kUrl)->fresh);
+      now_ = now_.addSecs(1);
+    } else {
+      now_ = now_.addYears(90);
+    }
+    QCOMPARE(cache.find(kUrl)->fresh, fresh_for_s == -1);
+  }
+
+  void ageIsUnknownWhenTheClockWasSetBack() {
+    HttpCache cache = open();
+    cache.store(kUrl, "body", {}, "max-age=60", "\"x\"", false);
+    now_ = now_.addSecs(-3600);
+    QVERIFY(cache.find(kUrl).has_value());
+    QVERIFY(!cache.find(kUrl)->fresh);
+  }
+
+  void refreshingMakesTheBodyFreshAgain() {
+    HttpCache cache = open();
+    cache.store(kUrl, "body", "a/b", "max-age=60", "\"x\"", false);
+    now_ = now_.addSecs(100);
+    QVERIFY(!cache.find(kUrl)->fresh);
+    cache.refresh(kUrl, "max-age=60", "\"y\"");
+    QVERIFY(cache.find(kUrl)->fresh);
+    QCOMPARE(cache.find(kUrl)->etag, QByteArray("\"y\""));
+    QCOMPARE(cache.find(kUrl)->body, QByteArray("body"));
+    now_ = now_.addSecs(61);
+    cache.refresh(kUrl, {}, {});  // a 304 without headers: the old ones hold
+    QVERIFY(cache.find(kUrl)->fresh);
+    QCOMPARE(cache.find(kUrl)->etag, QByteArray("\"y\""));
+    cache.refresh(kUrl, "no-store", {});
+    QVERIFY(!cache.find(kUrl));
+  }
+
+  void anotherProcessAndANextStartFindTheSame() {
+    HttpCache first = open();
+    HttpCache second = open();
+    first.store(kUrl, "one", {}, "immutable", {}, true);
+    QCOMPARE(second.find(kUrl)->body, QByteArray("one"));
+    second.store(kUrl, "two", {}, "immutable", {}, true);
+    QCOMPARE(first.find(kUrl)->body, QByteArray("two"));
+    second.remove(kUrl);
+    QVERIFY(!first.find(kUrl));
+    first.remove(kUrl);
+    first.store(kUrl, "three", {}, "immutable", {}, true);
+    QCOMPARE(open().find(kUrl)->body, QByteArray("three"));
+    QCOMPARE(first.lastError(), QString());
+  }
+
+  void differentAddressesDoNotMeet() {
+    HttpCache cache = open();
+    QUrl other = kUrl;
+    other.setQuery(QStringLiteral("ver=8"));
+    cache.store(kUrl, "seven", {}, "immutable", {}, true);
+    QVERIFY(!cache.find(other));
+    cache.store(other, "eight", {}, "immutable", {}, true);
+    QCOMPARE(cache.find(kUrl)->body, QByteArray("seven"));
+    QCOMPARE(cache.find(other)->body, QByteArray("eight"));
+    // A file under the name of another address is not believed.
+    const QString path_of_other = [&] {
+      QStringList before = filesIn(folder_->path());
+      cache.remove(other);
+      for (const QString& left : filesIn(folder_->path())) {
+        before.removeAll(left);
+      }
+      return before.value(0);
+    }();
+    QVERIFY(QFile::copy(filesIn(folder_->path()).value(0), path_of_other));
+    QVERIFY(!cache.find(other));
+    QVERIFY(!QFile::exists(path_of_other));
+  }
+
+  void damagedFilesReadAsAMissAndAreRemoved_data() {
+    QTest::addColumn<int>("damage");
+    QTest::addRow("empty") << 0;
+    QTest::addRow("cut in its head") << 1;
+    QTest::addRow("cut in its body") << 2;
+    QTest::addRow("one bit changed") << 3;
+    QTest::addRow("garbage") << 4;
+    QTest::addRow("longer") << 5;
+  }
+  void damagedFilesReadAsAMissAndAreRemoved() {
+    QFETCH(int, damage);
+    HttpCache cache = open();
+    cache.store(kUrl, QByteArray(1000, 'b'), "t/t", "immutable", {}, true);
+    const QStringList files = filesIn(folder_->path());
+    QCOMPARE(files.size(), 1);
+    QFile file(files[0]);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QByteArray bytes = file.readAll();
+    switch (damage) {
+      case 0:
+        bytes.clear();
+        break;
+      case 1:
+        bytes.truncate(13);
+        break;
+      case 2:
+        bytes.chop(1);
+        break;
+      case 3:
+        bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] ^ 4);
+        break;
+      case 4:
+        bytes.fill('\xff');
+        break;
+      default:
+        bytes.append('x');
+    }
+    file.resize(0);
+    file.seek(0);
+    file.write(bytes);
+    file.close();
+    QVERIFY(!open().find(kUrl));
+    QVERIFY(filesIn(folder_->path()).isEmpty());
+    QVERIFY(!cache.find(kUrl));
+    cache.store(kUrl, "again", {}, "immutable", {}, true);
+    QCOMPARE(cache.find(kUrl)->body, QByteArray("again"));
+  }
+
+  void theLongestUnusedGoFirst() {
+    HttpCache cache = open(100'000);
+    for (int i = 0; i < 9; ++i) {
+      now_ = now_.addSecs(600);
+      cache.store(numbered(i), QByteArray(10'000, 'x'), {}, "immutable", {}, true);
+    }
+    now_ = now_.addSecs(600);
+    QVERIFY(cache.find(numbered(0)));  // now the one used last
+    now_ = now_.addSecs(600);
+    cache.store(numbered(9), QByteArray(10'000, 'x'), {}, "immutable", {}, true);
+    QVERIFY(cache.bytes() <= 100'000);
+    QVERIFY(cache.find(numbered(0)));
+    QVERIFY(!cache.find(numbered(1)));
+    QVERIFY(cache.find(numbered(8)));
+    QVERIFY(cache.find(numbered(9)));
+    // The order of use outlives the process.
+    now_ = now_.addSecs(600);
+    HttpCache next = open(100'000);
+    QCOMPARE(next.bytes(), cache.bytes());
+    next.store(numbered(10), QByteArray(40'000, 'x'), {}, "immutable", {}, true);
+    QVERIFY(next.find(numbered(0)));
+    QVERIFY(!next.find(numbered(3)));
+    qint64 on_disk = 0;
+    for (const QString& file : filesIn(folder_->path())) {
+      on_disk += QFileInfo(file).size();
+    }
+    QCOMPARE(next.bytes(), on_disk);
+    QVERIFY(on_disk <= 100'000);
+  }
+
+  void whatIsLargerThanTheBudgetIsNotKept() {
+    HttpCache cache = open(1000);
+    cache.store(kUrl, "small", {}, "immutable", {}, true);
+    cache.store(kUrl, QByteArray(1000, 'x'), {}, "immutable", {}, true);
+    QVERIFY(!cache.find(kUrl));
+    QCOMPARE(cache.bytes(), qint64(0));
+  }
+
+  void aFolderThatCannotBeWrittenMakesItForget() {
+    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+    cache.store(kUrl, "body", {}, "immutable", {}, true);
+    QVERIFY(!cache.find(kUrl));
+    QVERIFY(!cache.lastError().isEmpty());
+  }
+
+  void onlyTheUserMayLookInside() {
+    const QString folder = folder_->filePath(QStringLiteral("deep/cache"));
+    HttpCache cache(folder, 1 << 20, [this] { return now_; });
+    cache.store(kUrl, "body", {}, "immutable", {}, true);
+    const QFileDevice::Permissions others = QFileDevice::ReadGroup | QFileDevice::WriteGroup |
+                                            QFileDevice::ExeGroup | QFileDevice::ReadOther |
+                                            QFileDevice::WriteOther | QFileDevice::ExeOther;
+    QVERIFY(!(QFileInfo(folder).permissions() & others));
+    QVERIFY(!(QFileInfo(filesIn(folder).value(0)).permissions() & others));
+  }
+
+ private:
+  HttpCache open(qint64 budget = 1 << 20) {
+    return HttpCache(folder_->path(), budget, [this] { return now_; });
+  }
+  static QUrl numbered(int i) { return QUrl(QStringLiteral("http://robot/%1").arg(i)); }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  QDateTime now_;
+};
+
+QTEST_GUILESS_MAIN(TestHttpCache)
+#include "test_http_cache.moc"

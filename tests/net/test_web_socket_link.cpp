@@ -1,0 +1,362 @@
+#include <QSignalSpy>
+#include <QWebSocket>
+#include <QWebSocketServer>
+#include <QtTest>
+
+#include "net/backoff.h"
+#include "net/web_socket_link.h"
+#include "scripted_server.h"
+
+using namespace mapwright::net;
+using testing::ScriptedServer;
+using testing::SeenRequest;
+using State = WebSocketLink::State;
+using std::chrono::milliseconds;
+
+namespace {
+
+/// A WebSocket server that keeps its peers.
+class EchoServer {
+ public:
+  explicit EchoServer(quint16 port = 0) : server_(QStringLiteral("echo"), QWebSocketServer::NonSecureMode) {
+    server_.listen(QHostAddress::LocalHost, port);
+    QObject::connect(&server_, &QWebSocketServer::newConnection, &server_, [this] {
+      while (QWebSocket* peer = server_.nextPendingConnection()) {
+        peer->setParent(&server_);
+        peers.append(peer);
+        QObject::connect(peer, &QWebSocket::textMessageReceived, peer,
+                         [peer](const QString& text) { peer->sendTextMessage(text); });
+      }
+    });
+  }
+  QUrl url() const { return QUrl(QStringLiteral("ws://127.0.0.1:%1/ws").arg(port())); }
+  quint16 port() const { return server_.serverPort(); }
+
+  QList<QWebSocket*> peers;
+
+ private:
+  QWebSocketServer server_;
+};
+
+WebSocketLinkOptions quick() {
+  WebSocketLinkOptions options;
+  options.ping_every = milliseconds(20);
+  options.silent_after = milliseconds(5'000);
+  options.connect_timeout = milliseconds(5'000);
+  options.backoff_first = milliseconds(5);
+  options.backoff_limit = milliseconds(20);
+  options.jitter_seed = 1;
+  return options;
+}
+
+QUrl webSocketUrl(const ScriptedServer& server, const QString& path = QStringLiteral("/ws")) {
+  QUrl url = server.url(path);
+  url.setScheme(QStringLiteral("ws"));
+  return url;
+}
+
+}  // namespace
+
+class TestWebSocketLink : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void carriesTextAndBytes() {
+    EchoServer server;
+    WebSocketLink link({server.url()}, "hush", quick());
+    QSignalSpy opened(&link, &WebSocketLink::opened);
+    QSignalSpy text(&link, &WebSocketLink::textReceived);
+    QSignalSpy binary(&link, &WebSocketLink::binaryReceived);
+    QCOMPARE(link.state(), State::Closed);
+    link.sendText(QStringLiteral("too early"));
+    link.open();
+    QCOMPARE(link.state(), State::Connecting);
+    QTRY_COMPARE(link.state(), State::Open);
+    QTRY_COMPARE(opened.size(), 1);
+    QCOMPARE(link.attempt(), 0);
+    QCOMPARE(link.reason(), QString());
+    QTRY_COMPARE(server.peers.size(), 1);
+    QCOMPARE(server.peers[0]->request().rawHeader("Secret"), QByteArray("hush"));
+    link.sendText(QStringLiteral("grüß"));
+    QTRY_COMPARE(text.size(), 1);
+    QCOMPARE(text[0][0].toByteArray(), QByteArray("grüß"));
+    server.peers[0]->sendBinaryMessage(QByteArray("\0\1\2", 3));
+    QTRY_COMPARE(binary.size(), 1);
+    QCOMPARE(binary[0][0].toByteArray(), QByteArray("\0\1\2", 3));
+    QTRY_VERIFY(link.roundTripMs().has_value());
+    link.open();  // already
+    QCOMPARE(opened.size(), 1);
+  }
+
+  void closedStaysClosed() {
+    EchoServer server;
+    WebSocketLink link({server.url()}, {}, quick());
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    QTRY_COMPARE(server.peers.size(), 1);
+    QSignalSpy left(server.peers[0], &QWebSocket::disconnected);
+    link.close();
+    QCOMPARE(link.state(), State::Closed);
+    QCOMPARE(link.reason(), QString());
+    QVERIFY(!link.retryInMs());
+    QTRY_COMPARE(left.size(), 1);
+    QCOMPARE(server.peers[0]->closeCode(), QWebSocketProtocol::CloseCodeNormal);
+    QCOMPARE(link.state(), State::Closed);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+  }
+
+  void comesBackByItself() {
+    auto server = std::make_unique<EchoServer>();
+    const quint16 port = server->port();
+    WebSocketLink link({server->url()}, {}, quick());
+    QSignalSpy opened(&link, &WebSocketLink::opened);
+    QStringList reasons;
+    int most_attempts = 0;
+    connect(&link, &WebSocketLink::changed, this, [&] {
+      if (link.state() == State::Waiting) {
+        reasons.append(link.reason());
+        QVERIFY(link.retryInMs().has_value());
+      }
+      most_attempts = std::max(most_attempts, link.attempt());
+    });
+    link.open();
+    QTRY_COMPARE(opened.size(), 1);
+    QTRY_COMPARE(server->peers.size(), 1);
+    server->peers[0]->close(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("<b>restart</b>"));
+    QTRY_COMPARE(opened.size(), 2);
+    QCOMPARE(reasons.value(0), QStringLiteral("the robot closed the connection: restart"));
+    QTRY_COMPARE(server->peers.size(), 2);
+    reasons.clear();
+    server.reset();
+    const QString refused = QStringLiteral("connection refused by 127.0.0.1:%1").arg(port);
+    QTRY_VERIFY2(reasons.count(refused) >= 3, qPrintable(reasons.join(u'|')));
+    QVERIFY(most_attempts >= 3);
+    EchoServer again(port);
+    QTRY_COMPARE(opened.size(), 3);
+    QCOMPARE(link.attempt(), 0);
+    QCOMPARE(link.reason(), QString());
+  }
+
+  void openWhileWaitingDoesNotWait() {
+    auto server = std::make_unique<EchoServer>();
+    const quint16 port = server->port();
+    const QUrl url = server->url();
+    server.reset();
+    WebSocketLinkOptions options = quick();
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link({url}, {}, options);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QVERIFY(*link.retryInMs() > 3'000'000);
+    EchoServer again(port);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+  }
+
+  void silenceIsNoticed() {
+    // A server that shakes hands and then says nothing any more, not even a pong.
+    QTcpServer mute;
+    QVERIFY(mute.listen(QHostAddress::LocalHost));
+    int handshakes = 0;
+    connect(&mute, &QTcpServer::newConnection, &mute, [&] {
+      QTcpSocket* socket = mute.nextPendingConnection();
+      connect(socket, &QTcpSocket::readyRead, socket, [socket, &handshakes] {
+        const QByteArray request = socket->readAll();
+        const auto at = request.indexOf("Sec-WebSocket-Key: ");
+        if (at < 0) {
+          return;
+        }
+        const QByteArray key = request.mid(at + 19, request.indexOf('\r', at) - at - 19);
+        const QByteArray accept =
+            QCryptographicHash::hash(key + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11", QCryptographicHash::Sha1)
+                .toBase64();
+        socket->write(
+            "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+            "Sec-WebSocket-Accept: " +
+            accept + "\r\n\r\n");
+        ++handshakes;
+      });
+    });
+    WebSocketLinkOptions options = quick();
+    options.silent_after = milliseconds(60);
+    WebSocketLink link({QUrl(QStringLiteral("ws://127.0.0.1:%1/").arg(mute.serverPort()))}, {}, options);
+    QSignalSpy opened(&link, &WebSocketLink::opened);
+    QStringList reasons;
+    connect(&link, &WebSocketLink::changed, this, [&] {
+      if (link.state() == State::Waiting) {
+        reasons.append(link.reason());
+      }
+    });
+    link.open();
+    QTRY_VERIFY(opened.size() >= 2);  // and it tries again
+    QCOMPARE(reasons.value(0), QStringLiteral("no answer for 60 ms"));
+    QVERIFY(handshakes >= 2);
+  }
+
+  void pongsAloneKeepItOpen() {
+    EchoServer server;
+    WebSocketLinkOptions options = quick();
+    options.ping_every = milliseconds(10);
+    options.silent_after = milliseconds(2'000);
+    WebSocketLink link({server.url()}, {}, options);
+    QSignalSpy changed(&link, &WebSocketLink::changed);
+    link.open();
+    QTRY_VERIFY(changed.size() > 30);  // a pong each
+    QCOMPARE(link.state(), State::Open);
+  }
+
+  void aServerThatDoesNotShakeHandsTimesOut() {
+    ScriptedServer server([](const SeenRequest&) { return QByteArray(); });
+    WebSocketLinkOptions options = quick();
+    options.connect_timeout = milliseconds(50);
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link({webSocketUrl(server)}, {}, options);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QCOMPARE(link.reason(), QStringLiteral("no answer for 50 ms"));
+    QCOMPARE(link.attempt(), 1);
+  }
+
+  void garbageIsNotAHandshake_data() {
+    QTest::addColumn<QByteArray>("answer");
+    QTest::addRow("no HTTP") << QByteArray("SSH-2.0-OpenSSH_9\r\n\r\n");
+    QTest::addRow("noise") << QByteArray("\0\1\xff\xfe\r\n\r\n\r\n", 11);
+    QTest::addRow("a page") << ScriptedServer::reply(200, "Content-Type: text/html\r\n", "<h1>hello</h1>");
+    QTest::addRow("wrong key") << QByteArray(
+        "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+        "Sec-WebSocket-Accept: AAAAAAAAAAAAAAAAAAAAAAAAAAA=\r\n\r\n");
+    QTest::addRow("cut off") << QByteArray("HTTP/1.1 101 Switching");
+    QTest::addRow("server error") << ScriptedServer::reply(503, {}, {});
+  }
+  void garbageIsNotAHandshake() {
+    QFETCH(QByteArray, answer);
+    ScriptedServer server([answer](const SeenRequest&) { return answer; });
+    WebSocketLinkOptions options = quick();
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link({webSocketUrl(server)}, "hush", options);
+    QSignalSpy opened(&link, &WebSocketLink::opened);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QVERIFY(!link.reason().isEmpty());
+    QVERIFY2(!link.reason().contains(QStringLiteral("QWebSocket")), qPrintable(link.reason()));
+    QVERIFY(!link.reason().contains(QStringLiteral("hush")));
+    QCOMPARE(opened.size(), 0);
+  }
+
+  void aRefusedSecretIsFinal_data() {
+    QTest::addColumn<int>("status");
+    QTest::addRow("401") << 401;
+    QTest::addRow("403") << 403;
+  }
+  void aRefusedSecretIsFinal() {
+    QFETCH(int, status);
+    ScriptedServer server([status](const SeenRequest&) { return ScriptedServer::reply(status, {}, "no"); });
+    WebSocketLink link({webSocketUrl(server), webSocketUrl(server, QStringLiteral("/other"))}, "hush",
+                       quick());
+    QSignalSpy changed(&link, &WebSocketLink::changed);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Closed);
+    QCOMPARE(link.handshakeStatus(), status);
+    QVERIFY(link.reason().contains(QString::number(status)));
+    QVERIFY(!link.reason().contains(QStringLiteral("hush")));
+    QVERIFY(!link.retryInMs());
+    QCOMPARE(server.seen.size(), 1);
+    QCOMPARE(server.seen[0].headers.value("secret"), QByteArray("hush"));
+  }
+
+  void otherAddressesAreTriedInTurn_data() {
+    QTest::addColumn<int>("status");
+    for (const int status : {400, 404, 405, 426}) {
+      QTest::addRow("%d", status) << status;
+    }
+  }
+  void otherAddressesAreTriedInTurn() {
+    QFETCH(int, status);
+    EchoServer working;
+    ScriptedServer refusing(
+        [status](const SeenRequest&) { return ScriptedServer::reply(status, {}, "what?"); });
+    WebSocketLinkOptions options = quick();
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link({webSocketUrl(refusing, QStringLiteral("/ws?pb=1")), working.url()}, {}, options);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);  // without a wait between
+    QCOMPARE(refusing.seen.size(), 1);
+    QCOMPARE(refusing.seen[0].path, QByteArray("/ws?pb=1"));
+    // The address that worked is remembered.
+    QTRY_COMPARE(working.peers.size(), 1);
+    working.peers[0]->close();
+    QTRY_COMPARE(link.state(), State::Waiting);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    QCOMPARE(refusing.seen.size(), 1);
+  }
+
+  void whenAllAddressesRefuseItWaits() {
+    ScriptedServer refusing([](const SeenRequest&) { return ScriptedServer::reply(404, {}, "what?"); });
+    WebSocketLinkOptions options = quick();
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link(
+        {webSocketUrl(refusing, QStringLiteral("/a")), webSocketUrl(refusing, QStringLiteral("/b"))}, {},
+        options);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QCOMPARE(refusing.seen.size(), 2);
+    QCOMPARE(link.handshakeStatus(), 404);
+    QCOMPARE(link.reason(), QStringLiteral("the robot refused the connection: 404 (not found)"));
+    QCOMPARE(link.attempt(), 1);
+    link.open();
+    QTRY_COMPARE(refusing.seen.size(), 4);
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QCOMPARE(link.attempt(), 2);
+    link.close();
+    QCOMPARE(link.state(), State::Closed);
+    QVERIFY(!link.retryInMs());
+  }
+
+  void messagesThatAreTooLongEndTheLink() {
+    EchoServer server;
+    WebSocketLinkOptions options = quick();
+    options.max_message_bytes = 1000;
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link({server.url()}, {}, options);
+    QSignalSpy binary(&link, &WebSocketLink::binaryReceived);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    QTRY_COMPARE(server.peers.size(), 1);
+    server.peers[0]->sendBinaryMessage(QByteArray(1000, 'x'));
+    QTRY_COMPARE(binary.size(), 1);
+    server.peers[0]->sendBinaryMessage(QByteArray(1001, 'x'));
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QCOMPARE(link.reason(), QStringLiteral("a message was longer than the 1000 bytes allowed"));
+    QCOMPARE(binary.size(), 1);
+  }
+
+  void withoutAnAddressItStaysClosed() {
+    WebSocketLink link({}, {}, quick());
+    link.open();
+    QCOMPARE(link.state(), State::Closed);
+    QVERIFY(!link.reason().isEmpty());
+  }
+
+  void backoffDoublesWithJitterUpToItsLimit() {
+    Backoff backoff(milliseconds(500), milliseconds(30'000), 7);
+    for (int round = 0; round < 2; ++round) {
+      double doubled = 500;
+      for (int n = 0; n < 40; ++n) {
+        const auto wait = double(backoff.next().count());
+        QVERIFY(wait >= std::min(std::floor(doubled), 30'000.0));
+        QVERIFY(wait <= std::min(doubled * 1.25, 30'000.0));
+        doubled = std::min(doubled * 2, 1e9);
+      }
+      backoff.reset();
+    }
+    QVERIFY(Backoff(milliseconds(500), milliseconds(30'000), 1).next() !=
+                Backoff(milliseconds(500), milliseconds(30'000), 99).next() ||
+            Backoff(milliseconds(500), milliseconds(30'000), 1).next() !=
+                Backoff(milliseconds(500), milliseconds(30'000), 12345).next());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestWebSocketLink)
+#include "test_web_socket_link.moc"

@@ -1,0 +1,148 @@
+#include "reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mapwright::testing {
+namespace {
+
+constexpr double kDoubt = 2e-3;  // cells
+
+struct Sample {
+  double value = 0, alpha = 0;
+  bool observed = false, surely_observed = false, perhaps_observed = false, certain = true;
+};
+
+bool observed(const raster::CellPair& cell) { return cell.value != 0 || cell.alpha != 0; }
+
+Sample nearestSample(const PlainTexture& texture, double u, double v) {
+  const int column = int(std::floor(u)), row = int(std::floor(v));
+  const raster::CellPair cell = texture.at(column, row);
+  Sample s;
+  s.value = cell.value;
+  s.alpha = cell.alpha;
+  s.observed = s.surely_observed = s.perhaps_observed = observed(cell);
+  for (const double du : {-kDoubt, kDoubt}) {
+    for (const double dv : {-kDoubt, kDoubt}) {
+      if (texture.at(int(std::floor(u + du)), int(std::floor(v + dv))) != cell) s.certain = false;
+    }
+  }
+  return s;
+}
+
+Sample bilinearSample(const PlainTexture& texture, double u, double v) {
+  Sample s;
+  const double tu = u - 0.5, tv = v - 0.5;
+  const int column = int(std::floor(tu)), row = int(std::floor(tv));
+  // One more on every side: what rounding could reach.
+  for (int y = row - 1; y <= row + 2; ++y) {
+    for (int x = column - 1; x <= column + 2; ++x) {
+      const raster::CellPair cell = texture.at(x, y);
+      const double reach_u = 1 - std::abs(tu - x), reach_v = 1 - std::abs(tv - y);
+      const double weight = std::max(0.0, reach_u) * std::max(0.0, reach_v);
+      s.value += weight * cell.value;
+      s.alpha += weight * cell.alpha;
+      if (!observed(cell)) continue;
+      if (weight > 0) s.observed = true;
+      if (weight > kDoubt) s.surely_observed = true;
+      if (reach_u > -kDoubt && reach_v > -kDoubt) s.perhaps_observed = true;
+    }
+  }
+  return s;
+}
+
+ReferencePixel composedSample(const Eigen::Vector2d& world, double scale_m_per_px,
+                              const std::vector<PlainTexture>& textures) {
+  ReferencePixel pixel;
+  for (const PlainTexture& texture : textures) {
+    const Eigen::Vector2d p = texture.placed.world_from_texture.inverse().apply(world);
+    const double u = -p.y() / texture.resolution_m, v = -p.x() / texture.resolution_m;
+    if (u < -2 || v < -2 || u > texture.width + 2 || v > texture.height + 2) continue;
+    const bool nearest = scale_m_per_px < texture.resolution_m / 4;
+    const Sample s = nearest ? nearestSample(texture, u, v) : bilinearSample(texture, u, v);
+    pixel.intensity = std::min(255.0, s.value + pixel.intensity * (255 - s.alpha) / 255);
+    if (!s.certain) pixel.intensity_certain = false;
+    if (s.perhaps_observed != s.surely_observed) pixel.flags_certain = false;
+    if (s.observed) pixel.flags = std::uint8_t(texture.placed.flags | render::kObserved);
+  }
+  return pixel;
+}
+
+void addRoom(int width, int height, std::vector<raster::CellPair>& cells, std::mt19937& random) {
+  const auto below = [&](int end) { return int(random() % unsigned(std::max(1, end))); };
+  const int w = std::max(2, width / 8 + below(width / 3)), h = std::max(2, height / 8 + below(height / 3));
+  const int x0 = below(width - w), y0 = below(height - h);
+  for (int y = y0; y < std::min(height, y0 + h); ++y) {
+    for (int x = x0; x < std::min(width, x0 + w); ++x) {
+      const bool wall = x == x0 || y == y0 || x == x0 + w - 1 || y == y0 + h - 1;
+      const auto strength = std::uint8_t(20 + below(100));
+      cells[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+          wall ? raster::CellPair{0, strength} : raster::CellPair{strength, 0};
+    }
+  }
+}
+
+}  // namespace
+
+raster::CellPair PlainTexture::at(int column, int row) const {
+  if (column < 0 || row < 0 || column >= width || row >= height) return {};
+  return cells[std::size_t(row) * std::size_t(width) + std::size_t(column)];
+}
+
+PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<raster::CellPair> cells,
+                          geometry::Pose2 pose, int index, std::uint8_t flags) {
+  PlainTexture plain{width, height, resolution_m, std::move(cells), {}};
+  plain.placed.id = {0, index};
+  plain.placed.texture = raster::CellTexture::fromPairs(width, height, resolution_m, plain.cells);
+  plain.placed.world_from_texture = pose;
+  plain.placed.flags = flags;
+  return plain;
+}
+
+std::vector<raster::CellPair> randomCells(int width, int height, Content content, std::mt19937& random) {
+  std::vector<raster::CellPair> cells(std::size_t(width) * std::size_t(height));
+  if (content == Content::Folding) {
+    for (int room = 0; room < 8; ++room) addRoom(width, height, cells, random);
+    return cells;
+  }
+  for (raster::CellPair& cell : cells) {
+    if (random() % 3 == 0) continue;
+    const bool bright = content == Content::Saturating;
+    cell = {std::uint8_t(bright ? 120 + random() % 136 : random() % 256),
+            std::uint8_t(bright ? random() % 40 : random() % 256)};
+  }
+  return cells;
+}
+
+std::vector<ReferencePixel> referenceComposition(const render::PixelGrid& grid,
+                                                 const std::vector<PlainTexture>& textures) {
+  std::vector<ReferencePixel> out(std::size_t(grid.width_px) * std::size_t(grid.height_px));
+  const double resolution = textures.empty() ? grid.scale_m_per_px : textures.front().resolution_m;
+  const int k = std::max(1, int(std::ceil(grid.scale_m_per_px / resolution - 1e-6)));
+  std::size_t at = 0;
+  for (int row = 0; row < grid.height_px; ++row) {
+    for (int column = 0; column < grid.width_px; ++column) {
+      ReferencePixel pixel{0, 0, true, true};
+      for (int j = 0; j < k; ++j) {
+        for (int i = 0; i < k; ++i) {
+          const Eigen::Vector2d world = grid.worldFromPixel(column + (i + 0.5) / k, row + (j + 0.5) / k);
+          const ReferencePixel sample = composedSample(world, grid.scale_m_per_px, textures);
+          pixel.intensity += sample.intensity / (double(k) * k);
+          pixel.flags |= sample.flags;
+          pixel.intensity_certain = pixel.intensity_certain && sample.intensity_certain;
+          pixel.flags_certain = pixel.flags_certain && sample.flags_certain;
+        }
+      }
+      out[at++] = pixel;
+    }
+  }
+  return out;
+}
+
+std::vector<render::PlacedTexture> placedOf(const std::vector<PlainTexture>& textures) {
+  std::vector<render::PlacedTexture> placed;
+  for (const PlainTexture& texture : textures) placed.push_back(texture.placed);
+  return placed;
+}
+
+}  // namespace mapwright::testing

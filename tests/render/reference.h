@@ -1,0 +1,48 @@
+// An independent double-precision composition, written straight from submap-textures.md, to hold the product
+// against.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "raster/cell_texture.h"
+#include "render/compositor.h"
+
+namespace mapwright::testing {
+
+/// A texture with its cells kept in plain sight.
+struct PlainTexture {
+  int width = 0, height = 0;
+  double resolution_m = 0.05;
+  std::vector<raster::CellPair> cells;
+  render::PlacedTexture placed;
+
+  raster::CellPair at(int column, int row) const;  // (0,0) outside
+};
+
+/// Builds the real texture from the cells. Flags and id go into `placed`.
+PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<raster::CellPair> cells,
+                          geometry::Pose2 pose, int index = 0, std::uint8_t flags = 0);
+
+enum class Content {
+  Folding,    // value and alpha exclude each other: rooms with walls, about two fifths known
+  Pairs,      // anything goes, value + alpha up to 510
+  Saturating  // adds much light and takes little
+};
+std::vector<raster::CellPair> randomCells(int width, int height, Content content, std::mt19937& random);
+
+struct ReferencePixel {
+  double intensity = 128;
+  std::uint8_t flags = 0;
+  bool flags_certain = true;      // not decided by a tap whose weight is next to nothing
+  bool intensity_certain = true;  // not next to the jump between two nearest cells
+};
+
+/// k x k samples a pixel, every texture of `textures` in that order, all of one resolution.
+std::vector<ReferencePixel> referenceComposition(const render::PixelGrid& grid,
+                                                 const std::vector<PlainTexture>& textures);
+
+std::vector<render::PlacedTexture> placedOf(const std::vector<PlainTexture>& textures);
+
+}  // namespace mapwright::testing

@@ -1,0 +1,209 @@
+#include <cmath>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "fake_robot.h"
+#include "session/session.h"
+
+using namespace mapwright;
+using Outcome = map::SubmapAnswer::Outcome;
+using session::Session;
+using session::SubmapStatus;
+using test::FakeRobot;
+
+namespace {
+
+map::SubmapEntry entry(int index, int version, double x = 0) {
+  map::SubmapEntry e;
+  e.id = {0, index};
+  e.version = version;
+  e.pose = geometry::poseFromYaw(x, 0, 0);
+  return e;
+}
+
+map::SubmapList listOf(std::vector<map::SubmapEntry> entries, const std::string& uuid = "u") {
+  map::SubmapList list;
+  list.uuid = uuid;
+  list.entries = std::move(entries);
+  return list;
+}
+
+}  // namespace
+
+class SessionTest : public QObject {
+  Q_OBJECT
+ private:
+  FakeRobot* robot_ = nullptr;
+  std::unique_ptr<Session> session_;
+  submap::Millis now_{0};
+
+ private Q_SLOTS:
+  void init() {
+    now_ = submap::Millis(0);
+    auto robot = std::make_unique<FakeRobot>();
+    robot_ = robot.get();
+    session_ = std::make_unique<Session>(std::move(robot), Session::Options{}, nullptr, [this] { return now_; });
+    robot_->setPhase(robot::ConnectionPhase::Online);
+  }
+  void cleanup() { session_.reset(); }
+
+  void aListIsFetchedDecodedAndPlaced() {
+    QSignalSpy placed(session_.get(), &Session::submapsPlaced);
+    robot_->say(listOf({entry(0, 1), entry(1, 1)}));
+    QCOMPARE(robot_->asked.size(), std::size_t(2));
+    QCOMPARE(session_->counts().pending, 2);
+    robot_->answer(Outcome::Ok);
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 2);
+    QVERIFY(placed.count() >= 2);
+    QVERIFY(session_->settled(1));
+    QCOMPARE(session_->status({0, 0}), SubmapStatus::OnScreen);
+    QCOMPARE(session_->counts().fetches, 2u);
+  }
+
+  void theCountsAlwaysAddUp() {
+    auto lost = entry(4, 1);
+    lost.pose.x = std::nan("");
+    robot_->say(listOf({entry(0, 1), entry(1, 1), entry(2, 1), entry(3, 1), lost, entry(5, 1)}));
+    robot_->answer(Outcome::Ok);
+    robot_->answer(Outcome::NotFound);
+    robot_->answer(Outcome::Failed);
+    robot_->answer(Outcome::Ok, 0, 5, 7);  // sizes do not fit: corrupt
+    QTRY_COMPARE(session_->counts().corrupt, 2);
+    const auto counts = session_->counts();
+    QCOMPARE(counts.listed, 6);
+    QCOMPARE(counts.shown, 1);
+    QCOMPARE(counts.missing, 1);
+    QCOMPARE(counts.failed, 1);
+    QCOMPARE(counts.pending, 1);
+    QCOMPARE(session_->status({0, 1}), SubmapStatus::Missing);
+    QCOMPARE(session_->reason({0, 1}), QStringLiteral("The robot said no."));
+    QCOMPARE(session_->status({0, 2}), SubmapStatus::Waiting);
+    QCOMPARE(session_->status({0, 3}), SubmapStatus::Corrupt);
+    QCOMPARE(session_->status({0, 4}), SubmapStatus::Unplaced);
+    QVERIFY(session_->problems().unresolved() >= 4);
+  }
+
+  void theOldPictureStaysWhileTheNewOneIsOnItsWay() {
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    now_ += submap::Millis(1000);
+    robot_->say(listOf({entry(0, 2)}));
+    QCOMPARE(session_->status({0, 0}), SubmapStatus::Updating);
+    QCOMPARE(session_->counts().shown, 1);
+    QVERIFY(!session_->settled(1));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->status({0, 0}), SubmapStatus::OnScreen);
+  }
+
+  void aMovedPoseIsNotFetched() {
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    QSignalSpy placed(session_.get(), &Session::submapsPlaced);
+    now_ += submap::Millis(10'000);
+    robot_->say(listOf({entry(0, 1, 3)}));
+    QCOMPARE(placed.count(), 1);
+    QCOMPARE(robot_->asked.size(), std::size_t(1));
+  }
+
+  void aNewSessionAbortsTheFetchesOfTheOldOne() {
+    robot_->say(listOf({entry(0, 1), entry(1, 1)}));
+    QSignalSpy restarted(session_.get(), &Session::sessionRestarted);
+    robot_->say(listOf({entry(0, 1)}, "v"));
+    QCOMPARE(restarted.count(), 1);
+    QCOMPARE(robot_->open.size(), std::size_t(1));
+    QCOMPARE(robot_->open[0].first.uuid, std::string("v"));
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
+  void aPictureDecodedForTheOldSessionIsDropped() {
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::Ok);  // is being decoded now
+    robot_->say(listOf({entry(0, 1)}, "v"));
+    robot_->answer(Outcome::NotFound);
+    QTRY_COMPARE(session_->counts().missing, 1);
+    QTest::qWait(0);
+    QCOMPARE(session_->counts().shown, 0);
+  }
+
+  void whatIsLookedAtComesFirst() {
+    std::vector<map::SubmapEntry> entries;
+    for (int i = 0; i < 20; ++i) entries.push_back(entry(i, 1, i * 10));
+    geometry::WorldRect view;
+    view.extend(Eigen::Vector2d(145, -5));
+    view.extend(Eigen::Vector2d(165, 5));
+    session_->setView(view, view.center());
+    robot_->say(listOf(entries));
+    QCOMPARE(robot_->asked.size(), std::size_t(4));
+    QCOMPARE(robot_->asked[0].id.index, 15);
+    session_->setVisible({{0, 0}}, false);
+    session_->setView({-5, -5, 5, 5}, {0, 0});
+    robot_->answer(Outcome::Ok);
+    QCOMPARE(robot_->asked.back().id.index, 1);  // 0 is nearest, but hidden
+  }
+
+  void anInterruptedLinkAsksForNothingAndKeepsThePicture() {
+    robot_->say(listOf({entry(0, 1), entry(1, 1)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    robot_->setPhase(robot::ConnectionPhase::Interrupted);
+    QVERIFY(session_->staleSince().has_value());
+    robot_->answer(Outcome::Failed);
+    now_ += submap::Millis(100'000);
+    session_->setVisible({{0, 0}}, false);
+    QCOMPARE(robot_->asked.size(), std::size_t(2));
+    QCOMPARE(session_->counts().shown, 1);
+    robot_->setPhase(robot::ConnectionPhase::Online);
+    QVERIFY(!session_->staleSince());
+    QCOMPARE(robot_->asked.size(), std::size_t(3));
+  }
+
+  void aReconnectWithTheSameSessionFetchesNothingAgain() {
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    robot_->setPhase(robot::ConnectionPhase::Interrupted);
+    robot_->setPhase(robot::ConnectionPhase::Online);
+    robot_->say(listOf({entry(0, 1)}));
+    QCOMPARE(robot_->asked.size(), std::size_t(1));
+  }
+
+  void retryNowAsksAgainForWhatIsMissing() {
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::NotFound);
+    QVERIFY(session_->settled(1));
+    session_->retryNow();
+    QCOMPARE(robot_->asked.size(), std::size_t(2));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
+  void aSliceThatASubmapLacksDrawsNothing() {
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    session_->setSlice(1);
+    QCOMPARE(session_->status({0, 0}), SubmapStatus::NoSlice);
+    QCOMPARE(session_->counts().without_slice, 1);
+    QVERIFY(session_->settled(1));
+  }
+
+  void unreadableMessagesBecomeProblems() {
+    robot_->say(map::UnreadableMessage{"/submap_list", "It is garbage."});
+    QCOMPARE(session_->problems().rows().size(), std::size_t(1));
+  }
+
+  void replyingAfterTheSessionIsGoneIsHarmless() {
+    robot_->say(listOf({entry(0, 1)}));
+    auto reply = std::move(robot_->open[0].second);
+    session_.reset();
+    reply({});
+  }
+};
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "test_session.moc"

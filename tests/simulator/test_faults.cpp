@@ -1,0 +1,186 @@
+// Every fault on request, and none without.
+#include <set>
+
+#include <QTest>
+
+#include "raw_robot.h"
+#include "simulator/simulator.h"
+#include "topic_socket.h"
+
+using mapwright::simulator::Faults;
+using mapwright::simulator::Options;
+using mapwright::simulator::Simulator;
+
+namespace {
+
+Options faulty(const Faults& faults) {
+  Options options;
+  options.paused = true;
+  options.faults = faults;
+  return options;
+}
+
+std::string target(const Simulator& robot, int index) {
+  return "/ros/slam/submaps/" + robot.uuid() + "/0/" + std::to_string(index) + "?ver=24";
+}
+
+std::optional<ros_messages::slam::SubmapQueryV2Response> parsed(const std::string& body) {
+  ros_messages::slam::SubmapQueryV2Response response;
+  if (!response.ParseFromString(body)) return std::nullopt;
+  return response;
+}
+
+}  // namespace
+
+class TestFaults : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void droppedRequestsGetNoAnswer() {
+    Faults faults;
+    faults.drop_rate = 1;
+    Simulator robot(faulty(faults));
+    QVERIFY(!robot.start());
+    QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, 0);
+    QTRY_VERIFY(robot.requestLog().front().until_s >= 0);
+    QCOMPARE(robot.requestLog().front().status, 0);
+    QCOMPARE(raw::get(robot.port(), "/device/info").status, 200);  // only submaps go wrong
+  }
+
+  void truncatedAnswersEndHalfWay() {
+    Faults faults;
+    Simulator robot(faulty(faults));
+    QVERIFY(!robot.start());
+    const raw::HttpReply good = raw::get(robot.port(), target(robot, 0));
+    faults.truncate_rate = 1;
+    robot.setFaults(faults);
+    const raw::HttpReply bad = raw::get(robot.port(), target(robot, 0));
+    QCOMPARE(bad.status, 200);
+    QVERIFY(!bad.whole);
+    QCOMPARE(bad.headers.at("content-length"), std::to_string(good.body.size()));
+    QCOMPARE(bad.body, good.body.substr(0, good.body.size() / 2));
+  }
+
+  void wrongSizesDoNotFitTheCells() {
+    Faults faults;
+    faults.wrong_size_rate = 1;
+    Simulator robot(faulty(faults));
+    QVERIFY(!robot.start());
+    for (int index = 0; index < 8; ++index) {
+      const auto response = parsed(raw::get(robot.port(), target(robot, index)).body);
+      QVERIFY(response.has_value());
+      QVERIFY(!raw::unpack(response->textures(0)).has_value());
+    }
+  }
+
+  void corruptAnswersAreNoMessage() {
+    Faults faults;
+    faults.corrupt_rate = 1;
+    Simulator robot(faulty(faults));
+    QVERIFY(!robot.start());
+    for (int index = 0; index < 8; ++index) {
+      const raw::HttpReply reply = raw::get(robot.port(), target(robot, index));
+      QCOMPARE(reply.status, 200);
+      QVERIFY(reply.whole);
+      QVERIFY(!parsed(reply.body).has_value());
+    }
+  }
+
+  void httpErrorsHaveTheChosenStatus() {
+    for (const int status : {400, 404, 500, 502, 504}) {
+      Faults faults;
+      faults.error_rate = 1;
+      faults.error_status = status;
+      Simulator robot(faulty(faults));
+      QVERIFY(!robot.start());
+      QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, status);
+    }
+  }
+
+  void statusErrorsComeInsideAnOkAnswer() {
+    Faults faults;
+    faults.status_code_rate = 1;
+    Simulator robot(faulty(faults));
+    QVERIFY(!robot.start());
+    const raw::HttpReply reply = raw::get(robot.port(), target(robot, 0));
+    QCOMPARE(reply.status, 200);
+    QVERIFY(parsed(reply.body).has_value());
+    QVERIFY(parsed(reply.body)->status().code() != ros_messages::slam::OK);
+    QVERIFY(!parsed(reply.body)->status().message().empty());
+  }
+
+  void latencyDelaysOneAnswerAndNoOther() {
+    Faults faults;
+    faults.latency_ms = 300;
+    faults.jitter_ms = 50;
+    Simulator robot(faulty(faults));
+    QVERIFY(!robot.start());
+    QCOMPARE(raw::get(robot.port(), target(robot, 0)).status, 200);
+    QTRY_VERIFY(robot.requestLog().front().until_s >= 0);
+    QVERIFY(robot.requestLog().front().until_s - robot.requestLog().front().at_s >= 0.3);
+  }
+
+  void theSameSeedFailsTheSameRequests() {
+    Faults faults;
+    faults.drop_rate = 0.3;
+    faults.error_rate = 0.3;
+    const auto outcomes = [&](std::uint32_t seed) {
+      Options options = faulty(faults);
+      options.seed = seed;
+      Simulator robot(options);
+      std::vector<int> statuses;
+      if (robot.start()) return statuses;
+      for (int round = 0; round < 2; ++round) {
+        for (int index = 0; index < 20; ++index)
+          statuses.push_back(raw::get(robot.port(), target(robot, index)).status);
+      }
+      return statuses;
+    };
+    const std::vector<int> first = outcomes(1);
+    QCOMPARE(first.size(), std::size_t(40));
+    QVERIFY(outcomes(1) == first);
+    QVERIFY(outcomes(2) != first);
+    QCOMPARE(std::set<int>(first.begin(), first.end()), (std::set<int>{0, 200, 500}));
+    QVERIFY(std::vector<int>(first.begin(), first.begin() + 20) !=
+            std::vector<int>(first.begin() + 20, first.end()));
+  }
+
+  void badEntriesStandBesideGoodOnes() {
+    Faults faults;
+    faults.bad_entries = true;
+    Simulator robot(faulty(faults));
+    QVERIFY(!robot.start());
+    TopicSocket client(robot.port());
+    QTRY_VERIFY(client.isOpen());
+    client.send(R"({"enable_topic":"/submap_list"})");
+    QTRY_COMPARE(client.of("/submap_list").size(), 1);
+    QVERIFY(client.of("/submap_list").first().contains(QLatin1String("\"x\":null")));
+    const raw::List list = raw::readList(client.of("/submap_list").first().toStdString());
+    QVERIFY(list.find(90, 1) != nullptr);
+    QCOMPARE(list.find(90, 1)->pose[6], 0.0);
+    int of_first = 0;
+    std::set<int> versions_of_second;
+    for (const raw::Entry& entry : list.entries) {
+      if (entry.trajectory == 0 && entry.index == 0) ++of_first;
+      if (entry.trajectory == 0 && entry.index == 1) versions_of_second.insert(entry.version);
+    }
+    QCOMPARE(of_first, 2);
+    QCOMPARE(versions_of_second, (std::set<int>{23, 24}));
+  }
+
+  void linksAreCutAndSessionsRestartedOnSchedule() {
+    Faults faults;
+    faults.websocket_drop_every_s = 1;
+    faults.uuid_change_every_s = 1;
+    Simulator robot(faulty(faults));
+    const std::string before = robot.uuid();
+    QVERIFY(!robot.start());
+    TopicSocket client(robot.port());
+    QTRY_VERIFY(client.isOpen());
+    QTRY_VERIFY(!client.isOpen());
+    QTRY_VERIFY(robot.uuid() != before);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestFaults)
+#include "test_faults.moc"

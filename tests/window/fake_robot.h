@@ -1,0 +1,129 @@
+// A robot of the tests' own: says what it is told to say and answers fetches at once, later or badly.
+#pragma once
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <QTimer>
+
+#include "robot/robot.h"
+
+namespace mapwright::test {
+
+/// A square of `side` cells of 5 cm: free, with a wall of 10 cells along its first columns.
+inline map::RawSlice square(int side) {
+  map::RawSlice slice;
+  slice.cell_format = 0;
+  slice.width = slice.height = side;
+  slice.resolution_m = 0.05;
+  slice.cells.assign(std::size_t(side) * std::size_t(side), char(1));
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < 10 && column < side; ++column) {
+      slice.cells[std::size_t(row) * std::size_t(side) + std::size_t(column)] = char(255);
+    }
+  }
+  return slice;
+}
+
+inline map::SubmapEntry entry(int trajectory, int index, int version, double x_m, double y_m) {
+  map::SubmapEntry made;
+  made.id = {trajectory, index};
+  made.version = version;
+  made.pose = geometry::poseFromYaw(x_m, y_m, 0);
+  return made;
+}
+
+class FakeRobot : public robot::Robot, public robot::SubmapSource {
+  Q_OBJECT
+ public:
+  explicit FakeRobot(QString address = QStringLiteral("axbot+http://192.0.2.7:8090"))
+      : address_(std::move(address)) {}
+
+  QString address() const override { return address_; }
+  void connectToRobot() override {
+    ++connects;
+    if (auto_online) goOnline();
+  }
+  void disconnectFromRobot() override {}
+  robot::ConnectionState connection() const override { return state; }
+  robot::RobotIdentity identity() const override { return who; }
+  robot::SubmapSource* submapSource() override { return this; }
+
+  void fetch(const map::SubmapKey& key, Reply reply) override {
+    ++fetches;
+    if (hold) {
+      held.emplace_back(key, std::move(reply));
+      return;
+    }
+    QTimer::singleShot(0, this, [this, key, reply = std::move(reply)] { reply(answer(key)); });
+  }
+  void cancelAll() override { held.clear(); }
+  void cancel(const map::SubmapKey&) override {}
+
+  map::SubmapAnswer answer(const map::SubmapKey& key) const {
+    map::SubmapAnswer made;
+    made.key = key;
+    made.version = key.version;
+    if (missing.contains(key.id)) {
+      made.outcome = map::SubmapAnswer::Outcome::NotFound;
+      made.reason = "The robot does not have it.";
+      return made;
+    }
+    if (failing.contains(key.id)) {
+      made.outcome = map::SubmapAnswer::Outcome::Failed;
+      made.reason = "The robot answered <b>500</b>.";
+      return made;
+    }
+    made.outcome = map::SubmapAnswer::Outcome::Ok;
+    made.slices = {square(side)};
+    if (corrupt.contains(key.id)) made.slices[0].cells.resize(7);
+    made.bytes = made.slices[0].cells.size();
+    return made;
+  }
+
+  void setState(const robot::ConnectionState& to) {
+    state = to;
+    Q_EMIT connectionChanged();
+  }
+  void goOnline() {
+    robot::ConnectionState online;
+    online.phase = robot::ConnectionPhase::Online;
+    online.round_trip_ms = 12;
+    setState(online);
+  }
+  void goAway(const QString& why) {
+    robot::ConnectionState away;
+    away.phase = robot::ConnectionPhase::Interrupted;
+    away.reason = why;
+    away.attempt = 2;
+    away.retry_in_ms = 3000;
+    setState(away);
+  }
+  void say(const map::TopicMessage& message) { Q_EMIT topicReceived(message); }
+  void list(std::vector<map::SubmapEntry> entries, const std::string& uuid = "session-a") {
+    map::SubmapList made;
+    made.uuid = uuid;
+    made.slam_state = map::SlamState::Positioning;
+    made.entries = std::move(entries);
+    say(made);
+  }
+  void identify(const robot::RobotIdentity& identity) {
+    who = identity;
+    Q_EMIT identityChanged();
+  }
+
+  bool auto_online = true, hold = false;
+  int side = 100;
+  int connects = 0, fetches = 0;
+  std::set<map::SubmapId> missing, failing, corrupt;
+  std::vector<std::pair<map::SubmapKey, Reply>> held;
+  robot::ConnectionState state;
+  robot::RobotIdentity who;
+
+ private:
+  QString address_;
+};
+
+}  // namespace mapwright::test

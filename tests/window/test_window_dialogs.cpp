@@ -1,0 +1,189 @@
+// Connect dialog, recent robots, command palette, shortcut sheet.
+#include <QDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+#include "window/actions.h"
+#include "window/dialogs/command_palette.h"
+#include "window/dialogs/connect_dialog.h"
+#include "window/dialogs/shortcut_sheet.h"
+#include "window/look/icons.h"
+#include "window/look/plain_label.h"
+
+using namespace mapwright::window;
+
+namespace {
+
+QPushButton* button(QWidget& dialog, const char* text) {
+  for (QPushButton* found : dialog.findChildren<QPushButton*>()) {
+    if (found->text() == QLatin1String(text)) return found;
+  }
+  return nullptr;
+}
+
+struct Bench {
+  Bench() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), recents(settings) {
+    loadResources();
+  }
+  QByteArray stored() {
+    settings.sync();
+    QFile file(settings.fileName());
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  QTemporaryDir folder;
+  QSettings settings;
+  RecentRobots recents;
+};
+
+}  // namespace
+
+class TestWindowDialogs : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void refusesABadAddressInPlace() {
+    Bench bench;
+    int attempts = 0;
+    ConnectDialog dialog(bench.recents, [&](const QString&, const QByteArray&) {
+      ++attempts;
+      return std::optional<QString>();
+    });
+    QVERIFY(!button(dialog, "Connect")->isEnabled());  // nothing typed yet
+    dialog.show();
+    auto* address = dialog.findChild<QLineEdit*>(QStringLiteral("address"));
+    QTest::keyClicks(address, QStringLiteral("kabam+ws://192.0.2.7"));
+    QTest::keyClick(address, Qt::Key_Return);
+    QCOMPARE(attempts, 0);
+    QVERIFY(!dialog.errorText().isEmpty());
+    QVERIFY(dialog.isVisible());
+    QTest::keyClick(address, Qt::Key_End);
+    QTest::keyClicks(address, QStringLiteral("x"));
+    QVERIFY(dialog.errorText().isEmpty());  // no complaint while it is being mended
+  }
+
+  void showsWhyItCouldNotStart() {
+    Bench bench;
+    ConnectDialog dialog(bench.recents, [](const QString&, const QByteArray&) {
+      return std::optional(QStringLiteral("<b>No</b> port is free."));
+    });
+    dialog.show();
+    QTest::mouseClick(button(dialog, "Try the demo robot"), Qt::LeftButton);
+    QCOMPARE(dialog.errorText(), QStringLiteral("<b>No</b> port is free."));
+    QVERIFY(dialog.isVisible());
+  }
+
+  void handsOverTheSecretAndStoresNone() {
+    Bench bench;
+    QString got_address;
+    QByteArray got_secret;
+    ConnectDialog dialog(bench.recents, [&](const QString& address, const QByteArray& secret) {
+      got_address = address;
+      got_secret = secret;
+      bench.recents.add(address, QDateTime::currentDateTime());
+      return std::optional<QString>();
+    });
+    dialog.show();
+    auto* secret = dialog.findChild<QLineEdit*>(QStringLiteral("secret"));
+    QCOMPARE(secret->echoMode(), QLineEdit::Password);
+    QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("address")), QStringLiteral("192.0.2.7"));
+    QTest::keyClicks(secret, QStringLiteral("hunter2"));
+    QTest::mouseClick(button(dialog, "Connect"), Qt::LeftButton);
+    QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    QCOMPARE(got_address, QStringLiteral("axbot+http://192.0.2.7:8090"));
+    QCOMPARE(got_secret, QByteArray("hunter2"));
+    QVERIFY(bench.stored().contains("192.0.2.7"));
+    QVERIFY(!bench.stored().contains("hunter2"));
+  }
+
+  void remembersRobotsNewestFirstAndForgets() {
+    Bench bench;
+    const QDateTime now(QDate(2024, 5, 1), QTime(12, 0));
+    for (int i = 0; i < 20; ++i) bench.recents.add(QStringLiteral("192.0.2.%1").arg(i + 1), now.addSecs(i));
+    bench.recents.add(QStringLiteral("192.0.2.15"), now.addSecs(99));
+    auto list = bench.recents.list();
+    QCOMPARE(list.size(), qsizetype(RecentRobots::kLimit));
+    QCOMPARE(list[0].address, QStringLiteral("axbot+http://192.0.2.15:8090"));
+    QCOMPARE(list[1].address, QStringLiteral("axbot+http://192.0.2.20:8090"));
+    bench.recents.setName(list[1].address, QStringLiteral("dock-3"));
+    RecentRobots again(bench.settings);
+    QCOMPARE(again.list()[1].name, QStringLiteral("dock-3"));
+    again.remove(list[0].address);
+    QCOMPARE(again.list()[0].name, QStringLiteral("dock-3"));
+    bench.recents.add(QStringLiteral("http://user:pw@192.0.2.99"), now);  // never with a password
+    QVERIFY(!bench.stored().contains("pw@"));
+  }
+
+  void offersRecentsAndLetsThemGo() {
+    Bench bench;
+    const QDateTime now(QDate(2024, 5, 1), QTime(12, 0));
+    bench.recents.add(QStringLiteral("192.0.2.1"), now);
+    bench.recents.setName(QStringLiteral("axbot+http://192.0.2.1:8090"), QStringLiteral("<i>evil</i>"));
+    QString got;
+    ConnectDialog dialog(bench.recents, [&](const QString& address, const QByteArray&) {
+      got = address;
+      return std::optional<QString>();
+    });
+    dialog.show();
+    auto* list = dialog.findChild<QListWidget*>(QStringLiteral("recents"));
+    QCOMPARE(list->count(), 1);
+    bool literal = false;
+    for (const PlainLabel* label : list->findChildren<PlainLabel*>())
+      literal |= label->text() == QLatin1String("<i>evil</i>");
+    QVERIFY(literal);
+    list->setCurrentRow(0);
+    QTest::keyClick(list, Qt::Key_Return);
+    QCOMPARE(got, QStringLiteral("axbot+http://192.0.2.1:8090"));
+    QTest::mouseClick(list->findChild<QToolButton*>(), Qt::LeftButton);
+    QTRY_VERIFY(bench.recents.list().isEmpty());
+  }
+
+  void paletteRunsTheBestCommand() {
+    loadResources();
+    Actions actions;
+    int fits = 0, others = 0;
+    connect(actions.add(QStringLiteral("View"), QStringLiteral("filter"), QStringLiteral("Filter submaps"),
+                        {}, {}, Reach::Everywhere, QStringLiteral("x")),
+            &QAction::triggered, this, [&] { ++others; });
+    connect(actions.add(QStringLiteral("Map"), QStringLiteral("fit"), QStringLiteral("&Fit"), {},
+                        {QKeySequence(Qt::Key_F)}, Reach::Map, QStringLiteral("x")),
+            &QAction::triggered, this, [&] { ++fits; });
+    actions
+        .add(QStringLiteral("Map"), QStringLiteral("off"), QStringLiteral("Fit never"), {}, {}, Reach::Map,
+             QStringLiteral("x"))
+        ->setEnabled(false);
+    CommandPalette palette(actions, nullptr);
+    palette.show();
+    QCOMPARE(palette.list()->count(), 3);
+    QTest::keyClicks(palette.field(), QStringLiteral("fit"));
+    QCOMPARE(palette.list()->item(0)->text(), QStringLiteral("Fit"));
+    QTest::keyClick(palette.field(), Qt::Key_Return);
+    QCOMPARE(fits, 1);
+    QCOMPARE(others, 0);
+    CommandPalette again(actions, nullptr);
+    again.show();
+    QTest::keyClicks(again.field(), QStringLiteral("never"));
+    QTest::keyClick(again.field(), Qt::Key_Return);
+    QVERIFY(again.isVisible());  // what cannot be done now does not run
+  }
+
+  void sheetShowsEveryKey() {
+    loadResources();
+    Actions actions;
+    actions.add(QStringLiteral("Map"), QStringLiteral("fit"), QStringLiteral("&Fit"), {},
+                {QKeySequence(Qt::Key_F)}, Reach::Map, QStringLiteral("x"));
+    QWidget parent;
+    QDialog* sheet = makeShortcutSheet(actions, &parent);
+    QStringList texts;
+    for (const PlainLabel* label : sheet->findChildren<PlainLabel*>()) texts << label->text();
+    QVERIFY(texts.contains(QStringLiteral("Fit")));
+    QVERIFY(texts.contains(QStringLiteral("F")));
+    QVERIFY(texts.contains(QStringLiteral("Ctrl+wheel")));
+  }
+};
+
+QTEST_MAIN(TestWindowDialogs)
+#include "test_window_dialogs.moc"

@@ -1,0 +1,278 @@
+// The sentences and numbers of the window, the filter, the colours.
+#include <QtTest>
+
+#include "window/dialogs/command_palette.h"
+#include "window/dialogs/go_to_dialog.h"
+#include "window/docks/submap_filter.h"
+#include "window/look/icons.h"
+#include "window/look/plain_label.h"
+#include "window/look/ui_colors.h"
+#include "window/map/camera_motion.h"
+#include "window/map/empty_state.h"
+#include "window/map/measure_tool.h"
+#include "window/map/notice_bar.h"
+#include "window/status/status_text.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+
+namespace {
+
+robot::ConnectionState link(robot::ConnectionPhase phase) {
+  robot::ConnectionState state;
+  state.phase = phase;
+  return state;
+}
+
+}  // namespace
+
+class TestWindowText : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { loadResources(); }
+
+  void tellsTheConnection() {
+    auto online = link(robot::ConnectionPhase::Online);
+    online.round_trip_ms = 12;
+    QCOMPARE(connectionText(online).text, QStringLiteral("connected 12 ms"));
+    auto away = link(robot::ConnectionPhase::Interrupted);
+    away.attempt = 2;
+    away.retry_in_ms = 3000;
+    away.reason = QStringLiteral("connection refused");
+    QCOMPARE(connectionText(away).text,
+             QStringLiteral("reconnecting in 3 s (attempt 2): connection refused"));
+    QCOMPARE(connectionText(away, 1001).text,
+             QStringLiteral("reconnecting in 2 s (attempt 2): connection refused"));
+    QCOMPARE(connectionText(away, 9000).text,
+             QStringLiteral("reconnecting now (attempt 2): connection refused"));
+    auto refused = link(robot::ConnectionPhase::Refused);
+    refused.reason = QStringLiteral("wrong secret");
+    QCOMPARE(connectionText(refused).text, QStringLiteral("refused: wrong secret"));
+    // Every state has a shape of its own, so that colour is never alone.
+    QVERIFY(connectionText(online).mark != connectionText(away).mark);
+    QVERIFY(connectionText(away).mark != connectionText(refused).mark);
+  }
+
+  void tellsTheLoading() {
+    session::SubmapCounts counts;
+    QCOMPARE(loadingText(counts), QString());
+    counts.list_received = true;
+    QCOMPARE(loadingText(counts), QStringLiteral("no submaps"));
+    counts.listed = 480;
+    counts.shown = 312;
+    counts.missing = 2;
+    counts.fetching = 4;
+    QCOMPARE(loadingText(counts), QStringLiteral("312 of 480 submaps, 2 missing"));
+    QCOMPARE(trafficText(counts), QStringLiteral("4 in flight"));
+    counts.queued = 1200;
+    counts.corrupt = 1;
+    QCOMPARE(loadingText(counts), QStringLiteral("312 of 480 submaps, 2 missing, 1 corrupt"));
+    QCOMPARE(trafficText(counts), QStringLiteral("4 in flight, 1,200 queued"));
+  }
+
+  void tellsCoordinatesAsFineAsAPixelMeansThem() {
+    const Eigen::Vector2d point(12.3449, -3.2104);
+    QCOMPARE(coordinatesText(point, 0.001), QStringLiteral("x 12.345 y -3.210 m"));
+    QCOMPARE(coordinatesText(point, 0.002), QStringLiteral("x 12.345 y -3.210 m"));
+    QCOMPARE(coordinatesText(point, 0.05), QStringLiteral("x 12.34 y -3.21 m"));
+    QCOMPARE(coordinatesText(point, 0.5), QStringLiteral("x 12.3 y -3.2 m"));
+    QCOMPARE(coordinatesText(point, 5), QStringLiteral("x 12 y -3 m"));
+    QCOMPARE(coordinatesText({-0.0001, 0.0}, 0.05), QStringLiteral("x 0.00 y 0.00 m"));
+    QCOMPARE(coordinatesText({std::nan(""), 0}, 0.05), QStringLiteral("x ? y ? m"));
+    QCOMPARE(coordinatesForClipboard(point), QStringLiteral("12.345, -3.210"));
+  }
+
+  void tellsOccupancy() {
+    QCOMPARE(occupancyText(std::nullopt), QStringLiteral("unknown"));
+    QCOMPARE(occupancyText(97), QStringLiteral("occupied 97 %"));
+    QCOMPARE(occupancyText(12), QStringLiteral("free 88 %"));
+  }
+
+  void tellsScaleAndRotation() {
+    QCOMPARE(scaleText(0.05, 96), QStringLiteral("1:189  5 cm/px"));
+    QCOMPARE(scaleText(0.002, 96), QStringLiteral("1:8  2 mm/px"));
+    QCOMPARE(scaleText(1, 96), QStringLiteral("1:3,780  1 m/px"));
+    QCOMPARE(rotationText(geometry::radiansFromDegrees(38)), QStringLiteral("38°"));
+    QCOMPARE(rotationText(geometry::radiansFromDegrees(-12.5)), QStringLiteral("-12.5°"));
+    QCOMPARE(rotationText(geometry::radiansFromDegrees(-180)), QStringLiteral("180°"));
+    QCOMPARE(rotationText(0), QStringLiteral("0°"));
+  }
+
+  void tellsSizes() {
+    QCOMPARE(bytesText(0), QStringLiteral("0 B"));
+    QCOMPARE(bytesText(1500), QStringLiteral("1.5 KB"));
+    QCOMPARE(bytesText(42'100'000), QStringLiteral("42.1 MB"));
+    QCOMPARE(bytesText(999'999), QStringLiteral("1.0 MB"));
+    QCOMPARE(plural(1, QStringLiteral("problem")), QStringLiteral("1 problem"));
+    QCOMPARE(plural(12480, QStringLiteral("submap")), QStringLiteral("12,480 submaps"));
+    QCOMPARE(lengthText(12.3456), QStringLiteral("12.346 m"));
+    QCOMPARE(lengthText(12'345.6), QStringLiteral("12.346 km"));
+  }
+
+  void filtersByWhatPeopleType_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("fits");
+    const std::pair<const char*, bool> cases[] = {
+        {"", true},
+        {"12-3", true},
+        {"12-35", true},
+        {"12-", true},
+        {"12-5", false},
+        {"1-3", false},
+        {"2-3", false},
+        {"35", true},
+        {"#35", true},
+        {"#5", false},
+        {"v70", true},
+        {"v7", false},
+        {"frozen", true},
+        {"FRO", true},
+        {"active", false},
+        {"inc", true},
+        {"nearby", false},
+        {"failed", true},
+        {"missing", false},
+        {"hidden", true},
+        {"visible", false},
+        {"frozen failed", true},
+        {"frozen missing", false},
+        {"gibberish", false},
+        {"-", false},
+        {"#", true},
+    };
+    for (const auto& [text, fits] : cases)
+      QTest::newRow(*text ? text : "empty") << QString::fromLatin1(text) << fits;
+  }
+  void filtersByWhatPeopleType() {
+    QFETCH(QString, text);
+    QFETCH(bool, fits);
+    SubmapFacts facts;
+    facts.id = {12, 35};
+    facts.version = 70;
+    facts.frozen = facts.incremental = true;
+    facts.visible = false;
+    facts.status = session::SubmapStatus::Waiting;
+    QCOMPARE(SubmapFilter(text).matches(facts), fits);
+  }
+
+  void namesBadges() {
+    SubmapFacts facts;
+    QCOMPARE(badges(facts), QStringList{QStringLiteral("ACTIVE")});
+    facts.frozen = facts.nearby = facts.incremental = true;
+    QCOMPARE(badges(facts),
+             (QStringList{QStringLiteral("FROZEN"), QStringLiteral("INC"), QStringLiteral("NEARBY")}));
+  }
+
+  void readsPoints() {
+    QCOMPARE(*parsePoint(QStringLiteral("12.5, -3.2")), Eigen::Vector2d(12.5, -3.2));
+    QCOMPARE(*parsePoint(QStringLiteral("12.5 -3.2")), Eigen::Vector2d(12.5, -3.2));
+    QCOMPARE(*parsePoint(QStringLiteral("x 12.345 y -3.210 m")), Eigen::Vector2d(12.345, -3.21));
+    QCOMPARE(*parsePoint(QStringLiteral("12,5; -3,2")), Eigen::Vector2d(12.5, -3.2));
+    for (const char* bad : {"", "12", "a b", "1 2 3", "nan nan", "1e99 0", "2000000 0"}) {
+      QVERIFY2(!parsePoint(QLatin1String(bad)), bad);
+    }
+  }
+
+  void findsCommandsByLetters() {
+    QVERIFY(fuzzyScore(QStringLiteral("ftr"), QStringLiteral("Follow the robot")));
+    QVERIFY(!fuzzyScore(QStringLiteral("xyz"), QStringLiteral("Follow the robot")));
+    QVERIFY(*fuzzyScore(QStringLiteral("fit"), QStringLiteral("Fit")) >
+            *fuzzyScore(QStringLiteral("fit"), QStringLiteral("Filter it")));
+    QVERIFY(fuzzyScore({}, QStringLiteral("Fit")));
+  }
+
+  void tellsWhatToDoOnAnEmptyMap() {
+    using Kind = EmptyState::Kind;
+    const QString address = QStringLiteral("axbot+http://192.0.2.7:8090");
+    const auto none = emptyState({}, {}, nullptr);
+    QCOMPARE(none->kind, Kind::NoRobot);
+    QVERIFY(none->offers_connect && none->offers_demo);
+    session::SubmapCounts counts;
+    QCOMPARE(emptyState(address, link(robot::ConnectionPhase::Connecting), &counts)->kind, Kind::Connecting);
+    auto away = link(robot::ConnectionPhase::Interrupted);
+    away.reason = QStringLiteral("connection refused");
+    const auto failed = emptyState(address, away, &counts);
+    QCOMPARE(failed->kind, Kind::Failed);
+    QVERIFY(failed->offers_retry);
+    QVERIFY(failed->text.contains(away.reason));
+    const auto online = link(robot::ConnectionPhase::Online);
+    QCOMPARE(emptyState(address, online, &counts)->kind, Kind::WaitingForList);
+    counts.list_received = true;
+    QCOMPARE(emptyState(address, online, &counts)->kind, Kind::NoSubmaps);
+    counts.listed = counts.pending = 5;
+    QCOMPARE(emptyState(address, online, &counts)->kind, Kind::Loading);
+    counts.pending = 0;
+    counts.missing = 5;
+    QCOMPARE(emptyState(address, online, &counts)->kind, Kind::NothingDrawable);
+    counts.shown = 1;
+    QVERIFY(!emptyState(address, online, &counts));
+    QVERIFY(!emptyState(address, away, &counts));  // what was received stays
+  }
+
+  void tellsSinceWhenTheLinkIsLost() {
+    const QDateTime now(QDate(2024, 5, 1), QTime(14, 5, 0));
+    QCOMPARE(lostConnectionSentence(QDateTime(QDate(2024, 5, 1), QTime(14, 3, 12)), now),
+             QStringLiteral("No connection since 14:03:12. Showing what was received."));
+    QVERIFY(lostConnectionSentence(QDateTime(QDate(2024, 4, 30), QTime(14, 3, 12)), now)
+                .contains(QLatin1String("2024-04-30")));
+  }
+
+  void climbsTheLadder() {
+    QCOMPARE(ladderScale(0.05, 1), 0.04);
+    QCOMPARE(ladderScale(0.04, -1), 0.05);
+    QCOMPARE(ladderScale(0.045, 1), 0.04);  // from between two rungs to the next
+    QCOMPARE(ladderScale(0.045, -1), 0.05);
+    QVERIFY(ladderScale(geometry::kMinScaleMPerPx, 5) >= geometry::kMinScaleMPerPx);
+  }
+
+  void keepsTheAnchorAllTheWay() {
+    geometry::ViewTransform from;
+    from.width_px = 800;
+    from.height_px = 600;
+    const Eigen::Vector2d anchor(123, 456);
+    const Eigen::Vector2d world = from.worldFromPixel(anchor);
+    const CameraMotion motion{from, from.zoomedAt(anchor, 3.7), anchor};
+    for (const double t : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+      QVERIFY((motion.at(t).worldFromPixel(anchor) - world).norm() < 1e-9);
+    }
+    QCOMPARE(motion.at(1), motion.to);
+  }
+
+  void isReadableInBothThemes() {
+    for (const bool dark : {false, true}) {
+      const UiColors c = uiColors(dark);
+      for (const QColor& ground : {c.window, c.base}) {
+        for (const QColor& ink :
+             {c.text, c.secondary_text, c.accent_text, c.ok_text, c.warning_text, c.error_text}) {
+          QVERIFY2(contrastRatio(ink, ground) >= 4.5,
+                   qPrintable(ink.name() + QLatin1String(" on ") + ground.name()));
+        }
+      }
+      QVERIFY(contrastRatio(Qt::white, c.accent) >= 4.5);
+      QCOMPARE(uiColors(themePalette(c)).dark, dark);
+    }
+  }
+
+  void hasAnIconForEveryName() {
+    QVERIFY(iconNames().size() > 40);
+    for (const QString& name : iconNames()) {
+      const QImage image = iconPixmap(name, 24, 1, Qt::red).toImage();
+      bool inked = false;
+      for (int y = 0; y < 24; ++y) {
+        for (int x = 0; x < 24; ++x) inked = inked || qAlpha(image.pixel(x, y)) > 100;
+      }
+      QVERIFY2(inked, qPrintable(name));
+    }
+    for (int status = 0; status <= int(session::SubmapStatus::Unplaced); ++status) {
+      QVERIFY(iconNames().contains(statusIcon(session::SubmapStatus(status))));
+    }
+  }
+
+  void showsMarkupAsItIs() {
+    QVERIFY(!plainToolTip(QStringLiteral("<b>x</b>")).contains(QLatin1String("<b>")));
+    QVERIFY(plainToolTip(QStringLiteral("<b>x</b>")).contains(QLatin1String("&lt;b&gt;")));
+  }
+};
+
+QTEST_MAIN(TestWindowText)
+#include "test_window_text.moc"

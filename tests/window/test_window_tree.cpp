@@ -1,0 +1,213 @@
+// The tree of submaps: incremental, tri-state, filtered.
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "fake_robot.h"
+#include "session/session.h"
+#include "window/docks/submap_filter_model.h"
+#include "window/docks/submap_tree_model.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+
+namespace {
+
+/// A session on a fake robot with a model that follows it.
+struct Bench {
+  explicit Bench(bool hold = true) {
+    auto made = std::make_unique<test::FakeRobot>();
+    robot = made.get();
+    robot->hold = hold;
+    session = std::make_unique<session::Session>(std::move(made), session::Session::Options{});
+    session->open();
+    model.setSession(session.get());
+  }
+  ~Bench() { model.setSession(nullptr); }
+  void list(std::vector<map::SubmapEntry> entries) {
+    robot->list(std::move(entries));
+    model.sync();
+  }
+  QModelIndex all() const { return model.index(0, 0); }
+
+  test::FakeRobot* robot;
+  std::unique_ptr<session::Session> session;
+  SubmapTreeModel model;
+};
+
+std::vector<map::SubmapEntry> entries(int trajectories, int each) {
+  std::vector<map::SubmapEntry> made;
+  for (int t = 0; t < trajectories; ++t) {
+    for (int i = 0; i < each; ++i) made.push_back(test::entry(t, i, 1, i * 5.0, t * 5.0));
+  }
+  return made;
+}
+
+QVariant check(const QModelIndex& index) { return index.data(Qt::CheckStateRole); }
+
+}  // namespace
+
+class TestWindowTree : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void standsAsGroupsAndRows() {
+    Bench bench;
+    bench.list({test::entry(1, 592, 70, 0, 0), test::entry(0, 3, 1, 0, 0), test::entry(1, 593, 2, 0, 0)});
+    QCOMPARE(bench.model.rowCount(), 1);
+    QCOMPARE(bench.all().data().toString(), QStringLiteral("All"));
+    QCOMPARE(bench.model.rowCount(bench.all()), 2);
+    const QModelIndex second = bench.model.index(1, 0, bench.all());
+    QCOMPARE(second.data().toString(), QStringLiteral("Trajectory 1"));
+    const QModelIndex leaf = bench.model.index(0, 0, second);
+    QCOMPARE(leaf.data().toString(), QStringLiteral("#592 v70"));
+    QCOMPARE(leaf.parent(), second);
+    QCOMPARE(second.parent(), bench.all());
+    QCOMPARE(bench.model.indexOf({1, 592}), leaf);
+    QVERIFY(!bench.model.indexOf({5, 592}).isValid());
+  }
+
+  void keepsToTheRulesOfModels() {
+    Bench bench;
+    QAbstractItemModelTester tester(&bench.model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    SubmapFilterModel filtered(&bench.model);
+    QAbstractItemModelTester filtered_tester(&filtered,
+                                             QAbstractItemModelTester::FailureReportingMode::QtTest);
+    bench.list(entries(3, 20));
+    auto fewer = entries(2, 30);
+    fewer.erase(fewer.begin() + 4, fewer.begin() + 9);
+    bench.list(fewer);
+    filtered.setFilter(SubmapFilter(QStringLiteral("1-2")));
+    bench.list(entries(4, 10));
+    bench.list({test::entry(7, 1, 1, 0, 0)});
+    bench.list({});
+    QCOMPARE(bench.model.rowCount(bench.all()), 0);
+  }
+
+  void staysIncrementalWithTenThousandRows() {
+    Bench bench;
+    auto list = entries(4, 2500);
+    bench.list(list);
+    QPersistentModelIndex held(bench.model.indexOf({2, 1234}));
+    QSignalSpy reset(&bench.model, &QAbstractItemModel::modelReset);
+    QSignalSpy inserted(&bench.model, &QAbstractItemModel::rowsInserted);
+    QSignalSpy removed(&bench.model, &QAbstractItemModel::rowsRemoved);
+    QSignalSpy changed(&bench.model, &QAbstractItemModel::dataChanged);
+    bench.model.sync();
+    QCOMPARE(changed.size(), 0);  // nothing happened, nothing is said
+
+    list[5000 + 1234].version = 9;
+    list.push_back(test::entry(3, 2500, 1, 0, 0));
+    list.erase(list.begin());
+    bench.list(list);
+    QCOMPARE(reset.size(), 0);
+    QCOMPARE(inserted.size(), 1);
+    QCOMPARE(removed.size(), 1);
+    QVERIFY2(changed.size() <= 8, qPrintable(QString::number(changed.size())));
+    QVERIFY(held.isValid());
+    QCOMPARE(held.data().toString(), QStringLiteral("#1234 v9"));
+    QCOMPARE(bench.model.rowCount(bench.model.index(0, 0, bench.all())), 2499);
+  }
+
+  void saysNeighbouringChangesAtOnce() {
+    Bench bench;
+    auto list = entries(1, 1000);
+    bench.list(list);
+    for (int i = 100; i < 200; ++i) list[std::size_t(i)].is_frozen = true;
+    QSignalSpy changed(&bench.model, &QAbstractItemModel::dataChanged);
+    bench.list(list);
+    int of_leaves = 0;
+    for (const auto& arguments : changed) {
+      const auto top = arguments[0].toModelIndex();
+      if (!bench.model.facts(top)) continue;
+      ++of_leaves;
+      QCOMPARE(top.row(), 100);
+      QCOMPARE(arguments[1].toModelIndex().row(), 199);
+    }
+    QCOMPARE(of_leaves, 1);
+  }
+
+  void checksThreeWays() {
+    Bench bench;
+    bench.list(entries(2, 3));
+    const QModelIndex first = bench.model.index(0, 0, bench.all());
+    const QModelIndex leaf = bench.model.index(1, 0, first);
+    QCOMPARE(check(bench.all()).toInt(), int(Qt::Checked));
+    QVERIFY(bench.model.setData(leaf, Qt::Unchecked, Qt::CheckStateRole));
+    QVERIFY(!bench.session->book().find({0, 1})->visible);
+    QCOMPARE(check(leaf).toInt(), int(Qt::Unchecked));
+    QCOMPARE(check(first).toInt(), int(Qt::PartiallyChecked));
+    QCOMPARE(check(bench.all()).toInt(), int(Qt::PartiallyChecked));
+    QVERIFY(bench.model.setData(first, Qt::Unchecked, Qt::CheckStateRole));
+    QCOMPARE(check(first).toInt(), int(Qt::Unchecked));
+    QCOMPARE(check(bench.all()).toInt(), int(Qt::PartiallyChecked));
+    QVERIFY(bench.model.setData(bench.all(), Qt::Checked, Qt::CheckStateRole));
+    QCOMPARE(check(leaf).toInt(), int(Qt::Checked));
+    QVERIFY(bench.session->book().find({1, 2})->visible);
+    QVERIFY(!bench.model.setData(leaf.siblingAtColumn(1), Qt::Unchecked, Qt::CheckStateRole));
+  }
+
+  void countsGroupsByFlag() {
+    Bench bench;
+    auto list = entries(1, 4);
+    list[1].is_nearby = list[2].is_nearby = true;
+    bench.list(list);
+    bench.session->setVisible({{0, 1}}, false);
+    bench.model.sync();
+    int count = 0;
+    QCOMPARE(bench.model.visibilityWhere(&SubmapFacts::nearby, &count), Qt::PartiallyChecked);
+    QCOMPARE(count, 2);
+    QCOMPARE(bench.model.submapsWhere(&SubmapFacts::nearby).size(), std::size_t(2));
+  }
+
+  void filtersLeavesAndKeepsTheirGroups() {
+    Bench bench;
+    SubmapFilterModel filtered(&bench.model);
+    bench.list(entries(3, 10));
+    filtered.setFilter(SubmapFilter(QStringLiteral("1-3")));
+    const QModelIndex all = filtered.index(0, 0);
+    QCOMPARE(filtered.rowCount(all), 1);
+    const QModelIndex group = filtered.index(0, 0, all);
+    QCOMPARE(group.data().toString(), QStringLiteral("Trajectory 1"));
+    QCOMPARE(filtered.rowCount(group), 1);
+    QCOMPARE(filtered.index(0, 0, group).data().toString(), QStringLiteral("#3 v1"));
+    filtered.setFilter(SubmapFilter(QStringLiteral("frozen")));
+    QCOMPARE(filtered.rowCount(all), 0);
+    // A row that comes to fit appears by itself.
+    auto list = entries(3, 10);
+    list[4].is_frozen = true;
+    bench.list(list);
+    QCOMPARE(filtered.rowCount(all), 1);
+    filtered.setFilter({});
+    QCOMPARE(filtered.rowCount(all), 3);
+  }
+
+  void showsHowEachOneStands() {
+    Bench bench(false);
+    bench.robot->missing = {{0, 1}};
+    bench.robot->failing = {{0, 2}};
+    bench.robot->corrupt = {{0, 3}};
+    bench.list(entries(1, 4));
+    const auto word = [&](int row) {
+      bench.model.sync();
+      return bench.model.indexOf({0, row}).siblingAtColumn(SubmapTreeModel::StatusColumn).data().toString();
+    };
+    QTRY_COMPARE(word(0), QStringLiteral("shown"));
+    QTRY_COMPARE(word(1), QStringLiteral("missing"));
+    QTRY_COMPARE(word(2), QStringLiteral("failed"));
+    QTRY_COMPARE(word(3), QStringLiteral("corrupt"));
+    const QString tip = bench.model.indexOf({0, 2}).data(Qt::ToolTipRole).toString();
+    QVERIFY(tip.contains(QLatin1String("&lt;b&gt;500")));  // what a robot says is never markup
+    QVERIFY(!tip.contains(QLatin1String("<b>")));
+  }
+
+  void forgetsTheSessionThatGoes() {
+    Bench bench;
+    bench.list(entries(1, 4));
+    bench.model.setSession(nullptr);
+    QCOMPARE(bench.model.rowCount(bench.all()), 0);
+    QVERIFY(!bench.model.setData(bench.all(), Qt::Checked, Qt::CheckStateRole));
+  }
+};
+
+QTEST_MAIN(TestWindowTree)
+#include "test_window_tree.moc"

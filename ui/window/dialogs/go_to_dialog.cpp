@@ -1,0 +1,80 @@
+#include "window/dialogs/go_to_dialog.h"
+
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+#include "window/look/ui_colors.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+std::optional<Eigen::Vector2d> parsePoint(const QString& text) {
+  QString plain = text.trimmed().toLower();
+  // A comma between digits is a decimal one only where a semicolon parts the numbers.
+  if (plain.contains(QLatin1Char(';'))) plain.replace(QLatin1Char(','), QLatin1Char('.'));
+  static const QRegularExpression pattern(QStringLiteral(
+      "^(?:x\\s*[=:]?\\s*)?([+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[+-]?\\d+)?)\\s*m?\\s*(?:[,;]|\\s)\\s*"
+      "(?:y\\s*[=:]?\\s*)?([+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[+-]?\\d+)?)\\s*m?$"));
+  const QRegularExpressionMatch match = pattern.match(plain);
+  if (!match.hasMatch()) return std::nullopt;
+  const Eigen::Vector2d point(match.captured(1).toDouble(), match.captured(2).toDouble());
+  if (!point.allFinite() || point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM) return std::nullopt;
+  return point;
+}
+
+GoToDialog::GoToDialog(const Eigen::Vector2d& present, QWidget* parent)
+    : QDialog(parent),
+      field_(new QLineEdit(this)),
+      error_(new QLabel(this)),
+      go_(new QPushButton(QStringLiteral("Go"), this)) {
+  setWindowTitle(QStringLiteral("Go to coordinates"));
+  setMinimumWidth(360);
+  auto* label = new QLabel(QStringLiteral("&x, y in metres"), this);
+  label->setBuddy(field_);
+  field_->setText(coordinatesForClipboard(present));
+  field_->selectAll();
+  error_->setTextFormat(Qt::PlainText);
+  QPalette red = error_->palette();
+  red.setColor(QPalette::WindowText, uiColors(red).error_text);
+  error_->setPalette(red);
+  go_->setObjectName(QStringLiteral("primary"));
+  go_->setDefault(true);
+  auto* cancel = new QPushButton(QStringLiteral("Cancel"), this);
+  cancel->setObjectName(QStringLiteral("secondary"));
+  cancel->setAutoDefault(false);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  buttons->addWidget(cancel);
+  buttons->addWidget(go_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(8);
+  column->addWidget(label);
+  column->addWidget(field_);
+  column->addWidget(error_);
+  column->addSpacing(4);
+  column->addLayout(buttons);
+  connect(field_, &QLineEdit::textChanged, this, &GoToDialog::check);
+  connect(go_, &QPushButton::clicked, this, &QDialog::accept);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  check();
+}
+
+std::optional<Eigen::Vector2d> GoToDialog::point() const { return parsePoint(field_->text()); }
+
+void GoToDialog::check() {
+  const bool fine = point().has_value();
+  go_->setEnabled(fine);
+  const bool complain = !fine && !field_->text().trimmed().isEmpty();
+  error_->setText(complain ? QStringLiteral("Two numbers in metres are needed, for example 12.5, -3.2")
+                           : QStringLiteral(" "));
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,33 @@
+// The robots that were connected to lately. Addresses only: secrets are never stored.
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+#include <QVector>
+
+class QSettings;
+
+namespace mapwright::window {
+
+struct RecentRobot {
+  QString address;  // normalised, never with a secret
+  QString name;     // what the robot called itself; may be empty. Untrusted plain text
+  QDateTime last;
+};
+
+class RecentRobots {
+ public:
+  static constexpr int kLimit = 12;
+  /// The settings must outlive this.
+  explicit RecentRobots(QSettings& settings);
+  QVector<RecentRobot> list() const;  // newest first
+  void add(const QString& address, const QDateTime& now);
+  void setName(const QString& address, const QString& name);
+  void remove(const QString& address);
+
+ private:
+  void save(const QVector<RecentRobot>& robots);
+  QSettings& settings_;
+};
+
+}  // namespace mapwright::window

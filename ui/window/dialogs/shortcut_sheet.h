@@ -1,0 +1,15 @@
+// All keys and mouse gestures on one page, and the box about the program.
+#pragma once
+
+class QDialog;
+class QWidget;
+
+namespace mapwright::window {
+
+class Actions;
+
+/// Owned by `parent`, deleted when closed.
+QDialog* makeShortcutSheet(const Actions& actions, QWidget* parent);
+QDialog* makeAboutBox(QWidget* parent);
+
+}  // namespace mapwright::window

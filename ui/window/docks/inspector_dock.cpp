@@ -1,0 +1,259 @@
+#include "window/docks/inspector_dock.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "window/docks/inspector_controls.h"
+#include "window/docks/inspector_summary.h"
+#include "window/docks/submap_row_delegate.h"
+#include "window/docks/tree_view.h"
+#include "window/look/icons.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction* show_outlines,
+                             QWidget* parent)
+    : QDockWidget(QStringLiteral("SLAM inspector"), parent),
+      scene_(scene),
+      model_(new SubmapTreeModel(this)),
+      filtered_(new SubmapFilterModel(model_, this)),
+      summary_(new InspectorSummary(this)),
+      controls_(new InspectorControls(show_ids, show_outlines, this)),
+      tree_(new TreeView(this)),
+      details_(new QLabel(this)) {
+  setObjectName(QStringLiteral("inspector"));
+  buildTree();
+  details_->setTextFormat(Qt::PlainText);
+  details_->setWordWrap(true);
+  details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  details_->setContentsMargins(8, 6, 8, 6);
+  details_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // A fixed height: a selection that moves through the rows must not make the tree jump.
+  details_->setFixedHeight(fontMetrics().lineSpacing() * 4 + 14);
+
+  auto* body = new QWidget(this);
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(summary_);
+  column->addWidget(controls_);
+  column->addWidget(tree_, 1);
+  column->addWidget(details_);
+  body->setMinimumWidth(300);
+  setWidget(body);
+
+  connect(summary_, &InspectorSummary::copyWanted, this, &InspectorDock::copyWanted);
+  connect(controls_, &InspectorControls::filterChanged, this, [this](const QString& text) {
+    filtered_->setFilter(SubmapFilter(text));
+    if (!text.trimmed().isEmpty()) tree_->expandAll();
+  });
+  connect(controls_, &InspectorControls::nearbyWanted, this,
+          [this](bool visible) { setGroupVisible(&SubmapFacts::nearby, visible); });
+  connect(controls_, &InspectorControls::incrementalWanted, this,
+          [this](bool visible) { setGroupVisible(&SubmapFacts::incremental, visible); });
+  connect(controls_, &InspectorControls::sliceWanted, this, [this](int slice) {
+    if (session_) session_->setSlice(slice);
+  });
+  connect(controls_, &InspectorControls::colorModeWanted, this, &InspectorDock::colorModeWanted);
+  refreshDetails();
+}
+
+void InspectorDock::buildTree() {
+  tree_->setModel(filtered_);
+  tree_->setItemDelegate(new SubmapRowDelegate(tree_));
+  tree_->setUniformRowHeights(true);
+  tree_->setIndentation(14);
+  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  tree_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  tree_->setExpandsOnDoubleClick(false);
+  tree_->setMouseTracking(true);
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  tree_->setAllColumnsShowFocus(true);
+  tree_->setAccessibleName(QStringLiteral("Submaps"));
+  QHeaderView* header = tree_->header();
+  header->setMinimumSectionSize(20);
+  header->setStretchLastSection(false);
+  header->setSectionsMovable(false);
+  header->setSectionResizeMode(SubmapTreeModel::NameColumn, QHeaderView::Stretch);
+  for (const int column :
+       {SubmapTreeModel::BadgeColumn, SubmapTreeModel::StatusColumn, SubmapTreeModel::LocateColumn}) {
+    header->setSectionResizeMode(column, QHeaderView::Fixed);
+  }
+  header->resizeSection(SubmapTreeModel::BadgeColumn, 92);
+  header->resizeSection(SubmapTreeModel::StatusColumn,
+                        fontMetrics().horizontalAdvance(QStringLiteral("updating")) + 30);
+  header->resizeSection(SubmapTreeModel::LocateColumn, 22);
+  tree_->expand(filtered_->index(0, 0));
+
+  connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    const auto id = idAt(index);
+    if (id && index.column() == SubmapTreeModel::LocateColumn) Q_EMIT locateWanted(*id);
+  });
+  connect(tree_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+    if (const auto id = idAt(index)) {
+      Q_EMIT locateWanted(*id);
+    } else {
+      tree_->setExpanded(index.siblingAtColumn(0), !tree_->isExpanded(index.siblingAtColumn(0)));
+    }
+  });
+  connect(static_cast<TreeView*>(tree_), &TreeView::enterPressed, this, [this] {
+    if (const auto id = selected()) Q_EMIT locateWanted(*id);
+  });
+  connect(tree_, &QTreeView::customContextMenuRequested, this, &InspectorDock::showMenu);
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    scene_->setHighlighted(selected());
+    refreshDetails();
+  });
+}
+
+void InspectorDock::setSession(session::Session* session) {
+  if (session_) session_->disconnect(this);
+  session_ = session;
+  known_.clear();
+  nearby_off_ = incremental_off_ = false;
+  model_->setSession(session);
+  tree_->expand(filtered_->index(0, 0));
+  if (session) {
+    connect(session, &session::Session::listChanged, this, &InspectorDock::refresh);
+    connect(session, &session::Session::rowsChanged, this, &InspectorDock::refresh);
+    connect(session, &session::Session::sessionRestarted, this, [this] { known_.clear(); });
+  }
+  refresh();
+}
+
+void InspectorDock::showEvent(QShowEvent* event) {
+  QDockWidget::showEvent(event);
+  refresh();
+}
+
+void InspectorDock::refresh() {
+  // New rows are looked at even while the dock is closed: they may belong to a group that was switched off.
+  keepHiddenGroups();
+  if (!isVisible()) return;
+  const bool first_rows = model_->rowCount(model_->index(0, 0)) == 0;
+  model_->sync();
+  const QModelIndex all = filtered_->index(0, 0);
+  if (first_rows) {
+    tree_->expand(all);
+    // A single trajectory is all there is to see; several stay closed as an overview.
+    if (filtered_->rowCount(all) == 1) tree_->expand(filtered_->index(0, 0, all));
+  }
+  summary_->refresh(session_);
+  int nearby_count = 0, incremental_count = 0;
+  const Qt::CheckState nearby = model_->visibilityWhere(&SubmapFacts::nearby, &nearby_count);
+  const Qt::CheckState incremental = model_->visibilityWhere(&SubmapFacts::incremental, &incremental_count);
+  controls_->setGroups(nearby, nearby_count, incremental, incremental_count);
+  controls_->setSlices(session_ ? session_->slice() : 0, session_ ? session_->book().maxSlices() : 1);
+  refreshDetails();
+}
+
+void InspectorDock::keepHiddenGroups() {
+  if (!session_ || (!nearby_off_ && !incremental_off_)) return;
+  std::vector<map::SubmapId> newcomers;
+  for (const auto& [id, row] : session_->book().rows()) {
+    if (!known_.insert(id).second) continue;
+    if (row.visible &&
+        ((nearby_off_ && row.entry.is_nearby) || (incremental_off_ && row.entry.is_incremental))) {
+      newcomers.push_back(id);
+    }
+  }
+  if (!newcomers.empty()) session_->setVisible(newcomers, false);
+}
+
+void InspectorDock::setGroupVisible(bool SubmapFacts::*flag, bool visible) {
+  (flag == &SubmapFacts::nearby ? nearby_off_ : incremental_off_) = !visible;
+  if (!session_) return;
+  known_.clear();
+  for (const auto& [id, row] : session_->book().rows()) known_.insert(id);
+  session_->setVisible(model_->submapsWhere(flag), visible);
+  refresh();
+}
+
+void InspectorDock::setColorMode(render::ColorMode mode) { controls_->setColorMode(mode); }
+
+void InspectorDock::select(map::SubmapId id) {
+  const QModelIndex source = model_->indexOf(id);
+  if (!source.isValid()) return;
+  QModelIndex index = filtered_->mapFromSource(source);
+  if (!index.isValid()) {
+    controls_->filterEdit()->clear();  // the filter hides it
+    index = filtered_->mapFromSource(source);
+  }
+  tree_->setCurrentIndex(index);
+  tree_->scrollTo(index);
+}
+
+void InspectorDock::clearSelection() {
+  tree_->setCurrentIndex({});
+  tree_->clearSelection();
+}
+
+std::optional<map::SubmapId> InspectorDock::idAt(const QModelIndex& proxy_index) const {
+  const auto facts = model_->facts(filtered_->mapToSource(proxy_index));
+  return facts ? std::optional(facts->id) : std::nullopt;
+}
+
+std::optional<map::SubmapId> InspectorDock::selected() const { return idAt(tree_->currentIndex()); }
+
+std::vector<map::SubmapId> InspectorDock::selectedIds() const {
+  std::set<map::SubmapId> ids;
+  for (const QModelIndex& row : tree_->selectionModel()->selectedRows()) {
+    for (const map::SubmapId id : model_->submapsBelow(filtered_->mapToSource(row))) ids.insert(id);
+  }
+  return {ids.begin(), ids.end()};
+}
+
+void InspectorDock::showMenu(const QPoint& at) {
+  const std::vector<map::SubmapId> ids = selectedIds();
+  if (!session_ || ids.empty()) return;
+  QMenu menu(this);
+  const auto one = idAt(tree_->indexAt(at));
+  if (one) {
+    menu.addAction(themedIcon(QStringLiteral("locate")), QStringLiteral("Locate on the map"), this,
+                   [this, one] { Q_EMIT locateWanted(*one); });
+  }
+  menu.addAction(themedIcon(QStringLiteral("eye")), QStringLiteral("Show"), this, [this, ids] {
+    session_->setVisible(ids, true);
+    refresh();
+  });
+  menu.addAction(themedIcon(QStringLiteral("eye-off")), QStringLiteral("Hide"), this, [this, ids] {
+    session_->setVisible(ids, false);
+    refresh();
+  });
+  menu.addAction(QStringLiteral("Show only these"), this, [this, ids] {
+    session_->setVisible(model_->submapsBelow(model_->index(0, 0)), false);
+    session_->setVisible(ids, true);
+    refresh();
+  });
+  menu.addSeparator();
+  if (one) {
+    menu.addAction(themedIcon(QStringLiteral("copy")), QStringLiteral("Copy details"), this, [this, one] {
+      Q_EMIT copyWanted(submapDetails(*session_, *one), QStringLiteral("Details copied"));
+    });
+  }
+  menu.addAction(QStringLiteral("Expand all"), tree_, &QTreeView::expandAll);
+  menu.addAction(QStringLiteral("Collapse all"), this, [this] {
+    tree_->collapseAll();
+    tree_->expand(filtered_->index(0, 0));
+  });
+  menu.exec(tree_->viewport()->mapToGlobal(at));
+}
+
+QString InspectorDock::detailsText() const { return details_->text(); }
+
+void InspectorDock::refreshDetails() {
+  const auto id = selected();
+  const QString text = session_ && id ? submapDetails(*session_, *id)
+                                      : QStringLiteral(
+                                            "Select a submap to see where it is and how it stands. "
+                                            "Double click shows it on the map.");
+  if (text != details_->text()) details_->setText(text);
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,147 @@
+#include "window/docks/problems_model.h"
+
+#include <algorithm>
+
+#include <QColor>
+#include <QGuiApplication>
+#include <QLocale>
+
+#include "window/look/icons.h"
+#include "window/look/plain_label.h"
+#include "window/look/ui_colors.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+bool same(const session::LoggedProblem& a, const session::LoggedProblem& b) {
+  return a.problem.subject == b.problem.subject && a.problem.sentence == b.problem.sentence;
+}
+
+QString severityWord(map::Severity severity) {
+  switch (severity) {
+    case map::Severity::Info:
+      return QStringLiteral("information");
+    case map::Severity::Warning:
+      return QStringLiteral("warning");
+    case map::Severity::Error:
+      break;
+  }
+  return QStringLiteral("error");
+}
+
+QVariant severityPicture(const session::LoggedProblem& problem) {
+  const UiColors colors = uiColors(QGuiApplication::palette());
+  const double ratio = qApp->devicePixelRatio();
+  if (problem.resolved) return iconPixmap(QStringLiteral("ok"), 16, ratio, colors.ok_text);
+  switch (problem.problem.severity) {
+    case map::Severity::Info:
+      return iconPixmap(QStringLiteral("info"), 16, ratio, colors.accent_text);
+    case map::Severity::Warning:
+      return iconPixmap(QStringLiteral("problem"), 16, ratio, colors.warning_text);
+    case map::Severity::Error:
+      break;
+  }
+  return iconPixmap(QStringLiteral("error"), 16, ratio, colors.error_text);
+}
+
+}  // namespace
+
+void ProblemsModel::sync(const std::vector<session::LoggedProblem>& fresh) {
+  // The log only grows at its end, drops at its front and now and then moves a row: a greedy walk is enough.
+  std::size_t row = 0;
+  for (; row < fresh.size(); ++row) {
+    if (row < rows_.size() && same(rows_[row], fresh[row])) continue;
+    const auto found = std::find_if(rows_.begin() + std::ptrdiff_t(std::min(row, rows_.size())), rows_.end(),
+                                    [&](const session::LoggedProblem& old) { return same(old, fresh[row]); });
+    if (found != rows_.end()) {
+      beginRemoveRows({}, int(row), int(found - rows_.begin()) - 1);
+      rows_.erase(rows_.begin() + std::ptrdiff_t(row), found);
+      endRemoveRows();
+    } else {
+      beginInsertRows({}, int(row), int(row));
+      rows_.insert(rows_.begin() + std::ptrdiff_t(row), fresh[row]);
+      endInsertRows();
+    }
+  }
+  if (rows_.size() > fresh.size()) {
+    beginRemoveRows({}, int(fresh.size()), int(rows_.size()) - 1);
+    rows_.resize(fresh.size());
+    endRemoveRows();
+  }
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    if (rows_[i].count == fresh[i].count && rows_[i].last == fresh[i].last &&
+        rows_[i].resolved == fresh[i].resolved) {
+      continue;
+    }
+    rows_[i] = fresh[i];
+    Q_EMIT dataChanged(index(int(i), 0), index(int(i), kColumns - 1));
+  }
+}
+
+QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= int(rows_.size())) return {};
+  const session::LoggedProblem& row = rows_[std::size_t(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+      switch (index.column()) {
+        case TimeColumn:
+          return QLocale::c().toString(row.last, QStringLiteral("HH:mm:ss"));
+        case CountColumn:
+          return QStringLiteral("%1×").arg(countText(row.count));
+        case SubjectColumn:
+          return QString::fromStdString(row.problem.subject);
+        case SentenceColumn:
+          return QString::fromStdString(row.problem.sentence).simplified();
+        default:
+          return {};
+      }
+    case Qt::DecorationRole:
+      return index.column() == TimeColumn ? severityPicture(row) : QVariant();
+    case Qt::TextAlignmentRole:
+      return index.column() == CountColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
+                                           : int(Qt::AlignLeft | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+      return row.resolved ? QVariant(uiColors(QGuiApplication::palette()).secondary_text) : QVariant();
+    case Qt::ToolTipRole:
+      return plainToolTip(problemLine(row) +
+                          (row.resolved ? QStringLiteral("\nResolved since.") : QString()));
+    case Qt::AccessibleTextRole:
+      return index.column() == TimeColumn
+                 ? QStringLiteral("%1, %2").arg(severityWord(row.problem.severity), row.last.toString())
+                 : data(index, Qt::DisplayRole);
+    default:
+      return {};
+  }
+}
+
+QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) {
+    return section == CountColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
+                                  : int(Qt::AlignLeft | Qt::AlignVCenter);
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case TimeColumn:
+      return QStringLiteral("Last");
+    case CountColumn:
+      return QStringLiteral("Count");
+    case SubjectColumn:
+      return QStringLiteral("What");
+    case SentenceColumn:
+      return QStringLiteral("What happened");
+    default:
+      return {};
+  }
+}
+
+QString problemLine(const session::LoggedProblem& problem) {
+  return QStringLiteral("%1 %2 %3×  %4: %5")
+      .arg(QLocale::c().toString(problem.last, QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+           severityWord(problem.problem.severity), QString::number(problem.count),
+           QString::fromStdString(problem.problem.subject), QString::fromStdString(problem.problem.sentence));
+}
+
+}  // namespace mapwright::window

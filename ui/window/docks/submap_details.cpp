@@ -1,0 +1,45 @@
+// What the inspector says about the selected submap.
+#include <QStringList>
+
+#include "geometry/pose.h"
+#include "window/docks/inspector_dock.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+QString submapDetails(const session::Session& session, map::SubmapId id) {
+  const submap::SubmapRow* row = session.book().find(id);
+  if (!row)
+    return QStringLiteral("Submap %1 is no longer listed.").arg(QString::fromStdString(map::toText(id)));
+  QString name =
+      QStringLiteral("%1 v%2").arg(QString::fromStdString(map::toText(id))).arg(row->entry.version);
+  if (row->shown_version >= 0 && row->shown_version != row->entry.version) {
+    name += QStringLiteral(" (v%1 on screen)").arg(row->shown_version);
+  }
+  SubmapFacts facts;
+  facts.frozen = row->entry.is_frozen;
+  facts.incremental = row->entry.is_incremental;
+  facts.nearby = row->entry.is_nearby;
+  QStringList lines{QStringLiteral("%1  %2").arg(name, badges(facts).join(QLatin1String(" ")).toLower())};
+  const auto pose = geometry::toIsometry(row->entry.pose);
+  QString where = QStringLiteral("no usable pose");
+  if (pose && row->pose_usable) {
+    const geometry::Pose2 flat = geometry::projectToPlane(*pose);
+    where = QStringLiteral("x %1 y %2 m, %3")
+                .arg(flat.x_m, 0, 'f', 2)
+                .arg(flat.y_m, 0, 'f', 2)
+                .arg(rotationText(flat.yaw_rad));
+  }
+  if (!row->slices.empty()) {
+    where += QStringLiteral(", %1, %2")
+                 .arg(plural(qint64(row->slices.size()), QStringLiteral("slice")),
+                      bytesText(qint64(row->texture_bytes)));
+  }
+  lines << where;
+  const QString reason = session.reason(id);
+  lines << (reason.isEmpty() ? statusWord(session.status(id))
+                             : QStringLiteral("%1: %2").arg(statusWord(session.status(id)), reason));
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,43 @@
+// What the filter field of the inspector understands. Pure.
+#pragma once
+
+#include <vector>
+
+#include <QString>
+
+#include "map/submap.h"
+#include "session/session.h"
+
+namespace mapwright::window {
+
+/// All that a row of the inspector shows of one submap.
+struct SubmapFacts {
+  map::SubmapId id;
+  int version = 0;         // as listed
+  int shown_version = -1;  // on screen, -1 = none
+  bool frozen = false, incremental = false, nearby = false;
+  bool visible = true;  // by the user's choice
+  session::SubmapStatus status = session::SubmapStatus::Queued;
+  bool operator==(const SubmapFacts&) const = default;
+};
+
+/// "FROZEN" or "ACTIVE", then "INC", "NEARBY" where they apply.
+QStringList badges(const SubmapFacts& facts);
+
+/// Words, all of which must fit: "12-3" (trajectory and the beginning of the index), "12-" (a trajectory),
+/// "592" or "#592" (the index, its beginning), "v70" (version), "frozen", "active", "incremental", "nearby",
+/// "hidden", "visible" or a status word; words may be cut short ("fro"). A word that means nothing fits
+/// nothing.
+class SubmapFilter {
+ public:
+  SubmapFilter() = default;
+  explicit SubmapFilter(const QString& text);
+  bool empty() const { return words_.empty(); }
+  bool matches(const SubmapFacts& facts) const;
+  bool operator==(const SubmapFilter&) const = default;
+
+ private:
+  std::vector<QString> words_;
+};
+
+}  // namespace mapwright::window

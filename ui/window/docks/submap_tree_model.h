@@ -1,0 +1,72 @@
+// The submaps as a tree: All -> Trajectory N -> "#592 v70". Follows a session by differences: never a reset
+// while the session stays, so selection and expansion hold still and ten thousand rows cost only what
+// changed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QAbstractItemModel>
+#include <QPointer>
+
+#include "session/session.h"
+#include "window/docks/submap_filter.h"
+
+namespace mapwright::window {
+
+class SubmapTreeModel : public QAbstractItemModel {
+  Q_OBJECT
+ public:
+  enum Column { NameColumn, BadgeColumn, StatusColumn, LocateColumn, kColumns };
+  enum Role {
+    BadgesRole = Qt::UserRole,  // QStringList, leaves only
+    StatusRole,                 // int(session::SubmapStatus), leaves only
+    HiddenRole,                 // bool: hidden by the user
+  };
+
+  explicit SubmapTreeModel(QObject* parent = nullptr);
+
+  /// Not owned; null = none.
+  void setSession(session::Session* session);
+  /// Takes over what changed. Cheap when nothing did. Call on listChanged() and rowsChanged().
+  void sync();
+
+  std::optional<SubmapFacts> facts(const QModelIndex& index) const;
+  std::optional<std::int32_t> trajectory(const QModelIndex& index) const;  // of a trajectory row only
+  QModelIndex indexOf(map::SubmapId id) const;
+  /// Every submap at or below the index.
+  std::vector<map::SubmapId> submapsBelow(const QModelIndex& index) const;
+  std::vector<map::SubmapId> submapsWhere(bool SubmapFacts::*flag) const;
+  /// Checked, unchecked or partly; of no submaps: unchecked.
+  Qt::CheckState visibility(const std::vector<map::SubmapId>& ids) const;
+  Qt::CheckState visibilityWhere(bool SubmapFacts::*flag, int* count = nullptr) const;
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& = {}) const override { return kColumns; }
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+ private:
+  struct Branch {
+    std::int32_t trajectory = 0;
+    std::vector<SubmapFacts> leaves;  // by index
+    int visible = 0, shown = 0;
+  };
+  int branchRow(std::int32_t trajectory) const;  // -1 = none
+  void syncBranches(const std::vector<std::vector<SubmapFacts>>& fresh);
+  void syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh);
+  bool recount(Branch& branch);
+  QVariant groupData(const QString& name, int visible, int shown, int total, int column, int role) const;
+  QVariant leafData(const SubmapFacts& facts, int column, int role) const;
+  QModelIndex allIndex() const { return createIndex(0, 0, quintptr(0)); }
+
+  QPointer<session::Session> session_;
+  std::vector<Branch> branches_;  // by trajectory
+  int total_ = 0, visible_ = 0, shown_ = 0;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,27 @@
+// The icons of the window: one SVG each in resources/icons, coloured by the palette when painted.
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+#include <QPixmap>
+#include <QString>
+
+namespace mapwright::window {
+
+/// An icon from resources/icons/NAME.svg. It follows the application's palette: text colour, greyed when
+/// disabled, accent when checked. Sharp at every size and device pixel ratio.
+QIcon themedIcon(const QString& name);
+
+/// One picture of that icon in a colour of one's own.
+QPixmap iconPixmap(const QString& name, int size_px, double device_pixel_ratio, const QColor& color);
+
+/// The same, painted into `rect`.
+void paintIcon(QPainter* painter, const QRectF& rect, const QString& name, const QColor& color);
+
+/// Names of all icons that exist, for tests.
+QStringList iconNames();
+
+/// Makes the compiled-in resources reachable. Call once before the first icon (MainWindow and applyTheme do).
+void loadResources();
+
+}  // namespace mapwright::window

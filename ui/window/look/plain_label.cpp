@@ -1,0 +1,112 @@
+#include "window/look/plain_label.h"
+
+#include <QEvent>
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include "window/look/icons.h"
+#include "window/look/ui_colors.h"
+
+namespace mapwright::window {
+
+PlainLabel::PlainLabel(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+PlainLabel::PlainLabel(const QString& text, QWidget* parent) : PlainLabel(parent) { setText(text); }
+
+void PlainLabel::setText(const QString& text) {
+  if (text == text_) return;
+  text_ = text;
+  setAccessibleName(text);
+  if (sample_.isEmpty()) updateGeometry();
+  update();
+}
+
+void PlainLabel::setAlignment(Qt::Alignment alignment) {
+  alignment_ = alignment | Qt::AlignVCenter;
+  update();
+}
+
+void PlainLabel::setElideMode(Qt::TextElideMode mode) {
+  elide_ = mode;
+  update();
+}
+
+void PlainLabel::setSample(const QString& sample) {
+  sample_ = sample;
+  updateGeometry();
+}
+
+void PlainLabel::setSecondary(bool secondary) {
+  secondary_ = secondary;
+  update();
+}
+
+void PlainLabel::setIcon(const QString& icon_name, const QColor& color) {
+  if (icon_ == icon_name && icon_color_ == color) return;
+  const bool same_width = icon_.isEmpty() == icon_name.isEmpty();
+  icon_ = icon_name;
+  icon_color_ = color;
+  if (!same_width) updateGeometry();
+  update();
+}
+
+void PlainLabel::setHint(const QString& hint) { hint_ = hint; }
+
+QSize PlainLabel::sizeHint() const {
+  const QFontMetrics metrics = fontMetrics();
+  const int width = metrics.horizontalAdvance(sample_.isEmpty() ? text_ : sample_) + iconWidth() + 2;
+  return {width, qMax(20, metrics.height() + 2)};
+}
+
+QSize PlainLabel::minimumSizeHint() const {
+  return {qMin(sizeHint().width(), fontMetrics().averageCharWidth() * 4 + iconWidth()), sizeHint().height()};
+}
+
+void PlainLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  QRect area = rect();
+  if (!icon_.isEmpty()) {
+    paintIcon(&painter, QRectF(area.left(), area.center().y() - 7.5, 16, 16), icon_, icon_color_);
+    area.setLeft(area.left() + iconWidth());
+  }
+  const UiColors colors = uiColors(palette());
+  painter.setPen(!isEnabled() ? palette().color(QPalette::Disabled, QPalette::WindowText)
+                 : secondary_ ? colors.secondary_text
+                              : colors.text);
+  painter.drawText(area, int(alignment_) | Qt::TextSingleLine,
+                   fontMetrics().elidedText(text_, elide_, area.width()));
+}
+
+bool PlainLabel::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    QString tip = hint_;
+    if (fontMetrics().horizontalAdvance(text_) > width() - iconWidth()) {
+      tip = tip.isEmpty() ? text_ : tip + QLatin1Char('\n') + text_;
+    }
+    auto* help = static_cast<QHelpEvent*>(event);
+    if (tip.isEmpty()) {
+      QToolTip::hideText();
+    } else {
+      QToolTip::showText(help->globalPos(), plainToolTip(tip), this);
+    }
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void PlainLabel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) updateGeometry();
+  QWidget::changeEvent(event);
+}
+
+QString plainToolTip(const QString& text) {
+  if (text.isEmpty()) return {};
+  QString escaped = text.toHtmlEscaped();
+  escaped.replace(QLatin1Char('\n'), QLatin1String("<br>"));
+  return QStringLiteral("<qt>%1</qt>").arg(escaped);
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,50 @@
+// One line of plain text that never changes the layout around it.
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+
+namespace mapwright::window {
+
+/// Shows text as it is (no markup, no mnemonics), elided when there is no room, with the whole text as
+/// tooltip then. Its size comes from a sample, so texts that change ten times a second relayout nothing.
+/// Digits keep their places because numbers are right-aligned where wanted.
+class PlainLabel : public QWidget {
+  Q_OBJECT
+  Q_PROPERTY(QString text READ text WRITE setText)
+ public:
+  explicit PlainLabel(QWidget* parent = nullptr);
+  explicit PlainLabel(const QString& text, QWidget* parent = nullptr);
+
+  QString text() const { return text_; }
+  void setText(const QString& text);
+  void setAlignment(Qt::Alignment alignment);
+  void setElideMode(Qt::TextElideMode mode);
+  /// The preferred width is that of `sample` (empty: of the text).
+  void setSample(const QString& sample);
+  void setSecondary(bool secondary);
+  void setIcon(const QString& icon_name, const QColor& color);  // drawn before the text; empty = none
+  /// Shown before the elided text in the tooltip. Plain.
+  void setHint(const QString& hint);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  int iconWidth() const { return icon_.isEmpty() ? 0 : 20; }
+  QString text_, sample_, icon_, hint_;
+  QColor icon_color_;
+  Qt::Alignment alignment_ = Qt::AlignLeft | Qt::AlignVCenter;
+  Qt::TextElideMode elide_ = Qt::ElideRight;
+  bool secondary_ = false;
+};
+
+/// Plain text made safe for places that guess at rich text (tooltips).
+QString plainToolTip(const QString& text);
+
+}  // namespace mapwright::window

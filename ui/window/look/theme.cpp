@@ -1,0 +1,140 @@
+#include "window/look/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyle>
+#include <QStyleFactory>
+#include <QVariant>
+
+#include "window/look/icons.h"
+#include "window/look/ui_colors.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr const char* kSystemDark = "mapwright_system_dark";
+
+// Fusion draws the rest; this only gives spacing on the 4 px grid, flat tool buttons and one look for docks
+// and cards.
+QString styleSheet(const UiColors& c) {
+  QString css = QStringLiteral(R"(
+QToolTip { color: %text%; background: %tooltip%; border: 1px solid %border%; padding: 4px 6px; }
+QMainWindow::separator { background: %border%; width: 1px; height: 1px; }
+QMainWindow::separator:hover { background: %accent%; }
+QMenuBar { background: %window%; padding: 0 4px; }
+QMenuBar::item { padding: 4px 8px; border-radius: 4px; background: transparent; }
+QMenuBar::item:selected { background: %hover%; }
+QToolBar { background: %window%; border: none; border-bottom: 1px solid %border%; padding: 2px 8px; spacing: 2px; }
+QToolBar::separator { background: %border%; width: 1px; margin: 6px 6px; }
+QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px; background: transparent; }
+QToolButton:hover { background: %hover%; }
+QToolButton:pressed { background: %border%; }
+QToolButton:checked { background: %tint%; border-color: %accent%; }
+QToolButton:focus { border-color: %accent%; }
+QToolButton::menu-indicator { image: none; width: 0; }
+QStatusBar { background: %window%; border-top: 1px solid %border%; }
+QStatusBar::item { border: none; }
+QHeaderView::section { background: %window%; color: %secondary%; border: none; border-bottom: 1px solid %border%;
+  padding: 3px 6px; }
+QTreeView, QTableView, QListView { border: none; outline: 0; }
+QLineEdit, QSpinBox, QDoubleSpinBox { border: 1px solid %border%; border-radius: 4px; padding: 2px 6px; background: %base%;
+  min-height: 18px; selection-background-color: %accent%; }
+QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus { border-color: %accent%; }
+QSplitter::handle { background: %border%; }
+QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
+QScrollBar::handle { background: %handle%; border-radius: 4px; margin: 1px; min-height: 24px; min-width: 24px; }
+QScrollBar::handle:hover { background: %neutral%; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QTabBar::tab { padding: 4px 12px; background: transparent; color: %secondary%; border: none;
+  border-bottom: 2px solid transparent; }
+QTabBar::tab:selected { color: %text%; border-bottom-color: %accent%; }
+QTabBar::tab:hover { color: %text%; }
+#card { background: %window%; border: 1px solid %border%; border-radius: 8px; }
+#furniture { background: %furniture%; border: 1px solid %border%; border-radius: 6px; }
+#toast { background: %window%; border: 1px solid %border%; border-radius: 6px; }
+#primary { background: %accent%; color: white; border: 1px solid %accent%; border-radius: 4px; padding: 5px 14px; }
+#primary:hover { background: #1a60cf; }
+#primary:pressed { background: #1653b5; }
+#primary:focus { border-color: %text%; }
+#primary:disabled { background: %border%; border-color: %border%; color: %secondary%; }
+#secondary { background: transparent; color: %text%; border: 1px solid %border%; border-radius: 4px; padding: 5px 14px; }
+#secondary:hover { background: %hover%; }
+#secondary:focus { border-color: %accent%; }
+#recents::item:selected, #recents::item:hover { background: %hover%; color: %text%; }
+#recents::item:selected { border-left: 3px solid %accent%; }
+#recents { background: %base%; border: 1px solid %border%; border-radius: 4px; }
+)");
+  const auto put = [&css](const char* key, const QColor& color) {
+    css.replace(QLatin1String(key), color.alpha() == 255 ? color.name()
+                                                         : QStringLiteral("rgba(%1,%2,%3,%4)")
+                                                               .arg(color.red())
+                                                               .arg(color.green())
+                                                               .arg(color.blue())
+                                                               .arg(color.alpha()));
+  };
+  QColor tint = c.accent;
+  tint.setAlpha(c.dark ? 70 : 36);
+  QColor furniture = c.window;
+  furniture.setAlpha(225);
+  put("%text%", c.text);
+  put("%tooltip%", c.tooltip);
+  put("%border%", c.border);
+  put("%accent%", c.accent);
+  put("%window%", c.window);
+  put("%hover%", c.hover);
+  put("%tint%", tint);
+  put("%base%", c.base);
+  put("%secondary%", c.secondary_text);
+  put("%neutral%", c.neutral);
+  put("%handle%", c.dark ? QColor(0x4a, 0x54, 0x61) : QColor(0xb9, 0xc1, 0xca));
+  put("%furniture%", furniture);
+  return css;
+}
+
+}  // namespace
+
+QString themeName(ThemeChoice choice) {
+  switch (choice) {
+    case ThemeChoice::Light:
+      return QStringLiteral("light");
+    case ThemeChoice::Dark:
+      return QStringLiteral("dark");
+    case ThemeChoice::System:
+      break;
+  }
+  return QStringLiteral("system");
+}
+
+ThemeChoice themeFromName(const QString& name) {
+  if (name == QLatin1String("light")) return ThemeChoice::Light;
+  if (name == QLatin1String("dark")) return ThemeChoice::Dark;
+  return ThemeChoice::System;
+}
+
+bool systemIsDark(QApplication& app) {
+  QVariant known = app.property(kSystemDark);
+  if (!known.isValid()) {
+    known = app.palette().color(QPalette::Window).lightness() < 128;
+    app.setProperty(kSystemDark, known);
+  }
+  return known.toBool();
+}
+
+bool applyTheme(QApplication& app, ThemeChoice choice) {
+  loadResources();
+  const bool system_dark = systemIsDark(app);
+  const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && system_dark);
+  const UiColors colors = uiColors(dark);
+  // A style sheet wraps the style and takes its name away, so the sheet of before goes first.
+  app.setStyleSheet(QString());
+  if (app.style()->name() != QLatin1String("fusion"))
+    app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  app.setPalette(themePalette(colors));
+  app.setStyleSheet(styleSheet(colors));
+  return dark;
+}
+
+}  // namespace mapwright::window

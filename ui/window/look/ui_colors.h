@@ -1,0 +1,27 @@
+// The colours of the interface around the map (window.md, "Colours"), light and dark.
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+
+namespace mapwright::window {
+
+/// Semantic colours. The plain ones are for shapes (dots, icons, bars); the `_text` ones keep a contrast of
+/// at least 4.5:1 against the window and the base colour of their theme, so words may use them.
+struct UiColors {
+  bool dark = false;
+  QColor accent, ok, warning, error;
+  QColor accent_text, ok_text, warning_text, error_text;
+  QColor window, base, text, secondary_text, border, hover, tooltip;
+  QColor neutral;  // shapes that say nothing special
+};
+
+UiColors uiColors(bool dark);
+/// The colours that belong to a palette made by themePalette() (or any other): told by its lightness.
+UiColors uiColors(const QPalette& palette);
+QPalette themePalette(const UiColors& colors);
+
+/// Contrast ratio of WCAG 2, 1..21.
+double contrastRatio(const QColor& a, const QColor& b);
+
+}  // namespace mapwright::window

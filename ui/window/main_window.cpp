@@ -1,0 +1,244 @@
+#include "window/main_window.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QTreeView>
+
+#include "window/dialogs/connect_dialog.h"
+#include "window/docks/inspector_dock.h"
+#include "window/docks/layers_dock.h"
+#include "window/docks/problems_dock.h"
+#include "window/look/icons.h"
+#include "window/map/empty_state.h"
+#include "window/map/map_furniture.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/measure_tool.h"
+#include "window/map/notice_bar.h"
+#include "window/map/toast_stack.h"
+#include "window/status/connection_chip.h"
+#include "window/status/window_status_bar.h"
+
+namespace mapwright::window {
+
+using robot::ConnectionPhase;
+
+MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
+    : QMainWindow(parent),
+      dependencies_(std::move(dependencies)),
+      recents_(dependencies_.settings),
+      scene_(std::make_unique<scene::MapScene>(dependencies_.renderer)) {
+  loadResources();
+  setWindowTitle(QStringLiteral("mapwright"));
+  setWindowIcon(QIcon(QStringLiteral(":/mapwright.svg")));
+  setObjectName(QStringLiteral("mainWindow"));
+  // The theme goes first: what is made after it takes its sizes from its style.
+  theme_ = themeFromName(dependencies_.settings.value(QStringLiteral("view/theme")).toString());
+  const bool dark = applyTheme(*qApp, theme_);
+  scene_->setTheme(dark ? scene::darkMapTheme() : scene::lightMapTheme());
+
+  view_ = new MapView(scene_.get(), this);
+  pan_ = view_->tool();
+  measure_ = new MeasureTool(scene_.get(), this);
+  setCentralWidget(view_);
+  bar_ = new WindowStatusBar(this);
+  setStatusBar(bar_);
+  createActions();
+  overlay_ = new MapOverlay(
+      view_, new MapFurniture(actions_.find(QStringLiteral("zoomIn")),
+                              actions_.find(QStringLiteral("zoomOut")), actions_.find(QStringLiteral("fit")),
+                              actions_.find(QStringLiteral("northUp")), view_));
+  createDocks();
+  createMenus();
+  createToolBar();
+  actions_.attach(this, view_, inspector_->tree());
+  wireMap();
+  connect(bar_, &WindowStatusBar::problemsWanted, this, [this] {
+    problems_->show();
+    problems_->raise();
+  });
+  connect(overlay_->card(), &EmptyStateCard::connectWanted, this, &MainWindow::openConnectDialog);
+  connect(overlay_->card(), &EmptyStateCard::demoWanted, actions_.find(QStringLiteral("demo")),
+          &QAction::trigger);
+  connect(overlay_->card(), &EmptyStateCard::retryWanted, actions_.find(QStringLiteral("retry")),
+          &QAction::trigger);
+  connect(overlay_->card(), &EmptyStateCard::cancelWanted, this, &MainWindow::leaveRobot);
+  connect(overlay_->notice(), &NoticeBar::offerTaken, this, [this] {
+    if (session_) {
+      session_->retryNow();
+    } else {
+      openConnectDialog();
+    }
+  });
+
+  restoreSettings();
+  refreshState();
+  view_->setFocus();
+  if (!dependencies_.initial_address.isEmpty()) {
+    if (const auto error = connectTo(dependencies_.initial_address, dependencies_.initial_secret)) {
+      overlay_->notice()->setNotice(Mark::Bad,
+                                    QStringLiteral("%1: %2").arg(dependencies_.initial_address, *error),
+                                    QStringLiteral("Connect…"));
+    }
+  }
+}
+
+MainWindow::~MainWindow() {
+  // The scene and the docks hold on to the session, the view to the scene: take apart from the outside in.
+  leaveRobot();
+  delete view_;
+  view_ = nullptr;
+}
+
+std::optional<QString> MainWindow::connectTo(const QString& address, const QByteArray& secret) {
+  auto robot = dependencies_.connect(address, secret);
+  if (!robot) return robot.error();
+  if (!*robot) return QStringLiteral("This address gives no robot.");
+  leaveRobot();
+  session_ = std::make_unique<session::Session>(std::move(*robot), dependencies_.session);
+  address_ = session_->robot().address();
+  secret_ = secret;
+  may_fit_ = true;
+  fitted_poses_ = false;
+  recents_.add(address, QDateTime::currentDateTime());
+  wireSession();
+  session_->open();
+  refreshState();
+  view_->setFocus();
+  return std::nullopt;
+}
+
+void MainWindow::leaveRobot() {
+  if (!session_) return;
+  view_->setFollowing(false);
+  session_->disconnect(this);
+  scene_->setStale(false);
+  scene_->setHighlighted(std::nullopt);
+  inspector_->setSession(nullptr);
+  problems_->setSession(nullptr);
+  bar_->setSession(nullptr);
+  scene_->setSession(nullptr);
+  session_->close();
+  session_.reset();
+  address_.clear();
+  last_uuid_.clear();
+  refreshState();
+}
+
+void MainWindow::wireSession() {
+  session::Session* session = session_.get();
+  connect(session, &session::Session::connectionChanged, this, &MainWindow::refreshState);
+  connect(session, &session::Session::identityChanged, this, [this] {
+    refreshChip();
+    const robot::RobotIdentity identity = session_->robot().identity();
+    const QString name = identity.name.isEmpty() ? identity.serial : identity.name;
+    if (!name.isEmpty()) recents_.setName(session_->robot().address(), name);
+  });
+  connect(session, &session::Session::listChanged, this, [this] {
+    refreshState();
+    fitAtFirst();
+  });
+  connect(session, &session::Session::rowsChanged, this, [this] {
+    refreshState();
+    fitAtFirst();
+  });
+  connect(session, &session::Session::sessionRestarted, this, &MainWindow::noteRestart);
+  connect(session, &session::Session::problemsChanged, this, &MainWindow::noteProblems);
+  scene_->setSession(session);
+  inspector_->setSession(session);
+  problems_->setSession(session);
+  bar_->setSession(session);
+}
+
+void MainWindow::openConnectDialog() {
+  ConnectDialog dialog(
+      recents_,
+      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); }, this);
+  if (!address_.isEmpty() && !address_.startsWith(QLatin1String("demo"))) dialog.setAddress(address_);
+  dialog.exec();
+}
+
+void MainWindow::refreshState() {
+  const bool connected = session_ != nullptr;
+  for (const char* id : {"retry", "disconnect", "follow"}) {
+    actions_.find(QLatin1String(id))->setEnabled(connected);
+  }
+  overlay_->card()->setState(emptyState(session_.get()));
+  scene_->setStale(session_ && session_->staleSince().has_value());
+  refreshChip();
+  refreshNotice();
+}
+
+void MainWindow::refreshChip() {
+  if (!session_) {
+    chip_->setRobot(QStringLiteral("No robot"), Mark::Neutral, {}, QStringLiteral("Connect to a robot"));
+    setWindowTitle(QStringLiteral("mapwright"));
+    return;
+  }
+  const robot::RobotIdentity identity = session_->robot().identity();
+  const robot::ConnectionState connection = session_->connection();
+  const QString address = session_->robot().address();
+  QString name = identity.name.isEmpty() ? identity.serial : identity.name;
+  if (name.trimmed().isEmpty()) name = address;
+  name = name.simplified();
+  QStringList detail{address};
+  if (!identity.model.isEmpty()) detail << QStringLiteral("Model %1").arg(identity.model);
+  if (!identity.serial.isEmpty()) detail << QStringLiteral("Serial number %1").arg(identity.serial);
+  if (!identity.version.isEmpty()) detail << QStringLiteral("Version %1").arg(identity.version);
+  const StateText state = connectionText(connection);
+  detail << state.text;
+  chip_->setRobot(name, state.mark, connectionWord(connection.phase), detail.join(QLatin1Char('\n')));
+  setWindowTitle(QStringLiteral("%1 – mapwright").arg(name.left(80)));
+}
+
+void MainWindow::refreshNotice() {
+  if (!session_) {
+    overlay_->notice()->setNotice(Mark::None, {}, {});
+    return;
+  }
+  const auto since = session_->staleSince();
+  if (!since || session_->counts().shown == 0) {
+    overlay_->notice()->setNotice(Mark::None, {}, {});
+    return;
+  }
+  const bool refused = session_->connection().phase == ConnectionPhase::Refused;
+  QString sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
+  if (refused && !session_->connection().reason.isEmpty())
+    sentence += QLatin1Char(' ') + session_->connection().reason;
+  overlay_->notice()->setNotice(refused ? Mark::Bad : Mark::Warning, sentence, QStringLiteral("Retry now"));
+}
+
+void MainWindow::noteRestart() {
+  const QString uuid = QString::fromStdString(session_->book().uuid());
+  if (uuid == last_uuid_) return;
+  if (!last_uuid_.isEmpty() && !uuid.isEmpty()) {
+    overlay_->toasts()->add(
+        Mark::Warning, QStringLiteral("The robot started a new SLAM session. The map of before is gone."));
+  }
+  last_uuid_ = uuid;
+}
+
+void MainWindow::noteProblems() {
+  // Once, so that nobody overlooks the first; after that the count in the status bar is enough.
+  if (problems_shown_once_ || session_->problems().unresolved() == 0) return;
+  problems_shown_once_ = true;
+  problems_->show();
+}
+
+void MainWindow::setTheme(ThemeChoice choice) {
+  theme_ = choice;
+  const bool dark = applyTheme(*qApp, choice);
+  scene_->setTheme(dark ? scene::darkMapTheme() : scene::lightMapTheme());
+  for (QAction* action : theme_actions_->actions()) {
+    if (action->data().toInt() == int(choice)) action->setChecked(true);
+  }
+  dependencies_.settings.setValue(QStringLiteral("view/theme"), themeName(choice));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  saveSettings();
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace mapwright::window

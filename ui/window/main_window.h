@@ -1,0 +1,154 @@
+// The window: the map in the middle, docks around it, one robot at a time.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <QByteArray>
+#include <QImage>
+#include <QMainWindow>
+#include <QPointer>
+#include <QSettings>
+#include <QString>
+#include <QTimer>
+#include <tl/expected.hpp>
+
+#include "robot/robot.h"
+#include "scene/map_scene.h"
+#include "session/session.h"
+#include "window/actions.h"
+#include "window/dialogs/recent_robots.h"
+#include "window/look/theme.h"
+
+class QActionGroup;
+class QDockWidget;
+
+namespace mapwright::window {
+
+class ConnectionChip;
+class InspectorDock;
+class LayersDock;
+class MapOverlay;
+class MapView;
+class MeasureTool;
+class ProblemsDock;
+class WindowStatusBar;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// What the window needs from the composition root.
+  struct Dependencies {
+    /// Makes a robot, not yet connected, from an address (also "demo:"). The error is a sentence.
+    std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(const QString& address,
+                                                                       const QByteArray& secret)>
+        connect;
+    QSettings& settings;           // must outlive the window
+    QString initial_address = {};  // connected to at once; empty = none
+    QByteArray initial_secret = {};
+    session::Session::Options session = {};
+    render::TileRenderer::Options renderer = {};
+  };
+
+  explicit MainWindow(Dependencies dependencies, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Leaves the present robot and goes to another; the error is a sentence, then everything stays as it was.
+  std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
+  void leaveRobot();
+
+  session::Session* session() const { return session_.get(); }
+  scene::MapScene* mapScene() const { return scene_.get(); }
+  MapView* view() const { return view_; }
+  const Actions& actionList() const { return actions_; }
+  InspectorDock* inspector() const { return inspector_; }
+  LayersDock* layers() const { return layers_; }
+  ProblemsDock* problems() const { return problems_; }
+  WindowStatusBar* bar() const { return bar_; }
+  MapOverlay* overlay() const { return overlay_; }
+  ConnectionChip* chip() const { return chip_; }
+  MeasureTool* measureTool() const { return measure_; }
+
+  ThemeChoice theme() const { return theme_; }
+  void setTheme(ThemeChoice choice);
+  void setColorMode(render::ColorMode mode);
+
+  /// The map as on screen, without buttons and notices.
+  QImage mapPicture() const;
+  /// The error is a sentence.
+  std::optional<QString> saveMapPicture(const QString& path);
+  void resetLayout();
+
+  QMenu* createPopupMenu() override;
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  // main_window_actions.cpp
+  void createActions();
+  void createRobotActions();
+  void createMapActions();
+  void createViewActions();
+  void createHelpActions();
+  void createMenus();
+  void createToolBar();
+  void fillRobotMenu(QMenu* menu);
+  // main_window_layout.cpp
+  void createDocks();
+  void arrangeDocks();
+  void restoreSettings();
+  void saveSettings();
+  void syncLayerActions();
+  // main_window_map.cpp
+  void wireMap();
+  void showMapMenu(const QPoint& global_pos, const QPointF& viewport_px);
+  void goTo();
+  void fit();
+  void locate(map::SubmapId id);
+  void setMeasuring(bool on);
+  void copyText(const QString& text, const QString& what);
+  void copyCoordinates(const Eigen::Vector2d& world_m);
+  void askAndSavePicture();
+  void showCursor();
+  void fitAtFirst();
+  // main_window.cpp
+  void wireSession();
+  void openConnectDialog();
+  void refreshState();
+  void refreshChip();
+  void refreshNotice();
+  void noteRestart();
+  void noteProblems();
+
+  Dependencies dependencies_;
+  RecentRobots recents_;
+  Actions actions_;
+  std::unique_ptr<scene::MapScene> scene_;
+  std::unique_ptr<session::Session> session_;
+  QString address_;
+  QByteArray secret_;
+
+  MapView* view_ = nullptr;
+  MeasureTool* measure_ = nullptr;
+  class MapTool* pan_ = nullptr;
+  MapOverlay* overlay_ = nullptr;
+  WindowStatusBar* bar_ = nullptr;
+  ConnectionChip* chip_ = nullptr;
+  InspectorDock* inspector_ = nullptr;
+  LayersDock* layers_ = nullptr;
+  ProblemsDock* problems_ = nullptr;
+  QActionGroup* theme_actions_ = nullptr;
+  QActionGroup* color_actions_ = nullptr;
+
+  ThemeChoice theme_ = ThemeChoice::System;
+  QTimer cursor_timer_;
+  QString last_uuid_;
+  bool problems_shown_once_ = false;
+  /// The camera is still ours: the first pictures may be fitted.
+  bool may_fit_ = true;
+  bool fitted_poses_ = false;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,197 @@
+#include "window/map/empty_state.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include "window/look/icons.h"
+#include "window/look/ui_colors.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+using robot::ConnectionPhase;
+
+std::optional<EmptyState> emptyState(const session::Session* session) {
+  if (!session) return emptyState({}, {}, nullptr);
+  const session::SubmapCounts counts = session->counts();
+  return emptyState(session->robot().address(), session->connection(), &counts);
+}
+
+std::optional<EmptyState> emptyState(const QString& address, const robot::ConnectionState& connection,
+                                     const session::SubmapCounts* counts) {
+  EmptyState state;
+  if (!counts) {
+    state.kind = EmptyState::Kind::NoRobot;
+    state.icon = QStringLiteral("robot");
+    state.title = QStringLiteral("No robot connected");
+    state.text = QStringLiteral("Connect to a robot by its address, or look around with the simulated one.");
+    state.offers_connect = state.offers_demo = true;
+    return state;
+  }
+  // Whatever was received stays on the map; the notice above it tells of a lost link.
+  if (counts->shown > 0) return std::nullopt;
+  switch (connection.phase) {
+    case ConnectionPhase::Offline:
+      state.kind = EmptyState::Kind::Failed;
+      state.icon = QStringLiteral("disconnect");
+      state.title = QStringLiteral("Not connected");
+      state.text = address;
+      state.offers_retry = state.offers_connect = true;
+      return state;
+    case ConnectionPhase::Connecting:
+      state.kind = EmptyState::Kind::Connecting;
+      state.icon = QStringLiteral("connect");
+      state.title = QStringLiteral("Connecting…");
+      state.text = address;
+      state.busy = state.offers_cancel = true;
+      return state;
+    case ConnectionPhase::Interrupted:
+    case ConnectionPhase::Refused: {
+      state.kind = EmptyState::Kind::Failed;
+      state.icon = QStringLiteral("error");
+      state.title = connection.phase == ConnectionPhase::Refused ? QStringLiteral("The robot refused")
+                                                                 : QStringLiteral("Cannot reach the robot");
+      state.text =
+          connection.reason.isEmpty() ? address : QStringLiteral("%1\n%2").arg(address, connection.reason);
+      state.offers_retry = state.offers_connect = true;
+      return state;
+    }
+    case ConnectionPhase::Online:
+      break;
+  }
+  if (!counts->list_received) {
+    state.kind = EmptyState::Kind::WaitingForList;
+    state.icon = QStringLiteral("submaps");
+    state.title = QStringLiteral("Waiting for the list of submaps");
+    state.text = QStringLiteral("Connected to %1. It has not sent its list yet.").arg(address);
+    state.busy = true;
+    return state;
+  }
+  if (counts->listed == 0) {
+    state.kind = EmptyState::Kind::NoSubmaps;
+    state.icon = QStringLiteral("submaps");
+    state.title = QStringLiteral("This robot lists no submaps");
+    state.text = QStringLiteral(
+        "They appear here as soon as it maps or positions itself. Start mapping or load a map on the robot.");
+    return state;
+  }
+  if (counts->pending > 0) {
+    state.kind = EmptyState::Kind::Loading;
+    state.icon = QStringLiteral("fetching");
+    state.title = QStringLiteral("Loading %1").arg(plural(counts->listed, QStringLiteral("submap")));
+    state.text = trafficText(*counts);
+    state.busy = true;
+    return state;
+  }
+  state.kind = EmptyState::Kind::NothingDrawable;
+  state.icon = QStringLiteral("error");
+  state.title = QStringLiteral("None of the submaps can be drawn");
+  state.text = loadingText(*counts) + QStringLiteral(". See Problems for the reasons.");
+  state.offers_retry = true;
+  return state;
+}
+
+EmptyStateCard::EmptyStateCard(QWidget* parent)
+    : QFrame(parent),
+      icon_(new QLabel(this)),
+      title_(new QLabel(this)),
+      text_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      connect_(new QPushButton(QStringLiteral("Connect…"), this)),
+      demo_(new QPushButton(QStringLiteral("Try the demo robot"), this)),
+      retry_(new QPushButton(QStringLiteral("Retry"), this)),
+      cancel_(new QPushButton(QStringLiteral("Cancel"), this)) {
+  setObjectName(QStringLiteral("card"));
+  for (QLabel* label : {title_, text_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setAlignment(Qt::AlignCenter);
+    label->setWordWrap(true);
+  }
+  title_->setObjectName(QStringLiteral("title"));
+  text_->setObjectName(QStringLiteral("text"));
+  QFont heading = title_->font();
+  heading.setPointSizeF(heading.pointSizeF() * 1.3);
+  heading.setWeight(QFont::DemiBold);
+  title_->setFont(heading);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  icon_->setAlignment(Qt::AlignCenter);
+  progress_->setRange(0, 0);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(4);
+  connect_->setObjectName(QStringLiteral("primary"));
+  demo_->setObjectName(QStringLiteral("secondary"));
+  retry_->setObjectName(QStringLiteral("primary"));
+  cancel_->setObjectName(QStringLiteral("secondary"));
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  for (QPushButton* button : {retry_, connect_, demo_, cancel_}) buttons->addWidget(button);
+  buttons->addStretch();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(32, 24, 32, 24);
+  column->setSpacing(8);
+  column->addWidget(icon_);
+  column->addWidget(title_);
+  column->addWidget(text_);
+  column->addSpacing(4);
+  column->addWidget(progress_);
+  column->addSpacing(4);
+  column->addLayout(buttons);
+  setFixedWidth(420);
+
+  connect(connect_, &QPushButton::clicked, this, &EmptyStateCard::connectWanted);
+  connect(demo_, &QPushButton::clicked, this, &EmptyStateCard::demoWanted);
+  connect(retry_, &QPushButton::clicked, this, &EmptyStateCard::retryWanted);
+  connect(cancel_, &QPushButton::clicked, this, &EmptyStateCard::cancelWanted);
+  hide();
+}
+
+void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
+  if (!state) {
+    kind_.reset();
+    hide();
+    return;
+  }
+  kind_ = state->kind;
+  title_->setText(state->title);
+  text_->setText(state->text);
+  text_->setVisible(!state->text.isEmpty());
+  progress_->setVisible(state->busy);
+  connect_->setVisible(state->offers_connect);
+  connect_->setText(state->offers_retry ? QStringLiteral("Other robot…") : QStringLiteral("Connect…"));
+  const QString role = state->offers_retry ? QStringLiteral("secondary") : QStringLiteral("primary");
+  if (connect_->objectName() != role) {
+    connect_->setObjectName(role);
+    connect_->style()->unpolish(connect_);
+    connect_->style()->polish(connect_);
+  }
+  demo_->setVisible(state->offers_demo);
+  retry_->setVisible(state->offers_retry);
+  cancel_->setVisible(state->offers_cancel);
+  if (icon_name_ != state->icon) {
+    icon_name_ = state->icon;
+    paintIcon();
+  }
+  setVisible(true);
+  adjustSize();
+}
+
+void EmptyStateCard::paintIcon() {
+  const UiColors colors = uiColors(palette());
+  const bool bad = icon_name_ == QLatin1String("error");
+  icon_->setPixmap(
+      iconPixmap(icon_name_, 40, devicePixelRatioF(), bad ? colors.error_text : colors.secondary_text));
+}
+
+void EmptyStateCard::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && !icon_name_.isEmpty()) paintIcon();
+  QFrame::changeEvent(event);
+}
+
+}  // namespace mapwright::window

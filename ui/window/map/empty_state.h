@@ -1,0 +1,63 @@
+// What stands in the middle of the map while there is no map to see: what is going on and what to do.
+#pragma once
+
+#include <optional>
+
+#include <QFrame>
+
+#include "robot/robot.h"
+#include "session/session.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace mapwright::window {
+
+/// What the card says. `title` and `text` may hold names from a robot: plain text.
+struct EmptyState {
+  enum class Kind { NoRobot, Connecting, WaitingForList, NoSubmaps, Loading, NothingDrawable, Failed };
+  Kind kind = Kind::NoRobot;
+  QString icon, title, text;
+  bool busy = false;
+  bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
+};
+
+/// nullopt while there is something on the map. `session` may be null.
+std::optional<EmptyState> emptyState(const session::Session* session);
+/// The same from its parts; `counts` null = no robot.
+std::optional<EmptyState> emptyState(const QString& address, const robot::ConnectionState& connection,
+                                     const session::SubmapCounts* counts);
+
+class EmptyStateCard : public QFrame {
+  Q_OBJECT
+ public:
+  explicit EmptyStateCard(QWidget* parent = nullptr);
+  /// Shows a state, or hides the card.
+  void setState(const std::optional<EmptyState>& state);
+  std::optional<EmptyState::Kind> kind() const { return kind_; }
+
+ Q_SIGNALS:
+  void connectWanted();
+  void demoWanted();
+  void retryWanted();
+  void cancelWanted();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void paintIcon();
+  QLabel* icon_;
+  QLabel* title_;
+  QLabel* text_;
+  QProgressBar* progress_;
+  QPushButton* connect_;
+  QPushButton* demo_;
+  QPushButton* retry_;
+  QPushButton* cancel_;
+  QString icon_name_;
+  std::optional<EmptyState::Kind> kind_;
+};
+
+}  // namespace mapwright::window

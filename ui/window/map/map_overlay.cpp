@@ -1,0 +1,95 @@
+#include "window/map/map_overlay.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QHBoxLayout>
+
+#include "window/look/plain_label.h"
+#include "window/map/empty_state.h"
+#include "window/map/map_furniture.h"
+#include "window/map/map_view.h"
+#include "window/map/notice_bar.h"
+#include "window/map/toast_stack.h"
+
+namespace mapwright::window {
+
+namespace {
+constexpr int kMargin = 12;
+}
+
+MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
+    : QObject(view),
+      view_(view),
+      furniture_(furniture),
+      card_(new EmptyStateCard(view)),
+      notice_(new NoticeBar(view)),
+      toasts_(new ToastStack(view)),
+      hint_frame_(new QFrame(view)),
+      hint_(new PlainLabel(hint_frame_)) {
+  furniture_->setParent(view);
+  hint_frame_->setObjectName(QStringLiteral("furniture"));
+  auto* row = new QHBoxLayout(hint_frame_);
+  row->setContentsMargins(12, 4, 12, 4);
+  row->addWidget(hint_);
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_frame_->hide();
+  // The map goes on working under the hint.
+  hint_frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(view_), static_cast<QWidget*>(card_), static_cast<QWidget*>(notice_)}) {
+    widget->installEventFilter(this);
+  }
+  connect(toasts_, &ToastStack::changed, this, &MapOverlay::place);
+  place();
+}
+
+void MapOverlay::setHint(const QString& text) {
+  hint_->setText(text);
+  hint_frame_->setVisible(!text.isEmpty());
+  place();
+}
+
+QString MapOverlay::hint() const { return hint_->text(); }
+
+void MapOverlay::setFurnitureVisible(bool visible) {
+  furniture_visible_ = visible;
+  furniture_->setVisible(visible);
+}
+
+bool MapOverlay::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::Show || event->type() == QEvent::Hide ||
+      event->type() == QEvent::LayoutRequest) {
+    place();
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void MapOverlay::place() {
+  const QSize area = view_->size();
+  int top = 0;
+  if (!notice_->isHidden()) {
+    notice_->setGeometry(0, 0, area.width(), notice_->sizeHint().height());
+    top = notice_->height();
+  }
+  const QSize furniture = furniture_->sizeHint();
+  furniture_->setGeometry(area.width() - furniture.width() - kMargin, top + kMargin, furniture.width(),
+                          furniture.height());
+  if (!card_->isHidden()) {
+    const int width = std::min(card_->maximumWidth(), std::max(280, area.width() - 2 * kMargin));
+    const int height = card_->hasHeightForWidth() ? card_->heightForWidth(width) : card_->sizeHint().height();
+    card_->setGeometry((area.width() - width) / 2,
+                       std::max(top + kMargin, top + (area.height() - top - height) / 2 - 16), width, height);
+  }
+  if (!hint_frame_->isHidden()) {
+    const int room = area.width() - 2 * (furniture.width() + 2 * kMargin);
+    const int width = std::clamp(hint_frame_->sizeHint().width() + 4, 0, std::max(0, room));
+    hint_frame_->setGeometry((area.width() - width) / 2, top + kMargin, width,
+                             hint_frame_->sizeHint().height());
+  }
+  const QSize toasts = toasts_->sizeHint();
+  toasts_->setGeometry(area.width() - toasts.width() - kMargin, area.height() - toasts.height() - kMargin,
+                       toasts.width(), toasts.height());
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,48 @@
+// Places what floats over the map: furniture, card, notice, hint of the tool, toasts.
+#pragma once
+
+#include <QFrame>
+#include <QObject>
+
+namespace mapwright::window {
+
+class EmptyStateCard;
+class MapFurniture;
+class MapView;
+class NoticeBar;
+class PlainLabel;
+class ToastStack;
+
+class MapOverlay : public QObject {
+  Q_OBJECT
+ public:
+  /// All become children of the view.
+  MapOverlay(MapView* view, MapFurniture* furniture);
+
+  EmptyStateCard* card() const { return card_; }
+  NoticeBar* notice() const { return notice_; }
+  ToastStack* toasts() const { return toasts_; }
+  MapFurniture* furniture() const { return furniture_; }
+
+  void setHint(const QString& text);  // of the tool; empty hides it
+  QString hint() const;
+  void setFurnitureVisible(bool visible);
+  bool furnitureVisible() const { return furniture_visible_; }
+  /// Puts everything in its place.
+  void place();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  MapView* view_;
+  MapFurniture* furniture_;
+  EmptyStateCard* card_;
+  NoticeBar* notice_;
+  ToastStack* toasts_;
+  QFrame* hint_frame_;
+  PlainLabel* hint_;
+  bool furniture_visible_ = true;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,104 @@
+// The map on screen: turns what hands do into movements of the camera. The picture itself is
+// scene::MapScene's.
+#pragma once
+
+#include <optional>
+
+#include <QElapsedTimer>
+#include <QGraphicsView>
+#include <QTimer>
+
+#include "scene/map_scene.h"
+#include "window/map/camera_motion.h"
+#include "window/map/map_tool.h"
+
+class QGestureEvent;
+class QNativeGestureEvent;
+
+namespace mapwright::window {
+
+class MapView : public QGraphicsView {
+  Q_OBJECT
+ public:
+  /// The scene must outlive the view.
+  explicit MapView(scene::MapScene* scene, QWidget* parent = nullptr);
+
+  scene::MapScene* mapScene() const { return scene_; }
+  /// Where the camera is, or is going while it moves.
+  geometry::ViewTransform destination() const { return motion_ ? motion_->to : scene_->view(); }
+  bool moving() const { return motion_.has_value(); }
+
+  /// 0 = jump. The default is 120 ms, or 0 where the desktop asks for reduced motion.
+  void setAnimationMs(int ms) { animation_ms_ = ms; }
+
+  /// Goes there, from wherever a movement under way has got to.
+  void moveTo(const geometry::ViewTransform& view, bool animated, std::optional<QPointF> anchor = {});
+  void stopMoving();
+  void zoomSteps(double steps, std::optional<QPointF> anchor = {});  // default anchor: the middle
+  void setScale(double scale_m_per_px);
+  void rotateBy(double rad, std::optional<QPointF> anchor = {});
+  void setRotation(double rad);
+  void lookAt(const Eigen::Vector2d& world_m, bool animated = true);
+  /// Shows a rectangle as a whole; small ones are not magnified beyond `closest_m_per_px`.
+  void fit(const geometry::WorldRect& world, bool animated, double closest_m_per_px = 0.005);
+
+  /// While following, the robot's pose is kept in the middle; panning by hand ends it.
+  void setFollowing(bool following);
+  bool following() const { return following_; }
+
+  void setTool(MapTool* tool);  // not owned; must not be null
+  MapTool* tool() const { return tool_; }
+
+  /// World point under the cursor, while it is over the map.
+  std::optional<Eigen::Vector2d> cursorWorld() const;
+  Eigen::Vector2d worldAt(const QPointF& viewport_px) const;
+
+ Q_SIGNALS:
+  void cursorMoved();  // or left
+  void movedByHand();  // the user took the camera
+  void followingChanged(bool following);
+  void escaped();  // Esc that no tool took
+  void menuRequested(const QPoint& global_pos, const QPointF& viewport_px);
+
+ protected:
+  bool event(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void setView(const geometry::ViewTransform& view);
+  void step();
+  void panBy(const QPointF& pixels);
+  void zoomFactorAt(const QPointF& anchor, double factor);
+  void takeByHand(bool keeps_following = false);
+  void updateCursor();
+  void centreOnRobot();
+  bool nativeGesture(QNativeGestureEvent* event);
+  bool gesture(QGestureEvent* event);
+  QPointF middle() const { return {viewport()->width() / 2.0, viewport()->height() / 2.0}; }
+
+  scene::MapScene* scene_;
+  PanTool pan_tool_;
+  MapTool* tool_ = &pan_tool_;
+  std::optional<CameraMotion> motion_;
+  QElapsedTimer motion_clock_;
+  QTimer motion_timer_;
+  int animation_ms_;
+  bool following_ = false;
+  bool space_held_ = false;
+  std::optional<QPointF> press_;  // where the button went down
+  QPointF drag_last_;
+  bool dragging_ = false;
+  std::optional<QPointF> cursor_px_;
+};
+
+}  // namespace mapwright::window

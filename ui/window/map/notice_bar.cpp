@@ -1,0 +1,57 @@
+#include "window/map/notice_bar.h"
+
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+
+#include "window/look/plain_label.h"
+#include "window/status/state_mark.h"
+
+namespace mapwright::window {
+
+NoticeBar::NoticeBar(QWidget* parent)
+    : QFrame(parent), label_(new PlainLabel(this)), button_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("notice"));
+  button_->setObjectName(QStringLiteral("secondary"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(36, 6, 8, 6);
+  row->setSpacing(12);
+  row->addWidget(label_, 1);
+  row->addWidget(button_);
+  connect(button_, &QPushButton::clicked, this, &NoticeBar::offerTaken);
+  hide();
+}
+
+void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer) {
+  mark_ = mark;
+  label_->setText(sentence);
+  button_->setText(offer);
+  button_->setVisible(!offer.isEmpty());
+  setVisible(!sentence.isEmpty());
+  update();
+}
+
+QString NoticeBar::sentence() const { return label_->text(); }
+
+void NoticeBar::paintEvent(QPaintEvent*) {
+  const UiColors colors = uiColors(palette());
+  QPainter painter(this);
+  painter.fillRect(rect(), colors.window);
+  QColor tint = markColor(mark_, colors);
+  painter.fillRect(QRect(0, 0, 4, height()), tint);
+  tint.setAlpha(28);
+  painter.fillRect(rect(), tint);
+  painter.setPen(colors.border);
+  painter.drawLine(0, height() - 1, width(), height() - 1);
+  paintMark(&painter, QRectF(14, height() / 2.0 - 7, 14, 14), mark_, colors);
+}
+
+QString lostConnectionSentence(const QDateTime& since, const QDateTime& now) {
+  const QString format =
+      since.date() == now.date() ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm:ss");
+  return QStringLiteral("No connection since %1. Showing what was received.")
+      .arg(QLocale::c().toString(since, format));
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,39 @@
+// A strip above the map for what lasts until it is over or decided: a lost connection.
+#pragma once
+
+#include <QFrame>
+#include <QString>
+
+#include "window/status/status_text.h"
+
+class QToolButton;
+class QPushButton;
+
+namespace mapwright::window {
+
+class PlainLabel;
+
+class NoticeBar : public QFrame {
+  Q_OBJECT
+ public:
+  explicit NoticeBar(QWidget* parent = nullptr);
+  /// Shows the sentence (plain text) with an offer; an empty sentence hides the bar.
+  void setNotice(Mark mark, const QString& sentence, const QString& offer);
+  QString sentence() const;
+
+ Q_SIGNALS:
+  void offerTaken();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Mark mark_ = Mark::None;
+  PlainLabel* label_;
+  QPushButton* button_;
+};
+
+/// "No connection since 14:03:12. Showing what was received."
+QString lostConnectionSentence(const QDateTime& since, const QDateTime& now);
+
+}  // namespace mapwright::window

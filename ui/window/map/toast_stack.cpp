@@ -1,0 +1,96 @@
+#include "window/map/toast_stack.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "window/look/icons.h"
+#include "window/status/state_mark.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kAtMost = 4;
+
+class MarkBox : public QWidget {
+ public:
+  MarkBox(Mark mark, QWidget* parent) : QWidget(parent), mark_(mark) { setFixedSize(14, 14); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    paintMark(&painter, QRectF(rect()), mark_, uiColors(palette()));
+  }
+
+ private:
+  Mark mark_;
+};
+
+}  // namespace
+
+ToastStack::ToastStack(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(8);
+  hide();
+}
+
+void ToastStack::add(Mark mark, const QString& text) {
+  while (column_->count() >= kAtMost) {
+    QLayoutItem* oldest = column_->takeAt(0);
+    oldest->widget()->hide();
+    oldest->widget()->deleteLater();
+    delete oldest;
+  }
+  auto* toast = new QFrame(this);
+  toast->setObjectName(QStringLiteral("toast"));
+  auto* label = new QLabel(toast);
+  label->setObjectName(QStringLiteral("toastText"));
+  label->setTextFormat(Qt::PlainText);
+  label->setText(text);
+  label->setWordWrap(text.size() > 60);
+  label->setMaximumWidth(380);
+  if (label->wordWrap()) label->setMinimumWidth(320);
+  auto* close = new QToolButton(toast);
+  close->setIcon(themedIcon(QStringLiteral("close")));
+  close->setIconSize({14, 14});
+  close->setToolTip(QStringLiteral("Dismiss"));
+  close->setFocusPolicy(Qt::NoFocus);
+  auto* row = new QHBoxLayout(toast);
+  row->setContentsMargins(12, 6, 6, 6);
+  row->setSpacing(10);
+  row->addWidget(new MarkBox(mark, toast), 0, Qt::AlignVCenter);
+  row->addWidget(label, 1);
+  row->addWidget(close);
+  column_->addWidget(toast, 0, Qt::AlignRight);
+  const auto dismiss = [this, toast] {
+    if (column_->indexOf(toast) < 0) return;
+    column_->removeWidget(toast);
+    toast->hide();
+    toast->deleteLater();
+    setVisible(column_->count() > 0);
+    adjustSize();
+    Q_EMIT changed();
+  };
+  connect(close, &QToolButton::clicked, toast, dismiss);
+  const bool lasting = mark == Mark::Warning || mark == Mark::Bad;
+  QTimer::singleShot(lasting ? lifetime_ms_ * 3 : lifetime_ms_, toast, dismiss);
+  show();
+  adjustSize();
+  Q_EMIT changed();
+}
+
+QStringList ToastStack::texts() const {
+  QStringList texts;
+  for (int i = 0; i < column_->count(); ++i) {
+    if (const auto* label = column_->itemAt(i)->widget()->findChild<QLabel*>(QStringLiteral("toastText"))) {
+      texts << label->text();
+    }
+  }
+  return texts;
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,32 @@
+// Short messages about what succeeded (or did not), in the corner of the map; they go by themselves.
+#pragma once
+
+#include <QFrame>
+#include <QString>
+#include <QWidget>
+
+#include "window/status/status_text.h"
+
+class QVBoxLayout;
+
+namespace mapwright::window {
+
+class ToastStack : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ToastStack(QWidget* parent = nullptr);
+  /// Plain text. Good ones go after `lifetime_ms`, warnings and errors after three times that, or by a click.
+  void add(Mark mark, const QString& text);
+  void setLifetimeMs(int ms) { lifetime_ms_ = ms; }
+  /// What is shown at present, oldest first.
+  QStringList texts() const;
+
+ Q_SIGNALS:
+  void changed();  // place me anew
+
+ private:
+  QVBoxLayout* column_;
+  int lifetime_ms_ = 4'000;
+};
+
+}  // namespace mapwright::window

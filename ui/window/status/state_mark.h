@@ -1,0 +1,21 @@
+// The little shape in front of a state: a disc, a ring, a triangle, a cross; one shape and one colour for
+// each.
+#pragma once
+
+#include <QColor>
+#include <QRectF>
+
+#include "window/look/ui_colors.h"
+#include "window/status/status_text.h"
+
+class QPainter;
+
+namespace mapwright::window {
+
+QColor markColor(Mark mark, const UiColors& colors);
+/// The same for words: readable on the window's and the lists' ground.
+QColor markTextColor(Mark mark, const UiColors& colors);
+/// Good: filled disc. Busy: half disc. Neutral: ring. Warning: triangle. Bad: cross in an octagon.
+void paintMark(QPainter* painter, const QRectF& rect, Mark mark, const UiColors& colors);
+
+}  // namespace mapwright::window

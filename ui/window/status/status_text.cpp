@@ -1,0 +1,229 @@
+#include "window/status/status_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QLocale>
+#include <QStringList>
+
+#include "geometry/pose.h"
+
+namespace mapwright::window {
+
+namespace {
+
+using robot::ConnectionPhase;
+using session::SubmapStatus;
+
+QString number(double value, int decimals) {
+  // No "-0.00".
+  const double unit = std::pow(10.0, -decimals);
+  if (std::abs(value) < unit / 2) value = 0;
+  return QString::number(value, 'f', decimals);
+}
+
+}  // namespace
+
+QString connectionWord(ConnectionPhase phase) {
+  switch (phase) {
+    case ConnectionPhase::Offline:
+      return QStringLiteral("offline");
+    case ConnectionPhase::Connecting:
+      return QStringLiteral("connecting");
+    case ConnectionPhase::Online:
+      return QStringLiteral("connected");
+    case ConnectionPhase::Interrupted:
+      return QStringLiteral("reconnecting");
+    case ConnectionPhase::Refused:
+      return QStringLiteral("refused");
+  }
+  return {};
+}
+
+StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms) {
+  const QString because = state.reason.isEmpty() ? QString() : QStringLiteral(": ") + state.reason;
+  switch (state.phase) {
+    case ConnectionPhase::Offline:
+      return {Mark::Neutral, QStringLiteral("offline")};
+    case ConnectionPhase::Connecting:
+      return {Mark::Busy, QStringLiteral("connecting…")};
+    case ConnectionPhase::Online:
+      return {Mark::Good, state.round_trip_ms ? QStringLiteral("connected %1 ms").arg(*state.round_trip_ms)
+                                              : QStringLiteral("connected")};
+    case ConnectionPhase::Interrupted: {
+      const QString attempt =
+          state.attempt > 0 ? QStringLiteral(" (attempt %1)").arg(state.attempt) : QString();
+      if (!state.retry_in_ms)
+        return {Mark::Warning, QStringLiteral("reconnecting%1%2").arg(attempt, because)};
+      const qint64 left = std::max<qint64>(0, *state.retry_in_ms - waited_ms);
+      if (left == 0) return {Mark::Warning, QStringLiteral("reconnecting now%1%2").arg(attempt, because)};
+      return {Mark::Warning,
+              QStringLiteral("reconnecting in %1 s%2%3").arg((left + 999) / 1000).arg(attempt, because)};
+    }
+    case ConnectionPhase::Refused:
+      return {Mark::Bad, QStringLiteral("refused%1").arg(because)};
+  }
+  return {};
+}
+
+QString loadingText(const session::SubmapCounts& counts) {
+  if (!counts.list_received) return {};
+  if (counts.listed == 0) return QStringLiteral("no submaps");
+  QStringList parts;
+  parts << QStringLiteral("%1 of %2 submaps").arg(countText(counts.shown), countText(counts.listed));
+  const auto add = [&parts](int count, const QString& word) {
+    if (count > 0) parts << QStringLiteral("%1 %2").arg(countText(count), word);
+  };
+  add(counts.missing, QStringLiteral("missing"));
+  add(counts.failed, QStringLiteral("failed"));
+  add(counts.corrupt, QStringLiteral("corrupt"));
+  add(counts.without_slice, QStringLiteral("without this slice"));
+  return parts.join(QStringLiteral(", "));
+}
+
+QString trafficText(const session::SubmapCounts& counts) {
+  QStringList parts;
+  if (counts.fetching > 0) parts << QStringLiteral("%1 in flight").arg(countText(counts.fetching));
+  if (counts.queued > 0) parts << QStringLiteral("%1 queued").arg(countText(counts.queued));
+  return parts.join(QStringLiteral(", "));
+}
+
+QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px) {
+  if (!world_m.allFinite() || !(scale_m_per_px > 0)) return QStringLiteral("x ? y ? m");
+  // The last digit is never finer than about a pixel: 2 cm and 5 cm a pixel give centimetres, 2 mm gives
+  // millimetres.
+  const int decimals = std::clamp(int(std::ceil(-std::log10(scale_m_per_px) - 1e-9)), 0, 3);
+  return QStringLiteral("x %1 y %2 m").arg(number(world_m.x(), decimals), number(world_m.y(), decimals));
+}
+
+QString coordinatesForClipboard(const Eigen::Vector2d& world_m) {
+  return QStringLiteral("%1, %2").arg(number(world_m.x(), 3), number(world_m.y(), 3));
+}
+
+QString occupancyText(std::optional<int> occupied_percent) {
+  if (!occupied_percent) return QStringLiteral("unknown");
+  const int occupied = std::clamp(*occupied_percent, 0, 100);
+  if (occupied >= 50) return QStringLiteral("occupied %1 %").arg(occupied);
+  return QStringLiteral("free %1 %").arg(100 - occupied);
+}
+
+QString scaleText(double scale_m_per_px, double dots_per_inch) {
+  if (!(scale_m_per_px > 0) || !std::isfinite(scale_m_per_px)) return {};
+  const double denominator = scale_m_per_px * dots_per_inch / 0.0254;
+  // Three significant digits say all that a screen's resolution is good for.
+  const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(1.0, denominator))) - 2));
+  const double shown = std::round(denominator / step) * step;
+  const QString ratio = denominator >= 1
+                            ? QStringLiteral("1:%1").arg(countText(qint64(shown)))
+                            : QStringLiteral("%1:1").arg(QString::number(1 / denominator, 'g', 3));
+  double value = scale_m_per_px;
+  QString unit = QStringLiteral("m/px");
+  if (value < 0.01 - 1e-12) {
+    value *= 1000;
+    unit = QStringLiteral("mm/px");
+  } else if (value < 1 - 1e-12) {
+    value *= 100;
+    unit = QStringLiteral("cm/px");
+  } else if (value >= 1000) {
+    value /= 1000;
+    unit = QStringLiteral("km/px");
+  }
+  return QStringLiteral("%1  %2 %3").arg(ratio, QString::number(value, 'g', 3), unit);
+}
+
+QString rotationText(double rotation_rad) {
+  if (!std::isfinite(rotation_rad)) return {};
+  double degrees = geometry::degreesFromRadians(geometry::normalizeAngle(rotation_rad));
+  degrees = std::round(degrees * 10) / 10;
+  if (degrees <= -180) degrees += 360;
+  return QStringLiteral("%1°").arg(number(degrees, degrees == std::round(degrees) ? 0 : 1));
+}
+
+QString bytesText(qint64 bytes) {
+  const QLocale c = QLocale::c();
+  if (bytes < 1000) return QStringLiteral("%1 B").arg(bytes);
+  double value = double(bytes);
+  for (const auto* unit : {"KB", "MB", "GB"}) {
+    value /= 1000;
+    if (value < 999.95 || qstrcmp(unit, "GB") == 0) {
+      return QStringLiteral("%1 %2").arg(c.toString(value, 'f', value < 99.95 ? 1 : 0), QLatin1String(unit));
+    }
+  }
+  return {};
+}
+
+QString countText(qint64 count) { return QLocale(QLocale::English).toString(count); }
+
+QString plural(qint64 count, const QString& noun) {
+  return QStringLiteral("%1 %2%3").arg(countText(count), noun, count == 1 ? QString() : QStringLiteral("s"));
+}
+
+QString statusWord(SubmapStatus status) {
+  switch (status) {
+    case SubmapStatus::OnScreen:
+      return QStringLiteral("shown");
+    case SubmapStatus::Updating:
+      return QStringLiteral("updating");
+    case SubmapStatus::Queued:
+      return QStringLiteral("queued");
+    case SubmapStatus::Fetching:
+      return QStringLiteral("fetching");
+    case SubmapStatus::NoSlice:
+      return QStringLiteral("no slice");
+    case SubmapStatus::Missing:
+      return QStringLiteral("missing");
+    case SubmapStatus::Waiting:
+      return QStringLiteral("failed");
+    case SubmapStatus::Corrupt:
+      return QStringLiteral("corrupt");
+    case SubmapStatus::Unplaced:
+      return QStringLiteral("no pose");
+  }
+  return {};
+}
+
+QString statusIcon(SubmapStatus status) {
+  switch (status) {
+    case SubmapStatus::OnScreen:
+      return QStringLiteral("check");
+    case SubmapStatus::Updating:
+      return QStringLiteral("updating");
+    case SubmapStatus::Queued:
+      return QStringLiteral("queued");
+    case SubmapStatus::Fetching:
+      return QStringLiteral("fetching");
+    case SubmapStatus::NoSlice:
+      return QStringLiteral("empty");
+    case SubmapStatus::Missing:
+      return QStringLiteral("missing");
+    case SubmapStatus::Waiting:
+      return QStringLiteral("waiting");
+    case SubmapStatus::Corrupt:
+      return QStringLiteral("corrupt");
+    case SubmapStatus::Unplaced:
+      return QStringLiteral("unplaced");
+  }
+  return {};
+}
+
+Mark statusMark(SubmapStatus status) {
+  switch (status) {
+    case SubmapStatus::OnScreen:
+      return Mark::Good;
+    case SubmapStatus::Updating:
+    case SubmapStatus::Fetching:
+      return Mark::Busy;
+    case SubmapStatus::Queued:
+    case SubmapStatus::NoSlice:
+      return Mark::Neutral;
+    case SubmapStatus::Missing:
+    case SubmapStatus::Waiting:
+      return Mark::Warning;
+    case SubmapStatus::Corrupt:
+    case SubmapStatus::Unplaced:
+      return Mark::Bad;
+  }
+  return Mark::None;
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,190 @@
+#include "window/status/window_status_bar.h"
+
+#include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolButton>
+#include <QToolTip>
+
+#include "window/look/icons.h"
+#include "window/look/plain_label.h"
+#include "window/status/state_mark.h"
+
+namespace mapwright::window {
+
+ThinBar::ThinBar(QWidget* parent) : QWidget(parent) { setFixedSize(64, 20); }
+
+void ThinBar::setFraction(double fraction) {
+  if (fraction == fraction_) return;
+  fraction_ = fraction;
+  update();
+}
+
+void ThinBar::paintEvent(QPaintEvent*) {
+  const UiColors colors = uiColors(palette());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  const QRectF track(0, height() / 2.0 - 2, width(), 4);
+  painter.setBrush(colors.border);
+  painter.drawRoundedRect(track, 2, 2);
+  painter.setBrush(colors.accent);
+  painter.drawRoundedRect(
+      QRectF(track.left(), track.top(), qMax(4.0, track.width() * qBound(0.0, fraction_, 1.0)), 4), 2, 2);
+}
+
+StateLabel::StateLabel(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+void StateLabel::setState(const StateText& state) {
+  if (state == state_) return;
+  const bool wider =
+      fontMetrics().horizontalAdvance(state.text) != fontMetrics().horizontalAdvance(state_.text);
+  state_ = state;
+  setAccessibleName(state.text);
+  if (wider) updateGeometry();
+  update();
+}
+
+QSize StateLabel::sizeHint() const { return {fontMetrics().horizontalAdvance(state_.text) + 24, 20}; }
+QSize StateLabel::minimumSizeHint() const { return {qMin(sizeHint().width(), 120), 20}; }
+
+void StateLabel::paintEvent(QPaintEvent*) {
+  const UiColors colors = uiColors(palette());
+  QPainter painter(this);
+  paintMark(&painter, QRectF(2, height() / 2.0 - 6, 12, 12), state_.mark, colors);
+  painter.setPen(colors.text);
+  const QRect area = rect().adjusted(20, 0, 0, 0);
+  painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
+                   fontMetrics().elidedText(state_.text, Qt::ElideRight, area.width()));
+}
+
+bool StateLabel::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), plainToolTip(state_.text), this);
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+WindowStatusBar::WindowStatusBar(QWidget* parent)
+    : QStatusBar(parent),
+      connection_(new StateLabel(this)),
+      loading_(new PlainLabel(this)),
+      bar_(new ThinBar(this)),
+      traffic_(new PlainLabel(this)),
+      problems_(new QToolButton(this)),
+      coordinates_(new PlainLabel(this)),
+      occupancy_(new PlainLabel(this)),
+      scale_(new PlainLabel(this)),
+      rotation_(new PlainLabel(this)) {
+  setSizeGripEnabled(false);
+  setFixedHeight(28);
+  problems_->setIcon(themedIcon(QStringLiteral("problem")));
+  problems_->setIconSize({14, 14});
+  problems_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  problems_->setFixedHeight(22);
+  problems_->setToolTip(QStringLiteral("Show the list of problems"));
+  problems_->hide();
+  coordinates_->setSample(QStringLiteral("x -12345.678 y -12345.678 m"));
+  coordinates_->setAlignment(Qt::AlignRight);
+  coordinates_->setHint(QStringLiteral("World coordinates under the cursor"));
+  occupancy_->setSample(QStringLiteral("occupied 100 %"));
+  occupancy_->setHint(QStringLiteral("What the map says under the cursor"));
+  scale_->setSample(QStringLiteral("1:100,000  12.5 cm/px"));
+  scale_->setAlignment(Qt::AlignRight);
+  scale_->setHint(QStringLiteral("Scale of the map on this screen"));
+  rotation_->setSample(QStringLiteral("-179.5°"));
+  rotation_->setAlignment(Qt::AlignRight);
+  rotation_->setHint(QStringLiteral("Rotation of the view, counter-clockwise"));
+  loading_->setSample({});
+  traffic_->setSecondary(true);
+
+  auto* row = new QWidget(this);
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(8, 0, 8, 0);
+  line->setSpacing(12);
+  line->addWidget(connection_, 0);
+  line->addWidget(loading_, 0);
+  line->addWidget(bar_, 0);
+  line->addWidget(traffic_, 0);
+  line->addWidget(problems_, 0);
+  line->addStretch(1);
+  for (PlainLabel* label : {coordinates_, occupancy_, scale_, rotation_}) {
+    label->setFixedWidth(label->sizeHint().width());
+    line->addWidget(label, 0);
+  }
+  addWidget(row, 1);
+
+  countdown_.setInterval(250);
+  connect(&countdown_, &QTimer::timeout, this, &WindowStatusBar::refreshCountdown);
+  connect(problems_, &QToolButton::clicked, this, &WindowStatusBar::problemsWanted);
+  setSession(nullptr);
+}
+
+void WindowStatusBar::setSession(session::Session* session) {
+  if (session_) session_->disconnect(this);
+  session_ = session;
+  if (session) {
+    connect(session, &session::Session::connectionChanged, this, &WindowStatusBar::refreshConnection);
+    connect(session, &session::Session::rowsChanged, this, &WindowStatusBar::refreshRows);
+    connect(session, &session::Session::listChanged, this, &WindowStatusBar::refreshRows);
+    connect(session, &session::Session::problemsChanged, this, &WindowStatusBar::refreshProblems);
+  }
+  refreshConnection();
+  refreshRows();
+  refreshProblems();
+}
+
+void WindowStatusBar::refreshConnection() {
+  if (!session_) {
+    countdown_.stop();
+    connection_->setState({Mark::Neutral, QStringLiteral("no robot")});
+    return;
+  }
+  read_ = session_->connection();
+  read_clock_.start();
+  refreshCountdown();
+}
+
+void WindowStatusBar::refreshCountdown() {
+  connection_->setState(connectionText(read_, read_clock_.elapsed()));
+  const bool counts = read_.phase == robot::ConnectionPhase::Interrupted && read_.retry_in_ms;
+  if (counts && !countdown_.isActive()) countdown_.start();
+  if (!counts) countdown_.stop();
+}
+
+void WindowStatusBar::refreshRows() {
+  const session::SubmapCounts counts = session_ ? session_->counts() : session::SubmapCounts{};
+  loading_->setText(session_ ? loadingText(counts) : QString());
+  traffic_->setText(trafficText(counts));
+  // The bar is there only while there is something to wait for.
+  const bool loading = counts.listed > 0 && counts.pending + counts.updating > 0;
+  if (bar_->isHidden() == loading) bar_->setVisible(loading);
+  if (loading) bar_->setFraction(1.0 - double(counts.pending + counts.updating) / double(counts.listed));
+}
+
+void WindowStatusBar::refreshProblems() {
+  const int unresolved = session_ ? session_->problems().unresolved() : 0;
+  if (unresolved > 0) problems_->setText(plural(unresolved, QStringLiteral("problem")));
+  if (problems_->isHidden() == (unresolved > 0)) problems_->setVisible(unresolved > 0);
+}
+
+void WindowStatusBar::showCursor(const QString& coordinates, const QString& occupancy) {
+  coordinates_->setText(coordinates);
+  occupancy_->setText(occupancy);
+}
+
+void WindowStatusBar::showView(const geometry::ViewTransform& view) {
+  scale_->setText(scaleText(view.scale_m_per_px, logicalDpiX()));
+  rotation_->setText(rotationText(view.rotation_rad));
+}
+
+QString WindowStatusBar::loadingShown() const { return loading_->text(); }
+QString WindowStatusBar::cursorShown() const { return coordinates_->text(); }
+QString WindowStatusBar::occupancyShown() const { return occupancy_->text(); }
+QString WindowStatusBar::scaleShown() const { return scale_->text(); }
+QString WindowStatusBar::rotationShown() const { return rotation_->text(); }
+
+}  // namespace mapwright::window

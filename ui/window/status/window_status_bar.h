@@ -1,0 +1,90 @@
+// The status bar: link, loading, problems, cursor, scale, rotation. All fields keep their places.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QPointer>
+#include <QStatusBar>
+#include <QTimer>
+
+#include "session/session.h"
+#include "window/status/status_text.h"
+
+class QToolButton;
+
+namespace mapwright::window {
+
+class PlainLabel;
+
+/// A bar of 4 px: how much of something is there.
+class ThinBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ThinBar(QWidget* parent = nullptr);
+  void setFraction(double fraction);
+  double fraction() const { return fraction_; }
+  QSize sizeHint() const override { return {64, 20}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double fraction_ = 0;
+};
+
+/// A state's shape with its words.
+class StateLabel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StateLabel(QWidget* parent = nullptr);
+  void setState(const StateText& state);
+  const StateText& state() const { return state_; }
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  StateText state_;
+};
+
+class WindowStatusBar : public QStatusBar {
+  Q_OBJECT
+ public:
+  explicit WindowStatusBar(QWidget* parent = nullptr);
+
+  void setSession(session::Session* session);
+  void showCursor(const QString& coordinates, const QString& occupancy);
+  void showView(const geometry::ViewTransform& view);
+
+  QString connectionShown() const { return connection_->state().text; }
+  QString loadingShown() const;
+  QString cursorShown() const;
+  QString occupancyShown() const;
+  QString scaleShown() const;
+  QString rotationShown() const;
+  QToolButton* problemsButton() const { return problems_; }
+
+ Q_SIGNALS:
+  void problemsWanted();
+
+ private:
+  void refreshConnection();
+  void refreshCountdown();
+  void refreshRows();
+  void refreshProblems();
+
+  QPointer<session::Session> session_;
+  robot::ConnectionState read_;  // as of `read_clock_`
+  QElapsedTimer read_clock_;
+  QTimer countdown_;
+  StateLabel* connection_;
+  PlainLabel* loading_;
+  ThinBar* bar_;
+  PlainLabel* traffic_;
+  QToolButton* problems_;
+  PlainLabel *coordinates_, *occupancy_, *scale_, *rotation_;
+};
+
+}  // namespace mapwright::window
