@@ -144,6 +144,15 @@ void HttpCache::refresh(const QUrl& url, const QByteArray& cache_control, const 
   write(name, *record);
 }
 
+void HttpCache::copy(const QUrl& from, const QUrl& to) {
+  auto record = read(nameOf(from), from);
+  if (!record) {
+    return;
+  }
+  record->url = keyOf(to);
+  write(nameOf(to), *record);
+}
+
 void HttpCache::remove(const QUrl& url) { forget(nameOf(url)); }
 
 void HttpCache::forget(const QByteArray& name) {

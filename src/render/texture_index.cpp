@@ -17,10 +17,12 @@ bool sameTexture(const PlacedTexture& a, const PlacedTexture& b) {
   return a.texture == b.texture && a.world_from_texture == b.world_from_texture && a.flags == b.flags;
 }
 
+// Numbers with room to reckon in: sums and differences of them stay finite.
+bool sane(double metres) { return std::abs(metres) < 1e300; }
+
 bool drawable(const PlacedTexture& placed, const geometry::WorldRect& bounds) {
-  return placed.texture != nullptr && std::isfinite(placed.world_from_texture.yaw_rad) &&
-         std::isfinite(bounds.min_x) && std::isfinite(bounds.min_y) && std::isfinite(bounds.max_x) &&
-         std::isfinite(bounds.max_y);
+  return placed.texture != nullptr && sane(placed.world_from_texture.yaw_rad) && sane(bounds.min_x) &&
+         sane(bounds.min_y) && sane(bounds.max_x) && sane(bounds.max_y);
 }
 
 }  // namespace

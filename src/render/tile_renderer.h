@@ -66,7 +66,7 @@ class TileRenderer : public QObject {
   geometry::WorldRect contentBounds() const;
   std::size_t textureCount() const;
 
-  /// A view without pixels or with numbers that are not finite shows nothing.
+  /// A view without pixels, or whose numbers are not finite or absurd (metres beyond 1e15), shows nothing.
   void setView(const geometry::ViewTransform& view);
   void setColors(const MapColors& colors, ColorMode mode);
   const MapColors& colors() const;

@@ -11,9 +11,11 @@ constexpr double kFarthestPlace = kFarthestPixel / kTileEdge;
 constexpr std::size_t kTileBytes = 256;
 
 bool usable(const geometry::ViewTransform& view) {
-  return view.width_px > 0 && view.height_px > 0 && std::isfinite(view.scale_m_per_px) &&
-         view.scale_m_per_px > 0 && std::isfinite(view.rotation_rad) && std::isfinite(view.center_m.x()) &&
-         std::isfinite(view.center_m.y());
+  // Orders of magnitude beyond what geometry::ViewTransform allows itself, and still safe to reckon with.
+  constexpr double kFinest = 1e-9, kCoarsest = 1e9, kFarthestM = 1e15;
+  return view.width_px > 0 && view.height_px > 0 && view.scale_m_per_px >= kFinest &&
+         view.scale_m_per_px <= kCoarsest && std::isfinite(view.rotation_rad) &&
+         std::abs(view.center_m.x()) <= kFarthestM && std::abs(view.center_m.y()) <= kFarthestM;
 }
 
 std::size_t bytesOf(const Picture& picture) {
@@ -129,6 +131,9 @@ ViewTiles::PlaceRange ViewTiles::placesUnder(const geometry::WorldRect& rect) co
       const Eigen::Vector2d d = (Eigen::Vector2d(x, y) - raster_.origin_m) / raster_.scale_m_per_px;
       pixels.extend(Eigen::Vector2d(c * d.x() - s * d.y(), -(s * d.x() + c * d.y())));
     }
+  }
+  if (!std::isfinite(pixels.width() + pixels.height())) {
+    return {-kFarthestPlace, -kFarthestPlace, kFarthestPlace, kFarthestPlace};
   }
   // A pixel more for the rounding of the corners.
   const auto placeOf = [](double pixel) {

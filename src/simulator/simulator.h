@@ -25,8 +25,8 @@ struct Faults {
   double status_code_rate = 0;     // HTTP 200 whose StatusResponse is an error
   int websocket_drop_every_s = 0;  // > 0: the WebSocket is cut this often
   int uuid_change_every_s = 0;     // > 0: the SLAM session restarts this often
-  bool bad_entries =
-      false;  // /submap_list also holds NaN poses, zero quaternions, duplicates, a version going back
+  // /submap_list also holds NaN poses, zero quaternions, duplicates, a version going back
+  bool bad_entries = false;
   bool silent_websocket = false;  // accepts, then never sends nor pongs
 };
 

@@ -145,4 +145,35 @@ std::vector<render::PlacedTexture> placedOf(const std::vector<PlainTexture>& tex
   return placed;
 }
 
+render::PixelGrid gridAround(const Eigen::Vector2d& centre, double scale, double rotation, int width,
+                             int height) {
+  render::PixelGrid grid;
+  grid.scale_m_per_px = scale;
+  grid.rotation_rad = rotation;
+  grid.width_px = width;
+  grid.height_px = height;
+  grid.origin_m = centre - grid.worldFromPixel(width / 2.0, height / 2.0);
+  return grid;
+}
+
+render::Composition composeAll(const render::PixelGrid& grid, const std::vector<PlainTexture>& textures,
+                               render::Quality quality, render::Kernel kernel) {
+  render::DenseCache cache;
+  const auto placed = placedOf(textures);
+  return render::compose(grid, placed, quality, cache, kernel);
+}
+
+int pixelAt(const render::Composition& picture, int column, int row) {
+  return picture.intensity[std::size_t(row) * std::size_t(picture.width_px) + std::size_t(column)];
+}
+
+int flagsAt(const render::Composition& picture, int column, int row) {
+  return picture.flags[std::size_t(row) * std::size_t(picture.width_px) + std::size_t(column)];
+}
+
+PlainTexture uniformTexture(raster::CellPair cell, int index, std::uint8_t flags, double resolution_m) {
+  return plainTexture(20, 20, resolution_m, std::vector<raster::CellPair>(400, cell),
+                      {10 * resolution_m, 10 * resolution_m, 0}, index, flags);
+}
+
 }  // namespace mapwright::testing

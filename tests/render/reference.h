@@ -43,6 +43,20 @@ struct ReferencePixel {
 std::vector<ReferencePixel> referenceComposition(const render::PixelGrid& grid,
                                                  const std::vector<PlainTexture>& textures);
 
+/// 20 x 20 like cells around the world origin.
+PlainTexture uniformTexture(raster::CellPair cell, int index = 0, std::uint8_t flags = 0,
+                            double resolution_m = 1.0);
+
+/// A grid whose middle is at `centre`.
+render::PixelGrid gridAround(const Eigen::Vector2d& centre, double scale, double rotation, int width,
+                             int height);
+/// What the product makes of them, with a cache of its own.
+render::Composition composeAll(const render::PixelGrid& grid, const std::vector<PlainTexture>& textures,
+                               render::Quality quality = render::Quality::Exact,
+                               render::Kernel kernel = render::Kernel::Best);
+int pixelAt(const render::Composition& picture, int column, int row);
+int flagsAt(const render::Composition& picture, int column, int row);
+
 std::vector<render::PlacedTexture> placedOf(const std::vector<PlainTexture>& textures);
 
 }  // namespace mapwright::testing
