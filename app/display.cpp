@@ -1,5 +1,7 @@
 #include "app/display.h"
 
+#include <cstdio>
+
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
@@ -40,9 +42,16 @@ void pinFonts() {
   qputenv("FONTCONFIG_FILE", QFile::encodeName(path));
 }
 
+/// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.
+void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  const bool wanted = type == QtCriticalMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("MAPWRIGHT_DEBUG");
+  if (wanted) std::fprintf(stderr, "%s\n", qUtf8Printable(message));
+}
+
 }  // namespace
 
 void chooseWindowPlatform() {
+  qInstallMessageHandler(keepQtQuiet);
   if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) return;
   QByteArray platforms;
   if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) platforms += "wayland;";
@@ -51,6 +60,7 @@ void chooseWindowPlatform() {
 }
 
 void chooseOffscreenPlatform() {
+  qInstallMessageHandler(keepQtQuiet);
   qputenv("QT_QPA_PLATFORM", "offscreen");
   pinFonts();
 }

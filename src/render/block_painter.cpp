@@ -59,7 +59,7 @@ struct BlockPainter::Sampling {
 BlockPainter::BlockPainter(DenseCache& cache, Kernel kernel, std::size_t placements)
     : cache_(cache), kernel_(kernelFunction(kernel)), held_(placements) {}
 
-const TapCells& BlockPainter::denseOf(const Placement& placement, std::size_t index) {
+const TapCells& BlockPainter::cellsOf(const Placement& placement, std::size_t index) {
   if (!held_[index]) {
     if (held_bytes_ > kHeldBytes) {
       for (const std::size_t held : held_indexes_) held_[held].reset();
@@ -76,9 +76,10 @@ const TapCells& BlockPainter::denseOf(const Placement& placement, std::size_t in
 void BlockPainter::begin(int samples) {
   if (begun_) return;
   begun_ = true;
+  const int columns = (samples + 7) / 8 * 8;  // whole vectors, as the kernels paint them
   for (int j = 0; j < samples; ++j) {
-    std::fill_n(block_->intensity + j * kBlockEdge, kBlockEdge, kUnobservedIntensity);
-    std::fill_n(block_->flags + j * kBlockEdge, kBlockEdge, 0);
+    std::fill_n(block_->intensity + j * kBlockEdge, columns, kUnobservedIntensity);
+    std::fill_n(block_->flags + j * kBlockEdge, columns, 0);
   }
 }
 
@@ -89,7 +90,7 @@ bool BlockPainter::paint(const PixelSquare& square, int samples, std::span<const
   return begun_;
 }
 
-bool BlockPainter::paintTexture(const PixelSquare& square, int samples, const Placement& p,
+void BlockPainter::paintTexture(const PixelSquare& square, int samples, const Placement& p,
                                 std::size_t index) {
   const double step = square.edge / samples;
   const double cell = 1.0 / double(1 << p.level);
@@ -102,15 +103,15 @@ bool BlockPainter::paintTexture(const PixelSquare& square, int samples, const Pl
   s.u_per_column = p.u_per_column * step * cell, s.u_per_row = p.u_per_row * step * cell;
   s.v_per_column = p.v_per_column * step * cell, s.v_per_row = p.v_per_row * step * cell;
 
-  const TapCells& tap_cells = denseOf(p, index);
-  const raster::DenseCells& cells = tap_cells.level;
+  const TapCells& cells = cellsOf(p, index);
+  const raster::DenseCells& level = cells.level;
   const TapRange taps = s.tapsOf(0, 0, samples, samples);
-  if (!(taps.u1 >= 0 && taps.u0 < cells.width && taps.v1 >= 0 && taps.v0 < cells.height)) return false;
+  if (!(taps.u1 >= 0 && taps.u0 < level.width && taps.v1 >= 0 && taps.v0 < level.height)) return;
   if (std::hypot(s.u_per_column, s.v_per_column) > kFinestStep) {
-    paintCoarse(s, tap_cells, p);
-    return true;
+    paintCoarse(s, cells, p);
+  } else {
+    paintFine(s, cells, p);
   }
-  return paintFine(s, tap_cells, p);
 }
 
 // Far fewer samples than cells, as in a preview from far away: one tap a sample, in doubles.
@@ -140,7 +141,7 @@ void BlockPainter::paintCoarse(const Sampling& s, const TapCells& tap_cells, con
   }
 }
 
-bool BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const Placement& p) {
+void BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const Placement& p) {
   const raster::DenseCells& cells = tap_cells.level;
   constexpr int kBorder = raster::DenseCells::kBorder;
   const double middle = (s.samples - 1) / 2.0;
@@ -161,7 +162,6 @@ bool BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const
   pass.nearest = p.nearest;
   pass.flags = p.placed->flags | kObserved;
 
-  bool painted = false;
   for (int row = 0; row < s.samples; row += kPart) {
     const int rows = std::min(kPart, s.samples - row);
     // Neighbouring parts of a row that hold something are painted in one go.
@@ -174,7 +174,6 @@ bool BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const
       pass.first_row = row, pass.rows = rows;
       pass.inside = run_inside;
       kernel_(pass, *block_);
-      painted = true;
       run_start = -1;
       run_inside = true;
     };
@@ -196,7 +195,6 @@ bool BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const
       if (column + columns >= s.samples) flush(column + columns);
     }
   }
-  return painted;
 }
 
 }  // namespace mapwright::render

@@ -25,10 +25,10 @@ class BlockPainter {
 
  private:
   struct Sampling;
-  const TapCells& denseOf(const Placement& placement, std::size_t index);
-  bool paintTexture(const PixelSquare& square, int samples, const Placement& placement, std::size_t index);
+  const TapCells& cellsOf(const Placement& placement, std::size_t index);
+  void paintTexture(const PixelSquare& square, int samples, const Placement& placement, std::size_t index);
   void paintCoarse(const Sampling& sampling, const TapCells& cells, const Placement& placement);
-  bool paintFine(const Sampling& sampling, const TapCells& cells, const Placement& placement);
+  void paintFine(const Sampling& sampling, const TapCells& cells, const Placement& placement);
   void begin(int samples);
 
   DenseCache& cache_;

@@ -175,8 +175,8 @@ Block drawAnnex(std::uint64_t seed) {
   d.wallAlongY(-0.24, 9, 31, kFacadeM, {kMainLane});
   d.wallAlongX(-26, 0, 9, kFacadeM);
   d.wallAlongX(-26, 0, 31, kFacadeM);
-  for (const double x : {-20.0, -13.0, -6.0}) {
-    for (const double y : {14.5, 25.5}) d.post(x, y, 0.5);
+  for (const double x : {-21.8, -15.0, -8.2}) {  // columns between the tables
+    for (const double y : {16.8, 23.2}) d.post(x, y, 0.5);
   }
   for (double x = -23.5; x < -2; x += 3.4) {
     for (const double y : {12.0, 16.8, 23.2, 28.0}) {

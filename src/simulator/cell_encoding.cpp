@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <zlib.h>
 
 #include <libdeflate.h>
 #include <spng.h>
-#include <zlib.h>
 
 namespace mapwright::simulator {
 namespace {

@@ -67,8 +67,10 @@ void HttpSession::take() {
   keep_alive_ = request.keep_alive();
   head_only_ = request.method() == http::verb::head;
   logged_.emplace(services_.log, record, isSubmapPath(path));
+  const bool wants_upgrade = beast::websocket::is_upgrade(request);
+  if (wants_upgrade) keep_alive_ = false;  // what follows a refused handshake is no HTTP
   if (path == kTopicsPath && question.method == "GET" && services_.routes.allows(question.secret)) {
-    if (beast::websocket::is_upgrade(request)) {
+    if (wants_upgrade) {
       logged_->finish(101, 0);
       std::make_shared<WebSocketSession>(stream_.release_socket(), services_)->accept(request);
       return;

@@ -249,9 +249,9 @@ class LiveRobotTest : public QObject {
       const auto session = connectTo({}, "open sesame");
       QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
     }
-    const auto session = connectTo({}, "wrong");
+    const auto session = connectTo({}, "xyzzy-42");
     QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Refused, kPatienceMs);
-    QVERIFY(!session->connection().reason.contains(QStringLiteral("wrong")));
+    QVERIFY(!session->connection().reason.contains(QStringLiteral("xyzzy-42")));
   }
 
   void aRobotThatGoesAwayAndComesBackIsFoundAgain() {

@@ -64,6 +64,8 @@ class SnapshotRunTest : public QObject {
   void theRawPictureHoldsIntensityAndObservation() {
     SnapshotOptions options = small(QStringLiteral("raw.png"));
     options.raw = true;
+    options.center_m = Eigen::Vector2d(5, 5);
+    options.scale_m_per_px = 0.05;
     QCOMPARE(take(options, frozen()), int(app::kDone));
     const QImage picture = QImage(folder_.filePath(QStringLiteral("raw.png"))).convertToFormat(QImage::Format_ARGB32);
     QCOMPARE(picture.size(), QSize(320, 240));
@@ -167,7 +169,7 @@ class SnapshotRunTest : public QObject {
 
   void aRobotThatLooksForASecretItDoesNotGetRefuses() {
     simulator::Options robot = frozen();
-    robot.secret = "s";
+    robot.secret = std::string("open sesame");
     QCOMPARE(take(small(QStringLiteral("refused.png")), robot), int(app::kUnreachable));
     QVERIFY(bytesOf(QStringLiteral("refused.png")).isEmpty());
   }

@@ -86,7 +86,7 @@ class TestScene : public QObject {
 
   void aWallIsSeenWhereItStands() {
     // A wall across x = 3, seen from the origin; the slice frame is turned and its rows run along its -x.
-    const FloorPlan plan({{{3.1, 0}, {0.1, 5}, 0, false, false}});
+    const FloorPlan plan({{{3.1, 0}, {0.1, 40}, 0, false, false}});
     const ScanGrid grid = scanGrid(plan, {}, {{{0, 0, 0}, 1}, {{0, 0.01, 0}, 2}}, {0.5, 0.25}, 0.7, {});
     int walls = 0;
     for (int v = 0; v < grid.height; ++v) {

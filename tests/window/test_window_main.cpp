@@ -296,10 +296,8 @@ class TestWindowMain : public QObject {
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.load();
-    geometry::ViewTransform camera = window.mapScene()->view();
-    camera.center_m = {-2.5, -2.5};  // free floor of 0-0
-    camera.scale_m_per_px = 0.05;
-    window.view()->moveTo(camera, false);
+    window.view()->lookAt({-2.5, -2.5});  // free floor of 0-0
+    window.view()->setScale(0.05);
     const QPoint middle = window.view()->viewport()->rect().center();
     const auto hover = [&](const QPoint& at) {
       QMouseEvent move(QEvent::MouseMove, at, window.view()->viewport()->mapToGlobal(at), Qt::NoButton,

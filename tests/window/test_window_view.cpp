@@ -175,7 +175,7 @@ class TestWindowView : public QObject {
     const geometry::WorldRect rect{-20, -5, 60, 40};
     bench.view.fit(rect, false);
     QVERIFY(near(bench.camera().center_m, rect.center()));
-    for (const Eigen::Vector2d corner :
+    for (const Eigen::Vector2d& corner :
          {Eigen::Vector2d(-20, -5), Eigen::Vector2d(60, 40), Eigen::Vector2d(-20, 40)}) {
       const Eigen::Vector2d px = bench.camera().pixelFromWorld(corner);
       QVERIFY(px.x() >= 0 && px.x() <= 800 && px.y() >= 0 && px.y() <= 600);

@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
+#include <QImage>
 #include <QPainter>
 
 #include "scene/map_layers.h"
@@ -7,30 +11,55 @@
 namespace mapwright::scene {
 namespace {
 
-constexpr double kMinorSpacingPx = 16;
+constexpr double kMinorSpacingPx = 30;
 constexpr int kMaxLines = 400;
 
-/// Vertical (axis 0) or horizontal (axis 1) world lines every `step` metres across what is visible.
-void drawLines(QPainter& painter, const geometry::ViewTransform& view, double step, int axis) {
+/// Vertical (axis 0) or horizontal (axis 1) world lines every `step` metres across what is visible, in
+/// pixels.
+QList<QLineF> gridLines(const geometry::ViewTransform& view, double step, int axis) {
   const geometry::WorldRect world = view.visibleWorld();
   const double from = axis == 0 ? world.min_x : world.min_y, to = axis == 0 ? world.max_x : world.max_y;
   const double first = std::ceil(from / step);
   const double count = std::floor(to / step) - first + 1;
-  if (!(count > 0) || count > kMaxLines) return;
   QList<QLineF> lines;
+  if (!(count > 0) || count > kMaxLines) return lines;
   for (int i = 0; i < int(count); ++i) {
     const double at = (first + i) * step;
     const Eigen::Vector2d a = axis == 0 ? Eigen::Vector2d(at, world.min_y) : Eigen::Vector2d(world.min_x, at);
     const Eigen::Vector2d b = axis == 0 ? Eigen::Vector2d(at, world.max_y) : Eigen::Vector2d(world.max_x, at);
-    QLineF line(toPoint(view.pixelFromWorld(a)), toPoint(view.pixelFromWorld(b)));
-    // Upright lines lie on whole pixels: crisp, and the same on every run.
-    if (view.rotation_rad == 0) {
-      if (axis == 0) line.setLine(std::floor(line.x1()) + 0.5, line.y1(), std::floor(line.x1()) + 0.5, line.y2());
-      else line.setLine(line.x1(), std::floor(line.y1()) + 0.5, line.x2(), std::floor(line.y1()) + 0.5);
-    }
-    lines << line;
+    lines << QLineF(toPoint(view.pixelFromWorld(a)), toPoint(view.pixelFromWorld(b)));
   }
-  painter.drawLines(lines);
+  return lines;
+}
+
+/// Steps of 1, 2 or 5 times a power of ten, the minor one at least `least`; major lines fall on round
+/// numbers.
+std::pair<double, double> gridSteps(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  if (power >= least) return {power, power * 10};
+  if (2 * power >= least) return {2 * power, 10 * power};
+  if (5 * power >= least) return {5 * power, 50 * power};
+  return {10 * power, 100 * power};
+}
+
+/// An upright grid line is a strip one pixel wide, copied onto whole pixels: crisp, and quicker than any
+/// line.
+void drawUpright(QPainter& painter, const QList<QLineF>& lines, const QColor& color, const QSizeF& viewport) {
+  const qreal ratio = painter.device()->devicePixelRatioF();
+  const QSize size = (viewport * ratio).toSize();
+  QImage strip(1, std::max(size.width(), size.height()), QImage::Format_ARGB32_Premultiplied);
+  strip.fill(color);
+  const QImage lying = strip.transformed(QTransform().rotate(90));
+  painter.save();
+  painter.scale(1 / ratio, 1 / ratio);
+  for (const QLineF& line : lines) {
+    const bool standing = std::abs(line.dx()) < std::abs(line.dy());
+    if (standing)
+      painter.drawImage(QPoint(int(std::floor(line.x1() * ratio)), 0), strip);
+    else
+      painter.drawImage(QPoint(0, int(std::floor(line.y1() * ratio))), lying);
+  }
+  painter.restore();
 }
 
 }  // namespace
@@ -46,19 +75,39 @@ double roundDown125(double value) {
 
 void GridLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const geometry::ViewTransform& view = context_.view;
-  // The smallest decade whose lines are not closer than kMinorSpacingPx.
-  const double minor = std::pow(10.0, std::ceil(std::log10(kMinorSpacingPx * view.scale_m_per_px) - 1e-9));
-  painter->setRenderHint(QPainter::Antialiasing, view.rotation_rad != 0);
+  const auto [minor, major] = gridSteps(kMinorSpacingPx * view.scale_m_per_px);
+  QList<QLineF> minor_lines, major_lines, axes;
   for (const int axis : {0, 1}) {
-    painter->setPen(QPen(context_.theme.grid_minor, 1));
-    drawLines(*painter, view, minor, axis);
-    painter->setPen(QPen(context_.theme.grid_major, 1));
-    drawLines(*painter, view, minor * 10, axis);
+    minor_lines += gridLines(view, minor, axis);
+    major_lines += gridLines(view, major, axis);
   }
-  painter->setPen(QPen(context_.theme.axis, 1));
   const geometry::WorldRect world = view.visibleWorld();
-  painter->drawLine(toPoint(view.pixelFromWorld({world.min_x, 0})), toPoint(view.pixelFromWorld({world.max_x, 0})));
-  painter->drawLine(toPoint(view.pixelFromWorld({0, world.min_y})), toPoint(view.pixelFromWorld({0, world.max_y})));
+  if (world.min_y <= 0 && world.max_y >= 0) {
+    axes << QLineF(toPoint(view.pixelFromWorld({world.min_x, 0})),
+                   toPoint(view.pixelFromWorld({world.max_x, 0})));
+  }
+  if (world.min_x <= 0 && world.max_x >= 0) {
+    axes << QLineF(toPoint(view.pixelFromWorld({0, world.min_y})),
+                   toPoint(view.pixelFromWorld({0, world.max_y})));
+  }
+  const std::array<std::pair<const QList<QLineF>*, QColor>, 3> sets{
+      {{&minor_lines, context_.theme.grid_minor},
+       {&major_lines, context_.theme.grid_major},
+       {&axes, context_.theme.axis}}};
+  const QSizeF viewport(view.width_px, view.height_px);
+  if (view.rotation_rad == 0) {
+    for (const auto& [lines, color] : sets) drawUpright(*painter, *lines, color, viewport);
+    return;
+  }
+  for (const auto& [lines, color] : sets) {
+    if (lines->isEmpty()) continue;
+    QColor opaque = color;
+    opaque.setAlpha(255);
+    sheet_.paint(*painter, viewport, color.alphaF(), [&, shown = lines](QPainter& on_sheet) {
+      on_sheet.setPen(QPen(opaque, 0));
+      on_sheet.drawLines(*shown);
+    });
+  }
 }
 
 }  // namespace mapwright::scene

@@ -48,7 +48,8 @@ void TileLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
     pixel_ratio_ = ratio;
     sendView();
   }
-  const QRectF exposed(option->exposedRect.topLeft() * pixel_ratio_, option->exposedRect.size() * pixel_ratio_);
+  const QRectF exposed(option->exposedRect.topLeft() * pixel_ratio_,
+                       option->exposedRect.size() * pixel_ratio_);
   painter->save();
   painter->scale(1 / pixel_ratio_, 1 / pixel_ratio_);
   painter->setRenderHint(QPainter::SmoothPixmapTransform, false);
@@ -94,7 +95,8 @@ void MeasureLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
     }
   }
   if (points_.size() > 1) {
-    drawLabel(*painter, line.last() + QPointF(10, 4), lengthText(total), context_.theme, context_.theme.measure);
+    drawLabel(*painter, line.last() + QPointF(10, 4), lengthText(total), context_.theme,
+              context_.theme.measure);
   }
 }
 

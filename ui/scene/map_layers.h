@@ -1,4 +1,5 @@
-// The layers of the map, one graphics item each, painted through the camera. Items never own the state they show.
+// The layers of the map, one graphics item each, painted through the camera. Items never own the state they
+// show.
 #pragma once
 
 #include <array>
@@ -12,6 +13,7 @@
 #include "geometry/view_transform.h"
 #include "map/live_state.h"
 #include "render/tile_renderer.h"
+#include "scene/line_sheet.h"
 #include "scene/map_theme.h"
 
 namespace mapwright::scene {
@@ -59,6 +61,9 @@ class GridLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  LineSheet sheet_;
 };
 
 /// Where one submap's slice lies, for outlines, ids and picking.
@@ -75,17 +80,18 @@ using Outlines = std::map<map::SubmapId, Outline>;
 class OutlineLayer : public LayerItem {
  public:
   enum class What { Outlines, Ids, Highlight };
-  OutlineLayer(const LayerContext& context, const Outlines& outlines, const std::optional<map::SubmapId>& highlighted,
-               What what);
+  OutlineLayer(const LayerContext& context, const Outlines& outlines,
+               const std::optional<map::SubmapId>& highlighted, What what);
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  void paintOutlines(QPainter& painter) const;
+  void paintOutlines(QPainter& painter);
   void paintIds(QPainter& painter) const;
   void paintHighlight(QPainter& painter) const;
   const Outlines& outlines_;
   const std::optional<map::SubmapId>& highlighted_;
   What what_;
+  LineSheet sheet_;
 };
 
 /// The way that the robot came.

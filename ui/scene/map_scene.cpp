@@ -13,8 +13,8 @@ constexpr std::array kLayers{Layer::Submaps, Layer::Grid,  Layer::Outlines, Laye
                              Layer::Trail,   Layer::Robot, Layer::ScaleBar};
 
 std::uint8_t pixelFlags(const map::SubmapEntry& entry) {
-  return std::uint8_t((entry.is_incremental ? render::kIncremental : 0) | (entry.is_frozen ? 0 : render::kActive) |
-                      (entry.is_nearby ? render::kNearby : 0));
+  return std::uint8_t((entry.is_incremental ? render::kIncremental : 0) |
+                      (entry.is_frozen ? 0 : render::kActive) | (entry.is_nearby ? render::kNearby : 0));
 }
 
 }  // namespace
@@ -55,8 +55,8 @@ class MapScene::Impl {
         stale(new StaleLayer(context)),
         scale_bar(new ScaleBarLayer(context)) {
     int z = 0;
-    for (LayerItem* item : std::initializer_list<LayerItem*>{tiles, grid, outlines_item, ids, highlight, trail, robot,
-                                                             stale, measure, scale_bar}) {
+    for (LayerItem* item : std::initializer_list<LayerItem*>{tiles, grid, outlines_item, ids, highlight,
+                                                             trail, robot, stale, measure, scale_bar}) {
       item->setZValue(z++);
       scene.addItem(item);
       items.push_back(item);

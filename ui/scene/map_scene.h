@@ -1,5 +1,6 @@
-// The map as a QGraphicsScene: the same for the window and for snapshots. Scene coordinates are viewport pixels; the
-// camera (geometry::ViewTransform) places the layers, so precision and speed do not depend on how far the map reaches.
+// The map as a QGraphicsScene: the same for the window and for snapshots. Scene coordinates are viewport
+// pixels; the camera (geometry::ViewTransform) places the layers, so precision and speed do not depend on how
+// far the map reaches.
 #pragma once
 
 #include <functional>

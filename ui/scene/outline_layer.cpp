@@ -38,27 +38,39 @@ void OutlineLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   }
 }
 
-void OutlineLayer::paintOutlines(QPainter& painter) const {
+void OutlineLayer::paintOutlines(QPainter& painter) {
   constexpr double kTooSmallPx = 6;
   const geometry::WorldRect visible = context_.view.visibleWorld();
-  painter.setBrush(Qt::NoBrush);
+  QList<QLineF> active, frozen;
   for (const auto& [id, outline] : outlines_) {
     if (!outline.visible) continue;
     geometry::WorldRect bounds;
     for (const Eigen::Vector2d& corner : outline.corners) bounds.extend(corner);
     if (!bounds.intersects(visible)) continue;
     if (std::max(bounds.width(), bounds.height()) < kTooSmallPx * context_.view.scale_m_per_px) continue;
-    QPolygonF polygon;
-    for (const Eigen::Vector2d& corner : outline.corners) polygon << toPoint(context_.view.pixelFromWorld(corner));
-    painter.setPen(QPen(outline.frozen ? context_.theme.outline_frozen : context_.theme.outline, 1,
-                        outline.frozen ? Qt::DashLine : Qt::SolidLine));
-    painter.drawPolygon(polygon);
+    for (std::size_t i = 0; i < outline.corners.size(); ++i) {
+      (outline.frozen ? frozen : active)
+          << QLineF(toPoint(context_.view.pixelFromWorld(outline.corners[i])),
+                    toPoint(context_.view.pixelFromWorld(outline.corners[(i + 1) % outline.corners.size()])));
+    }
   }
+  const auto lay = [&](const QList<QLineF>& lines, const QColor& color, Qt::PenStyle style) {
+    if (lines.isEmpty()) return;
+    QColor opaque = color;
+    opaque.setAlpha(255);
+    sheet_.paint(painter, boundingRect().size(), color.alphaF(), [&](QPainter& on_sheet) {
+      on_sheet.setPen(QPen(opaque, 0, style));
+      on_sheet.drawLines(lines);
+    });
+  };
+  lay(frozen, context_.theme.outline_frozen, Qt::DashLine);
+  lay(active, context_.theme.outline, Qt::SolidLine);
 }
 
 void OutlineLayer::paintIds(QPainter& painter) const {
   const QFontMetricsF metrics(context_.theme.label_font);
-  const double cell_w = metrics.horizontalAdvance(QStringLiteral("000-0000")) + 4, cell_h = metrics.height() + 2;
+  const double cell_w = metrics.horizontalAdvance(QStringLiteral("000-0000")) + 4,
+               cell_h = metrics.height() + 2;
   std::set<std::pair<int, int>> taken;
   // Newest first: where labels would collide, the older one gives way.
   for (auto it = outlines_.rbegin(); it != outlines_.rend(); ++it) {
@@ -77,8 +89,8 @@ void OutlineLayer::paintIds(QPainter& painter) const {
     const QString text = QString::fromStdString(map::toText(it->first));
     QColor color = context_.theme.text;
     if (!it->second.visible) color.setAlpha(170);
-    drawLabel(painter, {center.x() - metrics.horizontalAdvance(text) / 2, center.y() + metrics.ascent() / 2}, text,
-              context_.theme, color, !it->second.visible);
+    drawLabel(painter, {center.x() - metrics.horizontalAdvance(text) / 2, center.y() + metrics.ascent() / 2},
+              text, context_.theme, color, !it->second.visible);
   }
 }
 
@@ -87,7 +99,8 @@ void OutlineLayer::paintHighlight(QPainter& painter) const {
   const auto it = outlines_.find(*highlighted_);
   if (it == outlines_.end()) return;
   QPolygonF polygon;
-  for (const Eigen::Vector2d& corner : it->second.corners) polygon << toPoint(context_.view.pixelFromWorld(corner));
+  for (const Eigen::Vector2d& corner : it->second.corners)
+    polygon << toPoint(context_.view.pixelFromWorld(corner));
   QColor fill = context_.theme.accent;
   fill.setAlpha(28);
   painter.setBrush(fill);

@@ -12,7 +12,8 @@ constexpr double kMarkPx = 11;  // half the length of the mark
 
 }  // namespace
 
-TrailLayer::TrailLayer(const LayerContext& context, const map::LiveState& live) : LayerItem(context), live_(live) {}
+TrailLayer::TrailLayer(const LayerContext& context, const map::LiveState& live)
+    : LayerItem(context), live_(live) {}
 
 void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   if (live_.trail.size() < 2) return;
@@ -20,7 +21,8 @@ void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   for (const Eigen::Vector2d& point : live_.trail) {
     const QPointF pixel = toPoint(context_.view.pixelFromWorld(point));
     // Points within two pixels of the one before change nothing that can be seen.
-    if (line.isEmpty() || std::abs(pixel.x() - line.last().x()) + std::abs(pixel.y() - line.last().y()) >= 2) {
+    if (line.isEmpty() ||
+        std::abs(pixel.x() - line.last().x()) + std::abs(pixel.y() - line.last().y()) >= 2) {
       line << pixel;
     }
   }
@@ -30,7 +32,8 @@ void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->drawPolyline(line);
 }
 
-RobotLayer::RobotLayer(const LayerContext& context, const map::LiveState& live) : LayerItem(context), live_(live) {}
+RobotLayer::RobotLayer(const LayerContext& context, const map::LiveState& live)
+    : LayerItem(context), live_(live) {}
 
 QRectF RobotLayer::robotRect() const {
   if (!live_.robot_pose) return {};

@@ -172,8 +172,7 @@ void MainWindow::createViewActions() {
 
   theme_actions_ = new QActionGroup(this);
   const auto theme = [this](const char* id, const QString& text, ThemeChoice choice) {
-    QAction* action = actions_.addToggle(kView, QLatin1String(id), text, QStringLiteral("theme"), {},
-                                         Reach::Everywhere, text);
+    QAction* action = actions_.addToggle(kView, QLatin1String(id), text, {}, {}, Reach::Everywhere, text);
     action->setData(int(choice));
     theme_actions_->addAction(action);
     connect(action, &QAction::triggered, this, [this, choice] { setTheme(choice); });

@@ -19,7 +19,7 @@ namespace {
 constexpr int kLayoutVersion = 1;
 constexpr int kLeftPx = 200;
 constexpr int kRightPx = 332;
-constexpr int kBottomPx = 140;
+constexpr int kBottomPx = 168;
 
 QString visibleKey(scene::Layer layer) {
   return QStringLiteral("layers/%1/visible").arg(scene::layerName(layer));

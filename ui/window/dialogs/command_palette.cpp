@@ -32,10 +32,9 @@ class CommandDelegate : public QStyledItemDelegate {
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     QStyledItemDelegate::paint(painter, option, index);
-    const bool selected = option.state & QStyle::State_Selected;
-    const UiColors colors = uiColors(option.palette);
+    const UiColors colors = appColors();
     QRect right = option.rect.adjusted(0, 0, -10, 0);
-    painter->setPen(selected ? option.palette.color(QPalette::HighlightedText) : colors.secondary_text);
+    painter->setPen(colors.secondary_text);
     const QString keys = index.data(kKeysRole).toString();
     painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, keys);
     right.setRight(right.right() - 90);
@@ -125,9 +124,14 @@ void CommandPalette::fill() {
   }
   std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.score > b.score; });
   list_->clear();
+  QPixmap nothing(list_->iconSize());
+  nothing.fill(Qt::transparent);
+  const QIcon no_icon(nothing);
   for (const Hit& hit : hits) {
     QAction* action = hit.entry->action;
-    auto* item = new QListWidgetItem(action->icon(), plainActionText(*action), list_);
+    // Names stand in one column, with a picture before them or not.
+    auto* item = new QListWidgetItem(action->icon().isNull() ? no_icon : action->icon(),
+                                     plainActionText(*action), list_);
     item->setData(Qt::UserRole, QVariant::fromValue(static_cast<QObject*>(action)));
     item->setData(kKeysRole, shortcutsText(*action));
     item->setData(kMenuRole, hit.entry->menu);

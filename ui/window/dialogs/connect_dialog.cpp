@@ -29,7 +29,7 @@ QLabel* plainLabel(const QString& text, QWidget* parent) {
 
 void makeSecondary(QLabel* label) {
   QPalette palette = label->palette();
-  palette.setColor(QPalette::WindowText, uiColors(palette).secondary_text);
+  palette.setColor(QPalette::WindowText, appColors().secondary_text);
   label->setPalette(palette);
 }
 
@@ -45,7 +45,7 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* pa
       list_(new QListWidget(this)),
       connect_(new QPushButton(QStringLiteral("Connect"), this)) {
   setWindowTitle(QStringLiteral("Connect to a robot"));
-  setMinimumWidth(520);
+  setMinimumWidth(580);
   auto* demo =
       new QPushButton(themedIcon(QStringLiteral("demo")), QStringLiteral("Try the demo robot"), this);
   demo->setObjectName(QStringLiteral("secondary"));
@@ -101,7 +101,7 @@ QWidget* ConnectDialog::buildForm() {
   makeSecondary(note);
   error_->setObjectName(QStringLiteral("error"));
   QPalette red = error_->palette();
-  red.setColor(QPalette::WindowText, uiColors(red).error_text);
+  red.setColor(QPalette::WindowText, appColors().error_text);
   error_->setPalette(red);
   error_->hide();
   form->addRow(QStringLiteral("&Address"), address_);
@@ -156,8 +156,10 @@ void ConnectDialog::fillRecents() {
     remove->setIconSize({14, 14});
     remove->setToolTip(QStringLiteral("Forget this robot"));
     remove->setAccessibleName(QStringLiteral("Forget %1").arg(robot.address));
-    line->addWidget(address, 2);
+    address->setElideMode(Qt::ElideMiddle);
+    line->addWidget(address, 3);
     line->addWidget(name, 1);
+    name->setVisible(!robot.name.isEmpty());
     line->addWidget(when);
     line->addWidget(remove);
     list_->setItemWidget(item, row);

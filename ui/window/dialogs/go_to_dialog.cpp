@@ -41,7 +41,7 @@ GoToDialog::GoToDialog(const Eigen::Vector2d& present, QWidget* parent)
   field_->selectAll();
   error_->setTextFormat(Qt::PlainText);
   QPalette red = error_->palette();
-  red.setColor(QPalette::WindowText, uiColors(red).error_text);
+  red.setColor(QPalette::WindowText, appColors().error_text);
   error_->setPalette(red);
   go_->setObjectName(QStringLiteral("primary"));
   go_->setDefault(true);

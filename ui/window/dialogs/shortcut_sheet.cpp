@@ -58,6 +58,7 @@ QList<Group> groupsOf(const Actions& actions) {
 
 QWidget* groupBox(const Group& group, QWidget* parent) {
   auto* box = new QWidget(parent);
+  box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 8);
   grid->setHorizontalSpacing(24);

@@ -37,7 +37,7 @@ class DockTitle : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent*) override {
-    const UiColors colors = uiColors(palette());
+    const UiColors colors = appColors();
     QPainter painter(this);
     painter.fillRect(rect(), colors.window);
     painter.setPen(colors.border);

@@ -41,7 +41,6 @@ InspectorControls::InspectorControls(QAction* show_ids, QAction* show_outlines, 
   slice_->setRange(0, 0);
   slice_->setPrefix(QStringLiteral("Slice "));
   slice_->setAccessibleName(QStringLiteral("Slice"));
-  slice_->setToolTip(QStringLiteral("Which slice of every submap is drawn"));
 
   auto* first = new QHBoxLayout;
   first->setSpacing(4);
@@ -109,7 +108,9 @@ void InspectorControls::setSlices(int present, int how_many) {
   slice_->setRange(0, last);
   slice_->setValue(present);
   slice_->setEnabled(last > 0);
-  slice_->setSuffix(how_many > 1 ? QStringLiteral(" of %1").arg(how_many) : QString());
+  slice_->setToolTip(how_many > 1
+                         ? QStringLiteral("Which slice of every submap is drawn: 0 to %1").arg(how_many - 1)
+                         : QStringLiteral("Which slice of every submap is drawn; these have one"));
 }
 
 void InspectorControls::setColorMode(render::ColorMode mode) {

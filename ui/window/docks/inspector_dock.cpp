@@ -29,6 +29,7 @@ InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction*
       details_(new QLabel(this)) {
   setObjectName(QStringLiteral("inspector"));
   buildTree();
+  details_->setObjectName(QStringLiteral("details"));
   details_->setTextFormat(Qt::PlainText);
   details_->setWordWrap(true);
   details_->setTextInteractionFlags(Qt::TextSelectableByMouse);

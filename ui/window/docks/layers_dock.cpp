@@ -23,7 +23,7 @@ QString layerTitle(Layer layer) {
     case Layer::Outlines:
       return QStringLiteral("Outlines");
     case Layer::Ids:
-      return QStringLiteral("Submap ids");
+      return QStringLiteral("Ids");
     case Layer::Trail:
       return QStringLiteral("Trail");
     case Layer::Robot:

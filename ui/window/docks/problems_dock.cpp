@@ -40,7 +40,7 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   header->resizeSection(ProblemsModel::TimeColumn,
                         fontMetrics().horizontalAdvance(QStringLiteral("00:00:00")) + 40);
   header->resizeSection(ProblemsModel::CountColumn, 64);
-  header->resizeSection(ProblemsModel::SubjectColumn, 200);
+  header->resizeSection(ProblemsModel::SubjectColumn, 150);
 
   auto* body = new QWidget(this);
   auto* row = new QHBoxLayout;
@@ -53,7 +53,10 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   copy_all_->setIcon(themedIcon(QStringLiteral("copy")));
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
   retry_->setToolTip(QStringLiteral("Ask again for everything that failed or was missing"));
-  for (QPushButton* button : {retry_, copy_selected_, copy_all_, clear_}) row->addWidget(button);
+  for (QPushButton* button : {retry_, copy_selected_, copy_all_, clear_}) {
+    button->setObjectName(QStringLiteral("compact"));
+    row->addWidget(button);
+  }
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

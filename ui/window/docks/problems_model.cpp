@@ -32,7 +32,7 @@ QString severityWord(map::Severity severity) {
 }
 
 QVariant severityPicture(const session::LoggedProblem& problem) {
-  const UiColors colors = uiColors(QGuiApplication::palette());
+  const UiColors colors = appColors();
   const double ratio = qApp->devicePixelRatio();
   if (problem.resolved) return iconPixmap(QStringLiteral("ok"), 16, ratio, colors.ok_text);
   switch (problem.problem.severity) {
@@ -103,7 +103,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
       return index.column() == CountColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
                                            : int(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
-      return row.resolved ? QVariant(uiColors(QGuiApplication::palette()).secondary_text) : QVariant();
+      return row.resolved ? QVariant(appColors().secondary_text) : QVariant();
     case Qt::ToolTipRole:
       return plainToolTip(problemLine(row) +
                           (row.resolved ? QStringLiteral("\nResolved since.") : QString()));

@@ -29,11 +29,11 @@ void SubmapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
                               const QModelIndex& index) const {
   QStyleOptionViewItem row = option;
   initStyleOption(&row, index);
-  const UiColors colors = uiColors(option.palette);
-  const bool selected = option.state & QStyle::State_Selected;
+  const UiColors colors = appColors();
   if (index.column() == SubmapTreeModel::NameColumn) {
-    if (index.data(SubmapTreeModel::HiddenRole).toBool() && !selected) {
+    if (index.data(SubmapTreeModel::HiddenRole).toBool()) {
       row.palette.setColor(QPalette::Text, colors.secondary_text);
+      row.palette.setColor(QPalette::HighlightedText, colors.secondary_text);
       row.font.setStrikeOut(true);
     }
     const QStyle* style = row.widget ? row.widget->style() : QApplication::style();
@@ -54,9 +54,9 @@ void SubmapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
       break;
     case SubmapTreeModel::LocateColumn:
       if (index.data(SubmapTreeModel::StatusRole).isValid() &&
-          (selected || option.state & QStyle::State_MouseOver)) {
+          (option.state & (QStyle::State_Selected | QStyle::State_MouseOver))) {
         paintIcon(painter, QRectF(option.rect).adjusted(2, 4, -2, -4), QStringLiteral("locate"),
-                  selected ? option.palette.color(QPalette::HighlightedText) : colors.accent_text);
+                  colors.accent_text);
       }
       break;
     default:
@@ -67,55 +67,55 @@ void SubmapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
 
 void SubmapRowDelegate::paintBadges(QPainter* painter, const QStyleOptionViewItem& option,
                                     const QStringList& names) const {
-  const UiColors colors = uiColors(option.palette);
-  const bool selected = option.state & QStyle::State_Selected;
+  constexpr double kGap = 3;
+  const UiColors colors = appColors();
   QFont font = option.font;
   font.setPointSizeF(font.pointSizeF() * 0.74);
   font.setWeight(QFont::DemiBold);
   painter->setFont(font);
   const QFontMetricsF metrics(font);
-  double x = option.rect.left() + 2;
-  const double right = option.rect.right() - 2;
   const auto width = [&metrics](const QString& name) { return metrics.horizontalAdvance(name) + 8; };
-  for (qsizetype i = 0; i < names.size(); ++i) {
-    const qsizetype left_over = names.size() - i;
-    // A badge that has no room becomes a count; the tooltip of the column and the details name them all.
-    QString name = names[i];
-    const double reserve = left_over > 1 ? width(QStringLiteral("+9")) + 3 : 0;
-    const bool last = x + width(name) + (left_over > 1 ? reserve : 0) > right &&
-                      !(left_over == 1 && x + width(name) <= right);
-    if (last) name = QStringLiteral("+%1").arg(left_over);
-    const QRectF box(x, option.rect.center().y() - 7 + 0.5, width(name), 15);
-    const QColor color = selected ? option.palette.color(QPalette::HighlightedText)
-                         : last   ? colors.secondary_text
-                                  : badgeColor(name, colors);
+  double x = option.rect.left() + 2;
+  const auto paint_one = [&](const QString& name, const QColor& color) {
+    const QRectF box(x, option.rect.center().y() - 6.5, width(name), 15);
     QColor fill = color;
-    fill.setAlpha(selected ? 50 : 26);
+    fill.setAlpha(26);
     painter->setPen(Qt::NoPen);
     painter->setBrush(fill);
     painter->drawRoundedRect(box, 4, 4);
     painter->setPen(color);
     painter->drawText(box, Qt::AlignCenter, name);
-    if (last) break;
-    x += box.width() + 3;
+    x += box.width() + kGap;
+  };
+  const double right = option.rect.right();
+  double needed = x;
+  for (const QString& name : names) needed += width(name) + kGap;
+  const bool all_fit = needed - kGap <= right;
+  // What has no room becomes a count; the details below the tree name them all.
+  const double room = all_fit ? right : right - width(QStringLiteral("+9")) - kGap;
+  for (qsizetype i = 0; i < names.size(); ++i) {
+    if (x + width(names[i]) > room) {
+      paint_one(QStringLiteral("+%1").arg(names.size() - i), colors.secondary_text);
+      return;
+    }
+    paint_one(names[i], badgeColor(names[i], colors));
   }
 }
 
 void SubmapRowDelegate::paintStatus(QPainter* painter, const QStyleOptionViewItem& option,
                                     const QModelIndex& index) const {
-  const UiColors colors = uiColors(option.palette);
-  const bool selected = option.state & QStyle::State_Selected;
+  const UiColors colors = appColors();
   const QVariant value = index.data(SubmapTreeModel::StatusRole);
   QRect text = option.rect.adjusted(2, 0, -4, 0);
-  QColor color = selected ? option.palette.color(QPalette::HighlightedText) : colors.secondary_text;
+  QColor color = colors.secondary_text;
   if (value.isValid()) {
     const auto status = session::SubmapStatus(value.toInt());
-    const QColor mark = selected ? color : markTextColor(statusMark(status), colors);
+    const Mark kind = statusMark(status);
+    const QColor mark = markTextColor(kind, colors);
     paintIcon(painter, QRectF(text.left(), text.center().y() - 6.5, 14, 14), statusIcon(status), mark);
     text.setLeft(text.left() + 18);
     // A healthy row stays quiet; the word takes a colour only where it asks for attention.
-    const Mark kind = statusMark(status);
-    if (!selected && (kind == Mark::Warning || kind == Mark::Bad)) color = mark;
+    if (kind == Mark::Warning || kind == Mark::Bad) color = mark;
   }
   painter->setPen(color);
   const QFontMetrics metrics(option.font);

@@ -22,7 +22,7 @@ QVariant SubmapTreeModel::groupData(const QString& name, int visible, int shown,
   if (column == NameColumn && role == Qt::CheckStateRole) {
     return int(visible == 0 ? Qt::Unchecked : visible == total ? Qt::Checked : Qt::PartiallyChecked);
   }
-  if (column == StatusColumn && role == Qt::DisplayRole) {
+  if (column == StatusColumn && role == Qt::DisplayRole && total > 0) {
     return QStringLiteral("%1 of %2").arg(countText(shown), countText(total));
   }
   if (role == Qt::ToolTipRole) {

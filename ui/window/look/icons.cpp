@@ -66,8 +66,7 @@ class SvgIconEngine : public QIconEngine {
   static QColor color(QIcon::Mode mode, QIcon::State state) {
     const QPalette palette = QGuiApplication::palette();
     if (mode == QIcon::Disabled) return palette.color(QPalette::Disabled, QPalette::ButtonText);
-    if (mode == QIcon::Selected) return palette.color(QPalette::HighlightedText);
-    if (state == QIcon::On) return uiColors(palette).accent_text;
+    if (state == QIcon::On) return appColors().accent_text;
     return palette.color(QPalette::Active, QPalette::ButtonText);
   }
 

@@ -72,7 +72,7 @@ void PlainLabel::paintEvent(QPaintEvent*) {
     paintIcon(&painter, QRectF(area.left(), area.center().y() - 7.5, 16, 16), icon_, icon_color_);
     area.setLeft(area.left() + iconWidth());
   }
-  const UiColors colors = uiColors(palette());
+  const UiColors colors = appColors();
   painter.setPen(!isEnabled() ? palette().color(QPalette::Disabled, QPalette::WindowText)
                  : secondary_ ? colors.secondary_text
                               : colors.text);

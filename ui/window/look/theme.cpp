@@ -38,9 +38,28 @@ QStatusBar::item { border: none; }
 QHeaderView::section { background: %window%; color: %secondary%; border: none; border-bottom: 1px solid %border%;
   padding: 3px 6px; }
 QTreeView, QTableView, QListView { border: none; outline: 0; }
-QLineEdit, QSpinBox, QDoubleSpinBox { border: 1px solid %border%; border-radius: 4px; padding: 2px 6px; background: %base%;
-  min-height: 18px; selection-background-color: %accent%; }
-QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus { border-color: %accent%; }
+QLineEdit { border: 1px solid %border%; border-radius: 4px; padding: 2px 6px; background: %base%;
+  min-height: 18px; selection-background-color: %accent%;
+  selection-color: white; }
+QLineEdit:focus { border-color: %accent%; }
+QComboBox, QSpinBox { border: 1px solid %border%; border-radius: 4px; padding: 2px 6px; background: %base%;
+  min-height: 18px; }
+QComboBox:focus, QSpinBox:focus { border-color: %accent%; }
+QComboBox:disabled, QSpinBox:disabled { color: %neutral%; background: transparent; }
+QComboBox::drop-down { border: none; width: 20px; }
+QComboBox::down-arrow, QSpinBox::down-arrow { image: url(:/controls/down.svg); width: 12px; height: 12px; }
+QSpinBox::up-arrow { image: url(:/controls/up.svg); width: 12px; height: 12px; }
+QSpinBox::up-button, QSpinBox::down-button { border: none; width: 18px; background: transparent; }
+QCheckBox { spacing: 6px; }
+QCheckBox::indicator, QTreeView::indicator { width: 13px; height: 13px; border: 1px solid %neutral%; border-radius: 3px;
+  background: %base%; }
+QCheckBox::indicator:checked, QTreeView::indicator:checked { background: %accent%; border-color: %accent%;
+  image: url(:/controls/check.svg); }
+QCheckBox::indicator:indeterminate, QTreeView::indicator:indeterminate { background: %accent%; border-color: %accent%;
+  image: url(:/controls/partly.svg); }
+QCheckBox::indicator:disabled { background: %border%; border-color: %border%; }
+QMenu { background: %base%; border: 1px solid %border%; padding: 4px 0; }
+QMenu::separator { height: 1px; background: %border%; margin: 4px 8px; }
 QSplitter::handle { background: %border%; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
@@ -63,8 +82,13 @@ QTabBar::tab:hover { color: %text%; }
 #secondary { background: transparent; color: %text%; border: 1px solid %border%; border-radius: 4px; padding: 5px 14px; }
 #secondary:hover { background: %hover%; }
 #secondary:focus { border-color: %accent%; }
+#details { border-top: 1px solid %border%; }
 #recents::item:selected, #recents::item:hover { background: %hover%; color: %text%; }
 #recents::item:selected { border-left: 3px solid %accent%; }
+#compact { background: transparent; color: %text%; border: 1px solid %border%; border-radius: 4px; padding: 2px 10px; }
+#compact:hover { background: %hover%; }
+#compact:focus { border-color: %accent%; }
+#compact:disabled { color: %neutral%; }
 #recents { background: %base%; border: 1px solid %border%; border-radius: 4px; }
 )");
   const auto put = [&css](const char* key, const QColor& color) {
@@ -132,7 +156,9 @@ bool applyTheme(QApplication& app, ThemeChoice choice) {
   app.setStyleSheet(QString());
   if (app.style()->name() != QLatin1String("fusion"))
     app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  app.setPalette(themePalette(colors));
+  const QPalette palette = themePalette(colors);
+  app.setPalette(palette);
+  for (const char* lists : {"QAbstractItemView", "QMenu"}) app.setPalette(listPalette(palette, colors), lists);
   app.setStyleSheet(styleSheet(colors));
   return dark;
 }

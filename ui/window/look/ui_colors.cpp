@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QGuiApplication>
+
 namespace mapwright::window {
 
 UiColors uiColors(bool dark) {
@@ -24,6 +26,7 @@ UiColors uiColors(bool dark) {
     c.border = QColor(0x38, 0x40, 0x4b);
     c.hover = QColor(0x2b, 0x32, 0x3c);
     c.tooltip = QColor(0x2b, 0x32, 0x3c);
+    c.selection = QColor(0x1d, 0x38, 0x61);
     c.neutral = QColor(0x8a, 0x94, 0xa1);
   } else {
     c.accent_text = QColor(0x17, 0x5c, 0xc8);
@@ -37,6 +40,7 @@ UiColors uiColors(bool dark) {
     c.border = QColor(0xd3, 0xd9, 0xe0);
     c.hover = QColor(0xe6, 0xea, 0xef);
     c.tooltip = QColor(0xff, 0xff, 0xff);
+    c.selection = QColor(0xd9, 0xe7, 0xfd);
     c.neutral = QColor(0x6b, 0x75, 0x80);
   }
   return c;
@@ -45,6 +49,8 @@ UiColors uiColors(bool dark) {
 UiColors uiColors(const QPalette& palette) {
   return uiColors(palette.color(QPalette::Active, QPalette::Window).lightness() < 128);
 }
+
+UiColors appColors() { return uiColors(QGuiApplication::palette()); }
 
 QPalette themePalette(const UiColors& c) {
   QPalette p;
@@ -76,6 +82,13 @@ QPalette themePalette(const UiColors& c) {
   }
   p.setColor(QPalette::Disabled, QPalette::Highlight, c.border);
   return p;
+}
+
+QPalette listPalette(const QPalette& theme, const UiColors& colors) {
+  QPalette palette = theme;
+  palette.setColor(QPalette::Highlight, colors.selection);
+  palette.setColor(QPalette::HighlightedText, colors.text);
+  return palette;
 }
 
 double contrastRatio(const QColor& a, const QColor& b) {

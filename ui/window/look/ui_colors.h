@@ -12,14 +12,19 @@ struct UiColors {
   bool dark = false;
   QColor accent, ok, warning, error;
   QColor accent_text, ok_text, warning_text, error_text;
-  QColor window, base, text, secondary_text, border, hover, tooltip;
+  QColor window, base, text, secondary_text, border, hover, tooltip, selection;
   QColor neutral;  // shapes that say nothing special
 };
 
 UiColors uiColors(bool dark);
+/// The colours of the theme that the application has now. To be asked while painting: a widget's own palette
+/// may have been bent by the style sheet.
+UiColors appColors();
 /// The colours that belong to a palette made by themePalette() (or any other): told by its lightness.
 UiColors uiColors(const QPalette& palette);
 QPalette themePalette(const UiColors& colors);
+/// The same with a soft selection: in lists, marks and words keep their own colours on a selected row.
+QPalette listPalette(const QPalette& theme, const UiColors& colors);
 
 /// Contrast ratio of WCAG 2, 1..21.
 double contrastRatio(const QColor& a, const QColor& b);

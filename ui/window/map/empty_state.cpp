@@ -183,7 +183,7 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
 }
 
 void EmptyStateCard::paintIcon() {
-  const UiColors colors = uiColors(palette());
+  const UiColors colors = appColors();
   const bool bad = icon_name_ == QLatin1String("error");
   icon_->setPixmap(
       iconPixmap(icon_name_, 40, devicePixelRatioF(), bad ? colors.error_text : colors.secondary_text));

@@ -29,7 +29,7 @@ void NorthArrow::enterEvent(QEnterEvent*) { update(); }
 void NorthArrow::leaveEvent(QEvent*) { update(); }
 
 void NorthArrow::paintEvent(QPaintEvent*) {
-  const UiColors colors = uiColors(palette());
+  const UiColors colors = appColors();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (underMouse()) {

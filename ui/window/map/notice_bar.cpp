@@ -35,7 +35,7 @@ void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& off
 QString NoticeBar::sentence() const { return label_->text(); }
 
 void NoticeBar::paintEvent(QPaintEvent*) {
-  const UiColors colors = uiColors(palette());
+  const UiColors colors = appColors();
   QPainter painter(this);
   painter.fillRect(rect(), colors.window);
   QColor tint = markColor(mark_, colors);

@@ -23,7 +23,7 @@ class MarkBox : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    paintMark(&painter, QRectF(rect()), mark_, uiColors(palette()));
+    paintMark(&painter, QRectF(rect()), mark_, appColors());
   }
 
  private:

@@ -38,7 +38,7 @@ QSize ConnectionChip::sizeHint() const {
 }
 
 void ConnectionChip::paintEvent(QPaintEvent*) {
-  const UiColors colors = uiColors(palette());
+  const UiColors colors = appColors();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(hasFocus() ? colors.accent : colors.border);

@@ -21,7 +21,7 @@ void ThinBar::setFraction(double fraction) {
 }
 
 void ThinBar::paintEvent(QPaintEvent*) {
-  const UiColors colors = uiColors(palette());
+  const UiColors colors = appColors();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
@@ -51,7 +51,7 @@ QSize StateLabel::sizeHint() const { return {fontMetrics().horizontalAdvance(sta
 QSize StateLabel::minimumSizeHint() const { return {qMin(sizeHint().width(), 120), 20}; }
 
 void StateLabel::paintEvent(QPaintEvent*) {
-  const UiColors colors = uiColors(palette());
+  const UiColors colors = appColors();
   QPainter painter(this);
   paintMark(&painter, QRectF(2, height() / 2.0 - 6, 12, 12), state_.mark, colors);
   painter.setPen(colors.text);

@@ -1,0 +1,189 @@
+// What the scene paints for a session, in pixels.
+#include <QImage>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "fake_robot.h"
+#include "scene/map_scene.h"
+
+using namespace mapwright;
+using Outcome = map::SubmapAnswer::Outcome;
+using scene::Layer;
+using scene::MapScene;
+using session::Session;
+using test::FakeRobot;
+
+namespace {
+
+/// A submap whose 4 x 4 cells of 0.05 m cover x -0.2..0 and y -0.2..0 of its pose.
+map::SubmapEntry entry(int index, int version, double x, double y) {
+  map::SubmapEntry e;
+  e.id = {0, index};
+  e.version = version;
+  e.pose = geometry::poseFromYaw(x, y, 0);
+  return e;
+}
+
+map::SubmapList listOf(std::vector<map::SubmapEntry> entries, const std::string& uuid = "u") {
+  map::SubmapList list;
+  list.uuid = uuid;
+  list.entries = std::move(entries);
+  return list;
+}
+
+constexpr QRgb kUnknown = 0xff778899;
+
+}  // namespace
+
+class MapSceneTest : public QObject {
+  Q_OBJECT
+ private:
+  FakeRobot* robot_ = nullptr;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<MapScene> scene_;
+
+  QImage painted() {
+    QImage image(100, 100, QImage::Format_RGB32);
+    QPainter painter(&image);
+    scene_->render(&painter, QRectF(0, 0, 100, 100), QRectF(0, 0, 100, 100));
+    return image;
+  }
+  /// One pixel a centimetre, the world's origin in the middle; the submap at (0.2, 0.2) covers (50..70, 30..50).
+  void showOneSubmap(char value = 127) {
+    robot_->say(listOf({entry(0, 1, 0.2, 0.2)}));
+    robot_->answer(Outcome::Ok, 0, value);
+    QTRY_VERIFY(session_->counts().shown == 1 && scene_->renderer().settled());
+  }
+
+ private Q_SLOTS:
+  void init() {
+    auto robot = std::make_unique<FakeRobot>();
+    robot_ = robot.get();
+    session_ = std::make_unique<Session>(std::move(robot), Session::Options{});
+    robot_->setPhase(robot::ConnectionPhase::Online);
+    render::TileRenderer::Options options;
+    options.previews = false;
+    scene_ = std::make_unique<MapScene>(options);
+    for (const Layer layer : scene::allLayers()) scene_->setLayerVisible(layer, layer == Layer::Submaps);
+    scene_->setView({{0, 0}, 0.01, 0, 100, 100});
+    scene_->setSession(session_.get());
+  }
+  void cleanup() {
+    scene_.reset();
+    session_.reset();
+  }
+
+  void anEmptySceneShowsTheColourOfTheUnknown() {
+    QVERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(10, 10), kUnknown);
+  }
+
+  void aSubmapLiesWhereItsPoseSays() {
+    showOneSubmap();
+    const QImage image = painted();
+    QCOMPARE(image.pixel(60, 40), 0xffffffff);
+    QCOMPARE(image.pixel(40, 40), kUnknown);
+    QCOMPARE(image.pixel(60, 60), kUnknown);
+    QCOMPARE(*scene_->occupancyAt({0.1, 0.1}), 0);
+    QVERIFY(!scene_->occupancyAt({-0.2, 0.1}));
+  }
+
+  void aMovedPoseMovesThePicture() {
+    showOneSubmap();
+    robot_->say(listOf({entry(0, 1, 0.2, -0.1)}));
+    QTRY_VERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(60, 40), kUnknown);
+    QCOMPARE(painted().pixel(60, 70), 0xffffffff);
+  }
+
+  void hiddenAndRemovedSubmapsAreNotPainted() {
+    showOneSubmap();
+    session_->setVisible({{0, 0}}, false);
+    QTRY_VERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(60, 40), kUnknown);
+    session_->setVisible({{0, 0}}, true);
+    QTRY_VERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(60, 40), 0xffffffff);
+    robot_->say(listOf({}));
+    QTRY_VERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(60, 40), kUnknown);
+  }
+
+  void aNewSlamSessionClearsTheMap() {
+    showOneSubmap();
+    robot_->say(listOf({entry(0, 1, 0.2, 0.2)}, "v"));
+    QTRY_VERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(60, 40), kUnknown);
+  }
+
+  void aSceneJoinsASessionThatAlreadyHasPictures() {
+    scene_->setSession(nullptr);
+    robot_->say(listOf({entry(0, 1, 0.2, 0.2)}));
+    robot_->answer(Outcome::Ok, 0, 127);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    scene_->setSession(session_.get());
+    QTRY_VERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(60, 40), 0xffffffff);
+  }
+
+  void aSliceThatIsNotThereShowsNothing() {
+    showOneSubmap();
+    session_->setSlice(3);
+    QTRY_VERIFY(scene_->renderer().settled());
+    QCOMPARE(painted().pixel(60, 40), kUnknown);
+  }
+
+  void theTopmostVisibleSubmapIsPicked() {
+    robot_->say(listOf({entry(0, 1, 0.2, 0.2), entry(1, 1, 0.25, 0.25)}));
+    robot_->answer(Outcome::Ok);
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 2);
+    QCOMPARE(scene_->submapAt({0.1, 0.1})->index, 1);
+    session_->setVisible({{0, 1}}, false);
+    QCOMPARE(scene_->submapAt({0.1, 0.1})->index, 0);
+    QVERIFY(!scene_->submapAt({-0.4, 0}));
+  }
+
+  void theRobotStandsOnItsPose() {
+    scene_->setLayerVisible(Layer::Robot, true);
+    QCOMPARE(painted().pixel(20, 80), kUnknown);
+    robot_->say(map::TrackedPose{{-0.3, -0.3, 0.5}});
+    QCOMPARE(painted().pixel(20, 80), scene_->theme().robot.rgb());
+  }
+
+  void layersCanBeHiddenAndFaded() {
+    showOneSubmap();
+    scene_->setLayerVisible(Layer::Submaps, false);
+    QCOMPARE(painted().pixel(60, 40), kUnknown);
+    scene_->setLayerVisible(Layer::Submaps, true);
+    scene_->setLayerOpacity(Layer::Submaps, 0.5);
+    const QRgb faded = painted().pixel(60, 40);
+    QVERIFY(qRed(faded) > 0x77 + 30 && qRed(faded) < 0xff - 30);
+  }
+
+  void theViewTellsTheSessionWhatIsLookedAt() {
+    robot_->say(listOf({}));
+    scene_->setView({{50, 0}, 0.01, 0, 100, 100});
+    std::vector<map::SubmapEntry> entries;
+    for (int i = 0; i < 10; ++i) entries.push_back(entry(i, 1, i * 10, 0));
+    robot_->say(listOf(entries));
+    QCOMPARE(robot_->asked.at(0).id.index, 5);
+  }
+
+  void namesOfLayersAreThoseOfTheCommandLine() {
+    QStringList names;
+    for (const Layer layer : scene::allLayers()) names << scene::layerName(layer);
+    QCOMPARE(names.join(QLatin1Char(',')), QStringLiteral("submaps,grid,outlines,ids,trail,robot,scalebar"));
+  }
+
+  void aSceneMayOutliveNothingAndBeTakenDownInAnyOrder() {
+    showOneSubmap();
+    scene_->setSession(nullptr);
+    session_.reset();
+    QCOMPARE(painted().pixel(60, 40), kUnknown);
+  }
+};
+
+QTEST_MAIN(MapSceneTest)
+#include "test_map_scene.moc"
