@@ -6,7 +6,6 @@ missing_packages() {
   mapfile -t wanted < <(grep -v '^#' "$top/packaging/packages.txt")
   local have
   have=$(dpkg-query -W -f '${db:Status-Status} ${binary:Package}\n' 2>/dev/null | sed -n 's/^installed \([^:]*\).*/\1/p')
-  have+=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Provides}\n' 2>/dev/null | sed -n 's/^installed //p' | tr ',' '\n' | sed 's/ *(.*//; s/^ *//')
   local package
   for package in "${wanted[@]}"; do
     grep -qxF -- "$package" <<<"$have" || printf '%s\n' "$package"
