@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QFile>
 #include <QImage>
 #include <QImageWriter>
 #include <QJsonArray>
 #include <QPainter>
 #include <QSaveFile>
-
-#include <sys/resource.h>
 
 #include "app/exit_code.h"
 #include "app/raw_picture.h"
@@ -22,6 +21,16 @@ constexpr int kTries = 3;           // of a failing submap, before it counts as 
 constexpr int kConnectAttempts = 3;
 constexpr double kConnectWithinS = 10;
 constexpr int kLookEveryMs = 20;
+
+/// The most memory this program has held. getrusage() would answer with that of whoever started it, were that more.
+qint64 peakMemoryBytes() {
+  QFile status(QStringLiteral("/proc/self/status"));
+  if (!status.open(QIODevice::ReadOnly)) return 0;
+  for (const QByteArray& line : status.readAll().split('\n')) {
+    if (line.startsWith("VmHWM:")) return line.mid(6).trimmed().split(' ').first().toLongLong() * 1024;
+  }
+  return 0;
+}
 
 }  // namespace
 
@@ -120,6 +129,9 @@ void SnapshotRun::paint(bool settled) {
   const session::SubmapCounts counts = session_.counts();
   complete_ = settled && counts.list_received && counts.shown + counts.without_slice == counts.listed &&
               counts.updating == 0;
+  if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
+    notes_ << QStringLiteral("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
+  }
   view_ = chooseView();
   if (options_.raw) {
     if (writeRaw()) finish(complete_ ? kDone : kIncomplete);
@@ -194,19 +206,16 @@ void SnapshotRun::finish(int exit_code) {
 QStringList SnapshotRun::warnings() const {
   QStringList all;
   if (!error_.isEmpty()) all << error_;
-  all << notes_;
   for (const session::LoggedProblem& row : session_.problems().rows()) {
     if (row.resolved) continue;
     all << QStringLiteral("%1: %2").arg(QString::fromStdString(row.problem.subject),
                                         QString::fromStdString(row.problem.sentence));
   }
-  return all;
+  return all + notes_;
 }
 
 QJsonObject SnapshotRun::report() const {
   const session::SubmapCounts counts = session_.counts();
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   const auto secondsOrNull = [](double value) {
     return value < 0 ? QJsonValue() : QJsonValue(std::round(value * 1000) / 1000);
   };
@@ -231,7 +240,7 @@ QJsonObject SnapshotRun::report() const {
                    {QStringLiteral("scale"), view_.scale_m_per_px},
                    {QStringLiteral("size"), QJsonArray{view_.width_px, view_.height_px}},
                    {QStringLiteral("rotation_deg"), geometry::degreesFromRadians(view_.rotation_rad)}}},
-      {QStringLiteral("peak_rss_bytes"), qint64(usage.ru_maxrss) * 1024},
+      {QStringLiteral("peak_rss_bytes"), peakMemoryBytes()},
       {QStringLiteral("warnings"), QJsonArray::fromStringList(warnings())},
   };
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include <QIODevice>
 #include <QLocale>
 #include <QNetworkAccessManager>
 #include <QNetworkReply>
@@ -47,6 +48,21 @@ QString unreachableSentence(QNetworkReply::NetworkError error, const QString& er
       return QStringLiteral("%1 cannot be reached: %2").arg(hostAndPort(url), error_text);
   }
 }
+
+}  // namespace
+
+namespace {
+
+/// Nothing to read, and no way back to its beginning.
+class EmptyStream : public QIODevice {
+ public:
+  EmptyStream() { open(QIODevice::ReadOnly); }
+  bool isSequential() const override { return true; }
+
+ protected:
+  qint64 readData(char*, qint64) override { return -1; }
+  qint64 writeData(const char*, qint64) override { return -1; }
+};
 
 }  // namespace
 
@@ -165,7 +181,14 @@ class HttpClient::Impl {
       request.setRawHeader("If-None-Match", headerSafe(job.stored->etag));
     }
     job.body.clear();
-    job.network_reply = network_.get(request);
+    // Left to itself Qt asks again, at once and up to three times, when the connection closes without an
+    // answer: behind the back of whoever counts tries and waits between them. A body that cannot be rewound,
+    // empty as it is, forbids that.
+    request.setHeader(QNetworkRequest::ContentLengthHeader, 0);
+    request.setAttribute(QNetworkRequest::DoNotBufferUploadDataAttribute, true);
+    auto* once = new EmptyStream;
+    job.network_reply = network_.sendCustomRequest(request, "GET", once);
+    once->setParent(job.network_reply);
     job.network_reply->setReadBufferSize(kReadAhead);
     QObject::connect(job.network_reply, &QNetworkReply::metaDataChanged, owner_,
                      [this, id] { checkHeaders(id); });
@@ -229,7 +252,8 @@ class HttpClient::Impl {
     const int status = reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     const QNetworkReply::NetworkError error = reply.error();
     // Below 200 are Qt's errors of the connection and of proxies; the others only repeat the HTTP status.
-    const bool broken = error != QNetworkReply::NoError && error < QNetworkReply::ContentAccessDenied;
+    const bool broken = error == QNetworkReply::ContentReSendError ||
+                        (error != QNetworkReply::NoError && error < QNetworkReply::ContentAccessDenied);
     if (status == 0 || broken) {
       finish(id, status == 0 ? failure(HttpAnswer::Kind::Unreachable,
                                        unreachableSentence(error, reply.errorString(), job.url))

@@ -13,6 +13,7 @@ namespace {
 
 using Texture = std::shared_ptr<const CellTexture>;
 
+constexpr double kMinResolutionM = 1e-4;
 constexpr double kMaxResolutionM = 100;
 
 enum CellFormat : int { kLogOdds = 0, kTsdfDelta = 1, kIntensity = 2 };
@@ -98,6 +99,9 @@ tl::expected<Texture, CellError> decodeCells(std::span<const std::uint8_t> bytes
   }
   if (!std::isfinite(resolution_m) || resolution_m <= 0) {
     return failure("the cell size is not a positive number of metres");
+  }
+  if (resolution_m < kMinResolutionM) {
+    return failure("the cell size is less than 0.1 mm");
   }
   if (resolution_m > kMaxResolutionM) {
     return failure("the cell size is more than 100 m");

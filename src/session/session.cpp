@@ -12,6 +12,15 @@ constexpr int kRowsEveryMs = 100;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
+/// The robot's words as a sentence that another one can follow.
+std::string asSentence(std::string words) {
+  while (!words.empty() && words.back() == ' ') words.pop_back();
+  if (words.empty()) return words;
+  if (words.back() != '.' && words.back() != '!' && words.back() != '?') words += '.';
+  if (words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
+  return words;
+}
+
 std::string subjectOf(const map::SubmapKey& key) {
   return "Submap " + map::toText(key.id) + " v" + std::to_string(key.version);
 }
@@ -155,10 +164,11 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
       bytes_fetched_ += answer.from_cache ? 0 : answer.bytes;
     } else if (answer.outcome != Outcome::Cancelled) {
       ++fetches_;
-      failure_reasons_[key.id] = answer.reason;
+      const std::string reason = asSentence(answer.reason);
+      failure_reasons_[key.id] = reason;
       const bool missing = answer.outcome == Outcome::NotFound;
       report({missing ? map::Severity::Warning : map::Severity::Error, subjectOf(key),
-              answer.reason + (missing ? " It will be asked for again at the next version."
+              reason + (missing ? " It will be asked for again at the next version."
                                        : " It will be asked for again.")});
     }
     if (answer.outcome == Outcome::Ok) {

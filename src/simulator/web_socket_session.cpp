@@ -1,10 +1,7 @@
 #include "simulator/web_socket_session.h"
 
-#include <vector>
-
-#include <simdjson.h>
-
 #include "simulator/json_text.h"
+#include "simulator/topic_request.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -14,7 +11,6 @@ namespace websocket = boost::beast::websocket;
 
 constexpr std::size_t kMostMessageBytes = 64 << 10;
 constexpr std::size_t kMostTopics = 256;
-constexpr std::size_t kLongestTopic = 255;
 constexpr std::size_t kMostQueued = 32;                           // beyond it, poses are left out
 constexpr std::size_t kMostQueuedBytes = std::size_t{256} << 20;  // beyond it, the reader is given up
 
@@ -26,37 +22,6 @@ std::string errorMessage(std::string_view sentence) {
 }
 
 Frame textFrame(std::string text) { return {std::make_shared<const std::string>(std::move(text)), false}; }
-
-/// The topics that a value of enable_topic names; an empty vector and a sentence when it cannot be used.
-std::vector<std::string> topicsOf(simdjson::dom::element value, bool lists_allowed, std::string& problem) {
-  std::vector<std::string> topics;
-  std::string_view name;
-  simdjson::dom::array list;
-  if (value.get(name) == simdjson::SUCCESS) {
-    topics.emplace_back(name);
-  } else if (value.get(list) == simdjson::SUCCESS) {
-    if (!lists_allowed) {
-      problem = "A list of topics is not supported by this robot; enable them one by one.";
-      return {};
-    }
-    for (const simdjson::dom::element one : list) {
-      if (one.get(name) != simdjson::SUCCESS || topics.size() >= kMostTopics) {
-        problem = "A list of topics holds something that is no topic.";
-        return {};
-      }
-      topics.emplace_back(name);
-    }
-  } else {
-    problem = "A topic is a text or a list of texts.";
-  }
-  for (const std::string& topic : topics) {
-    if (topic.empty() || topic.size() > kLongestTopic) {
-      problem = "A topic's name is empty or too long.";
-      return {};
-    }
-  }
-  return topics;
-}
 
 }  // namespace
 
@@ -102,46 +67,22 @@ void WebSocketSession::read() {
 }
 
 void WebSocketSession::understand(std::string_view text) {
-  simdjson::dom::parser parser;
-  simdjson::dom::element document;
-  simdjson::dom::object object;
-  if (parser.parse(text.data(), text.size()).get(document) != simdjson::SUCCESS ||
-      document.get(object) != simdjson::SUCCESS) {
-    send(textFrame(errorMessage("The message is no JSON object.")));
+  const TopicRequest request = parseTopicRequest(text, services_.options.enable_topic_list);
+  if (!request.problem.empty()) {
+    send(textFrame(errorMessage(request.problem)));
     return;
   }
-  bool understood = false;
-  std::vector<std::string> added;
-  for (const bool enable : {true, false}) {
-    simdjson::dom::element value;
-    if (object[enable ? "enable_topic" : "disable_topic"].get(value) != simdjson::SUCCESS) continue;
-    std::string problem;
-    const std::vector<std::string> named = topicsOf(value, services_.options.enable_topic_list, problem);
-    if (!problem.empty()) {
-      send(textFrame(errorMessage(problem)));
-      return;
-    }
-    understood = true;
-    for (const std::string& topic : named) {
-      if (!enable) {
-        topics_.erase(topic);
-      } else if (topics_.size() < kMostTopics) {
-        topics_.insert(topic);
-        added.push_back(topic);
-      }
-    }
+  for (const std::string& topic : request.enable) {
+    if (topics_.size() < kMostTopics) topics_.insert(topic);
   }
-  if (!understood) {
-    send(textFrame(errorMessage("The message names neither enable_topic nor disable_topic.")));
-    return;
-  }
+  for (const std::string& topic : request.disable) topics_.erase(topic);
   std::string reply = "{\"enabled_topics\":[";
   for (const std::string& topic : topics_) {
     if (reply.back() != '[') reply += ',';
     appendJsonText(reply, topic);
   }
   send(textFrame(reply + "]}"));
-  for (const std::string& topic : added) {
+  for (const std::string& topic : request.enable) {
     if (isLatched(topic)) publish(topic);
   }
 }

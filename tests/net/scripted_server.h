@@ -23,6 +23,9 @@ class ScriptedServer {
   /// connection stays.
   using Answer = std::function<QByteArray(const SeenRequest&)>;
 
+  /// Answer with this to close the connection without a word.
+  inline static const QByteArray kHangUp = "(hang up)";
+
   explicit ScriptedServer(Answer answer) : answer_(std::move(answer)) {
     server_.listen(QHostAddress::LocalHost);
     QObject::connect(&server_, &QTcpServer::newConnection, &server_, [this] {
@@ -70,7 +73,9 @@ class ScriptedServer {
     seen.append(request);
     const QByteArray bytes = answer_(request);
     if (!bytes.isEmpty()) {
-      socket->write(bytes);
+      if (bytes != kHangUp) {
+        socket->write(bytes);
+      }
       socket->disconnectFromHost();
     }
   }

@@ -160,6 +160,19 @@ class TestHttpClient : public QObject {
     QVERIFY(!cache.find(server.url()));
   }
 
+  void aHungUpConnectionIsToldAndNotTriedAgainByItself() {
+    int asked = 0;
+    ScriptedServer server([&asked](const SeenRequest&) {
+      ++asked;
+      return ScriptedServer::kHangUp;
+    });
+    HttpClient client(server.url(), {}, nullptr);
+    const HttpAnswer given = ask(client, to(server.url(), false));
+    QCOMPARE(given.kind, Kind::Unreachable);
+    QVERIFY(!given.sentence.isEmpty());
+    QCOMPARE(asked, 1);
+  }
+
   void tooLongBodiesAreCutOff_data() {
     QTest::addColumn<bool>("announced");
     QTest::addRow("announced") << true;

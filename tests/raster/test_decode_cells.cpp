@@ -169,6 +169,7 @@ class TestDecodeCells : public QObject {
     QVERIFY(sentenceOf(one, 8193, 8192).contains(QStringLiteral("at most 67,108,864")));
     QCOMPARE(sentenceOf(one, 8192, 8192),
              QStringLiteral("1 byte where 67,108,864 (or 134,217,728) were expected"));
+    QCOMPARE(sentenceOf(one, 1, 1, 0, 1e-300), QStringLiteral("the cell size is less than 0.1 mm"));
     for (const double resolution : {0.0, -0.05, std::nan(""), double(INFINITY), -double(INFINITY)}) {
       QCOMPARE(sentenceOf(one, 1, 1, 0, resolution),
                QStringLiteral("the cell size is not a positive number of metres"));

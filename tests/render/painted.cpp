@@ -23,7 +23,8 @@ QImage paintedPicture(render::TileRenderer& renderer, const geometry::ViewTransf
 int countNothing(const QImage& image) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == kNothing;
+    const auto* const line = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+    count += int(std::count(line, line + image.width(), kNothing));
   }
   return count;
 }

@@ -55,8 +55,12 @@ ReferencePixel composedSample(const Eigen::Vector2d& world, double scale_m_per_p
                               const std::vector<PlainTexture>& textures) {
   ReferencePixel pixel;
   for (const PlainTexture& texture : textures) {
-    const Eigen::Vector2d p = texture.placed.world_from_texture.inverse().apply(world);
-    const double u = -p.y() / texture.resolution_m, v = -p.x() / texture.resolution_m;
+    // inverse(world_from_texture) * world, by its definition.
+    const geometry::Pose2& pose = texture.placed.world_from_texture;
+    const double dx = world.x() - pose.x_m, dy = world.y() - pose.y_m;
+    const double x = texture.cos_yaw * dx + texture.sin_yaw * dy,
+                 y = -texture.sin_yaw * dx + texture.cos_yaw * dy;
+    const double u = -y / texture.resolution_m, v = -x / texture.resolution_m;
     if (u < -2 || v < -2 || u > texture.width + 2 || v > texture.height + 2) continue;
     const bool nearest = scale_m_per_px < texture.resolution_m / 4;
     const Sample s = nearest ? nearestSample(texture, u, v) : bilinearSample(texture, u, v);
@@ -91,7 +95,8 @@ raster::CellPair PlainTexture::at(int column, int row) const {
 
 PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<raster::CellPair> cells,
                           geometry::Pose2 pose, int index, std::uint8_t flags) {
-  PlainTexture plain{width, height, resolution_m, std::move(cells), {}};
+  PlainTexture plain{
+      width, height, resolution_m, std::move(cells), {}, std::cos(pose.yaw_rad), std::sin(pose.yaw_rad)};
   plain.placed.id = {0, index};
   plain.placed.texture = raster::CellTexture::fromPairs(width, height, resolution_m, plain.cells);
   plain.placed.world_from_texture = pose;

@@ -17,6 +17,7 @@ struct PlainTexture {
   double resolution_m = 0.05;
   std::vector<raster::CellPair> cells;
   render::PlacedTexture placed;
+  double cos_yaw = 1, sin_yaw = 0;
 
   raster::CellPair at(int column, int row) const;  // (0,0) outside
 };

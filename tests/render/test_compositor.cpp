@@ -124,9 +124,10 @@ void TestCompositor::kernelsGiveTheSameBytes() {
   QFETCH(int, content);
   QFETCH(double, scale);
   std::mt19937 random(99);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 2; ++round) {
     const auto textures = scattered(6, Content(content), {0, 0}, random);
-    const PixelGrid grid = gridAround({0, 0}, scale, round * 0.37, 203, 187);
+    const PixelGrid grid =
+        gridAround({0, 0}, scale, 0.3 + round * 0.37, scale > 0.2 ? 43 : 123, scale > 0.2 ? 37 : 117);
     const Composition portable = composeAll(grid, textures, Quality::Exact, Kernel::Portable);
     const Composition avx2 = composeAll(grid, textures, Quality::Exact, Kernel::Avx2);
     QVERIFY(portable.intensity == avx2.intensity);

@@ -28,6 +28,7 @@ QAction* Actions::addToggle(const QString& menu, const QString& id, const QStrin
                             const QString& tip) {
   QAction* action = add(menu, id, text, icon_name, shortcuts, reach, tip);
   action->setCheckable(true);
+  action->setIconVisibleInMenu(false);  // a check mark says more there than a tinted picture
   return action;
 }
 

@@ -9,7 +9,8 @@
 namespace mapwright::robot::axbot {
 namespace {
 
-constexpr std::size_t kMaxInflated = std::size_t(256) << 20;
+// A list of 100,000 submaps takes about 10 MB.
+constexpr std::size_t kMaxInflated = std::size_t(32) << 20;
 
 /// Inflates gzip or zlib data of unknown size up to kMaxInflated; nullopt when broken, cut off or larger.
 std::optional<std::string> inflateBounded(std::string_view packed) {

@@ -65,6 +65,12 @@ InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction*
   refreshDetails();
 }
 
+InspectorDock::~InspectorDock() {
+  // The children go after this object's own part is gone: they must not report to it any more.
+  tree_->selectionModel()->disconnect(this);
+  tree_->disconnect(this);
+}
+
 void InspectorDock::buildTree() {
   tree_->setModel(filtered_);
   tree_->setItemDelegate(new SubmapRowDelegate(tree_));

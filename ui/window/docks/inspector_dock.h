@@ -24,6 +24,8 @@ class InspectorDock : public QDockWidget {
  public:
   InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction* show_outlines, QWidget* parent = nullptr);
 
+  ~InspectorDock() override;
+
   /// Not owned; null = none.
   void setSession(session::Session* session);
   void setColorMode(render::ColorMode mode);

@@ -78,6 +78,12 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   refresh();
 }
 
+ProblemsDock::~ProblemsDock() {
+  // As in the inspector: the table goes later than what it reports to.
+  table_->selectionModel()->disconnect(this);
+  table_->removeEventFilter(this);
+}
+
 void ProblemsDock::setSession(session::Session* session) {
   if (session_) session_->disconnect(this);
   session_ = session;

@@ -19,6 +19,7 @@ class ProblemsDock : public QDockWidget {
   Q_OBJECT
  public:
   explicit ProblemsDock(QWidget* parent = nullptr);
+  ~ProblemsDock() override;
   void setSession(session::Session* session);
   ProblemsModel* model() const { return model_; }
   QTableView* table() const { return table_; }

@@ -158,7 +158,8 @@ bool applyTheme(QApplication& app, ThemeChoice choice) {
     app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   const QPalette palette = themePalette(colors);
   app.setPalette(palette);
-  for (const char* lists : {"QAbstractItemView", "QMenu"}) app.setPalette(listPalette(palette, colors), lists);
+  for (const char* lists : {"QAbstractItemView", "QMenu"})
+    app.setPalette(listPalette(palette, colors), lists);
   app.setStyleSheet(styleSheet(colors));
   return dark;
 }

@@ -153,12 +153,12 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
 }
 
 void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
+  if (state == state_) return;
+  state_ = state;
   if (!state) {
-    kind_.reset();
     hide();
     return;
   }
-  kind_ = state->kind;
   title_->setText(state->title);
   text_->setText(state->text);
   text_->setVisible(!state->text.isEmpty());

@@ -21,6 +21,7 @@ struct EmptyState {
   QString icon, title, text;
   bool busy = false;
   bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
+  bool operator==(const EmptyState&) const = default;
 };
 
 /// nullopt while there is something on the map. `session` may be null.
@@ -35,7 +36,9 @@ class EmptyStateCard : public QFrame {
   explicit EmptyStateCard(QWidget* parent = nullptr);
   /// Shows a state, or hides the card.
   void setState(const std::optional<EmptyState>& state);
-  std::optional<EmptyState::Kind> kind() const { return kind_; }
+  std::optional<EmptyState::Kind> kind() const {
+    return state_ ? std::optional(state_->kind) : std::nullopt;
+  }
 
  Q_SIGNALS:
   void connectWanted();
@@ -57,7 +60,7 @@ class EmptyStateCard : public QFrame {
   QPushButton* retry_;
   QPushButton* cancel_;
   QString icon_name_;
-  std::optional<EmptyState::Kind> kind_;
+  std::optional<EmptyState> state_;
 };
 
 }  // namespace mapwright::window

@@ -1,0 +1,217 @@
+// The whole window on a fake robot: what is done with the map.
+#include <QApplication>
+#include <QClipboard>
+#include <QLineEdit>
+#include <QSlider>
+#include <QToolButton>
+#include <QTreeView>
+#include <QtTest>
+
+#include "window/docks/inspector_controls.h"
+#include "window/docks/inspector_dock.h"
+#include "window/docks/layers_dock.h"
+#include "window/main_window.h"
+#include "window/map/map_furniture.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
+#include "window/status/window_status_bar.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::Bench;
+using test::kAddress;
+
+class TestWindowMap : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void locatesAndHighlights() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    QTreeView* tree = window.inspector()->tree();
+    tree->expandAll();
+    const QModelIndex row = bench.row({1, 0});
+    tree->scrollTo(row);
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(row).center());
+    QCOMPARE(*window.mapScene()->highlighted(), (map::SubmapId{1, 0}));
+    QVERIFY(window.inspector()->detailsText().startsWith(QLatin1String("1-0 v3")));
+    const QModelIndex locate = bench.row({1, 0}, SubmapTreeModel::LocateColumn);
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(locate).center());
+    // 100 cells of 5 cm run to -x and -y from its pose.
+    QVERIFY((window.mapScene()->view().center_m - Eigen::Vector2d(37.5, -2.5)).norm() < 1e-6);
+    window.view()->lookAt({0, 0});
+    Q_EMIT tree->doubleClicked(row);
+    QVERIFY((window.mapScene()->view().center_m - Eigen::Vector2d(37.5, -2.5)).norm() < 1e-6);
+    bench.key(Qt::Key_Escape);
+    QVERIFY(!window.mapScene()->highlighted());
+  }
+
+  void groupsCanBeSwitchedOffAndStayOff() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    auto near = test::entry(0, 1, 1, 5, 0);
+    near.is_nearby = true;
+    bench.robot->list({test::entry(0, 0, 1, 0, 0), near});
+    QTRY_COMPARE(window.session()->counts().listed, 2);
+    Q_EMIT window.inspector()->controls()->nearbyWanted(false);
+    QVERIFY(!window.session()->book().find({0, 1})->visible);
+    QVERIFY(window.session()->book().find({0, 0})->visible);
+    auto newcomer = test::entry(0, 2, 1, 9, 0);
+    newcomer.is_nearby = true;
+    bench.robot->list({test::entry(0, 0, 1, 0, 0), near, newcomer, test::entry(0, 3, 1, 9, 9)});
+    QTRY_VERIFY(!window.session()->book().find({0, 2})->visible);
+    QVERIFY(window.session()->book().find({0, 3})->visible);
+  }
+
+  void keysWorkOnTheMapAndNotWhileTyping() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    const bool grid = window.mapScene()->layerVisible(scene::Layer::Grid);
+    window.view()->setFocus();
+    bench.key(Qt::Key_G);
+    QCOMPARE(window.mapScene()->layerVisible(scene::Layer::Grid), !grid);
+    bench.key(Qt::Key_BracketLeft);
+    QVERIFY(window.mapScene()->view().rotation_rad > 0);
+    bench.key(Qt::Key_N);
+    QCOMPARE(window.mapScene()->view().rotation_rad, 0.0);
+    bench.key(Qt::Key_0);
+    QCOMPARE(window.mapScene()->view().scale_m_per_px, 0.05);
+    bench.key(Qt::Key_Minus);
+    QCOMPARE(window.mapScene()->view().scale_m_per_px, 0.0625);
+    bench.key(Qt::Key_M);
+    QCOMPARE(window.view()->tool()->name(), QStringLiteral("measure"));
+    QVERIFY(!window.overlay()->hint().isEmpty());
+    bench.key(Qt::Key_Escape);
+    QCOMPARE(window.view()->tool()->name(), QStringLiteral("pan"));
+    bench.key(Qt::Key_Tab);
+    QVERIFY(!window.overlay()->furniture()->isVisible());
+    bench.key(Qt::Key_Tab);
+    QVERIFY(window.overlay()->furniture()->isVisible());
+
+    QLineEdit* filter = window.inspector()->controls()->filterEdit();
+    filter->setFocus();
+    const auto camera = window.mapScene()->view();
+    QTest::keyClicks(filter, QStringLiteral("fgnrm0-"));
+    QCOMPARE(filter->text(), QStringLiteral("fgnrm0-"));
+    QCOMPARE(window.mapScene()->view(), camera);
+    QCOMPARE(window.mapScene()->layerVisible(scene::Layer::Grid), !grid);
+  }
+
+  void followsTheRobotUntilPanned() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.robot->say(map::TrackedPose{{3, 4, 0}});
+    bench.key(Qt::Key_R);
+    QVERIFY(bench.action("follow")->isChecked());
+    QVERIFY((window.mapScene()->view().center_m - Eigen::Vector2d(3, 4)).norm() < 1e-9);
+    bench.robot->say(map::TrackedPose{{5, 6, 0}});
+    QVERIFY((window.mapScene()->view().center_m - Eigen::Vector2d(5, 6)).norm() < 1e-9);
+    bench.key(Qt::Key_Plus);  // zooming does not end it
+    QVERIFY(window.view()->following());
+    bench.key(Qt::Key_Left);
+    QVERIFY(!window.view()->following());
+    QVERIFY(!bench.action("follow")->isChecked());
+  }
+
+  void poseAtHighRateMovesNoDock() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    QCoreApplication::processEvents();
+    struct Layouts : QObject {
+      bool eventFilter(QObject*, QEvent* event) override {
+        requests += event->type() == QEvent::LayoutRequest;
+        return false;
+      }
+      int requests = 0;
+    } layouts;
+    QTRY_VERIFY(window.session()->counts().pending == 0);
+    window.installEventFilter(&layouts);
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+      dock->installEventFilter(&layouts);
+      dock->widget()->installEventFilter(&layouts);
+    }
+    QCoreApplication::sendPostedEvents();
+    layouts.requests = 0;
+    for (int i = 0; i < 90; ++i) {
+      bench.robot->say(map::TrackedPose{{i * 0.1, 0, 0}});
+      QCoreApplication::sendPostedEvents();  // no timers: only what a pose itself causes
+    }
+    QCOMPARE(layouts.requests, 0);
+  }
+
+  void tellsWhatIsUnderTheCursor() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    window.view()->lookAt({-2.5, -2.5});  // free floor of 0-0
+    window.view()->setScale(0.05);
+    const QPoint middle = window.view()->viewport()->rect().center();
+    const auto hover = [&](const QPoint& at) {
+      QMouseEvent move(QEvent::MouseMove, at, window.view()->viewport()->mapToGlobal(at), Qt::NoButton,
+                       Qt::NoButton, {});
+      QApplication::sendEvent(window.view()->viewport(), &move);
+    };
+    hover(middle);
+    QVERIFY(window.bar()->cursorShown().startsWith(QLatin1String("x -2.5")));
+    QTRY_VERIFY2(window.bar()->occupancyShown().startsWith(QLatin1String("free")),
+                 qPrintable(window.bar()->occupancyShown()));
+    hover(middle + QPoint(0, 150));  // 7.5 m further down lies nothing
+    QTRY_COMPARE(window.bar()->occupancyShown(), QStringLiteral("unknown"));
+    QCOMPARE(window.bar()->scaleShown().section(QLatin1String("  "), 1), QStringLiteral("5 cm/px"));
+  }
+
+  void layersFollowTheScene() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QTest::mouseClick(window.layers()->eye(scene::Layer::Trail), Qt::LeftButton);
+    QVERIFY(!window.mapScene()->layerVisible(scene::Layer::Trail));
+    window.layers()->opacity(scene::Layer::Submaps)->setValue(40);
+    QCOMPARE(window.mapScene()->layerOpacity(scene::Layer::Submaps), 0.4);
+    window.mapScene()->setLayerVisible(scene::Layer::Ids, true);
+    QVERIFY(bench.action("showIds")->isChecked());
+    QVERIFY(window.layers()->eye(scene::Layer::Ids)->isChecked());
+  }
+
+  void takesPictures() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const QString path = bench.folder.filePath(QStringLiteral("map.png"));
+    QVERIFY(!window.saveMapPicture(path));
+    const QImage saved(path);
+    QCOMPARE(saved.size(), window.view()->viewport()->size());
+    QVERIFY(window.saveMapPicture(bench.folder.filePath(QStringLiteral("none/map.png"))));
+    bench.action("screenshotCopy")->trigger();
+    QVERIFY(!QApplication::clipboard()->image().isNull());
+    QVERIFY(window.overlay()->toasts()->texts().contains(QStringLiteral("Picture copied")));
+  }
+
+  void fitsTheFirstMapButNotAgainstTheUser() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    QTRY_VERIFY(window.mapScene()->view().visibleWorld().contains({40, -2}));
+    QTRY_VERIFY((window.mapScene()->view().center_m - window.session()->contentBounds().center()).norm() <
+                1e-6);
+    window.view()->lookAt({-100, -100});
+    bench.robot->list({test::entry(0, 0, 2, 0, 0), test::entry(0, 1, 1, 5, 0), test::entry(1, 0, 3, 40, 0)});
+    QTRY_COMPARE(window.session()->book().find({0, 0})->shown_version, 2);
+    QTRY_COMPARE(window.session()->counts().pending, 0);
+    QVERIFY((window.mapScene()->view().center_m - Eigen::Vector2d(-100, -100)).norm() < 1e-9);
+    bench.key(Qt::Key_F);
+    QVERIFY((window.mapScene()->view().center_m - window.session()->contentBounds().center()).norm() < 1e-6);
+  }
+};
+
+QTEST_MAIN(TestWindowMap)
+#include "test_window_map.moc"

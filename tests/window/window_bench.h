@@ -1,0 +1,68 @@
+// A whole window on a fake robot, for tests.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "fake_robot.h"
+#include "window/docks/inspector_dock.h"
+#include "window/main_window.h"
+#include "window/map/map_view.h"
+
+namespace mapwright::test {
+
+using window::MainWindow;
+
+inline const QString kAddress = QStringLiteral("axbot+http://192.0.2.7:8090");
+
+struct Bench {
+  Bench() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat) {}
+
+  MainWindow& open(const QSize& size = {1366, 768}) {
+    window.reset();
+    MainWindow::Dependencies wanted{
+        [this](const QString& address,
+               const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          if (address == QLatin1String("bad")) {
+            return tl::unexpected(QStringLiteral("This is no address."));
+          }
+          auto made = std::make_unique<FakeRobot>(address);
+          robot = made.get();
+          if (prepare) prepare(*made);
+          return std::unique_ptr<robot::Robot>(std::move(made));
+        },
+        settings};
+    window = std::make_unique<MainWindow>(std::move(wanted));
+    window->resize(size);
+    window->show();
+    window->view()->setAnimationMs(0);
+    (void)QTest::qWaitForWindowActive(window.get());
+    return *window;
+  }
+  QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(window->view(), key, modifiers);
+  }
+  QModelIndex row(map::SubmapId id, int column = 0) {
+    window::InspectorDock* dock = window->inspector();
+    return dock->filterModel()->mapFromSource(dock->model()->indexOf(id)).siblingAtColumn(column);
+  }
+  /// Two trajectories, the second far to the right; all pictures in.
+  void load() {
+    robot->list({entry(0, 0, 1, 0, 0), entry(0, 1, 1, 5, 0), entry(1, 0, 3, 40, 0)});
+    QTRY_COMPARE(window->session()->counts().shown, 3);
+    QTRY_VERIFY(row({1, 0}).isValid());
+  }
+
+  QTemporaryDir folder;
+  QSettings settings;
+  std::unique_ptr<MainWindow> window;
+  FakeRobot* robot = nullptr;
+  std::function<void(FakeRobot&)> prepare;
+};
+
+}  // namespace mapwright::test
