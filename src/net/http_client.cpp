@@ -252,8 +252,12 @@ class HttpClient::Impl {
     const int status = reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     const QNetworkReply::NetworkError error = reply.error();
     // Below 200 are Qt's errors of the connection and of proxies; the others only repeat the HTTP status.
-    const bool broken = error == QNetworkReply::ContentReSendError ||
-                        (error != QNetworkReply::NoError && error < QNetworkReply::ContentAccessDenied);
+    // A 307 or 308 means "send the same again", which Qt calls an error of the empty body; it is followed
+    // here.
+    const bool cannot_rewind = error == QNetworkReply::ContentReSendError;
+    const bool broken = cannot_rewind
+                            ? !isRedirect(status)
+                            : error != QNetworkReply::NoError && error < QNetworkReply::ContentAccessDenied;
     if (status == 0 || broken) {
       finish(id, status == 0 ? failure(HttpAnswer::Kind::Unreachable,
                                        unreachableSentence(error, reply.errorString(), job.url))

@@ -109,6 +109,7 @@ class TestHttpClient : public QObject {
     QVERIFY(elsewhere.seen.isEmpty());
 
     const HttpAnswer here = ask(client, to(server.url(QStringLiteral("/here"))));
+    QVERIFY2(here.ok(), qPrintable(here.sentence));
     QCOMPARE(here.body, QByteArray("moved"));
     QCOMPARE(server.seen.last().path, QByteArray("/there?x=1"));
     QCOMPARE(server.seen.last().headers.value("secret"), QByteArray("hush"));
