@@ -14,7 +14,8 @@ constexpr double kFrozenAtS = 90;
 
 class DemoRobot : public robot::axbot::AxbotRobot {
  public:
-  DemoRobot(const QString& address, robot::axbot::LinkOptions options, std::unique_ptr<simulator::Simulator> simulator)
+  DemoRobot(const QString& address, robot::axbot::LinkOptions options,
+            std::unique_ptr<simulator::Simulator> simulator)
       : AxbotRobot(address, std::move(options)), simulator_(std::move(simulator)) {}
 
  private:
@@ -34,11 +35,12 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
     if (name == QLatin1String("scene")) {
       options.scene = value.toStdString();
       const auto scenes = simulator::sceneNames();
-      if (std::none_of(scenes.begin(), scenes.end(), [&](const auto& s) { return s.first == options.scene; })) {
+      if (std::none_of(scenes.begin(), scenes.end(),
+                       [&](const auto& s) { return s.first == options.scene; })) {
         QStringList names;
         for (const auto& [scene, sentence] : scenes) names << QString::fromStdString(scene);
-        return tl::make_unexpected(
-            QStringLiteral("There is no scene \"%1\". Choose one of: %2.").arg(value, names.join(QLatin1String(", "))));
+        return tl::make_unexpected(QStringLiteral("There is no scene \"%1\". Choose one of: %2.")
+                                       .arg(value, names.join(QLatin1String(", "))));
       }
     } else if (name == QLatin1String("submaps")) {
       options.submaps = value.toInt(&ok);

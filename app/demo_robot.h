@@ -4,7 +4,6 @@
 #include <memory>
 
 #include <QUrlQuery>
-
 #include <tl/expected.hpp>
 
 #include "robot/robot.h"
@@ -15,7 +14,8 @@ namespace mapwright::app {
 /// Whether the demo's world goes on by itself or stands still, so that every snapshot of it is the same.
 enum class DemoTime { Running, Frozen };
 
-/// The simulator's options from the query of "demo:?scene=warehouse&submaps=500&seed=3"; the error is a sentence.
+/// The simulator's options from the query of "demo:?scene=warehouse&submaps=500&seed=3"; the error is a
+/// sentence.
 tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query, DemoTime time);
 
 /// Starts a simulator on a free loopback port and a client connected to it.

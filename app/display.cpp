@@ -12,7 +12,8 @@
 namespace mapwright::app {
 namespace {
 
-// Parameters behind the colon mark our own fallback, so that a user's plain "offscreen" still opens the window there.
+// Parameters behind the colon mark our own fallback, so that a user's plain "offscreen" still opens the
+// window there.
 constexpr char kFallback[] = "offscreen:";
 
 constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
@@ -44,7 +45,8 @@ void pinFonts() {
 
 /// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.
 void keepQtQuiet(QtMsgType type, const QMessageLogContext&, const QString& message) {
-  const bool wanted = type == QtCriticalMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("MAPWRIGHT_DEBUG");
+  const bool wanted =
+      type == QtCriticalMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("MAPWRIGHT_DEBUG");
   if (wanted) std::fprintf(stderr, "%s\n", qUtf8Printable(message));
 }
 
@@ -66,7 +68,8 @@ void chooseOffscreenPlatform() {
 }
 
 bool haveDisplay() {
-  return QGuiApplication::platformName() != QLatin1String("offscreen") || !qgetenv("QT_QPA_PLATFORM").endsWith(kFallback);
+  return QGuiApplication::platformName() != QLatin1String("offscreen") ||
+         !qgetenv("QT_QPA_PLATFORM").endsWith(kFallback);
 }
 
 }  // namespace mapwright::app

@@ -3,8 +3,8 @@
 
 namespace mapwright::app {
 
-/// Chooses the Qt platform before QApplication exists: the user's own choice, else the screen that the environment names with
-/// "offscreen" to fall back on.
+/// Chooses the Qt platform before QApplication exists: the user's own choice, else the screen that the
+/// environment names with "offscreen" to fall back on.
 void chooseWindowPlatform();
 /// For everything that needs no screen: offscreen, and fonts that do not depend on the user's settings.
 void chooseOffscreenPlatform();

@@ -25,9 +25,12 @@ struct CommandLine {
 void addSnapshot(CLI::App& cli, CommandLine& line) {
   CLI::App* command = cli.add_subcommand("snapshot", "Draw a robot's map into a PNG, without a window");
   app::SnapshotWords& words = line.snapshot;
-  command->add_option("--robot", words.robot, "Robot address, for example axbot+http://192.168.25.25:8090 or demo:")
+  command
+      ->add_option("--robot", words.robot,
+                   "Robot address, for example axbot+http://192.168.25.25:8090 or demo:")
       ->envname("MAPWRIGHT_ROBOT");
-  command->add_option("--secret-file", words.secret_file, "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
+  command->add_option("--secret-file", words.secret_file,
+                      "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
   command->add_option("-o,--output", words.output, "The PNG to write")->required();
   command->add_option("--mode", words.mode, "submaps (whole and grid are to come)")->capture_default_str();
   command->add_option("--map", words.map, "A stored map's id (to come)");
@@ -35,15 +38,19 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_option("--center", words.center, "World point in the middle: X,Y in metres");
   command->add_option("--scale", words.scale, "Metres per pixel");
   command->add_option("--size", words.size, "Picture size: WIDTHxHEIGHT in pixels")->capture_default_str();
-  command->add_option("--rotate", words.rotate_deg, "Turn the picture counter-clockwise by this many degrees");
-  command->add_option("--layers", words.layers,
-                      "Comma-separated: submaps,grid,outlines,ids,trail,robot,scalebar; or all; or none (the map alone)");
+  command->add_option("--rotate", words.rotate_deg,
+                      "Turn the picture counter-clockwise by this many degrees");
+  command->add_option(
+      "--layers", words.layers,
+      "Comma-separated: submaps,grid,outlines,ids,trail,robot,scalebar; or all; or none (the map alone)");
   command->add_option("--slice", words.slice, "Which slice of each submap")->capture_default_str();
   command->add_option("--colors", words.colors, "normal, incremental or active")->capture_default_str();
   command->add_option("--theme", words.theme, "light or dark")->capture_default_str();
   command->add_flag("--raw", words.raw, "Only the map raster: gray = intensity, alpha 0 = not observed");
-  command->add_option("--settle", words.settle, "complete, or how many seconds to collect")->capture_default_str();
-  command->add_option("--timeout", words.timeout_s, "Give up waiting after this many seconds")->capture_default_str();
+  command->add_option("--settle", words.settle, "complete, or how many seconds to collect")
+      ->capture_default_str();
+  command->add_option("--timeout", words.timeout_s, "Give up waiting after this many seconds")
+      ->capture_default_str();
   command->add_option("--report", words.report, "Write what was done as JSON");
   command->add_flag("--json", words.json, "Print the report on standard output");
 }
@@ -54,17 +61,20 @@ void addSimulate(CLI::App& cli, CommandLine& line) {
   CLI::App* command = cli.add_subcommand("simulate", "Serve a simulated robot on 127.0.0.1");
   simulator::Options& o = line.simulator;
   command->add_option("--port", o.port, "Port, 0 = a free one")->capture_default_str();
-  command->add_option("--scene", o.scene, "One of: " + scenes)->capture_default_str()->check([](const std::string& s) {
-    for (const auto& [name, sentence] : simulator::sceneNames()) {
-      if (name == s) return std::string();
-    }
-    return "there is no scene \"" + s + "\"";
-  });
+  command->add_option("--scene", o.scene, "One of: " + scenes)
+      ->capture_default_str()
+      ->check([](const std::string& s) {
+        for (const auto& [name, sentence] : simulator::sceneNames()) {
+          if (name == s) return std::string();
+        }
+        return "there is no scene \"" + s + "\"";
+      });
   command->add_option("--submaps", o.submaps, "About how many submaps (0 = as the scene has)")
       ->check(CLI::Range(0, 100'000));
   command->add_option("--seed", o.seed, "Everything random follows from this")->capture_default_str();
   command->add_option("--speed", o.speed, "Simulated seconds per second")->check(CLI::Range(0.0, 1000.0));
-  command->add_option("--start-at", o.start_at_s, "Simulated time at start, seconds")->check(CLI::Range(0.0, 1e6));
+  command->add_option("--start-at", o.start_at_s, "Simulated time at start, seconds")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--paused", o.paused, "Let simulated time stand still");
   command->add_flag("!--no-topic-lists", o.enable_topic_list, "Understand enable_topic one by one only");
   command->add_flag("!--no-binary", o.binary_topics, "Ignore ?pb=1");
@@ -79,29 +89,37 @@ void addSimulate(CLI::App& cli, CommandLine& line) {
   count("--jitter-ms", f.jitter_ms, "Random addition to the delay", 600'000);
   rate("--drop-rate", f.drop_rate, "Share of submap requests dropped without an answer");
   rate("--truncate-rate", f.truncate_rate, "Share of answers cut off half-way");
-  rate("--wrong-size-rate", f.wrong_size_rate, "Share of answers whose width and height do not fit the cells");
+  rate("--wrong-size-rate", f.wrong_size_rate,
+       "Share of answers whose width and height do not fit the cells");
   rate("--corrupt-rate", f.corrupt_rate, "Share of answers that are garbage");
   rate("--error-rate", f.error_rate, "Share of answers with --error-status");
   command->add_option("--error-status", f.error_status, "HTTP status of those errors")
       ->check(CLI::IsMember({400, 404, 500, 502, 504}))
       ->group("Faults");
   rate("--status-code-rate", f.status_code_rate, "Share of HTTP 200 answers whose own status is an error");
-  count("--websocket-drop-every", f.websocket_drop_every_s, "Cut the WebSocket every so many seconds", 86'400);
+  count("--websocket-drop-every", f.websocket_drop_every_s, "Cut the WebSocket every so many seconds",
+        86'400);
   count("--uuid-change-every", f.uuid_change_every_s, "Restart SLAM every so many seconds", 86'400);
-  command->add_flag("--bad-entries", f.bad_entries, "List NaN poses, zero quaternions, duplicates, versions going back")
+  command
+      ->add_flag("--bad-entries", f.bad_entries,
+                 "List NaN poses, zero quaternions, duplicates, versions going back")
       ->group("Faults");
-  command->add_flag("--silent-websocket", f.silent_websocket, "Accept the WebSocket, then say nothing")->group("Faults");
+  command->add_flag("--silent-websocket", f.silent_websocket, "Accept the WebSocket, then say nothing")
+      ->group("Faults");
 }
 
 int run(int argc, char** argv) {
   CommandLine line;
-  CLI::App cli("mapwright: look at the maps of mobile robots. Without a subcommand it opens the window.", "mapwright");
+  CLI::App cli("mapwright: look at the maps of mobile robots. Without a subcommand it opens the window.",
+               "mapwright");
   cli.set_version_flag("--version", std::string("mapwright ") + MAPWRIGHT_VERSION);
   cli.set_help_all_flag("--help-all", "Help on every subcommand");
   cli.require_subcommand(0, 1);
-  cli.add_option("--robot", line.robot, "Connect the window to this robot, for example axbot+http://192.168.25.25:8090")
+  cli.add_option("--robot", line.robot,
+                 "Connect the window to this robot, for example axbot+http://192.168.25.25:8090")
       ->envname("MAPWRIGHT_ROBOT");
-  cli.add_option("--secret-file", line.secret_file, "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
+  cli.add_option("--secret-file", line.secret_file,
+                 "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
   CLI::App* demo = cli.add_subcommand("demo", "Open the window on a simulated robot");
   demo->add_option("query", line.demo_query, "Such as scene=warehouse&submaps=500&seed=3");
   addSimulate(cli, line);
@@ -126,7 +144,8 @@ int run(int argc, char** argv) {
   }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining(), argv[0]);
   if (cli.got_subcommand("demo")) return app::demo(QString::fromStdString(line.demo_query), argc, argv);
-  return app::window(QString::fromStdString(line.robot), QString::fromStdString(line.secret_file), argc, argv);
+  return app::window(QString::fromStdString(line.robot), QString::fromStdString(line.secret_file), argc,
+                     argv);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <QSaveFile>
 #include <QThreadPool>
-
 #include <spng.h>
 
 namespace mapwright::app {
@@ -44,7 +43,8 @@ std::vector<std::uint8_t> composeGrayAlpha(const geometry::ViewTransform& view,
 std::optional<QString> writeRawPicture(const geometry::ViewTransform& view,
                                        std::span<const render::PlacedTexture> textures, const QString& path) {
   const std::vector<std::uint8_t> pixels = composeGrayAlpha(view, textures);
-  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free);
+  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder(spng_ctx_new(SPNG_CTX_ENCODER),
+                                                                    &spng_ctx_free);
   spng_ihdr header{};
   header.width = std::uint32_t(view.width_px);
   header.height = std::uint32_t(view.height_px);
@@ -52,14 +52,16 @@ std::optional<QString> writeRawPicture(const geometry::ViewTransform& view,
   header.color_type = SPNG_COLOR_TYPE_GRAYSCALE_ALPHA;
   spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1);
   spng_set_ihdr(encoder.get(), &header);
-  int failure = spng_encode_image(encoder.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+  int failure =
+      spng_encode_image(encoder.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
   std::size_t bytes = 0;
   const std::unique_ptr<void, decltype(&std::free)> png(
       failure ? nullptr : spng_get_png_buffer(encoder.get(), &bytes, &failure), &std::free);
-  if (!png) return QStringLiteral("The picture cannot be encoded: %1.").arg(QLatin1String(spng_strerror(failure)));
+  if (!png)
+    return QStringLiteral("The picture cannot be encoded: %1.").arg(QLatin1String(spng_strerror(failure)));
   QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(static_cast<const char*>(png.get()), qint64(bytes)) < 0 ||
-      !file.commit()) {
+  if (!file.open(QIODevice::WriteOnly) ||
+      file.write(static_cast<const char*>(png.get()), qint64(bytes)) < 0 || !file.commit()) {
     return QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString());
   }
   return std::nullopt;

@@ -8,11 +8,12 @@
 namespace mapwright::app {
 
 QString httpCacheFolder() {
-  return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/mapwright/http");
+  return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
+         QStringLiteral("/mapwright/http");
 }
 
-tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const QByteArray& secret,
-                                                               DemoTime demo_time) {
+tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address,
+                                                               const QByteArray& secret, DemoTime demo_time) {
   const auto parsed = robot::parseAddress(address);
   if (!parsed) return tl::make_unexpected(parsed.error());
   if (parsed->backend == robot::Backend::Demo) {

@@ -5,7 +5,6 @@
 
 #include <QByteArray>
 #include <QString>
-
 #include <tl/expected.hpp>
 
 #include "app/demo_robot.h"
@@ -14,8 +13,8 @@
 namespace mapwright::app {
 
 /// Makes the robot that `address` names, not yet connected. The error is a sentence.
-tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const QByteArray& secret,
-                                                               DemoTime demo_time);
+tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address,
+                                                               const QByteArray& secret, DemoTime demo_time);
 
 /// The folder of answers kept on disk (XDG_CACHE_HOME/mapwright/http).
 QString httpCacheFolder();

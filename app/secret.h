@@ -3,13 +3,12 @@
 
 #include <QByteArray>
 #include <QString>
-
 #include <tl/expected.hpp>
 
 namespace mapwright::app {
 
-/// The content of `file` without surrounding blanks, else MAPWRIGHT_SECRET, else empty. The error is a sentence
-/// that never holds the secret.
+/// The content of `file` without surrounding blanks, else MAPWRIGHT_SECRET, else empty. The error is a
+/// sentence that never holds the secret.
 tl::expected<QByteArray, QString> readSecret(const QString& file);
 
 }  // namespace mapwright::app

@@ -2,7 +2,6 @@
 
 #include <csignal>
 #include <cstdio>
-
 #include <pthread.h>
 
 #include "app/exit_code.h"

@@ -1,12 +1,11 @@
 #include "app/snapshot.h"
 
 #include <cstdio>
+#include <unistd.h>
 
 #include <QApplication>
 #include <QJsonDocument>
 #include <QSaveFile>
-
-#include <unistd.h>
 
 #include "app/display.h"
 #include "app/exit_code.h"
@@ -36,7 +35,8 @@ QString summaryOf(const SnapshotRun& run) {
                      .arg(submaps[QLatin1String("listed")].toInt());
   for (const char* kind : {"missing", "failed", "corrupt", "without_slice"}) {
     if (const int count = submaps[QLatin1String(kind)].toInt()) {
-      line += QStringLiteral(", %1 %2").arg(count).arg(QString::fromLatin1(kind).replace(QLatin1Char('_'), QLatin1Char(' ')));
+      line += QStringLiteral(", %1 %2").arg(count).arg(
+          QString::fromLatin1(kind).replace(QLatin1Char('_'), QLatin1Char(' ')));
     }
   }
   return line;
@@ -60,10 +60,13 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   QObject::connect(&run, &SnapshotRun::progressed, [&](const QString& line) {
     if (terminal) std::fprintf(stderr, "\r%-70s", qUtf8Printable(line));
   });
-  QObject::connect(&run, &SnapshotRun::finished, &application, [&](int code) {
-    exit_code = code;
-    application.quit();
-  }, Qt::QueuedConnection);
+  QObject::connect(
+      &run, &SnapshotRun::finished, &application,
+      [&](int code) {
+        exit_code = code;
+        application.quit();
+      },
+      Qt::QueuedConnection);
   run.start();
   QApplication::exec();
   if (terminal) std::fprintf(stderr, "\r%-70s\r", "");
@@ -76,10 +79,12 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!run.options().json) std::printf("%s\n", qUtf8Printable(summaryOf(run)));
   if (exit_code != kDone) {
     const QStringList warnings = run.warnings();
-    refuse(exit_code, QStringLiteral("Not complete. %1%2")
-                          .arg(warnings.isEmpty() ? QString() : warnings.first(),
-                               warnings.size() > 1 ? QStringLiteral(" (and %1 more; --report lists them)").arg(warnings.size() - 1)
-                                                   : QString()));
+    refuse(exit_code,
+           QStringLiteral("Not complete. %1%2")
+               .arg(warnings.isEmpty() ? QString() : warnings.first(),
+                    warnings.size() > 1
+                        ? QStringLiteral(" (and %1 more; --report lists them)").arg(warnings.size() - 1)
+                        : QString()));
   }
   return exit_code;
 }

@@ -22,7 +22,8 @@ std::optional<Eigen::Vector2d> parsePoint(const QString& word) {
   bool ok_x = false, ok_y = false;
   if (parts.size() != 2) return std::nullopt;
   const Eigen::Vector2d point(parts[0].trimmed().toDouble(&ok_x), parts[1].trimmed().toDouble(&ok_y));
-  if (!ok_x || !ok_y || !point.allFinite() || point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM) return std::nullopt;
+  if (!ok_x || !ok_y || !point.allFinite() || point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM)
+    return std::nullopt;
   return point;
 }
 
@@ -40,7 +41,8 @@ std::optional<QSize> parseSize(const QString& word) {
 
 tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) {
   using scene::Layer;
-  if (words.isEmpty()) return std::set{Layer::Submaps, Layer::Grid, Layer::Trail, Layer::Robot, Layer::ScaleBar};
+  if (words.isEmpty())
+    return std::set{Layer::Submaps, Layer::Grid, Layer::Trail, Layer::Robot, Layer::ScaleBar};
   const auto every = scene::allLayers();
   if (words == QLatin1String("all")) return std::set<Layer>(every.begin(), every.end());
   std::set<Layer> chosen{Layer::Submaps};
@@ -51,8 +53,9 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) 
   for (const QString& word : words.split(QLatin1Char(','))) {
     const auto position = known.indexOf(word.trimmed());
     if (position < 0) {
-      return tl::make_unexpected(QStringLiteral("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
-                                     .arg(word, known.join(QLatin1String(", "))));
+      return tl::make_unexpected(
+          QStringLiteral("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
+              .arg(word, known.join(QLatin1String(", "))));
     }
     chosen.insert(every[std::size_t(position)]);
   }
@@ -71,27 +74,32 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   options.raw = words.raw;
   options.json = words.json;
   if (options.robot.isEmpty()) {
-    return wrong(QStringLiteral("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
+    return wrong(QStringLiteral(
+        "Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
   }
   if (words.mode != "submaps") {
-    return wrong(QStringLiteral("--mode %1 is not supported by this version; submaps is.").arg(text(words.mode)));
+    return wrong(
+        QStringLiteral("--mode %1 is not supported by this version; submaps is.").arg(text(words.mode)));
   }
   if (!words.map.empty()) {
-    return wrong(QStringLiteral("--map is not supported by this version: the submaps shown are those of the robot's "
-                                "present SLAM session."));
+    return wrong(
+        QStringLiteral("--map is not supported by this version: the submaps shown are those of the robot's "
+                       "present SLAM session."));
   }
   const auto size = parseSize(text(words.size));
   if (!size) {
-    return wrong(QStringLiteral("--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
-                                "and %3 million in all.")
-                     .arg(text(words.size))
-                     .arg(kMaxEdge)
-                     .arg(kMaxPixels / 1'000'000));
+    return wrong(
+        QStringLiteral("--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
+                       "and %3 million in all.")
+            .arg(text(words.size))
+            .arg(kMaxEdge)
+            .arg(kMaxPixels / 1'000'000));
   }
   options.size_px = *size;
   const bool has_center = !words.center.empty(), has_scale = words.scale != 0;
   if (words.fit && (has_center || has_scale)) {
-    return wrong(QStringLiteral("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
+    return wrong(
+        QStringLiteral("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
   }
   if (has_center != has_scale) {
     return wrong(QStringLiteral("--center X,Y and --scale METRES_PER_PIXEL belong together."));
@@ -99,7 +107,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   if (has_center) {
     options.center_m = parsePoint(text(words.center));
     if (!options.center_m) {
-      return wrong(QStringLiteral("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
+      return wrong(
+          QStringLiteral("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
     }
     if (!(words.scale >= geometry::kMinScaleMPerPx && words.scale <= geometry::kMaxScaleMPerPx)) {
       return wrong(QStringLiteral("--scale must lie between %1 and %2 metres per pixel.")
@@ -115,10 +124,15 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   options.layers = *layers;
   if (words.slice < 0) return wrong(QStringLiteral("--slice must be 0 or more."));
   options.slice = words.slice;
-  if (words.colors == "normal") options.colors = render::ColorMode::Normal;
-  else if (words.colors == "incremental") options.colors = render::ColorMode::Incremental;
-  else if (words.colors == "active") options.colors = render::ColorMode::Active;
-  else return wrong(QStringLiteral("--colors: normal, incremental or active, not \"%1\".").arg(text(words.colors)));
+  if (words.colors == "normal")
+    options.colors = render::ColorMode::Normal;
+  else if (words.colors == "incremental")
+    options.colors = render::ColorMode::Incremental;
+  else if (words.colors == "active")
+    options.colors = render::ColorMode::Active;
+  else
+    return wrong(
+        QStringLiteral("--colors: normal, incremental or active, not \"%1\".").arg(text(words.colors)));
   if (words.theme != "light" && words.theme != "dark") {
     return wrong(QStringLiteral("--theme: light or dark, not \"%1\".").arg(text(words.theme)));
   }
@@ -131,7 +145,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     bool ok = false;
     const double seconds = text(words.settle).toDouble(&ok);
     if (!ok || !(seconds >= 0 && seconds <= 86'400)) {
-      return wrong(QStringLiteral("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
+      return wrong(
+          QStringLiteral("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
     }
     options.settle_s = seconds;
   }
@@ -139,7 +154,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     if (path.isEmpty()) continue;
     const QFileInfo folder(QFileInfo(path).absolutePath());
     if (!folder.isDir() || !folder.isWritable()) {
-      return wrong(QStringLiteral("%1 cannot be written: there is no writable folder %2.").arg(path, folder.filePath()));
+      return wrong(QStringLiteral("%1 cannot be written: there is no writable folder %2.")
+                       .arg(path, folder.filePath()));
     }
   }
   return options;

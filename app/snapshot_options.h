@@ -5,10 +5,9 @@
 #include <set>
 #include <string>
 
+#include <Eigen/Core>
 #include <QSize>
 #include <QString>
-
-#include <Eigen/Core>
 #include <tl/expected.hpp>
 
 #include "render/tile_renderer.h"
@@ -18,8 +17,8 @@ namespace mapwright::app {
 
 /// The words as typed; empty = not given.
 struct SnapshotWords {
-  std::string robot, secret_file, output, mode = "submaps", map, center, size = "1280x800", layers, colors = "normal",
-                                          theme = "light", settle = "complete", report;
+  std::string robot, secret_file, output, mode = "submaps", map, center, size = "1280x800", layers,
+                                          colors = "normal", theme = "light", settle = "complete", report;
   double scale = 0, rotate_deg = 0, timeout_s = 60;
   int slice = 0;
   bool fit = false, raw = false, json = false;

@@ -17,12 +17,13 @@ namespace mapwright::app {
 namespace {
 
 constexpr double kFitMarginPx = 16;
-constexpr int kTries = 3;           // of a failing submap, before it counts as failed
+constexpr int kTries = 3;  // of a failing submap, before it counts as failed
 constexpr int kConnectAttempts = 3;
 constexpr double kConnectWithinS = 10;
 constexpr int kLookEveryMs = 20;
 
-/// The most memory this program has held. getrusage() would answer with that of whoever started it, were that more.
+/// The most memory this program has held. getrusage() would answer with that of whoever started it, were that
+/// more.
 qint64 peakMemoryBytes() {
   QFile status(QStringLiteral("/proc/self/status"));
   if (!status.open(QIODevice::ReadOnly)) return 0;
@@ -114,9 +115,11 @@ void SnapshotRun::timeOut() {
                           .arg(options_.timeout_s));
     return;
   }
-  notes_ << (session_.book().listReceived()
-                 ? QStringLiteral("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s)
-                 : QStringLiteral("The robot sent no submap list within %1 s (--timeout).").arg(options_.timeout_s));
+  notes_
+      << (session_.book().listReceived()
+              ? QStringLiteral("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s)
+              : QStringLiteral("The robot sent no submap list within %1 s (--timeout).")
+                    .arg(options_.timeout_s));
   paint(false);
 }
 
@@ -125,7 +128,8 @@ void SnapshotRun::paint(bool settled) {
   painting_ = true;
   poll_.stop();
   settle_.stop();
-  if (timed_out_) timeout_.start(int(std::min(options_.timeout_s * 1000, 2e9)));  // the picture itself takes time, too
+  if (timed_out_)
+    timeout_.start(int(std::min(options_.timeout_s * 1000, 2e9)));  // the picture itself takes time, too
   const session::SubmapCounts counts = session_.counts();
   complete_ = settled && counts.list_received && counts.shown + counts.without_slice == counts.listed &&
               counts.updating == 0;
@@ -142,7 +146,8 @@ void SnapshotRun::paint(bool settled) {
   scene_ = std::make_unique<scene::MapScene>(renderer);
   scene_->setTheme(options_.dark ? scene::darkMapTheme() : scene::lightMapTheme());
   scene_->setColorMode(options_.colors);
-  for (const scene::Layer layer : scene::allLayers()) scene_->setLayerVisible(layer, options_.layers.contains(layer));
+  for (const scene::Layer layer : scene::allLayers())
+    scene_->setLayerVisible(layer, options_.layers.contains(layer));
   scene_->setView(view_);
   scene_->setSession(&session_);
   const auto whenSettled = [this] {
@@ -222,13 +227,12 @@ QJsonObject SnapshotRun::report() const {
   return {
       {QStringLiteral("complete"), complete_},
       {QStringLiteral("uuid"), QString::fromStdString(session_.book().uuid())},
-      {QStringLiteral("submaps"),
-       QJsonObject{{QStringLiteral("listed"), counts.listed},
-                   {QStringLiteral("drawn"), counts.shown},
-                   {QStringLiteral("missing"), counts.missing},
-                   {QStringLiteral("failed"), counts.failed + counts.pending},
-                   {QStringLiteral("corrupt"), counts.corrupt},
-                   {QStringLiteral("without_slice"), counts.without_slice}}},
+      {QStringLiteral("submaps"), QJsonObject{{QStringLiteral("listed"), counts.listed},
+                                              {QStringLiteral("drawn"), counts.shown},
+                                              {QStringLiteral("missing"), counts.missing},
+                                              {QStringLiteral("failed"), counts.failed + counts.pending},
+                                              {QStringLiteral("corrupt"), counts.corrupt},
+                                              {QStringLiteral("without_slice"), counts.without_slice}}},
       {QStringLiteral("bytes_fetched"), qint64(counts.bytes_fetched)},
       {QStringLiteral("fetches"), qint64(counts.fetches)},
       {QStringLiteral("cache_hits"), qint64(counts.cache_hits)},

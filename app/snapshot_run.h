@@ -22,8 +22,8 @@ class SnapshotRun : public QObject {
   ~SnapshotRun() override;
 
   void start();
-  QJsonObject report() const;  // cli.md, "Subcommands"
-  QString error() const { return error_; }      // the sentence when nothing could be made
+  QJsonObject report() const;               // cli.md, "Subcommands"
+  QString error() const { return error_; }  // the sentence when nothing could be made
   QStringList warnings() const;
   const SnapshotOptions& options() const { return options_; }
 
@@ -32,7 +32,7 @@ class SnapshotRun : public QObject {
   void finished(int exit_code);
 
  private:
-  void look();        // whatever may have changed: is it time for the next step?
+  void look();  // whatever may have changed: is it time for the next step?
   void timeOut();
   void paint(bool complete);
   bool writeRaw();

@@ -21,7 +21,8 @@ int showWindow(const QString& address, const QByteArray& secret) {
   // The secret of the command line or the environment belongs to the address given beside it and to no other.
   window::MainWindow main_window({[&](const QString& to, const QByteArray& typed_secret) {
                                     const bool the_given_one = typed_secret.isEmpty() && to == address;
-                                    return makeRobot(to, the_given_one ? secret : typed_secret, DemoTime::Running);
+                                    return makeRobot(to, the_given_one ? secret : typed_secret,
+                                                     DemoTime::Running);
                                   },
                                   settings, address});
   main_window.show();
@@ -39,7 +40,8 @@ int window(const QString& address, const QString& secret_file, int& argc, char**
   chooseWindowPlatform();
   QApplication application(argc, argv);
   if (!haveDisplay()) {
-    std::fprintf(stderr, "There is no display to open the window on. mapwright snapshot works without one.\n");
+    std::fprintf(stderr,
+                 "There is no display to open the window on. mapwright snapshot works without one.\n");
     return kUsage;
   }
   return showWindow(address, *secret);

@@ -8,7 +8,8 @@ namespace mapwright::app {
 /// Opens the window; `address` empty = not connected. Returns the exit code.
 int window(const QString& address, const QString& secret_file, int& argc, char** argv);
 
-/// The window on the embedded simulator; without a display mapwright-demo.png of the same robot, its name on stdout.
+/// The window on the embedded simulator; without a display mapwright-demo.png of the same robot, its name on
+/// stdout.
 int demo(const QString& query, int& argc, char** argv);
 
 }  // namespace mapwright::app

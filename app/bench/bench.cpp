@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include <QApplication>
-
 #include <benchmark/benchmark.h>
 
 #include "app/display.h"
@@ -24,8 +23,9 @@ int bench(const std::vector<std::string>& arguments, char* program) {
   int argc = int(words.size());
   for (const std::string& word : arguments) {
     if (word == "--help" || word == "-h") {
-      std::printf("Options go to Google Benchmark: --benchmark_filter=REGEX, --benchmark_list_tests, "
-                  "--benchmark_format=json, --benchmark_min_time=SECONDS\n");
+      std::printf(
+          "Options go to Google Benchmark: --benchmark_filter=REGEX, --benchmark_list_tests, "
+          "--benchmark_format=json, --benchmark_min_time=SECONDS\n");
       return kDone;
     }
   }

@@ -1,5 +1,5 @@
-// Frame times of a scripted pan and zoom at 1920x1080 in a real QGraphicsView: the tile scene of mapwright against the
-// obvious scene of one QGraphicsPixmapItem per submap, for growing numbers of submaps.
+// Frame times of a scripted pan and zoom at 1920x1080 in a real QGraphicsView: the tile scene of mapwright
+// against the obvious scene of one QGraphicsPixmapItem per submap, for growing numbers of submaps.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -34,8 +34,10 @@ std::vector<raster::CellPair> roomCells(std::mt19937& random) {
     for (int u = 0; u < kCells; ++u) {
       const double r = std::hypot(u - cx, v - cy) + 12 * std::sin(0.05 * u) + 9 * std::cos(0.07 * v);
       raster::CellPair& cell = cells[std::size_t(v) * kCells + std::size_t(u)];
-      if (r < 142) cell = {std::uint8_t(60 + random() % 40), 0};
-      else if (r < 145) cell = {0, std::uint8_t(80 + random() % 40)};
+      if (r < 142)
+        cell = {std::uint8_t(60 + random() % 40), 0};
+      else if (r < 145)
+        cell = {0, std::uint8_t(80 + random() % 40)};
     }
   }
   return cells;
@@ -155,7 +157,8 @@ class NaiveView {
 void FramesPanTiles(benchmark::State& state) {
   TileView tiles(int(state.range(0)));
   std::vector<double> ms;
-  for (auto _ : state) ms = timeFrames(tiles.view_, [&](int) { tiles.look(tiles.camera_.pannedBy({-8, -3})); });
+  for (auto _ : state)
+    ms = timeFrames(tiles.view_, [&](int) { tiles.look(tiles.camera_.pannedBy({-8, -3})); });
   reportFrames(state, ms);
 }
 
@@ -175,7 +178,9 @@ void FramesZoomTiles(benchmark::State& state) {
   TileView tiles(int(state.range(0)));
   std::vector<double> ms;
   for (auto _ : state) {
-    ms = timeFrames(tiles.view_, [&](int i) { tiles.look(tiles.camera_.zoomedAt({900, 500}, zoomFactor(i))); });
+    ms = timeFrames(tiles.view_, [&](int i) {
+      tiles.look(tiles.camera_.zoomedAt({900, 500}, zoomFactor(i)));
+    });
   }
   reportFrames(state, ms);
 }

@@ -1,5 +1,5 @@
-// From connecting to a complete map of 500 submaps over loopback: with an empty cache, after a restart, and next to a plain
-// download of the same answers, four at a time, without decoding.
+// From connecting to a complete map of 500 submaps over loopback: with an empty cache, after a restart, and
+// next to a plain download of the same answers, four at a time, without decoding.
 #include <chrono>
 #include <memory>
 #include <vector>
@@ -96,7 +96,9 @@ void LoadPlainDownload(benchmark::State& state) {
   std::vector<QUrl> addresses;
   for (const simulator::RequestRecord& record : robot->requestLog()) {
     if (record.target.starts_with("/ros/slam/submaps/")) {
-      addresses.emplace_back(QStringLiteral("http://127.0.0.1:%1%2").arg(robot->port()).arg(QString::fromStdString(record.target)));
+      addresses.emplace_back(QStringLiteral("http://127.0.0.1:%1%2")
+                                 .arg(robot->port())
+                                 .arg(QString::fromStdString(record.target)));
     }
   }
   double bytes = 0;

@@ -15,7 +15,8 @@ struct Pose3 {
   bool operator==(const Pose3&) const = default;
 };
 
-/// A rigid transform of the plane: p_parent = R(yaw_rad) * p_child + (x_m, y_m). Metres, radians, counter-clockwise.
+/// A rigid transform of the plane: p_parent = R(yaw_rad) * p_child + (x_m, y_m). Metres, radians,
+/// counter-clockwise.
 struct Pose2 {
   double x_m = 0, y_m = 0, yaw_rad = 0;
   bool operator==(const Pose2&) const = default;
@@ -25,8 +26,8 @@ struct Pose2 {
   Pose2 inverse() const;
 };
 
-/// The transform that a wire pose means. Quaternions are normalised; nullopt when a number is not finite or the
-/// quaternion has no direction (length below 1e-6).
+/// The transform that a wire pose means. Quaternions are normalised; nullopt when a number is not finite or
+/// the quaternion has no direction (length below 1e-6).
 std::optional<Eigen::Isometry3d> toIsometry(const Pose3& pose);
 
 /// Where a 3D transform puts things on the plane z = 0: the yaw is that of the projected x axis.

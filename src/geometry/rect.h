@@ -8,7 +8,8 @@
 
 namespace mapwright::geometry {
 
-/// A closed axis-aligned rectangle in world metres. The default one is empty: extending it by a point gives that point.
+/// A closed axis-aligned rectangle in world metres. The default one is empty: extending it by a point gives
+/// that point.
 struct WorldRect {
   double min_x = std::numeric_limits<double>::infinity();
   double min_y = std::numeric_limits<double>::infinity();
@@ -34,7 +35,8 @@ struct WorldRect {
   }
   WorldRect grown(double by_m) const { return {min_x - by_m, min_y - by_m, max_x + by_m, max_y + by_m}; }
   bool intersects(const WorldRect& o) const {
-    return !empty() && !o.empty() && min_x <= o.max_x && o.min_x <= max_x && min_y <= o.max_y && o.min_y <= max_y;
+    return !empty() && !o.empty() && min_x <= o.max_x && o.min_x <= max_x && min_y <= o.max_y &&
+           o.min_y <= max_y;
   }
   bool contains(const Eigen::Vector2d& p) const {
     return p.x() >= min_x && p.x() <= max_x && p.y() >= min_y && p.y() <= max_y;

@@ -26,8 +26,8 @@ Eigen::Vector2d ViewTransform::worldFromPixel(const Eigen::Vector2d& pixel) cons
 WorldRect ViewTransform::visibleWorld() const {
   WorldRect rect;
   const double w = width_px, h = height_px;
-  for (const auto& corner : {Eigen::Vector2d(0, 0), Eigen::Vector2d(w, 0), Eigen::Vector2d(0, h),
-                                        Eigen::Vector2d(w, h)}) {
+  for (const auto& corner :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(w, 0), Eigen::Vector2d(0, h), Eigen::Vector2d(w, h)}) {
     rect.extend(worldFromPixel(corner));
   }
   return rect;

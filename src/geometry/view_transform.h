@@ -7,11 +7,12 @@
 
 namespace mapwright::geometry {
 
-/// A view of the plane. Pixel (0,0)'s corner is the top left; pixel coordinates are continuous, so the centre of the
-/// first pixel is (0.5, 0.5).
+/// A view of the plane. Pixel (0,0)'s corner is the top left; pixel coordinates are continuous, so the centre
+/// of the first pixel is (0.5, 0.5).
 ///
-/// pixel = size/2 + R * (world - center) / scale with y flipped; rotation_rad > 0 turns the picture counter-clockwise.
-/// Unrotated, pixel (0,0)'s corner lies at world (center.x - w/2*scale, center.y + h/2*scale) (cli.md, "Subcommands").
+/// pixel = size/2 + R * (world - center) / scale with y flipped; rotation_rad > 0 turns the picture
+/// counter-clockwise. Unrotated, pixel (0,0)'s corner lies at world (center.x - w/2*scale, center.y +
+/// h/2*scale) (cli.md, "Subcommands").
 struct ViewTransform {
   Eigen::Vector2d center_m{0, 0};
   double scale_m_per_px = 0.05;
@@ -34,7 +35,8 @@ struct ViewTransform {
   ViewTransform rotatedAt(const Eigen::Vector2d& pixel, double by_rad) const;
   /// Moved so that the picture follows a drag by `pixels`.
   ViewTransform pannedBy(const Eigen::Vector2d& pixels) const;
-  /// Same size and rotation, showing all of `world` with `margin_px` around it. An empty rectangle changes nothing.
+  /// Same size and rotation, showing all of `world` with `margin_px` around it. An empty rectangle changes
+  /// nothing.
   ViewTransform fitted(const WorldRect& world, double margin_px) const;
 };
 

@@ -1,5 +1,5 @@
-// Cartographer submaps as plain values: who they are, where they lie, what a robot answers when asked for one.
-// Source: submap-textures.md ("Messages", "Versions, cache and fetch rules"), axbot.md (/submap_list).
+// Cartographer submaps as plain values: who they are, where they lie, what a robot answers when asked for
+// one. Source: submap-textures.md ("Messages", "Versions, cache and fetch rules"), axbot.md (/submap_list).
 #pragma once
 
 #include <compare>
@@ -61,7 +61,7 @@ struct RawSlice {
   std::int32_t height = 0;       // rows
   double resolution_m = 0;       // metres per cell
   std::int32_t z_level = 0;
-  geometry::Pose3 slice_pose;    // identity when the robot sent none
+  geometry::Pose3 slice_pose;  // identity when the robot sent none
 };
 
 /// How a query for one submap ended.
@@ -76,11 +76,11 @@ struct SubmapAnswer {
   };
   SubmapKey key;  // as it was asked
   Outcome outcome = Outcome::Failed;
-  std::string reason;           // for people, empty when Ok
-  std::int32_t version = 0;     // the answer's own version; 0 = the robot did not say
+  std::string reason;            // for people, empty when Ok
+  std::int32_t version = 0;      // the answer's own version; 0 = the robot did not say
   std::vector<RawSlice> slices;  // by slice id
-  std::size_t bytes = 0;        // payload size
-  bool from_cache = false;      // no body travelled: disk, or 304
+  std::size_t bytes = 0;         // payload size
+  bool from_cache = false;       // no body travelled: disk, or 304
 };
 
 }  // namespace mapwright::map
@@ -88,6 +88,7 @@ struct SubmapAnswer {
 template <>
 struct std::hash<mapwright::map::SubmapId> {
   std::size_t operator()(mapwright::map::SubmapId id) const noexcept {
-    return std::hash<std::uint64_t>{}((std::uint64_t(std::uint32_t(id.trajectory)) << 32) | std::uint32_t(id.index));
+    return std::hash<std::uint64_t>{}((std::uint64_t(std::uint32_t(id.trajectory)) << 32) |
+                                      std::uint32_t(id.index));
   }
 };

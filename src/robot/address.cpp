@@ -23,13 +23,15 @@ tl::expected<Address, QString> parseAddress(const QString& typed) {
     QUrl url;
     url.setScheme(QStringLiteral("demo"));
     url.setQuery(query);
-    return Address{Backend::Demo, url, query.isEmpty() ? QStringLiteral("demo:") : QStringLiteral("demo:?") + query};
+    return Address{Backend::Demo, url,
+                   query.isEmpty() ? QStringLiteral("demo:") : QStringLiteral("demo:?") + query};
   }
   for (const char* later : {"aimdk+", "kabam+", "rep130+", "file:"}) {
     if (text.startsWith(QLatin1String(later), Qt::CaseInsensitive)) {
-      return error(tr("Addresses that begin with %1 are not supported by this version; it talks to Autoxing robots "
-                      "(axbot+http://HOST:8090) and to demo:.")
-                       .arg(QLatin1String(later)));
+      return error(
+          tr("Addresses that begin with %1 are not supported by this version; it talks to Autoxing robots "
+             "(axbot+http://HOST:8090) and to demo:.")
+              .arg(QLatin1String(later)));
     }
   }
   QString rest = text;
@@ -38,7 +40,8 @@ tl::expected<Address, QString> parseAddress(const QString& typed) {
   QUrl url(rest, QUrl::StrictMode);
   const QString scheme = url.scheme().toLower();
   if (!url.isValid() || url.host().isEmpty()) {
-    return error(tr("\"%1\" is not an address. Write for example axbot+http://192.168.25.25:8090.").arg(text));
+    return error(
+        tr("\"%1\" is not an address. Write for example axbot+http://192.168.25.25:8090.").arg(text));
   }
   if (scheme != QLatin1String("http") && scheme != QLatin1String("https")) {
     return error(tr("\"%1\" does not begin with a scheme that is known here. Write axbot+http://HOST:8090, "
@@ -46,8 +49,9 @@ tl::expected<Address, QString> parseAddress(const QString& typed) {
                      .arg(text));
   }
   if (!url.userInfo().isEmpty()) {
-    return error(tr("Leave the user name and password out of the address: give the secret in its own field, by "
-                    "--secret-file or by MAPWRIGHT_SECRET."));
+    return error(
+        tr("Leave the user name and password out of the address: give the secret in its own field, by "
+           "--secret-file or by MAPWRIGHT_SECRET."));
   }
   if (url.hasQuery() || url.hasFragment()) {
     return error(tr("The address of an Autoxing robot has no part after ? or #."));

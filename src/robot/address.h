@@ -3,7 +3,6 @@
 
 #include <QString>
 #include <QUrl>
-
 #include <tl/expected.hpp>
 
 namespace mapwright::robot {
@@ -17,9 +16,9 @@ struct Address {
   QString text;  // normalised: "axbot+http://192.0.2.7:8090", "demo:?scene=office"
 };
 
-/// Parses an address; the error is a sentence. Missing scheme means axbot+http, missing port 8090. An address with a
-/// user or password in it is refused: secrets never go there. Schemes of robots that this version cannot talk to yet
-/// (aimdk, kabam, rep130, file) are refused with a sentence that says so.
+/// Parses an address; the error is a sentence. Missing scheme means axbot+http, missing port 8090. An address
+/// with a user or password in it is refused: secrets never go there. Schemes of robots that this version
+/// cannot talk to yet (aimdk, kabam, rep130, file) are refused with a sentence that says so.
 tl::expected<Address, QString> parseAddress(const QString& text);
 
 }  // namespace mapwright::robot

@@ -1,8 +1,9 @@
 // The port: what mapwright can ask of any robot. Adapters live in src/robot/<backend>/.
 //
-// A robot is a set of capabilities (architecture, decision 1). A capability that a robot lacks is a null pointer; whyNot()
-// says why, for a tooltip. All members are called on the thread that made the object (the GUI thread, or the command
-// line's main thread), all signals and callbacks arrive there; adapters do their network work on threads of their own.
+// A robot is a set of capabilities (architecture, decision 1). A capability that a robot lacks is a null
+// pointer; whyNot() says why, for a tooltip. All members are called on the thread that made the object (the
+// GUI thread, or the command line's main thread), all signals and callbacks arrive there; adapters do their
+// network work on threads of their own.
 #pragma once
 
 #include <functional>

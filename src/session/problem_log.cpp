@@ -20,8 +20,8 @@ QString severityWord(map::Severity severity) {
 }  // namespace
 
 void ProblemLog::add(const map::Problem& problem, const QDateTime& now) {
-  const auto same =
-      std::find_if(rows_.begin(), rows_.end(), [&](const LoggedProblem& row) { return row.problem == problem; });
+  const auto same = std::find_if(rows_.begin(), rows_.end(),
+                                 [&](const LoggedProblem& row) { return row.problem == problem; });
   if (same != rows_.end()) {
     ++same->count;
     same->last = now;
@@ -55,9 +55,10 @@ int ProblemLog::unresolved() const {
 QString ProblemLog::toText() const {
   QString text;
   for (const LoggedProblem& row : rows_) {
-    text += QStringLiteral("%1  %2  %3: %4").arg(row.last.toString(Qt::ISODate), severityWord(row.problem.severity),
-                                                 QString::fromStdString(row.problem.subject),
-                                                 QString::fromStdString(row.problem.sentence));
+    text +=
+        QStringLiteral("%1  %2  %3: %4")
+            .arg(row.last.toString(Qt::ISODate), severityWord(row.problem.severity),
+                 QString::fromStdString(row.problem.subject), QString::fromStdString(row.problem.sentence));
     if (row.count > 1) text += QStringLiteral("  (%1 times)").arg(row.count);
     if (row.resolved) text += QStringLiteral("  (resolved)");
     text += QLatin1Char('\n');

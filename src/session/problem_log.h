@@ -19,8 +19,8 @@ struct LoggedProblem {
   bool resolved = false;  // the subject has recovered since
 };
 
-/// Newest last. Equal problems (subject and sentence) are one row with a count. At most kLimit rows; the oldest go first
-/// and are counted in forgotten().
+/// Newest last. Equal problems (subject and sentence) are one row with a count. At most kLimit rows; the
+/// oldest go first and are counted in forgotten().
 class ProblemLog {
  public:
   static constexpr std::size_t kLimit = 2'000;

@@ -140,7 +140,8 @@ void Session::publish(const submap::BookChange& change) {
 void Session::pump() {
   robot::SubmapSource* source = robot_->submapSource();
   if (!source) return;
-  // Without a live link the list may be of another session: what is under way may end, nothing new is asked for.
+  // Without a live link the list may be of another session: what is under way may end, nothing new is asked
+  // for.
   if (robot_->connection().phase == robot::ConnectionPhase::Online) {
     for (const map::SubmapKey& key : scheduler_.take(now())) {
       source->fetch(key, [self = QPointer<Session>(this)](map::SubmapAnswer answer) {
@@ -169,7 +170,7 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
       const bool missing = answer.outcome == Outcome::NotFound;
       report({missing ? map::Severity::Warning : map::Severity::Error, subjectOf(key),
               reason + (missing ? " It will be asked for again at the next version."
-                                       : " It will be asked for again.")});
+                                : " It will be asked for again.")});
     }
     if (answer.outcome == Outcome::Ok) {
       failure_reasons_.erase(key.id);
@@ -264,8 +265,8 @@ SubmapCounts Session::counts() const {
     counts.hidden += !row.visible;
     const SubmapStatus now_status = status(id);
     counts.updating += now_status == SubmapStatus::Updating;
-    const bool drawable = row.pose_usable && std::size_t(slice_) < row.slices.size() &&
-                          row.slices[std::size_t(slice_)].texture;
+    const bool drawable =
+        row.pose_usable && std::size_t(slice_) < row.slices.size() && row.slices[std::size_t(slice_)].texture;
     if (drawable) {
       ++counts.shown;
       continue;

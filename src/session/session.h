@@ -1,5 +1,6 @@
-// One connected robot as the window and the command line see it: the live state, the submaps, their fetches, the problems.
-// Ties the robot port to the submap cache. GUI-thread object; decoding runs on a pool (architecture, decision 4).
+// One connected robot as the window and the command line see it: the live state, the submaps, their fetches,
+// the problems. Ties the robot port to the submap cache. GUI-thread object; decoding runs on a pool
+// (architecture, decision 4).
 #pragma once
 
 #include <chrono>
@@ -29,10 +30,10 @@ enum class SubmapStatus {
   Updating,  // an older version is on screen, the listed one is queued or being fetched
   Queued,
   Fetching,
-  NoSlice,  // held, but it has no slice of the chosen number
-  Missing,  // 404
-  Waiting,  // failed; will be tried again
-  Corrupt,  // came, but cannot be drawn
+  NoSlice,   // held, but it has no slice of the chosen number
+  Missing,   // 404
+  Waiting,   // failed; will be tried again
+  Corrupt,   // came, but cannot be drawn
   Unplaced,  // no usable pose
 };
 
@@ -40,19 +41,19 @@ enum class SubmapStatus {
 struct SubmapCounts {
   bool list_received = false;
   int listed = 0;
-  int shown = 0;          // have a drawable chosen slice (OnScreen, or an older version while Updating)
-  int pending = 0;        // nothing held yet: queued, being fetched or being decoded
+  int shown = 0;    // have a drawable chosen slice (OnScreen, or an older version while Updating)
+  int pending = 0;  // nothing held yet: queued, being fetched or being decoded
   int without_slice = 0;
   int missing = 0;
-  int failed = 0;         // waiting for another try, nothing held
-  int corrupt = 0;        // corrupt chosen slice, or no usable pose
-  int hidden = 0;         // by the user's choice (independent of the above)
-  int updating = 0;       // a newer version than the one on screen is on its way
+  int failed = 0;    // waiting for another try, nothing held
+  int corrupt = 0;   // corrupt chosen slice, or no usable pose
+  int hidden = 0;    // by the user's choice (independent of the above)
+  int updating = 0;  // a newer version than the one on screen is on its way
   int trajectories = 0;
   int fetching = 0, queued = 0;  // fetch work
   qint64 texture_bytes = 0;
-  quint64 fetches = 0;      // answers that travelled over the network
-  quint64 cache_hits = 0;   // answers from disk
+  quint64 fetches = 0;     // answers that travelled over the network
+  quint64 cache_hits = 0;  // answers from disk
   quint64 bytes_fetched = 0;
   bool operator==(const SubmapCounts&) const = default;
 };
@@ -86,8 +87,8 @@ class Session : public QObject {
   SubmapCounts counts() const;
   SubmapStatus status(map::SubmapId id) const;
   QString reason(map::SubmapId id) const;  // why Missing, Waiting, Corrupt or Unplaced; plain text
-  /// True when nothing more can be expected of the present list without waiting for another try of a failed one:
-  /// every listed submap is on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
+  /// True when nothing more can be expected of the present list without waiting for another try of a failed
+  /// one: every listed submap is on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
   bool settled(int tries) const;
 
   int slice() const { return slice_; }
@@ -102,10 +103,11 @@ class Session : public QObject {
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
-  void liveChanged();      // pose, trail, model, slam status
-  void listChanged();      // submaps were added or removed, or the session is new
+  void liveChanged();       // pose, trail, model, slam status
+  void listChanged();       // submaps were added or removed, or the session is new
   void sessionRestarted();  // new uuid: every picture is gone. Comes before listChanged()
-  void submapsPlaced(const std::vector<mapwright::map::SubmapId>& ids);   // picture, pose, flags or visibility: draw again
+  void submapsPlaced(
+      const std::vector<mapwright::map::SubmapId>& ids);  // picture, pose, flags or visibility: draw again
   void submapsRemoved(const std::vector<mapwright::map::SubmapId>& ids);
   void sliceChanged();     // every picture: draw again
   void rowsChanged();      // some status or counter; coalesced to 10 times a second

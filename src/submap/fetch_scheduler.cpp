@@ -109,7 +109,8 @@ std::optional<Millis> FetchScheduler::nextDue(Millis now) const {
   return due;
 }
 
-void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::int32_t answered_version, Millis now) {
+void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::int32_t answered_version,
+                              Millis now) {
   const auto sent = std::find(under_way_.begin(), under_way_.end(), key);
   if (sent == under_way_.end()) return;
   under_way_.erase(sent);
@@ -146,8 +147,8 @@ void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::i
       break;
     }
   }
-  // Back to the end of the line until the next ordering: sorting ten thousand submaps at every answer would cost more
-  // than the answers.
+  // Back to the end of the line until the next ordering: sorting ten thousand submaps at every answer would
+  // cost more than the answers.
   if (open(wish) && !queue_stale_) queue_.insert(queue_.begin(), key.id);
 }
 

@@ -36,14 +36,15 @@ enum class FetchState {
   Waiting,   // failed; waits for its next try
 };
 
-/// Decides which keys go out. One fetch per key while it is wanted, at most max_concurrent at a time and one per submap; a 404
-/// is remembered for its key; any other failure makes that submap wait (backoff with jitter). Keys of another uuid,
-/// superseded versions and unwanted submaps are never sent.
+/// Decides which keys go out. One fetch per key while it is wanted, at most max_concurrent at a time and one
+/// per submap; a 404 is remembered for its key; any other failure makes that submap wait (backoff with
+/// jitter). Keys of another uuid, superseded versions and unwanted submaps are never sent.
 class FetchScheduler {
  public:
   explicit FetchScheduler(SchedulerOptions options = {});
 
-  /// A new SLAM session: forgets everything of the old one. Answers still under way keep their slot until answered().
+  /// A new SLAM session: forgets everything of the old one. Answers still under way keep their slot until
+  /// answered().
   void setUuid(const std::string& uuid);
   /// A new list arrived: submaps that wait for one (UUID_MISMATCH) may be tried again.
   void listArrived();
@@ -63,10 +64,11 @@ class FetchScheduler {
   /// When take() may have something new without any other event; nullopt = not before another event.
   std::optional<Millis> nextDue(Millis now) const;
   /// An answer for a key that take() gave. `answered_version` is the answer's own version (0 = unsaid).
-  void answered(const map::SubmapKey& key, map::SubmapAnswer::Outcome outcome, std::int32_t answered_version, Millis now);
+  void answered(const map::SubmapKey& key, map::SubmapAnswer::Outcome outcome, std::int32_t answered_version,
+                Millis now);
 
   FetchState state(map::SubmapId id) const;
-  int failures(map::SubmapId id) const;              // in a row
+  int failures(map::SubmapId id) const;                   // in a row
   std::optional<Millis> retryAt(map::SubmapId id) const;  // while Waiting
   int underWay() const { return int(under_way_.size()); }
   int queued() const;

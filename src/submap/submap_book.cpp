@@ -145,8 +145,9 @@ BookChange SubmapBook::commit(DecodedSubmap decoded) {
   row.texture_bytes = bytesOf(row.slices);
   texture_bytes_ += row.texture_bytes;
   if (const std::string reason = row.corruptReason(); !reason.empty()) {
-    change.problems.push_back({map::Severity::Error, describe(decoded.key.id, decoded.version),
-                               reason + ". Shown without it. It will be asked for again at the next version."});
+    change.problems.push_back(
+        {map::Severity::Error, describe(decoded.key.id, decoded.version),
+         reason + ". Shown without it. It will be asked for again at the next version."});
   }
   change.placed.push_back(decoded.key.id);
   return change;

@@ -35,14 +35,14 @@ struct DecodedSubmap {
 
 /// Everything known of one listed submap.
 struct SubmapRow {
-  map::SubmapEntry entry;          // the newest usable list entry
+  map::SubmapEntry entry;  // the newest usable list entry
   bool pose_usable = false;
-  std::string pose_problem;        // why not
-  bool stale_texture = false;      // texture kept while a lower version was listed (see SubmapBook::apply)
-  std::int32_t shown_version = -1; // -1 = nothing held
+  std::string pose_problem;         // why not
+  bool stale_texture = false;       // texture kept while a lower version was listed (see SubmapBook::apply)
+  std::int32_t shown_version = -1;  // -1 = nothing held
   std::vector<Slice> slices;
   std::size_t texture_bytes = 0;
-  bool visible = true;             // by the user's choice
+  bool visible = true;  // by the user's choice
 
   bool active() const { return !entry.is_frozen; }
   /// Why some slice is not drawn; empty when all that came are fine.
@@ -51,9 +51,9 @@ struct SubmapRow {
 
 /// What a list or a commit changed.
 struct BookChange {
-  bool new_session = false;             // everything of before is gone
-  bool set_changed = false;             // submaps were added or removed
-  std::vector<map::SubmapId> placed;    // pose, texture or flags changed: draw again
+  bool new_session = false;           // everything of before is gone
+  bool set_changed = false;           // submaps were added or removed
+  std::vector<map::SubmapId> placed;  // pose, texture or flags changed: draw again
   std::vector<map::SubmapId> removed;
   std::vector<map::SubmapId> restarted;  // version went back for good: forget what was fetched
   std::vector<map::Problem> problems;
@@ -69,12 +69,14 @@ class SubmapBook {
  public:
   using Rows = std::map<map::SubmapId, SubmapRow>;
 
-  /// Takes over a list. A pose that is not usable leaves the last good one; a duplicate counts once (its highest version, then the first);
-  /// a version below the shown one keeps the newer picture until kBackwardLists lists in a row insist on it.
+  /// Takes over a list. A pose that is not usable leaves the last good one; a duplicate counts once (its
+  /// highest version, then the first); a version below the shown one keeps the newer picture until
+  /// kBackwardLists lists in a row insist on it.
   BookChange apply(const map::SubmapList& list);
   static constexpr int kBackwardLists = 3;
 
-  /// Puts a decoded submap on screen. Ignored (empty change) when it is of another session, no longer listed or older than what is shown.
+  /// Puts a decoded submap on screen. Ignored (empty change) when it is of another session, no longer listed
+  /// or older than what is shown.
   BookChange commit(DecodedSubmap decoded);
 
   void setVisible(map::SubmapId id, bool visible);
@@ -86,9 +88,11 @@ class SubmapBook {
   bool listReceived() const { return list_received_; }
   std::size_t textureBytes() const { return texture_bytes_; }
 
-  /// Where slice `slice` of the submap is drawn; nullopt when it has no such slice, no texture or no usable pose.
+  /// Where slice `slice` of the submap is drawn; nullopt when it has no such slice, no texture or no usable
+  /// pose.
   std::optional<Placement> placement(map::SubmapId id, int slice) const;
-  /// World bounds of that slice, or a point at the submap's pose while nothing is held; empty without a usable pose.
+  /// World bounds of that slice, or a point at the submap's pose while nothing is held; empty without a
+  /// usable pose.
   geometry::WorldRect bounds(map::SubmapId id, int slice) const;
   int maxSlices() const;
 

@@ -23,7 +23,8 @@ class CommandLineTest : public QObject {
 
   QProcessEnvironment environment() const {
     QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"}) {
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"}) {
       env.remove(QLatin1String(name));
     }
     env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
@@ -45,18 +46,22 @@ class CommandLineTest : public QObject {
  private Q_SLOTS:
   void helpAndVersionAreThereOnEveryLevel() {
     QCOMPARE(run({QStringLiteral("--help")}).code, 0);
-    QVERIFY(run({QStringLiteral("snapshot"), QStringLiteral("--help")}).out.contains(QStringLiteral("--settle")));
-    QVERIFY(run({QStringLiteral("simulate"), QStringLiteral("--help")}).out.contains(QStringLiteral("--corrupt-rate")));
+    QVERIFY(
+        run({QStringLiteral("snapshot"), QStringLiteral("--help")}).out.contains(QStringLiteral("--settle")));
+    QVERIFY(run({QStringLiteral("simulate"), QStringLiteral("--help")})
+                .out.contains(QStringLiteral("--corrupt-rate")));
     QVERIFY(run({QStringLiteral("--version")}).out.startsWith(QStringLiteral("mapwright ")));
   }
 
   void wrongUsageIsOneLineAndExitCodeTwo_data() {
     QTest::addColumn<QString>("line");
     for (const char* line :
-         {"nonsense", "snapshot", "snapshot --output p.png", "snapshot --robot demo: --output p.png --size big",
-          "snapshot --robot aimdk+http://h --output p.png", "snapshot --robot demo:?scene=moon --output p.png",
-          "snapshot --robot demo: --output /no/such/folder/p.png", "simulate --scene moon", "simulate --drop-rate 2",
-          "snapshot --robot demo: --secret-file /no/such/file --output p.png"}) {
+         {"nonsense", "snapshot", "snapshot --output p.png",
+          "snapshot --robot demo: --output p.png --size big",
+          "snapshot --robot aimdk+http://h --output p.png",
+          "snapshot --robot demo:?scene=moon --output p.png",
+          "snapshot --robot demo: --output /no/such/folder/p.png", "simulate --scene moon",
+          "simulate --drop-rate 2", "snapshot --robot demo: --secret-file /no/such/file --output p.png"}) {
       QTest::newRow(line) << QString::fromLatin1(line);
     }
   }
@@ -69,8 +74,9 @@ class CommandLineTest : public QObject {
   }
 
   void aRobotThatIsNotThereIsExitCodeThree() {
-    const Outcome outcome = run({QStringLiteral("snapshot"), QStringLiteral("--robot"),
-                                 QStringLiteral("axbot+http://127.0.0.1:1"), QStringLiteral("--output"), at("p.png")});
+    const Outcome outcome =
+        run({QStringLiteral("snapshot"), QStringLiteral("--robot"),
+             QStringLiteral("axbot+http://127.0.0.1:1"), QStringLiteral("--output"), at("p.png")});
     QCOMPARE(outcome.code, 3);
     QCOMPARE(outcome.err.count(QLatin1Char('\n')), 1);
     QVERIFY2(outcome.err.contains(QStringLiteral("127.0.0.1:1")), qPrintable(outcome.err));
@@ -89,8 +95,8 @@ class CommandLineTest : public QObject {
   void simulateServesUntilItIsToldToStopAndSnapshotReadsIt() {
     QProcess robot;
     robot.setProcessEnvironment(environment());
-    robot.start(QStringLiteral(MAPWRIGHT_PROGRAM),
-                {QStringLiteral("simulate"), QStringLiteral("--paused"), QStringLiteral("--start-at"), QStringLiteral("30")});
+    robot.start(QStringLiteral(MAPWRIGHT_PROGRAM), {QStringLiteral("simulate"), QStringLiteral("--paused"),
+                                                    QStringLiteral("--start-at"), QStringLiteral("30")});
     QVERIFY(robot.waitForReadyRead(30'000));
     const QJsonObject ready = QJsonDocument::fromJson(robot.readLine()).object();
     const QString address = ready[QLatin1String("axbot")].toString();
@@ -98,8 +104,9 @@ class CommandLineTest : public QObject {
 
     QProcessEnvironment env = environment();
     env.insert(QStringLiteral("MAPWRIGHT_ROBOT"), address);
-    const QStringList snapshot{QStringLiteral("snapshot"), QStringLiteral("--output"), at("one.png"),
-                               QStringLiteral("--size"), QStringLiteral("300x200"), QStringLiteral("--json")};
+    const QStringList snapshot{
+        QStringLiteral("snapshot"), QStringLiteral("--output"), at("one.png"),
+        QStringLiteral("--size"),   QStringLiteral("300x200"),  QStringLiteral("--json")};
     const Outcome first = run(snapshot, env);
     QVERIFY2(first.code == 0, qPrintable(first.err));
     const QJsonObject report = QJsonDocument::fromJson(first.out.toUtf8()).object();

@@ -68,8 +68,8 @@ class LiveRobotTest : public QObject {
   }
   static bool complete(const Session& session) {
     const auto counts = session.counts();
-    return counts.list_received && counts.listed > 0 && counts.shown + counts.without_slice == counts.listed &&
-           session.settled(1);
+    return counts.list_received && counts.listed > 0 &&
+           counts.shown + counts.without_slice == counts.listed && session.settled(1);
   }
 
  private Q_SLOTS:
@@ -104,7 +104,7 @@ class LiveRobotTest : public QObject {
 
   void aRestartDownloadsNothingAgain() {
     startRobot();
-    { 
+    {
       const auto session = connectTo();
       QTRY_VERIFY_WITH_TIMEOUT(complete(*session), kPatienceMs);
     }
@@ -161,13 +161,15 @@ class LiveRobotTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(session->staleSince().has_value() || robot_->openWebSockets() > 0, kPatienceMs);
     QTRY_COMPARE_WITH_TIMEOUT(session->connection().phase, robot::ConnectionPhase::Online, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(session->settled(1), kPatienceMs);
-    for (const auto& [target, times] : timesAsked(submapRequests(*robot_))) QVERIFY2(times == 1, target.c_str());
+    for (const auto& [target, times] : timesAsked(submapRequests(*robot_)))
+      QVERIFY2(times == 1, target.c_str());
     QCOMPARE(session->counts().shown + session->counts().missing, session->counts().listed);
   }
 
   void failuresHealAndTheOthersAreNotHeldUp_data() {
     QTest::addColumn<QString>("fault");
-    for (const char* fault : {"drop", "truncate", "corrupt", "error", "status"}) QTest::newRow(fault) << QString::fromLatin1(fault);
+    for (const char* fault : {"drop", "truncate", "corrupt", "error", "status"})
+      QTest::newRow(fault) << QString::fromLatin1(fault);
   }
   void failuresHealAndTheOthersAreNotHeldUp() {
     QFETCH(QString, fault);
@@ -198,7 +200,8 @@ class LiveRobotTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(session->settled(2), kPatienceMs);
     std::map<std::string, double> ended;
     for (const RequestRecord& record : submapRequests(*robot_)) {
-      if (const auto it = ended.find(record.target); it != ended.end()) QVERIFY(record.at_s - it->second >= 0.399);
+      if (const auto it = ended.find(record.target); it != ended.end())
+        QVERIFY(record.at_s - it->second >= 0.399);
       ended[record.target] = record.until_s;
     }
   }
@@ -209,7 +212,8 @@ class LiveRobotTest : public QObject {
     startRobot(options);
     const auto session = connectTo();
     QTRY_VERIFY_WITH_TIMEOUT(session->settled(1) && session->counts().corrupt > 0, kPatienceMs);
-    for (const auto& [target, times] : timesAsked(submapRequests(*robot_))) QVERIFY2(times == 1, target.c_str());
+    for (const auto& [target, times] : timesAsked(submapRequests(*robot_)))
+      QVERIFY2(times == 1, target.c_str());
     QVERIFY(session->problems().unresolved() >= session->counts().corrupt);
   }
 

@@ -32,7 +32,8 @@ class SnapshotRunTest : public QObject {
   static simulator::Options frozen() { return *app::parseDemoQuery(QUrlQuery(), app::DemoTime::Frozen); }
 
   /// Runs to the end; the exit code.
-  static int take(const SnapshotOptions& options, const simulator::Options& robot, QJsonObject* report = nullptr) {
+  static int take(const SnapshotOptions& options, const simulator::Options& robot,
+                  QJsonObject* report = nullptr) {
     auto made = app::makeDemoRobot(QStringLiteral("demo:"), robot);
     if (!made) return -1;
     SnapshotRun run(options, std::move(*made));
@@ -67,7 +68,8 @@ class SnapshotRunTest : public QObject {
     options.center_m = Eigen::Vector2d(5, 5);
     options.scale_m_per_px = 0.05;
     QCOMPARE(take(options, frozen()), int(app::kDone));
-    const QImage picture = QImage(folder_.filePath(QStringLiteral("raw.png"))).convertToFormat(QImage::Format_ARGB32);
+    const QImage picture =
+        QImage(folder_.filePath(QStringLiteral("raw.png"))).convertToFormat(QImage::Format_ARGB32);
     QCOMPARE(picture.size(), QSize(320, 240));
     int observed = 0, free = 0, occupied = 0;
     for (int y = 0; y < picture.height(); ++y) {
@@ -95,7 +97,8 @@ class SnapshotRunTest : public QObject {
     options.raw = true;
     QCOMPARE(take(options, frozen()), int(app::kDone));
     const QImage plain(folder_.filePath(QStringLiteral("plain.png")));
-    const QImage raw = QImage(folder_.filePath(QStringLiteral("raw2.png"))).convertToFormat(QImage::Format_ARGB32);
+    const QImage raw =
+        QImage(folder_.filePath(QStringLiteral("raw2.png"))).convertToFormat(QImage::Format_ARGB32);
     const render::MapColors colors = scene::lightMapTheme().map;
     const auto mixed = [](QRgb dark, QRgb light, int intensity) {
       return dark + (light - dark) * intensity / 255.0;
@@ -125,8 +128,10 @@ class SnapshotRunTest : public QObject {
     turned.output = folder_.filePath(QStringLiteral("turned.png"));
     turned.rotation_rad = geometry::radiansFromDegrees(90);
     QCOMPARE(take(turned, frozen()), int(app::kDone));
-    const QImage a = QImage(folder_.filePath(QStringLiteral("upright.png"))).convertToFormat(QImage::Format_ARGB32);
-    const QImage b = QImage(folder_.filePath(QStringLiteral("turned.png"))).convertToFormat(QImage::Format_ARGB32);
+    const QImage a =
+        QImage(folder_.filePath(QStringLiteral("upright.png"))).convertToFormat(QImage::Format_ARGB32);
+    const QImage b =
+        QImage(folder_.filePath(QStringLiteral("turned.png"))).convertToFormat(QImage::Format_ARGB32);
     double sum = 0;
     int count = 0;
     for (int y = 0; y < 240; ++y) {
@@ -164,7 +169,8 @@ class SnapshotRunTest : public QObject {
     QJsonObject report;
     QCOMPARE(take(options, robot, &report), int(app::kIncomplete));
     QVERIFY(!report[QLatin1String("complete")].toBool());
-    QVERIFY(report[QLatin1String("warnings")].toArray().at(0).toString().contains(QStringLiteral("no submap list")));
+    QVERIFY(report[QLatin1String("warnings")].toArray().at(0).toString().contains(
+        QStringLiteral("no submap list")));
   }
 
   void aRobotThatLooksForASecretItDoesNotGetRefuses() {

@@ -35,7 +35,8 @@ class GeometryTest : public QObject {
     // 3D SLAM: the submap is tilted, the slice undoes it. Projecting before multiplying would be wrong.
     const Eigen::Isometry3d tilt(Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX()) *
                                  Eigen::AngleAxisd(-0.3, Eigen::Vector3d::UnitY()));
-    const Eigen::Isometry3d yaw(Eigen::Translation3d(5, -2, 1) * Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitZ()));
+    const Eigen::Isometry3d yaw(Eigen::Translation3d(5, -2, 1) *
+                                Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitZ()));
     const Pose2 pose = projectToPlane((yaw * tilt) * tilt.inverse());
     QVERIFY(std::abs(pose.yaw_rad - 1.1) < 1e-12);
     QVERIFY(near({pose.x_m, pose.y_m}, {5, -2}));
@@ -99,8 +100,8 @@ class GeometryTest : public QObject {
     for (const double rotation : {0.0, 0.5, 2.2}) {
       ViewTransform view{{0, 0}, 1, rotation, 300, 200};
       view = view.fitted(world, 10);
-      for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-10, 5), Eigen::Vector2d(30, 5), Eigen::Vector2d(30, 12),
-                                            Eigen::Vector2d(-10, 12)}) {
+      for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-10, 5), Eigen::Vector2d(30, 5),
+                                            Eigen::Vector2d(30, 12), Eigen::Vector2d(-10, 12)}) {
         const Eigen::Vector2d pixel = view.pixelFromWorld(corner);
         QVERIFY(pixel.x() > 9.9 && pixel.x() < 290.1 && pixel.y() > 9.9 && pixel.y() < 190.1);
       }

@@ -32,8 +32,9 @@ class AddressTest : public QObject {
 
   void badAddressesAreRefusedWithASentence_data() {
     QTest::addColumn<QString>("typed");
-    for (const char* typed : {"", "   ", "axbot+http://", "ftp://host", "axbot+http://user:pw@host", "http://host:0",
-                              "aimdk+http://host", "file:map.yaml", "http://host?x=1", "http://a b", "http://host:99999"}) {
+    for (const char* typed :
+         {"", "   ", "axbot+http://", "ftp://host", "axbot+http://user:pw@host", "http://host:0",
+          "aimdk+http://host", "file:map.yaml", "http://host?x=1", "http://a b", "http://host:99999"}) {
       QTest::newRow(typed) << QString::fromLatin1(typed);
     }
   }

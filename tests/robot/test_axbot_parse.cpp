@@ -1,8 +1,7 @@
 #include <cmath>
+#include <zlib.h>
 
 #include <QTest>
-
-#include <zlib.h>
 
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
@@ -54,7 +53,9 @@ std::string frame(const std::string& topic, char zipped, const std::string& body
   return std::string(1, char(topic.size())) + topic + std::string(1, zipped) + body;
 }
 
-map::SubmapList listOf(const std::string& text) { return std::get<map::SubmapList>(*parseTextFrame(text).message); }
+map::SubmapList listOf(const std::string& text) {
+  return std::get<map::SubmapList>(*parseTextFrame(text).message);
+}
 
 }  // namespace
 
@@ -101,7 +102,8 @@ class AxbotParseTest : public QObject {
   }
 
   void emptyAndNullListsAreEmpty() {
-    QVERIFY(listOf(R"({"topic":"/submap_list","slam_state":"invalid","uuid":"","submap":[]})").entries.empty());
+    QVERIFY(
+        listOf(R"({"topic":"/submap_list","slam_state":"invalid","uuid":"","submap":[]})").entries.empty());
     QVERIFY(listOf(R"({"topic":"/submap_list","uuid":null,"submap":null})").uuid.empty());
   }
 
@@ -135,7 +137,8 @@ class AxbotParseTest : public QObject {
         *parseTextFrame(R"({"topic":"/robot_model","footprint":[[0,0],[1,0],[1,1]],"width":0.6})").message);
     QCOMPARE(model.footprint.size(), std::size_t(3));
     QCOMPARE(std::get<map::SlamStatus>(
-                 *parseTextFrame(R"({"topic":"/slam/state","state":"slam","reliable":true})").message).state,
+                 *parseTextFrame(R"({"topic":"/slam/state","state":"slam","reliable":true})").message)
+                 .state,
              std::string("slam"));
   }
 
@@ -188,7 +191,8 @@ class AxbotParseTest : public QObject {
     QCOMPARE(outcome(ros_messages::slam::NOT_FOUND).outcome, Outcome::NotFound);
     QCOMPARE(outcome(ros_messages::slam::UUID_MISMATCH).outcome, Outcome::WrongUuid);
     QCOMPARE(outcome(ros_messages::slam::UNAVAILABLE).outcome, Outcome::Failed);
-    QCOMPARE(outcome(ros_messages::slam::UNAVAILABLE).reason, std::string("The robot answered UNAVAILABLE: why."));
+    QCOMPARE(outcome(ros_messages::slam::UNAVAILABLE).reason,
+             std::string("The robot answered UNAVAILABLE: why."));
     QCOMPARE(outcome(ros_messages::slam::StatusCode(77)).outcome, Outcome::Failed);
   }
 

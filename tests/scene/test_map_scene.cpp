@@ -49,7 +49,8 @@ class MapSceneTest : public QObject {
     scene_->render(&painter, QRectF(0, 0, 100, 100), QRectF(0, 0, 100, 100));
     return image;
   }
-  /// One pixel a centimetre, the world's origin in the middle; the submap at (0.2, 0.2) covers (50..70, 30..50).
+  /// One pixel a centimetre, the world's origin in the middle; the submap at (0.2, 0.2) covers
+  /// (50..70, 30..50).
   void showOneSubmap(char value = 127) {
     robot_->say(listOf({entry(0, 1, 0.2, 0.2)}));
     robot_->answer(Outcome::Ok, 0, value);

@@ -17,7 +17,9 @@ class ScaleBarTest : public QObject {
   void lengthsCarryTheirUnit_data() {
     QTest::addColumn<double>("metres");
     QTest::addColumn<QString>("text");
-    const auto row = [](double metres, const char* text) { QTest::newRow(text) << metres << QString::fromLatin1(text); };
+    const auto row = [](double metres, const char* text) {
+      QTest::newRow(text) << metres << QString::fromLatin1(text);
+    };
     row(0.0005, "0.5 mm");
     row(0.02, "20 mm");
     row(0.2, "20 cm");

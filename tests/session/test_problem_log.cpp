@@ -9,7 +9,9 @@ class ProblemLogTest : public QObject {
   Q_OBJECT
  private:
   const QDateTime noon_ = QDateTime(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
-  static map::Problem problem(int i) { return {map::Severity::Error, "Submap " + std::to_string(i), "It is gone."}; }
+  static map::Problem problem(int i) {
+    return {map::Severity::Error, "Submap " + std::to_string(i), "It is gone."};
+  }
 
  private Q_SLOTS:
   void equalProblemsAreCounted() {

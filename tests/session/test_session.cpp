@@ -43,7 +43,8 @@ class SessionTest : public QObject {
     now_ = submap::Millis(0);
     auto robot = std::make_unique<FakeRobot>();
     robot_ = robot.get();
-    session_ = std::make_unique<Session>(std::move(robot), Session::Options{}, nullptr, [this] { return now_; });
+    session_ =
+        std::make_unique<Session>(std::move(robot), Session::Options{}, nullptr, [this] { return now_; });
     robot_->setPhase(robot::ConnectionPhase::Online);
   }
   void cleanup() { session_.reset(); }

@@ -114,7 +114,8 @@ class SubmapBookTest : public QObject {
     QVERIFY(QString::fromStdString(change.problems[1].sentence).contains(QStringLiteral("zero quaternion")));
     QVERIFY(!book.find({0, 0})->pose_usable);
     QVERIFY(book.find({0, 3})->pose_usable);
-    QVERIFY2(book.apply(listOf({broken, zero, far, entry(0, 3, 1)})).problems.empty(), "said once, not at every list");
+    QVERIFY2(book.apply(listOf({broken, zero, far, entry(0, 3, 1)})).problems.empty(),
+             "said once, not at every list");
   }
 
   void aPoseThatTurnsBadLeavesTheSubmapWhereItWas() {

@@ -26,13 +26,15 @@ std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std:
 /// A member by any of its names, looked for here and one level down: firmware versions nest them differently.
 QJsonValue findMember(const QJsonObject& object, std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    if (const auto value = object.value(QLatin1String(name)); !value.isUndefined() && !value.isNull()) return value;
+    if (const auto value = object.value(QLatin1String(name)); !value.isUndefined() && !value.isNull())
+      return value;
   }
   for (const QJsonValue& child : object) {
     if (!child.isObject()) continue;
     const QJsonObject inner = child.toObject();
     for (const char* name : names) {
-      if (const auto value = inner.value(QLatin1String(name)); !value.isUndefined() && !value.isNull()) return value;
+      if (const auto value = inner.value(QLatin1String(name)); !value.isUndefined() && !value.isNull())
+        return value;
     }
   }
   return QJsonValue::Undefined;
@@ -40,7 +42,9 @@ QJsonValue findMember(const QJsonObject& object, std::initializer_list<const cha
 
 QString memberText(const QJsonObject& object, std::initializer_list<const char*> names) {
   const QJsonValue value = findMember(object, names);
-  return value.isString() ? value.toString().left(200) : value.isDouble() ? value.toVariant().toString() : QString();
+  return value.isString()   ? value.toString().left(200)
+         : value.isDouble() ? value.toVariant().toString()
+                            : QString();
 }
 
 QUrl socketUrl(const QUrl& base, bool binary) {
@@ -70,14 +74,16 @@ void AxbotLink::start() {
   http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
   socket_ = std::make_unique<net::WebSocketLink>(
-      QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret, options_.socket);
+      QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
+      options_.socket);
   list_timer_ = std::make_unique<QTimer>();
   subscribe_timer_ = std::make_unique<QTimer>();
   for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get()}) timer->setSingleShot(true);
   connect(list_timer_.get(), &QTimer::timeout, this, [this] {
-    Q_EMIT problemFound(problem(map::Severity::Warning,
-                                tr("It has not sent a submap list yet. It may have no SLAM session, or its firmware "
-                                   "may not know the topic /submap_list. Still listening.")));
+    Q_EMIT problemFound(
+        problem(map::Severity::Warning,
+                tr("It has not sent a submap list yet. It may have no SLAM session, or its firmware "
+                   "may not know the topic /submap_list. Still listening.")));
   });
   connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
     if (!topics_confirmed_) subscribeOneByOne();
@@ -85,8 +91,10 @@ void AxbotLink::start() {
   connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
     topics_confirmed_ = false;
-    if (device_info_answered_) subscribe();
-    else askDeviceInfo();
+    if (device_info_answered_)
+      subscribe();
+    else
+      askDeviceInfo();
   });
   connect(socket_.get(), &net::WebSocketLink::textReceived, this, &AxbotLink::takeText);
   connect(socket_.get(), &net::WebSocketLink::binaryReceived, this, [this](const QByteArray& bytes) {
@@ -119,9 +127,10 @@ QUrl AxbotLink::urlOf(const QString& path) const {
 QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const {
   QUrl url = options_.base;
   const QString uuid = QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(key.uuid)));
-  url.setPath(QString::fromLatin1(QUrl::toPercentEncoding(options_.base.path(), "/")) +
-                  QStringLiteral("/ros/slam/submaps/%1/%2/%3").arg(uuid).arg(key.id.trajectory).arg(key.id.index),
-              QUrl::TolerantMode);
+  url.setPath(
+      QString::fromLatin1(QUrl::toPercentEncoding(options_.base.path(), "/")) +
+          QStringLiteral("/ros/slam/submaps/%1/%2/%3").arg(uuid).arg(key.id.trajectory).arg(key.id.index),
+      QUrl::TolerantMode);
   QUrlQuery query;
   query.addQueryItem(QStringLiteral("ver"), QString::number(version));
   url.setQuery(query);
@@ -156,7 +165,8 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    Q_EMIT problemFound(problem(map::Severity::Info, tr("It does not say what it is: %1").arg(answer.sentence)));
+    Q_EMIT problemFound(
+        problem(map::Severity::Info, tr("It does not say what it is: %1").arg(answer.sentence)));
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -188,8 +198,9 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   } else if (frame.enabled_topics) {
     takeEnabledTopics(*frame.enabled_topics);
   } else if (!frame.error.empty()) {
-    Q_EMIT problemFound(problem(map::Severity::Warning,
-                                tr("It answered: %1").arg(QString::fromStdString(frame.error.substr(0, 300)))));
+    Q_EMIT problemFound(
+        problem(map::Severity::Warning,
+                tr("It answered: %1").arg(QString::fromStdString(frame.error.substr(0, 300)))));
   }
 }
 
@@ -213,12 +224,14 @@ void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {
   request.cacheable = true;
   request.content_addressed = true;
   request.timeout = options_.fetch_timeout;
-  under_way_[key] = http_->get(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
-    takeSubmap(key, url, answer, ticket);
-  });
+  under_way_[key] =
+      http_->get(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
+        takeSubmap(key, url, answer, ticket);
+      });
 }
 
-void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket) {
+void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http,
+                           quint64 ticket) {
   using Outcome = map::SubmapAnswer::Outcome;
   under_way_.erase(key);
   map::SubmapAnswer answer;
@@ -226,13 +239,15 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
     answer = parseSubmapResponse(key, view(http.body));
     answer.from_cache = http.from_cache;
     if (cache_ && !http.from_cache) {
-      // The address names the version asked for; the body is the version that the robot has. Keep it under its own name
-      // only, so that neither a failure nor an older picture is taken for that version after a restart.
+      // The address names the version asked for; the body is the version that the robot has. Keep it under
+      // its own name only, so that neither a failure nor an older picture is taken for that version after a
+      // restart.
       const bool other_version = answer.version > 0 && answer.version != key.version;
       if (answer.outcome == Outcome::Ok && other_version) {
         cache_->copy(url, submapUrl(key, answer.version));
       }
-      if (answer.outcome != Outcome::Ok || (other_version && answer.version < key.version)) cache_->remove(url);
+      if (answer.outcome != Outcome::Ok || (other_version && answer.version < key.version))
+        cache_->remove(url);
     }
   } else {
     answer.key = key;

@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <zlib.h>
 
 #include "robot/axbot/parse_submap.h"
@@ -49,7 +48,8 @@ std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
   if (bytes[length + 1] != 0) {
     auto unpacked = inflateBounded(body);
     if (!unpacked) {
-      return map::UnreadableMessage{topic, "A compressed message could not be unpacked. The list before it stays."};
+      return map::UnreadableMessage{topic,
+                                    "A compressed message could not be unpacked. The list before it stays."};
     }
     inflated = std::move(*unpacked);
     body = inflated;

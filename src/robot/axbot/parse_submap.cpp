@@ -37,7 +37,8 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
                      : code == ros_messages::slam::UUID_MISMATCH ? Outcome::WrongUuid
                                                                  : Outcome::Failed;
     answer.reason = "The robot answered " + codeName(code);
-    if (!response.status().message().empty()) answer.reason += ": " + response.status().message().substr(0, 300);
+    if (!response.status().message().empty())
+      answer.reason += ": " + response.status().message().substr(0, 300);
     answer.reason += ".";
     return answer;
   }

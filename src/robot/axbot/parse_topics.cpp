@@ -51,8 +51,8 @@ std::optional<Eigen::Vector2d> point(const element& value) {
   return Eigen::Vector2d(x, y);
 }
 
-/// The pose of a list entry. What is missing altogether is harmless (z, or a quaternion that was left out); what is there
-/// and is no number spoils the pose.
+/// The pose of a list entry. What is missing altogether is harmless (z, or a quaternion that was left out);
+/// what is there and is no number spoils the pose.
 geometry::Pose3 entryPose(const element& entry) {
   element pose;
   if (entry["pose"].get(pose)) return {kNaN, kNaN, 0, 0, 0, 0, 0};
@@ -61,7 +61,8 @@ geometry::Pose3 entryPose(const element& entry) {
     element pos;
     if (!pose["pos"].get(pos)) {
       const auto xy = point(pos);
-      return xy ? geometry::poseFromYaw(xy->x(), xy->y(), number(pose, "ori", 0)) : geometry::Pose3{kNaN, kNaN};
+      return xy ? geometry::poseFromYaw(xy->x(), xy->y(), number(pose, "ori", 0))
+                : geometry::Pose3{kNaN, kNaN};
     }
     return {number(pose, "x", kNaN), number(pose, "y", kNaN), number(pose, "z", 0), 0, 0, 0, 1};
   }
@@ -72,7 +73,8 @@ geometry::Pose3 entryPose(const element& entry) {
 map::SlamState slamState(const element& message) {
   const std::string state = text(message, "slam_state");
   if (state == "slam" || state == "SLAM_STATE_SLAM" || state == "1") return map::SlamState::Slam;
-  if (state == "positioning" || state == "SLAM_STATE_POSITIONING" || state == "2") return map::SlamState::Positioning;
+  if (state == "positioning" || state == "SLAM_STATE_POSITIONING" || state == "2")
+    return map::SlamState::Positioning;
   return map::SlamState::Invalid;
 }
 
@@ -111,7 +113,8 @@ map::TopicMessage parseTrackedPose(const element& message) {
   const auto xy = message["pos"].get(pos) ? std::nullopt : point(pos);
   const double yaw = number(message, "ori", 0);
   if (!xy || !std::isfinite(yaw)) {
-    return map::UnreadableMessage{"/tracked_pose", "The robot's pose holds no usable numbers. It stays where it was."};
+    return map::UnreadableMessage{"/tracked_pose",
+                                  "The robot's pose holds no usable numbers. It stays where it was."};
   }
   return map::TrackedPose{{xy->x(), xy->y(), yaw}};
 }
@@ -177,8 +180,8 @@ TextFrame parseTextFrame(std::string_view utf8) {
   if (failure) failure = parser.parse(simdjson::padded_string(repairNumbers(utf8))).get(root);
   if (!failure && root.is_object()) return readFrame(root);
   TextFrame frame;
-  frame.message = map::UnreadableMessage{
-      "(unknown)", "A message of " + std::to_string(utf8.size()) + " bytes is not a JSON object. It was left out."};
+  frame.message = map::UnreadableMessage{"(unknown)", "A message of " + std::to_string(utf8.size()) +
+                                                          " bytes is not a JSON object. It was left out."};
   return frame;
 }
 

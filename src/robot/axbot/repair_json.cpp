@@ -11,14 +11,16 @@ bool startsToken(char c) {
 }
 
 bool inToken(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '+' || c == '.';
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '+' ||
+         c == '.';
 }
 
 bool unreadable(const std::string& token) {
   if (token == "null") return false;
   char* end = nullptr;
   const double value = std::strtod(token.c_str(), &end);
-  if (end != token.c_str() + token.size()) return false;  // not a number at all: left for the parser to refuse
+  if (end != token.c_str() + token.size())
+    return false;  // not a number at all: left for the parser to refuse
   if (!std::isfinite(value)) return true;
   const bool whole = token.find_first_of(".eE") == std::string::npos;
   return whole && token.size() > 18;

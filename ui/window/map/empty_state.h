@@ -36,9 +36,7 @@ class EmptyStateCard : public QFrame {
   explicit EmptyStateCard(QWidget* parent = nullptr);
   /// Shows a state, or hides the card.
   void setState(const std::optional<EmptyState>& state);
-  std::optional<EmptyState::Kind> kind() const {
-    return state_ ? std::optional(state_->kind) : std::nullopt;
-  }
+  std::optional<EmptyState::Kind> kind() const { return state_ ? std::optional(state_->kind) : std::nullopt; }
 
  Q_SIGNALS:
   void connectWanted();
