@@ -1,5 +1,7 @@
 #include "window/main_window.h"
 
+#include <algorithm>
+
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
@@ -220,8 +222,14 @@ void MainWindow::noteRestart() {
 }
 
 void MainWindow::noteProblems() {
-  // Once, so that nobody overlooks the first; after that the count in the status bar is enough.
-  if (problems_shown_once_ || session_->problems().unresolved() == 0) return;
+  // Once, so that nobody overlooks the first error; after that the count in the status bar is enough.
+  if (problems_shown_once_) return;
+  const auto& rows = session_->problems().rows();
+  if (std::none_of(rows.begin(), rows.end(), [](const session::LoggedProblem& row) {
+        return !row.resolved && row.problem.severity == map::Severity::Error;
+      })) {
+    return;
+  }
   problems_shown_once_ = true;
   problems_->show();
 }
