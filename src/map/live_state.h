@@ -3,55 +3,51 @@
 #pragma once
 
 #include <deque>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "geometry/pose.h"
-#include "map/submap.h"
+#include "map/live_topics.h"
 
 namespace mapwright::map {
 
-/// /tracked_pose: pos [x,y] metres, ori radians.
-struct TrackedPose {
-  geometry::Pose2 pose;
-};
-
-/// /robot_model: outlines in the robot frame, metres. Empty when unknown.
-struct RobotModel {
-  std::vector<Eigen::Vector2d> footprint;
-  double width_m = 0;
-};
-
-/// /slam/state.
-struct SlamStatus {
-  std::string state;  // inactive, slam, positioning, or whatever the robot says
-  std::optional<bool> reliable;
-};
-
-/// A message that could not be read, for the list of problems.
-struct UnreadableMessage {
-  std::string topic;
-  std::string reason;
-};
-
-using TopicMessage = std::variant<SubmapList, TrackedPose, RobotModel, SlamStatus, UnreadableMessage>;
-
-/// What is known of the robot's world now. Value type; submap lists are handled by submap::SubmapBook.
+/// What is known of the robot's world now. Value type, cheap to copy where it is large (shared, immutable
+/// parts); submap lists are handled by submap::SubmapBook.
 struct LiveState {
   std::optional<geometry::Pose2> robot_pose;
   std::deque<Eigen::Vector2d> trail;  // oldest first, points at least kTrailStepM apart, at most kTrailPoints
   RobotModel model;
   SlamStatus slam;
+  std::map<GridKind, GridMessage> grids;  // the last picture of each kind
+  std::map<std::string, std::shared_ptr<const std::vector<CloudPoint>>> clouds;  // by topic
+  Polyline path, trajectory;
+  LocalPathMessage local_path;
+  std::optional<PlanningState> planning;
+  std::optional<MapInfo> map_info;
+  std::vector<Alert> alerts;  // active now, oldest first
+  std::optional<BatteryState> battery;
+  std::optional<WheelState> wheels;
+  std::optional<SensorState> sensors;
+  std::vector<NearbyRobot> nearby_robots;
+  std::map<std::string, Polyline> nearby_footprints;
+  std::vector<Landmark> landmarks;
+  std::vector<AutoDoor> doors;
+  std::vector<GroundBox> pallets, racks, seen_objects;
+  ConstraintsMessage constraints;
+  std::optional<GlobalPositioning> global_positioning;
+  std::optional<BarcodeMessage> barcode;
 
   static constexpr double kTrailStepM = 0.05;
   static constexpr std::size_t kTrailPoints = 20'000;
 };
 
-/// The state after `message`. Messages that the state does not hold leave it as it is.
-LiveState reduce(LiveState state, const TopicMessage& message);
+/// The state after `message`, which came at `at_s` (seconds since the epoch; the bag's time when replayed).
+/// Messages that the state does not hold leave it as it is.
+LiveState reduce(LiveState state, const TopicMessage& message, double at_s);
 
 }  // namespace mapwright::map

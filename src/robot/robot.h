@@ -8,14 +8,22 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include <QByteArray>
+#include <QDateTime>
 #include <QMetaType>
 #include <QObject>
 #include <QString>
+#include <QStringList>
+#include <tl/expected.hpp>
 
-#include "map/live_state.h"
+#include "map/catalogue.h"
+#include "map/live_topics.h"
 #include "map/problem.h"
 #include "map/submap.h"
+#include "map/waypoint.h"
 
 namespace mapwright::robot {
 
@@ -55,6 +63,67 @@ class SubmapSource {
   virtual void cancel(const map::SubmapKey& key) = 0;
 };
 
+/// What an asynchronous question ended in: the answer, or what went wrong with whom.
+template <typename T>
+using Answer = tl::expected<T, map::Problem>;
+/// Called exactly once, later, never from within the question; never after the robot is gone.
+template <typename T>
+using AnswerTo = std::function<void(Answer<T>)>;
+
+/// Capability: which maps the robot keeps. Asking changes nothing on the robot.
+class MapCatalogue {
+ public:
+  virtual ~MapCatalogue() = default;
+  /// All maps and mapping results, the current one marked. A part that failed (say, the mappings) is a
+  /// problemFound(); the answer holds the rest.
+  virtual void list(AnswerTo<std::vector<map::CatalogueEntry>> reply) = 0;
+  /// More about one: the grid, dates, versions.
+  virtual void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) = 0;
+  /// A small picture of it (PNG).
+  virtual void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) = 0;
+};
+
+/// Capability: whole maps as pictures.
+class WholeMapSource {
+ public:
+  virtual ~WholeMapSource() = default;
+  /// A stored map, a mapping result or the file, whole. MapKind::Live comes as a topic (map::GridMessage).
+  virtual void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) = 0;
+  /// The present SLAM map as one picture at a resolution of the asker's choice, where offered.
+  virtual bool offersOverview() const { return false; }
+  virtual void fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply);
+};
+
+/// Capability: the named places of a map (read only).
+class WaypointSource {
+ public:
+  virtual ~WaypointSource() = default;
+  virtual void waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply) = 0;
+};
+
+/// One message as it came, for the raw-message inspector.
+struct RawMessage {
+  QString topic;
+  QDateTime received;
+  qint64 bytes = 0;   // on the wire
+  bool binary = false;
+  QByteArray text;    // JSON as sent; binary ones as readable JSON where known, else a hex dump; cut at kMaxRawText
+};
+inline constexpr qsizetype kMaxRawText = qsizetype(1) << 20;
+
+/// Capability: live topics. Messages come by Robot::topicReceived.
+class LiveTopics {
+ public:
+  virtual ~LiveTopics() = default;
+  /// Topics that this adapter understands, for completion and layers.
+  virtual QStringList known() const = 0;
+  /// Enables exactly these (any names, known or not), besides those that the robot is always asked for
+  /// (poses, submaps, state). Kept over reconnects.
+  virtual void setWanted(const QStringList& topics) = 0;
+  /// While on, every message (also of unknown topics) is reported by Robot::rawReceived.
+  virtual void setWatching(bool on) = 0;
+};
+
 class Robot : public QObject {
   Q_OBJECT
  public:
@@ -67,12 +136,23 @@ class Robot : public QObject {
   virtual RobotIdentity identity() const = 0;
 
   virtual SubmapSource* submapSource() { return nullptr; }
+  virtual MapCatalogue* mapCatalogue() { return nullptr; }
+  virtual WholeMapSource* wholeMapSource() { return nullptr; }
+  virtual WaypointSource* waypointSource() { return nullptr; }
+  virtual LiveTopics* liveTopics() { return nullptr; }
+
+  /// Why a capability is absent or limited, for the window ("This robot's maps can only be looked at: …");
+  /// empty when there is nothing to say.
+  virtual QString limits() const { return {}; }
 
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
   void topicReceived(const mapwright::map::TopicMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
+  void rawReceived(const mapwright::robot::RawMessage& message);
+  /// The list of maps, the current one, or a local file's content may have changed: ask again.
+  void mapsChanged();
 };
 
 }  // namespace mapwright::robot
@@ -82,3 +162,4 @@ Q_DECLARE_METATYPE(mapwright::map::Problem)
 Q_DECLARE_METATYPE(mapwright::map::SubmapAnswer)
 Q_DECLARE_METATYPE(mapwright::robot::ConnectionState)
 Q_DECLARE_METATYPE(mapwright::robot::RobotIdentity)
+Q_DECLARE_METATYPE(mapwright::robot::RawMessage)

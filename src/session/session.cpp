@@ -101,7 +101,7 @@ void Session::takeTopic(const map::TopicMessage& message) {
     report({map::Severity::Warning, "Topic " + unreadable->topic, unreadable->reason});
     return;
   }
-  live_ = map::reduce(std::move(live_), message);
+  live_ = map::reduce(std::move(live_), message, double(QDateTime::currentMSecsSinceEpoch()) / 1000);
   Q_EMIT liveChanged();
 }
 

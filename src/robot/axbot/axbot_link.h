@@ -10,7 +10,7 @@
 #include <QTimer>
 #include <QUrl>
 
-#include "map/live_state.h"
+#include "map/live_topics.h"
 #include "net/http_cache.h"
 #include "net/http_client.h"
 #include "net/web_socket_link.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "map/live_state.h"
+#include "map/live_topics.h"
 
 namespace mapwright::robot::axbot {
 

@@ -1,0 +1,26 @@
+#include "map/catalogue.h"
+
+namespace mapwright::map {
+
+std::string toText(const MapKey& key) {
+  switch (key.kind) {
+    case MapKind::Live:
+      return "live";
+    case MapKind::Mapping:
+      return "mapping:" + key.id;
+    case MapKind::File:
+      return "file";
+    case MapKind::Stored:
+      break;
+  }
+  return key.id;
+}
+
+MapKey mapKeyFromText(const std::string& text) {
+  if (text == "live") return {MapKind::Live, {}};
+  if (text == "file") return {MapKind::File, {}};
+  if (text.starts_with("mapping:")) return {MapKind::Mapping, text.substr(8)};
+  return {MapKind::Stored, text};
+}
+
+}  // namespace mapwright::map

@@ -1,0 +1,34 @@
+// Where a picture of cells lies in the world. Source: axbot.md (grid_origin, origin), ROS map_server (origin).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "geometry/pose.h"
+#include "geometry/rect.h"
+
+namespace mapwright::map {
+
+/// A grid of `width` x `height` cells. `origin` is the world pose of the outer corner of the lower-left cell
+/// (last row, first column): x runs along the rows, y against them. Metres, radians counter-clockwise.
+struct GridReference {
+  int width = 0, height = 0;  // cells; 0 = not known before the picture is read
+  double resolution_m = 0;    // metres per cell
+  geometry::Pose2 origin;
+  bool operator==(const GridReference&) const = default;
+
+  /// World point of a continuous cell position: (0, 0) is the outer corner of the first cell of the top row,
+  /// rows run down.
+  Eigen::Vector2d worldFromCell(const Eigen::Vector2d& cell) const;
+  Eigen::Vector2d cellFromWorld(const Eigen::Vector2d& world_m) const;
+  /// Axis-aligned bounds of the whole grid; empty without cells.
+  geometry::WorldRect bounds() const;
+};
+
+/// nullopt when the reference can be used; else a sentence: "Its resolution is 0, which is no size of a cell."
+/// A width and height of 0 are fine. Refused: a resolution that is not finite, not positive, below 0.1 mm or
+/// above 1 km; an origin that is not finite or farther than 10,000 km. A yaw that is not finite is not refused
+/// here: readers take it as 0 and say so (maps with "nan" as yaw exist).
+std::optional<std::string> whyUnusable(const GridReference& grid);
+
+}  // namespace mapwright::map

@@ -1,0 +1,220 @@
+// What a robot says about its world, as typed values: one struct per topic that the map or the status panel
+// shows. Source: axbot.md, "Topics that the map shows". World metres and radians; texts are untrusted.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/pose.h"
+#include "map/catalogue.h"
+#include "map/grid_reference.h"
+#include "map/overlay.h"
+#include "map/submap.h"
+
+namespace mapwright::map {
+
+using Polyline = std::vector<Eigen::Vector2d>;
+
+/// /tracked_pose: pos [x,y] metres, ori radians.
+struct TrackedPose {
+  geometry::Pose2 pose;
+};
+
+/// /robot_model: outlines in the robot frame, metres. Empty when unknown.
+struct RobotModel {
+  Polyline footprint, expanded_footprint;
+  double width_m = 0;
+};
+
+/// /slam/state.
+struct SlamStatus {
+  std::string state;  // inactive, slam, positioning, or whatever the robot says
+  std::optional<bool> reliable;
+  std::optional<int> position_quality;  // 0 unknown, 1 lost, 3 poor, 8 good, 10 excellent
+  std::optional<double> lidar_matching_score;
+  std::optional<bool> lidar_matched, wheel_slipping;
+};
+
+/// Which raster layer a picture belongs to.
+enum class GridKind {
+  WholeMap,       // /map, /map_v2
+  CostmapLow,     // /maps/5cm/1hz, /map/costmap, /map/costmap_v2
+  CostmapHigh,    // /maps/1cm/1hz
+  Incremental,    // /incremental_map, /incremental_map_v2
+  EnvMatch,       // /env_match_map
+  EnvSymmetry,    // /env_symmetry_map
+};
+
+/// A picture topic, its picture already at hand (base64 decoded, or fetched from data_url).
+struct GridMessage {
+  std::string topic;
+  GridKind kind = GridKind::WholeMap;
+  GridReference grid;
+  std::shared_ptr<const std::string> png;
+  std::string fingerprint;  // names exactly this content; empty = none
+};
+
+struct CloudPoint {
+  double x_m = 0, y_m = 0;
+  float z_m = 0;
+  std::uint8_t intensity = 0;  // 0..255, 0 where the robot sends none
+};
+
+/// Lidar points in the world frame: /scan_matched_points2, /..._laser_2d/matched, /semantic_points,
+/// /matched_depth_points/..., binary clouds. Immutable once made.
+struct PointCloudMessage {
+  std::string topic;
+  std::shared_ptr<const std::vector<CloudPoint>> points;
+};
+
+/// /path: the global path.
+struct PathMessage {
+  Polyline points;
+};
+
+/// /local_path. `rgba` 0xRRGGBBAA where the robot names a colour.
+struct LocalPathMessage {
+  double width_m = 0;
+  std::optional<std::uint32_t> rgba;
+  Polyline points;
+};
+
+/// /trajectory (old firmware: /trajectory_node_list).
+struct TrajectoryMessage {
+  Polyline points;
+};
+
+/// /planning_state.
+struct PlanningState {
+  std::optional<std::int64_t> action_id;
+  std::string action_type, move_state, fail_reason, stuck_state;
+  std::optional<double> remaining_distance_m;
+  std::vector<geometry::Pose2> targets;
+};
+
+/// /map/info. Overlays as drawn; the raw text is kept for whoever edits them.
+struct MapInfo {
+  std::string name, uid;
+  std::optional<int> map_version, overlays_version;
+  std::vector<OverlayFeature> overlays;
+};
+
+enum class AlertLevel { None, Warning, Error };
+struct Alert {
+  std::int64_t code = 0;
+  AlertLevel level = AlertLevel::None;
+  std::string text;
+  double since_s = 0;  // when it was first seen (seconds since the epoch); the reducer fills it
+};
+/// /alerts: all that are active now.
+struct AlertsMessage {
+  std::vector<Alert> alerts;
+};
+
+/// /battery_state, /detailed_battery_state. `level` 0..1.
+struct BatteryState {
+  std::optional<double> level, voltage_v, current_a;
+  std::string supply;  // charging, discharging, full
+};
+
+/// /wheel_state.
+struct WheelState {
+  std::string control_mode;  // auto, remote, manual
+  std::optional<bool> emergency_stop, wheels_released;
+};
+
+/// /sensor_manager_state.
+struct SensorState {
+  std::string power_state;
+};
+
+struct NearbyRobot {
+  std::string uid;
+  geometry::Pose2 pose;
+  Polyline trend;
+  std::string footprint_digest;
+};
+/// /nearby_robots and /nearby_robot_footprints.
+struct NearbyRobotsMessage {
+  std::vector<NearbyRobot> robots;
+};
+struct NearbyFootprintsMessage {
+  std::map<std::string, Polyline> by_digest;  // robot frame
+};
+
+struct Landmark {
+  std::string id;
+  Eigen::Vector2d position_m{0, 0};
+  std::optional<bool> in_use;
+};
+struct LandmarksMessage {
+  std::vector<Landmark> landmarks;
+};
+
+struct AutoDoor {
+  std::string name, mac, state;
+  Polyline polygon;
+};
+struct AutoDoorsMessage {
+  std::vector<AutoDoor> doors;
+};
+
+/// A box on the ground: a pallet, a rack, a seen object. `in_robot_frame`: pose is relative to the robot.
+struct GroundBox {
+  std::string label;
+  geometry::Pose2 pose;
+  double length_m = 0;  // along the pose's x axis
+  double width_m = 0;
+  bool in_robot_frame = false;
+};
+struct PalletsMessage {
+  std::vector<GroundBox> pallets;
+};
+/// /detected_rack: none, or the box (aligned one last).
+struct RackMessage {
+  std::vector<GroundBox> racks;
+};
+struct SeenObjectsMessage {  // /vision_detected_objects
+  std::vector<GroundBox> objects;
+};
+
+/// /constraint_list: segments by what they are ("Inter residuals, different trajectories").
+struct ConstraintsMessage {
+  std::map<std::string, std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>> by_name;
+};
+
+/// /global_positioning_state.
+struct GlobalPositioning {
+  std::string state, message;
+  std::optional<double> score;
+  std::optional<bool> needs_confirmation;
+  std::optional<geometry::Pose2> pose;
+};
+
+/// /collected_barcode.
+struct BarcodeMessage {
+  std::string state, id;
+  std::optional<geometry::Pose2> pose;
+};
+
+/// A message that could not be read, for the list of problems.
+struct UnreadableMessage {
+  std::string topic;
+  std::string reason;
+};
+
+using TopicMessage =
+    std::variant<SubmapList, TrackedPose, RobotModel, SlamStatus, GridMessage, PointCloudMessage, PathMessage,
+                 LocalPathMessage, TrajectoryMessage, PlanningState, MapInfo, AlertsMessage, BatteryState,
+                 WheelState, SensorState, NearbyRobotsMessage, NearbyFootprintsMessage, LandmarksMessage,
+                 AutoDoorsMessage, PalletsMessage, RackMessage, SeenObjectsMessage, ConstraintsMessage,
+                 GlobalPositioning, BarcodeMessage, UnreadableMessage>;
+
+}  // namespace mapwright::map

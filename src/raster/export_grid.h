@@ -1,0 +1,32 @@
+// Writing a grid as files that other programs read back to the same cells. Any thread.
+// Source: ROS map_server / nav2 map_io (map.yaml), ESRI world files.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "map/grid_reference.h"
+#include "raster/grid_pyramid.h"
+
+namespace mapwright::raster {
+
+/// 8-bit PNG of level 0, row by row. Gray code: the bytes as they are. Occupancy code: the map_saver shades
+/// (254 free, 0 occupied, 205 unknown) when the cells are only those, else gray+alpha (intensity; unknown =
+/// transparent). nullopt = written (aside, then moved into place), else a sentence.
+std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::string& path,
+                                        const std::function<bool(double done)>& proceed = {});
+
+/// `base`.pgm and `base`.yaml (given the path of either). Trinary with map_saver's shades when all cells are
+/// unknown, 0 or 100; else mode raw with the cells as bytes: map_server reads both back to the same cells.
+std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+                                          const std::string& path,
+                                          const std::function<bool(double done)>& proceed = {});
+
+/// The six lines of a world file (.pgw) for a picture of `reference` (rotation included): centre of the top
+/// left pixel.
+std::string worldFileText(const map::GridReference& reference);
+/// The text of map.yaml.
+std::string mapYamlText(const map::GridReference& reference, const std::string& image, bool raw);
+
+}  // namespace mapwright::raster

@@ -1,0 +1,116 @@
+// A whole map in memory or in a side-car file: tiles of cells at all levels of detail. Never one big picture.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "map/catalogue.h"
+#include "raster/grid_cells.h"
+
+namespace mapwright::raster {
+
+/// How four cells become one of the next coarser level.
+enum class Reduction : std::uint8_t {
+  OccupiedWins,  // the highest CellMeaning::rank: thin walls stay visible
+  Average,       // of the known ones; unknown when fewer than two are known
+};
+
+/// A tile: kTileEdge x kTileEdge bytes, row-major, row 0 on top; cells beyond the edge of the level are unknown.
+/// Uniform tiles share one buffer per value.
+struct GridTile {
+  std::shared_ptr<const std::uint8_t> cells;  // kTileEdge * kTileEdge bytes; never null
+  bool uniform = false;
+};
+
+/// Cells by tile and level. Level 0 is exact; level n is ceil(size / 2^n). Tiles appear from the top row
+/// downwards while the picture is being read; what is there never changes. Safe from any thread.
+class GridPyramid {
+ public:
+  static constexpr int kTileEdge = 256;
+
+  virtual ~GridPyramid() = default;
+  virtual int width() const = 0;   // cells of level 0
+  virtual int height() const = 0;
+  virtual int levels() const = 0;  // >= 1; the last level fits one tile
+  virtual CellCode code() const = 0;
+  virtual Reduction reduction() const = 0;
+  int levelWidth(int level) const { return (width() + (1 << level) - 1) >> level; }
+  int levelHeight(int level) const { return (height() + (1 << level) - 1) >> level; }
+
+  /// nullopt: not read yet, or a place outside the level.
+  virtual std::optional<GridTile> tile(int level, int tile_x, int tile_y) const = 0;
+  /// Rows of level 0 that are there, counted from the top. height() when complete.
+  virtual int rowsReady() const = 0;
+  bool complete() const { return rowsReady() >= height(); }
+  /// Memory held (without what the operating system caches of files).
+  virtual std::size_t bytes() const = 0;
+
+  /// The cell (column, row from the top) of level 0; unknown outside and where not read yet.
+  std::uint8_t at(int column, int row) const;
+};
+
+/// Makes a pyramid row by row; the pyramid can be looked at from other threads meanwhile. One thread pushes.
+class GridBuilder {
+ public:
+  virtual ~GridBuilder() = default;
+  virtual std::shared_ptr<const GridPyramid> pyramid() const = 0;
+  /// The next row of level 0, `width` bytes in the pyramid's code.
+  virtual void pushRow(std::span<const std::uint8_t> cells) = 0;
+  /// Rows that never came are unknown; the pyramid is complete afterwards.
+  virtual void finish() = 0;
+};
+/// In memory (compressed). Precondition: 1 <= width, height <= kMaxGridEdge.
+std::unique_ptr<GridBuilder> buildGrid(int width, int height, CellCode code, Reduction reduction);
+
+inline constexpr int kMaxGridEdge = 400'000;
+inline constexpr std::int64_t kMaxGridCells = std::int64_t(1) << 35;
+
+struct GridError {
+  std::string sentence;  // "It says that it is 60,000 x 60,000 pixels, but it ends after 212 rows. …"
+};
+
+struct GridOptions {
+  map::CellReading reading;
+  Reduction reduction = Reduction::OccupiedWins;
+  std::string sidecar_folder;  // where finished pyramids are kept; empty = nowhere
+  std::string fingerprint;     // names exactly this content; empty = no side-car
+};
+
+/// A picture that is being read into a pyramid. open() reads the header only (or finds the finished side-car,
+/// and is then complete at once); read() does the work on the caller's thread, and says every so often that
+/// more rows are there.
+class GridReading {
+ public:
+  virtual ~GridReading() = default;
+  virtual std::shared_ptr<const GridPyramid> pyramid() const = 0;
+  virtual bool complete() const = 0;
+  /// Blocks until all is read, `cancelled`, or an error. After an error the rows that came stay (the rest is
+  /// unknown) and the pyramid counts as complete. `progressed` is called on this thread, about 20 times a second.
+  virtual std::optional<GridError> read(const std::atomic<bool>& cancelled,
+                                        const std::function<void()>& progressed) = 0;
+};
+/// PNG (all types, interlaced too), PGM (P2, P5), BMP, by signature. `bytes` stays alive as long as needed.
+tl::expected<std::unique_ptr<GridReading>, GridError> openGrid(std::shared_ptr<const std::string> bytes,
+                                                               const GridOptions& options);
+/// The same from a file, mapped into memory, never read as a whole.
+tl::expected<std::unique_ptr<GridReading>, GridError> openGridFile(const std::string& path,
+                                                                   const GridOptions& options);
+
+/// A small picture in colours: its cells are indices into `palette` (0xAARRGGBB, not premultiplied). Exact up
+/// to 256 colours, beyond that the nearest of a fixed set. Gray pictures: index = gray, palette empty.
+struct ColoredGrid {
+  std::shared_ptr<const GridPyramid> indices;  // code Gray, reduction OccupiedWins over rank: see colored_grid.cpp
+  std::vector<std::uint32_t> palette;
+};
+tl::expected<ColoredGrid, GridError> decodeColors(std::shared_ptr<const std::string> bytes,
+                                                  std::int64_t max_cells);
+
+}  // namespace mapwright::raster
