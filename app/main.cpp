@@ -7,9 +7,11 @@
 
 #include "app/bench/bench.h"
 #include "app/exit_code.h"
+#include "app/maps.h"
 #include "app/simulate.h"
 #include "app/snapshot.h"
 #include "app/window.h"
+#include "scene/layer.h"
 
 namespace {
 
@@ -18,9 +20,17 @@ using namespace mapwright;
 struct CommandLine {
   std::string robot, secret_file, demo_query;
   app::SnapshotWords snapshot;
+  app::MapsWords maps;
   simulator::Options simulator;
   std::vector<std::string> bench_arguments;
 };
+
+std::string layersHelp() {
+  QStringList names;
+  for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
+  return "Comma-separated: " + names.join(QLatin1Char(',')).toStdString() +
+         "; or all; or none (the map alone)";
+}
 
 void addSnapshot(CLI::App& cli, CommandLine& line) {
   CLI::App* command = cli.add_subcommand("snapshot", "Draw a robot's map into a PNG, without a window");
@@ -32,17 +42,22 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_option("--secret-file", words.secret_file,
                       "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
   command->add_option("-o,--output", words.output, "The PNG to write")->required();
-  command->add_option("--mode", words.mode, "submaps (whole and grid are to come)")->capture_default_str();
-  command->add_option("--map", words.map, "A stored map's id (to come)");
+  command->add_option("--mode", words.mode,
+                      "submaps, or whole (grid: the same for robots and files that give "
+                      "their occupancy grid as a whole map). Without it: submaps where there are some");
+  command->add_option(
+      "--map", words.map,
+      "A stored map by its id, or mapping:ID (see mapwright maps list); without it the live or current "
+      "one");
+  command->add_flag("--average", words.average,
+                    "Zoomed out, whole maps show the average instead of letting the occupied win");
   command->add_flag("--fit", words.fit, "Show everything (the default without --center)");
   command->add_option("--center", words.center, "World point in the middle: X,Y in metres");
   command->add_option("--scale", words.scale, "Metres per pixel");
   command->add_option("--size", words.size, "Picture size: WIDTHxHEIGHT in pixels")->capture_default_str();
   command->add_option("--rotate", words.rotate_deg,
                       "Turn the picture counter-clockwise by this many degrees");
-  command->add_option(
-      "--layers", words.layers,
-      "Comma-separated: submaps,grid,outlines,ids,trail,robot,scalebar; or all; or none (the map alone)");
+  command->add_option("--layers", words.layers, layersHelp());
   command->add_option("--slice", words.slice, "Which slice of each submap")->capture_default_str();
   command->add_option("--colors", words.colors, "normal, incremental or active")->capture_default_str();
   command->add_option("--theme", words.theme, "light or dark")->capture_default_str();
@@ -55,12 +70,56 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_flag("--json", words.json, "Print the report on standard output");
 }
 
+void addMaps(CLI::App& cli, CommandLine& line) {
+  CLI::App* maps =
+      cli.add_subcommand("maps", "The maps that a robot or a folder keeps: list, export, compare");
+  maps->require_subcommand(1);
+  app::MapsWords& words = line.maps;
+  const auto add = [&](const char* name, const char* what) {
+    CLI::App* command = maps->add_subcommand(name, what);
+    command->add_option("--robot", words.robot, "Robot address, map.yaml, picture or folder")
+        ->envname("MAPWRIGHT_ROBOT");
+    command->add_option("--secret-file", words.secret_file,
+                        "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
+    command->add_option("--timeout", words.timeout_s, "Give up waiting after this many seconds")
+        ->capture_default_str();
+    return command;
+  };
+  const char* which =
+      "A stored map by its id, mapping:ID, live, or submaps; without it the live or current one";
+  for (const auto& [name, what] : {std::pair{"list", "All maps and mapping results; * marks the current one"},
+                                   std::pair{"current", "The map that the robot works with"}}) {
+    add(name, what)->add_flag("--json", words.json, "Machine-readable");
+  }
+  CLI::App* show = add("show", "Size, place, dates and navigation points of one map");
+  show->add_option("id", words.id, which);
+  show->add_flag("--json", words.json, "Machine-readable");
+  CLI::App* exported = add("export", "Write a map as PNG, or as PGM and YAML for map_server");
+  exported->add_option("id", words.id, which);
+  exported->add_option("-o,--output", words.output, "What to write: NAME.png, or NAME.yaml / NAME.pgm (both)")
+      ->required();
+  exported->add_option("--format", words.format, "png or pgm, when the name does not tell");
+  exported->add_flag("--world-file", words.world_file, "Write NAME.pgw (world file) beside it");
+  exported->add_option("--resolution", words.resolution_m, "Metres per cell of exported submaps")
+      ->capture_default_str();
+  CLI::App* diff = add("diff", "Compare two maps cell by cell; exit code 1 when they differ");
+  diff->add_option("first", words.first,
+                   "A map of --robot (id, mapping:ID, live, submaps), or a file or address")
+      ->required();
+  diff->add_option("second", words.second, "Likewise")->required();
+  diff->add_option("--diff", words.diff_picture, "Write the difference as a PNG");
+  diff->add_option("--resolution", words.resolution_m, "Metres per cell of submaps")->capture_default_str();
+  diff->add_flag("--json", words.json, "Machine-readable");
+}
+
 void addSimulate(CLI::App& cli, CommandLine& line) {
   std::string scenes;
   for (const auto& [name, sentence] : simulator::sceneNames()) scenes += (scenes.empty() ? "" : ", ") + name;
   CLI::App* command = cli.add_subcommand("simulate", "Serve a simulated robot on 127.0.0.1");
   simulator::Options& o = line.simulator;
-  command->add_option("--port", o.port, "Port, 0 = a free one")->capture_default_str();
+  command->add_option("--port", o.port, "Port of the Autoxing robot, 0 = a free one")->capture_default_str();
+  command->add_option("--aimdk-port", o.aimdk_port, "Port of the Agibot robot, 0 = a free one")
+      ->capture_default_str();
   command->add_option("--scene", o.scene, "One of: " + scenes)
       ->capture_default_str()
       ->check([](const std::string& s) {
@@ -78,6 +137,18 @@ void addSimulate(CLI::App& cli, CommandLine& line) {
   command->add_flag("--paused", o.paused, "Let simulated time stand still");
   command->add_flag("!--no-topic-lists", o.enable_topic_list, "Understand enable_topic one by one only");
   command->add_flag("!--no-binary", o.binary_topics, "Ignore ?pb=1");
+  command->add_option("--points", o.points_per_scan, "Lidar points in a scan")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--scan-hz", o.scan_hz, "Scans per second")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command->add_option("--pose-hz", o.pose_hz, "Poses per second")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command->add_option("--costmap-cells", o.costmap_cells, "Edge of the costmaps around the robot, cells")
+      ->check(CLI::Range(20, 4000))
+      ->capture_default_str();
   simulator::Faults& f = o.faults;
   const auto rate = [&](const char* name, double& value, const char* what) {
     command->add_option(name, value, what)->check(CLI::Range(0.0, 1.0))->group("Faults");
@@ -106,6 +177,18 @@ void addSimulate(CLI::App& cli, CommandLine& line) {
       ->group("Faults");
   command->add_flag("--silent-websocket", f.silent_websocket, "Accept the WebSocket, then say nothing")
       ->group("Faults");
+  count("--map-latency-ms", f.map_latency_ms, "Delay of every answer about maps", 600'000);
+  const auto flag = [&](const char* name, bool& value, const char* what) {
+    command->add_flag(name, value, what)->group("Faults");
+  };
+  flag("--truncated-maps", f.truncated_maps, "Cut every map's PNG in half");
+  flag("--lying-map-size", f.lying_map_size, "Every map's PNG declares 60,000 x 60,000 pixels");
+  flag("--foreign-data-url", f.foreign_data_url, "data_url points to another host");
+  flag("--garbage-base64", f.garbage_base64, "Pictures in topics are no base64");
+  flag("--map-list-error", f.map_list_error, "Answer 500 for the list of maps");
+  command->add_option("--grid-fault", f.grid_fault, "What is wrong with every map's place and resolution")
+      ->check(CLI::IsMember({"zero-resolution", "negative-resolution", "no-resolution", "no-origin"}))
+      ->group("Faults");
 }
 
 int run(int argc, char** argv) {
@@ -124,6 +207,7 @@ int run(int argc, char** argv) {
   demo->add_option("query", line.demo_query, "Such as scene=warehouse&submaps=500&seed=3");
   addSimulate(cli, line);
   addSnapshot(cli, line);
+  addMaps(cli, line);
   CLI::App* bench = cli.add_subcommand("bench", "Measure against other ways to do the same, in the same run");
   bench->prefix_command();
   bench->footer("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose");
@@ -141,6 +225,16 @@ int run(int argc, char** argv) {
     if (line.snapshot.robot.empty()) line.snapshot.robot = line.robot;
     if (line.snapshot.secret_file.empty()) line.snapshot.secret_file = line.secret_file;
     return app::snapshot(line.snapshot, argc, argv);
+  }
+  if (cli.got_subcommand("maps")) {
+    if (line.maps.robot.empty()) line.maps.robot = line.robot;
+    if (line.maps.secret_file.empty()) line.maps.secret_file = line.secret_file;
+    const CLI::App* maps = cli.get_subcommand("maps");
+    if (maps->got_subcommand("list")) return app::mapsList(line.maps, argc, argv);
+    if (maps->got_subcommand("current")) return app::mapsCurrent(line.maps, argc, argv);
+    if (maps->got_subcommand("show")) return app::mapsShow(line.maps, argc, argv);
+    if (maps->got_subcommand("export")) return app::mapsExport(line.maps, argc, argv);
+    return app::mapsDiff(line.maps, argc, argv);
   }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining(), argv[0]);
   if (cli.got_subcommand("demo")) return app::demo(QString::fromStdString(line.demo_query), argc, argv);

@@ -1,6 +1,7 @@
 #include "app/raw_picture.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -13,36 +14,30 @@ namespace {
 
 constexpr int kBandRows = 128;
 
-std::vector<std::uint8_t> composeGrayAlpha(const geometry::ViewTransform& view,
-                                           std::span<const render::PlacedTexture> textures) {
+/// Gray and alpha of every pixel, made in bands on every core. `draw` writes the pairs of a band.
+std::vector<std::uint8_t> inBands(
+    const geometry::ViewTransform& view,
+    const std::function<void(const render::PixelGrid& band, std::uint8_t* pairs)>& draw) {
   std::vector<std::uint8_t> pixels(std::size_t(view.width_px) * std::size_t(view.height_px) * 2);
-  render::DenseCache cache(std::size_t(256) << 20);
   QThreadPool pool;
   for (int top = 0; top < view.height_px; top += kBandRows) {
     pool.start([&, top] {
       render::PixelGrid band;
-      band.origin_m = view.worldFromPixel({0.0, double(top)});
+      band.origin_m = view.worldFromPixel({0, 0});
+      band.first_row = top;
       band.scale_m_per_px = view.scale_m_per_px;
       band.rotation_rad = view.rotation_rad;
       band.width_px = view.width_px;
       band.height_px = std::min(kBandRows, view.height_px - top);
-      const render::Composition made = render::compose(band, textures, render::Quality::Exact, cache);
-      std::uint8_t* out = pixels.data() + std::size_t(top) * std::size_t(view.width_px) * 2;
-      for (std::size_t i = 0; i < made.intensity.size(); ++i) {
-        out[2 * i] = made.intensity[i];
-        out[2 * i + 1] = (made.flags[i] & render::kObserved) ? 255 : 0;
-      }
+      draw(band, pixels.data() + std::size_t(top) * std::size_t(view.width_px) * 2);
     });
   }
   pool.waitForDone();
   return pixels;
 }
 
-}  // namespace
-
-std::optional<QString> writeRawPicture(const geometry::ViewTransform& view,
-                                       std::span<const render::PlacedTexture> textures, const QString& path) {
-  const std::vector<std::uint8_t> pixels = composeGrayAlpha(view, textures);
+std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
+                                      const std::vector<std::uint8_t>& pixels, const QString& path) {
   const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder(spng_ctx_new(SPNG_CTX_ENCODER),
                                                                     &spng_ctx_free);
   spng_ihdr header{};
@@ -65,6 +60,38 @@ std::optional<QString> writeRawPicture(const geometry::ViewTransform& view,
     return QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString());
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<QString> writeRawPicture(const geometry::ViewTransform& view,
+                                       std::span<const render::PlacedTexture> textures, const QString& path) {
+  render::DenseCache cache(std::size_t(256) << 20);
+  const auto pixels = inBands(view, [&](const render::PixelGrid& band, std::uint8_t* pairs) {
+    const render::Composition made = render::compose(band, textures, render::Quality::Exact, cache);
+    for (std::size_t i = 0; i < made.intensity.size(); ++i) {
+      pairs[2 * i] = made.intensity[i];
+      pairs[2 * i + 1] = (made.flags[i] & render::kObserved) ? 255 : 0;
+    }
+  });
+  return writeGrayAlpha(view, pixels, path);
+}
+
+std::optional<QString> writeRawPicture(const geometry::ViewTransform& view, const render::PlacedGrid& grid,
+                                       const QString& path) {
+  if (!grid.cells) return QStringLiteral("There is no map to draw.");
+  const raster::CellCode code = grid.cells->code();
+  const raster::CellMeaning& meaning = raster::meaningOf(code);
+  const auto pixels = inBands(view, [&](const render::PixelGrid& band, std::uint8_t* pairs) {
+    const render::Composition made = render::sampleGrid(band, grid, nullptr);
+    for (std::size_t i = 0; i < made.intensity.size(); ++i) {
+      const std::uint8_t cell = made.intensity[i];
+      const bool inside = made.flags[i] != 0;
+      pairs[2 * i] = !inside ? 128 : code == raster::CellCode::Gray ? cell : meaning.intensity[cell];
+      pairs[2 * i + 1] = inside && meaning.known[cell] ? 255 : 0;
+    }
+  });
+  return writeGrayAlpha(view, pixels, path);
 }
 
 }  // namespace mapwright::app

@@ -21,7 +21,7 @@ int simulate(const simulator::Options& options) {
     std::fprintf(stderr, "%s\n", error->c_str());
     return kUnreachable;
   }
-  std::printf("{\"axbot\":\"%s\"}\n", robot.address().c_str());
+  std::printf("{\"axbot\":\"%s\",\"aimdk\":\"%s\"}\n", robot.address().c_str(), robot.aimdkAddress().c_str());
   std::fflush(stdout);
   int received = 0;
   sigwait(&stop_signals, &received);

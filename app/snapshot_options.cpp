@@ -41,13 +41,18 @@ std::optional<QSize> parseSize(const QString& word) {
 
 tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) {
   using scene::Layer;
+  // What does not change from run to run by itself.
   if (words.isEmpty())
-    return std::set{Layer::Submaps, Layer::Grid, Layer::Trail, Layer::Robot, Layer::ScaleBar};
+    return std::set{Layer::Grid, Layer::Trail, Layer::Footprint, Layer::Robot, Layer::ScaleBar};
   const auto every = scene::allLayers();
-  if (words == QLatin1String("all")) return std::set<Layer>(every.begin(), every.end());
-  std::set<Layer> chosen{Layer::Submaps};
+  std::set<Layer> chosen;
+  if (words == QLatin1String("all")) {
+    chosen.insert(every.begin(), every.end());
+    chosen.erase(Layer::Submaps);
+    chosen.erase(Layer::WholeMap);
+    return chosen;
+  }
   if (words == QLatin1String("none")) return chosen;
-  chosen.clear();
   QStringList known;
   for (const Layer layer : every) known << scene::layerName(layer);
   for (const QString& word : words.split(QLatin1Char(','))) {
@@ -77,15 +82,24 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     return wrong(QStringLiteral(
         "Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
   }
-  if (words.mode != "submaps") {
-    return wrong(
-        QStringLiteral("--mode %1 is not supported by this version; submaps is.").arg(text(words.mode)));
+  if (words.mode == "submaps") {
+    options.mode = SnapshotMode::Submaps;
+  } else if (words.mode == "whole" || words.mode == "grid") {
+    // The occupancy grids that robots and files give are their whole maps.
+    options.mode = SnapshotMode::Whole;
+  } else if (!words.mode.empty()) {
+    return wrong(QStringLiteral("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
   }
   if (!words.map.empty()) {
-    return wrong(
-        QStringLiteral("--map is not supported by this version: the submaps shown are those of the robot's "
-                       "present SLAM session."));
+    if (options.mode == SnapshotMode::Submaps) {
+      return wrong(
+          QStringLiteral("--map needs --mode whole: the submaps shown are those of the robot's "
+                         "present SLAM session."));
+    }
+    options.mode = SnapshotMode::Whole;
+    options.map = map::mapKeyFromText(words.map);
   }
+  options.average = words.average;
   const auto size = parseSize(text(words.size));
   if (!size) {
     return wrong(

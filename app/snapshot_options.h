@@ -10,6 +10,7 @@
 #include <QString>
 #include <tl/expected.hpp>
 
+#include "map/catalogue.h"
 #include "render/tile_renderer.h"
 #include "scene/map_scene.h"
 
@@ -17,20 +18,26 @@ namespace mapwright::app {
 
 /// The words as typed; empty = not given.
 struct SnapshotWords {
-  std::string robot, secret_file, output, mode = "submaps", map, center, size = "1280x800", layers,
-                                          colors = "normal", theme = "light", settle = "complete", report;
+  std::string robot, secret_file, output, mode, map, center, size = "1280x800", layers, colors = "normal",
+                                                             theme = "light", settle = "complete", report;
   double scale = 0, rotate_deg = 0, timeout_s = 60;
   int slice = 0;
-  bool fit = false, raw = false, json = false;
+  bool fit = false, raw = false, json = false, average = false;
 };
+
+/// What is drawn: the submaps, or a whole map. Automatic: submaps where the robot has them.
+enum class SnapshotMode { Automatic, Submaps, Whole };
 
 struct SnapshotOptions {
   QString robot, secret_file, output, report;
+  SnapshotMode mode = SnapshotMode::Automatic;
+  std::optional<map::MapKey> map;           // nullopt = the live or the current one
+  bool average = false;                     // zoomed out: average instead of "occupied wins"
   std::optional<Eigen::Vector2d> center_m;  // nullopt = fit
   double scale_m_per_px = 0;
   QSize size_px;
   double rotation_rad = 0;
-  std::set<scene::Layer> layers;
+  std::set<scene::Layer> layers;  // without Submaps and WholeMap: the mode says which, unless both are named
   int slice = 0;
   render::ColorMode colors = render::ColorMode::Normal;
   bool dark = false;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 
 #include <QElapsedTimer>
 #include <QJsonObject>
@@ -35,6 +36,14 @@ class SnapshotRun : public QObject {
   void look();  // whatever may have changed: is it time for the next step?
   void timeOut();
   void paint(bool complete);
+  bool isLocal() const;
+  bool wantsSubmaps() const;
+  bool wantsWhole() const;
+  void askForWhole();
+  void askForTopics();
+  bool topicsIn() const;
+  bool everythingIn() const;
+  bool mapComplete() const;
   bool writeRaw();
   bool writeScene();
   void fail(int exit_code, const QString& sentence);
@@ -50,6 +59,8 @@ class SnapshotRun : public QObject {
   geometry::ViewTransform view_;
   double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1;
   bool painting_ = false, done_ = false, complete_ = false, timed_out_ = false;
+  bool whole_asked_ = false;
+  std::set<QString> topics_awaited_;
   QString error_;
   QStringList notes_;
 };

@@ -42,12 +42,12 @@ struct CatalogueEntry {
   std::string name, uid;
   std::optional<double> created_s, modified_s;  // seconds since the epoch
   std::optional<int> map_version, overlays_version;
-  std::string state;                    // of a mapping task: running, finished, cancelled, failed
-  std::optional<int> index;             // the robot's own order
-  std::optional<GridReference> grid;    // where it is known without opening the map
-  std::optional<std::uint64_t> bytes;   // size of the picture, where known
+  std::string state;                   // of a mapping task: running, finished, cancelled, failed
+  std::optional<int> index;            // the robot's own order
+  std::optional<GridReference> grid;   // where it is known without opening the map
+  std::optional<std::uint64_t> bytes;  // size of the picture, where known
   bool has_thumbnail = false;
-  bool is_current = false;              // the robot works with it now
+  bool is_current = false;  // the robot works with it now
 };
 
 /// How the bytes of a picture become cells. Source: ROS map_server / nav2 map_io.
@@ -70,9 +70,9 @@ struct WholeMap {
   std::string name;
   GridReference grid;  // width and height as declared; the picture's own size wins
   CellReading reading;
-  std::shared_ptr<const std::string> bytes;  // the picture file (PNG, PGM, BMP); null when `path` is set
-  std::string path;                          // a local picture file
-  std::string fingerprint;                   // names exactly this content, for side-car files; empty = none
+  std::shared_ptr<const std::string> bytes;    // the picture file (PNG, PGM, BMP); null when `path` is set
+  std::string path;                            // a local picture file
+  std::string fingerprint;                     // names exactly this content, for side-car files; empty = none
   std::optional<double> display_rotation_rad;  // a hint of the robot, never part of coordinates
   std::vector<Problem> notes;                  // what is odd about it
   std::vector<std::vector<Eigen::Vector2d>> trajectories;  // of a mapping, world metres

@@ -7,6 +7,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -44,12 +46,12 @@ struct SlamStatus {
 
 /// Which raster layer a picture belongs to.
 enum class GridKind {
-  WholeMap,       // /map, /map_v2
-  CostmapLow,     // /maps/5cm/1hz, /map/costmap, /map/costmap_v2
-  CostmapHigh,    // /maps/1cm/1hz
-  Incremental,    // /incremental_map, /incremental_map_v2
-  EnvMatch,       // /env_match_map
-  EnvSymmetry,    // /env_symmetry_map
+  WholeMap,     // /map, /map_v2
+  CostmapLow,   // /maps/5cm/1hz, /map/costmap, /map/costmap_v2
+  CostmapHigh,  // /maps/1cm/1hz
+  Incremental,  // /incremental_map, /incremental_map_v2
+  EnvMatch,     // /env_match_map
+  EnvSymmetry,  // /env_symmetry_map
 };
 
 /// A picture topic, its picture already at hand (base64 decoded, or fetched from data_url).
@@ -216,5 +218,15 @@ using TopicMessage =
                  WheelState, SensorState, NearbyRobotsMessage, NearbyFootprintsMessage, LandmarksMessage,
                  AutoDoorsMessage, PalletsMessage, RackMessage, SeenObjectsMessage, ConstraintsMessage,
                  GlobalPositioning, BarcodeMessage, UnreadableMessage>;
+
+/// The place of a message type in TopicMessage.
+template <typename T, std::size_t I = 0>
+constexpr int topicIndex() {
+  if constexpr (std::is_same_v<std::variant_alternative_t<I, TopicMessage>, T>) {
+    return int(I);
+  } else {
+    return topicIndex<T, I + 1>();
+  }
+}
 
 }  // namespace mapwright::map

@@ -1,6 +1,8 @@
 #include "net/http_cache.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include <QCryptographicHash>
@@ -9,7 +11,7 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
+#include <QTemporaryFile>
 
 #include "net/cache_control.h"
 
@@ -196,16 +198,29 @@ void HttpCache::write(const QByteArray& name, const Record& record) {
   if (bytes_ < 0 || ++stores_since_scan_ >= kStoresBetweenScans) {
     scan();
   }
-  QSaveFile file(path);
+  // Not QSaveFile: it waits for the disk at every file, and the checksum already tells a file that a power
+  // cut has torn.
+  QTemporaryFile file(path + QStringLiteral(".XXXXXX"));
+  file.setAutoRemove(true);
   const QByteArray checksum = QCryptographicHash::hash(content, QCryptographicHash::Sha1);
-  const bool written = file.open(QIODevice::WriteOnly) && file.setPermissions(kPrivateFile) &&
-                       file.write(kMagic, kMagicBytes) == kMagicBytes &&
-                       file.write(checksum) == checksum.size() && file.write(content) == content.size() &&
-                       file.flush() && file.setFileTime(now_(), QFileDevice::FileModificationTime) &&
-                       file.commit();
+  bool written = file.open() && file.setPermissions(kPrivateFile) &&
+                 file.write(kMagic, kMagicBytes) == kMagicBytes && file.write(checksum) == checksum.size() &&
+                 file.write(content) == content.size() && file.flush() &&
+                 file.setFileTime(now_(), QFileDevice::FileModificationTime);
+  QString why = file.errorString();
+  if (written) {
+    file.close();
+    std::error_code failure;  // QFile::rename does not replace
+    std::filesystem::rename(QFile::encodeName(file.fileName()).toStdString(),
+                            QFile::encodeName(path).toStdString(), failure);
+    written = !failure;
+    if (written)
+      file.setAutoRemove(false);
+    else
+      why = QString::fromStdString(failure.message());
+  }
   if (!written) {
-    last_error_ = QStringLiteral("%1 cannot be written: %2").arg(path, file.errorString());
-    file.cancelWriting();
+    last_error_ = QStringLiteral("%1 cannot be written: %2").arg(path, why);
     return;
   }
   Entry& entry = index_[name];

@@ -53,15 +53,27 @@ QString unreachableSentence(QNetworkReply::NetworkError error, const QString& er
 
 namespace {
 
-/// Nothing to read, and no way back to its beginning.
-class EmptyStream : public QIODevice {
+/// A body that can be read once, with no way back to its beginning.
+class OneWayBody : public QIODevice {
  public:
-  EmptyStream() { open(QIODevice::ReadOnly); }
+  explicit OneWayBody(QByteArray bytes) : bytes_(std::move(bytes)) { open(QIODevice::ReadOnly); }
   bool isSequential() const override { return true; }
+  bool atEnd() const override { return read_ >= bytes_.size() && QIODevice::atEnd(); }
+  qint64 bytesAvailable() const override { return bytes_.size() - read_ + QIODevice::bytesAvailable(); }
 
  protected:
-  qint64 readData(char*, qint64) override { return -1; }
+  qint64 readData(char* to, qint64 most) override {
+    const qint64 count = std::min<qint64>(most, bytes_.size() - read_);
+    if (count <= 0) return -1;
+    std::copy_n(bytes_.constData() + read_, count, to);
+    read_ += count;
+    return count;
+  }
   qint64 writeData(const char*, qint64) override { return -1; }
+
+ private:
+  QByteArray bytes_;
+  qint64 read_ = 0;
 };
 
 }  // namespace
@@ -142,7 +154,7 @@ class HttpClient::Impl {
              failure(HttpAnswer::Kind::Refused, QStringLiteral("the address is not one of a web server")));
       return;
     }
-    if (job->request.cacheable && cache_ != nullptr) {
+    if (job->request.cacheable && !job->request.post && cache_ != nullptr) {
       job->stored = cache_->find(job->url);
       if (job->stored && job->stored->fresh) {
         finish(id, storedAnswer(*job));
@@ -183,11 +195,13 @@ class HttpClient::Impl {
     job.body.clear();
     // Left to itself Qt asks again, at once and up to three times, when the connection closes without an
     // answer: behind the back of whoever counts tries and waits between them. A body that cannot be rewound,
-    // empty as it is, forbids that.
-    request.setHeader(QNetworkRequest::ContentLengthHeader, 0);
+    // empty as it is for GET, forbids that.
+    const QByteArray body = job.request.post ? job.request.body : QByteArray();
+    if (job.request.post) request.setRawHeader("Content-Type", headerSafe(job.request.content_type));
+    request.setHeader(QNetworkRequest::ContentLengthHeader, body.size());
     request.setAttribute(QNetworkRequest::DoNotBufferUploadDataAttribute, true);
-    auto* once = new EmptyStream;
-    job.network_reply = network_.sendCustomRequest(request, "GET", once);
+    auto* once = new OneWayBody(body);
+    job.network_reply = network_.sendCustomRequest(request, job.request.post ? "POST" : "GET", once);
     once->setParent(job.network_reply);
     job.network_reply->setReadBufferSize(kReadAhead);
     QObject::connect(job.network_reply, &QNetworkReply::metaDataChanged, owner_,
@@ -293,6 +307,11 @@ class HttpClient::Impl {
                              .arg(hostAndPort(target))));
       return;
     }
+    if (job.request.post) {
+      finish(id, failure(HttpAnswer::Kind::Refused,
+                         QStringLiteral("the robot points to another address, which is not followed")));
+      return;
+    }
     if (++job.redirects > kMaxRedirects) {
       finish(id, failure(HttpAnswer::Kind::Refused,
                          QStringLiteral("the robot points from one address to the next without end")));
@@ -309,7 +328,7 @@ class HttpClient::Impl {
     const QNetworkReply& reply = *job.network_reply;
     const QByteArray cache_control = reply.rawHeader("Cache-Control");
     const QByteArray etag = reply.rawHeader("ETag");
-    const bool caching = job.request.cacheable && cache_ != nullptr && job.redirects == 0;
+    const bool caching = job.request.cacheable && !job.request.post && cache_ != nullptr && job.redirects == 0;
     if (status == 304 && job.stored) {
       cache_->refresh(job.request.url, cache_control, etag);
       return storedAnswer(job);
@@ -406,6 +425,11 @@ HttpClient::HttpClient(QUrl origin, QByteArray secret, HttpCache* cache, QObject
 HttpClient::~HttpClient() = default;
 
 HttpClient::RequestId HttpClient::get(const HttpRequest& request, Reply reply) {
+  return impl_->add(request, std::move(reply));
+}
+
+HttpClient::RequestId HttpClient::post(HttpRequest request, Reply reply) {
+  request.post = true;
   return impl_->add(request, std::move(reply));
 }
 

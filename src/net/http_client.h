@@ -18,6 +18,9 @@ class HttpCache;
 struct HttpRequest {
   QUrl url;  // absolute
   QByteArray accept = "application/json";
+  bool post = false;         // POST of `body`; never sent twice by itself, never redirected, never cached
+  QByteArray body;           // of a POST
+  QByteArray content_type = "application/json";  // of `body`
   bool cacheable = false;  // look into and fill the disk cache
   bool content_addressed =
       false;  // the URL names a version: without Cache-Control and ETag the body is kept for good
@@ -53,7 +56,10 @@ class HttpClient : public QObject {
 
   using Reply = std::function<void(HttpAnswer)>;
   using RequestId = quint64;
+  /// Sends `request`, a GET unless it says otherwise.
   RequestId get(const HttpRequest& request, Reply reply);
+  /// The same as a POST.
+  RequestId post(HttpRequest request, Reply reply);
   void cancel(RequestId id);  // the reply comes with Kind::Cancelled; unknown ids are ignored
   void cancelAll();
 

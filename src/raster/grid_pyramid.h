@@ -23,8 +23,8 @@ enum class Reduction : std::uint8_t {
   Average,       // of the known ones; unknown when fewer than two are known
 };
 
-/// A tile: kTileEdge x kTileEdge bytes, row-major, row 0 on top; cells beyond the edge of the level are unknown.
-/// Uniform tiles share one buffer per value.
+/// A tile: kTileEdge x kTileEdge bytes, row-major, row 0 on top; cells beyond the edge of the level are
+/// unknown. Uniform tiles share one buffer per value.
 struct GridTile {
   std::shared_ptr<const std::uint8_t> cells;  // kTileEdge * kTileEdge bytes; never null
   bool uniform = false;
@@ -37,7 +37,7 @@ class GridPyramid {
   static constexpr int kTileEdge = 256;
 
   virtual ~GridPyramid() = default;
-  virtual int width() const = 0;   // cells of level 0
+  virtual int width() const = 0;  // cells of level 0
   virtual int height() const = 0;
   virtual int levels() const = 0;  // >= 1; the last level fits one tile
   virtual CellCode code() const = 0;
@@ -45,7 +45,8 @@ class GridPyramid {
   int levelWidth(int level) const { return (width() + (1 << level) - 1) >> level; }
   int levelHeight(int level) const { return (height() + (1 << level) - 1) >> level; }
 
-  /// nullopt: not read yet, or a place outside the level.
+  /// nullopt: not read yet, or a place outside the level. A tile that is only partly read is a copy of what
+  /// is there, the rest of it unknown: ask again when rowsReady() has grown.
   virtual std::optional<GridTile> tile(int level, int tile_x, int tile_y) const = 0;
   /// Rows of level 0 that are there, counted from the top. height() when complete.
   virtual int rowsReady() const = 0;
@@ -93,21 +94,23 @@ class GridReading {
   virtual std::shared_ptr<const GridPyramid> pyramid() const = 0;
   virtual bool complete() const = 0;
   /// Blocks until all is read, `cancelled`, or an error. After an error the rows that came stay (the rest is
-  /// unknown) and the pyramid counts as complete. `progressed` is called on this thread, about 20 times a second.
+  /// unknown) and the pyramid counts as complete. `progressed` is called on this thread, about 20 times a
+  /// second.
   virtual std::optional<GridError> read(const std::atomic<bool>& cancelled,
                                         const std::function<void()>& progressed) = 0;
 };
 /// PNG (all types, interlaced too), PGM (P2, P5), BMP, by signature. `bytes` stays alive as long as needed.
 tl::expected<std::unique_ptr<GridReading>, GridError> openGrid(std::shared_ptr<const std::string> bytes,
                                                                const GridOptions& options);
-/// The same from a file, mapped into memory, never read as a whole.
+/// The same from a file, read in pieces, never as a whole.
 tl::expected<std::unique_ptr<GridReading>, GridError> openGridFile(const std::string& path,
                                                                    const GridOptions& options);
 
 /// A small picture in colours: its cells are indices into `palette` (0xAARRGGBB, not premultiplied). Exact up
 /// to 256 colours, beyond that the nearest of a fixed set. Gray pictures: index = gray, palette empty.
 struct ColoredGrid {
-  std::shared_ptr<const GridPyramid> indices;  // code Gray, reduction OccupiedWins over rank: see colored_grid.cpp
+  std::shared_ptr<const GridPyramid>
+      indices;  // code Gray, reduction OccupiedWins over rank: see colored_grid.cpp
   std::vector<std::uint32_t> palette;
 };
 tl::expected<ColoredGrid, GridError> decodeColors(std::shared_ptr<const std::string> bytes,

@@ -23,7 +23,8 @@ void StandIns::push(std::vector<Picture> pictures, const geometry::ViewTransform
 }
 
 void StandIns::flatten(const geometry::ViewTransform& view, std::uint32_t background) {
-  QImage image(view.width_px, view.height_px, QImage::Format_RGB32);
+  QImage image(view.width_px, view.height_px,
+               qAlpha(background) == 255 ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
   image.fill(background);
   {
     std::vector<DrawnTile> tiles;

@@ -18,12 +18,12 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b, int part, int whole) {
 
 }  // namespace
 
-ColorTable::ColorTable(const MapColors& colors, ColorMode mode) {
+ColorTable::ColorTable(const MapColors& colors, ColorMode mode) : transparent_(colors.clear_unknown) {
   for (int flags = 0; flags < 16; ++flags) {
     const bool incremental = mode == ColorMode::Incremental && (flags & kIncremental) != 0;
     const bool dimmed = mode == ColorMode::Active && (flags & kActive) == 0;
     for (int intensity = 0; intensity < 256; ++intensity) {
-      std::uint32_t color = colors.unknown | 0xff000000;
+      std::uint32_t color = colors.clear_unknown ? 0 : colors.unknown | 0xff000000;
       if ((flags & kObserved) != 0) {
         color = mixed(incremental ? colors.incremental_occupied : colors.occupied,
                       incremental ? colors.incremental_free : colors.free, intensity, 255);
@@ -35,7 +35,8 @@ ColorTable::ColorTable(const MapColors& colors, ColorMode mode) {
 }
 
 QImage ColorTable::paint(const Composition& pixels) const {
-  QImage image(pixels.width_px, pixels.height_px, QImage::Format_RGB32);
+  QImage image(pixels.width_px, pixels.height_px,
+               transparent_ ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
   for (int y = 0; y < image.height(); ++y) {
     auto* const line = reinterpret_cast<std::uint32_t*>(image.scanLine(y));
     const std::size_t start = std::size_t(y) * std::size_t(pixels.width_px);

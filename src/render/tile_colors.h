@@ -21,11 +21,12 @@ class ColorTable {
   std::uint32_t at(std::uint8_t flags, std::uint8_t intensity) const {
     return table_[std::size_t((flags & 15) << 8 | intensity)];
   }
-  /// An RGB32 image of the whole composition.
+  /// An image of the whole composition: RGB32, or ARGB32_Premultiplied when the unknown is clear.
   QImage paint(const Composition& pixels) const;
 
  private:
   std::array<std::uint32_t, 16 * 256> table_;
+  bool transparent_;
 };
 
 }  // namespace mapwright::render

@@ -102,6 +102,10 @@ std::vector<DrawnTile> TileRenderer::drawnTiles() {
     if (image.isNull()) {
       // Nothing is there, and that has to hide what stood in for it.
       if (!over_stand_ins) continue;
+      if (work.colors().clear_unknown) {
+        drawn.push_back({{}, QTransform::fromTranslate(offset.x(), offset.y()), false});
+        continue;
+      }
       if (unknown.isNull()) {
         unknown = QImage(kTileEdge, kTileEdge, QImage::Format_RGB32);
         unknown.fill(work.colors().unknown);

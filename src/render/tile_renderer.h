@@ -18,9 +18,10 @@
 
 namespace mapwright::render {
 
-/// One image to draw: `image` (RGB32, opaque) maps to viewport pixels through `to_viewport`; a pure integer
-/// translation when the tile belongs to the present scale and rotation, else (stand_in) a picture of an
-/// earlier view, warped.
+/// One image to draw: `image` (RGB32, opaque; ARGB32_Premultiplied where the unknown is clear, then a null
+/// one says that nothing is there and no stand-in may show) maps to viewport pixels through `to_viewport`; a
+/// pure integer translation when the tile belongs to the present scale and rotation, else (stand_in) a
+/// picture of an earlier view, warped.
 struct DrawnTile {
   QImage image;
   QTransform to_viewport;

@@ -47,7 +47,8 @@ void TileWork::setView(const geometry::ViewTransform& view) {
     ++raster_;
     tiles_.forEach([this](ViewTile& tile) { cancelWork(tile); });
     if (options_.previews)
-      stand_ins_.push(tiles_.pictures(kStandInsOutOfView), tiles_.view(), colors_.unknown);
+      stand_ins_.push(tiles_.pictures(kStandInsOutOfView), tiles_.view(),
+                      colors_.clear_unknown ? 0 : colors_.unknown);
   }
   tiles_.setView(view);
   markEmptyGround();

@@ -105,9 +105,10 @@ class WaypointSource {
 struct RawMessage {
   QString topic;
   QDateTime received;
-  qint64 bytes = 0;   // on the wire
+  qint64 bytes = 0;  // on the wire
   bool binary = false;
-  QByteArray text;    // JSON as sent; binary ones as readable JSON where known, else a hex dump; cut at kMaxRawText
+  QByteArray
+      text;  // JSON as sent; binary ones as readable JSON where known, else a hex dump; cut at kMaxRawText
 };
 inline constexpr qsizetype kMaxRawText = qsizetype(1) << 20;
 

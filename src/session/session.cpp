@@ -32,7 +32,12 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
     : QObject(parent),
       robot_(std::move(robot)),
       monotonic_(std::move(monotonic)),
-      scheduler_(options.scheduler) {
+      scheduler_(options.scheduler),
+      overview_wanted_(options.overview),
+      catalogue_(robot_->mapCatalogue()),
+      whole_map_(options.sidecar_folder),
+      compared_map_(options.sidecar_folder),
+      overview_({}) {
   if (!monotonic_) {
     monotonic_ = [timer = [] {
       QElapsedTimer started;
@@ -52,6 +57,7 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
   connect(robot_.get(), &robot::Robot::problemFound, this, &Session::report);
   connect(robot_.get(), &robot::Robot::identityChanged, this, &Session::identityChanged);
   connect(robot_.get(), &robot::Robot::connectionChanged, this, &Session::noteConnection);
+  wireMaps();
 }
 
 Session::~Session() {
@@ -87,7 +93,10 @@ void Session::noteConnection() {
     if (!online) stale_since_ = QDateTime::currentDateTime();
     if (online) stale_since_.reset();
     was_online_ = online;
-    if (online) pump();
+    if (online) {
+      pump();
+      catalogue_.refresh();
+    }
   }
   Q_EMIT connectionChanged();
 }
@@ -102,7 +111,9 @@ void Session::takeTopic(const map::TopicMessage& message) {
     return;
   }
   live_ = map::reduce(std::move(live_), message, double(QDateTime::currentMSecsSinceEpoch()) / 1000);
-  Q_EMIT liveChanged();
+  if (const auto* grid = std::get_if<map::GridMessage>(&message)) takeGrid(*grid);
+  if (std::holds_alternative<map::MapInfo>(message)) catalogue_.refresh();
+  Q_EMIT liveChanged(int(message.index()));
 }
 
 void Session::takeList(const map::SubmapList& list) {
@@ -127,6 +138,7 @@ void Session::takeList(const map::SubmapList& list) {
   if (change.new_session) Q_EMIT sessionRestarted();
   publish(change);
   if (change.set_changed) Q_EMIT listChanged();
+  if (change.new_session) askForOverview();
   touchRows();
   pump();
 }

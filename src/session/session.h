@@ -5,8 +5,10 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -18,6 +20,9 @@
 #include "geometry/rect.h"
 #include "map/live_state.h"
 #include "robot/robot.h"
+#include "session/catalogue.h"
+#include "session/layer_grids.h"
+#include "session/map_slot.h"
 #include "session/problem_log.h"
 #include "submap/fetch_scheduler.h"
 #include "submap/submap_book.h"
@@ -63,7 +68,9 @@ class Session : public QObject {
  public:
   struct Options {
     submap::SchedulerOptions scheduler;
-    int decode_threads = 0;  // 0 = one per core
+    int decode_threads = 0;       // 0 = one per core
+    QString sidecar_folder = {};  // finished pyramids of large maps are kept there; empty = nowhere
+    bool overview = true;         // ask for a picture of the whole SLAM map while submaps are still loading
   };
   /// Takes the robot over; connect with open(). `monotonic` is the clock of all waits.
   Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent = nullptr,
@@ -97,13 +104,32 @@ class Session : public QObject {
   /// What the user looks at, to fetch that first.
   void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
 
+  // Whole maps (session_maps.cpp).
+  Catalogue& catalogue() { return catalogue_; }
+  MapSlot& wholeMap() { return whole_map_; }
+  const MapSlot& wholeMap() const { return whole_map_; }
+  MapSlot& comparedMap() { return compared_map_; }
+  const MapSlot& comparedMap() const { return compared_map_; }
+  /// A coarse picture of the SLAM map, until every submap is in.
+  const MapSlot& overview() const { return overview_; }
+  const LayerGrids& layerGrids() const { return layer_grids_; }
+  /// Shows a map without loading it on the robot. MapKind::Live: what the robot sends, from now on.
+  void openMap(const map::MapKey& key);
+  /// The second map of a comparison; nullopt ends it.
+  void compareWith(std::optional<map::MapKey> key);
+  /// Keeps the map on screen as it is now as the second of a comparison, however it changes later.
+  void keepForComparing();
+  /// Topics that `owner` (a layer list, a panel) wants; replaces what it wanted before.
+  void want(const QString& owner, const QStringList& topics);
+
   /// Bounds of everything drawn and visible; while nothing is held, of the poses. Empty without submaps.
   geometry::WorldRect contentBounds() const;
 
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
-  void liveChanged();       // pose, trail, model, slam status
+  /// Something of live(); `what` is the TopicMessage alternative that came (map::topicIndex).
+  void liveChanged(int what);
   void listChanged();       // submaps were added or removed, or the session is new
   void sessionRestarted();  // new uuid: every picture is gone. Comes before listChanged()
   void submapsPlaced(
@@ -124,6 +150,12 @@ class Session : public QObject {
   void noteConnection();
   double priorityOf(map::SubmapId id) const;
   void touchRows();
+  void wireMaps();
+  void takeGrid(const map::GridMessage& message);
+  void openInto(MapSlot& slot, const map::MapKey& key);
+  void openFirstMap();
+  void askForOverview();
+  void sendWants();
   submap::Millis now() const { return monotonic_(); }
 
   std::unique_ptr<robot::Robot> robot_;
@@ -141,8 +173,16 @@ class Session : public QObject {
   Eigen::Vector2d view_center_{0, 0};
   quint64 generation_ = 0;
   quint64 fetches_ = 0, cache_hits_ = 0, bytes_fetched_ = 0;
+  bool overview_wanted_;
+  bool live_wanted_ = true;  // the whole map on screen is the one that the robot sends
+  bool map_chosen_ = false;  // by the user
+  std::map<QString, QStringList> wants_;
+  std::set<QString> waited_for_;  // topics that gave nothing in time: their older names are tried too
+  Catalogue catalogue_;
+  MapSlot whole_map_, compared_map_, overview_;
+  LayerGrids layer_grids_;
   QThreadPool decode_pool_;
-  QTimer wake_timer_, rows_timer_, problems_timer_;
+  QTimer wake_timer_, rows_timer_, problems_timer_, fallback_timer_;
 };
 
 }  // namespace mapwright::session

@@ -13,13 +13,6 @@ namespace {
 
 constexpr std::string_view kSubmapPrefix = "/ros/slam/submaps/";
 constexpr std::size_t kBodyBudget = std::size_t{64} << 20;
-constexpr std::string_view kMaps =
-    R"([{"id":1,"uid":"62a1e0b4c9d84f5a9b7f3c21","map_name":"Ground floor","create_time":1717405200,"map_version":3,)"
-    R"("overlays_version":5,"thumbnail_url":"http://127.0.0.1:8090/maps/1/thumbnail",)"
-    R"("image_url":"http://127.0.0.1:8090/maps/1.png","url":"http://127.0.0.1:8090/maps/1"}])";
-constexpr std::string_view kCurrentMap =
-    R"({"id":1,"uid":"62a1e0b4c9d84f5a9b7f3c21","map_name":"Ground floor","create_time":1717405200,"map_version":3,)"
-    R"("overlays_version":5})";
 
 HttpAnswer protobufAnswer(std::shared_ptr<const std::string> body) {
   HttpAnswer answer;
@@ -52,20 +45,6 @@ bool isUuid(std::string_view text) {
   return true;
 }
 
-/// Weak comparison of an If-None-Match list with our opaque tag (quotes included), as HTTP asks for.
-bool matches(std::string_view if_none_match, std::string_view tag) {
-  while (!if_none_match.empty()) {
-    const std::size_t comma = if_none_match.find(',');
-    std::string_view one = if_none_match.substr(0, comma);
-    if_none_match = comma == std::string_view::npos ? std::string_view() : if_none_match.substr(comma + 1);
-    while (!one.empty() && (one.front() == ' ' || one.front() == '\t')) one.remove_prefix(1);
-    while (!one.empty() && (one.back() == ' ' || one.back() == '\t')) one.remove_suffix(1);
-    if (one.starts_with("W/")) one.remove_prefix(2);
-    if (one == tag || one == "*") return true;
-  }
-  return false;
-}
-
 std::string_view sentenceOf(int status) {
   switch (status) {
     case 400:
@@ -83,37 +62,17 @@ std::string_view sentenceOf(int status) {
 
 }  // namespace
 
-HttpAnswer jsonAnswer(int status, std::string body) {
-  HttpAnswer answer;
-  answer.status = status;
-  answer.body = std::make_shared<const std::string>(std::move(body));
-  return answer;
-}
-
-std::string_view pathOf(std::string_view target) { return target.substr(0, target.find('?')); }
-
-std::string_view queryValue(std::string_view target, std::string_view key) {
-  const std::size_t mark = target.find('?');
-  std::string_view rest = mark == std::string_view::npos ? std::string_view() : target.substr(mark + 1);
-  while (!rest.empty()) {
-    const std::size_t end = rest.find('&');
-    const std::string_view pair = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    const std::size_t equals = pair.find('=');
-    if (equals != std::string_view::npos && pair.substr(0, equals) == key) return pair.substr(equals + 1);
-  }
-  return {};
-}
-
 bool isSubmapPath(std::string_view path) { return path.starts_with(kSubmapPrefix); }
 
-HttpRoutes::HttpRoutes(const RobotState& state, FaultPlan& faults, const Options& options)
+HttpRoutes::HttpRoutes(const RobotState& state, MapLibrary& library, FaultPlan& faults,
+                       const Options& options)
     : state_(state),
       faults_(faults),
       secret_(options.secret),
       enable_topic_list_(options.enable_topic_list),
       seed_(options.seed),
-      bodies_(kBodyBudget) {}
+      bodies_(kBodyBudget),
+      maps_(library, faults) {}
 
 HttpAnswer HttpRoutes::answer(const HttpQuestion& question) {
   if (!allows(question.secret)) return jsonAnswer(401, jsonDetail("A valid Secret header is required."));
@@ -125,9 +84,7 @@ HttpAnswer HttpRoutes::answer(const HttpQuestion& question) {
   const std::string_view path = pathOf(question.target);
   if (isSubmapPath(path)) return submap(question);
   if (path == "/device/info") return deviceInfo();
-  if (path == "/maps" || path == "/maps/") return jsonAnswer(200, std::string(kMaps));
-  if (path == "/chassis/current-map") return jsonAnswer(200, std::string(kCurrentMap));
-  if (path == "/ros/slam/map_image") return jsonAnswer(502, jsonDetail("The ROS service call failed."));
+  if (std::optional<HttpAnswer> answer = maps_.answer(question)) return std::move(*answer);
   return jsonAnswer(404, jsonDetail("Not found."));
 }
 
@@ -181,7 +138,7 @@ HttpAnswer HttpRoutes::submap(const HttpQuestion& question) {
     const std::string tag = '"' + uuid + '-' + std::to_string(*trajectory) + '-' + std::to_string(*index) +
                             '-' + std::to_string(source->version) + '"';
     HttpAnswer answer;
-    const bool same = matches(question.if_none_match, tag);
+    const bool same = matchesTag(question.if_none_match, tag);
     if (same) {
       answer.status = 304;
       answer.content_type.clear();

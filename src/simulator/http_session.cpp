@@ -4,6 +4,7 @@
 
 #include <boost/beast/websocket/rfc6455.hpp>
 
+#include "simulator/http_routes.h"
 #include "simulator/json_text.h"
 #include "simulator/web_socket_session.h"
 
@@ -58,7 +59,7 @@ void HttpSession::take() {
   const auto& request = parser_->get();
   const std::string_view target = view(request.target()), path = pathOf(target);
   HttpQuestion question{view(request.method_string()), target, view(request["Secret"]),
-                        view(request[http::field::if_none_match])};
+                        view(request[http::field::if_none_match]), request.body()};
   RequestRecord record;
   record.method = question.method;
   record.target = target;
@@ -69,7 +70,7 @@ void HttpSession::take() {
   logged_.emplace(services_.log, record, isSubmapPath(path));
   const bool wants_upgrade = beast::websocket::is_upgrade(request);
   if (wants_upgrade) keep_alive_ = false;  // what follows a refused handshake is no HTTP
-  if (path == kTopicsPath && question.method == "GET" && services_.routes.allows(question.secret)) {
+  if (path == kTopicsPath && question.method == "GET" && services_.routes.opensTopics(question.secret)) {
     if (wants_upgrade) {
       logged_->finish(101, 0);
       std::make_shared<WebSocketSession>(stream_.release_socket(), services_)->accept(request);

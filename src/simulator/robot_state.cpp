@@ -76,7 +76,7 @@ std::string RobotState::uuidNow() const {
   return text;
 }
 
-const Trajectory* RobotState::trajectory(int id) const {
+const Trajectory* RobotState::trajectoryOf(int id) const {
   for (const Trajectory& trajectory : scene_.trajectories) {
     if (trajectory.id == id) return &trajectory;
   }
@@ -84,7 +84,7 @@ const Trajectory* RobotState::trajectory(int id) const {
 }
 
 std::uint64_t RobotState::seedOf(map::SubmapId id) const {
-  const Trajectory* owner = trajectory(id.trajectory);
+  const Trajectory* owner = trajectoryOf(id.trajectory);
   const std::uint64_t session = owner != nullptr && owner->growth == Growth::Live ? session_ : 0;
   return hashOf(seed_, 41, session, id.trajectory, id.index);
 }
@@ -144,12 +144,23 @@ ListStamp RobotState::stamp() const {
   return stamp;
 }
 
-geometry::Pose2 RobotState::robotPose() const {
+double RobotState::time() const {
   const std::lock_guard lock(mutex_);
-  const Trajectory* live = trajectory(1);
+  return now();
+}
+
+int RobotState::scansOf(int id) const {
+  const std::lock_guard lock(mutex_);
+  const Trajectory* found = trajectoryOf(id);
+  return found == nullptr ? 0 : found->scansAt(sessionNow());
+}
+
+geometry::Pose2 RobotState::poseAhead(double metres) const {
+  const std::lock_guard lock(mutex_);
+  const Trajectory* live = trajectoryOf(1);
   if (live == nullptr) return {};
   const int newest = live->submapsAfter(live->scansAt(sessionNow())).second - 1;
-  geometry::Pose2 pose = live->drive.at(kSpeedMPerS * now());
+  geometry::Pose2 pose = live->drive.at(kSpeedMPerS * now() + metres);
   const geometry::Pose2 origin = anchorOf(*live, newest);
   const Correction correction = correctionOf(seed_, closures_, {1, newest});
   // The robot is where its newest submap says it is.
@@ -184,7 +195,7 @@ SubmapSource RobotState::describe(const Trajectory& trajectory, int index, int s
 
 std::optional<SubmapSource> RobotState::find(map::SubmapId id) const {
   const std::lock_guard lock(mutex_);
-  const Trajectory* owner = trajectory(id.trajectory);
+  const Trajectory* owner = trajectoryOf(id.trajectory);
   if (owner == nullptr || removed_.contains(id)) return std::nullopt;
   const int scans = owner->scansAt(sessionNow());
   const auto [first, end] = owner->submapsAfter(scans);

@@ -34,10 +34,19 @@ class RobotState {
   RobotState(Scene scene, std::uint32_t seed, ClockOptions clock);
 
   const FloorPlan& plan() const { return scene_.plan; }
+  const Scene& scene() const { return scene_; }
+  /// Simulated seconds.
+  double time() const;
   std::string uuid() const;
   map::SubmapList list() const;
   ListStamp stamp() const;
-  geometry::Pose2 robotPose() const;
+  geometry::Pose2 robotPose() const { return poseAhead(0); }
+  /// Where the robot will be (or was, when negative) `metres` further on its way.
+  geometry::Pose2 poseAhead(double metres) const;
+  /// How many scans went into a trajectory so far; 0 when it is not there.
+  int scansOf(int trajectory) const;
+  /// How far the robot has driven, metres.
+  double drivenMetres() const { return kSpeedMPerS * time(); }
 
   /// The submap as it is now; nullopt when the robot has none of that name.
   std::optional<SubmapSource> find(map::SubmapId id) const;
@@ -51,7 +60,7 @@ class RobotState {
  private:
   double now() const;         // simulated seconds
   double sessionNow() const;  // since the SLAM session began
-  const Trajectory* trajectory(int id) const;
+  const Trajectory* trajectoryOf(int id) const;
   SubmapSource describe(const Trajectory& trajectory, int index, int scans) const;
   double metresAtScan(const Trajectory& trajectory, int scan) const;
   int versionOf(map::SubmapId id, int scans) const;

@@ -12,19 +12,21 @@ namespace {
 using boost::asio::ip::tcp;
 using std::chrono::steady_clock;
 
-constexpr auto kTick = std::chrono::milliseconds(50);
+constexpr auto kTick = std::chrono::milliseconds(50);  // or less, when a topic comes more often
 constexpr auto kListAtMost = std::chrono::seconds(1);
-constexpr auto kSlamStateEvery = std::chrono::seconds(1);
 
 }  // namespace
 
-Server::Server(const Options& options, RobotState& state, FaultPlan& faults, RequestLog& log)
+Server::Server(const Options& options, RobotState& state, MapLibrary& library, FaultPlan& faults,
+               RequestLog& log)
     : options_(options),
       state_(state),
+      library_(library),
       faults_(faults),
       log_(log),
-      routes_(state, faults, options),
-      messages_(state) {}
+      routes_(state, library, faults, options),
+      aimdk_routes_(library, faults),
+      messages_(state, library, faults, options) {}
 
 Server::~Server() {
   io_.stop();
@@ -32,40 +34,50 @@ Server::~Server() {
   hub_.drop();  // sessions must go before the io_context
 }
 
-std::optional<std::string> Server::start(std::uint16_t port) {
+std::optional<std::string> Server::open(Door& door, std::uint16_t port) {
   boost::system::error_code error;
   const tcp::endpoint endpoint(boost::asio::ip::address_v4::loopback(), port);
-  acceptor_.open(endpoint.protocol(), error);
-  if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) acceptor_.bind(endpoint, error);
-  if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
-  if (!error) port_ = acceptor_.local_endpoint(error).port();
-  if (error) {
-    return "The simulated robot could not open port " + std::to_string(port) +
-           " on 127.0.0.1: " + error.message() + ". Choose another port, or 0 for a free one.";
-  }
+  door.acceptor.open(endpoint.protocol(), error);
+  if (!error) door.acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) door.acceptor.bind(endpoint, error);
+  if (!error) door.acceptor.listen(boost::asio::socket_base::max_listen_connections, error);
+  if (!error) door.port = door.acceptor.local_endpoint(error).port();
+  if (!error) return std::nullopt;
+  return "The simulated robot could not open port " + std::to_string(port) +
+         " on 127.0.0.1: " + error.message() + ". Choose another port, or 0 for a free one.";
+}
+
+std::optional<std::string> Server::start(std::uint16_t port, std::uint16_t aimdk_port) {
+  if (std::optional<std::string> failure = open(axbot_, port)) return failure;
+  if (std::optional<std::string> failure = open(aimdk_, aimdk_port)) return failure;
   published_ = state_.stamp();
-  list_at_ = state_at_ = dropped_at_ = restarted_at_ = steady_clock::now();
-  accept();
+  published_maps_ = library_.edits();
+  list_at_ = tick_at_ = dropped_at_ = restarted_at_ = steady_clock::now();
+  periodic_ = periodicTopics(options_, tick_at_);
+  accept(axbot_);
+  accept(aimdk_);
   tick();
   thread_ = std::thread([this] { io_.run(); });
   return std::nullopt;
 }
 
-void Server::accept() {
-  acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
+void Server::accept(Door& door) {
+  door.acceptor.async_accept([this, &door](boost::system::error_code error, tcp::socket socket) {
     if (error == boost::asio::error::operation_aborted) return;
     if (!error) {
       socket.set_option(tcp::no_delay(true), error);
-      const Services services{options_, state_, faults_, log_, routes_, messages_, hub_};
+      const Services services{options_, state_, faults_, log_, door.routes, messages_, hub_};
       std::make_shared<HttpSession>(std::move(socket), services)->read();
     }
-    accept();
+    accept(door);
   });
 }
 
 void Server::tick() {
-  timer_.expires_after(kTick);
+  steady_clock::duration step = kTick;
+  for (const PeriodicTopic& topic : periodic_) step = std::min(step, topic.period);
+  tick_at_ = std::max(tick_at_ + step, steady_clock::now());  // keeps the rate, and never runs after it
+  timer_.expires_at(tick_at_);
   timer_.async_wait([this](boost::system::error_code error) {
     if (error) return;
     const steady_clock::time_point now = steady_clock::now();
@@ -76,10 +88,14 @@ void Server::tick() {
 }
 
 void Server::publishChanges(steady_clock::time_point now) {
-  hub_.publish(kTrackedPoseTopic);
-  if (now - state_at_ >= kSlamStateEvery) {
-    state_at_ = now;
-    hub_.publish(kSlamStateTopic);
+  for (PeriodicTopic& topic : periodic_) {
+    if (now < topic.due) continue;
+    topic.due = std::max(topic.due + topic.period, now);
+    hub_.publish(topic.topic);
+  }
+  if (const std::uint64_t edits = library_.edits(); edits != published_maps_) {
+    published_maps_ = edits;
+    for (const std::string_view topic : mapTopics()) hub_.publish(topic);
   }
   if (now - list_at_ < kListAtMost) return;
   ListStamp stamp = state_.stamp();

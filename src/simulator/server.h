@@ -1,4 +1,4 @@
-// The simulated robot's port and its thread.
+// The simulated robots' ports and their thread.
 #pragma once
 
 #include <chrono>
@@ -10,21 +10,25 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 
+#include "simulator/aimdk_routes.h"
+#include "simulator/http_routes.h"
 #include "simulator/services.h"
+#include "simulator/topic_schedule.h"
 
 namespace mapwright::simulator {
 
 /// Serves from start() to destruction. One thread does all the work; nothing on it waits.
 class Server {
  public:
-  Server(const Options& options, RobotState& state, FaultPlan& faults, RequestLog& log);
+  Server(const Options& options, RobotState& state, MapLibrary& library, FaultPlan& faults, RequestLog& log);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// Opens 127.0.0.1:port and starts the thread. nullopt when it runs.
-  std::optional<std::string> start(std::uint16_t port);
-  std::uint16_t port() const { return port_; }
+  /// Opens both ports of 127.0.0.1 (0 = a free one) and starts the thread. nullopt when it runs.
+  std::optional<std::string> start(std::uint16_t port, std::uint16_t aimdk_port);
+  std::uint16_t port() const { return axbot_.port; }
+  std::uint16_t aimdkPort() const { return aimdk_.port; }
   int openWebSockets() const { return hub_.open(); }
 
   /// From any thread: sends the list to all that have it enabled.
@@ -33,24 +37,36 @@ class Server {
   void dropWebSockets();
 
  private:
-  void accept();
+  /// One robot's door.
+  struct Door {
+    boost::asio::ip::tcp::acceptor acceptor;
+    Answerer& routes;
+    std::uint16_t port = 0;
+  };
+
+  std::optional<std::string> open(Door& door, std::uint16_t port);
+  void accept(Door& door);
   void tick();
   void publishChanges(std::chrono::steady_clock::time_point now);
   void keepFaultSchedule(std::chrono::steady_clock::time_point now);
 
   const Options& options_;
   RobotState& state_;
+  MapLibrary& library_;
   FaultPlan& faults_;
   RequestLog& log_;
   HttpRoutes routes_;
+  AimdkRoutes aimdk_routes_;
   TopicMessages messages_;
   WebSocketHub hub_;
   boost::asio::io_context io_{1};
-  boost::asio::ip::tcp::acceptor acceptor_{io_};
+  Door axbot_{boost::asio::ip::tcp::acceptor(io_), routes_};
+  Door aimdk_{boost::asio::ip::tcp::acceptor(io_), aimdk_routes_};
   boost::asio::steady_timer timer_{io_};
-  std::uint16_t port_ = 0;
   ListStamp published_;
-  std::chrono::steady_clock::time_point list_at_, state_at_, dropped_at_, restarted_at_;
+  std::uint64_t published_maps_ = 0;
+  std::chrono::steady_clock::time_point list_at_, tick_at_, dropped_at_, restarted_at_;
+  std::vector<PeriodicTopic> periodic_;
   std::thread thread_;
 };
 

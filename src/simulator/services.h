@@ -2,7 +2,7 @@
 #pragma once
 
 #include "simulator/fault_plan.h"
-#include "simulator/http_routes.h"
+#include "simulator/http_answer.h"
 #include "simulator/request_log.h"
 #include "simulator/topic_messages.h"
 #include "simulator/web_socket_hub.h"
@@ -14,7 +14,7 @@ struct Services {
   const RobotState& state;
   FaultPlan& faults;
   RequestLog& log;
-  HttpRoutes& routes;
+  Answerer& routes;
   TopicMessages& messages;
   WebSocketHub& hub;
 };

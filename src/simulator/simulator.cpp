@@ -23,6 +23,15 @@ std::optional<std::string> problemOf(const Options& options, bool scene_exists) 
   if (!std::isfinite(options.start_at_s) || options.start_at_s < 0 || options.start_at_s > 1e8) {
     return "The start must lie between 0 and 100,000,000 simulated seconds.";
   }
+  if (options.points_per_scan < 0 || options.points_per_scan > 1'000'000) {
+    return "The number of points in a scan must lie between 0 and 1,000,000.";
+  }
+  for (const double hz : {options.scan_hz, options.pose_hz}) {
+    if (!(hz > 0 && hz <= 100)) return "Scans and poses come more than 0 and at most 100 times a second.";
+  }
+  if (options.costmap_cells < 20 || options.costmap_cells > 4000) {
+    return "The edge of a costmap must lie between 20 and 4000 cells.";
+  }
   return std::nullopt;
 }
 
@@ -40,6 +49,7 @@ class Simulator::Impl {
   const Options options;
   const std::optional<std::string> problem;
   RobotState state;
+  MapLibrary library;
   FaultPlan faults;
   RequestLog log;
   mutable std::mutex server_mutex;
@@ -55,6 +65,7 @@ class Simulator::Impl {
         problem(problemOf(chosen, scene.has_value())),
         state(problem || !scene ? Scene{} : std::move(*scene), chosen.seed,
               {chosen.start_at_s, chosen.speed, chosen.paused}),
+        library(state),
         faults(chosen.faults, chosen.seed) {}
 };
 
@@ -66,8 +77,10 @@ std::optional<std::string> Simulator::start() {
   if (impl_->problem) return impl_->problem;
   const std::lock_guard lock(impl_->server_mutex);
   if (impl_->server) return std::nullopt;
-  auto server = std::make_unique<Server>(impl_->options, impl_->state, impl_->faults, impl_->log);
-  if (std::optional<std::string> failure = server->start(impl_->options.port)) return failure;
+  auto server =
+      std::make_unique<Server>(impl_->options, impl_->state, impl_->library, impl_->faults, impl_->log);
+  if (std::optional<std::string> failure = server->start(impl_->options.port, impl_->options.aimdk_port))
+    return failure;
   impl_->server = std::move(server);
   return std::nullopt;
 }
@@ -83,6 +96,15 @@ std::uint16_t Simulator::port() const {
 }
 
 std::string Simulator::address() const { return "axbot+http://127.0.0.1:" + std::to_string(port()); }
+
+std::uint16_t Simulator::aimdkPort() const {
+  const std::lock_guard lock(impl_->server_mutex);
+  return impl_->server ? impl_->server->aimdkPort() : 0;
+}
+
+std::string Simulator::aimdkAddress() const {
+  return "aimdk+http://127.0.0.1:" + std::to_string(aimdkPort());
+}
 
 std::vector<RequestRecord> Simulator::requestLog() const { return impl_->log.records(); }
 
@@ -122,6 +144,10 @@ void Simulator::bumpVersion(int trajectory, int index) {
   impl_->state.bump({trajectory, index});
   impl_->publish();
 }
+
+void Simulator::publishMapChange() { impl_->library.change(); }
+
+bool Simulator::setCurrentMap(int id) { return impl_->library.setCurrent(id); }
 
 std::string Simulator::uuid() const { return impl_->state.uuid(); }
 

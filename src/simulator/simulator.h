@@ -1,6 +1,6 @@
-// An Autoxing robot on one loopback port, for demos and tests. Written from the specification (axbot.md,
-// submap-textures.md); shares no code with the client except the generated protobuf classes and the map's
-// value types.
+// An Autoxing robot and an Agibot one on two loopback ports, for demos and tests. Both live in the same
+// building. Written from the specification (axbot.md, submap-textures.md, aimdk.md); shares no code with the
+// client except the generated protobuf classes and the map's value types.
 #pragma once
 
 #include <cstdint>
@@ -28,11 +28,22 @@ struct Faults {
   // /submap_list also holds NaN poses, zero quaternions, duplicates, a version going back
   bool bad_entries = false;
   bool silent_websocket = false;  // accepts, then never sends nor pongs
+  // Whole maps and picture topics.
+  bool truncated_maps = false;    // every map's PNG is cut in half (the HTTP answer is whole)
+  bool lying_map_size = false;    // every map's PNG declares 60,000 x 60,000
+  bool foreign_data_url = false;  // data_url points to http://127.0.0.2:1/
+  bool garbage_base64 = false;    // `data` of picture topics is no base64
+  // "zero-resolution", "negative-resolution", "no-resolution" or "no-origin" in picture topics and map
+  // details
+  std::string grid_fault;
+  int map_latency_ms = 0;       // added to every answer about maps and static files
+  bool map_list_error = false;  // 500 for /maps/
 };
 
 /// How the robot behaves and what it offers.
 struct Options {
   std::uint16_t port = 0;        // 0 = a free one
+  std::uint16_t aimdk_port = 0;  // 0 = a free one
   std::string scene = "office";  // see sceneNames()
   int submaps = 0;               // > 0: a map of about this many submaps, overriding the scene's own size
   std::uint32_t seed = 1;
@@ -41,7 +52,11 @@ struct Options {
   bool paused = false;            // simulated time stands still: every answer is the same on every run
   bool enable_topic_list = true;  // supportsEnableTopicList
   bool binary_topics = true;      // understands ?pb=1
-  std::string secret;             // when set, requests without `Secret: <it>` get 401
+  std::string secret;             // when set, requests without `Secret: <it>` get 401 (not by AimDK)
+  int points_per_scan = 720;      // of /scan_matched_points2 and its kin; 0..1,000,000
+  double scan_hz = 5;             // how often they come; above 0, at most 100
+  int costmap_cells = 200;        // edge of /maps/5cm/1hz; 20..4000
+  double pose_hz = 20;            // how often /tracked_pose comes; above 0, at most 100
   Faults faults;
 };
 
@@ -71,6 +86,8 @@ class Simulator {
   void stop();
   std::uint16_t port() const;
   std::string address() const;  // "axbot+http://127.0.0.1:PORT"
+  std::uint16_t aimdkPort() const;
+  std::string aimdkAddress() const;  // "aimdk+http://127.0.0.1:PORT"
 
   std::vector<RequestRecord> requestLog() const;
   void clearRequestLog();
@@ -83,6 +100,8 @@ class Simulator {
   void dropWebSockets();
   void removeSubmap(int trajectory, int index);
   void bumpVersion(int trajectory, int index);  // new version, new cells
+  void publishMapChange();                      // the current map gets a new picture and a new version
+  bool setCurrentMap(int id);                   // false when there is no such map
   std::string uuid() const;
   int openWebSockets() const;
 

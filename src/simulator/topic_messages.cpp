@@ -4,13 +4,11 @@
 #include <limits>
 
 #include "ros_messages/wrapper.pb.h"
-#include "simulator/cell_encoding.h"
 #include "simulator/json_text.h"
+#include "simulator/live_topics.h"
 
 namespace mapwright::simulator {
 namespace {
-
-constexpr std::size_t kGzipFrom = 4096;
 
 std::string_view textOf(map::SlamState state) {
   switch (state) {
@@ -129,14 +127,7 @@ std::string submapListBinary(const map::SubmapList& list) {
     row.set_is_incremental_submap(entry.is_incremental);
     row.set_is_nearby_map(entry.is_nearby);
   }
-  std::string payload = wrapper.SerializeAsString();
-  const bool zipped = payload.size() >= kGzipFrom;
-  if (zipped) payload = gzip(payload);
-  std::string frame;
-  frame += static_cast<char>(kSubmapListTopic.size());
-  frame += kSubmapListTopic;
-  frame += static_cast<char>(zipped ? 1 : 0);
-  return frame + payload;
+  return binaryMessage(kSubmapListTopic, wrapper);
 }
 
 void addBadEntries(map::SubmapList& list) {
@@ -159,10 +150,6 @@ void addBadEntries(map::SubmapList& list) {
   }
 }
 
-bool isLatched(std::string_view topic) {
-  return topic == kSubmapListTopic || topic == kRobotModelTopic || topic == kSlamStateTopic;
-}
-
 Frame TopicMessages::listMessage(bool binary, bool bad_entries) {
   const std::lock_guard lock(mutex_);
   const ListStamp stamp = state_.stamp();
@@ -183,15 +170,16 @@ Frame TopicMessages::listMessage(bool binary, bool bad_entries) {
   return frame;
 }
 
-std::optional<Frame> TopicMessages::messageOf(std::string_view topic, bool binary_list, bool bad_entries) {
-  const auto text = [](std::string message) {
-    return Frame{std::make_shared<const std::string>(std::move(message)), false};
-  };
-  if (topic == kSubmapListTopic) return listMessage(binary_list, bad_entries);
-  if (topic == kTrackedPoseTopic) return text(trackedPose(state_.robotPose()));
-  if (topic == kRobotModelTopic) return text(std::string(kRobotModel));
-  if (topic == kSlamStateTopic) return text(slamState(state_.list().slam_state));
-  return std::nullopt;
+std::optional<Frame> TopicMessages::messageOf(std::string_view topic, bool binary, bool bad_entries) {
+  if (topic == kSubmapListTopic) return listMessage(binary, bad_entries);
+  if (topic == kTrackedPoseTopic) return textFrame(trackedPose(state_.robotPose()));
+  if (topic == kRobotModelTopic) return textFrame(std::string(kRobotModel));
+  if (topic == kSlamStateTopic) return textFrame(slamState(state_.list().slam_state));
+  if (std::optional<std::string> own = ownTopic(topic, state_, library_)) return textFrame(std::move(*own));
+  if (std::optional<std::string> around = surroundingsTopic(topic, state_))
+    return textFrame(std::move(*around));
+  if (std::optional<Frame> points = points_.messageOf(topic, binary)) return points;
+  return maps_.messageOf(topic);
 }
 
 }  // namespace mapwright::simulator

@@ -8,14 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "simulator/frame.h"
+#include "simulator/map_topics.h"
+#include "simulator/point_topics.h"
 #include "simulator/robot_state.h"
 
 namespace mapwright::simulator {
-
-struct Frame {
-  std::shared_ptr<const std::string> bytes;
-  bool binary = false;
-};
 
 /// {"topic":"/submap_list",...}; key `submap`, slam_state as text. Numbers that JSON lacks are null.
 std::string submapListJson(const map::SubmapList& list);
@@ -28,24 +26,25 @@ void addBadEntries(map::SubmapList& list);
 /// any thread.
 class TopicMessages {
  public:
-  explicit TopicMessages(const RobotState& state) : state_(state) {}
+  TopicMessages(const RobotState& state, MapLibrary& library, const FaultPlan& faults, const Options& options)
+      : state_(state), library_(library), maps_(state, library, faults, options), points_(state, options) {}
 
   /// The current message; nullopt for topics that are never published.
-  std::optional<Frame> messageOf(std::string_view topic, bool binary_list, bool bad_entries);
+  std::optional<Frame> messageOf(std::string_view topic, bool binary, bool bad_entries);
 
  private:
   Frame listMessage(bool binary, bool bad_entries);
 
   const RobotState& state_;
+  const MapLibrary& library_;
+  MapTopics maps_;
+  PointTopics points_;
   std::mutex mutex_;
   ListStamp stamp_;
   bool bad_entries_ = false;
   std::optional<std::string> uuid_;
   Frame json_, binary_;
 };
-
-/// Topics whose last message is sent at once to whoever enables them.
-bool isLatched(std::string_view topic);
 
 constexpr std::string_view kSubmapListTopic = "/submap_list";
 constexpr std::string_view kTrackedPoseTopic = "/tracked_pose";

@@ -1,7 +1,9 @@
 #include "simulator/web_socket_session.h"
 
+#include "simulator/http_answer.h"
 #include "simulator/json_text.h"
 #include "simulator/topic_request.h"
+#include "simulator/topic_schedule.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -11,7 +13,7 @@ namespace websocket = boost::beast::websocket;
 
 constexpr std::size_t kMostMessageBytes = 64 << 10;
 constexpr std::size_t kMostTopics = 256;
-constexpr std::size_t kMostQueued = 32;                           // beyond it, poses are left out
+constexpr std::size_t kMostQueued = 32;                           // beyond it, what comes again is left out
 constexpr std::size_t kMostQueuedBytes = std::size_t{256} << 20;  // beyond it, the reader is given up
 
 std::string errorMessage(std::string_view sentence) {
@@ -21,8 +23,6 @@ std::string errorMessage(std::string_view sentence) {
   return out;
 }
 
-Frame textFrame(std::string text) { return {std::make_shared<const std::string>(std::move(text)), false}; }
-
 }  // namespace
 
 WebSocketSession::WebSocketSession(boost::asio::ip::tcp::socket socket, Services services)
@@ -31,7 +31,7 @@ WebSocketSession::WebSocketSession(boost::asio::ip::tcp::socket socket, Services
 void WebSocketSession::accept(const Request& request) {
   request_ = request;
   const std::string_view target(request_.target().data(), request_.target().size());
-  binary_list_ = services_.options.binary_topics && queryValue(target, "pb") == "1";
+  binary_ = services_.options.binary_topics && queryValue(target, "pb") == "1";
   silent_ = services_.faults.faults().silent_websocket;
   beast::get_lowest_layer(stream_).expires_never();
   websocket::stream_base::timeout timeout{};
@@ -91,8 +91,8 @@ void WebSocketSession::publish(std::string_view topic) {
   if (!topics_.contains(topic)) return;
   const Faults faults = services_.faults.faults();
   if (silent_ || faults.silent_websocket) return;
-  if (topic == kTrackedPoseTopic && outgoing_.size() > kMostQueued) return;
-  if (std::optional<Frame> frame = services_.messages.messageOf(topic, binary_list_, faults.bad_entries)) {
+  if (mayBeLeftOut(topic) && outgoing_.size() > kMostQueued) return;
+  if (std::optional<Frame> frame = services_.messages.messageOf(topic, binary_, faults.bad_entries)) {
     send(std::move(*frame));
   }
 }

@@ -40,7 +40,7 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
   Services services_;
   boost::beast::flat_buffer buffer_;
   Request request_;
-  bool binary_list_ = false;
+  bool binary_ = false;
   bool silent_ = false;
   std::set<std::string, std::less<>> topics_;
   std::deque<Frame> outgoing_;

@@ -5,11 +5,12 @@
 
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
-#include "robot/axbot/repair_json.h"
+#include "robot/wire/repair_json.h"
 #include "ros_messages/wrapper.pb.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
+using mapwright::robot::wire::repairNumbers;
 using Outcome = map::SubmapAnswer::Outcome;
 
 namespace {
@@ -125,7 +126,7 @@ class AxbotParseTest : public QObject {
 
   void answersAndUnknownTopicsAreToldApart() {
     QCOMPARE(parseTextFrame(R"({"enabled_topics":["/a","/b"]})").enabled_topics->size(), std::size_t(2));
-    QVERIFY(!parseTextFrame(R"({"topic":"/battery_state","percentage":0.5})").message);
+    QVERIFY(!parseTextFrame(R"({"topic":"/jack_state","progress":0.5})").message);
     QCOMPARE(parseTextFrame(R"({"error":"no such topic"})").error, std::string("no such topic"));
   }
 

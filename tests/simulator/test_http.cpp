@@ -109,7 +109,9 @@ class TestHttp : public QObject {
     row("negative index", "GET", "/ros/slam/submaps/UUID/0/-1?ver=1", 404);
     row("unknown trajectory", "GET", "/ros/slam/submaps/UUID/77/0?ver=1", 404);
     row("unknown path", "GET", "/nothing/here", 404);
-    row("map image", "GET", "/ros/slam/map_image?resolution=0.1", 502);
+    row("map image of no resolution", "GET", "/ros/slam/map_image?resolution=0", 400);
+    row("map image at nan", "GET", "/ros/slam/map_image?resolution=nan", 400);
+    row("map image of no trajectory", "GET", "/ros/slam/map_image?trajectory_id=77", 502);
     row("topics without upgrade", "GET", "/ws/v2/topics", 400);
     row("post", "POST", "/maps/", 405);
     row("delete", "DELETE", "/ros/slam/submaps/UUID/0/0", 405);

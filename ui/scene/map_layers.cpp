@@ -1,70 +1,40 @@
 #include "scene/map_layers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QPainter>
-#include <QPainterPath>
 #include <QStyleOptionGraphicsItem>
 
 namespace mapwright::scene {
+namespace {
 
-QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+constexpr int kTileEdge = 256;  // of the renderer's tiles
 
-void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
-               const QColor& color, bool struck_through) {
-  QFont font = theme.label_font;
-  font.setStrikeOut(struck_through);
-  QPainterPath path;
-  path.addText(baseline_left, font, text);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(path);
-  painter.fillPath(path, color);
-}
-
-LayerItem::LayerItem(const LayerContext& context) : context_(context) {
-  setFlag(ItemUsesExtendedStyleOption);
-  setAcceptedMouseButtons(Qt::NoButton);
-}
-
-QRectF LayerItem::boundingRect() const {
-  return {0, 0, qreal(context_.view.width_px), qreal(context_.view.height_px)};
-}
+}  // namespace
 
 TileLayer::TileLayer(const LayerContext& context, render::TileRenderer& renderer)
-    : LayerItem(context), renderer_(renderer) {}
+    : DeviceLayer(context), renderer_(renderer) {}
 
-void TileLayer::sendView() {
-  geometry::ViewTransform view = context_.view;
-  view.scale_m_per_px /= pixel_ratio_;
-  view.width_px = int(std::ceil(view.width_px * pixel_ratio_));
-  view.height_px = int(std::ceil(view.height_px * pixel_ratio_));
-  renderer_.setView(view);
-}
-
-void TileLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
-  if (const qreal ratio = painter->device()->devicePixelRatioF(); ratio != pixel_ratio_) {
-    pixel_ratio_ = ratio;
-    sendView();
-  }
-  const QRectF exposed(option->exposedRect.topLeft() * pixel_ratio_,
-                       option->exposedRect.size() * pixel_ratio_);
-  painter->save();
-  painter->scale(1 / pixel_ratio_, 1 / pixel_ratio_);
-  painter->setRenderHint(QPainter::SmoothPixmapTransform, false);
-  const QTransform base = painter->transform();
-  for (const render::DrawnTile& tile : renderer_.drawnTiles()) {
-    if (!tile.to_viewport.mapRect(QRectF(tile.image.rect())).intersects(exposed)) continue;
-    if (tile.to_viewport.type() <= QTransform::TxTranslate) {
-      painter->setTransform(base);
-      painter->drawImage(QPointF(tile.to_viewport.dx(), tile.to_viewport.dy()), tile.image);
-    } else {
-      painter->setTransform(tile.to_viewport * base);
-      painter->drawImage(QPointF(0, 0), tile.image);
+void TileLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
+  const std::vector<render::DrawnTile> tiles = renderer_.drawnTiles();
+  const auto first =
+      std::find_if(tiles.begin(), tiles.end(), [](const auto& tile) { return !tile.stand_in; });
+  const std::span stand_ins(tiles.begin(), first), finished(first, tiles.end());
+  if (!stand_ins.empty() && renderer_.colors().clear_unknown) {
+    // What shows through a finished tile is what lies below the layer, not what stood in for it.
+    QRegion open(exposed.toAlignedRect());
+    for (const render::DrawnTile& tile : finished) {
+      open -= QRect(int(tile.to_viewport.dx()), int(tile.to_viewport.dy()), kTileEdge, kTileEdge);
     }
+    painter.save();
+    painter.setClipRegion(open, Qt::IntersectClip);
+    drawTiles(painter, exposed, stand_ins);
+    painter.restore();
+  } else {
+    drawTiles(painter, exposed, stand_ins);
   }
-  painter->restore();
+  drawTiles(painter, exposed, finished);
 }
 
 void StaleLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {

@@ -1,59 +1,32 @@
-// The layers of the map, one graphics item each, painted through the camera. Items never own the state they
-// show.
+// The layers of the map that every robot has, one graphics item each, painted through the camera. Items never
+// own the state they show.
 #pragma once
 
 #include <array>
-#include <deque>
 #include <map>
 #include <optional>
 #include <vector>
 
-#include <QGraphicsItem>
-
-#include "geometry/view_transform.h"
-#include "map/live_state.h"
+#include "map/submap.h"
 #include "render/tile_renderer.h"
+#include "scene/layer_item.h"
 #include "scene/line_sheet.h"
-#include "scene/map_theme.h"
 
 namespace mapwright::scene {
 
 struct Measurement;
 
-/// What every layer paints with. Owned by the scene, outlives its items.
-struct LayerContext {
-  geometry::ViewTransform view;  // logical pixels
-  MapTheme theme;
-};
-
-QPointF toPoint(const Eigen::Vector2d& v);
-
-/// Text with a halo, readable on any map.
-void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
-               const QColor& color, bool struck_through = false);
-
-/// An item as large as the viewport that draws itself in viewport pixels.
-class LayerItem : public QGraphicsItem {
- public:
-  explicit LayerItem(const LayerContext& context);
-  QRectF boundingRect() const override;
-  void viewportResized() { prepareGeometryChange(); }
-
- protected:
-  const LayerContext& context_;
-};
-
 /// The composited submaps.
-class TileLayer : public LayerItem {
+class TileLayer : public DeviceLayer {
  public:
   TileLayer(const LayerContext& context, render::TileRenderer& renderer);
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-  /// Tells the renderer the camera in device pixels.
-  void sendView();
+
+ protected:
+  void takeView(const geometry::ViewTransform& device_view) override { renderer_.setView(device_view); }
+  void paintPixels(QPainter& painter, const QRectF& exposed) override;
 
  private:
   render::TileRenderer& renderer_;
-  qreal pixel_ratio_ = 1;
 };
 
 /// The adaptive metric grid: minor and major lines, the world's axes.
@@ -97,23 +70,27 @@ class OutlineLayer : public LayerItem {
 /// The way that the robot came.
 class TrailLayer : public LayerItem {
  public:
-  TrailLayer(const LayerContext& context, const map::LiveState& live);
+  using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-
- private:
-  const map::LiveState& live_;
 };
 
-/// The robot: its footprint where it told one, and always a mark of constant size with its heading.
+/// The robot: a mark of constant size with its heading.
 class RobotLayer : public LayerItem {
  public:
-  RobotLayer(const LayerContext& context, const map::LiveState& live);
+  using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-  /// The viewport rectangle that the robot covers now, to repaint no more than that.
+  /// The viewport rectangle that the robot and its footprints cover now, to repaint no more than that.
   QRectF robotRect() const;
+};
+
+/// The outline of the robot, or the wider one that it keeps free, where it told them.
+class FootprintLayer : public LayerItem {
+ public:
+  FootprintLayer(const LayerContext& context, bool expanded);
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  const map::LiveState& live_;
+  bool expanded_;
 };
 
 /// A veil over everything that is no longer live.

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "scene/live_layers.h"
 #include "scene/map_layers.h"
+#include "scene/raster_stack.h"
 
 namespace mapwright::scene {
 namespace {
-
-constexpr std::array kLayers{Layer::Submaps, Layer::Grid,  Layer::Outlines, Layer::Ids,
-                             Layer::Trail,   Layer::Robot, Layer::ScaleBar};
 
 std::uint8_t pixelFlags(const map::SubmapEntry& entry) {
   return std::uint8_t((entry.is_incremental ? render::kIncremental : 0) |
@@ -19,88 +20,167 @@ std::uint8_t pixelFlags(const map::SubmapEntry& entry) {
 
 }  // namespace
 
-QString layerName(Layer layer) {
-  switch (layer) {
-    case Layer::Submaps:
-      return QStringLiteral("submaps");
-    case Layer::Grid:
-      return QStringLiteral("grid");
-    case Layer::Outlines:
-      return QStringLiteral("outlines");
-    case Layer::Ids:
-      return QStringLiteral("ids");
-    case Layer::Trail:
-      return QStringLiteral("trail");
-    case Layer::Robot:
-      return QStringLiteral("robot");
-    case Layer::ScaleBar:
-      break;
-  }
-  return QStringLiteral("scalebar");
-}
-
-std::vector<Layer> allLayers() { return {kLayers.begin(), kLayers.end()}; }
-
 class MapScene::Impl {
  public:
-  Impl(MapScene& scene, render::TileRenderer& renderer)
-      : tiles(new TileLayer(context, renderer)),
-        grid(new GridLayer(context)),
-        outlines_item(new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Outlines)),
-        ids(new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Ids)),
-        highlight(new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Highlight)),
-        trail(new TrailLayer(context, live)),
-        robot(new RobotLayer(context, live)),
-        measure(new MeasureLayer(context, measured)),
-        stale(new StaleLayer(context)),
-        scale_bar(new ScaleBarLayer(context)) {
-    int z = 0;
-    for (LayerItem* item : std::initializer_list<LayerItem*>{tiles, grid, outlines_item, ids, highlight,
-                                                             trail, robot, stale, measure, scale_bar}) {
-      item->setZValue(z++);
-      scene.addItem(item);
-      items.push_back(item);
+  Impl(MapScene& scene, render::TileRenderer& renderer, const render::TileRenderer::Options& options)
+      : order(allLayers()), raster(context, rasterOptions(options), nullptr) {
+    context.live = &nothing_live;
+    tiles = add(scene, Layer::Submaps, new TileLayer(context, renderer));
+    for (const Layer layer : allLayers()) {
+      if (RasterLayer* item = raster.item(layer)) add(scene, layer, item);
     }
-    outlines_item->setVisible(false);
-    ids->setVisible(false);
+    for (RasterLayer* item : {raster.overview(), raster.compared(), raster.difference()}) add(scene, item);
+    add(scene, Layer::Grid, new GridLayer(context));
+    add(scene, Layer::Outlines,
+        new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Outlines));
+    add(scene, Layer::Ids, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Ids));
+    highlight = add(scene, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Highlight));
+    add(scene, Layer::Overlays, new OverlaysLayer(context, overlays));
+    add(scene, Layer::Waypoints, new WaypointsLayer(context, waypoints));
+    add(scene, Layer::Landmarks, new LandmarksLayer(context, landmarks));
+    add(scene, Layer::Doors, new DoorsLayer(context));
+    add(scene, Layer::Boxes, new BoxesLayer(context));
+    add(scene, Layer::Constraints, new ConstraintsLayer(context));
+    add(scene, Layer::Trajectory,
+        new LinesLayer(
+            context,
+            [this](const auto& each) {
+              each(context.live->trajectory);
+              for (const auto& line : trajectories) each(line);
+            },
+            &MapTheme::trajectory, 2));
+    add(scene, Layer::Path,
+        new LinesLayer(
+            context, [this](const auto& each) { each(context.live->path); }, &MapTheme::path, 3));
+    add(scene, Layer::LocalPath, new LocalPathLayer(context));
+    add(scene, Layer::Target, new TargetLayer(context));
+    cloud = add(scene, Layer::Cloud, new CloudLayer(context));
+    add(scene, Layer::NearbyRobots, new NearbyRobotsLayer(context));
+    add(scene, Layer::Trail, new TrailLayer(context));
+    add(scene, Layer::ExpandedFootprint, new FootprintLayer(context, true));
+    add(scene, Layer::Footprint, new FootprintLayer(context, false));
+    robot = add(scene, Layer::Robot, new RobotLayer(context));
+    stale = add(scene, new StaleLayer(context));
+    measure = add(scene, new MeasureLayer(context, measured));
+    swipe = add(scene, new SwipeLayer(context));
+    add(scene, Layer::ScaleBar, new ScaleBarLayer(context));
+    for (const Layer layer : allLayers()) shown[layer] = shownByDefault(layer);
     stale->setVisible(false);
+    stack();
+    applyVisibility();
   }
 
-  LayerItem* item(Layer layer) const {
-    switch (layer) {
-      case Layer::Submaps:
-        return tiles;
-      case Layer::Grid:
-        return grid;
-      case Layer::Outlines:
-        return outlines_item;
-      case Layer::Ids:
-        return ids;
-      case Layer::Trail:
-        return trail;
-      case Layer::Robot:
-        return robot;
-      case Layer::ScaleBar:
-        break;
+  static render::GridRenderer::Options rasterOptions(const render::TileRenderer::Options& options) {
+    render::GridRenderer::Options raster_options;
+    raster_options.previews = options.previews;
+    raster_options.threads = options.threads;
+    return raster_options;
+  }
+
+  template <typename Item>
+  Item* add(MapScene& scene, Item* item) {
+    scene.addItem(item);
+    all.push_back(item);
+    return item;
+  }
+  template <typename Item>
+  Item* add(MapScene& scene, Layer layer, Item* item) {
+    items[layer] = item;
+    return add(scene, item);
+  }
+
+  void stack() {
+    int z = 10;
+    for (const Layer layer : order) items.at(layer)->setZValue(z += 10);
+    raster.overview()->setZValue(items.at(Layer::Submaps)->zValue() - 1);
+    raster.compared()->setZValue(
+        std::max(items.at(Layer::Submaps)->zValue(), items.at(Layer::WholeMap)->zValue()) + 1);
+    raster.difference()->setZValue(raster.compared()->zValue() + 1);
+    highlight->setZValue(items.at(Layer::Ids)->zValue() + 1);
+    for (LayerItem* item :
+         std::initializer_list<LayerItem*>{stale, measure, swipe, items.at(Layer::ScaleBar)}) {
+      item->setZValue(z += 10);
     }
-    return scale_bar;
+  }
+
+  bool comparing() const { return raster.compared()->isVisible(); }
+
+  /// What the user wants to see, changed by what a comparison needs.
+  void applyVisibility() {
+    const bool second = has_compared;
+    const bool swiping = compare == CompareMode::Swipe;
+    const bool difference = compare == CompareMode::Difference && second;
+    for (const auto& [layer, item] : items) item->setVisible(shown.at(layer));
+    if (swiping) items.at(Layer::WholeMap)->setVisible(true);
+    if (swiping && !second) items.at(Layer::Submaps)->setVisible(true);
+    if (difference) {
+      items.at(Layer::WholeMap)->setVisible(false);
+      items.at(Layer::Submaps)->setVisible(false);
+    }
+    raster.compared()->setVisible(swiping && second);
+    raster.difference()->setVisible(difference);
+    raster.overview()->setVisible(items.at(Layer::Submaps)->isVisible());
+    raster.overview()->setOpacity(items.at(Layer::Submaps)->opacity());
+    swipe->setVisible(swiping);
+    swipe->setAt(swipe_at);
+    const double x = std::round(swipe_at * context.view.width_px);
+    const QRectF left(0, 0, x, context.view.height_px);
+    const QRectF right(x, 0, context.view.width_px - x, context.view.height_px);
+    const auto part = [&](const QRectF& rect) { return swiping ? std::optional(rect) : std::nullopt; };
+    tiles->setPart(part(left));
+    raster.overview()->setPart(part(left));
+    items.at(Layer::WholeMap)->setPart(part(second ? left : right));
+    raster.compared()->setPart(part(right));
+    raster.syncActive();
+  }
+
+  /// What lies on the map by the map that is shown, not by what the robot sends.
+  void takeFeatures(const session::Session* session) {
+    overlays.clear();
+    trajectories.clear();
+    landmarks.clear();
+    waypoints = {};
+    if (!session) return;
+    const session::MapSlot& whole = session->wholeMap();
+    const bool opened = whole.cells() && whole.shown().key.kind != map::MapKind::Live;
+    if (opened && items.at(Layer::WholeMap)->isVisible()) {
+      overlays = whole.shown().overlays;
+      trajectories = whole.shown().trajectories;
+      for (const auto& landmark : whole.shown().landmarks) {
+        landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
+      }
+      waypoints = whole.waypoints();
+    } else if (context.live->map_info) {
+      overlays = context.live->map_info->overlays;
+    }
   }
 
   LayerContext context;
+  map::LiveState nothing_live;
   Outlines outlines;
   std::optional<map::SubmapId> highlighted;
-  map::LiveState live;
   std::vector<Eigen::Vector2d> measured;
+  std::vector<map::OverlayFeature> overlays;
+  std::vector<std::vector<Eigen::Vector2d>> trajectories;
+  std::vector<map::Landmark> landmarks;
+  map::WaypointList waypoints;
   QRectF robot_rect;
-  TileLayer* tiles;
-  GridLayer* grid;
-  OutlineLayer *outlines_item, *ids, *highlight;
-  TrailLayer* trail;
-  RobotLayer* robot;
-  MeasureLayer* measure;
-  StaleLayer* stale;
-  ScaleBarLayer* scale_bar;
-  std::vector<LayerItem*> items;
+  std::size_t trail_length = 0;
+  std::map<Layer, bool> shown;
+  std::vector<Layer> order;
+  CompareMode compare = CompareMode::Off;
+  bool has_compared = false;
+  double swipe_at = 0.5;
+  RasterStack raster;
+  std::map<Layer, LayerItem*> items;
+  std::vector<LayerItem*> all;
+  TileLayer* tiles = nullptr;
+  OutlineLayer* highlight = nullptr;
+  CloudLayer* cloud = nullptr;
+  RobotLayer* robot = nullptr;
+  MeasureLayer* measure = nullptr;
+  StaleLayer* stale = nullptr;
+  SwipeLayer* swipe = nullptr;
 };
 
 MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* parent)
@@ -108,14 +188,18 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* pare
       theme_(lightMapTheme()),
       renderer_(std::make_unique<render::TileRenderer>(renderer_options)) {
   setItemIndexMethod(NoIndex);
-  impl_ = std::make_unique<Impl>(*this, *renderer_);
+  impl_ = std::make_unique<Impl>(*this, *renderer_, renderer_options);
   impl_->context.theme = theme_;
+  impl_->raster.setTheme(theme_);
   setBackgroundBrush(QColor(theme_.map.unknown));
-  connect(renderer_.get(), &render::TileRenderer::tilesChanged, this, [this] { impl_->tiles->update(); });
-  connect(renderer_.get(), &render::TileRenderer::settledChanged, this, [this] {
-    if (renderer_->settled()) Q_EMIT tilesSettled();
+  connect(&impl_->raster, &RasterStack::settledChanged, this, &MapScene::noteSettled);
+  connect(&impl_->raster, &RasterStack::contentChanged, this, [this] {
+    syncColors();
+    Q_EMIT contentChanged();
   });
-  renderer_->setColors(theme_.map, color_mode_);
+  connect(renderer_.get(), &render::TileRenderer::tilesChanged, this, [this] { impl_->tiles->update(); });
+  connect(renderer_.get(), &render::TileRenderer::settledChanged, this, [this] { noteSettled(); });
+  syncColors();
   geometry::ViewTransform view;
   view.width_px = 640;
   view.height_px = 480;
@@ -132,7 +216,9 @@ void MapScene::setSession(session::Session* session) {
   if (session_) session_->disconnect(this);
   session_ = session;
   impl_->highlighted.reset();
-  impl_->live = session_ ? session_->live() : map::LiveState{};
+  impl_->context.live = session_ ? &session_->live() : &impl_->nothing_live;
+  impl_->has_compared = false;
+  impl_->raster.setSession(session_);
   renderer_->clear();
   impl_->outlines.clear();
   if (session_) {
@@ -150,16 +236,21 @@ void MapScene::setSession(session::Session* session) {
       update();
     });
     connect(session_, &Session::sliceChanged, this, &MapScene::syncAll);
-    connect(session_, &Session::liveChanged, this, [this] {
-      const std::size_t had = impl_->live.trail.size();
-      impl_->live = session_->live();
-      impl_->robot->update(impl_->robot_rect);
-      impl_->robot_rect = impl_->robot->robotRect();
-      impl_->robot->update(impl_->robot_rect);
-      if (impl_->live.trail.size() != had) impl_->trail->update(impl_->robot_rect);
-    });
+    connect(session_, &Session::liveChanged, this, &MapScene::takeLive);
+    for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
+      connect(slot, &session::MapSlot::changed, this, [this] {
+        impl_->has_compared = session_ && session_->comparedMap().cells() != nullptr;
+        impl_->applyVisibility();
+        syncFeatures();
+        noteSettled();
+      });
+    }
     session_->setView(view_.visibleWorld(), view_.center_m);
+    sendWants();
   }
+  impl_->applyVisibility();
+  syncFeatures();
+  syncColors();
   syncAll();
 }
 
@@ -202,7 +293,10 @@ void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
   }
   if (!gone.empty()) renderer_->remove(gone);
   if (!placed.empty()) renderer_->upsert(std::move(placed));
-  for (LayerItem* item : {impl_->outlines_item, impl_->ids, impl_->highlight}) item->update();
+  for (LayerItem* item : {impl_->items.at(Layer::Outlines), impl_->items.at(Layer::Ids),
+                          static_cast<LayerItem*>(impl_->highlight)}) {
+    item->update();
+  }
 }
 
 void MapScene::setView(const geometry::ViewTransform& view) {
@@ -211,10 +305,12 @@ void MapScene::setView(const geometry::ViewTransform& view) {
   view_ = view;
   impl_->context.view = view;
   if (resized) {
-    for (LayerItem* item : impl_->items) item->viewportResized();
+    for (LayerItem* item : impl_->all) item->viewportResized();
     setSceneRect(0, 0, view.width_px, view.height_px);
+    impl_->applyVisibility();
   }
   impl_->tiles->sendView();
+  impl_->raster.sendView();
   impl_->robot_rect = impl_->robot->robotRect();
   if (session_) session_->setView(view_.visibleWorld(), view_.center_m);
   update();
@@ -224,31 +320,183 @@ void MapScene::setView(const geometry::ViewTransform& view) {
 void MapScene::setTheme(const MapTheme& theme) {
   theme_ = theme;
   impl_->context.theme = theme;
+  impl_->raster.setTheme(theme);
   setBackgroundBrush(QColor(theme.map.unknown));
-  renderer_->setColors(theme.map, color_mode_);
+  syncColors();
   update();
 }
 
 void MapScene::setColorMode(render::ColorMode mode) {
   color_mode_ = mode;
-  renderer_->setColors(theme_.map, mode);
+  syncColors();
   update();
   Q_EMIT layersChanged();
 }
 
-bool MapScene::layerVisible(Layer layer) const { return impl_->item(layer)->isVisible(); }
+void MapScene::syncColors() {
+  render::MapColors colors = theme_.map;
+  colors.clear_unknown = impl_->items.at(Layer::WholeMap)->isVisible() || impl_->raster.overviewShown();
+  if (colors == renderer_->colors() && color_mode_ == drawn_color_mode_) return;
+  drawn_color_mode_ = color_mode_;
+  renderer_->setColors(colors, color_mode_);
+}
+
+void MapScene::takeLive(int what) {
+  using map::topicIndex;
+  Impl& impl = *impl_;
+  const auto touch = [&](Layer layer) { impl.items.at(layer)->update(); };
+  if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::RobotModel>()) {
+    const std::array<LayerItem*, 3> moved{impl.robot, impl.items.at(Layer::Footprint),
+                                          impl.items.at(Layer::ExpandedFootprint)};
+    for (LayerItem* item : moved) item->update(impl.robot_rect);
+    impl.robot_rect = impl.robot->robotRect();
+    for (LayerItem* item : moved) item->update(impl.robot_rect);
+    const std::size_t length = impl.context.live->trail.size();
+    if (length != std::exchange(impl.trail_length, length))
+      impl.items.at(Layer::Trail)->update(impl.robot_rect);
+    if (!impl.context.live->racks.empty()) touch(Layer::Boxes);
+  } else if (what == topicIndex<map::PointCloudMessage>()) {
+    if (impl.cloud->isVisible()) impl.cloud->pointsArrived();
+  } else if (what == topicIndex<map::MapInfo>()) {
+    syncFeatures();
+  } else {
+    static const std::map<int, Layer> kLayerOf{
+        {topicIndex<map::PathMessage>(), Layer::Path},
+        {topicIndex<map::LocalPathMessage>(), Layer::LocalPath},
+        {topicIndex<map::TrajectoryMessage>(), Layer::Trajectory},
+        {topicIndex<map::PlanningState>(), Layer::Target},
+        {topicIndex<map::NearbyRobotsMessage>(), Layer::NearbyRobots},
+        {topicIndex<map::NearbyFootprintsMessage>(), Layer::NearbyRobots},
+        {topicIndex<map::LandmarksMessage>(), Layer::Landmarks},
+        {topicIndex<map::AutoDoorsMessage>(), Layer::Doors},
+        {topicIndex<map::PalletsMessage>(), Layer::Boxes},
+        {topicIndex<map::RackMessage>(), Layer::Boxes},
+        {topicIndex<map::SeenObjectsMessage>(), Layer::Boxes},
+        {topicIndex<map::ConstraintsMessage>(), Layer::Constraints}};
+    if (const auto found = kLayerOf.find(what); found != kLayerOf.end()) touch(found->second);
+  }
+}
+
+void MapScene::syncFeatures() {
+  impl_->takeFeatures(session_);
+  for (const Layer layer : {Layer::Overlays, Layer::Waypoints, Layer::Landmarks, Layer::Trajectory}) {
+    impl_->items.at(layer)->update();
+  }
+}
+
+void MapScene::sendWants() {
+  if (!session_) return;
+  QStringList topics;
+  for (const Layer layer : allLayers()) {
+    if (layerVisible(layer)) topics += layerTopics(layer);
+  }
+  if (impl_->compare != CompareMode::Off) topics += layerTopics(Layer::WholeMap);
+  topics.removeDuplicates();
+  session_->want(QStringLiteral("layers"), topics);
+}
+
+void MapScene::noteSettled() {
+  if (picturesSettled()) Q_EMIT tilesSettled();
+}
+
+bool MapScene::layerVisible(Layer layer) const { return impl_->shown.at(layer); }
 
 void MapScene::setLayerVisible(Layer layer, bool visible) {
-  impl_->item(layer)->setVisible(visible);
+  impl_->shown[layer] = visible;
+  impl_->applyVisibility();
+  syncColors();
+  syncFeatures();
+  sendWants();
   Q_EMIT layersChanged();
 }
 
-double MapScene::layerOpacity(Layer layer) const { return impl_->item(layer)->opacity(); }
+double MapScene::layerOpacity(Layer layer) const { return impl_->items.at(layer)->opacity(); }
 
 void MapScene::setLayerOpacity(Layer layer, double opacity) {
-  impl_->item(layer)->setOpacity(std::clamp(opacity, 0.0, 1.0));
+  impl_->items.at(layer)->setOpacity(std::clamp(opacity, 0.0, 1.0));
+  impl_->applyVisibility();
   Q_EMIT layersChanged();
 }
+
+const LayerStyle& MapScene::layerStyle(Layer layer) const { return impl_->items.at(layer)->style(); }
+
+void MapScene::setLayerStyle(Layer layer, const LayerStyle& style) {
+  impl_->items.at(layer)->setStyle(style);
+  if (layer == Layer::WholeMap) applyReduction();
+  Q_EMIT layersChanged();
+}
+
+void MapScene::applyReduction() {
+  if (!session_) return;
+  const bool average = WholeMapChoice(layerStyle(Layer::WholeMap).choice) == WholeMapChoice::Average;
+  for (session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
+    slot->setReduction(average ? raster::Reduction::Average : raster::Reduction::OccupiedWins);
+  }
+}
+
+const std::vector<Layer>& MapScene::layerOrder() const { return impl_->order; }
+
+void MapScene::setLayerOrder(const std::vector<Layer>& order) {
+  std::vector<Layer> next, fixed;
+  const auto missing = [&](Layer layer) { return std::find(next.begin(), next.end(), layer) == next.end(); };
+  for (const Layer layer : order) {
+    if (!orderFixed(layer) && missing(layer)) next.push_back(layer);
+  }
+  for (const Layer layer : allLayers()) {
+    if (orderFixed(layer)) {
+      fixed.push_back(layer);
+    } else if (missing(layer)) {
+      next.push_back(layer);  // one that the caller does not know goes on top
+    }
+  }
+  next.insert(next.end(), fixed.begin(), fixed.end());
+  impl_->order = std::move(next);
+  impl_->stack();
+  update();
+  Q_EMIT layersChanged();
+}
+
+CompareMode MapScene::compareMode() const { return impl_->compare; }
+
+void MapScene::setCompareMode(CompareMode mode) {
+  if (mode == impl_->compare) return;
+  impl_->compare = mode;
+  impl_->applyVisibility();
+  syncColors();
+  syncFeatures();
+  sendWants();
+  update();
+  Q_EMIT layersChanged();
+}
+
+double MapScene::swipeAt() const { return impl_->swipe_at; }
+
+void MapScene::setSwipeAt(double fraction) {
+  impl_->swipe_at = std::clamp(fraction, 0.0, 1.0);
+  impl_->applyVisibility();
+}
+
+geometry::WorldRect MapScene::contentBounds() const {
+  if (!session_) return {};
+  geometry::WorldRect bounds;
+  if (impl_->items.at(Layer::Submaps)->isVisible()) bounds.extend(session_->contentBounds());
+  if (impl_->items.at(Layer::WholeMap)->isVisible() || bounds.empty())
+    bounds.extend(impl_->raster.wholeBounds());
+  return bounds.empty() ? session_->contentBounds() : bounds;
+}
+
+std::vector<render::PlacedTexture> MapScene::placedTextures() const {
+  std::vector<render::PlacedTexture> placed;
+  if (!session_) return placed;
+  for (const auto& [id, row] : session_->book().rows()) {
+    const auto placement = row.visible ? session_->book().placement(id, session_->slice()) : std::nullopt;
+    if (placement)
+      placed.push_back({id, placement->texture, placement->world_from_texture, pixelFlags(row.entry)});
+  }
+  return placed;
+}
+
+std::optional<render::PlacedGrid> MapScene::wholeMap() const { return impl_->raster.wholeMap(); }
 
 void MapScene::setHighlighted(std::optional<map::SubmapId> id) {
   impl_->highlighted = id;
@@ -270,12 +518,33 @@ void MapScene::setMeasurement(std::optional<Measurement> measurement) {
 }
 
 std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
-  const auto intensity = renderer_->intensityAt(world_m);
-  if (!intensity) return std::nullopt;
-  return int(std::lround((1.0 - *intensity / 255.0) * 100.0));
+  if (impl_->items.at(Layer::Submaps)->isVisible()) {
+    if (const auto intensity = renderer_->intensityAt(world_m)) {
+      return int(std::lround((1.0 - *intensity / 255.0) * 100.0));
+    }
+  }
+  const auto whole = impl_->raster.wholeMap();
+  if (!whole || !impl_->items.at(Layer::WholeMap)->isVisible()) return std::nullopt;
+  const Eigen::Vector2d cell = whole->reference.cellFromWorld(world_m);
+  if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() < whole->reference.width &&
+        cell.y() < whole->reference.height))
+    return std::nullopt;
+  const raster::CellMeaning& meaning = raster::meaningOf(whole->cells->code());
+  const std::uint8_t byte = whole->cells->at(int(cell.x()), int(cell.y()));
+  if (!meaning.known[byte]) return std::nullopt;
+  return meaning.occupancy[byte];
 }
 
-bool MapScene::settled() const { return renderer_->settled() && (!session_ || session_->settled(1)); }
+bool MapScene::picturesSettled() const {
+  return (!impl_->items.at(Layer::Submaps)->isVisible() || renderer_->settled()) && impl_->raster.drawn();
+}
+
+bool MapScene::settled() const {
+  const bool submaps = impl_->items.at(Layer::Submaps)->isVisible();
+  if (submaps && !renderer_->settled()) return false;
+  if (submaps && session_ && !session_->settled(1)) return false;
+  return impl_->raster.settled();
+}
 
 void MapScene::setStale(bool stale) { impl_->stale->setVisible(stale); }
 

@@ -12,16 +12,13 @@
 #include <QGraphicsScene>
 
 #include "geometry/view_transform.h"
+#include "render/sample_grid.h"
 #include "render/tile_renderer.h"
+#include "scene/layer.h"
 #include "scene/map_theme.h"
 #include "session/session.h"
 
 namespace mapwright::scene {
-
-/// What can be shown, bottom to top. Names for the command line by layerName().
-enum class Layer { Submaps, Grid, Outlines, Ids, Trail, Robot, ScaleBar };
-QString layerName(Layer layer);  // "submaps", "grid", "outlines", "ids", "trail", "robot", "scalebar"
-std::vector<Layer> allLayers();
 
 /// A measured polyline in world metres.
 struct Measurement {
@@ -51,6 +48,19 @@ class MapScene : public QGraphicsScene {
   void setLayerVisible(Layer layer, bool visible);
   double layerOpacity(Layer layer) const;
   void setLayerOpacity(Layer layer, double opacity);  // 0..1
+  const LayerStyle& layerStyle(Layer layer) const;
+  void setLayerStyle(Layer layer, const LayerStyle& style);
+  /// All layers, bottom first. Those whose place is fixed keep it, whatever is asked for.
+  const std::vector<Layer>& layerOrder() const;
+  void setLayerOrder(const std::vector<Layer>& order);
+
+  /// Compares the session's wholeMap() with its comparedMap(); swiping without a compared map sets the
+  /// submaps (left) against the whole map (right).
+  CompareMode compareMode() const;
+  void setCompareMode(CompareMode mode);
+  /// Where the swipe divides the viewport, 0 (left edge) .. 1.
+  double swipeAt() const;
+  void setSwipeAt(double fraction);
 
   /// A submap to point at (selected in the tree): outlined in the accent colour.
   void setHighlighted(std::optional<map::SubmapId> id);
@@ -61,10 +71,18 @@ class MapScene : public QGraphicsScene {
   void setMeasurement(std::optional<Measurement> measurement);
 
   render::TileRenderer& renderer() { return *renderer_; }
+  /// The submaps that are drawn, in painting order.
+  std::vector<render::PlacedTexture> placedTextures() const;
+  /// The whole map that is shown or could be; nullopt while none is open.
+  std::optional<render::PlacedGrid> wholeMap() const;
   /// Occupancy in percent (0 free .. 100 occupied) at a point; nullopt where nothing was observed.
   std::optional<int> occupancyAt(const Eigen::Vector2d& world_m) const;
-  /// Every listed submap's picture is in and every visible tile is exact.
+  /// Every listed submap's picture is in, every visible map is read, and every visible tile is exact.
   bool settled() const;
+  /// Every visible tile is exact for what has arrived so far.
+  bool picturesSettled() const;
+  /// Bounds of all maps that are shown; empty when there is none.
+  geometry::WorldRect contentBounds() const;
 
   /// "Drawn as of" greying while the link is lost.
   void setStale(bool stale);
@@ -73,9 +91,16 @@ class MapScene : public QGraphicsScene {
   void viewChanged();
   void layersChanged();
   void tilesSettled();
+  void contentChanged();  // another whole map, or its end
 
  private:
   class Impl;
+  void takeLive(int what);
+  void syncColors();
+  void syncFeatures();
+  void sendWants();
+  void applyReduction();
+  void noteSettled();
   void syncPlaced(const std::vector<map::SubmapId>& ids);
   void syncAll();
 
@@ -83,6 +108,7 @@ class MapScene : public QGraphicsScene {
   geometry::ViewTransform view_;
   MapTheme theme_;
   render::ColorMode color_mode_ = render::ColorMode::Normal;
+  std::optional<render::ColorMode> drawn_color_mode_;
   std::unique_ptr<render::TileRenderer> renderer_;
   std::unique_ptr<Impl> impl_;
 };

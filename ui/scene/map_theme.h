@@ -13,6 +13,8 @@ struct MapTheme {
   QColor grid_minor, grid_major, axis;
   QColor text, text_halo;
   QColor accent, robot, robot_outline, trail, outline, outline_frozen, measure, stale_veil;
+  QColor cloud, path, trajectory, target, other_robot, constraint, region, place;
+  QColor good, warn, bad;
   QFont label_font;
   bool dark = false;
 };

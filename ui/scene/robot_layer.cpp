@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <QPainter>
@@ -12,54 +13,53 @@ constexpr double kMarkPx = 11;  // half the length of the mark
 
 }  // namespace
 
-TrailLayer::TrailLayer(const LayerContext& context, const map::LiveState& live)
-    : LayerItem(context), live_(live) {}
-
 void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  if (live_.trail.size() < 2) return;
-  QPolygonF line;
-  for (const Eigen::Vector2d& point : live_.trail) {
-    const QPointF pixel = toPoint(context_.view.pixelFromWorld(point));
-    // Points within two pixels of the one before change nothing that can be seen.
-    if (line.isEmpty() ||
-        std::abs(pixel.x() - line.last().x()) + std::abs(pixel.y() - line.last().y()) >= 2) {
-      line << pixel;
-    }
-  }
+  const auto& trail = context_.live->trail;
+  if (trail.size() < 2) return;
+  const std::vector<Eigen::Vector2d> points(trail.begin(), trail.end());
+  const double width = sizeOr(2);
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setBrush(Qt::NoBrush);
-  painter->setPen(QPen(context_.theme.trail, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter->drawPolyline(line);
+  painter->setPen(QPen(colorOr(context_.theme.trail), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  for (const QPolygonF& line : visibleLines(context_.view, points, width)) painter->drawPolyline(line);
 }
 
-RobotLayer::RobotLayer(const LayerContext& context, const map::LiveState& live)
-    : LayerItem(context), live_(live) {}
-
 QRectF RobotLayer::robotRect() const {
-  if (!live_.robot_pose) return {};
+  const map::LiveState& live = *context_.live;
+  if (!live.robot_pose) return {};
   double reach_m = 0;
-  for (const Eigen::Vector2d& corner : live_.model.footprint) reach_m = std::max(reach_m, corner.norm());
-  const double reach = std::max(kMarkPx, reach_m / context_.view.scale_m_per_px) + 4;
-  const QPointF center =
-      toPoint(context_.view.pixelFromWorld({live_.robot_pose->x_m, live_.robot_pose->y_m}));
+  for (const auto* outline : {&live.model.footprint, &live.model.expanded_footprint}) {
+    for (const Eigen::Vector2d& corner : *outline) reach_m = std::max(reach_m, corner.norm());
+  }
+  const double reach = std::max(kMarkPx, reach_m / context_.view.scale_m_per_px) + 8;
+  const QPointF center = toPoint(context_.view.pixelFromWorld({live.robot_pose->x_m, live.robot_pose->y_m}));
   return {center.x() - reach, center.y() - reach, 2 * reach, 2 * reach};
 }
 
-void RobotLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  if (!live_.robot_pose) return;
-  const geometry::Pose2& pose = *live_.robot_pose;
-  painter->setRenderHint(QPainter::Antialiasing);
-  if (live_.model.footprint.size() >= 3) {
-    QPolygonF outline;
-    for (const Eigen::Vector2d& corner : live_.model.footprint) {
-      outline << toPoint(context_.view.pixelFromWorld(pose.apply(corner)));
-    }
-    QColor fill = context_.theme.robot;
-    fill.setAlpha(70);
-    painter->setBrush(fill);
-    painter->setPen(QPen(context_.theme.robot, 1.5));
-    painter->drawPolygon(outline);
+FootprintLayer::FootprintLayer(const LayerContext& context, bool expanded)
+    : LayerItem(context), expanded_(expanded) {}
+
+void FootprintLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const map::LiveState& live = *context_.live;
+  const auto& corners = expanded_ ? live.model.expanded_footprint : live.model.footprint;
+  if (!live.robot_pose || corners.size() < 3) return;
+  QPolygonF outline;
+  for (const Eigen::Vector2d& corner : corners) {
+    outline << toPoint(context_.view.pixelFromWorld(live.robot_pose->apply(corner)));
   }
+  const QColor color = colorOr(context_.theme.robot);
+  QColor fill = color;
+  fill.setAlpha(expanded_ ? 24 : 70);
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setBrush(fill);
+  painter->setPen(QPen(color, sizeOr(1.5), expanded_ ? Qt::DashLine : Qt::SolidLine));
+  painter->drawPolygon(outline);
+}
+
+void RobotLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (!context_.live->robot_pose) return;
+  const geometry::Pose2& pose = *context_.live->robot_pose;
+  painter->setRenderHint(QPainter::Antialiasing);
   const QPointF center = toPoint(context_.view.pixelFromWorld({pose.x_m, pose.y_m}));
   const double heading = pose.yaw_rad + context_.view.rotation_rad;
   const auto at = [&](double along, double across) {

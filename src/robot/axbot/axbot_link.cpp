@@ -2,24 +2,18 @@
 
 #include <algorithm>
 
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QUrlQuery>
 
 #include "robot/axbot/parse_submap.h"
-#include "robot/axbot/parse_topics.h"
+#include "robot/axbot/raw_messages.h"
+#include "robot/axbot/robot_urls.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
 constexpr int kSubscribeAnswerMs = 3'000;
-
-const QStringList& topics() {
-  static const QStringList list{QStringLiteral("/submap_list"), QStringLiteral("/tracked_pose"),
-                                QStringLiteral("/robot_model"), QStringLiteral("/slam/state")};
-  return list;
-}
 
 std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
 
@@ -57,13 +51,14 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 }  // namespace
 
-AxbotLink::AxbotLink(LinkOptions options) : options_(std::move(options)) {}
+AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox)
+    : options_(std::move(options)), mailbox_(std::move(mailbox)) {}
 
 AxbotLink::~AxbotLink() {
   // Replies of what is under way must not reach a half-destroyed object.
   if (http_) http_->disconnect(this);
   socket_.reset();
-  http_.reset();
+  http_.reset();  // calls nobody any more, so those who ask it may go after it
 }
 
 void AxbotLink::start() {
@@ -72,6 +67,11 @@ void AxbotLink::start() {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
   }
   http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
+  maps_ = std::make_unique<MapRequests>(*http_, options_.base,
+                                        [this](const map::Problem& found) { Q_EMIT problemFound(found); });
+  grids_ = std::make_unique<GridFetcher>(
+      *http_, options_.base, [this](map::TopicMessage message) { emitTopic(std::move(message)); });
+  clock_.start();
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
   socket_ = std::make_unique<net::WebSocketLink>(
       QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
@@ -86,7 +86,9 @@ void AxbotLink::start() {
                    "may not know the topic /submap_list. Still listening.")));
   });
   connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
-    if (!topics_confirmed_) subscribeOneByOne();
+    if (topics_confirmed_) return;
+    subscriptions_.setTakesLists(false);
+    send(subscriptions_.all());
   });
   connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
@@ -97,9 +99,7 @@ void AxbotLink::start() {
       askDeviceInfo();
   });
   connect(socket_.get(), &net::WebSocketLink::textReceived, this, &AxbotLink::takeText);
-  connect(socket_.get(), &net::WebSocketLink::binaryReceived, this, [this](const QByteArray& bytes) {
-    if (const auto message = parseBinaryFrame(view(bytes))) emitTopic(*message);
-  });
+  connect(socket_.get(), &net::WebSocketLink::binaryReceived, this, &AxbotLink::takeBinary);
 }
 
 void AxbotLink::open() {
@@ -113,15 +113,10 @@ void AxbotLink::close() {
   if (!http_) return;
   list_timer_->stop();
   subscribe_timer_->stop();
-  cancelAll();
+  http_->cancelAll();
+  grids_->cancelAll();
   socket_->close();
   publishState();
-}
-
-QUrl AxbotLink::urlOf(const QString& path) const {
-  QUrl url = options_.base;
-  url.setPath(options_.base.path() + path);
-  return url;
 }
 
 QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const {
@@ -146,7 +141,7 @@ void AxbotLink::askDeviceInfo() {
   if (device_info_asked_) return;
   device_info_asked_ = true;
   net::HttpRequest request;
-  request.url = urlOf(QStringLiteral("/device/info"));
+  request.url = urlOnRobot(options_.base, QStringLiteral("/device/info"));
   request.timeout = std::chrono::milliseconds(5'000);
   request.max_bytes = qint64(4) << 20;
   http_->get(request, [this](const net::HttpAnswer& answer) { takeDeviceInfo(answer); });
@@ -161,7 +156,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     identity.serial = memberText(info, {"sn", "serial", "serial_number"});
     identity.name = memberText(info, {"nickname", "name"});
     identity.version = memberText(info, {"axbot_version", "version", "software_version"});
-    takes_topic_lists_ = findMember(info, {"supportsEnableTopicList"}).toBool(false);
+    subscriptions_.setTakesLists(findMember(info, {"supportsEnableTopicList"}).toBool(false));
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
@@ -173,30 +168,35 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
 }
 
 void AxbotLink::subscribe() {
-  if (list_timer_) list_timer_->start(options_.list_expected_within);
-  if (!takes_topic_lists_) {
-    subscribeOneByOne();
-    return;
-  }
-  const QJsonObject request{{QStringLiteral("enable_topic"), QJsonArray::fromStringList(topics())}};
-  socket_->sendText(QString::fromUtf8(QJsonDocument(request).toJson(QJsonDocument::Compact)));
+  list_timer_->start(options_.list_expected_within);
+  send(subscriptions_.all());
   // Some firmware claims lists and ignores them.
-  subscribe_timer_->start(kSubscribeAnswerMs);
+  if (subscriptions_.takesLists()) subscribe_timer_->start(kSubscribeAnswerMs);
 }
 
-void AxbotLink::subscribeOneByOne() {
-  for (const QString& topic : topics()) {
-    const QJsonObject request{{QStringLiteral("enable_topic"), topic}};
-    socket_->sendText(QString::fromUtf8(QJsonDocument(request).toJson(QJsonDocument::Compact)));
-  }
+void AxbotLink::setWantedTopics(const QStringList& topics) {
+  start();
+  const QStringList requests = subscriptions_.setWanted(topics);
+  // While it is not known yet whether it takes lists, everything is asked for later, at once.
+  if (device_info_answered_) send(requests);
+}
+
+void AxbotLink::send(const QStringList& requests) {
+  for (const QString& request : requests) socket_->sendText(request);
 }
 
 void AxbotLink::takeText(const QByteArray& utf8) {
-  const TextFrame frame = parseTextFrame(view(utf8));
+  TextFrame frame = topic_reader_.read(view(utf8));
+  if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
+    Q_EMIT rawReceived(rawText(frame.topic, view(utf8)));
+  }
   if (frame.message) {
-    emitTopic(*frame.message);
+    emitTopic(std::move(*frame.message));
+  } else if (frame.grid_to_fetch) {
+    grids_->fetch(std::move(*frame.grid_to_fetch));
   } else if (frame.enabled_topics) {
-    takeEnabledTopics(*frame.enabled_topics);
+    const auto& enabled = *frame.enabled_topics;
+    if (std::find(enabled.begin(), enabled.end(), "/submap_list") != enabled.end()) topics_confirmed_ = true;
   } else if (!frame.error.empty()) {
     Q_EMIT problemFound(
         problem(map::Severity::Warning,
@@ -204,16 +204,27 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   }
 }
 
-void AxbotLink::takeEnabledTopics(const std::vector<std::string>& enabled) {
-  if (std::find(enabled.begin(), enabled.end(), "/submap_list") != enabled.end()) topics_confirmed_ = true;
+void AxbotLink::takeBinary(const QByteArray& bytes) {
+  if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
+    Q_EMIT rawReceived(rawBinary(view(bytes)));
+  if (auto message = parseBinaryFrame(view(bytes))) emitTopic(std::move(*message));
 }
 
-void AxbotLink::emitTopic(const map::TopicMessage& message) {
+void AxbotLink::emitTopic(map::TopicMessage message) {
   if (std::holds_alternative<map::SubmapList>(message)) {
     topics_confirmed_ = true;
     list_timer_->stop();
   }
-  Q_EMIT topicReceived(message);
+  if (!TopicMailbox::takes(message)) {
+    Q_EMIT topicReceived(message);
+  } else if (mailbox_->put(std::move(message))) {
+    Q_EMIT mailArrived();
+  }
+}
+
+MapRequests& AxbotLink::maps() {
+  start();
+  return *maps_;
 }
 
 void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <QUrl>
@@ -14,6 +15,12 @@
 #include "net/http_cache.h"
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
+#include "robot/axbot/grid_fetcher.h"
+#include "robot/axbot/map_requests.h"
+#include "robot/axbot/parse_topics.h"
+#include "robot/axbot/raw_messages.h"
+#include "robot/axbot/topic_mailbox.h"
+#include "robot/axbot/topic_subscriptions.h"
 #include "robot/robot.h"
 
 namespace mapwright::robot::axbot {
@@ -32,19 +39,25 @@ struct LinkOptions {
 class AxbotLink : public QObject {
   Q_OBJECT
  public:
-  explicit AxbotLink(LinkOptions options);
+  /// Large messages go into `mailbox`, which is shared with whoever takes them.
+  AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox);
   ~AxbotLink() override;
 
   void open();
   void close();
   void fetch(quint64 ticket, const map::SubmapKey& key);
   void cancel(const map::SubmapKey& key);
-  void cancelAll();
+  void cancelAll();  // the fetches of submaps
+  void setWantedTopics(const QStringList& topics);
+  void setWatching(bool on) { watching_ = on; }
+  MapRequests& maps();
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
   void identityChanged(const mapwright::robot::RobotIdentity& identity);
   void topicReceived(const mapwright::map::TopicMessage& message);
+  void mailArrived();  // the mailbox was empty and is no more
+  void rawReceived(const mapwright::robot::RawMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
   void answered(quint64 ticket, const mapwright::map::SubmapAnswer& answer);
 
@@ -53,26 +66,32 @@ class AxbotLink : public QObject {
   void askDeviceInfo();
   void takeDeviceInfo(const net::HttpAnswer& answer);
   void subscribe();
-  void subscribeOneByOne();
+  void send(const QStringList& requests);
   void takeText(const QByteArray& utf8);
-  void takeEnabledTopics(const std::vector<std::string>& topics);
+  void takeBinary(const QByteArray& bytes);
   void takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket);
-  void emitTopic(const map::TopicMessage& message);
+  void emitTopic(map::TopicMessage message);
   void publishState();
-  QUrl urlOf(const QString& path) const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
   map::Problem problem(map::Severity severity, const QString& sentence) const;
 
   LinkOptions options_;
+  std::shared_ptr<TopicMailbox> mailbox_;
+  TopicReader topic_reader_;
+  TopicSubscriptions subscriptions_;
+  RawLimit raw_limit_;
+  QElapsedTimer clock_;
   std::unique_ptr<net::HttpCache> cache_;
   std::unique_ptr<net::HttpClient> http_;
+  std::unique_ptr<MapRequests> maps_;
+  std::unique_ptr<GridFetcher> grids_;
   std::unique_ptr<net::WebSocketLink> socket_;
   std::unique_ptr<QTimer> list_timer_, subscribe_timer_;
   bool wanted_ = false;
   bool device_info_answered_ = false;
   bool device_info_asked_ = false;
-  bool takes_topic_lists_ = false;
   bool topics_confirmed_ = false;
+  bool watching_ = false;
   std::map<map::SubmapKey, net::HttpClient::RequestId> under_way_;
 };
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <limits>
 #include <zlib.h>
 
+#include "robot/axbot/parse_binary_cloud.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
 #include "ros_messages/wrapper.pb.h"
@@ -8,8 +10,8 @@
 namespace mapwright::robot::axbot {
 namespace {
 
-// A list of 100,000 submaps takes about 10 MB.
-constexpr std::size_t kMaxInflated = std::size_t(32) << 20;
+// A list of 100,000 submaps takes about 10 MB, a cloud of 2 million points about 20 MB.
+constexpr std::size_t kMaxInflated = std::size_t(64) << 20;
 
 /// Inflates gzip or zlib data of unknown size up to kMaxInflated; nullopt when broken, cut off or larger.
 std::optional<std::string> inflateBounded(std::string_view packed) {
@@ -35,28 +37,40 @@ std::optional<std::string> inflateBounded(std::string_view packed) {
 
 }  // namespace
 
-std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
+tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes) {
   const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
   if (bytes.size() < length + 2) {
-    return map::UnreadableMessage{"(unknown)", "A binary message of " + std::to_string(bytes.size()) +
-                                                   " bytes is too short to be read. It was left out."};
+    return tl::make_unexpected(
+        map::UnreadableMessage{"(unknown)", "A binary message of " + std::to_string(bytes.size()) +
+                                                " bytes is too short to be read. It was left out."});
   }
-  const std::string topic(bytes.substr(1, length));
-  if (topic != "/submap_list") return std::nullopt;
-  std::string_view body = bytes.substr(length + 2);
-  std::string inflated;
-  if (bytes[length + 1] != 0) {
-    auto unpacked = inflateBounded(body);
-    if (!unpacked) {
-      return map::UnreadableMessage{topic,
-                                    "A compressed message could not be unpacked. The list before it stays."};
-    }
-    inflated = std::move(*unpacked);
-    body = inflated;
+  BinaryFrame frame;
+  frame.topic = bytes.substr(1, length);
+  const std::string_view body = bytes.substr(length + 2);
+  if (bytes[length + 1] == 0) {
+    frame.body = body;
+    return frame;
   }
+  auto unpacked = inflateBounded(body);
+  if (!unpacked) {
+    return tl::make_unexpected(map::UnreadableMessage{
+        frame.topic, "A compressed message could not be unpacked. What was shown before stays."});
+  }
+  frame.body = std::move(*unpacked);
+  return frame;
+}
+
+std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
+  const auto frame = unpackBinaryFrame(bytes);
+  if (!frame) return frame.error();
   ros_messages::RosMessageWrapper wrapper;
-  if (!wrapper.ParseFromArray(body.data(), int(body.size())) || !wrapper.has_submap_list()) {
-    return map::UnreadableMessage{topic, "A binary message could not be read. The list before it stays."};
+  const bool read = frame->body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
+                    wrapper.ParseFromArray(frame->body.data(), int(frame->body.size()));
+  if (read && wrapper.has_point_cloud()) return readCloud(frame->topic, wrapper.point_cloud());
+  if (frame->topic != "/submap_list") return std::nullopt;
+  if (!read || !wrapper.has_submap_list()) {
+    return map::UnreadableMessage{frame->topic,
+                                  "A binary message could not be read. The list before it stays."};
   }
   return toSubmapList(wrapper.submap_list());
 }

@@ -7,24 +7,54 @@
 #include <string_view>
 #include <vector>
 
+#include <QStringList>
+#include <tl/expected.hpp>
+
 #include "map/live_topics.h"
+#include "robot/wire/read_json.h"
 
 namespace mapwright::robot::axbot {
+
+/// A picture topic whose picture has to be fetched yet.
+struct GridToFetch {
+  map::GridMessage grid;  // without png and fingerprint
+  std::string data_url;   // as the robot wrote it
+};
 
 /// What a text frame was.
 struct TextFrame {
   std::string topic;                         // empty for answers
   std::optional<map::TopicMessage> message;  // a topic that mapwright knows, or UnreadableMessage
+  std::optional<GridToFetch> grid_to_fetch;
   std::optional<std::vector<std::string>> enabled_topics;  // the answer to enable_topic
   std::string error;                                       // the robot's own error text
 };
 
-/// Reads a text frame. Literal NaN and Infinity (not JSON, but sent by robots) and numbers beyond any type
-/// count as null.
+/// Reads text frames one after the other, keeping the parser's memory. Literal NaN and Infinity (not JSON,
+/// but sent by robots) and numbers beyond any type count as null.
+class TopicReader {
+ public:
+  TextFrame read(std::string_view utf8);
+
+ private:
+  wire::JsonReader json_;
+};
+
+/// The same for a single frame.
 TextFrame parseTextFrame(std::string_view utf8);
 
-/// Reads a binary frame (?pb=1): topic length, topic, gzip flag, RosMessageWrapper. nullopt for topics that
-/// are not ours; UnreadableMessage when it cannot be read.
+/// What a binary frame (?pb=1) holds: topic length, topic, gzip flag, RosMessageWrapper.
+struct BinaryFrame {
+  std::string topic;
+  std::string body;  // unpacked; empty when it could not be read
+};
+/// The error is the message that says what is wrong.
+tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes);
+
+/// Reads a binary frame. nullopt for topics that are not ours; UnreadableMessage when it cannot be read.
 std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes);
+
+/// The topics that are understood, for completion and layers.
+QStringList knownTopics();
 
 }  // namespace mapwright::robot::axbot

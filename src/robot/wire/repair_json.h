@@ -4,10 +4,14 @@
 #include <string>
 #include <string_view>
 
-namespace mapwright::robot::axbot {
+namespace mapwright::robot::wire {
 
 /// The text with NaN, Infinity, -Infinity and numbers that no type holds replaced by null, outside of
 /// strings.
 std::string repairNumbers(std::string_view text);
 
-}  // namespace mapwright::robot::axbot
+/// The text with every whole number of more than 15 digits made a string, so that no digit is lost on its way
+/// through a double.
+std::string quoteLongNumbers(std::string_view text);
+
+}  // namespace mapwright::robot::wire

@@ -1,0 +1,141 @@
+#include "app/map_diff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include <QFile>
+#include <QSaveFile>
+#include <spng.h>
+
+#include "render/grid_palettes.h"
+
+namespace mapwright::app {
+namespace {
+
+constexpr int kStrip = 256;  // rows
+constexpr double kMostCells = double(std::int64_t(1) << 34);
+
+/// Writes RGB rows into a PNG, aside, then moved into place.
+class RgbPng {
+ public:
+  explicit RgbPng(const QString& path) : path_(path), part_(path + QStringLiteral(".part")) {}
+  ~RgbPng() {
+    encoder_.reset();
+    if (file_) std::fclose(file_);
+    if (!part_.isEmpty()) QFile::remove(part_);
+  }
+  bool begin(int width, int height) {
+    file_ = std::fopen(QFile::encodeName(part_).constData(), "wb");
+    encoder_.reset(spng_ctx_new(SPNG_CTX_ENCODER));
+    spng_ihdr header{};
+    header.width = std::uint32_t(width);
+    header.height = std::uint32_t(height);
+    header.bit_depth = 8;
+    header.color_type = SPNG_COLOR_TYPE_TRUECOLOR;
+    return file_ && encoder_ && spng_set_png_file(encoder_.get(), file_) == 0 &&
+           spng_set_ihdr(encoder_.get(), &header) == 0 &&
+           spng_encode_image(encoder_.get(), nullptr, 0, SPNG_FMT_PNG,
+                             SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE) == 0;
+  }
+  bool row(const std::vector<std::uint8_t>& rgb) {
+    const int result = spng_encode_row(encoder_.get(), rgb.data(), rgb.size());
+    return result == 0 || result == SPNG_EOI;
+  }
+  bool end() {
+    encoder_.reset();
+    const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
+    const bool moved = closed && std::rename(QFile::encodeName(part_).constData(),
+                                             QFile::encodeName(path_).constData()) == 0;
+    if (moved) part_.clear();
+    return moved;
+  }
+
+ private:
+  QString path_, part_;
+  std::FILE* file_ = nullptr;
+  std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder_{nullptr, &spng_ctx_free};
+};
+
+}  // namespace
+
+bool MapDiff::same() const {
+  using render::Difference;
+  for (const Difference what :
+       {Difference::Appeared, Difference::Vanished, Difference::OnlyFirst, Difference::OnlySecond}) {
+    if (cells[std::size_t(what)] != 0) return false;
+  }
+  return levels_differ == 0;
+}
+
+tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const render::PlacedGrid& second,
+                                        const QString& picture_path) {
+  // The second map's corners in cells of the first.
+  double left = 0, top = 0, right = first.reference.width, bottom = first.reference.height;
+  for (const double x : {0.0, double(second.reference.width)}) {
+    for (const double y : {0.0, double(second.reference.height)}) {
+      const Eigen::Vector2d cell = first.reference.cellFromWorld(second.reference.worldFromCell({x, y}));
+      left = std::min(left, std::floor(cell.x() + 1e-6));
+      top = std::min(top, std::floor(cell.y() + 1e-6));
+      right = std::max(right, std::ceil(cell.x() - 1e-6));
+      bottom = std::max(bottom, std::ceil(cell.y() - 1e-6));
+    }
+  }
+  if (!((right - left) * (bottom - top) <= kMostCells)) {
+    return tl::make_unexpected(
+        QStringLiteral("The two maps lie too far apart, or are too large, to be compared cell by cell."));
+  }
+  MapDiff diff;
+  diff.width = int(right - left);
+  diff.height = int(bottom - top);
+  diff.cell_area_m2 = first.reference.resolution_m * first.reference.resolution_m;
+  render::PixelGrid strip;
+  strip.origin_m = first.reference.worldFromCell({left, top});
+  strip.scale_m_per_px = first.reference.resolution_m;
+  strip.rotation_rad = -first.reference.origin.yaw_rad;
+  strip.width_px = diff.width;
+  const raster::CellMeaning& meaning_a = raster::meaningOf(first.cells->code());
+  const raster::CellMeaning& meaning_b = raster::meaningOf(second.cells->code());
+  const bool comparable = first.cells->code() == second.cells->code();
+
+  const render::GridPalette palette = render::differencePalette(false);
+  std::vector<std::uint8_t> rgb(std::size_t(diff.width) * 3);
+  std::unique_ptr<RgbPng> picture;
+  const auto cannotWrite = [&] {
+    return tl::make_unexpected(QStringLiteral("%1 cannot be written.").arg(picture_path));
+  };
+  if (!picture_path.isEmpty()) {
+    picture = std::make_unique<RgbPng>(picture_path);
+    if (!picture->begin(diff.width, diff.height)) return cannotWrite();
+  }
+  for (int row = 0; row < diff.height; row += kStrip) {
+    strip.first_row = row;
+    strip.height_px = std::min(kStrip, diff.height - row);
+    const render::Composition a = render::sampleGrid(strip, first, nullptr);
+    const render::Composition b = render::sampleGrid(strip, second, nullptr);
+    std::size_t at = 0;
+    for (int y = 0; y < strip.height_px; ++y) {
+      for (int x = 0; x < strip.width_px; ++x, ++at) {
+        const std::uint8_t cell_a = a.intensity[at], cell_b = b.intensity[at];
+        const bool known_a = a.flags[at] && meaning_a.known[cell_a];
+        const bool known_b = b.flags[at] && meaning_b.known[cell_b];
+        const render::Difference what =
+            render::differenceOf(known_a, meaning_a.occupancy[cell_a], known_b, meaning_b.occupancy[cell_b]);
+        ++diff.cells[std::size_t(what)];
+        const bool alike = what == render::Difference::SameFree || what == render::Difference::SameOccupied;
+        if (alike && comparable && cell_a != cell_b) ++diff.levels_differ;
+        const std::uint32_t color = palette[std::size_t(what)] ? palette[std::size_t(what)] : 0xffd5dae0;
+        rgb[std::size_t(x) * 3] = std::uint8_t(color >> 16);
+        rgb[std::size_t(x) * 3 + 1] = std::uint8_t(color >> 8);
+        rgb[std::size_t(x) * 3 + 2] = std::uint8_t(color);
+      }
+      if (picture && !picture->row(rgb)) return cannotWrite();
+    }
+  }
+  if (picture && !picture->end()) return cannotWrite();
+  return diff;
+}
+
+}  // namespace mapwright::app

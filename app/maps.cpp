@@ -1,0 +1,328 @@
+#include "app/maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <QApplication>
+#include <QDateTime>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+
+#include "app/display.h"
+#include "app/exit_code.h"
+#include "app/map_diff.h"
+#include "app/map_reading.h"
+#include "app/secret.h"
+#include "raster/export_grid.h"
+
+namespace mapwright::app {
+namespace {
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+/// Control characters of a robot's names do not reach the terminal.
+QString plain(const std::string& name) {
+  QString out = text(name).simplified();
+  for (QChar& c : out) {
+    if (c.category() == QChar::Other_Control) c = QChar(0xfffd);
+  }
+  return out;
+}
+
+int refuse(const CommandFailure& failure) {
+  std::fprintf(stderr, "%s\n", qUtf8Printable(failure.sentence));
+  return failure.exit_code;
+}
+
+void print(const QJsonDocument& json) { std::printf("%s", json.toJson().constData()); }
+
+QString dateText(std::optional<double> epoch_s) {
+  if (!epoch_s || !(*epoch_s > 0) || *epoch_s > 4e11) return QStringLiteral("-");
+  return QDateTime::fromMSecsSinceEpoch(qint64(*epoch_s * 1000)).toString(QStringLiteral("yyyy-MM-dd hh:mm"));
+}
+
+QJsonValue jsonOr(const std::optional<int>& number) { return number ? QJsonValue(*number) : QJsonValue(); }
+
+QJsonObject jsonOf(const map::GridReference& grid) {
+  return {{QStringLiteral("size"), QJsonArray{grid.width, grid.height}},
+          {QStringLiteral("resolution"), grid.resolution_m},
+          {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
+}
+
+QJsonObject jsonOf(const map::CatalogueEntry& row) {
+  QJsonObject json{{QStringLiteral("id"), text(map::toText(row.key))},
+                   {QStringLiteral("name"), text(row.name)},
+                   {QStringLiteral("uid"), text(row.uid)},
+                   {QStringLiteral("kind"), row.key.kind == map::MapKind::Mapping ? QStringLiteral("mapping")
+                                            : row.key.kind == map::MapKind::File  ? QStringLiteral("file")
+                                                                                  : QStringLiteral("map")},
+                   {QStringLiteral("current"), row.is_current},
+                   {QStringLiteral("map_version"), jsonOr(row.map_version)},
+                   {QStringLiteral("overlays_version"), jsonOr(row.overlays_version)},
+                   {QStringLiteral("created"), row.created_s ? QJsonValue(*row.created_s) : QJsonValue()},
+                   {QStringLiteral("modified"), row.modified_s ? QJsonValue(*row.modified_s) : QJsonValue()}};
+  if (!row.state.empty()) json[QStringLiteral("state")] = text(row.state);
+  if (row.grid) json[QStringLiteral("grid")] = jsonOf(*row.grid);
+  return json;
+}
+
+/// Columns as wide as their widest cell; names last, for they may be of any width.
+void printTable(const std::vector<QStringList>& rows) {
+  std::vector<qsizetype> widths;
+  for (const QStringList& row : rows) {
+    widths.resize(std::max(widths.size(), std::size_t(row.size())));
+    for (qsizetype i = 0; i < row.size(); ++i)
+      widths[std::size_t(i)] = std::max(widths[std::size_t(i)], row[i].size());
+  }
+  for (const QStringList& row : rows) {
+    QString line;
+    for (qsizetype i = 0; i < row.size(); ++i) {
+      line += i + 1 == row.size() ? row[i] : row[i].leftJustified(widths[std::size_t(i)] + 2);
+    }
+    std::printf("%s\n", qUtf8Printable(line));
+  }
+}
+
+QStringList rowOf(const map::CatalogueEntry& row) {
+  const QString version = row.map_version ? QStringLiteral("v%1").arg(*row.map_version) : text(row.state);
+  return {row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
+          version.isEmpty() ? QStringLiteral("-") : version,
+          dateText(row.modified_s ? row.modified_s : row.created_s), plain(row.name)};
+}
+
+using Opened = CommandResult<std::unique_ptr<MapReading>>;
+Opened openRobot(const QString& address, const MapsWords& words) {
+  const auto secret = readSecret(text(words.secret_file));
+  if (!secret) return tl::make_unexpected(CommandFailure{kUsage, secret.error()});
+  if (!(words.timeout_s > 0 && words.timeout_s <= 86'400)) {
+    return tl::make_unexpected(
+        CommandFailure{kUsage, QStringLiteral("--timeout must be more than 0 and at most 86400 seconds.")});
+  }
+  return MapReading::open(address, *secret, words.timeout_s);
+}
+
+/// A command's frame: an application without a display, and what it ends with.
+template <typename Command>
+int run(int& argc, char** argv, Command command) {
+  chooseOffscreenPlatform();
+  QApplication application(argc, argv);
+  const CommandResult<int> result = command();
+  return result ? *result : refuse(result.error());
+}
+
+bool looksLikeFile(const QString& operand) {
+  return operand.startsWith(QLatin1String("file:")) || operand.contains(QLatin1Char('/')) ||
+         QFileInfo(operand).isFile() || operand.contains(QLatin1String("+http")) ||
+         operand.startsWith(QLatin1String("demo:"));
+}
+
+}  // namespace
+
+int mapsList(const MapsWords& words, int& argc, char** argv) {
+  return run(argc, argv, [&]() -> CommandResult<int> {
+    auto robot = openRobot(text(words.robot), words);
+    if (!robot) return tl::make_unexpected(robot.error());
+    const auto rows = (*robot)->catalogue();
+    if (!rows) return tl::make_unexpected(rows.error());
+    if (words.json) {
+      QJsonArray list;
+      for (const map::CatalogueEntry& row : **rows) list << jsonOf(row);
+      print(QJsonDocument(list));
+      return kDone;
+    }
+    if ((*rows)->empty()) {
+      std::printf("There is no map.\n");
+      return kDone;
+    }
+    std::vector<QStringList> table{{QStringLiteral(" "), QStringLiteral("ID"), QStringLiteral("VERSION"),
+                                    QStringLiteral("DATE"), QStringLiteral("NAME")}};
+    for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
+    printTable(table);
+    return kDone;
+  });
+}
+
+int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
+  return run(argc, argv, [&]() -> CommandResult<int> {
+    auto robot = openRobot(text(words.robot), words);
+    if (!robot) return tl::make_unexpected(robot.error());
+    const auto rows = (*robot)->catalogue();
+    if (!rows) return tl::make_unexpected(rows.error());
+    const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
+    if (!current) {
+      return tl::make_unexpected(CommandFailure{
+          kRobotError, QStringLiteral("%1: none of its maps is the current one.").arg(text(words.robot))});
+    }
+    if (words.json) {
+      print(QJsonDocument(jsonOf(*current)));
+    } else {
+      std::printf("%s  %s\n", map::toText(current->key).c_str(), qUtf8Printable(plain(current->name)));
+    }
+    return kDone;
+  });
+}
+
+int mapsShow(const MapsWords& words, int& argc, char** argv) {
+  return run(argc, argv, [&]() -> CommandResult<int> {
+    auto robot = openRobot(text(words.robot), words);
+    if (!robot) return tl::make_unexpected(robot.error());
+    const auto placed = (*robot)->map(text(words.id), words.resolution_m);
+    if (!placed) return tl::make_unexpected(placed.error());
+    session::Session& session = (*robot)->session();
+    const map::WholeMap& shown = session.wholeMap().shown();
+    const map::CatalogueEntry* const row = session.catalogue().find(shown.key);
+    QJsonObject json = row ? jsonOf(*row)
+                           : QJsonObject{{QStringLiteral("id"), text(map::toText(shown.key))},
+                                         {QStringLiteral("name"), (*robot)->nameOfMap()}};
+    json[QStringLiteral("grid")] = jsonOf(placed->reference);
+    json[QStringLiteral("overlays")] = int(shown.overlays.size());
+    json[QStringLiteral("trajectories")] = int(shown.trajectories.size());
+    json[QStringLiteral("landmarks")] = int(shown.landmarks.size());
+    QJsonArray points;
+    for (const map::Waypoint& point : session.wholeMap().waypoints().points) {
+      points << QJsonObject{
+          {QStringLiteral("id"), text(point.id)},
+          {QStringLiteral("name"), text(point.name)},
+          {QStringLiteral("type"), text(point.type)},
+          {QStringLiteral("x"), point.position_m.x()},
+          {QStringLiteral("y"), point.position_m.y()},
+          {QStringLiteral("yaw"), point.yaw_rad ? QJsonValue(*point.yaw_rad) : QJsonValue()}};
+    }
+    json[QStringLiteral("waypoints")] = points;
+    if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
+    if (words.json) {
+      print(QJsonDocument(json));
+      return kDone;
+    }
+    const map::GridReference& grid = placed->reference;
+    std::vector<QStringList> table{
+        {QStringLiteral("id"), text(map::toText(shown.key))},
+        {QStringLiteral("name"), plain((*robot)->nameOfMap().toStdString())},
+        {QStringLiteral("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
+        {QStringLiteral("resolution"), QStringLiteral("%1 m").arg(grid.resolution_m)},
+        {QStringLiteral("origin"), QStringLiteral("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
+                                       .arg(grid.origin.x_m)
+                                       .arg(grid.origin.y_m)
+                                       .arg(grid.origin.yaw_rad)},
+        {QStringLiteral("extent"), QStringLiteral("%1 m x %2 m")
+                                       .arg(grid.width * grid.resolution_m, 0, 'f', 2)
+                                       .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
+    if (row) {
+      table.push_back({QStringLiteral("date"), dateText(row->modified_s ? row->modified_s : row->created_s)});
+      table.push_back(
+          {QStringLiteral("current"), row->is_current ? QStringLiteral("yes") : QStringLiteral("no")});
+    }
+    table.push_back({QStringLiteral("overlays"), QString::number(shown.overlays.size())});
+    for (const map::Waypoint& point : session.wholeMap().waypoints().points) {
+      table.push_back(
+          {QStringLiteral("point"),
+           QStringLiteral("%1 %2  x %3 m, y %4 m%5")
+               .arg(plain(point.id), plain(point.name))
+               .arg(point.position_m.x())
+               .arg(point.position_m.y())
+               .arg(point.yaw_rad ? QStringLiteral(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
+    }
+    printTable(table);
+    return kDone;
+  });
+}
+
+int mapsExport(const MapsWords& words, int& argc, char** argv) {
+  return run(argc, argv, [&]() -> CommandResult<int> {
+    const auto wrong = [](const QString& sentence) {
+      return tl::make_unexpected(CommandFailure{kUsage, sentence});
+    };
+    const QString output = text(words.output);
+    const QString suffix = QFileInfo(output).suffix().toLower();
+    QString format = words.format.empty() ? suffix : text(words.format);
+    if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
+    if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
+      return wrong(
+          QStringLiteral("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
+                         "--format png or pgm.")
+              .arg(output));
+    }
+    const QFileInfo folder(QFileInfo(output).absolutePath());
+    if (!folder.isDir() || !folder.isWritable()) {
+      return wrong(QStringLiteral("%1 cannot be written: there is no writable folder %2.")
+                       .arg(output, folder.filePath()));
+    }
+    auto robot = openRobot(text(words.robot), words);
+    if (!robot) return tl::make_unexpected(robot.error());
+    const auto placed = (*robot)->map(text(words.id), words.resolution_m);
+    if (!placed) return tl::make_unexpected(placed.error());
+    const auto error = format == QLatin1String("png")
+                           ? raster::writeGridPng(*placed->cells, words.output)
+                           : raster::writeMapServer(*placed->cells, placed->reference, words.output);
+    if (error) return wrong(text(*error));
+    if (words.world_file) {
+      const QString path = folder.filePath() + QLatin1Char('/') + QFileInfo(output).completeBaseName() +
+                           QStringLiteral(".pgw");
+      QSaveFile file(path);
+      const std::string lines = raster::worldFileText(placed->reference);
+      if (!file.open(QIODevice::WriteOnly) || file.write(lines.data(), qint64(lines.size())) < 0 ||
+          !file.commit()) {
+        return wrong(QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString()));
+      }
+    }
+    const bool broken = (*robot)->session().wholeMap().broken();
+    std::printf("%s: %d x %d cells of %g m\n", words.output.c_str(), placed->reference.width,
+                placed->reference.height, placed->reference.resolution_m);
+    return broken ? kIncomplete : kDone;
+  });
+}
+
+int mapsDiff(const MapsWords& words, int& argc, char** argv) {
+  return run(argc, argv, [&]() -> CommandResult<int> {
+    std::vector<std::unique_ptr<MapReading>> readings;
+    std::vector<render::PlacedGrid> maps;
+    for (const std::string& word : {words.first, words.second}) {
+      const QString operand = text(word);
+      const bool other = looksLikeFile(operand);
+      auto robot = openRobot(other ? operand : text(words.robot), words);
+      if (!robot) return tl::make_unexpected(robot.error());
+      const auto placed = (*robot)->map(other ? QString() : operand, words.resolution_m);
+      if (!placed) return tl::make_unexpected(placed.error());
+      maps.push_back(*placed);
+      readings.push_back(std::move(*robot));
+    }
+    const auto diff = diffMaps(maps[0], maps[1], text(words.diff_picture));
+    if (!diff) return tl::make_unexpected(CommandFailure{kUsage, diff.error()});
+    using render::Difference;
+    const auto cells = [&](Difference what) { return qint64(diff->cells[std::size_t(what)]); };
+    const std::vector<std::pair<const char*, Difference>> kinds{
+        {"appeared", Difference::Appeared},    {"vanished", Difference::Vanished},
+        {"only_first", Difference::OnlyFirst}, {"only_second", Difference::OnlySecond},
+        {"same_free", Difference::SameFree},   {"same_occupied", Difference::SameOccupied}};
+    if (words.json) {
+      QJsonObject json{{QStringLiteral("same"), diff->same()},
+                       {QStringLiteral("size"), QJsonArray{diff->width, diff->height}},
+                       {QStringLiteral("cell_area_m2"), diff->cell_area_m2},
+                       {QStringLiteral("levels_differ"), qint64(diff->levels_differ)}};
+      for (const auto& [name, what] : kinds) json[QLatin1String(name)] = cells(what);
+      print(QJsonDocument(json));
+    } else {
+      std::vector<QStringList> table;
+      const auto row = [&](const QString& name, qint64 count) {
+        table.push_back({name, QStringLiteral("%1 cells").arg(count),
+                         QStringLiteral("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 2)});
+      };
+      row(QStringLiteral("occupied in the second only"), cells(Difference::Appeared));
+      row(QStringLiteral("occupied in the first only"), cells(Difference::Vanished));
+      row(QStringLiteral("known in the first only"), cells(Difference::OnlyFirst));
+      row(QStringLiteral("known in the second only"), cells(Difference::OnlySecond));
+      row(QStringLiteral("alike, of another gray level"), diff->levels_differ);
+      row(QStringLiteral("free in both"), cells(Difference::SameFree));
+      row(QStringLiteral("occupied in both"), cells(Difference::SameOccupied));
+      printTable(table);
+      std::printf("%s\n", diff->same() ? "The maps are the same." : "The maps differ.");
+    }
+    return diff->same() ? kDone : kIncomplete;
+  });
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,26 @@
+// `mapwright maps …`: the catalogue of a robot or a folder, exports and differences (cli.md).
+#pragma once
+
+#include <string>
+
+namespace mapwright::app {
+
+/// The words as typed; empty = not given.
+struct MapsWords {
+  std::string robot, secret_file;
+  std::string id;             // show, export: a map (12, mapping:48, live, submaps)
+  std::string first, second;  // diff: a map of the robot, or a file
+  std::string output, format, diff_picture;
+  double resolution_m = 0.05;  // export submaps
+  double timeout_s = 60;
+  bool json = false, world_file = false;
+};
+
+/// The exit code (cli.md).
+int mapsList(const MapsWords& words, int& argc, char** argv);
+int mapsShow(const MapsWords& words, int& argc, char** argv);
+int mapsCurrent(const MapsWords& words, int& argc, char** argv);
+int mapsExport(const MapsWords& words, int& argc, char** argv);
+int mapsDiff(const MapsWords& words, int& argc, char** argv);
+
+}  // namespace mapwright::app

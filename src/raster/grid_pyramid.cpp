@@ -1,0 +1,13 @@
+#include "raster/grid_pyramid.h"
+
+namespace mapwright::raster {
+
+std::uint8_t GridPyramid::at(int column, int row) const {
+  const std::uint8_t unknown = code() == CellCode::Gray ? kTransparentGray : kUnknownOccupancy;
+  if (column < 0 || row < 0 || column >= width() || row >= height()) return unknown;
+  const auto found = tile(0, column / kTileEdge, row / kTileEdge);
+  if (!found) return unknown;
+  return found->cells.get()[(row % kTileEdge) * kTileEdge + column % kTileEdge];
+}
+
+}  // namespace mapwright::raster

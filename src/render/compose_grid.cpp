@@ -1,0 +1,104 @@
+#include "render/compose_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace mapwright::render {
+namespace {
+
+constexpr int kStrip = 256;      // rows
+constexpr int kColumns = 2'048;  // of one composed window
+
+/// An observed intensity as the nearest gray level that is known.
+std::array<std::uint8_t, 256> knownGrays() {
+  const raster::CellMeaning& meaning = raster::meaningOf(raster::CellCode::Gray);
+  std::array<std::uint8_t, 256> table{};
+  for (int gray = 0; gray < 256; ++gray) {
+    for (int away = 0; away < 256; ++away) {
+      const int up = gray + away, down = gray - away;
+      if (down >= 0 && meaning.known[std::size_t(down)]) {
+        table[std::size_t(gray)] = std::uint8_t(down);
+        break;
+      }
+      if (up < 256 && meaning.known[std::size_t(up)]) {
+        table[std::size_t(gray)] = std::uint8_t(up);
+        break;
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTexture> textures,
+                                                    double resolution_m, DenseCache& cache,
+                                                    const std::function<bool(double)>& proceed) {
+  const auto fail = [](std::string sentence) { return tl::make_unexpected(std::move(sentence)); };
+  if (!(resolution_m > 0) || !std::isfinite(resolution_m)) return fail("The resolution must be more than 0.");
+  std::vector<geometry::WorldRect> rects;
+  geometry::WorldRect bounds;
+  for (const PlacedTexture& texture : textures) {
+    rects.push_back(boundsOf(texture));
+    bounds.extend(rects.back());
+  }
+  if (bounds.empty()) return fail("There is no submap to export yet.");
+  const double left = std::floor(bounds.min_x / resolution_m),
+               bottom = std::floor(bounds.min_y / resolution_m);
+  const double columns = std::ceil(bounds.max_x / resolution_m) - left;
+  const double rows = std::ceil(bounds.max_y / resolution_m) - bottom;
+  if (!(columns >= 1 && rows >= 1 && columns <= raster::kMaxGridEdge && rows <= raster::kMaxGridEdge &&
+        columns * rows <= double(raster::kMaxGridCells))) {
+    return fail("The map is too large for one picture at this resolution. Choose a coarser one.");
+  }
+  const int width = int(columns), height = int(rows);
+  ComposedGrid made;
+  made.reference.width = width;
+  made.reference.height = height;
+  made.reference.resolution_m = resolution_m;
+  made.reference.origin = {left * resolution_m, bottom * resolution_m, 0};
+  const auto builder =
+      raster::buildGrid(width, height, raster::CellCode::Gray, raster::Reduction::OccupiedWins);
+  const std::array<std::uint8_t, 256> known = knownGrays();
+
+  PixelGrid window;
+  window.origin_m = {left * resolution_m, (bottom + rows) * resolution_m};
+  window.scale_m_per_px = resolution_m;
+  std::vector<std::uint8_t> strip;
+  std::vector<PlacedTexture> touching;
+  for (int row = 0; row < height; row += kStrip) {
+    if (proceed && !proceed(double(row) / height)) return fail("Cancelled.");
+    window.first_row = row;
+    window.height_px = std::min(kStrip, height - row);
+    strip.assign(std::size_t(width) * std::size_t(window.height_px), raster::kTransparentGray);
+    for (int column = 0; column < width; column += kColumns) {
+      window.first_column = column;
+      window.width_px = std::min(kColumns, width - column);
+      const geometry::WorldRect ground = window.bounds().grown(32 * resolution_m);
+      touching.clear();
+      for (std::size_t i = 0; i < textures.size(); ++i) {
+        if (rects[i].intersects(ground)) touching.push_back(textures[i]);
+      }
+      if (touching.empty()) continue;
+      const Composition pixels = compose(window, touching, Quality::Exact, cache);
+      for (int y = 0; y < window.height_px; ++y) {
+        for (int x = 0; x < window.width_px; ++x) {
+          const std::size_t from = std::size_t(y) * std::size_t(window.width_px) + std::size_t(x);
+          if (pixels.flags[from] == 0) continue;
+          strip[std::size_t(y) * std::size_t(width) + std::size_t(column + x)] =
+              known[pixels.intensity[from]];
+        }
+      }
+    }
+    for (int y = 0; y < window.height_px; ++y) {
+      builder->pushRow(std::span(strip).subspan(std::size_t(y) * std::size_t(width), std::size_t(width)));
+    }
+  }
+  builder->finish();
+  made.cells = builder->pyramid();
+  return made;
+}
+
+}  // namespace mapwright::render

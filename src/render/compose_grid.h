@@ -1,0 +1,33 @@
+// Composing all submaps into one grid of cells, strip by strip, for export and comparison.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "map/grid_reference.h"
+#include "raster/grid_pyramid.h"
+#include "render/compositor.h"
+
+namespace mapwright::render {
+
+struct ComposedGrid {
+  std::shared_ptr<const raster::GridPyramid>
+      cells;                     // code Gray: intensity; unknown = raster::kTransparentGray
+  map::GridReference reference;  // unturned
+};
+
+/// Composes `textures` (ascending ids) exactly at `resolution_m`, over all that they touch. An observed
+/// intensity that would read as unknown (112..143, 205) is kept: the nearest known gray level. Memory: one
+/// strip of 256 rows and the compressed grid. `proceed` gets the part that is done (0..1) and ends the work
+/// by returning false. The error is a sentence. Any thread; one core.
+tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTexture> textures,
+                                                    double resolution_m, DenseCache& cache,
+                                                    const std::function<bool(double done)>& proceed = {});
+
+}  // namespace mapwright::render

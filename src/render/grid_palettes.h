@@ -1,0 +1,32 @@
+// The colours of raster layers by cell byte: premultiplied 0xAARRGGBB. Pure.
+// Source: window.md, "Colours"; axbot.md (costmaps: dark red obstacles, light red around them; incremental
+// map: red obstacles, light blue free ground; environment match: red where the world has changed).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raster/grid_cells.h"
+#include "render/grid_renderer.h"
+#include "render/map_colors.h"
+
+namespace mapwright::render {
+
+/// Occupied to free, linear; unknown is transparent.
+GridPalette wholeMapPalette(const MapColors& colors, raster::CellCode code);
+/// The same between the incremental colours.
+GridPalette incrementalPalette(const MapColors& colors, raster::CellCode code);
+/// Costs of a gray costmap. `background`: the byte that most of it is, taken for "no cost" (robots send both
+/// polarities); the byte farthest from it is an obstacle.
+GridPalette costmapPalette(std::uint8_t background);
+/// Bad (red) to good (green) by distance from `background`, which is transparent.
+GridPalette matchPalette(std::uint8_t background);
+/// Difference codes (sample_grid.h).
+GridPalette differencePalette(bool dark);
+/// A picture's own colours (not premultiplied); bytes beyond the list are transparent.
+GridPalette ownPalette(const std::vector<std::uint32_t>& argb);
+
+/// The byte that most cells have, judged from a coarse look at level 0.
+std::uint8_t commonestByte(const raster::GridPyramid& cells);
+
+}  // namespace mapwright::render

@@ -1,0 +1,262 @@
+#include "render/grid_renderer.h"
+
+#include <algorithm>
+
+#include "render/stand_ins.h"
+#include "render/tile_workers.h"
+#include "render/view_tiles.h"
+
+namespace mapwright::render {
+namespace {
+
+constexpr std::size_t kStandInsOutOfView = 32;
+
+/// RGB32 where nothing shines through: that is drawn several times faster.
+QImage paint(const Composition& pixels, const GridPalette& palette) {
+  QImage image(pixels.width_px, pixels.height_px, QImage::Format_ARGB32_Premultiplied);
+  std::uint32_t all = 0xff000000, any = 0;
+  std::size_t at = 0;
+  for (int row = 0; row < pixels.height_px; ++row) {
+    auto* line = reinterpret_cast<std::uint32_t*>(image.scanLine(row));
+    for (int column = 0; column < pixels.width_px; ++column, ++at) {
+      const std::uint32_t color = pixels.flags[at] ? palette[pixels.intensity[at]] : 0;
+      line[column] = color;
+      all &= color;
+      any |= color;
+    }
+  }
+  if (any == 0) return {};
+  if (all >> 24 == 0xff) image.reinterpretAsFormat(QImage::Format_RGB32);
+  return image;
+}
+
+}  // namespace
+
+class GridRenderer::Impl {
+ public:
+  Impl(GridRenderer& owner, const Options& options)
+      : owner_(owner),
+        options_(options),
+        tiles_(!options.previews),
+        workers_(options.threads,
+                 [this](std::vector<TileWorkers::Outcome> outcomes) { receive(std::move(outcomes)); }) {
+    palette_.fill(0);
+  }
+
+  void setGrid(std::optional<PlacedGrid> placed, std::optional<PlacedGrid> compared) {
+    if (placed == placed_ && compared == compared_) return;
+    rows_seen_ = placed && placed->cells ? placed->cells->rowsReady() : 0;
+    const bool had = placed_.has_value();
+    placed_ = std::move(placed);
+    compared_ = std::move(compared);
+    ++generation_;
+    cancelAll();
+    if (!placed_) {
+      tiles_.clear();
+      tiles_.setView(tiles_.view());
+      stand_ins_.clear();
+    } else if (had) {
+      tiles_.forEach([this](ViewTile& tile) { tile.touched = generation_; });
+    }
+    changed();
+  }
+
+  void rowsArrived() {
+    if (!placed_ || !placed_->cells) return;
+    const int ready = placed_->cells->rowsReady();
+    // A band more above: coarse levels come a band late, and reduced pixels reach over the edge.
+    const int from = std::max(0, rows_seen_ - 2 * raster::GridPyramid::kTileEdge);
+    rows_seen_ = ready;
+    geometry::WorldRect rect;
+    for (const double x : {0.0, double(placed_->reference.width)}) {
+      for (const double y : {double(from), double(placed_->reference.height)}) {
+        rect.extend(placed_->reference.worldFromCell({x, y}));
+      }
+    }
+    ++generation_;
+    // Work under way goes on: its tile is better than none, and is made once more.
+    tiles_.touch({rect}, generation_, [](ViewTile&) {});
+    changed();
+  }
+
+  void setPalette(const GridPalette& palette) {
+    if (palette == palette_) return;
+    palette_ = palette;
+    ++colors_;
+    stand_ins_.clear();
+    changed();
+  }
+
+  void setView(const geometry::ViewTransform& view) {
+    if (tiles_.rasterChanges(view)) {
+      ++raster_;
+      cancelAll();
+      if (options_.previews && placed_ && active_) {
+        repaintTiles();
+        stand_ins_.push(tiles_.pictures(kStandInsOutOfView), tiles_.view(), 0);
+      }
+    }
+    tiles_.setView(view);
+    dropStandInsWhenCovered();
+    changed();
+  }
+
+  void setActive(bool active) {
+    if (active == active_) return;
+    active_ = active;
+    if (!active_) cancelAll();
+    changed();
+  }
+
+  Drawing drawing() {
+    Drawing drawing;
+    if (!placed_) return drawing;
+    if (!stand_ins_.empty()) stand_ins_.draw(tiles_.view(), drawing.stand_ins);
+    for (const TilePlace& place : tiles_.visible()) {
+      ViewTile* const tile = tiles_.find(place);
+      if (!tile || !tile->known) continue;
+      const QPointF offset = tiles_.offsetOf(place);
+      if (!drawing.stand_ins.empty()) {
+        drawing.covered += QRect(int(offset.x()), int(offset.y()), kTileEdge, kTileEdge);
+      }
+      repaintTile(*tile);
+      if (tile->picture.image.isNull()) continue;
+      drawing.tiles.push_back(
+          {tile->picture.image, QTransform::fromTranslate(offset.x(), offset.y()), false});
+    }
+    return drawing;
+  }
+
+  bool settled() const {
+    if (!placed_ || !active_) return true;
+    return std::all_of(tiles_.visible().begin(), tiles_.visible().end(), [this](const TilePlace& place) {
+      const ViewTile* const tile = tiles_.find(place);
+      return tile && tile->settled();
+    });
+  }
+
+  std::size_t cacheBytes() const { return tiles_.bytes() + stand_ins_.bytes(); }
+  const std::optional<PlacedGrid>& placed() const { return placed_; }
+
+ private:
+  struct Work {
+    TilePlace place;
+    std::uint64_t raster = 0, generation = 0, colors = 0;
+  };
+
+  void changed() {
+    if (announced_) return;
+    announced_ = true;
+    QMetaObject::invokeMethod(
+        &owner_,
+        [this] {
+          announced_ = false;
+          proceed();
+          const bool settled_now = settled();
+          const bool flipped = settled_now != was_settled_;
+          was_settled_ = settled_now;
+          Q_EMIT owner_.tilesChanged();
+          if (flipped) Q_EMIT owner_.settledChanged();
+        },
+        Qt::QueuedConnection);
+  }
+
+  void proceed() {
+    if (!placed_ || !placed_->cells || !active_) return;
+    for (const TilePlace& place : tiles_.visible()) {
+      if (!workers_.hasRoom()) break;
+      ViewTile& tile = tiles_.at(place);
+      if (tile.settled() || tile.exact_work != 0) continue;
+      start(place, tile);
+    }
+    tiles_.trim(options_.tile_budget_bytes);
+  }
+
+  void start(const TilePlace& place, ViewTile& tile) {
+    const PixelGrid grid = tiles_.gridOf(place);
+    tile.exact_work = workers_.start([grid, first = *placed_, second = compared_,
+                                      palette = palette_](const std::atomic<bool>& cancelled) -> TileResult {
+      Composition pixels =
+          second ? compareGrids(grid, first, *second, &cancelled) : sampleGrid(grid, first, &cancelled);
+      if (pixels.width_px == 0) return {};
+      QImage image = paint(pixels, palette);
+      return {std::make_shared<const Composition>(std::move(pixels)), std::move(image), nullptr};
+    });
+    under_way_[tile.exact_work] = {place, raster_, generation_, colors_};
+  }
+
+  void receive(std::vector<TileWorkers::Outcome> outcomes) {
+    for (TileWorkers::Outcome& outcome : outcomes) {
+      const auto found = under_way_.find(outcome.ticket);
+      if (found == under_way_.end()) continue;
+      const Work work = found->second;
+      under_way_.erase(found);
+      ViewTile* const tile = work.raster == raster_ ? tiles_.find(work.place) : nullptr;
+      if (!tile || tile->exact_work != outcome.ticket || outcome.cancelled) continue;
+      tile->exact_work = 0;
+      tiles_.setPicture(*tile, std::move(outcome.result.pixels), std::move(outcome.result.image),
+                        work.colors);
+      tile->known = tile->exact = true;
+      tile->shown = work.generation;
+    }
+    proceed();
+    dropStandInsWhenCovered();
+    changed();
+  }
+
+  void repaintTile(ViewTile& tile) {
+    if (tile.colors == colors_ || !tile.picture.pixels) return;
+    tiles_.setPicture(tile, tile.picture.pixels, paint(*tile.picture.pixels, palette_), colors_);
+  }
+  void repaintTiles() {
+    tiles_.forEach([this](ViewTile& tile) { repaintTile(tile); });
+  }
+
+  void cancelAll() {
+    tiles_.forEach([this](ViewTile& tile) {
+      if (tile.exact_work != 0) workers_.cancel(tile.exact_work);
+      tile.exact_work = 0;
+    });
+  }
+
+  void dropStandInsWhenCovered() {
+    if (stand_ins_.empty()) return;
+    if (std::all_of(tiles_.visible().begin(), tiles_.visible().end(), [this](const TilePlace& place) {
+          const ViewTile* const tile = tiles_.find(place);
+          return tile && tile->known;
+        })) {
+      stand_ins_.clear();
+    }
+  }
+
+  GridRenderer& owner_;
+  Options options_;
+  std::optional<PlacedGrid> placed_, compared_;
+  GridPalette palette_;
+  ViewTiles tiles_;
+  StandIns stand_ins_;
+  bool active_ = true, announced_ = false, was_settled_ = true;
+  int rows_seen_ = 0;
+  std::uint64_t raster_ = 0, generation_ = 1, colors_ = 1;
+  std::unordered_map<TileWorkers::Ticket, Work> under_way_;
+  TileWorkers workers_;  // last: it waits for its work when destroyed
+};
+
+GridRenderer::GridRenderer(Options options, QObject* parent)
+    : QObject(parent), impl_(std::make_unique<Impl>(*this, options)) {}
+
+GridRenderer::~GridRenderer() = default;
+
+void GridRenderer::setGrid(std::optional<PlacedGrid> placed, std::optional<PlacedGrid> compared) {
+  impl_->setGrid(std::move(placed), std::move(compared));
+}
+const std::optional<PlacedGrid>& GridRenderer::grid() const { return impl_->placed(); }
+void GridRenderer::rowsArrived() { impl_->rowsArrived(); }
+void GridRenderer::setPalette(const GridPalette& palette) { impl_->setPalette(palette); }
+void GridRenderer::setView(const geometry::ViewTransform& view) { impl_->setView(view); }
+void GridRenderer::setActive(bool active) { impl_->setActive(active); }
+GridRenderer::Drawing GridRenderer::drawing() { return impl_->drawing(); }
+bool GridRenderer::settled() const { return impl_->settled(); }
+std::size_t GridRenderer::cacheBytes() const { return impl_->cacheBytes(); }
+
+}  // namespace mapwright::render

@@ -1,0 +1,67 @@
+// Keeps the tiles of one raster layer (a whole map, a costmap, a difference) up to date for the current view.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+#include <QRegion>
+
+#include "geometry/view_transform.h"
+#include "render/sample_grid.h"
+#include "render/tile_renderer.h"
+
+namespace mapwright::render {
+
+/// The colour of every cell byte: 0xAARRGGBB, premultiplied. What is outside the grid is transparent.
+using GridPalette = std::array<std::uint32_t, 256>;
+
+/// GUI-thread object; samples on a pool, like TileRenderer: tiles lie in the grid of the view and are drawn
+/// at integer offsets; a replaced content or view stands in until the new one is there. Cost of a frame
+/// depends on the screen, not on the map.
+class GridRenderer : public QObject {
+  Q_OBJECT
+ public:
+  struct Options {
+    std::size_t tile_budget_bytes = std::size_t(64) << 20;
+    int threads = 0;       // 0 = one per core
+    bool previews = true;  // false: only exact tiles are ever shown (snapshots)
+  };
+  explicit GridRenderer(Options options, QObject* parent = nullptr);
+  ~GridRenderer() override;
+
+  /// Shows `placed`; with `compared` the difference between the two (bytes are then Difference codes).
+  void setGrid(std::optional<PlacedGrid> placed, std::optional<PlacedGrid> compared = {});
+  const std::optional<PlacedGrid>& grid() const;
+  /// More rows of the shown grid have been read.
+  void rowsArrived();
+  void setPalette(const GridPalette& palette);
+  /// A view without pixels shows nothing. Device pixels.
+  void setView(const geometry::ViewTransform& view);
+  /// While switched off nothing is made; switching on makes what is missing.
+  void setActive(bool active);
+
+  /// What to paint now: stand-ins (outside `exact_region`) first, then finished tiles.
+  struct Drawing {
+    std::vector<DrawnTile> stand_ins, tiles;
+    QRegion covered;  // viewport pixels that need no stand-in
+  };
+  Drawing drawing();
+
+  /// Every visible tile shows all that has been read of the present content.
+  bool settled() const;
+  std::size_t cacheBytes() const;
+
+ Q_SIGNALS:
+  void tilesChanged();  // repaint; coalesced
+  void settledChanged();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mapwright::render

@@ -1,0 +1,57 @@
+#include "robot/axbot/grid_fetcher.h"
+
+#include "robot/axbot/robot_urls.h"
+#include "robot/wire/picture_facts.h"
+
+namespace mapwright::robot::axbot {
+
+GridFetcher::GridFetcher(net::HttpClient& http, QUrl base, Take take)
+    : http_(http), base_(std::move(base)), take_(std::move(take)) {}
+
+void GridFetcher::fetch(GridToFetch wanted) {
+  const auto under_way = jobs_.find(wanted.grid.topic);
+  if (under_way != jobs_.end()) {
+    under_way->second.next = std::move(wanted);
+  } else {
+    start(wanted);
+  }
+}
+
+void GridFetcher::start(const GridToFetch& wanted) {
+  net::HttpRequest request;
+  request.url = robotUrl(base_, wanted.data_url);
+  if (!request.url.isValid()) {
+    take_(map::UnreadableMessage{wanted.grid.topic,
+                                 "The address of its picture is not one. The picture before stays."});
+    return;
+  }
+  request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
+  request.cacheable = true;
+  jobs_[wanted.grid.topic].request =
+      http_.get(request, [this, grid = wanted.grid, url = request.url](const net::HttpAnswer& answer) {
+        finish(grid, url, answer);
+      });
+}
+
+void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const net::HttpAnswer& answer) {
+  if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
+  auto job = jobs_.extract(grid.topic);
+  if (!job.empty() && job.mapped().next) start(*job.mapped().next);
+  if (answer.ok() && !answer.body.isEmpty()) {
+    map::GridMessage complete = grid;
+    complete.png = std::make_shared<const std::string>(answer.body.toStdString());
+    complete.fingerprint = wire::fingerprint(*complete.png);
+    take_(std::move(complete));
+    return;
+  }
+  const std::string why = answer.ok() ? "the answer is empty" : answer.sentence.toStdString();
+  take_(map::UnreadableMessage{grid.topic, "Its picture " + url.path().left(120).toStdString() +
+                                               " cannot be had: " + why + ". The picture before stays."});
+}
+
+void GridFetcher::cancelAll() {
+  for (const auto& [topic, job] : jobs_) http_.cancel(job.request);
+  jobs_.clear();
+}
+
+}  // namespace mapwright::robot::axbot

@@ -1,0 +1,44 @@
+// Fetches the pictures of picture topics that only name them. Lives on the link's thread.
+// Source: axbot.md, `data_url`.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <QUrl>
+
+#include "map/live_topics.h"
+#include "net/http_client.h"
+#include "robot/axbot/parse_topics.h"
+
+namespace mapwright::robot::axbot {
+
+/// One fetch per topic is under way; of what comes meanwhile only the newest waits. So a link slower than the
+/// topic still shows pictures, and never works through old ones.
+class GridFetcher {
+ public:
+  using Take = std::function<void(map::TopicMessage)>;
+  /// `http` outlives this object. `take` gets a GridMessage with its picture, or an UnreadableMessage.
+  GridFetcher(net::HttpClient& http, QUrl base, Take take);
+
+  void fetch(GridToFetch wanted);
+  /// Forgets what is under way or waits.
+  void cancelAll();
+
+ private:
+  struct Job {
+    net::HttpClient::RequestId request = 0;
+    std::optional<GridToFetch> next;
+  };
+  void start(const GridToFetch& wanted);
+  void finish(const map::GridMessage& grid, const QUrl& url, const net::HttpAnswer& answer);
+
+  net::HttpClient& http_;
+  QUrl base_;
+  Take take_;
+  std::map<std::string, Job> jobs_;  // by topic
+};
+
+}  // namespace mapwright::robot::axbot

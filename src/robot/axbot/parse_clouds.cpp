@@ -1,0 +1,281 @@
+// Points as lists, as packed records and as the binary PointCloud message.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "robot/axbot/parse_binary_cloud.h"
+#include "robot/axbot/topic_subjects.h"
+#include "robot/wire/base64.h"
+#include "ros_messages/wrapper.pb.h"
+
+namespace mapwright::robot::axbot {
+namespace {
+
+using map::CloudPoint;
+using wire::Json;
+
+constexpr std::size_t kMaxPoints = 2'000'000;
+constexpr std::size_t kMaxCloudBytes = std::size_t(128) << 20;
+constexpr double kFarthestM = 1e7;
+
+static_assert(std::endian::native == std::endian::little, "packed records are read as they lie in memory");
+
+/// Points under way to a message: what is not finite or absurdly far is left out, and no more than kMaxPoints
+/// are taken. Intensities come as 0..1 or 0..255; which of the two, all of them together tell.
+class Cloud {
+ public:
+  bool full() const { return points_.size() >= kMaxPoints; }
+  void reserve(std::size_t count) {
+    points_.reserve(std::min(count, kMaxPoints));
+    intensities_.reserve(std::min(count, kMaxPoints));
+  }
+  void add(double x, double y, double z, double intensity) {
+    if (full() || !(std::abs(x) <= kFarthestM) || !(std::abs(y) <= kFarthestM)) return;
+    points_.push_back({x, y, std::isfinite(z) ? float(z) : 0, 0});
+    const float kept = intensity > 0 && std::isfinite(intensity) ? float(intensity) : 0;
+    brightest_ = std::max(brightest_, kept);
+    intensities_.push_back(kept);
+  }
+  map::PointCloudMessage message(const std::string& topic, bool bytes = false) {
+    const float scale = brightest_ <= 1 && !bytes ? 255 : 1;
+    for (std::size_t i = 0; i < points_.size() && brightest_ > 0; ++i) {
+      points_[i].intensity = std::uint8_t(std::min(255.0f, intensities_[i] * scale + 0.5f));
+    }
+    return {topic, std::make_shared<const std::vector<CloudPoint>>(std::move(points_))};
+  }
+
+ private:
+  std::vector<CloudPoint> points_;
+  std::vector<float> intensities_;
+  float brightest_ = 0;
+};
+
+double plainNumber(const Json& value) {
+  double number = 0;
+  if (!value.get(number)) return number;
+  return wire::asNumber(value).value_or(std::nan(""));
+}
+
+map::TopicMessage listedPoints(const std::string& topic, const wire::JsonList& rows) {
+  Cloud cloud;
+  cloud.reserve(rows.size());
+  for (const Json row : rows) {
+    if (cloud.full()) break;
+    wire::JsonList numbers;
+    if (row.get(numbers)) {
+      if (const auto at = wire::asPoint(row)) {
+        cloud.add(at->x(), at->y(), wire::number(row, {"z"}).value_or(0), 0);
+      }
+      continue;
+    }
+    double values[4] = {std::nan(""), std::nan(""), 0, 0};
+    std::size_t count = 0;
+    for (const Json value : numbers) {
+      if (count == 4) break;
+      values[count++] = plainNumber(value);
+    }
+    cloud.add(values[0], values[1], values[2], values[3]);
+  }
+  return cloud.message(topic);
+}
+
+enum class FieldType { F32, F64, I32, U32, I16, U16, I8, U8 };
+
+struct Field {
+  std::string name;  // in lower case
+  FieldType type = FieldType::F32;
+  std::size_t offset = 0;
+};
+
+std::optional<FieldType> fieldType(std::string text) {
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  // The robot's names, and the numbers and names of ROS PointField.
+  if (text == "f32" || text == "float32" || text == "7") return FieldType::F32;
+  if (text == "f64" || text == "float64" || text == "8") return FieldType::F64;
+  if (text == "i32" || text == "int32" || text == "5") return FieldType::I32;
+  if (text == "u32" || text == "uint32" || text == "6") return FieldType::U32;
+  if (text == "i16" || text == "int16" || text == "3") return FieldType::I16;
+  if (text == "u16" || text == "uint16" || text == "4") return FieldType::U16;
+  if (text == "i8" || text == "int8" || text == "1") return FieldType::I8;
+  if (text == "u8" || text == "uint8" || text == "2") return FieldType::U8;
+  return std::nullopt;
+}
+
+std::size_t widthOf(FieldType type) {
+  switch (type) {
+    case FieldType::F64:
+      return 8;
+    case FieldType::F32:
+    case FieldType::I32:
+    case FieldType::U32:
+      return 4;
+    case FieldType::I16:
+    case FieldType::U16:
+      return 2;
+    case FieldType::I8:
+    case FieldType::U8:
+      break;
+  }
+  return 1;
+}
+
+template <typename T>
+double valueAt(const char* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return double(value);
+}
+
+double valueOf(const char* record, const Field& field) {
+  const char* at = record + field.offset;
+  switch (field.type) {
+    case FieldType::F32:
+      return valueAt<float>(at);
+    case FieldType::F64:
+      return valueAt<double>(at);
+    case FieldType::I32:
+      return valueAt<std::int32_t>(at);
+    case FieldType::U32:
+      return valueAt<std::uint32_t>(at);
+    case FieldType::I16:
+      return valueAt<std::int16_t>(at);
+    case FieldType::U16:
+      return valueAt<std::uint16_t>(at);
+    case FieldType::I8:
+      return valueAt<std::int8_t>(at);
+    case FieldType::U8:
+      break;
+  }
+  return valueAt<std::uint8_t>(at);
+}
+
+struct Layout {
+  std::vector<Field> fields;
+  std::size_t record = 0;  // bytes
+  const Field* find(std::string_view name) const {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+    return found == fields.end() ? nullptr : &*found;
+  }
+  const Field* brightness() const {
+    const Field* intensity = find("intensity");
+    return intensity ? intensity : find("probability");
+  }
+};
+
+/// nullopt when a type is unknown (the records' length is then unknown too) or there is no x or y.
+std::optional<Layout> layoutOf(const wire::JsonList& fields) {
+  Layout layout;
+  for (const Json row : fields) {
+    const auto type = fieldType(wire::text(row, {"data_type", "datatype", "type"}));
+    if (!type) return std::nullopt;
+    std::string name = wire::text(row, {"name"});
+    for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
+    layout.fields.push_back({std::move(name), *type, layout.record});
+    layout.record += widthOf(*type);
+  }
+  return layout.find("x") && layout.find("y") ? std::optional(std::move(layout)) : std::nullopt;
+}
+
+bool isByte(const Field* field) {
+  return field && (field->type == FieldType::U8 || field->type == FieldType::I8);
+}
+
+map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, std::string_view base64) {
+  const auto bytes = wire::fromBase64(base64, kMaxCloudBytes);
+  if (!bytes)
+    return map::UnreadableMessage{topic, "Its points are not base64, or too many. They were left out."};
+  const Field *x = layout.find("x"), *y = layout.find("y"), *z = layout.find("z");
+  const Field* bright = layout.brightness();
+  Cloud cloud;
+  cloud.reserve(bytes->size() / layout.record);
+  for (std::size_t at = 0; at + layout.record <= bytes->size() && !cloud.full(); at += layout.record) {
+    const char* record = bytes->data() + at;
+    cloud.add(valueOf(record, *x), valueOf(record, *y), z ? valueOf(record, *z) : 0,
+              bright ? valueOf(record, *bright) : 0);
+  }
+  return cloud.message(topic, isByte(bright));
+}
+
+/// The same fields, but the records as lists of numbers.
+map::TopicMessage tabledPoints(const std::string& topic, const Layout& layout, const wire::JsonList& rows) {
+  const auto column = [&](const Field* field) { return field ? field - layout.fields.data() : -1; };
+  const auto x = column(layout.find("x")), y = column(layout.find("y")), z = column(layout.find("z"));
+  const auto bright = column(layout.brightness());
+  Cloud cloud;
+  cloud.reserve(rows.size());
+  for (const Json row : rows) {
+    wire::JsonList numbers;
+    if (cloud.full() || row.get(numbers)) continue;
+    double point[4] = {std::nan(""), std::nan(""), 0, 0};
+    std::ptrdiff_t at = 0;
+    for (const Json value : numbers) {
+      if (at == x) point[0] = plainNumber(value);
+      if (at == y) point[1] = plainNumber(value);
+      if (at == z) point[2] = plainNumber(value);
+      if (at == bright) point[3] = plainNumber(value);
+      ++at;
+    }
+    cloud.add(point[0], point[1], point[2], point[3]);
+  }
+  return cloud.message(topic, isByte(layout.brightness()));
+}
+
+bool isCloudTopic(const std::string& topic) {
+  return topic == "/scan_matched_points2" || topic == "/semantic_points" ||
+         topic.starts_with("/matched_depth_points/") || topic.ends_with("_laser_2d/matched");
+}
+
+}  // namespace
+
+MaybeMessage readCloudTopic(const std::string& topic, const Json& message) {
+  if (const auto rows = wire::list(message, {"points"})) return listedPoints(topic, *rows);
+  if (const auto fields = wire::list(message, {"fields"})) {
+    const auto data = wire::member(message, {"data", "points"});
+    const auto layout = layoutOf(*fields);
+    if (data && layout) {
+      std::string_view base64;
+      if (!data->get(base64)) return packedPoints(topic, *layout, base64);
+      wire::JsonList rows;
+      if (!data->get(rows)) return tabledPoints(topic, *layout, rows);
+    }
+    if (data || isCloudTopic(topic)) {
+      return map::UnreadableMessage{
+          topic,
+          "Its fields name no x and y, or a type that is not known. Its points were "
+          "left out."};
+    }
+  }
+  if (!isCloudTopic(topic)) return std::nullopt;
+  return map::UnreadableMessage{topic, "It holds no points that can be read. They were left out."};
+}
+
+map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointCloud& message) {
+  // Resolution 0 is what "not said" looks like on the wire.
+  const double resolution = message.resolution() == 0 ? 1 : double(message.resolution());
+  if (!std::isfinite(resolution) || !std::isfinite(message.center_x()) ||
+      !std::isfinite(message.center_y())) {
+    return map::UnreadableMessage{topic, "Its points have no usable scale or centre. They were left out."};
+  }
+  const int count = std::min(message.xs_size(), message.ys_size());
+  const std::string& brightness =
+      message.intensities().empty() ? message.probabilities() : message.intensities();
+  Cloud cloud;
+  cloud.reserve(std::size_t(count));
+  const bool delta = message.is_delta_encoded();
+  std::int64_t x = 0, y = 0, z = 0;
+  for (int i = 0; i < count && !cloud.full(); ++i) {
+    x = message.xs(i) + (delta ? x : 0);
+    y = message.ys(i) + (delta ? y : 0);
+    const bool has_z = i < message.zs_size();
+    if (has_z) z = message.zs(i) + (delta ? z : 0);
+    const std::size_t at = std::size_t(i);
+    cloud.add(message.center_x() + double(x) * resolution, message.center_y() + double(y) * resolution,
+              has_z ? message.center_z() + double(z) * resolution : 0,
+              at < brightness.size() ? double(std::uint8_t(brightness[at])) : 0);
+  }
+  return cloud.message(topic, true);
+}
+
+}  // namespace mapwright::robot::axbot

@@ -1,0 +1,46 @@
+// From the robot's answers about its maps to values. Pure functions, any thread.
+// Source: axbot.md, "Requests" (/maps, /mappings, /chassis/current-map, /ros/slam/map_image).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "map/catalogue.h"
+#include "robot/wire/read_json.h"
+
+namespace mapwright::robot::axbot {
+
+/// The rows of a list of maps or mappings; the error is a sentence. Rows without an id are counted only.
+struct MapRows {
+  std::vector<map::CatalogueEntry> entries;
+  int without_id = 0;
+};
+tl::expected<MapRows, std::string> parseMapRows(std::string_view body, map::MapKind kind);
+
+/// One map or mapping with everything that leads to its picture. Addresses as the robot wrote them.
+struct MapDetail {
+  map::CatalogueEntry entry;
+  map::GridReference grid;  // whatever it says: NaN where it says nothing
+  std::string image_url, thumbnail_url, trajectories_url, landmarks_url;
+  std::vector<map::OverlayFeature> overlays;
+};
+tl::expected<MapDetail, std::string> parseMapDetail(std::string_view body, const map::MapKey& key);
+
+/// Who the current map is: id is empty when it was set from data (-1).
+struct CurrentMap {
+  std::string id, uid;
+  bool is(const map::CatalogueEntry& entry) const;
+};
+CurrentMap parseCurrentMap(std::string_view body);
+
+/// Lines of a trajectories.json; points of a landmarks.json. What cannot be read is left out.
+std::vector<std::vector<Eigen::Vector2d>> parseTrajectories(std::string_view body);
+std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body);
+
+/// A GetMapImageResponse: the picture with its place; the error is a sentence.
+tl::expected<map::WholeMap, std::string> parseOverview(std::string_view body, double asked_resolution_m);
+
+}  // namespace mapwright::robot::axbot

@@ -1,0 +1,18 @@
+// From GeoJSON to overlay features. Pure functions, any thread. Source: axbot.md, "Overlays"; RFC 7946.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "map/overlay.h"
+#include "robot/wire/read_json.h"
+
+namespace mapwright::robot::axbot {
+
+/// The features of a FeatureCollection, a Feature, or a text that holds one, in the robot's order. What
+/// cannot be drawn is left out; open rings are closed; each part of a Multi... geometry is a feature of its
+/// own.
+std::vector<map::OverlayFeature> parseOverlays(const wire::Json& overlays);
+std::vector<map::OverlayFeature> parseOverlays(std::string_view geo_json);
+
+}  // namespace mapwright::robot::axbot

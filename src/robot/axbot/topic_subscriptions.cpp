@@ -1,0 +1,53 @@
+#include "robot/axbot/topic_subscriptions.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace mapwright::robot::axbot {
+namespace {
+
+constexpr qsizetype kLongestName = 256;
+
+}  // namespace
+
+QStringList TopicSubscriptions::always() {
+  return {QStringLiteral("/submap_list"), QStringLiteral("/tracked_pose"), QStringLiteral("/robot_model"),
+          QStringLiteral("/slam/state")};
+}
+
+QStringList TopicSubscriptions::setWanted(const QStringList& topics) {
+  QStringList wanted;
+  for (const QString& topic : topics) {
+    const bool usable = !topic.isEmpty() && topic.size() <= kLongestName;
+    if (usable && !always().contains(topic) && !wanted.contains(topic)) wanted << topic;
+  }
+  QStringList on, off;
+  for (const QString& topic : std::as_const(wanted)) {
+    if (!wanted_.contains(topic)) on << topic;
+  }
+  for (const QString& topic : std::as_const(wanted_)) {
+    if (!wanted.contains(topic)) off << topic;
+  }
+  wanted_ = wanted;
+  return requests("disable_topic", off) + requests("enable_topic", on);
+}
+
+QStringList TopicSubscriptions::all() const { return requests("enable_topic", always() + wanted_); }
+
+QStringList TopicSubscriptions::requests(const char* verb, const QStringList& topics) const {
+  QStringList texts;
+  const auto add = [&](const QJsonValue& value) {
+    const QJsonObject request{{QLatin1String(verb), value}};
+    texts << QString::fromUtf8(QJsonDocument(request).toJson(QJsonDocument::Compact));
+  };
+  if (topics.isEmpty()) return texts;
+  if (takes_lists_) {
+    add(QJsonArray::fromStringList(topics));
+  } else {
+    for (const QString& topic : topics) add(topic);
+  }
+  return texts;
+}
+
+}  // namespace mapwright::robot::axbot

@@ -1,0 +1,29 @@
+// Which topics a robot is asked for, and how. Pure; any thread. Source: axbot.md, "WebSocket".
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace mapwright::robot::axbot {
+
+class TopicSubscriptions {
+ public:
+  /// What every robot is asked for, wanted or not.
+  static QStringList always();
+
+  /// The texts to send so that exactly `topics` and always() are on; each name once, at most 256 characters.
+  QStringList setWanted(const QStringList& topics);
+  /// A new connection: the texts that switch on everything.
+  QStringList all() const;
+  /// Whether the robot takes lists of topics.
+  void setTakesLists(bool takes) { takes_lists_ = takes; }
+  bool takesLists() const { return takes_lists_; }
+
+ private:
+  QStringList requests(const char* verb, const QStringList& topics) const;
+
+  QStringList wanted_;  // besides always()
+  bool takes_lists_ = false;
+};
+
+}  // namespace mapwright::robot::axbot

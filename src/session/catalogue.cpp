@@ -1,0 +1,96 @@
+#include "session/catalogue.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <QPointer>
+
+namespace mapwright::session {
+namespace {
+
+constexpr int kThumbnailsAtOnce = 2;  // the map itself goes first
+
+}  // namespace
+
+Catalogue::Catalogue(robot::MapCatalogue* source, QObject* parent) : QObject(parent), source_(source) {}
+
+void Catalogue::refresh() {
+  if (!source_) return;
+  if (loading_) {
+    again_ = true;
+    return;
+  }
+  loading_ = true;
+  source_->list([self = QPointer<Catalogue>(this)](robot::Answer<std::vector<map::CatalogueEntry>> answer) {
+    if (self) self->take(std::move(answer));
+  });
+  Q_EMIT changed();
+}
+
+void Catalogue::take(robot::Answer<std::vector<map::CatalogueEntry>> answer) {
+  loading_ = false;
+  if (answer) {
+    error_.clear();
+    as_of_ = QDateTime::currentDateTime();
+    const auto rank = [](const map::CatalogueEntry& row) {
+      return std::tuple(int(row.key.kind), row.index.value_or(1 << 30), -row.created_s.value_or(0));
+    };
+    std::stable_sort(answer->begin(), answer->end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    for (const map::CatalogueEntry& row : *answer) {
+      // A new version has a new picture.
+      const map::CatalogueEntry* const before = find(row.key);
+      if (before && (before->map_version != row.map_version || before->modified_s != row.modified_s)) {
+        thumbnails_.erase(row.key);
+        asked_.erase(row.key);
+      }
+    }
+    entries_ = std::move(*answer);
+  } else {
+    error_ = QString::fromStdString(answer.error().sentence);
+  }
+  Q_EMIT changed();
+  if (std::exchange(again_, false)) refresh();
+}
+
+const map::CatalogueEntry* Catalogue::find(const map::MapKey& key) const {
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const auto& row) { return row.key == key; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+const map::CatalogueEntry* Catalogue::current() const {
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [](const auto& row) { return row.is_current; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+QByteArray Catalogue::thumbnail(const map::MapKey& key) {
+  if (const auto found = thumbnails_.find(key); found != thumbnails_.end()) return found->second;
+  const map::CatalogueEntry* const row = find(key);
+  if (source_ && row && row->has_thumbnail && asked_.insert(key).second) {
+    wanted_.push_back(key);
+    askForThumbnails();
+  }
+  return {};
+}
+
+void Catalogue::askForThumbnails() {
+  while (!wanted_.empty() && thumbnails_under_way_ < kThumbnailsAtOnce) {
+    const map::MapKey key = wanted_.front();
+    wanted_.erase(wanted_.begin());
+    ++thumbnails_under_way_;
+    source_->thumbnail(key, [self = QPointer<Catalogue>(this), key](robot::Answer<std::string> answer) {
+      if (!self) return;
+      --self->thumbnails_under_way_;
+      if (answer) {
+        self->thumbnails_[key] = QByteArray::fromStdString(*answer);
+        Q_EMIT self->thumbnailArrived(key);
+      }
+      self->askForThumbnails();
+    });
+  }
+}
+
+}  // namespace mapwright::session

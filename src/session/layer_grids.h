@@ -1,0 +1,53 @@
+// The small pictures that lie over the map (costmaps, incremental map, environment match): decoded off the
+// GUI thread, the newest of each kind.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QThreadPool>
+
+#include "map/live_topics.h"
+#include "map/problem.h"
+#include "raster/grid_pyramid.h"
+
+namespace mapwright::session {
+
+struct LayerGrid {
+  map::GridReference reference;  // width and height are the picture's own
+  raster::ColoredGrid picture;
+};
+
+class LayerGrids : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr std::int64_t kMaxCells = std::int64_t(64) << 20;
+
+  explicit LayerGrids(QObject* parent = nullptr);
+  ~LayerGrids() override;
+
+  void take(const map::GridMessage& message);
+  /// Null while none has been decoded.
+  const LayerGrid* find(map::GridKind kind) const;
+  void clear();
+
+ Q_SIGNALS:
+  void changed(mapwright::map::GridKind kind);
+  void problemFound(const mapwright::map::Problem& problem);
+
+ private:
+  struct Row {
+    std::optional<LayerGrid> shown;
+    std::optional<map::GridMessage> next;  // came while one is being decoded
+    bool busy = false;
+  };
+  void start(map::GridKind kind, map::GridMessage message);
+
+  std::map<map::GridKind, Row> rows_;
+  quint64 generation_ = 0;
+  QThreadPool pool_;
+};
+
+}  // namespace mapwright::session

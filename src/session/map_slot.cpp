@@ -1,0 +1,205 @@
+#include "session/map_slot.h"
+
+#include <cmath>
+#include <utility>
+
+namespace mapwright::session {
+
+struct MapSlot::Opened {
+  map::WholeMap map;  // grid has the picture's own size
+  std::unique_ptr<raster::GridReading> reading;
+  std::shared_ptr<const raster::GridPyramid> cells;
+  std::optional<raster::GridError> error;  // instead of all the above
+  std::vector<std::string> notes;
+};
+
+MapSlot::MapSlot(QString sidecar_folder, QObject* parent)
+    : QObject(parent), sidecar_folder_(std::move(sidecar_folder)) {
+  // Two: a map that nobody wants any more may take a moment to notice.
+  pool_.setMaxThreadCount(2);
+}
+
+MapSlot::~MapSlot() {
+  cancel();
+  pool_.waitForDone();
+}
+
+QString MapSlot::subject() const {
+  return name_.isEmpty() ? QStringLiteral("Map %1").arg(QString::fromStdString(map::toText(key_)))
+                         : QStringLiteral("Map \"%1\"").arg(name_);
+}
+
+void MapSlot::cancel() {
+  ++generation_;
+  if (cancelled_) cancelled_->store(true);
+  cancelled_.reset();
+  reading_.reset();
+}
+
+void MapSlot::expect(const map::MapKey& key, const QString& name) {
+  cancel();
+  key_ = key;
+  name_ = name;
+  remark_.clear();
+  phase_ = Phase::Fetching;
+  Q_EMIT changed();
+}
+
+void MapSlot::show(map::WholeMap map) {
+  cancel();
+  key_ = map.key;
+  if (!map.name.empty() || key_.kind != map::MapKind::Live) name_ = QString::fromStdString(map.name);
+  source_ = std::move(map);
+  start();
+}
+
+void MapSlot::setReduction(raster::Reduction reduction) {
+  if (reduction == reduction_) return;
+  reduction_ = reduction;
+  if (!source_ || phase_ == Phase::Fetching) return;
+  cancel();
+  start();
+}
+
+void MapSlot::start() {
+  remark_.clear();
+  broken_ = false;
+  phase_ = Phase::Reading;
+  if (const auto why = map::whyUnusable(source_->grid)) {
+    fail({map::Severity::Error, subject().toStdString(), *why});
+    return;
+  }
+  for (const map::Problem& note : source_->notes) {
+    Q_EMIT problemFound(note);
+    if (note.severity != map::Severity::Info)
+      remark_ = remark_.isEmpty() ? QString::fromStdString(note.sentence) : remark_;
+  }
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  raster::GridOptions options;
+  options.reading = source_->reading;
+  options.reduction = reduction_;
+  options.sidecar_folder = sidecar_folder_.toStdString();
+  options.fingerprint = source_->fingerprint;
+  pool_.start([this, generation = generation_, cancelled = cancelled_, map = *source_, options] {
+    auto opened = std::make_shared<Opened>();
+    opened->map = map;
+    auto reading = map.bytes ? raster::openGrid(map.bytes, options) : raster::openGridFile(map.path, options);
+    opened->map.bytes.reset();
+    if (!reading) {
+      opened->error = reading.error();
+    } else {
+      opened->reading = std::move(*reading);
+      opened->cells = opened->reading->pyramid();
+      map::GridReference& grid = opened->map.grid;
+      const int width = opened->cells->width(), height = opened->cells->height();
+      if ((grid.width > 0 && grid.width != width) || (grid.height > 0 && grid.height != height)) {
+        opened->notes.push_back("It is said to have " + std::to_string(grid.width) + " x " +
+                                std::to_string(grid.height) + " cells, but its picture has " +
+                                std::to_string(width) + " x " + std::to_string(height) +
+                                ". It is shown as the picture has it.");
+      }
+      grid.width = width;
+      grid.height = height;
+      if (!std::isfinite(grid.origin.yaw_rad)) {
+        grid.origin.yaw_rad = 0;
+        opened->notes.push_back("The turn of its origin is not a number. It is shown unturned.");
+      }
+    }
+    const auto call = [&](auto what) { QMetaObject::invokeMethod(this, what, Qt::QueuedConnection); };
+    call([this, generation, opened] { takeOpened(generation, opened); });
+    if (!opened->reading) return;
+    std::optional<raster::GridError> error;
+    if (!opened->reading->complete()) {
+      error = opened->reading->read(*cancelled, [&] { call([this, generation] { takeRows(generation); }); });
+    }
+    call([this, generation, error] { takeEnd(generation, error); });
+  });
+  Q_EMIT changed();
+}
+
+void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened) {
+  if (generation != generation_) return;
+  if (opened->error) {
+    fail({map::Severity::Error, subject().toStdString(), opened->error->sentence});
+    return;
+  }
+  for (const std::string& note : opened->notes) {
+    Q_EMIT problemFound({map::Severity::Warning, subject().toStdString(), note});
+    if (remark_.isEmpty()) remark_ = QString::fromStdString(note);
+  }
+  reading_ = opened;
+  const bool update = shown_cells_ && shown_.key == opened->map.key && !opened->cells->complete();
+  if (!update) put(opened);
+}
+
+void MapSlot::put(const std::shared_ptr<Opened>& opened) {
+  if (!(shown_.key == opened->map.key)) waypoints_ = {};
+  shown_ = opened->map;
+  shown_cells_ = opened->cells;
+  Q_EMIT changed();
+}
+
+void MapSlot::takeRows(quint64 generation) {
+  if (generation != generation_ || !reading_) return;
+  if (reading_->cells == shown_cells_) Q_EMIT rowsArrived();
+}
+
+void MapSlot::takeEnd(quint64 generation, const std::optional<raster::GridError>& error) {
+  if (generation != generation_ || !reading_) return;
+  const auto opened = std::exchange(reading_, nullptr);
+  phase_ = Phase::Ready;
+  broken_ = error.has_value();
+  if (error) {
+    remark_ = QString::fromStdString(error->sentence);
+    Q_EMIT problemFound({map::Severity::Error, subject().toStdString(), error->sentence});
+  } else if (remark_.isEmpty()) {
+    Q_EMIT resolved(subject());
+  }
+  if (opened->cells == shown_cells_) {
+    Q_EMIT rowsArrived();
+    Q_EMIT changed();
+  } else {
+    put(opened);
+  }
+}
+
+void MapSlot::fail(const map::Problem& problem) {
+  cancel();
+  phase_ = Phase::Failed;
+  remark_ = QString::fromStdString(problem.sentence);
+  if (!(shown_.key == key_)) {
+    shown_ = {};
+    shown_cells_.reset();
+    waypoints_ = {};
+  }
+  Q_EMIT problemFound(problem);
+  Q_EMIT changed();
+}
+
+void MapSlot::clear() {
+  cancel();
+  phase_ = Phase::Empty;
+  key_ = {};
+  name_.clear();
+  remark_.clear();
+  source_.reset();
+  shown_ = {};
+  shown_cells_.reset();
+  waypoints_ = {};
+  Q_EMIT changed();
+}
+
+double MapSlot::progress() const {
+  if (phase_ != Phase::Reading || !reading_ || !reading_->cells) return phase_ == Phase::Ready ? 1 : 0;
+  return double(reading_->cells->rowsReady()) / reading_->cells->height();
+}
+
+void MapSlot::setWaypoints(map::WaypointList waypoints) {
+  for (const std::string& note : waypoints.notes) {
+    Q_EMIT problemFound({map::Severity::Warning, subject().toStdString(), note});
+  }
+  waypoints_ = std::move(waypoints);
+  Q_EMIT changed();
+}
+
+}  // namespace mapwright::session

@@ -1,0 +1,97 @@
+// One whole map on its way to the screen, or there: read off the GUI thread, seen while it grows.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include "map/catalogue.h"
+#include "map/waypoint.h"
+#include "raster/grid_pyramid.h"
+
+namespace mapwright::session {
+
+/// GUI-thread object; pictures are read on a thread of its own (architecture, decision 4).
+class MapSlot : public QObject {
+  Q_OBJECT
+ public:
+  enum class Phase { Empty, Fetching, Reading, Ready, Failed };
+
+  /// `sidecar_folder`: where finished pyramids of large pictures are kept; empty = nowhere.
+  explicit MapSlot(QString sidecar_folder, QObject* parent = nullptr);
+  ~MapSlot() override;
+
+  /// The map is being fetched; what is shown stays.
+  void expect(const map::MapKey& key, const QString& name);
+  /// Reads and shows `map`. A map of the same key stays on screen until the new picture is whole; of another
+  /// key, until its header is read.
+  void show(map::WholeMap map);
+  /// It cannot be had. What is shown stays when it is of the same key.
+  void fail(const map::Problem& problem);
+  void clear();
+  /// How cells become coarser ones; the picture is read again.
+  void setReduction(raster::Reduction reduction);
+  raster::Reduction reduction() const { return reduction_; }
+
+  Phase phase() const { return phase_; }
+  /// Read to the end (or until it broke), or there is nothing to read.
+  bool settled() const { return phase_ != Phase::Fetching && phase_ != Phase::Reading; }
+  /// The picture broke off or could not be read to its end: what is shown is not all.
+  bool broken() const { return broken_; }
+  double progress() const;  // 0..1 of the rows, while Reading
+  /// What was asked for last, and what is on screen (they differ while the one makes way for the other).
+  const map::MapKey& key() const { return key_; }
+  QString name() const { return name_; }
+  /// Why it Failed, or what is odd about a Ready one; empty = nothing.
+  QString remark() const { return remark_; }
+
+  std::shared_ptr<const raster::GridPyramid> cells() const { return shown_cells_; }
+  /// Width and height are the picture's own. Meaningful while cells() is not null.
+  const map::GridReference& reference() const { return shown_.grid; }
+  /// What came with the picture on screen (trajectories, landmarks, overlays); `bytes` is not kept.
+  const map::WholeMap& shown() const { return shown_; }
+
+  /// The map as it came, to show it elsewhere too; nullopt while nothing came.
+  const std::optional<map::WholeMap>& source() const { return source_; }
+
+  /// Named places of the shown map, when the robot has them.
+  const map::WaypointList& waypoints() const { return waypoints_; }
+  void setWaypoints(map::WaypointList waypoints);
+
+ Q_SIGNALS:
+  void changed();      // phase, name, cells, reference, waypoints
+  void rowsArrived();  // more of cells()
+  void problemFound(const mapwright::map::Problem& problem);
+  void resolved(const QString& subject);
+
+ private:
+  struct Opened;
+  void start();
+  void takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
+  void takeRows(quint64 generation);
+  void takeEnd(quint64 generation, const std::optional<raster::GridError>& error);
+  void put(const std::shared_ptr<Opened>& opened);
+  void cancel();
+  QString subject() const;
+
+  QString sidecar_folder_;
+  raster::Reduction reduction_ = raster::Reduction::OccupiedWins;
+  Phase phase_ = Phase::Empty;
+  map::MapKey key_;
+  QString name_, remark_;
+  std::optional<map::WholeMap> source_;  // to read it again
+  map::WholeMap shown_;
+  std::shared_ptr<const raster::GridPyramid> shown_cells_;
+  map::WaypointList waypoints_;
+  std::shared_ptr<Opened> reading_;  // opened, not on screen yet or still growing
+  std::shared_ptr<std::atomic<bool>> cancelled_;
+  quint64 generation_ = 0;
+  bool broken_ = false;
+  QThreadPool pool_;
+};
+
+}  // namespace mapwright::session

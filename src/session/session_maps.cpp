@@ -1,0 +1,188 @@
+// Session: whole maps, the catalogue, and which topics are wanted.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <QPointer>
+
+#include "session/session.h"
+
+namespace mapwright::session {
+namespace {
+
+constexpr int kFallbackAfterMs = 2'500;
+constexpr double kOverviewCells = 4e6;
+constexpr double kFinestOverviewM = 0.1, kCoarsestOverviewM = 5;
+
+/// Older firmware knows the picture by its older name only, and sends it whole on the socket of the fast
+/// topics: it is asked for when the newer one stays silent.
+struct OlderName {
+  const char* topic;
+  const char* older;
+  map::GridKind kind;
+};
+constexpr std::array kOlderNames{
+    OlderName{"/map_v2", "/map", map::GridKind::WholeMap},
+    OlderName{"/incremental_map_v2", "/incremental_map", map::GridKind::Incremental},
+};
+
+map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& live) {
+  map::WholeMap map;
+  map.key = {map::MapKind::Live, {}};
+  if (live.map_info) map.name = live.map_info->name;
+  map.grid = message.grid;
+  map.bytes = message.png;
+  map.fingerprint = message.fingerprint;
+  return map;
+}
+
+}  // namespace
+
+void Session::wireMaps() {
+  for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_}) {
+    connect(slot, &MapSlot::problemFound, this, &Session::report);
+    connect(slot, &MapSlot::resolved, this, [this](const QString& subject) {
+      problems_.resolve(subject.toStdString());
+      if (!problems_timer_.isActive()) problems_timer_.start(0);
+    });
+  }
+  connect(&layer_grids_, &LayerGrids::problemFound, this, &Session::report);
+  connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
+    catalogue_.refresh();
+    if (whole_map_.key().kind == map::MapKind::File && whole_map_.settled()) {
+      openInto(whole_map_, whole_map_.key());
+    }
+  });
+  connect(&catalogue_, &Catalogue::changed, this, [this] {
+    if (!catalogue_.loading()) openFirstMap();
+  });
+  connect(this, &Session::rowsChanged, this, [this] {
+    if (overview_.phase() == MapSlot::Phase::Empty) return;
+    const SubmapCounts now = counts();
+    if (now.list_received && now.pending == 0 && now.shown > 0) overview_.clear();
+  });
+  fallback_timer_.setSingleShot(true);
+  connect(&fallback_timer_, &QTimer::timeout, this, [this] {
+    for (const OlderName& name : kOlderNames) {
+      if (!live_.grids.contains(name.kind)) waited_for_.insert(QLatin1String(name.topic));
+    }
+    sendWants();
+  });
+}
+
+void Session::openFirstMap() {
+  // A robot that sends its map by itself needs no help; of the others the current map is shown, and follows.
+  if (map_chosen_ || robot_->liveTopics() || !robot_->wholeMapSource()) return;
+  const map::CatalogueEntry* entry = catalogue_.current();
+  if (!entry && catalogue_.entries().size() == 1) entry = &catalogue_.entries().front();
+  if (!entry || whole_map_.key() == entry->key) return;
+  live_wanted_ = false;
+  openInto(whole_map_, entry->key);
+}
+
+void Session::openMap(const map::MapKey& key) {
+  map_chosen_ = true;
+  live_wanted_ = key.kind == map::MapKind::Live;
+  openInto(whole_map_, key);
+}
+
+void Session::compareWith(std::optional<map::MapKey> key) {
+  key ? openInto(compared_map_, *key) : compared_map_.clear();
+}
+
+void Session::keepForComparing() {
+  if (!whole_map_.source()) return;
+  map::WholeMap kept = *whole_map_.source();
+  kept.key.id += kept.key.id.empty() ? "kept" : " (kept)";
+  kept.notes.clear();
+  compared_map_.show(std::move(kept));
+}
+
+void Session::openInto(MapSlot& slot, const map::MapKey& key) {
+  if (key.kind == map::MapKind::Live) {
+    const auto grid = live_.grids.find(map::GridKind::WholeMap);
+    if (grid == live_.grids.end()) {
+      slot.expect(key, {});
+    } else {
+      slot.show(liveMap(grid->second, live_));
+    }
+    return;
+  }
+  const map::CatalogueEntry* const entry = catalogue_.find(key);
+  const QString name = entry ? QString::fromStdString(entry->name) : QString();
+  slot.expect(key, name);
+  if (!robot_->wholeMapSource()) {
+    slot.fail({map::Severity::Error, "Map " + map::toText(key), "This robot gives no whole maps."});
+    return;
+  }
+  const auto stillWanted = [self = QPointer<Session>(this), &slot, key] { return self && slot.key() == key; };
+  robot_->wholeMapSource()->fetch(key, [stillWanted, &slot](robot::Answer<map::WholeMap> answer) {
+    if (!stillWanted() || slot.phase() != MapSlot::Phase::Fetching) return;
+    answer ? slot.show(std::move(*answer)) : slot.fail(answer.error());
+  });
+  if (!robot_->waypointSource()) return;
+  robot_->waypointSource()->waypoints(
+      key, [this, stillWanted, &slot](robot::Answer<map::WaypointList> answer) {
+        if (!stillWanted()) return;
+        answer ? slot.setWaypoints(std::move(*answer)) : report(answer.error());
+      });
+}
+
+void Session::takeGrid(const map::GridMessage& message) {
+  if (message.kind != map::GridKind::WholeMap) {
+    layer_grids_.take(message);
+    return;
+  }
+  const map::MapKey live{map::MapKind::Live, {}};
+  if (live_wanted_) whole_map_.show(liveMap(message, live_));
+  if (compared_map_.key() == live && compared_map_.phase() != MapSlot::Phase::Empty) {
+    compared_map_.show(liveMap(message, live_));
+  }
+}
+
+void Session::askForOverview() {
+  overview_.clear();
+  robot::WholeMapSource* const source = robot_->wholeMapSource();
+  const geometry::WorldRect bounds = contentBounds();
+  if (!overview_wanted_ || !source || !source->offersOverview() || bounds.empty()) return;
+  constexpr double kSubmapReachM = 30;  // poses are corners of what they place
+  const geometry::WorldRect area = bounds.grown(kSubmapReachM);
+  const double resolution_m = std::clamp(std::sqrt(area.width() * area.height() / kOverviewCells),
+                                         kFinestOverviewM, kCoarsestOverviewM);
+  source->fetchOverview(resolution_m, [self = QPointer<Session>(this),
+                                       generation = generation_](robot::Answer<map::WholeMap> answer) {
+    if (!self || generation != self->generation_) return;
+    // Without it the submaps appear all the same, one by one.
+    if (!answer) return;
+    if (self->counts().pending > 0) self->overview_.show(std::move(*answer));
+  });
+}
+
+void Session::want(const QString& owner, const QStringList& topics) {
+  if (wants_[owner] == topics) return;
+  wants_[owner] = topics;
+  sendWants();
+}
+
+void Session::sendWants() {
+  robot::LiveTopics* const live = robot_->liveTopics();
+  if (!live) return;
+  QStringList all;
+  for (const auto& [owner, topics] : wants_) all += topics;
+  bool may_fall_back = false;
+  for (const OlderName& name : kOlderNames) {
+    const QString topic = QLatin1String(name.topic);
+    if (!all.contains(topic)) continue;
+    if (waited_for_.contains(topic)) {
+      all << QLatin1String(name.older);
+    } else if (!live_.grids.contains(name.kind)) {
+      may_fall_back = true;
+    }
+  }
+  all.removeDuplicates();
+  live->setWanted(all);
+  if (may_fall_back && !fallback_timer_.isActive()) fallback_timer_.start(kFallbackAfterMs);
+}
+
+}  // namespace mapwright::session

@@ -1,0 +1,49 @@
+// A request and its answer, pure of sockets.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mapwright::simulator {
+
+struct HttpQuestion {
+  std::string_view method;
+  std::string_view target;  // path and query, as sent
+  std::string_view secret;
+  std::string_view if_none_match;
+  std::string_view body;
+};
+
+struct HttpAnswer {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::vector<std::pair<std::string, std::string>> headers;
+  std::shared_ptr<const std::string> body;
+  int delay_ms = 0;
+  bool drop = false;      // close without an answer
+  bool truncate = false;  // half the body, then close
+};
+
+HttpAnswer jsonAnswer(int status, std::string body);
+
+/// The path of a target, without its query.
+std::string_view pathOf(std::string_view target);
+/// The value of `key` in the target's query; empty when absent.
+std::string_view queryValue(std::string_view target, std::string_view key);
+/// Weak comparison of an If-None-Match list with our opaque tag (with its quotes, if it has any), as HTTP
+/// asks for.
+bool matchesTag(std::string_view if_none_match, std::string_view tag);
+
+/// What answers on a port.
+class Answerer {
+ public:
+  virtual ~Answerer() = default;
+  virtual HttpAnswer answer(const HttpQuestion& question) = 0;
+  /// Whether a client with this Secret header may use the WebSocket here.
+  virtual bool opensTopics(std::string_view secret) const = 0;
+};
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,26 @@
+// What one turn of the lidar hits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/pose.h"
+#include "simulator/floor_plan.h"
+
+namespace mapwright::simulator {
+
+struct LidarPoint {
+  Eigen::Vector2d at_m{0, 0};  // world
+  float z_m = 0;
+  std::uint8_t intensity = 0;
+};
+
+/// Exactly `points` of them, in the order of their angle within each turn; none when nothing is within reach.
+/// A few hundred rays find the walls, further turns repeat them at other heights with other noise: cheap for
+/// any number. Pure.
+std::vector<LidarPoint> scanFrom(const FloorPlan& plan, const geometry::Pose2& pose, int points,
+                                 std::uint64_t seed);
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,75 @@
+// The floor plan as occupancy grids, as a robot that has driven all of a trajectory would keep them.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "simulator/png_writing.h"
+#include "simulator/scene.h"
+
+namespace mapwright::simulator {
+
+enum class FloorCell : std::uint8_t { Unknown, Free, Occupied };
+
+/// Cells in picture order: columns along +x, rows along -y, the top row first.
+struct FloorCells {
+  int width = 0, height = 0;
+  double resolution_m = 0.05;
+  Eigen::Vector2d origin_m{0, 0};  // world of the lower-left cell's outer corner
+  std::vector<FloorCell> cells;
+};
+
+/// An encoded picture and its place.
+struct MapPicture {
+  std::shared_ptr<const std::string> png;
+  int width = 0, height = 0;
+  double resolution_m = 0.05;
+  Eigen::Vector2d origin_m{0, 0};
+  std::string hash;  // 64 hexadecimal digits, of the PNG
+};
+using MapPicturePtr = std::shared_ptr<const MapPicture>;
+
+/// Which picture.
+struct PictureWish {
+  int trajectory = 0;
+  double resolution_m = 0.05;  // made coarser where the picture would get too large
+  int bits = 8;                // 4: 0 occupied, 7 unknown, 15 free; 8: 0, 128, 255
+  int crates = 0;              // so many crates have come to stand along the way
+  int scans = -1;              // >= 0: only what the first scans saw
+  auto operator<=>(const PictureWish&) const = default;
+};
+
+/// What the scans of `wish.trajectory` saw. No cells when there is no such trajectory or no scan. Takes about
+/// a tenth of a second for an office at 5 cm.
+FloorCells drawFloor(const Scene& scene, const PictureWish& wish);
+
+GrayPicture grayOf(const FloorCells& cells, int bits);
+MapPicturePtr encode(const FloorCells& cells, const GrayPicture& picture, int bits);
+
+/// Makes each picture once and keeps the last ones. Safe from any thread.
+class MapPictures {
+ public:
+  explicit MapPictures(const Scene& scene) : scene_(scene) {}
+
+  /// Null when there is nothing to see.
+  MapPicturePtr picture(const PictureWish& wish);
+  /// At most 160 pixels wide and high, 8 bits; thin walls stay.
+  MapPicturePtr thumbnail(const PictureWish& wish);
+  /// The newest cells asked for are kept, too. Null when there is nothing to see.
+  std::shared_ptr<const FloorCells> cells(const PictureWish& wish);
+
+ private:
+  const Scene& scene_;
+  std::mutex mutex_;
+  std::map<PictureWish, MapPicturePtr> pictures_, thumbnails_;
+  std::list<std::pair<PictureWish, std::shared_ptr<const FloorCells>>> cells_;  // newest first
+};
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,28 @@
+// Pictures of gray levels as the bytes that a robot sends.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mapwright::simulator {
+
+/// Gray levels 0 (black) .. 255 (white), the top row first.
+struct GrayPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> levels;
+};
+
+/// A gray PNG with `bits` (1, 2, 4 or 8) per pixel: the highest bits of each level.
+std::string writePng(const GrayPicture& picture, int bits);
+
+/// The same PNG whose header (with a right checksum) declares another size.
+std::string withDeclaredSize(std::string png, std::uint32_t width, std::uint32_t height);
+
+std::string base64(std::string_view bytes);
+
+/// 64 hexadecimal digits that follow from the bytes: a name for them, no protection against anybody.
+std::string contentHash(std::string_view bytes);
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,28 @@
+// When which topic is sent.
+#pragma once
+
+#include <chrono>
+#include <string_view>
+#include <vector>
+
+namespace mapwright::simulator {
+
+struct Options;
+
+/// A topic that comes again and again.
+struct PeriodicTopic {
+  std::string_view topic;
+  std::chrono::steady_clock::duration period;
+  std::chrono::steady_clock::time_point due;
+};
+
+std::vector<PeriodicTopic> periodicTopics(const Options& options, std::chrono::steady_clock::time_point now);
+
+/// Topics whose last message is sent at once to whoever enables them.
+bool isLatched(std::string_view topic);
+/// Topics that come often enough to be left out when a reader is slow.
+bool mayBeLeftOut(std::string_view topic);
+/// Topics to send when the robot's map changes.
+const std::vector<std::string_view>& mapTopics();
+
+}  // namespace mapwright::simulator

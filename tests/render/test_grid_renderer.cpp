@@ -1,0 +1,134 @@
+// The tiles of one raster layer: kept up to date, drawn where they belong.
+#include <QPainter>
+#include <QTest>
+
+#include "grids.h"
+#include "render/grid_palettes.h"
+#include "render/grid_renderer.h"
+
+using namespace mapwright;
+using render::GridRenderer;
+using test::gridOf;
+
+namespace {
+
+geometry::ViewTransform viewAt(double x, double y, double scale, int width = 400, int height = 300) {
+  geometry::ViewTransform view;
+  view.center_m = {x, y};
+  view.scale_m_per_px = scale;
+  view.width_px = width;
+  view.height_px = height;
+  return view;
+}
+
+QImage painted(GridRenderer& renderer, int width = 400, int height = 300) {
+  QImage image(width, height, QImage::Format_ARGB32_Premultiplied);
+  image.fill(0);
+  QPainter painter(&image);
+  const auto drawing = renderer.drawing();
+  for (const auto* tiles : {&drawing.stand_ins, &drawing.tiles}) {
+    for (const render::DrawnTile& tile : *tiles) {
+      painter.setTransform(tile.to_viewport);
+      painter.drawImage(0, 0, tile.image);
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+class GridRendererTest : public QObject {
+  Q_OBJECT
+  GridRenderer renderer_{GridRenderer::Options{.threads = 2, .previews = false}};
+  const render::GridPalette palette_ = render::wholeMapPalette(render::MapColors{}, raster::CellCode::Gray);
+
+ private Q_SLOTS:
+  void init() {
+    renderer_.setPalette(palette_);
+    renderer_.setGrid(std::nullopt);
+  }
+
+  void nothingIsShownWithoutAGrid() {
+    renderer_.setView(viewAt(0, 0, 0.05));
+    QVERIFY(renderer_.settled());
+    QCOMPARE(painted(renderer_).pixel(200, 150), 0u);
+  }
+
+  void cellsAppearWhereTheyLie() {
+    renderer_.setView(viewAt(5, 5, 0.05));
+    renderer_.setGrid(gridOf(100, 100, 0.05, {2.5, 2.5, 0}, [](int u, int) { return u < 50 ? 255 : 0; }));
+    QTRY_VERIFY(renderer_.settled());
+    const QImage image = painted(renderer_);
+    QCOMPARE(image.pixel(200 - 25, 150), 0xffffffff);
+    QCOMPARE(image.pixel(200 + 25, 150), 0xff15181c);
+    QCOMPARE(image.pixel(200 - 60, 150), 0u);  // outside the grid
+  }
+
+  void unknownCellsAreTransparent() {
+    renderer_.setView(viewAt(2.5, 2.5, 0.05));
+    renderer_.setGrid(gridOf(100, 100, 0.05, {0, 0, 0}, [](int, int) { return 128; }));
+    QTRY_VERIFY(renderer_.settled());
+    QCOMPARE(painted(renderer_).pixel(200, 150), 0u);
+  }
+
+  void aNewGridTakesThePlaceOfTheOld() {
+    renderer_.setView(viewAt(2.5, 2.5, 0.05));
+    renderer_.setGrid(gridOf(100, 100, 0.05, {0, 0, 0}, [](int, int) { return 255; }));
+    QTRY_VERIFY(renderer_.settled());
+    renderer_.setGrid(gridOf(100, 100, 0.05, {0, 0, 0}, [](int, int) { return 0; }));
+    QVERIFY(!renderer_.settled());
+    QCOMPARE(painted(renderer_).pixel(200, 150), 0xffffffff);  // the old one until the new is there
+    QTRY_VERIFY(renderer_.settled());
+    QCOMPARE(painted(renderer_).pixel(200, 150), 0xff15181c);
+    renderer_.setGrid(std::nullopt);
+    QCOMPARE(painted(renderer_).pixel(200, 150), 0u);
+  }
+
+  void rowsAppearAsTheyAreRead() {
+    const auto builder = raster::buildGrid(300, 600, raster::CellCode::Gray, raster::Reduction::OccupiedWins);
+    renderer_.setView(viewAt(7.5, 15, 0.1, 400, 400));
+    renderer_.setGrid(render::PlacedGrid{builder->pyramid(), {300, 600, 0.05, {0, 0, 0}}});
+    QTRY_VERIFY(renderer_.settled());
+    const std::vector<std::uint8_t> row(300, 255);
+    for (int v = 0; v < 600; ++v) builder->pushRow(row);
+    builder->finish();
+    renderer_.rowsArrived();
+    QVERIFY(!renderer_.settled());
+    QTRY_VERIFY(renderer_.settled());
+    QCOMPARE(painted(renderer_, 400, 400).pixel(200, 200), 0xffffffff);
+    QCOMPARE(painted(renderer_, 400, 400).pixel(200, 349), 0xffffffff);
+  }
+
+  void anotherPaletteRecoloursWhatIsThere() {
+    renderer_.setView(viewAt(2.5, 2.5, 0.05));
+    renderer_.setGrid(gridOf(100, 100, 0.05, {0, 0, 0}, [](int, int) { return 255; }));
+    QTRY_VERIFY(renderer_.settled());
+    render::MapColors dark;
+    dark.free = 0xffd9dee4;
+    renderer_.setPalette(render::wholeMapPalette(dark, raster::CellCode::Gray));
+    QCOMPARE(painted(renderer_).pixel(200, 150), 0xffd9dee4);
+  }
+
+  void whatIsSwitchedOffMakesNothing() {
+    renderer_.setActive(false);
+    renderer_.setView(viewAt(2.5, 2.5, 0.05));
+    renderer_.setGrid(gridOf(100, 100, 0.05, {0, 0, 0}, [](int, int) { return 255; }));
+    QVERIFY(renderer_.settled());
+    renderer_.setActive(true);
+    QTRY_VERIFY(renderer_.settled() && painted(renderer_).pixel(200, 150) == 0xffffffff);
+  }
+
+  void costsOfEitherPolarityShowObstacles() {
+    for (const int background : {0, 255}) {
+      const render::GridPalette palette = render::costmapPalette(std::uint8_t(background));
+      QCOMPARE(qAlpha(palette[std::size_t(background)]), 0);
+      QVERIFY(qAlpha(palette[std::size_t(255 - background)]) > 150);
+      QVERIFY(qRed(palette[std::size_t(255 - background)]) > qGreen(palette[std::size_t(255 - background)]));
+      QVERIFY(qAlpha(palette[127]) > 0 &&
+              qAlpha(palette[127]) < qAlpha(palette[std::size_t(255 - background)]));
+    }
+  }
+};
+
+QTEST_MAIN(GridRendererTest)
+#include "test_grid_renderer.moc"

@@ -1,0 +1,131 @@
+// One whole map on its way to the screen.
+#include <QSignalSpy>
+#include <QTest>
+
+#include "session/map_slot.h"
+
+using namespace mapwright;
+using session::MapSlot;
+using Phase = MapSlot::Phase;
+
+namespace {
+
+/// A binary PGM of one gray level.
+std::shared_ptr<const std::string> pgm(int width, int height, int gray, int rows = -1) {
+  std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
+  bytes.append(std::size_t(width) * std::size_t(rows < 0 ? height : rows), char(gray));
+  return std::make_shared<const std::string>(std::move(bytes));
+}
+
+map::WholeMap mapOf(const std::string& id, std::shared_ptr<const std::string> bytes) {
+  map::WholeMap map;
+  map.key = {map::MapKind::Stored, id};
+  map.name = "Map <b>" + id + "</b>";
+  map.grid = {0, 0, 0.05, {1, 2, 0}};
+  map.bytes = std::move(bytes);
+  return map;
+}
+
+}  // namespace
+
+class MapSlotTest : public QObject {
+  Q_OBJECT
+  std::unique_ptr<MapSlot> slot_;
+  QStringList problems_;
+
+ private Q_SLOTS:
+  void init() {
+    slot_ = std::make_unique<MapSlot>(QString());
+    problems_.clear();
+    connect(slot_.get(), &MapSlot::problemFound, this,
+            [this](const map::Problem& problem) { problems_ << QString::fromStdString(problem.sentence); });
+  }
+
+  void aMapIsReadAndShown() {
+    slot_->expect({map::MapKind::Stored, "1"}, QStringLiteral("Lobby"));
+    QVERIFY(slot_->phase() == Phase::Fetching && !slot_->settled());
+    slot_->show(mapOf("1", pgm(30, 20, 254)));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    QCOMPARE(slot_->reference().width, 30);
+    QCOMPARE(slot_->reference().height, 20);
+    QCOMPARE(int(slot_->cells()->at(29, 19)), 254);
+    QVERIFY(problems_.isEmpty() && slot_->remark().isEmpty() && !slot_->broken());
+  }
+
+  void thePicturesOwnSizeWinsOverADeclaredOne() {
+    map::WholeMap map = mapOf("1", pgm(30, 20, 254));
+    map.grid.width = 31;
+    map.grid.height = 20;
+    slot_->show(std::move(map));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    QCOMPARE(slot_->reference().width, 30);
+    QCOMPARE(problems_.size(), 1);
+    QVERIFY(problems_[0].contains(QLatin1String("31 x 20")));
+  }
+
+  void whatCannotBePlacedOrReadFailsWithASentence() {
+    map::WholeMap map = mapOf("1", pgm(30, 20, 254));
+    map.grid.resolution_m = 0;
+    slot_->show(std::move(map));
+    QTRY_VERIFY(slot_->phase() == Phase::Failed);
+    QVERIFY(slot_->remark().contains(QLatin1String("resolution")));
+    slot_->show(mapOf("2", std::make_shared<const std::string>("no picture at all")));
+    QTRY_VERIFY(slot_->phase() == Phase::Failed);
+    QVERIFY(!slot_->remark().isEmpty() && !slot_->cells());
+  }
+
+  void aPictureThatBreaksOffKeepsTheRowsThatCame() {
+    slot_->show(mapOf("1", pgm(30, 20, 254, 11)));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    QVERIFY(slot_->broken() && !slot_->remark().isEmpty());
+    QCOMPARE(int(slot_->cells()->at(0, 10)), 254);
+    QVERIFY(!raster::meaningOf(raster::CellCode::Gray).known[slot_->cells()->at(0, 12)]);
+  }
+
+  void anUpdateOfTheSameMapIsShownWhenItIsWhole() {
+    slot_->show(mapOf("1", pgm(30, 20, 254)));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    const auto before = slot_->cells();
+    slot_->show(mapOf("1", pgm(30, 20, 0)));
+    QCOMPARE(slot_->cells(), before);
+    QTRY_VERIFY(slot_->phase() == Phase::Ready && slot_->cells() != before);
+    QCOMPARE(int(slot_->cells()->at(3, 3)), 0);
+  }
+
+  void onlyTheNewestOfSeveralIsShown() {
+    for (int i = 0; i < 20; ++i) slot_->show(mapOf(std::to_string(i), pgm(300, 300, i)));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    QCOMPARE(int(slot_->cells()->at(3, 3)), 19);
+    QVERIFY(slot_->key().id == "19");
+  }
+
+  void aFailureOfTheSameMapKeepsWhatIsOnScreen() {
+    slot_->show(mapOf("1", pgm(30, 20, 254)));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    slot_->expect({map::MapKind::Stored, "1"}, QStringLiteral("again"));
+    slot_->fail({map::Severity::Error, "Map", "The robot is gone."});
+    QVERIFY(slot_->phase() == Phase::Failed && slot_->cells());
+    slot_->expect({map::MapKind::Stored, "2"}, QStringLiteral("other"));
+    slot_->fail({map::Severity::Error, "Map", "The robot is gone."});
+    QVERIFY(!slot_->cells());
+  }
+
+  void averagingReadsThePictureAgain() {
+    slot_->show(mapOf("1", pgm(600, 600, 254)));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    slot_->setReduction(raster::Reduction::Average);
+    QTRY_VERIFY(slot_->phase() == Phase::Ready && slot_->cells()->reduction() == raster::Reduction::Average);
+  }
+
+  void aTurnThatIsNoNumberCountsAsNone() {
+    map::WholeMap map = mapOf("1", pgm(30, 20, 254));
+    map.grid.origin.yaw_rad = std::numeric_limits<double>::quiet_NaN();
+    slot_->show(std::move(map));
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    QCOMPARE(slot_->reference().origin.yaw_rad, 0.0);
+    QCOMPARE(problems_.size(), 1);
+  }
+};
+
+QTEST_GUILESS_MAIN(MapSlotTest)
+#include "test_map_slot.moc"

@@ -1,0 +1,203 @@
+// The Agibot robot beside the Autoxing one: aimdk.md.
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "raw_robot.h"
+#include "simulator/simulator.h"
+
+using mapwright::simulator::Faults;
+using mapwright::simulator::Options;
+using mapwright::simulator::Simulator;
+
+namespace {
+
+const std::string kMapping = "/rpc/aimdk.protocol.MappingService/";
+const std::string kTopo = "/rpc/aimdk.protocol.LocalizationService/GetTopoMsgs";
+
+Options paused() {
+  Options options;
+  options.paused = true;
+  return options;
+}
+
+raw::HttpReply post(const Simulator& robot, const std::string& path, const std::string& body) {
+  const std::string answer = raw::exchange(
+      robot.aimdkPort(),
+      "POST " + path + " HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: " +
+          std::to_string(body.size()) + "\r\n\r\n" + body,
+      1);
+  raw::HttpReply reply;
+  if (answer.size() < 12) return reply;
+  reply.status = std::stoi(answer.substr(9, 3));
+  reply.body = answer.substr(answer.find("\r\n\r\n") + 4);
+  return reply;
+}
+
+QJsonObject object(const raw::HttpReply& reply) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(reply.body)).object();
+}
+QJsonValue data(const raw::HttpReply& reply) { return object(reply)[QLatin1String("data")]; }
+
+raw::HttpReply names(const Simulator& robot) {
+  return post(robot, kMapping + "GetStoredMapNames", R"({"command":"MappingCommand_GET_STORED_MAP_NAME"})");
+}
+raw::HttpReply whole(const Simulator& robot, const QString& id) {
+  return post(robot, kMapping + "Get2DWholeMap",
+              R"({"command":"MappingCommand_GET_2D_WHOLE_MAP","map_id":")" + id.toStdString() + "\"}");
+}
+raw::HttpReply topo(const Simulator& robot, const QString& id) {
+  return post(robot, kTopo, R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":)" + id.toStdString() + "}");
+}
+
+}  // namespace
+
+class TestAimdk : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void itsAddressIsAnotherPort() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    QVERIFY(robot.aimdkPort() != 0 && robot.aimdkPort() != robot.port());
+    QCOMPARE(robot.aimdkAddress(), "aimdk+http://127.0.0.1:" + std::to_string(robot.aimdkPort()));
+  }
+
+  void mapsAreNamedByTextsOfThirteenDigits() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const QJsonArray maps = data(names(robot))[QLatin1String("map_lists")].toArray();
+    QCOMPARE(maps.size(), 3);
+    for (const QJsonValue& map : maps) {
+      QCOMPARE(map[QLatin1String("map_id")].toString().size(), 13);
+      QVERIFY(!map[QLatin1String("map_name")].toString().isEmpty());
+      QVERIFY(map[QLatin1String("map_index")].isDouble());
+    }
+    const QJsonValue current = data(post(robot, kMapping + "GetCurrentWorkingMap",
+                                         R"({"command":"MappingCommand_GET_CURRENT_WORKING_MAP"})"));
+    QCOMPARE(current[QLatin1String("map_id")].toString(), QStringLiteral("1764059676131"));
+  }
+
+  void everyMapIsAPicture() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    int with_prefix = 0, lying = 0;
+    for (const QJsonValue& listed : data(names(robot))[QLatin1String("map_lists")].toArray()) {
+      const QJsonValue map = data(whole(robot, listed[QLatin1String("map_id")].toString()));
+      QCOMPARE(map[QLatin1String("map_id")], listed[QLatin1String("map_id")]);
+      QString text = map[QLatin1String("map_data")].toString();
+      const QString prefix = QStringLiteral("data:image/png;base64,");
+      if (text.startsWith(prefix)) {
+        ++with_prefix;
+        text.remove(0, prefix.size());
+      }
+      const QImage picture = QImage::fromData(QByteArray::fromBase64(text.toLatin1()), "PNG");
+      QVERIFY(picture.width() > 100);
+      if (picture.width() != map[QLatin1String("width")].toInt()) ++lying;
+      const double resolution = map[QLatin1String("resolution")].toDouble();
+      QVERIFY(resolution == 20 || resolution == 10);
+      for (const char* key : {"origin_x", "origin_y", "rotate_angle"})
+        QVERIFY2(map[QLatin1String(key)].isDouble(), key);
+    }
+    QCOMPARE(with_prefix, 1);
+    QCOMPARE(lying, 1);
+  }
+
+  void pointsLieOnFreeGroundAndOneIsMisplaced() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const QString id = QStringLiteral("1764059676131");
+    const QJsonValue map = data(whole(robot, id));
+    const QImage picture =
+        QImage::fromData(QByteArray::fromBase64(map[QLatin1String("map_data")].toString().toLatin1()), "PNG");
+    const QJsonValue topology = data(topo(robot, id));
+    QVERIFY(topology[QLatin1String("paths")].isArray() && topology[QLatin1String("regions")].isArray());
+    const QJsonArray points = topology[QLatin1String("points")].toArray();
+    QCOMPARE(points.size(), 9);
+    int misplaced = 0;
+    const double scale = map[QLatin1String("resolution")].toDouble();
+    for (const QJsonValue& value : points) {
+      const QJsonValue pose = value[QLatin1String("pose")][QLatin1String("position")],
+                       pixel = value[QLatin1String("pixel_pose")][QLatin1String("position")];
+      const double u =
+          map[QLatin1String("origin_x")].toDouble() + pose[QLatin1String("x")].toDouble() * scale;
+      const double v =
+          map[QLatin1String("origin_y")].toDouble() - pose[QLatin1String("y")].toDouble() * scale;
+      QCOMPARE(qGray(picture.pixel(static_cast<int>(u), static_cast<int>(v))), 255);
+      const double off =
+          std::hypot(u - pixel[QLatin1String("u")].toDouble(), v - pixel[QLatin1String("v")].toDouble());
+      QVERIFY(off < 1 || off > 3);
+      if (off > 1) ++misplaced;
+    }
+    QCOMPARE(misplaced, 1);
+  }
+
+  void wrongRequestsAreAnswered() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const std::string good = R"({"command":"MappingCommand_GET_STORED_MAP_NAME"})";
+    QCOMPARE(post(robot, "/nothing", good).status, 404);
+    QCOMPARE(post(robot, kMapping + "DeleteMap", good).status, 404);
+    QCOMPARE(raw::get(robot.aimdkPort(), kMapping + "GetStoredMapNames").status, 405);
+    QCOMPARE(raw::get(robot.aimdkPort(), "/ws/v2/topics").status, 404);
+    QCOMPARE(post(robot, kMapping + "GetStoredMapNames", "{").status, 400);
+    QCOMPARE(post(robot, kMapping + "GetStoredMapNames", "[]").status, 400);
+    const raw::HttpReply other = post(robot, kMapping + "Get2DWholeMap", good);
+    QCOMPARE(other.status, 200);
+    QVERIFY(object(other).contains(QLatin1String("error")));
+    // A text where a number belongs, and the other way round.
+    QVERIFY(object(topo(robot, QStringLiteral("\"1764059676131\""))).contains(QLatin1String("error")));
+    const raw::HttpReply number =
+        post(robot, kMapping + "Get2DWholeMap",
+             R"({"command":"MappingCommand_GET_2D_WHOLE_MAP","map_id":1764059676131})");
+    QVERIFY(object(number).contains(QLatin1String("error")));
+    // Unknown maps.
+    QVERIFY(data(whole(robot, QStringLiteral("1"))).toObject().isEmpty());
+    QVERIFY(object(topo(robot, QStringLiteral("1"))).contains(QLatin1String("error")));
+  }
+
+  void itGoesWrongOnRequest() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    Faults faults;
+    faults.map_list_error = true;
+    robot.setFaults(faults);
+    QCOMPARE(names(robot).status, 500);
+    faults = {};
+    faults.garbage_base64 = true;
+    robot.setFaults(faults);
+    const QByteArray text =
+        data(whole(robot, QStringLiteral("1764059676131")))[QLatin1String("map_data")].toString().toLatin1();
+    QVERIFY(QByteArray::fromBase64Encoding(text, QByteArray::AbortOnBase64DecodingErrors).decodingStatus !=
+            QByteArray::Base64DecodingStatus::Ok);
+    faults = {};
+    faults.grid_fault = "zero-resolution";
+    robot.setFaults(faults);
+    QCOMPARE(data(whole(robot, QStringLiteral("1764059676131")))[QLatin1String("resolution")].toDouble(-1),
+             0.0);
+  }
+
+  void theSecretStaysWithTheOtherRobot() {
+    Options options = paused();
+    options.secret = "s";
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    QCOMPARE(names(robot).status, 200);
+    QCOMPARE(robot.requestLog().size(), std::size_t{1});
+    QVERIFY(!robot.requestLog().front().had_secret);
+  }
+
+  void anEmptyRobotHasEmptyData() {
+    Options options = paused();
+    options.scene = "empty";
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    QVERIFY(data(names(robot))[QLatin1String("map_lists")].toArray().isEmpty());
+    QVERIFY(data(whole(robot, QStringLiteral("1764059676131"))).toObject().isEmpty());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestAimdk)
+#include "test_aimdk.moc"

@@ -1,0 +1,83 @@
+// The layers of the map: which there are, what they are called, what they need, how they may be styled.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QColor>
+#include <QString>
+#include <QStringList>
+
+namespace mapwright::scene {
+
+/// Everything that can be shown, in the default order, bottom first.
+enum class Layer {
+  WholeMap,
+  Submaps,
+  Incremental,
+  EnvMatch,
+  EnvSymmetry,
+  CostmapLow,
+  CostmapHigh,
+  Grid,
+  Overlays,
+  Waypoints,
+  Landmarks,
+  Doors,
+  Boxes,  // pallets, racks, seen objects
+  Constraints,
+  Outlines,
+  Ids,
+  Trajectory,
+  Path,
+  LocalPath,
+  Target,
+  Cloud,
+  NearbyRobots,
+  Trail,
+  ExpandedFootprint,
+  Footprint,
+  Robot,
+  ScaleBar,
+};
+
+/// For the command line and settings: "whole", "submaps", "costmap", "cloud", …
+QString layerName(Layer layer);
+/// For people: "Whole map", "Low-resolution costmap", …
+QString layerTitle(Layer layer);
+/// The default order, bottom first.
+std::vector<Layer> allLayers();
+bool shownByDefault(Layer layer);
+/// The topics that a robot has to send for it; empty when it needs none beside those that are always on.
+QStringList layerTopics(Layer layer);
+/// True when its place in the order is fixed (the scale bar is always on top).
+bool orderFixed(Layer layer);
+
+/// How a layer is drawn. What styleTraits() does not offer has no effect.
+struct LayerStyle {
+  QColor color;     // invalid = the theme's own
+  double size = 0;  // px; 0 = the default
+  int choice = 0;   // index into LayerTraits::choices
+  bool operator==(const LayerStyle&) const = default;
+};
+
+/// What a settings row of the layer offers.
+struct LayerTraits {
+  bool color = false;
+  std::optional<std::pair<double, double>> size_px;  // least, most
+  double default_size_px = 0;
+  QString size_title;    // "Point size", "Line width"
+  QString choice_title;  // "Zooming out", "Colour by"
+  QStringList choices;   // empty = none
+  bool any() const { return color || size_px || !choices.isEmpty(); }
+};
+LayerTraits layerTraits(Layer layer);
+
+/// The choices of the layers that have some.
+enum class WholeMapChoice { OccupiedWins, Average };
+enum class CloudChoice { OneColor, Intensity, Height };
+
+/// How two maps are compared on screen.
+enum class CompareMode { Off, Swipe, Difference };
+
+}  // namespace mapwright::scene

@@ -1,0 +1,127 @@
+#include "scene/layer_item.h"
+
+#include <cmath>
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QStyleOptionGraphicsItem>
+
+namespace mapwright::scene {
+
+QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+
+void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
+               const QColor& color, bool struck_through) {
+  QFont font = theme.label_font;
+  font.setStrikeOut(struck_through);
+  QPainterPath path;
+  path.addText(baseline_left, font, text);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.fillPath(path, color);
+}
+
+std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
+                                    std::span<const Eigen::Vector2d> world, double margin_px) {
+  std::vector<QPolygonF> lines;
+  QPolygonF line;
+  const QRectF seen =
+      QRectF(0, 0, view.width_px, view.height_px).adjusted(-margin_px, -margin_px, margin_px, margin_px);
+  const auto end = [&] {
+    if (line.size() > 1) lines.push_back(line);
+    line.clear();
+  };
+  std::optional<QPointF> before;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const QPointF pixel = toPoint(view.pixelFromWorld(world[i]));
+    if (!std::isfinite(pixel.x()) || !std::isfinite(pixel.y())) {
+      end();
+      before.reset();
+      continue;
+    }
+    if (!before) {
+      before = pixel;
+      continue;
+    }
+    const QPointF step = pixel - *before;
+    if (std::abs(step.x()) + std::abs(step.y()) < 2 && i + 1 < world.size()) continue;
+    const QRectF box = QRectF(*before, pixel).normalized();
+    const bool crosses = box.left() <= seen.right() && box.right() >= seen.left() &&
+                         box.top() <= seen.bottom() && box.bottom() >= seen.top();
+    if (crosses) {
+      if (line.isEmpty()) line << *before;
+      line << pixel;
+    } else {
+      end();
+    }
+    before = pixel;
+  }
+  end();
+  return lines;
+}
+
+LayerItem::LayerItem(const LayerContext& context) : context_(context) {
+  setFlag(ItemUsesExtendedStyleOption);
+  setAcceptedMouseButtons(Qt::NoButton);
+}
+
+QRectF LayerItem::boundingRect() const {
+  return {0, 0, qreal(context_.view.width_px), qreal(context_.view.height_px)};
+}
+
+void LayerItem::setStyle(const LayerStyle& style) {
+  if (style == style_) return;
+  style_ = style;
+  update();
+}
+
+void LayerItem::setPart(std::optional<QRectF> part) {
+  if (part == part_) return;
+  part_ = part;
+  update();
+}
+
+void DeviceLayer::sendView() {
+  geometry::ViewTransform view = context_.view;
+  view.scale_m_per_px /= pixel_ratio_;
+  view.width_px = int(std::ceil(view.width_px * pixel_ratio_));
+  view.height_px = int(std::ceil(view.height_px * pixel_ratio_));
+  takeView(view);
+}
+
+void DeviceLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+  if (const qreal ratio = painter->device()->devicePixelRatioF(); ratio != pixel_ratio_) {
+    pixel_ratio_ = ratio;
+    sendView();
+  }
+  QRectF exposed = option->exposedRect;
+  if (part()) exposed &= *part();
+  if (exposed.isEmpty()) return;
+  painter->save();
+  if (part()) painter->setClipRect(*part(), Qt::IntersectClip);
+  painter->scale(1 / pixel_ratio_, 1 / pixel_ratio_);
+  painter->setRenderHint(QPainter::SmoothPixmapTransform, false);
+  paintPixels(*painter, QRectF(exposed.topLeft() * pixel_ratio_, exposed.size() * pixel_ratio_));
+  painter->restore();
+}
+
+void DeviceLayer::drawTiles(QPainter& painter, const QRectF& exposed,
+                            std::span<const render::DrawnTile> tiles) {
+  const QTransform base = painter.transform();
+  for (const render::DrawnTile& tile : tiles) {
+    if (tile.image.isNull() || !tile.to_viewport.mapRect(QRectF(tile.image.rect())).intersects(exposed))
+      continue;
+    if (tile.to_viewport.type() <= QTransform::TxTranslate) {
+      painter.setTransform(base);
+      painter.drawImage(QPointF(tile.to_viewport.dx(), tile.to_viewport.dy()), tile.image);
+    } else {
+      painter.setTransform(tile.to_viewport * base);
+      painter.drawImage(QPointF(0, 0), tile.image);
+    }
+  }
+  painter.setTransform(base);
+}
+
+}  // namespace mapwright::scene

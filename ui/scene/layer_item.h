@@ -1,0 +1,81 @@
+// What all layers of the map have in common.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <QGraphicsItem>
+#include <QPolygonF>
+
+#include "geometry/view_transform.h"
+#include "map/live_state.h"
+#include "render/tile_renderer.h"
+#include "scene/layer.h"
+#include "scene/map_theme.h"
+
+namespace mapwright::scene {
+
+/// What every layer paints with. Owned by the scene, outlives its items.
+struct LayerContext {
+  geometry::ViewTransform view;  // logical pixels
+  MapTheme theme;
+  const map::LiveState* live = nullptr;  // never null while items exist; of the session, or an empty one
+};
+
+QPointF toPoint(const Eigen::Vector2d& v);
+
+/// Text with a halo, readable on any map.
+void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
+               const QColor& color, bool struck_through = false);
+
+/// The viewport polyline of world points, without what cannot be seen: points within two pixels of the one
+/// before, and stretches outside the viewport grown by `margin_px` (then there are several polylines).
+std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,
+                                    std::span<const Eigen::Vector2d> world, double margin_px);
+
+/// An item as large as the viewport that draws itself in viewport pixels.
+class LayerItem : public QGraphicsItem {
+ public:
+  explicit LayerItem(const LayerContext& context);
+  QRectF boundingRect() const override;
+  void viewportResized() { prepareGeometryChange(); }
+
+  const LayerStyle& style() const { return style_; }
+  void setStyle(const LayerStyle& style);
+  /// Draws only inside this part of the viewport; nullopt = everywhere.
+  void setPart(std::optional<QRectF> part);
+
+ protected:
+  /// The style's colour, or `otherwise`; the same for the size.
+  QColor colorOr(const QColor& otherwise) const { return style_.color.isValid() ? style_.color : otherwise; }
+  double sizeOr(double otherwise) const { return style_.size > 0 ? style_.size : otherwise; }
+  const std::optional<QRectF>& part() const { return part_; }
+
+  const LayerContext& context_;
+
+ private:
+  LayerStyle style_;
+  std::optional<QRectF> part_;
+};
+
+/// A layer made of finished pixels of the device.
+class DeviceLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  /// Tells the camera in device pixels.
+  void sendView();
+
+ protected:
+  virtual void takeView(const geometry::ViewTransform& device_view) = 0;
+  /// `painter` and `exposed` are in device pixels.
+  virtual void paintPixels(QPainter& painter, const QRectF& exposed) = 0;
+  /// Draws the tiles that touch `exposed`.
+  static void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles);
+
+ private:
+  qreal pixel_ratio_ = 1;
+};
+
+}  // namespace mapwright::scene

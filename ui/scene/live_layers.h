@@ -1,0 +1,164 @@
+// What a robot sees, plans and is told: the layers made from its live topics and from the open map.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <QImage>
+
+#include "map/overlay.h"
+#include "map/waypoint.h"
+#include "render/grid_renderer.h"
+#include "scene/layer_item.h"
+#include "scene/line_sheet.h"
+
+namespace mapwright::scene {
+
+/// A picture of cells: a whole map, a costmap, a difference.
+class RasterLayer : public DeviceLayer {
+ public:
+  RasterLayer(const LayerContext& context, render::GridRenderer& renderer);
+
+ protected:
+  void takeView(const geometry::ViewTransform& device_view) override { renderer_.setView(device_view); }
+  void paintPixels(QPainter& painter, const QRectF& exposed) override;
+
+ private:
+  render::GridRenderer& renderer_;
+};
+
+/// Lidar points of all topics.
+class CloudLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  /// Points have come: repaints where they were and where they are.
+  void pointsArrived();
+
+ private:
+  struct Key {
+    geometry::ViewTransform view;
+    std::map<std::string, std::shared_ptr<const std::vector<map::CloudPoint>>> clouds;
+    LayerStyle style;
+    bool dark = false;
+    qreal ratio = 1;
+    bool operator==(const Key&) const = default;
+  };
+  Key keyNow() const;
+  void splat();
+
+  Key key_;
+  QImage image_;
+  QRect painted_;  // device pixels of image_ that hold points
+  qreal ratio_ = 1;
+};
+
+/// Lines through the world: path, trajectories, constraints.
+class LinesLayer : public LayerItem {
+ public:
+  using Lines = std::function<void(const std::function<void(std::span<const Eigen::Vector2d>)>&)>;
+  /// `lines` calls back with every polyline. Default colour and width as given.
+  LinesLayer(const LayerContext& context, Lines lines, QColor MapTheme::*color, double width_px);
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  Lines lines_;
+  QColor MapTheme::*color_;
+  double width_px_;
+};
+
+/// Many short, thin segments.
+class ConstraintsLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  LineSheet sheet_;
+};
+
+/// The local path as a band of the robot's width.
+class LocalPathLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+};
+
+/// Where the robot is to go.
+class TargetLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+};
+
+/// Other robots, with their footprints and where they are headed.
+class NearbyRobotsLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+};
+
+/// Doors with their state, as shape and colour.
+class DoorsLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+};
+
+/// Pallets, racks, seen objects.
+class BoxesLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+};
+
+/// Landmarks of the robot and of the open mapping.
+class LandmarksLayer : public LayerItem {
+ public:
+  LandmarksLayer(const LayerContext& context, const std::vector<map::Landmark>& of_map);
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  const std::vector<map::Landmark>& of_map_;
+};
+
+/// Walls, regions and places, read only.
+class OverlaysLayer : public LayerItem {
+ public:
+  OverlaysLayer(const LayerContext& context, const std::vector<map::OverlayFeature>& features);
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  void paintRegion(QPainter& painter, const map::OverlayFeature& feature) const;
+  void paintLine(QPainter& painter, const map::OverlayFeature& feature) const;
+  const std::vector<map::OverlayFeature>& features_;
+};
+
+/// Named places with their headings.
+class WaypointsLayer : public LayerItem {
+ public:
+  WaypointsLayer(const LayerContext& context, const map::WaypointList& list);
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  const map::WaypointList& list_;
+};
+
+/// The line between the two halves of a swipe.
+class SwipeLayer : public LayerItem {
+ public:
+  using LayerItem::LayerItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+  void setAt(double fraction);
+
+ private:
+  double at_ = 0.5;
+};
+
+/// A place: a dot with a tick along its heading, and its name when there is room.
+void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
+               std::optional<double> yaw_rad, const QColor& color, const QString& name);
+
+}  // namespace mapwright::scene

@@ -1,0 +1,186 @@
+#include "scene/raster_stack.h"
+
+#include <array>
+
+#include "render/grid_palettes.h"
+
+namespace mapwright::scene {
+namespace {
+
+using map::GridKind;
+
+constexpr std::array<std::pair<Layer, GridKind>, 5> kGridLayers{
+    {{Layer::Incremental, GridKind::Incremental},
+     {Layer::EnvMatch, GridKind::EnvMatch},
+     {Layer::EnvSymmetry, GridKind::EnvSymmetry},
+     {Layer::CostmapLow, GridKind::CostmapLow},
+     {Layer::CostmapHigh, GridKind::CostmapHigh}}};
+
+std::optional<render::PlacedGrid> placedOf(const session::MapSlot& slot) {
+  if (!slot.cells()) return std::nullopt;
+  return render::PlacedGrid{slot.cells(), slot.reference()};
+}
+
+render::GridPalette paletteOf(GridKind kind, const session::LayerGrid& grid, const MapTheme& theme) {
+  if (!grid.picture.palette.empty()) return render::ownPalette(grid.picture.palette);
+  const raster::GridPyramid& cells = *grid.picture.indices;
+  switch (kind) {
+    case GridKind::Incremental:
+      return render::incrementalPalette(theme.map, raster::CellCode::Gray);
+    case GridKind::EnvMatch:
+    case GridKind::EnvSymmetry:
+      return render::matchPalette(render::commonestByte(cells));
+    default:
+      return render::costmapPalette(render::commonestByte(cells));
+  }
+}
+
+}  // namespace
+
+RasterStack::RasterStack(const LayerContext& context, render::GridRenderer::Options options, QObject* parent)
+    : QObject(parent), context_(context), options_(options), theme_(context.theme) {
+  whole_ = makeSheet();
+  overview_ = makeSheet();
+  compared_ = makeSheet();
+  difference_ = makeSheet();
+  for (const auto& [layer, kind] : kGridLayers) grids_[kind] = makeSheet();
+  for (RasterLayer* item : {compared_.item, difference_.item}) item->setVisible(false);
+}
+
+RasterStack::~RasterStack() = default;
+
+RasterStack::Sheet RasterStack::makeSheet() {
+  Sheet sheet;
+  sheet.renderer = std::make_unique<render::GridRenderer>(options_);
+  sheet.item = new RasterLayer(context_, *sheet.renderer);
+  connect(sheet.renderer.get(), &render::GridRenderer::tilesChanged, this,
+          [item = sheet.item] { item->update(); });
+  connect(sheet.renderer.get(), &render::GridRenderer::settledChanged, this, &RasterStack::settledChanged);
+  return sheet;
+}
+
+std::vector<const RasterStack::Sheet*> RasterStack::sheets() const {
+  std::vector<const Sheet*> all{&whole_, &overview_, &compared_, &difference_};
+  for (const auto& [kind, sheet] : grids_) all.push_back(&sheet);
+  return all;
+}
+
+std::vector<RasterLayer*> RasterStack::items() const {
+  std::vector<RasterLayer*> all;
+  for (const Sheet* sheet : sheets()) all.push_back(sheet->item);
+  return all;
+}
+
+RasterLayer* RasterStack::item(Layer layer) const {
+  if (layer == Layer::WholeMap) return whole_.item;
+  for (const auto& [raster, kind] : kGridLayers) {
+    if (raster == layer) return grids_.at(kind).item;
+  }
+  return nullptr;
+}
+
+void RasterStack::setSession(session::Session* session) {
+  if (session_) {
+    for (const QObject* source : {static_cast<const QObject*>(&session_->wholeMap()),
+                                  static_cast<const QObject*>(&session_->overview()),
+                                  static_cast<const QObject*>(&session_->comparedMap()),
+                                  static_cast<const QObject*>(&session_->layerGrids())}) {
+      disconnect(source, nullptr, this, nullptr);
+    }
+  }
+  session_ = session;
+  for (const Sheet* sheet : sheets()) sheet->renderer->setGrid(std::nullopt);
+  if (!session_) return;
+  using session::MapSlot;
+  const auto follow = [this](const MapSlot& slot, Sheet& sheet) {
+    connect(&slot, &MapSlot::changed, this, [this, &slot, &sheet] {
+      syncSlot(slot, sheet);
+      syncDifference();
+    });
+    connect(&slot, &MapSlot::rowsArrived, this, [this, &sheet] {
+      sheet.renderer->rowsArrived();
+      difference_.renderer->rowsArrived();
+    });
+    syncSlot(slot, sheet);
+  };
+  follow(session_->wholeMap(), whole_);
+  follow(session_->overview(), overview_);
+  follow(session_->comparedMap(), compared_);
+  connect(&session_->layerGrids(), &session::LayerGrids::changed, this, &RasterStack::syncGrid);
+  for (const auto& [layer, kind] : kGridLayers) syncGrid(kind);
+  syncDifference();
+}
+
+void RasterStack::syncSlot(const session::MapSlot& slot, Sheet& sheet) {
+  const auto placed = placedOf(slot);
+  const bool other = !(sheet.renderer->grid() == placed);
+  if (placed) sheet.renderer->setPalette(render::wholeMapPalette(theme_.map, placed->cells->code()));
+  sheet.renderer->setGrid(placed);
+  if (other) Q_EMIT contentChanged();
+}
+
+void RasterStack::syncDifference() {
+  const auto first = session_ ? placedOf(session_->wholeMap()) : std::nullopt;
+  const auto second = session_ ? placedOf(session_->comparedMap()) : std::nullopt;
+  difference_.renderer->setPalette(render::differencePalette(theme_.dark));
+  if (first && second) {
+    difference_.renderer->setGrid(first, second);
+  } else {
+    difference_.renderer->setGrid(std::nullopt);
+  }
+}
+
+void RasterStack::syncGrid(map::GridKind kind) {
+  const auto sheet = grids_.find(kind);
+  if (sheet == grids_.end()) return;
+  const session::LayerGrid* const grid = session_ ? session_->layerGrids().find(kind) : nullptr;
+  if (!grid) {
+    sheet->second.renderer->setGrid(std::nullopt);
+    return;
+  }
+  sheet->second.renderer->setPalette(paletteOf(kind, *grid, theme_));
+  sheet->second.renderer->setGrid(render::PlacedGrid{grid->picture.indices, grid->reference});
+}
+
+void RasterStack::setTheme(const MapTheme& theme) {
+  theme_ = theme;
+  if (!session_) return;
+  syncSlot(session_->wholeMap(), whole_);
+  syncSlot(session_->overview(), overview_);
+  syncSlot(session_->comparedMap(), compared_);
+  syncDifference();
+  for (const auto& [layer, kind] : kGridLayers) syncGrid(kind);
+}
+
+void RasterStack::sendView() {
+  for (const Sheet* sheet : sheets()) sheet->item->sendView();
+}
+
+void RasterStack::syncActive() {
+  for (const Sheet* sheet : sheets()) sheet->renderer->setActive(sheet->item->isVisible());
+}
+
+bool RasterStack::drawn() const {
+  for (const Sheet* sheet : sheets()) {
+    if (sheet->item->isVisible() && !sheet->renderer->settled()) return false;
+  }
+  return true;
+}
+
+bool RasterStack::settled() const {
+  if (!drawn()) return false;
+  if (!session_) return true;
+  if (whole_.item->isVisible() && !session_->wholeMap().settled()) return false;
+  return !(compared_.item->isVisible() || difference_.item->isVisible()) || session_->comparedMap().settled();
+}
+
+geometry::WorldRect RasterStack::wholeBounds() const {
+  const auto& placed = whole_.renderer->grid();
+  return placed ? placed->reference.bounds() : geometry::WorldRect{};
+}
+
+bool RasterStack::overviewShown() const { return overview_.renderer->grid().has_value(); }
+
+std::optional<render::PlacedGrid> RasterStack::wholeMap() const { return whole_.renderer->grid(); }
+
+}  // namespace mapwright::scene

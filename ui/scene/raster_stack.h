@@ -1,0 +1,71 @@
+// The raster layers of a session: whole map, overview, compared map, difference, costmaps and the like, each
+// with the renderer that keeps its tiles.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include <QObject>
+
+#include "render/grid_renderer.h"
+#include "scene/layer.h"
+#include "scene/live_layers.h"
+#include "session/session.h"
+
+namespace mapwright::scene {
+
+/// GUI thread. Makes the items; the scene that they are added to owns them.
+class RasterStack : public QObject {
+  Q_OBJECT
+ public:
+  RasterStack(const LayerContext& context, render::GridRenderer::Options options, QObject* parent);
+  ~RasterStack() override;
+
+  /// The item of a raster layer; nullptr for any other.
+  RasterLayer* item(Layer layer) const;
+  RasterLayer* overview() const { return overview_.item; }
+  RasterLayer* compared() const { return compared_.item; }
+  RasterLayer* difference() const { return difference_.item; }
+  /// All items, bottom first.
+  std::vector<RasterLayer*> items() const;
+
+  /// Not owned; null = none.
+  void setSession(session::Session* session);
+  void setTheme(const MapTheme& theme);
+  /// The camera has changed.
+  void sendView();
+  /// Takes over which items are visible: the others make nothing.
+  void syncActive();
+
+  /// Everything that is visible is drawn as far as it has been read.
+  bool drawn() const;
+  /// And read to the end.
+  bool settled() const;
+  geometry::WorldRect wholeBounds() const;
+  bool overviewShown() const;
+  std::optional<render::PlacedGrid> wholeMap() const;
+
+ Q_SIGNALS:
+  void settledChanged();
+  void contentChanged();  // another map, or its end
+
+ private:
+  struct Sheet {
+    std::unique_ptr<render::GridRenderer> renderer;
+    RasterLayer* item = nullptr;
+  };
+  Sheet makeSheet();
+  std::vector<const Sheet*> sheets() const;
+  void syncSlot(const session::MapSlot& slot, Sheet& sheet);
+  void syncDifference();
+  void syncGrid(map::GridKind kind);
+
+  const LayerContext& context_;
+  render::GridRenderer::Options options_;
+  session::Session* session_ = nullptr;
+  MapTheme theme_;
+  Sheet whole_, overview_, compared_, difference_;
+  std::map<map::GridKind, Sheet> grids_;
+};
+
+}  // namespace mapwright::scene
