@@ -58,6 +58,9 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_option("--rotate", words.rotate_deg,
                       "Turn the picture counter-clockwise by this many degrees");
   command->add_option("--layers", words.layers, layersHelp());
+  command->add_option("--resolution", words.resolution, "Metres per pixel of a bare picture file");
+  command->add_option("--origin", words.origin,
+                      "Lower left corner of a bare picture file: X,Y or X,Y,YAW in metres and radians");
   command->add_option("--slice", words.slice, "Which slice of each submap")->capture_default_str();
   command->add_option("--colors", words.colors, "normal, incremental or active")->capture_default_str();
   command->add_option("--theme", words.theme, "light or dark")->capture_default_str();
@@ -83,6 +86,10 @@ void addMaps(CLI::App& cli, CommandLine& line) {
                         "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
     command->add_option("--timeout", words.timeout_s, "Give up waiting after this many seconds")
         ->capture_default_str();
+    command->add_option(
+        "--resolution", words.resolution,
+        "Metres per cell: of a bare picture file, or of submaps that are exported or compared (0.05)");
+    command->add_option("--origin", words.origin, "Lower left corner of a bare picture file: X,Y or X,Y,YAW");
     return command;
   };
   const char* which =
@@ -100,15 +107,12 @@ void addMaps(CLI::App& cli, CommandLine& line) {
       ->required();
   exported->add_option("--format", words.format, "png or pgm, when the name does not tell");
   exported->add_flag("--world-file", words.world_file, "Write NAME.pgw (world file) beside it");
-  exported->add_option("--resolution", words.resolution_m, "Metres per cell of exported submaps")
-      ->capture_default_str();
   CLI::App* diff = add("diff", "Compare two maps cell by cell; exit code 1 when they differ");
   diff->add_option("first", words.first,
                    "A map of --robot (id, mapping:ID, live, submaps), or a file or address")
       ->required();
   diff->add_option("second", words.second, "Likewise")->required();
   diff->add_option("--diff", words.diff_picture, "Write the difference as a PNG");
-  diff->add_option("--resolution", words.resolution_m, "Metres per cell of submaps")->capture_default_str();
   diff->add_flag("--json", words.json, "Machine-readable");
 }
 

@@ -22,6 +22,7 @@ constexpr int kTries = 3;
 session::Session::Options quietOptions() {
   session::Session::Options options;
   options.overview = false;
+  options.sidecar_folder = gridCacheFolder();
   return options;
 }
 
@@ -109,13 +110,15 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
   if (!id.isEmpty() && id != QLatin1String("live") && id != QLatin1String("file")) {
     const auto rows = catalogue();  // for the map's name, and to tell a wrong id from a broken map
     if (!rows) return tl::make_unexpected(rows.error());
-    session_.openMap(map::mapKeyFromText(id.toStdString()));
+    const map::CatalogueEntry* const entry = session_.catalogue().called(id.toStdString());
+    session_.openMap(entry ? entry->key : map::mapKeyFromText(id.toStdString()));
   } else if (sends_maps) {
     session_.want(QStringLiteral("command"), scene::layerTopics(scene::Layer::WholeMap));
     session_.openMap({map::MapKind::Live, {}});
     QElapsedTimer clock;
     clock.start();
-    waitUntil([&] { return slot.phase() != Phase::Fetching || double(clock.elapsed()) > kLiveMapWithinS * 1000; });
+    waitUntil(
+        [&] { return slot.phase() != Phase::Fetching || double(clock.elapsed()) > kLiveMapWithinS * 1000; });
     if (slot.phase() == Phase::Fetching) {
       const auto rows = catalogue();
       const map::CatalogueEntry* const current = rows ? session_.catalogue().current() : nullptr;

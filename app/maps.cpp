@@ -16,6 +16,7 @@
 #include "app/exit_code.h"
 #include "app/map_diff.h"
 #include "app/map_reading.h"
+#include "app/robot_factory.h"
 #include "app/secret.h"
 #include "raster/export_grid.h"
 
@@ -94,15 +95,27 @@ QStringList rowOf(const map::CatalogueEntry& row) {
           dateText(row.modified_s ? row.modified_s : row.created_s), plain(row.name)};
 }
 
+/// NaN when it is no number.
+double resolutionOf(const MapsWords& words) {
+  bool ok = false;
+  const double value = text(words.resolution).toDouble(&ok);
+  return words.resolution.empty() ? 0.05 : ok && std::isfinite(value) ? value : std::nan("");
+}
+
 using Opened = CommandResult<std::unique_ptr<MapReading>>;
 Opened openRobot(const QString& address, const MapsWords& words) {
   const auto secret = readSecret(text(words.secret_file));
+  if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
+    return tl::make_unexpected(
+        CommandFailure{kUsage, QStringLiteral("--resolution %1: give metres per cell, for example 0.05.")
+                                   .arg(text(words.resolution))});
+  }
   if (!secret) return tl::make_unexpected(CommandFailure{kUsage, secret.error()});
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400)) {
     return tl::make_unexpected(
         CommandFailure{kUsage, QStringLiteral("--timeout must be more than 0 and at most 86400 seconds.")});
   }
-  return MapReading::open(address, *secret, words.timeout_s);
+  return MapReading::open(placedFile(address, words.resolution, words.origin), *secret, words.timeout_s);
 }
 
 /// A command's frame: an application without a display, and what it ends with.
@@ -170,7 +183,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
   return run(argc, argv, [&]() -> CommandResult<int> {
     auto robot = openRobot(text(words.robot), words);
     if (!robot) return tl::make_unexpected(robot.error());
-    const auto placed = (*robot)->map(text(words.id), words.resolution_m);
+    const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
     session::Session& session = (*robot)->session();
     const map::WholeMap& shown = session.wholeMap().shown();
@@ -253,7 +266,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     }
     auto robot = openRobot(text(words.robot), words);
     if (!robot) return tl::make_unexpected(robot.error());
-    const auto placed = (*robot)->map(text(words.id), words.resolution_m);
+    const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
     const auto error = format == QLatin1String("png")
                            ? raster::writeGridPng(*placed->cells, words.output)
@@ -285,7 +298,7 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
       const bool other = looksLikeFile(operand);
       auto robot = openRobot(other ? operand : text(words.robot), words);
       if (!robot) return tl::make_unexpected(robot.error());
-      const auto placed = (*robot)->map(other ? QString() : operand, words.resolution_m);
+      const auto placed = (*robot)->map(other ? QString() : operand, resolutionOf(words));
       if (!placed) return tl::make_unexpected(placed.error());
       maps.push_back(*placed);
       readings.push_back(std::move(*robot));

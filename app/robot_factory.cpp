@@ -3,13 +3,32 @@
 #include <QStandardPaths>
 
 #include "robot/address.h"
+#include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
+#include "robot/files/file_robot.h"
 
 namespace mapwright::app {
 
 QString httpCacheFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
          QStringLiteral("/mapwright/http");
+}
+
+QString gridCacheFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
+         QStringLiteral("/mapwright/grids");
+}
+
+QString placedFile(const QString& address, const std::string& resolution, const std::string& origin) {
+  if (resolution.empty() && origin.empty()) return address;
+  const auto parsed = robot::parseAddress(address);
+  if (!parsed || parsed->backend != robot::Backend::File || address.contains(QLatin1Char('?')))
+    return address;
+  QUrlQuery query;
+  if (!resolution.empty())
+    query.addQueryItem(QStringLiteral("resolution"), QString::fromStdString(resolution));
+  if (!origin.empty()) query.addQueryItem(QStringLiteral("origin"), QString::fromStdString(origin));
+  return QStringLiteral("file:") + parsed->path + QLatin1Char('?') + query.toString();
 }
 
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address,
@@ -20,6 +39,19 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
     const auto options = parseDemoQuery(QUrlQuery(parsed->url), demo_time);
     if (!options) return tl::make_unexpected(options.error());
     return makeDemoRobot(parsed->text, *options);
+  }
+  if (parsed->backend == robot::Backend::File) {
+    robot::files::FileOptions file;
+    file.path = parsed->path;
+    if (parsed->resolution_m) file.place.resolution_m = *parsed->resolution_m;
+    if (parsed->origin) file.place.origin = *parsed->origin;
+    return std::make_unique<robot::files::FileRobot>(parsed->text, std::move(file));
+  }
+  if (parsed->backend == robot::Backend::Aimdk) {
+    robot::aimdk::LinkOptions link;
+    link.base = parsed->url;
+    link.tf = parsed->tf;
+    return std::make_unique<robot::aimdk::AimdkRobot>(parsed->text, std::move(link));
   }
   robot::axbot::LinkOptions link;
   link.base = parsed->url;

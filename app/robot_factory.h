@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <QByteArray>
 #include <QString>
@@ -16,7 +17,13 @@ namespace mapwright::app {
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address,
                                                                const QByteArray& secret, DemoTime demo_time);
 
+/// The address of a bare picture with its resolution (metres per cell) and origin ("x,y" or "x,y,yaw") from
+/// the command line, which makeRobot() then checks; other addresses, and empty words, change nothing.
+QString placedFile(const QString& address, const std::string& resolution, const std::string& origin);
+
 /// The folder of answers kept on disk (XDG_CACHE_HOME/mapwright/http).
 QString httpCacheFolder();
+/// The folder of finished pyramids of large maps (XDG_CACHE_HOME/mapwright/grids).
+QString gridCacheFolder();
 
 }  // namespace mapwright::app

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QStringList>
 
+#include "app/robot_factory.h"
 #include "geometry/pose.h"
 #include "geometry/view_transform.h"
 #include "submap/submap_book.h"
@@ -72,7 +73,7 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) 
 tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words) {
   const auto wrong = [](const QString& sentence) { return tl::make_unexpected(sentence); };
   SnapshotOptions options;
-  options.robot = text(words.robot);
+  options.robot = placedFile(text(words.robot), words.resolution, words.origin);
   options.secret_file = text(words.secret_file);
   options.output = text(words.output);
   options.report = text(words.report);

@@ -12,6 +12,7 @@
 
 #include "app/exit_code.h"
 #include "app/raw_picture.h"
+#include "app/robot_factory.h"
 
 namespace mapwright::app {
 namespace {
@@ -37,6 +38,7 @@ qint64 peakMemoryBytes() {
 
 session::Session::Options sessionOptions() {
   session::Session::Options options;
+  options.sidecar_folder = gridCacheFolder();
   options.overview = false;  // a picture shows what is exact, or nothing
   return options;
 }
@@ -152,9 +154,15 @@ bool SnapshotRun::wantsWhole() const {
 void SnapshotRun::askForWhole() {
   const bool sends_maps = session_.robot().liveTopics() != nullptr;
   if (!whole_asked_) {
+    // The names of a folder's maps are known when its list is in.
+    if (options_.map && session_.catalogue().offered() && !session_.catalogue().asOf() &&
+        session_.catalogue().error().isEmpty()) {
+      return;
+    }
     whole_asked_ = true;
     if (options_.map) {
-      session_.openMap(*options_.map);
+      const map::CatalogueEntry* const entry = session_.catalogue().called(map::toText(*options_.map));
+      session_.openMap(entry ? entry->key : *options_.map);
     } else if (sends_maps) {
       session_.openMap({map::MapKind::Live, {}});
     }

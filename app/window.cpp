@@ -15,6 +15,12 @@
 namespace mapwright::app {
 namespace {
 
+session::Session::Options sessionOptions() {
+  session::Session::Options options;
+  options.sidecar_folder = gridCacheFolder();
+  return options;
+}
+
 int showWindow(const QString& address, const QByteArray& secret) {
   QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("mapwright"),
                      QStringLiteral("mapwright"));
@@ -24,7 +30,10 @@ int showWindow(const QString& address, const QByteArray& secret) {
                                     return makeRobot(to, the_given_one ? secret : typed_secret,
                                                      DemoTime::Running);
                                   },
-                                  settings, address});
+                                  settings,
+                                  address,
+                                  {},
+                                  sessionOptions()});
   main_window.show();
   return QApplication::exec();
 }

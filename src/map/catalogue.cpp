@@ -9,7 +9,7 @@ std::string toText(const MapKey& key) {
     case MapKind::Mapping:
       return "mapping:" + key.id;
     case MapKind::File:
-      return "file";
+      return key.id.empty() ? "file" : key.id;
     case MapKind::Stored:
       break;
   }

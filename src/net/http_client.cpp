@@ -328,7 +328,8 @@ class HttpClient::Impl {
     const QNetworkReply& reply = *job.network_reply;
     const QByteArray cache_control = reply.rawHeader("Cache-Control");
     const QByteArray etag = reply.rawHeader("ETag");
-    const bool caching = job.request.cacheable && !job.request.post && cache_ != nullptr && job.redirects == 0;
+    const bool caching =
+        job.request.cacheable && !job.request.post && cache_ != nullptr && job.redirects == 0;
     if (status == 304 && job.stored) {
       cache_->refresh(job.request.url, cache_control, etag);
       return storedAnswer(job);

@@ -18,10 +18,10 @@ class HttpCache;
 struct HttpRequest {
   QUrl url;  // absolute
   QByteArray accept = "application/json";
-  bool post = false;         // POST of `body`; never sent twice by itself, never redirected, never cached
-  QByteArray body;           // of a POST
+  bool post = false;  // POST of `body`; never sent twice by itself, never redirected, never cached
+  QByteArray body;    // of a POST
   QByteArray content_type = "application/json";  // of `body`
-  bool cacheable = false;  // look into and fill the disk cache
+  bool cacheable = false;                        // look into and fill the disk cache
   bool content_addressed =
       false;  // the URL names a version: without Cache-Control and ETag the body is kept for good
   qint64 max_bytes = qint64(256) << 20;       // a longer body is cut off and fails

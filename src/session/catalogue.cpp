@@ -66,6 +66,12 @@ const map::CatalogueEntry* Catalogue::current() const {
   return found == entries_.end() ? nullptr : &*found;
 }
 
+const map::CatalogueEntry* Catalogue::called(const std::string& text) const {
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const auto& row) { return map::toText(row.key) == text; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
 QByteArray Catalogue::thumbnail(const map::MapKey& key) {
   if (const auto found = thumbnails_.find(key); found != thumbnails_.end()) return found->second;
   const map::CatalogueEntry* const row = find(key);

@@ -33,6 +33,8 @@ class Catalogue : public QObject {
   const std::vector<map::CatalogueEntry>& entries() const { return entries_; }
   const map::CatalogueEntry* find(const map::MapKey& key) const;
   const map::CatalogueEntry* current() const;
+  /// The row that people call `text` (map::toText); nullptr when there is none.
+  const map::CatalogueEntry* called(const std::string& text) const;
 
   /// The thumbnail (PNG bytes), or empty: then it is asked for, and thumbnailArrived() tells. A failed one is
   /// not asked for again until its row changes.

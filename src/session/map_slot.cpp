@@ -40,6 +40,7 @@ void MapSlot::expect(const map::MapKey& key, const QString& name) {
   cancel();
   key_ = key;
   name_ = name;
+  coming_waypoints_.reset();
   remark_.clear();
   phase_ = Phase::Fetching;
   Q_EMIT changed();
@@ -134,6 +135,7 @@ void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& open
 
 void MapSlot::put(const std::shared_ptr<Opened>& opened) {
   if (!(shown_.key == opened->map.key)) waypoints_ = {};
+  if (coming_waypoints_) waypoints_ = *std::exchange(coming_waypoints_, std::nullopt);
   shown_ = opened->map;
   shown_cells_ = opened->cells;
   Q_EMIT changed();
@@ -186,6 +188,7 @@ void MapSlot::clear() {
   shown_ = {};
   shown_cells_.reset();
   waypoints_ = {};
+  coming_waypoints_.reset();
   Q_EMIT changed();
 }
 
@@ -196,10 +199,14 @@ double MapSlot::progress() const {
 
 void MapSlot::setWaypoints(map::WaypointList waypoints) {
   for (const std::string& note : waypoints.notes) {
-    Q_EMIT problemFound({map::Severity::Warning, subject().toStdString(), note});
+    Q_EMIT problemFound({map::Severity::Warning, "Navigation points of " + subject().toStdString(), note});
   }
-  waypoints_ = std::move(waypoints);
-  Q_EMIT changed();
+  if (shown_cells_ && shown_.key == key_) {
+    waypoints_ = std::move(waypoints);
+    Q_EMIT changed();
+  } else {
+    coming_waypoints_ = std::move(waypoints);
+  }
 }
 
 }  // namespace mapwright::session

@@ -58,7 +58,8 @@ class MapSlot : public QObject {
   /// The map as it came, to show it elsewhere too; nullopt while nothing came.
   const std::optional<map::WholeMap>& source() const { return source_; }
 
-  /// Named places of the shown map, when the robot has them.
+  /// Named places of the shown map, when the robot has them. Those of a map that is still on its way wait for
+  /// it.
   const map::WaypointList& waypoints() const { return waypoints_; }
   void setWaypoints(map::WaypointList waypoints);
 
@@ -87,7 +88,8 @@ class MapSlot : public QObject {
   map::WholeMap shown_;
   std::shared_ptr<const raster::GridPyramid> shown_cells_;
   map::WaypointList waypoints_;
-  std::shared_ptr<Opened> reading_;  // opened, not on screen yet or still growing
+  std::optional<map::WaypointList> coming_waypoints_;  // of the map that is on its way
+  std::shared_ptr<Opened> reading_;                    // opened, not on screen yet or still growing
   std::shared_ptr<std::atomic<bool>> cancelled_;
   quint64 generation_ = 0;
   bool broken_ = false;

@@ -17,6 +17,7 @@ class AimdkRoutes : public Answerer {
   AimdkRoutes(MapLibrary& library, const FaultPlan& faults) : library_(library), faults_(faults) {}
 
   HttpAnswer answer(const HttpQuestion& question) override;
+  bool isSlow(std::string_view) const override { return true; }
   bool opensTopics(std::string_view) const override { return false; }
 
  private:

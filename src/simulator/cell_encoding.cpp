@@ -1,7 +1,9 @@
 #include "simulator/cell_encoding.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <zlib.h>
 
@@ -74,33 +76,33 @@ int intensityOf(int cell) { return std::clamp(128 + (128 - cell) * 3, 1, 255); }
 
 /// One byte per cell, by format.
 std::string asBytes(const std::vector<std::uint8_t>& cells, CellFormat format) {
-  std::string out(cells.size(), '\0');
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const int v = cells[i];
-    if (v == 0) continue;
-    const int byte = format == CellFormat::LogOdds     ? v
-                     : format == CellFormat::TsdfDelta ? 256 - v
-                                                       : intensityOf(v);
-    out[i] = static_cast<char>(byte);
+  std::array<char, 256> byte_of{};
+  for (int v = 1; v < 256; ++v) {
+    byte_of[static_cast<std::size_t>(v)] =
+        static_cast<char>(format == CellFormat::LogOdds     ? v
+                          : format == CellFormat::TsdfDelta ? 256 - v
+                                                            : intensityOf(v));
   }
+  std::string out(cells.size(), '\0');
+  std::transform(cells.begin(), cells.end(), out.begin(), [&](std::uint8_t cell) { return byte_of[cell]; });
   return out;
 }
 
 /// (value, alpha) as Cartographer paints them.
 std::string asPairs(const std::vector<std::uint8_t>& cells, CellFormat format) {
-  std::string out(cells.size() * 2, '\0');
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i] == 0) continue;
-    const int delta = 128 - static_cast<int>(cells[i]);
+  std::array<std::array<char, 2>, 256> pair_of{};
+  for (int v = 1; v < 256; ++v) {
+    const int delta = 128 - v;
     int value = delta > 0 ? delta : 0;
     int alpha = delta > 0 ? 0 : delta < 0 ? -delta : 1;
     if (format == CellFormat::Intensity) {
-      value = intensityOf(cells[i]);
+      value = intensityOf(v);
       alpha = 255;
     }
-    out[2 * i] = static_cast<char>(value);
-    out[2 * i + 1] = static_cast<char>(alpha);
+    pair_of[static_cast<std::size_t>(v)] = {static_cast<char>(value), static_cast<char>(alpha)};
   }
+  std::string out(cells.size() * 2, '\0');
+  for (std::size_t i = 0; i < cells.size(); ++i) std::memcpy(out.data() + 2 * i, pair_of[cells[i]].data(), 2);
   return out;
 }
 

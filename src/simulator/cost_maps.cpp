@@ -28,10 +28,11 @@ std::vector<std::uint8_t> costTable() {
 
 void addSolid(GrayPicture& picture, const GridPlace& place, const Solid& solid,
               const std::vector<std::uint8_t>& costs) {
-  const double c = std::abs(std::cos(solid.yaw_rad)), s = std::abs(std::sin(solid.yaw_rad));
-  const Vector2d half = solid.round ? Vector2d(solid.half.x(), solid.half.x())
-                                    : Vector2d(c * solid.half.x() + s * solid.half.y(),
-                                               s * solid.half.x() + c * solid.half.y());
+  const double c = std::cos(solid.yaw_rad), s = std::sin(solid.yaw_rad);
+  const Vector2d shape = solid.round ? Vector2d(solid.half.x(), solid.half.x()) : solid.half;
+  const Vector2d half = solid.round ? shape
+                                    : Vector2d(std::abs(c) * shape.x() + std::abs(s) * shape.y(),
+                                               std::abs(s) * shape.x() + std::abs(c) * shape.y());
   const Vector2d grown = half + Vector2d(kInflationM, kInflationM);
   const Vector2d low = (solid.centre - grown - place.origin_m) / place.resolution_m;
   const Vector2d high = (solid.centre + grown - place.origin_m) / place.resolution_m;
@@ -43,13 +44,22 @@ void addSolid(GrayPicture& picture, const GridPlace& place, const Solid& solid,
   for (int y = y0; y < y1; ++y) {
     std::uint8_t* row = picture.levels.data() + static_cast<std::size_t>(place.height - 1 - y) *
                                                     static_cast<std::size_t>(place.width);
+    const double dy = place.origin_m.y() + place.resolution_m * (y + 0.5) - solid.centre.y();
     for (int u = u0; u < u1; ++u) {
       if (row[u] == 254) continue;
-      const double distance =
-          solid.distanceTo(place.origin_m + place.resolution_m * Vector2d(u + 0.5, y + 0.5));
-      if (distance > kInflationM) continue;
+      const double dx = place.origin_m.x() + place.resolution_m * (u + 0.5) - solid.centre.x();
+      double beyond = 0;  // the square of how far outside the shape
+      if (solid.round) {
+        const double distance = std::max(0.0, std::sqrt(dx * dx + dy * dy) - shape.x());
+        beyond = distance * distance;
+      } else {
+        const double along = std::max(0.0, std::abs(c * dx + s * dy) - shape.x());
+        const double across = std::max(0.0, std::abs(-s * dx + c * dy) - shape.y());
+        beyond = along * along + across * across;
+      }
+      if (beyond > kInflationM * kInflationM) continue;
       const std::uint8_t cost =
-          distance <= 0 ? 254 : costs[static_cast<std::size_t>(distance * kStepsPerMetre)];
+          beyond <= 0 ? 254 : costs[static_cast<std::size_t>(std::sqrt(beyond) * kStepsPerMetre)];
       row[u] = std::max(row[u], cost);
     }
   }

@@ -41,7 +41,10 @@ bool matchesTag(std::string_view if_none_match, std::string_view tag);
 class Answerer {
  public:
   virtual ~Answerer() = default;
+  /// Safe from any thread.
   virtual HttpAnswer answer(const HttpQuestion& question) = 0;
+  /// Whether making the answer may take milliseconds: then a worker makes it.
+  virtual bool isSlow(std::string_view path) const = 0;
   /// Whether a client with this Secret header may use the WebSocket here.
   virtual bool opensTopics(std::string_view secret) const = 0;
 };

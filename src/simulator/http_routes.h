@@ -20,6 +20,7 @@ class HttpRoutes : public Answerer {
   HttpRoutes(const RobotState& state, MapLibrary& library, FaultPlan& faults, const Options& options);
 
   HttpAnswer answer(const HttpQuestion& question) override;
+  bool isSlow(std::string_view path) const override;
   bool opensTopics(std::string_view secret) const override { return allows(secret); }
 
  private:

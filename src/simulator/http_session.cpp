@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
 #include "simulator/http_routes.h"
@@ -77,9 +79,27 @@ void HttpSession::take() {
       return;
     }
     answer_ = jsonAnswer(400, jsonDetail("This address speaks WebSocket only."));
+  } else if (services_.routes.isSlow(path)) {
+    work(question);
+    return;
   } else {
     answer_ = services_.routes.answer(question);
   }
+  give();
+}
+
+void HttpSession::work(const HttpQuestion& question) {
+  // The question's texts lie in the parser, which stays as it is until the answer is sent.
+  boost::asio::post(services_.workers, [self = shared_from_this(), question] {
+    auto answer = std::make_shared<HttpAnswer>(self->services_.routes.answer(question));
+    boost::asio::post(self->stream_.get_executor(), [self, answer] {
+      self->answer_ = std::move(*answer);
+      self->give();
+    });
+  });
+}
+
+void HttpSession::give() {
   if (answer_.delay_ms > 0) {
     wait();
   } else {

@@ -24,6 +24,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   using Body = boost::beast::http::span_body<const char>;
 
   void take();
+  void work(const HttpQuestion& question);
+  void give();
   void wait();
   void watchPeer();
   void respond();

@@ -11,8 +11,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::uint8_t kSolid = 0x80;  // in Canvas::marks
-constexpr std::uint8_t kHits = 0x7F;
+// A cell of the canvas is one word, so that a ray touches one place in memory per step.
+constexpr std::uint32_t kSolid = 0x8000'0000;
+constexpr std::uint32_t kHits = 0x7F00'0000, kOneHit = 0x0100'0000;
+constexpr std::uint32_t kMisses = 0x00FF'FFFF, kOneMiss = 1;
 constexpr int kHitWeight = 34, kMissWeight = 8;
 constexpr int kFree = -96, kOccupied = 112;  // where probabilities saturate, as Cartographer clamps them
 
@@ -24,8 +26,7 @@ struct Canvas {
   double c = 1, s = 0;  // of the yaw
   Vector2d anchor{0, 0};
   double resolution = 0.05;
-  std::vector<std::uint8_t> marks;  // solid flag and hits
-  std::vector<std::uint16_t> misses;
+  std::vector<std::uint32_t> cells;  // solid flag, hits, misses
 
   Vector2d local(const Vector2d& world) const {
     const Vector2d d = world - anchor;
@@ -59,8 +60,7 @@ Canvas makeCanvas(const std::vector<ScanPlace>& scans, const Vector2d& anchor, d
   canvas.width = static_cast<int>(std::ceil((canvas.top.y() - (low.y() - margin)) / res));
   canvas.height = static_cast<int>(std::ceil((canvas.top.x() - (low.x() - margin)) / res));
   const auto cells = static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
-  canvas.marks.assign(cells, 0);
-  canvas.misses.assign(cells, 0);
+  canvas.cells.assign(cells, 0);
   return canvas;
 }
 
@@ -100,12 +100,12 @@ void drawSolid(Canvas& canvas, const Solid& solid) {
     }
     const int u0 = std::max(0, static_cast<int>(std::ceil(centre.x() + from - 0.5)));
     const int u1 = std::min(canvas.width - 1, static_cast<int>(std::floor(centre.x() + to - 0.5)));
-    for (int u = u0; u <= u1; ++u) canvas.marks[canvas.index(u, v)] |= kSolid;
+    for (int u = u0; u <= u1; ++u) canvas.cells[canvas.index(u, v)] |= kSolid;
   }
 }
 
-void addHit(std::uint8_t& mark) {
-  if ((mark & kHits) < kHits) ++mark;
+void addHit(std::uint32_t& cell) {
+  if ((cell & kHits) < kHits) cell += kOneHit;
 }
 
 /// One turn of the lidar: every ray marks free cells until it meets a solid.
@@ -129,20 +129,20 @@ void castScan(Canvas& canvas, const ScanPlace& scan, double yaw, const ScanSetti
     std::size_t before = canvas.index(u >> 16, v >> 16);
     for (int i = 0; i < steps; ++i) {
       const std::size_t here = canvas.index(u >> 16, v >> 16);
-      if (canvas.marks[here] & kSolid) {
+      if (canvas.cells[here] & kSolid) {
         const auto grain = static_cast<unsigned>(noise & 0xFF);
         if (grain < 10) {  // a return that comes a little short
-          addHit(canvas.marks[before]);
+          addHit(canvas.cells[before]);
         } else {
-          addHit(canvas.marks[here]);
+          addHit(canvas.cells[here]);
           if (grain < 60) {  // or a little deep
             const std::size_t next = canvas.index((u + step_u) >> 16, (v + step_v) >> 16);
-            if (canvas.marks[next] & kSolid) addHit(canvas.marks[next]);
+            if (canvas.cells[next] & kSolid) addHit(canvas.cells[next]);
           }
         }
         break;
       }
-      ++canvas.misses[here];
+      canvas.cells[here] += kOneMiss;
       before = here;
       u += step_u;
       v += step_v;
@@ -151,11 +151,11 @@ void castScan(Canvas& canvas, const ScanPlace& scan, double yaw, const ScanSetti
 }
 
 /// Counts to a seen cell's value, with the grain that real grids have.
-std::uint8_t cellValue(std::uint8_t mark, std::uint16_t misses, std::uint64_t grain) {
-  const int hits = mark & kHits;
+std::uint8_t cellValue(std::uint32_t cell, std::uint64_t grain) {
+  const auto hits = static_cast<int>((cell & kHits) / kOneHit), misses = static_cast<int>(cell & kMisses);
   // What was seen often is saturated and without grain, as in a real grid: that also packs well.
   const int noise = static_cast<int>(grain % 17) - 8;
-  const int score = kHitWeight * hits - kMissWeight * static_cast<int>(misses) + noise;
+  const int score = kHitWeight * hits - kMissWeight * misses + noise;
   return static_cast<std::uint8_t>(128 + std::clamp(score, kFree, kOccupied));
 }
 
@@ -179,9 +179,8 @@ ScanGrid scanGrid(const FloorPlan& plan, const std::vector<Solid>& extra, const 
 
   int u0 = canvas.width, u1 = -1, v0 = canvas.height, v1 = -1;
   for (int v = 0; v < canvas.height; ++v) {
-    const std::uint8_t* marks = canvas.marks.data() + canvas.index(0, v);
-    const std::uint16_t* misses = canvas.misses.data() + canvas.index(0, v);
-    const auto seen = [&](int u) { return (marks[u] & kHits) != 0 || misses[u] != 0; };
+    const std::uint32_t* row = canvas.cells.data() + canvas.index(0, v);
+    const auto seen = [&](int u) { return (row[u] & ~kSolid) != 0; };
     int left = 0;
     while (left < canvas.width && !seen(left)) ++left;
     if (left == canvas.width) continue;
@@ -209,16 +208,15 @@ ScanGrid scanGrid(const FloorPlan& plan, const std::vector<Solid>& extra, const 
   for (int v = v0; v <= v1; ++v) {
     const std::uint64_t row = hashOf(settings.seed, top_row - v);
     std::uint64_t bits = 0, octet = ~std::uint64_t{0};
-    const std::uint8_t* marks = canvas.marks.data() + canvas.index(0, v);
-    const std::uint16_t* misses = canvas.misses.data() + canvas.index(0, v);
+    const std::uint32_t* counts = canvas.cells.data() + canvas.index(0, v);
     for (int u = u0; u <= u1; ++u, ++out) {
-      if ((marks[u] & kHits) == 0 && misses[u] == 0) continue;
+      if ((counts[u] & ~kSolid) == 0) continue;
       const auto column = static_cast<std::uint64_t>(top_column - u);
       if (column >> 3 != octet) {
         octet = column >> 3;
         bits = mix(row ^ octet);
       }
-      grid.cells[out] = cellValue(marks[u], misses[u], (bits >> (8 * (column & 7))) & 0xFF);
+      grid.cells[out] = cellValue(counts[u], (bits >> (8 * (column & 7))) & 0xFF);
     }
   }
   return grid;

@@ -31,6 +31,8 @@ Server::Server(const Options& options, RobotState& state, MapLibrary& library, F
 Server::~Server() {
   io_.stop();
   if (thread_.joinable()) thread_.join();
+  workers_.stop();
+  workers_.join();
   hub_.drop();  // sessions must go before the io_context
 }
 
@@ -66,7 +68,7 @@ void Server::accept(Door& door) {
     if (error == boost::asio::error::operation_aborted) return;
     if (!error) {
       socket.set_option(tcp::no_delay(true), error);
-      const Services services{options_, state_, faults_, log_, door.routes, messages_, hub_};
+      const Services services{options_, state_, faults_, log_, door.routes, messages_, hub_, workers_};
       std::make_shared<HttpSession>(std::move(socket), services)->read();
     }
     accept(door);

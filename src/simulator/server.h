@@ -1,4 +1,4 @@
-// The simulated robots' ports and their thread.
+// The simulated robots' ports and their threads.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
 
 #include "simulator/aimdk_routes.h"
 #include "simulator/http_routes.h"
@@ -17,7 +18,8 @@
 
 namespace mapwright::simulator {
 
-/// Serves from start() to destruction. One thread does all the work; nothing on it waits.
+/// Serves from start() to destruction. One thread does all that has to do with sockets, and nothing on it
+/// waits; two workers make what takes milliseconds.
 class Server {
  public:
   Server(const Options& options, RobotState& state, MapLibrary& library, FaultPlan& faults, RequestLog& log);
@@ -60,6 +62,7 @@ class Server {
   TopicMessages messages_;
   WebSocketHub hub_;
   boost::asio::io_context io_{1};
+  boost::asio::thread_pool workers_{2};
   Door axbot_{boost::asio::ip::tcp::acceptor(io_), routes_};
   Door aimdk_{boost::asio::ip::tcp::acceptor(io_), aimdk_routes_};
   boost::asio::steady_timer timer_{io_};

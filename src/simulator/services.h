@@ -7,6 +7,10 @@
 #include "simulator/topic_messages.h"
 #include "simulator/web_socket_hub.h"
 
+namespace boost::asio {
+class thread_pool;
+}
+
 namespace mapwright::simulator {
 
 struct Services {
@@ -17,6 +21,7 @@ struct Services {
   Answerer& routes;
   TopicMessages& messages;
   WebSocketHub& hub;
+  boost::asio::thread_pool& workers;  // for what takes milliseconds to make
 };
 
 }  // namespace mapwright::simulator

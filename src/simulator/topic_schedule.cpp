@@ -91,6 +91,11 @@ bool mayBeLeftOut(std::string_view topic) {
          std::any_of(kRhythms.begin(), kRhythms.end(), [&](const Rhythm& r) { return r.topic == topic; });
 }
 
+bool isSlow(std::string_view topic) {
+  return topic.starts_with("/map") || topic.starts_with("/incremental_map") || topic.starts_with("/env_") ||
+         topic == "/scan_matched_points2" || topic == "/left_laser_2d/matched" || topic == "/semantic_points";
+}
+
 const std::vector<std::string_view>& mapTopics() {
   static const std::vector<std::string_view> topics{
       "/map/info",       "/map",           "/map_v2",          "/map/costmap",

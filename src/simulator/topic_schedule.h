@@ -22,6 +22,8 @@ std::vector<PeriodicTopic> periodicTopics(const Options& options, std::chrono::s
 bool isLatched(std::string_view topic);
 /// Topics that come often enough to be left out when a reader is slow.
 bool mayBeLeftOut(std::string_view topic);
+/// Topics that take milliseconds to make: pictures and scans.
+bool isSlow(std::string_view topic);
 /// Topics to send when the robot's map changes.
 const std::vector<std::string_view>& mapTopics();
 

@@ -1,5 +1,8 @@
 #include "simulator/web_socket_session.h"
 
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+
 #include "simulator/http_answer.h"
 #include "simulator/json_text.h"
 #include "simulator/topic_request.h"
@@ -92,9 +95,29 @@ void WebSocketSession::publish(std::string_view topic) {
   const Faults faults = services_.faults.faults();
   if (silent_ || faults.silent_websocket) return;
   if (mayBeLeftOut(topic) && outgoing_.size() > kMostQueued) return;
+  if (isSlow(topic)) {
+    make(std::string(topic));
+    return;
+  }
   if (std::optional<Frame> frame = services_.messages.messageOf(topic, binary_, faults.bad_entries)) {
     send(std::move(*frame));
   }
+}
+
+void WebSocketSession::make(const std::string& topic) {
+  const auto [entry, is_new] = making_.try_emplace(topic, false);
+  if (!is_new) {
+    entry->second = true;
+    return;
+  }
+  boost::asio::post(services_.workers, [self = shared_from_this(), topic] {
+    std::optional<Frame> frame = self->services_.messages.messageOf(topic, self->binary_, false);
+    boost::asio::post(self->stream_.get_executor(), [self, topic, frame = std::move(frame)]() mutable {
+      const bool again = self->making_.extract(topic).mapped();
+      if (frame && self->topics_.contains(topic)) self->send(std::move(*frame));
+      if (again) self->publish(topic);
+    });
+  });
 }
 
 void WebSocketSession::send(Frame frame) {

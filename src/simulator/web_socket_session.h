@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -33,6 +34,7 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
  private:
   void read();
   void understand(std::string_view text);
+  void make(const std::string& topic);
   void send(Frame frame);
   void write();
 
@@ -43,6 +45,7 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
   bool binary_ = false;
   bool silent_ = false;
   std::set<std::string, std::less<>> topics_;
+  std::map<std::string, bool> making_;  // topics that a worker has; true: publish once more when it is done
   std::deque<Frame> outgoing_;
   std::size_t outgoing_bytes_ = 0;
 };

@@ -13,8 +13,9 @@
 namespace mapwright::net::testing {
 
 struct SeenRequest {
-  QByteArray path;
+  QByteArray method, path;
   QMap<QByteArray, QByteArray> headers;  // names in lower case
+  QByteArray body;
 };
 
 class ScriptedServer {
@@ -60,16 +61,22 @@ class ScriptedServer {
     if (end < 0) {
       return;
     }
-    socket->setProperty("text", text.mid(end + 4));
     SeenRequest request;
     for (const QByteArray& line : text.left(end).split('\n')) {
       const auto colon = line.indexOf(':');
       if (request.path.isEmpty()) {
+        request.method = line.split(' ').value(0);
         request.path = line.split(' ').value(1);
       } else if (colon > 0) {
         request.headers.insert(line.left(colon).trimmed().toLower(), line.mid(colon + 1).trimmed());
       }
     }
+    const qsizetype length = request.headers.value("content-length").toLongLong();
+    request.body = text.mid(end + 4, length);
+    if (request.body.size() < length) {
+      return;
+    }
+    socket->setProperty("text", text.mid(end + 4 + length));
     seen.append(request);
     const QByteArray bytes = answer_(request);
     if (!bytes.isEmpty()) {

@@ -175,7 +175,11 @@ class MapSceneTest : public QObject {
   void namesOfLayersAreThoseOfTheCommandLine() {
     QStringList names;
     for (const Layer layer : scene::allLayers()) names << scene::layerName(layer);
-    QCOMPARE(names.join(QLatin1Char(',')), QStringLiteral("submaps,grid,outlines,ids,trail,robot,scalebar"));
+    QCOMPARE(
+        names.join(QLatin1Char(',')),
+        QStringLiteral("whole,submaps,incremental,match,symmetry,costmap,costmap-high,grid,overlays,"
+                       "waypoints,landmarks,doors,boxes,constraints,outlines,ids,trajectory,path,"
+                       "local-path,target,cloud,robots,trail,expanded-footprint,footprint,robot,scalebar"));
   }
 
   void aSceneMayOutliveNothingAndBeTakenDownInAnyOrder() {

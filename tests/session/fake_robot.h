@@ -2,21 +2,95 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/robot.h"
 
 namespace mapwright::test {
 
-class FakeRobot : public robot::Robot, public robot::SubmapSource {
+/// A binary PGM of one gray level, in bytes.
+inline std::shared_ptr<const std::string> grayPicture(int width, int height, int gray) {
+  std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
+  bytes.append(std::size_t(width) * std::size_t(height), char(gray));
+  return std::make_shared<const std::string>(std::move(bytes));
+}
+
+class FakeRobot : public robot::Robot,
+                  public robot::SubmapSource,
+                  public robot::MapCatalogue,
+                  public robot::WholeMapSource,
+                  public robot::WaypointSource,
+                  public robot::LiveTopics {
   Q_OBJECT
  public:
+  // Capabilities beside submaps are there when the test says so.
+  robot::MapCatalogue* mapCatalogue() override { return has_maps ? this : nullptr; }
+  robot::WholeMapSource* wholeMapSource() override { return has_maps ? this : nullptr; }
+  robot::WaypointSource* waypointSource() override { return has_maps ? this : nullptr; }
+  robot::LiveTopics* liveTopics() override { return has_topics ? this : nullptr; }
+
+  void list(robot::AnswerTo<std::vector<map::CatalogueEntry>> reply) override {
+    lists.push_back(std::move(reply));
+  }
+  void describe(const map::MapKey&, robot::AnswerTo<map::CatalogueEntry>) override {}
+  void thumbnail(const map::MapKey& key, robot::AnswerTo<std::string> reply) override {
+    thumbnails.emplace_back(key, std::move(reply));
+  }
+  void fetch(const map::MapKey& key, robot::AnswerTo<map::WholeMap> reply) override {
+    map_fetches.emplace_back(key, std::move(reply));
+  }
+  bool offersOverview() const override { return offers_overview; }
+  void fetchOverview(double resolution_m, robot::AnswerTo<map::WholeMap> reply) override {
+    overview_resolutions.push_back(resolution_m);
+    overviews.push_back(std::move(reply));
+  }
+  void waypoints(const map::MapKey& key, robot::AnswerTo<map::WaypointList> reply) override {
+    waypoint_asks.emplace_back(key, std::move(reply));
+  }
+  QStringList known() const override { return {}; }
+  void setWanted(const QStringList& topics) override { wanted = topics; }
+  void setWatching(bool) override {}
+
+  static map::CatalogueEntry entry(const std::string& id, bool current = false) {
+    map::CatalogueEntry row;
+    row.key = {map::MapKind::Stored, id};
+    row.name = "Map " + id;
+    row.is_current = current;
+    row.has_thumbnail = true;
+    row.map_version = 1;
+    return row;
+  }
+  static map::WholeMap wholeMap(const std::string& id, int gray = 254, int size = 40) {
+    map::WholeMap map;
+    map.key = {map::MapKind::Stored, id};
+    map.name = "Map " + id;
+    map.grid = {0, 0, 0.05, {-1, -1, 0}};
+    map.bytes = grayPicture(size, size, gray);
+    return map;
+  }
+  void answerList(std::vector<map::CatalogueEntry> rows) {
+    auto replies = std::exchange(lists, {});
+    for (auto& reply : replies) reply(rows);
+  }
+
+  bool has_maps = false, has_topics = false, has_submaps = true, offers_overview = false;
+  std::vector<robot::AnswerTo<std::vector<map::CatalogueEntry>>> lists;
+  std::vector<std::pair<map::MapKey, robot::AnswerTo<std::string>>> thumbnails;
+  std::vector<std::pair<map::MapKey, robot::AnswerTo<map::WholeMap>>> map_fetches;
+  std::vector<std::pair<map::MapKey, robot::AnswerTo<map::WaypointList>>> waypoint_asks;
+  std::vector<robot::AnswerTo<map::WholeMap>> overviews;
+  std::vector<double> overview_resolutions;
+  QStringList wanted;
+
   QString address() const override { return QStringLiteral("fake:"); }
   void connectToRobot() override { ++connects; }
   void disconnectFromRobot() override { setPhase(robot::ConnectionPhase::Offline); }
   robot::ConnectionState connection() const override { return state_; }
   robot::RobotIdentity identity() const override { return {}; }
-  robot::SubmapSource* submapSource() override { return this; }
+  robot::SubmapSource* submapSource() override { return has_submaps ? this : nullptr; }
 
   void fetch(const map::SubmapKey& key, Reply reply) override {
     asked.push_back(key);

@@ -1,140 +1,138 @@
 #include "window/docks/layers_dock.h"
 
-#include <QGridLayout>
+#include <algorithm>
+
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QScrollArea>
-#include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
+#include <QVBoxLayout>
 
+#include "window/docks/layer_availability.h"
+#include "window/docks/layer_memory.h"
+#include "window/docks/layer_row.h"
 #include "window/look/icons.h"
-#include "window/look/plain_label.h"
-#include "window/look/ui_colors.h"
 
 namespace mapwright::window {
 
 using scene::Layer;
 
-QString layerTitle(Layer layer) {
-  switch (layer) {
-    case Layer::Submaps:
-      return QStringLiteral("Submaps");
-    case Layer::Grid:
-      return QStringLiteral("Grid");
-    case Layer::Outlines:
-      return QStringLiteral("Outlines");
-    case Layer::Ids:
-      return QStringLiteral("Ids");
-    case Layer::Trail:
-      return QStringLiteral("Trail");
-    case Layer::Robot:
-      return QStringLiteral("Robot");
-    case Layer::ScaleBar:
-      return QStringLiteral("Scale bar");
-  }
-  return {};
-}
-
-QString layerIcon(Layer layer) {
-  switch (layer) {
-    case Layer::Submaps:
-      return QStringLiteral("submaps");
-    case Layer::Grid:
-      return QStringLiteral("grid");
-    case Layer::Outlines:
-      return QStringLiteral("outlines");
-    case Layer::Ids:
-      return QStringLiteral("ids");
-    case Layer::Trail:
-      return QStringLiteral("trail");
-    case Layer::Robot:
-      return QStringLiteral("robot");
-    case Layer::ScaleBar:
-      return QStringLiteral("scalebar");
-  }
-  return {};
-}
-
 LayersDock::LayersDock(scene::MapScene* scene, QWidget* parent)
-    : QDockWidget(QStringLiteral("Layers"), parent), scene_(scene) {
+    : QDockWidget(QStringLiteral("Layers"), parent),
+      scene_(scene),
+      scroll_(new QScrollArea(this)),
+      body_(new QWidget),
+      column_(new QVBoxLayout(body_)) {
   setObjectName(QStringLiteral("layers"));
-  auto* body = new QWidget;
-  auto* grid = new QGridLayout(body);
-  grid->setContentsMargins(4, 4, 8, 4);
-  grid->setHorizontalSpacing(4);
-  grid->setVerticalSpacing(0);
-  grid->setColumnStretch(1, 1);
-  const std::vector<Layer> layers = scene::allLayers();
-  int line = 0;
-  // The list reads like the map: what lies on top stands on top.
-  for (auto it = layers.rbegin(); it != layers.rend(); ++it, ++line) {
-    const Layer layer = *it;
-    Row row{layer, new QToolButton(body), new PlainLabel(layerTitle(layer), body),
-            new QSlider(Qt::Horizontal, body), new PlainLabel(body)};
-    row.eye->setCheckable(true);
-    row.eye->setObjectName(QStringLiteral("eye-") + scene::layerName(layer));
-    row.eye->setStyleSheet(
-        QStringLiteral("QToolButton:checked { background: transparent; border-color: transparent; }"));
-    row.eye->setIconSize({16, 16});
-    row.eye->setFixedSize(24, 24);
-    row.eye->setAccessibleName(QStringLiteral("Show %1").arg(layerTitle(layer)));
-    row.name->setFixedHeight(24);
-    row.opacity->setRange(0, 100);
-    row.opacity->setPageStep(10);
-    row.opacity->setFixedWidth(56);
-    row.opacity->setObjectName(QStringLiteral("opacity-") + scene::layerName(layer));
-    row.opacity->setAccessibleName(QStringLiteral("Opacity of %1").arg(layerTitle(layer)));
-    row.opacity->setToolTip(QStringLiteral("Opacity"));
-    row.percent->setSample(QStringLiteral("100 %"));
-    row.percent->setAlignment(Qt::AlignRight);
-    row.percent->setSecondary(true);
-    row.percent->setFixedWidth(row.percent->sizeHint().width());
-    grid->addWidget(row.eye, line, 0);
-    grid->addWidget(row.name, line, 1);
-    grid->addWidget(row.opacity, line, 2);
-    grid->addWidget(row.percent, line, 3);
-    connect(row.eye, &QToolButton::toggled, this,
-            [this, layer](bool on) { scene_->setLayerVisible(layer, on); });
-    connect(row.opacity, &QSlider::valueChanged, this, [this, layer](int value) {
-      scene_->setLayerOpacity(layer, value / 100.0);
-      sync();
-    });
+  column_->setContentsMargins(0, 4, 0, 4);
+  column_->setSpacing(0);
+  const std::vector<Layer>& order = scene_->layerOrder();
+  for (auto it = order.rbegin(); it != order.rend(); ++it) {
+    auto* row = new LayerRow(scene_, *it, body_);
     rows_.push_back(row);
+    connect(row, &LayerRow::dragged, this, [this, row](int y) { drag(row, y); });
+    connect(row, &LayerRow::dropped, this, [this] {
+      dragging_ = false;
+      commit();
+    });
+    connect(row, &LayerRow::moveWanted, this, [this, row](int rows) { move(row, rows); });
+    connect(row, &LayerRow::focusWanted, this, [this, row](int rows) { focusNext(row, rows); });
   }
-  grid->setRowStretch(line, 1);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(body);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(180);
-  setWidget(scroll);
+  place();
+  scroll_->setWidget(body_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setMinimumWidth(200);
+  setWidget(scroll_);
   connect(scene_, &scene::MapScene::layersChanged, this, &LayersDock::sync);
-  sync();
+}
+
+void LayersDock::setSession(session::Session* session) {
+  session_ = session;
+  for (LayerRow* row : rows_) row->setUnavailable(whyLayerStaysEmpty(row->layer(), session));
+}
+
+void LayersDock::place() {
+  while (QLayoutItem* item = column_->takeAt(0)) delete item;
+  for (LayerRow* row : rows_) column_->addWidget(row);
+  column_->addStretch(1);
+  for (std::size_t i = 1; i < rows_.size(); ++i) setTabOrder(rows_[i - 1], rows_[i]);
 }
 
 void LayersDock::sync() {
-  for (const Row& row : rows_) {
-    const bool visible = scene_->layerVisible(row.layer);
-    const int percent = qRound(scene_->layerOpacity(row.layer) * 100);
-    const QSignalBlocker quiet_eye(row.eye), quiet_slider(row.opacity);
-    row.eye->setChecked(visible);
-    row.eye->setIcon(themedIcon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off")));
-    row.eye->setToolTip(visible ? QStringLiteral("Hide this layer") : QStringLiteral("Show this layer"));
-    row.name->setSecondary(!visible);
-    row.opacity->setValue(percent);
-    row.opacity->setEnabled(visible);
-    row.percent->setText(QStringLiteral("%1 %").arg(percent));
+  const std::vector<Layer>& order = scene_->layerOrder();
+  const bool same =
+      std::equal(rows_.begin(), rows_.end(), order.rbegin(), order.rend(),
+                 [](const LayerRow* row, Layer layer) { return row->layer() == layer; });
+  if (!same && !dragging_) {
+    std::vector<LayerRow*> sorted;
+    for (auto it = order.rbegin(); it != order.rend(); ++it) sorted.push_back(row(*it));
+    rows_ = std::move(sorted);
+    place();
   }
+  for (LayerRow* row : rows_) row->sync();
 }
 
-const LayersDock::Row* LayersDock::row(Layer layer) const {
-  for (const Row& row : rows_) {
-    if (row.layer == layer) return &row;
+void LayersDock::drag(LayerRow* row, int y) {
+  dragging_ = true;
+  scroll_->ensureVisible(0, y, 0, 36);
+  const auto here = std::find(rows_.begin(), rows_.end(), row);
+  // It takes the place of the row whose middle it has passed.
+  std::size_t target = 0;
+  for (LayerRow* other : rows_) {
+    if (other == row) continue;
+    if (y > other->geometry().center().y() || scene::orderFixed(other->layer())) ++target;
   }
-  return nullptr;
+  if (target == std::size_t(here - rows_.begin())) return;
+  rows_.erase(here);
+  rows_.insert(rows_.begin() + std::ptrdiff_t(target), row);
+  place();
 }
 
-QToolButton* LayersDock::eye(Layer layer) const { return row(layer) ? row(layer)->eye : nullptr; }
-QSlider* LayersDock::opacity(Layer layer) const { return row(layer) ? row(layer)->opacity : nullptr; }
+void LayersDock::commit() {
+  std::vector<Layer> order;
+  for (auto it = rows_.rbegin(); it != rows_.rend(); ++it) order.push_back((*it)->layer());
+  scene_->setLayerOrder(order);
+}
+
+void LayersDock::move(LayerRow* row, int rows) {
+  const auto here = std::find(rows_.begin(), rows_.end(), row) - rows_.begin();
+  const auto there = here + rows;
+  if (there < 0 || there >= std::ptrdiff_t(rows_.size()) || scene::orderFixed(row->layer()) ||
+      scene::orderFixed(rows_[std::size_t(there)]->layer()))
+    return;
+  std::swap(rows_[std::size_t(here)], rows_[std::size_t(there)]);
+  place();
+  commit();
+  row->setFocus();
+  scroll_->ensureWidgetVisible(row, 0, 24);
+}
+
+void LayersDock::focusNext(LayerRow* row, int rows) {
+  const auto there = std::find(rows_.begin(), rows_.end(), row) - rows_.begin() + rows;
+  if (there < 0 || there >= std::ptrdiff_t(rows_.size())) return;
+  rows_[std::size_t(there)]->setFocus();
+  scroll_->ensureWidgetVisible(rows_[std::size_t(there)], 0, 24);
+}
+
+void LayersDock::contextMenuEvent(QContextMenuEvent* event) {
+  QMenu menu(this);
+  menu.addAction(themedIcon(QStringLiteral("reset")), QStringLiteral("Reset order and styles"), this,
+                 [this] { resetOrderAndStyles(*scene_); });
+  menu.addAction(QStringLiteral("Show the layers of the first start"), this,
+                 [this] { resetVisibility(*scene_); });
+  menu.exec(event->globalPos());
+}
+
+LayerRow* LayersDock::row(Layer layer) const {
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [&](const LayerRow* row) { return row->layer() == layer; });
+  return found == rows_.end() ? nullptr : *found;
+}
+
+QToolButton* LayersDock::eye(Layer layer) const { return row(layer) ? row(layer)->eye() : nullptr; }
+QSlider* LayersDock::opacity(Layer layer) const { return row(layer) ? row(layer)->opacity() : nullptr; }
 
 }  // namespace mapwright::window

@@ -1,45 +1,54 @@
-// The layers of the map: which are drawn, and how strongly.
+// The layers of the map: which are drawn, in which order, how strongly and how.
 #pragma once
 
 #include <vector>
 
 #include <QDockWidget>
+#include <QPointer>
 
 #include "scene/map_scene.h"
 
+class QScrollArea;
 class QSlider;
 class QToolButton;
+class QVBoxLayout;
 
 namespace mapwright::window {
 
-class PlainLabel;
+class LayerRow;
 
-/// How a layer is called towards people, and its icon.
-QString layerTitle(scene::Layer layer);
-QString layerIcon(scene::Layer layer);
-
+/// The list reads like the map: what lies on top stands on top. Rows are dragged to another place, or moved by
+/// Ctrl+Up and Ctrl+Down.
 class LayersDock : public QDockWidget {
   Q_OBJECT
  public:
   explicit LayersDock(scene::MapScene* scene, QWidget* parent = nullptr);
+  /// Layers that this robot cannot fill are greyed. Null: no robot.
+  void setSession(session::Session* session);
   /// Shows what the scene says.
   void sync();
 
+  LayerRow* row(scene::Layer layer) const;
   QToolButton* eye(scene::Layer layer) const;
   QSlider* opacity(scene::Layer layer) const;
 
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
  private:
-  struct Row {
-    scene::Layer layer;
-    QToolButton* eye;
-    PlainLabel* name;
-    QSlider* opacity;
-    PlainLabel* percent;
-  };
-  const Row* row(scene::Layer layer) const;
+  void place();
+  void drag(LayerRow* row, int y);
+  void commit();
+  void move(LayerRow* row, int rows);
+  void focusNext(LayerRow* row, int rows);
 
   scene::MapScene* scene_;
-  std::vector<Row> rows_;
+  QPointer<session::Session> session_;
+  std::vector<LayerRow*> rows_;  // as on screen, top first
+  QScrollArea* scroll_;
+  QWidget* body_;
+  QVBoxLayout* column_;
+  bool dragging_ = false;
 };
 
 }  // namespace mapwright::window

@@ -16,10 +16,63 @@ namespace mapwright::window {
 
 using robot::ConnectionPhase;
 
-std::optional<EmptyState> emptyState(const session::Session* session) {
+std::optional<EmptyState> emptyState(session::Session* session, const MapsInView& in_view) {
   if (!session) return emptyState({}, {}, nullptr);
   const session::SubmapCounts counts = session->counts();
-  return emptyState(session->robot().address(), session->connection(), &counts);
+  const session::MapSlot& slot = session->wholeMap();
+  if (in_view.whole && slot.cells()) return std::nullopt;
+  const auto of_submaps = emptyState(session->robot().address(), session->connection(), &counts);
+  const bool has_submaps = session->robot().submapSource() != nullptr;
+  if (in_view.submaps && has_submaps) return of_submaps;
+  if (!in_view.whole) return std::nullopt;  // nothing is wanted
+  using Phase = session::MapSlot::Phase;
+  // While nothing was asked for, how the link stands says more than that no map is open.
+  const bool online = session->connection().phase == ConnectionPhase::Online;
+  if (!online && (slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live)) {
+    if (of_submaps) return of_submaps;
+  }
+  return wholeMapState(slot, session->catalogue().offered(), session->robot().liveTopics() != nullptr);
+}
+
+std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offers_catalogue, bool live) {
+  using Phase = session::MapSlot::Phase;
+  if (slot.cells()) return std::nullopt;
+  EmptyState state;
+  state.icon = QStringLiteral("map");
+  const QString name = mapCalled(slot.name(), slot.key());
+  switch (slot.phase()) {
+    case Phase::Failed:
+      state.kind = EmptyState::Kind::MapFailed;
+      state.icon = QStringLiteral("error");
+      state.title = QStringLiteral("This map cannot be shown");
+      state.text = QStringLiteral("%1: %2").arg(name, slot.remark());
+      state.offers_retry = true;
+      return state;
+    case Phase::Fetching:
+    case Phase::Reading:
+      if (slot.key().kind == map::MapKind::Live) break;
+      state.kind = EmptyState::Kind::LoadingMap;
+      state.icon = QStringLiteral("fetching");
+      state.title = QStringLiteral("Loading %1").arg(name);
+      state.busy = true;
+      return state;
+    case Phase::Empty:
+    case Phase::Ready:
+      break;
+  }
+  if (live) {
+    state.kind = EmptyState::Kind::LoadingMap;
+    state.title = QStringLiteral("Waiting for the map of the robot");
+    state.text = QStringLiteral("It appears as soon as the robot sends it. Stored maps are under Maps.");
+    state.busy = true;
+    return state;
+  }
+  state.kind = EmptyState::Kind::NoMap;
+  state.title = QStringLiteral("No map is open");
+  state.text = offers_catalogue
+                   ? QStringLiteral("Double click one under Maps. Nothing is loaded or changed on the robot.")
+                   : QStringLiteral("This robot shows none.");
+  return state;
 }
 
 std::optional<EmptyState> emptyState(const QString& address, const robot::ConnectionState& connection,
@@ -29,8 +82,10 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     state.kind = EmptyState::Kind::NoRobot;
     state.icon = QStringLiteral("robot");
     state.title = QStringLiteral("No robot connected");
-    state.text = QStringLiteral("Connect to a robot by its address, or look around with the simulated one.");
-    state.offers_connect = state.offers_demo = true;
+    state.text = QStringLiteral(
+        "Connect to a robot by its address, look around with the simulated one, or open a map file: it can "
+        "also be dropped here.");
+    state.offers_connect = state.offers_demo = state.offers_file = true;
     return state;
   }
   // Whatever was received stays on the map; the notice above it tells of a lost link.
@@ -104,6 +159,7 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
       progress_(new QProgressBar(this)),
       connect_(new QPushButton(QStringLiteral("Connect…"), this)),
       demo_(new QPushButton(QStringLiteral("Try the demo robot"), this)),
+      file_(new QPushButton(QStringLiteral("Open a map file…"), this)),
       retry_(new QPushButton(QStringLiteral("Retry"), this)),
       cancel_(new QPushButton(QStringLiteral("Cancel"), this)) {
   setObjectName(QStringLiteral("card"));
@@ -125,13 +181,14 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   progress_->setFixedHeight(4);
   connect_->setObjectName(QStringLiteral("primary"));
   demo_->setObjectName(QStringLiteral("secondary"));
+  file_->setObjectName(QStringLiteral("secondary"));
   retry_->setObjectName(QStringLiteral("primary"));
   cancel_->setObjectName(QStringLiteral("secondary"));
 
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();
-  for (QPushButton* button : {retry_, connect_, demo_, cancel_}) buttons->addWidget(button);
+  for (QPushButton* button : {retry_, connect_, demo_, file_, cancel_}) buttons->addWidget(button);
   buttons->addStretch();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(32, 24, 32, 24);
@@ -143,10 +200,11 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   column->addWidget(progress_);
   column->addSpacing(4);
   column->addLayout(buttons);
-  setFixedWidth(420);
+  setFixedWidth(460);
 
   connect(connect_, &QPushButton::clicked, this, &EmptyStateCard::connectWanted);
   connect(demo_, &QPushButton::clicked, this, &EmptyStateCard::demoWanted);
+  connect(file_, &QPushButton::clicked, this, &EmptyStateCard::fileWanted);
   connect(retry_, &QPushButton::clicked, this, &EmptyStateCard::retryWanted);
   connect(cancel_, &QPushButton::clicked, this, &EmptyStateCard::cancelWanted);
   hide();
@@ -172,6 +230,7 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
     connect_->style()->polish(connect_);
   }
   demo_->setVisible(state->offers_demo);
+  file_->setVisible(state->offers_file);
   retry_->setVisible(state->offers_retry);
   cancel_->setVisible(state->offers_cancel);
   if (icon_name_ != state->icon) {

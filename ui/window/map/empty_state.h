@@ -16,17 +16,36 @@ namespace mapwright::window {
 
 /// What the card says. `title` and `text` may hold names from a robot: plain text.
 struct EmptyState {
-  enum class Kind { NoRobot, Connecting, WaitingForList, NoSubmaps, Loading, NothingDrawable, Failed };
+  enum class Kind {
+    NoRobot,
+    Connecting,
+    WaitingForList,
+    NoSubmaps,
+    Loading,
+    NothingDrawable,
+    Failed,
+    NoMap,       // no whole map is open
+    LoadingMap,  // one is on its way
+    MapFailed,
+  };
   Kind kind = Kind::NoRobot;
   QString icon, title, text;
   bool busy = false;
   bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
+  bool offers_file = false;
   bool operator==(const EmptyState&) const = default;
 };
 
+/// Which maps the view is to show.
+struct MapsInView {
+  bool submaps = true, whole = false;
+};
+
 /// nullopt while there is something on the map. `session` may be null.
-std::optional<EmptyState> emptyState(const session::Session* session);
-/// The same from its parts; `counts` null = no robot.
+std::optional<EmptyState> emptyState(session::Session* session, const MapsInView& in_view);
+/// How it stands with the whole map alone.
+std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offers_catalogue, bool live);
+/// How it stands with the submaps alone; `counts` null = no robot.
 std::optional<EmptyState> emptyState(const QString& address, const robot::ConnectionState& connection,
                                      const session::SubmapCounts* counts);
 
@@ -41,6 +60,7 @@ class EmptyStateCard : public QFrame {
  Q_SIGNALS:
   void connectWanted();
   void demoWanted();
+  void fileWanted();
   void retryWanted();
   void cancelWanted();
 
@@ -55,6 +75,7 @@ class EmptyStateCard : public QFrame {
   QProgressBar* progress_;
   QPushButton* connect_;
   QPushButton* demo_;
+  QPushButton* file_;
   QPushButton* retry_;
   QPushButton* cancel_;
   QString icon_name_;

@@ -4,14 +4,16 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QToolButton>
 
+#include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/status/state_mark.h"
 
 namespace mapwright::window {
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), label_(new PlainLabel(this)), button_(new QPushButton(this)) {
+    : QFrame(parent), label_(new PlainLabel(this)), button_(new QPushButton(this)), close_(new QToolButton(this)) {
   setObjectName(QStringLiteral("notice"));
   button_->setObjectName(QStringLiteral("secondary"));
   auto* row = new QHBoxLayout(this);
@@ -19,15 +21,24 @@ NoticeBar::NoticeBar(QWidget* parent)
   row->setSpacing(12);
   row->addWidget(label_, 1);
   row->addWidget(button_);
+  close_->setIcon(themedIcon(QStringLiteral("close")));
+  close_->setIconSize({16, 16});
+  close_->setToolTip(QStringLiteral("Dismiss"));
+  close_->setAccessibleName(QStringLiteral("Dismiss this notice"));
+  row->addWidget(close_);
+  label_->setSample(QStringLiteral("x"));
+  label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(close_, &QToolButton::clicked, this, &NoticeBar::closed);
   connect(button_, &QPushButton::clicked, this, &NoticeBar::offerTaken);
   hide();
 }
 
-void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer) {
+void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable) {
   mark_ = mark;
   label_->setText(sentence);
   button_->setText(offer);
   button_->setVisible(!offer.isEmpty());
+  close_->setVisible(closable);
   setVisible(!sentence.isEmpty());
   update();
 }

@@ -1,4 +1,5 @@
-// A strip above the map for what lasts until it is over or decided: a lost connection.
+// A strip above the map for what lasts until it is over or decided: a lost connection, a map that
+// failed.
 #pragma once
 
 #include <QFrame>
@@ -17,12 +18,15 @@ class NoticeBar : public QFrame {
   Q_OBJECT
  public:
   explicit NoticeBar(QWidget* parent = nullptr);
-  /// Shows the sentence (plain text) with an offer; an empty sentence hides the bar.
-  void setNotice(Mark mark, const QString& sentence, const QString& offer);
+  /// Shows the sentence (plain text) with an offer; an empty sentence hides the bar. A closable one can be
+  /// sent away by the user: closed().
+  void setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable = false);
   QString sentence() const;
+  QToolButton* closeButton() const { return close_; }
 
  Q_SIGNALS:
   void offerTaken();
+  void closed();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -31,6 +35,7 @@ class NoticeBar : public QFrame {
   Mark mark_ = Mark::None;
   PlainLabel* label_;
   QPushButton* button_;
+  QToolButton* close_;
 };
 
 /// "No connection since 14:03:12. Showing what was received."

@@ -88,6 +88,40 @@ QString trafficText(const session::SubmapCounts& counts) {
   return parts.join(QStringLiteral(", "));
 }
 
+QString mapCalled(const QString& name, const map::MapKey& key, int limit) {
+  QString called = name.simplified();
+  if (called.isEmpty()) {
+    switch (key.kind) {
+      case map::MapKind::Live:
+        called = QStringLiteral("the live map");
+        break;
+      case map::MapKind::File:
+        called = QStringLiteral("the file");
+        break;
+      default:
+        called = QStringLiteral("map %1").arg(QString::fromStdString(map::toText(key)).simplified());
+    }
+  }
+  return called.size() > limit ? called.left(limit - 1) + QChar(0x2026) : called;
+}
+
+QString mapProgressText(const session::MapSlot& slot) {
+  const QString name = mapCalled(slot.name(), slot.key(), 40);
+  switch (slot.phase()) {
+    case session::MapSlot::Phase::Fetching:
+      return slot.key().kind == map::MapKind::Live ? QStringLiteral("Waiting for %1").arg(name)
+                                                   : QStringLiteral("Fetching %1").arg(name);
+    case session::MapSlot::Phase::Reading:
+      return QStringLiteral("Reading %1 %2 %").arg(name, QString::number(int(slot.progress() * 100)));
+    case session::MapSlot::Phase::Failed:
+      return QStringLiteral("%1 failed").arg(name);
+    case session::MapSlot::Phase::Empty:
+    case session::MapSlot::Phase::Ready:
+      break;
+  }
+  return {};
+}
+
 QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px) {
   if (!world_m.allFinite() || !(scale_m_per_px > 0)) return QStringLiteral("x ? y ? m");
   // The last digit is never finer than about a pixel: 2 cm and 5 cm a pixel give centimetres, 2 mm gives

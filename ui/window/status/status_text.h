@@ -32,6 +32,11 @@ QString loadingText(const session::SubmapCounts& counts);
 /// "4 in flight, 18 queued"; empty when nothing is under way.
 QString trafficText(const session::SubmapCounts& counts);
 
+/// "Fetching Ground floor", "Reading Ground floor 42 %"; empty when there is nothing to wait for.
+QString mapProgressText(const session::MapSlot& slot);
+/// What a map is called: its name, or its id where it has none. One line, not longer than `limit`.
+QString mapCalled(const QString& name, const map::MapKey& key, int limit = 60);
+
 /// "x 12.345 y -3.210 m": as many decimals as a pixel is worth, millimetres at the most.
 QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px);
 /// For the clipboard: always millimetres, "12.345, -3.210".

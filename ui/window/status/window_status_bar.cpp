@@ -47,14 +47,24 @@ void StateLabel::setState(const StateText& state) {
   update();
 }
 
+void StateLabel::setStrong(bool strong) {
+  if (strong == strong_) return;
+  strong_ = strong;
+  QFont heavy = font();
+  heavy.setWeight(strong ? QFont::Bold : QFont::Normal);
+  setFont(heavy);
+  update();
+}
+
 QSize StateLabel::sizeHint() const { return {fontMetrics().horizontalAdvance(state_.text) + 24, 20}; }
 QSize StateLabel::minimumSizeHint() const { return {qMin(sizeHint().width(), 120), 20}; }
 
 void StateLabel::paintEvent(QPaintEvent*) {
   const UiColors colors = appColors();
   QPainter painter(this);
+  if (!isEnabled()) painter.setOpacity(0.55);
   paintMark(&painter, QRectF(2, height() / 2.0 - 6, 12, 12), state_.mark, colors);
-  painter.setPen(colors.text);
+  painter.setPen(strong_ ? markTextColor(state_.mark, colors) : colors.text);
   const QRect area = rect().adjusted(20, 0, 0, 0);
   painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                    fontMetrics().elidedText(state_.text, Qt::ElideRight, area.width()));
@@ -74,6 +84,8 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
       loading_(new PlainLabel(this)),
       bar_(new ThinBar(this)),
       traffic_(new PlainLabel(this)),
+      map_(new PlainLabel(this)),
+      map_bar_(new ThinBar(this)),
       problems_(new QToolButton(this)),
       coordinates_(new PlainLabel(this)),
       occupancy_(new PlainLabel(this)),
@@ -100,6 +112,7 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   rotation_->setHint(QStringLiteral("Rotation of the view, counter-clockwise"));
   loading_->setSample({});
   traffic_->setSecondary(true);
+  map_bar_->hide();
 
   auto* row = new QWidget(this);
   auto* line = new QHBoxLayout(row);
@@ -109,6 +122,8 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   line->addWidget(loading_, 0);
   line->addWidget(bar_, 0);
   line->addWidget(traffic_, 0);
+  line->addWidget(map_, 0);
+  line->addWidget(map_bar_, 0);
   line->addWidget(problems_, 0);
   line->addStretch(1);
   for (PlainLabel* label : {coordinates_, occupancy_, scale_, rotation_}) {
@@ -124,9 +139,14 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
 }
 
 void WindowStatusBar::setSession(session::Session* session) {
-  if (session_) session_->disconnect(this);
+  if (session_) {
+    session_->disconnect(this);
+    session_->wholeMap().disconnect(this);
+  }
   session_ = session;
   if (session) {
+    connect(&session->wholeMap(), &session::MapSlot::changed, this, &WindowStatusBar::refreshMap);
+    connect(&session->wholeMap(), &session::MapSlot::rowsArrived, this, &WindowStatusBar::refreshMap);
     connect(session, &session::Session::connectionChanged, this, &WindowStatusBar::refreshConnection);
     connect(session, &session::Session::rowsChanged, this, &WindowStatusBar::refreshRows);
     connect(session, &session::Session::listChanged, this, &WindowStatusBar::refreshRows);
@@ -134,6 +154,7 @@ void WindowStatusBar::setSession(session::Session* session) {
   }
   refreshConnection();
   refreshRows();
+  refreshMap();
   refreshProblems();
 }
 
@@ -165,6 +186,15 @@ void WindowStatusBar::refreshRows() {
   if (loading) bar_->setFraction(1.0 - double(counts.pending + counts.updating) / double(counts.listed));
 }
 
+void WindowStatusBar::refreshMap() {
+  const QString text = session_ ? mapProgressText(session_->wholeMap()) : QString();
+  map_->setText(text);
+  if (map_->isHidden() != text.isEmpty()) map_->setVisible(!text.isEmpty());
+  const bool reading = session_ && session_->wholeMap().phase() == session::MapSlot::Phase::Reading;
+  if (map_bar_->isHidden() == reading) map_bar_->setVisible(reading);
+  if (reading) map_bar_->setFraction(session_->wholeMap().progress());
+}
+
 void WindowStatusBar::refreshProblems() {
   const int unresolved = session_ ? session_->problems().unresolved() : 0;
   if (unresolved > 0) problems_->setText(plural(unresolved, QStringLiteral("problem")));
@@ -182,6 +212,7 @@ void WindowStatusBar::showView(const geometry::ViewTransform& view) {
 }
 
 QString WindowStatusBar::loadingShown() const { return loading_->text(); }
+QString WindowStatusBar::mapShown() const { return map_->text(); }
 QString WindowStatusBar::cursorShown() const { return coordinates_->text(); }
 QString WindowStatusBar::occupancyShown() const { return occupancy_->text(); }
 QString WindowStatusBar::scaleShown() const { return scale_->text(); }

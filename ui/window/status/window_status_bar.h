@@ -38,6 +38,8 @@ class StateLabel : public QWidget {
   explicit StateLabel(QWidget* parent = nullptr);
   void setState(const StateText& state);
   const StateText& state() const { return state_; }
+  /// In bold and in the colour of its mark: for what nobody may overlook.
+  void setStrong(bool strong);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -47,6 +49,7 @@ class StateLabel : public QWidget {
 
  private:
   StateText state_;
+  bool strong_ = false;
 };
 
 class WindowStatusBar : public QStatusBar {
@@ -60,6 +63,7 @@ class WindowStatusBar : public QStatusBar {
 
   QString connectionShown() const { return connection_->state().text; }
   QString loadingShown() const;
+  QString mapShown() const;
   QString cursorShown() const;
   QString occupancyShown() const;
   QString scaleShown() const;
@@ -73,6 +77,7 @@ class WindowStatusBar : public QStatusBar {
   void refreshConnection();
   void refreshCountdown();
   void refreshRows();
+  void refreshMap();
   void refreshProblems();
 
   QPointer<session::Session> session_;
@@ -83,6 +88,8 @@ class WindowStatusBar : public QStatusBar {
   PlainLabel* loading_;
   ThinBar* bar_;
   PlainLabel* traffic_;
+  PlainLabel* map_;
+  ThinBar* map_bar_;
   QToolButton* problems_;
   PlainLabel *coordinates_, *occupancy_, *scale_, *rotation_;
 };

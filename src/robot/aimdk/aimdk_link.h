@@ -1,0 +1,79 @@
+// The network half of an Agibot robot. Lives on a thread of its own; values go in and out by queued calls.
+// Source: aimdk.md.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+#include <QTimer>
+#include <QUrl>
+
+#include "net/backoff.h"
+#include "net/http_client.h"
+#include "robot/aimdk/parse_rpc.h"
+#include "robot/robot.h"
+
+namespace mapwright::robot::aimdk {
+
+struct LinkOptions {
+  QUrl base;                                     // http(s)://host:port[/prefix]
+  QUrl tf;                                       // the rosbridge of the pose; empty = none
+  std::chrono::milliseconds poll_every{10'000};  // while online, so that a loss is noticed
+  std::chrono::milliseconds patience{10'000};    // for the small questions
+  std::chrono::milliseconds map_patience{60'000};
+  std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
+  quint32 jitter_seed = 1;
+};
+
+class AimdkLink : public QObject {
+  Q_OBJECT
+ public:
+  explicit AimdkLink(LinkOptions options);
+  ~AimdkLink() override;
+
+  void open();
+  void close();
+  void list(AnswerTo<std::vector<map::CatalogueEntry>> reply);
+  void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply);
+  void waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply);
+
+ Q_SIGNALS:
+  void stateChanged(const mapwright::robot::ConnectionState& state);
+  void problemFound(const mapwright::map::Problem& problem);
+  void currentMapChanged();
+
+ private:
+  using Taken = std::function<void(const net::HttpAnswer&)>;
+  void start();  // makes the network objects, on this object's thread
+  net::HttpClient::RequestId call(const char* method, const QByteArray& body,
+                                  std::chrono::milliseconds patience, Taken taken);
+  void attempt();
+  void poll();
+  void goOnline();
+  void interrupt(const QString& reason);
+  void noteCurrent(const std::string& id);
+  void enter(ConnectionPhase phase, const QString& reason = {}, std::optional<int> retry_in_ms = {});
+  void askPoints(const map::MapKey& key, const QByteArray& body, AnswerTo<map::WaypointList> reply);
+  void fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply);
+  map::Problem problem(const QString& subject, const std::string& sentence) const;
+
+  LinkOptions options_;
+  std::unique_ptr<net::HttpClient> http_;
+  std::unique_ptr<QTimer> timer_;  // until the next try, or the next poll
+  net::Backoff backoff_;
+  bool wanted_ = false;
+  net::HttpClient::RequestId asking_ = 0;  // the connection's own question under way
+  int attempt_ = 0;
+  ConnectionPhase phase_ = ConnectionPhase::Offline;
+  std::optional<std::string> current_;
+  std::map<map::MapKey, std::vector<AnswerTo<ParsedMap>>>
+      fetching_;                    // one question for all who ask meanwhile
+  std::optional<ParsedMap> frame_;  // of the map fetched last, without its picture: points are checked by it
+};
+
+}  // namespace mapwright::robot::aimdk

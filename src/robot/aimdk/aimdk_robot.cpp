@@ -1,0 +1,91 @@
+#include "robot/aimdk/aimdk_robot.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mapwright::robot::aimdk {
+
+AimdkRobot::AimdkRobot(QString address, LinkOptions options, QObject* parent)
+    : Robot(parent),
+      address_(std::move(address)),
+      has_tf_(!options.tf.isEmpty()),
+      link_(new AimdkLink(std::move(options))) {
+  qRegisterMetaType<ConnectionState>();
+  qRegisterMetaType<map::Problem>();
+  identity_.model = QStringLiteral("Agibot (AimDK)");
+  link_->moveToThread(&thread_);
+  thread_.setObjectName(QStringLiteral("aimdk link"));
+  connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
+  connect(link_, &AimdkLink::stateChanged, this, [this](const ConnectionState& state) {
+    if (state == state_) return;
+    state_ = state;
+    Q_EMIT connectionChanged();
+  });
+  connect(link_, &AimdkLink::problemFound, this, &Robot::problemFound);
+  connect(link_, &AimdkLink::currentMapChanged, this, &Robot::mapsChanged);
+  thread_.start();
+}
+
+AimdkRobot::~AimdkRobot() {
+  link_->disconnect(this);
+  thread_.quit();
+  thread_.wait();
+}
+
+void AimdkRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::open); }
+
+void AimdkRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::close); }
+
+QString AimdkRobot::limits() const {
+  QString limits = tr("Agibot's interface offers no editing: maps and navigation points can be looked at.");
+  if (has_tf_) {
+    limits += QLatin1Char(' ') +
+              tr("The robot's live pose needs rosbridge, which this version does not speak yet.");
+  }
+  return limits;
+}
+
+void AimdkRobot::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
+  wire::askAcross(this, link_, lists_, std::move(reply),
+                  [](AimdkLink& link, auto answer) { link.list(std::move(answer)); });
+}
+
+void AimdkRobot::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) {
+  // There is no question for one map alone that does not send its picture.
+  list([key, reply = std::move(reply)](const Answer<std::vector<map::CatalogueEntry>>& entries) {
+    if (!entries) {
+      reply(tl::make_unexpected(entries.error()));
+      return;
+    }
+    const auto found = std::find_if(entries->begin(), entries->end(),
+                                    [&](const map::CatalogueEntry& entry) { return entry.key == key; });
+    if (found != entries->end()) {
+      reply(*found);
+    } else {
+      reply(tl::make_unexpected(
+          map::Problem{map::Severity::Error, "Map " + key.id.substr(0, 100), "The robot has no such map."}));
+    }
+  });
+}
+
+void AimdkRobot::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) {
+  QMetaObject::invokeMethod(
+      this,
+      [key, reply = std::move(reply)] {
+        reply(tl::make_unexpected(map::Problem{map::Severity::Info, "Map " + key.id.substr(0, 100),
+                                               "The robot offers no small pictures of its maps."}));
+      },
+      Qt::QueuedConnection);
+}
+
+void AimdkRobot::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
+  wire::askAcross(this, link_, whole_maps_, std::move(reply),
+                  [key](AimdkLink& link, auto answer) { link.fetch(key, std::move(answer)); });
+}
+
+void AimdkRobot::waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply) {
+  wire::askAcross(this, link_, waypoint_lists_, std::move(reply),
+                  [key](AimdkLink& link, auto answer) { link.waypoints(key, std::move(answer)); });
+}
+
+}  // namespace mapwright::robot::aimdk

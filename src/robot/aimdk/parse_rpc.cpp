@@ -1,0 +1,241 @@
+#include "robot/aimdk/parse_rpc.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "robot/wire/base64.h"
+#include "robot/wire/picture_facts.h"
+#include "robot/wire/read_json.h"
+
+namespace mapwright::robot::aimdk {
+namespace {
+
+using wire::Json;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMaxPictureBytes = std::size_t(256) << 20;
+constexpr std::size_t kMaxNotes = 20;
+
+auto refused(std::string sentence) { return tl::make_unexpected(std::move(sentence)); }
+
+std::string explanation(const Json& object) {
+  std::string text = wire::text(object, {"message", "msg", "detail", "error", "reason"});
+  if (const auto inner = wire::member(object, {"error", "status"});
+      text.empty() && inner && inner->is_object()) {
+    text = wire::text(*inner, {"message", "msg", "detail"});
+  }
+  return text.substr(0, 300);
+}
+
+/// What an answer of a failed call says, as far as can be told from its members.
+std::optional<std::string> failure(const Json& root) {
+  const auto error = wire::member(root, {"error", "err"});
+  bool truth = true;
+  const bool has_error =
+      error && (error->get(truth) || truth) && !(error->is_string() && wire::asText(*error).empty());
+  const auto code = wire::integer(root, {"code", "error_code", "err_code", "errcode"});
+  // 0 and 200 are what success is called.
+  const bool bad_code = code && *code != 0 && *code != 200;
+  if (!has_error && !bad_code) return std::nullopt;
+  std::string sentence = "The robot refuses";
+  if (bad_code) sentence += " (code " + std::to_string(*code) + ")";
+  const std::string why = explanation(root);
+  return sentence + (why.empty() ? "." : ": " + why + (why.ends_with('.') ? "" : "."));
+}
+
+/// The `data` of an answer; the error is a sentence.
+Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
+  const auto root = reader.readKeepingDigits(body);
+  if (!root || !root->is_object()) {
+    return refused("The robot's answer is not JSON, so it may not be an Agibot robot.");
+  }
+  if (auto why = failure(*root)) return refused(std::move(*why));
+  const auto data = wire::member(*root, {"data"});
+  simdjson::dom::object members;
+  if (!data || data->get(members) || members.size() == 0) {
+    const std::string why = explanation(*root);
+    return refused(why.empty() ? std::string("The robot's answer holds no data.")
+                               : "The robot's answer holds no data: " + why + ".");
+  }
+  return *data;
+}
+
+std::string plain(double number) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
+
+QByteArray command(const char* name, QJsonObject members = {}) {
+  members.insert(QStringLiteral("command"), QLatin1String(name));
+  return QJsonDocument(members).toJson(QJsonDocument::Compact);
+}
+
+/// Seed 001 names an angle without its unit. Up to a full turn it is taken as radians, beyond as degrees.
+double angleOf(double angle) {
+  return std::abs(angle) <= 2 * std::numbers::pi ? angle : geometry::radiansFromDegrees(angle);
+}
+
+std::optional<double> headingOf(const Json& point) {
+  const auto pixel_pose = wire::member(point, {"pixel_pose"});
+  const auto angle = pixel_pose ? wire::number(*pixel_pose, {"angle"}) : std::nullopt;
+  return angle ? std::optional(geometry::normalizeAngle(angleOf(*angle))) : std::nullopt;
+}
+
+/// How far the pixels of a point lie from where its metres say; nullopt where it has no pixels.
+std::optional<double> pixelsOff(const Json& point, const Eigen::Vector2d& position, const ParsedMap& frame) {
+  const auto pixel_pose = wire::member(point, {"pixel_pose"});
+  const auto pixel = pixel_pose ? wire::member(*pixel_pose, {"position"}) : std::nullopt;
+  if (!pixel) return std::nullopt;
+  const auto u = wire::number(*pixel, {"u", "x"}), v = wire::number(*pixel, {"v", "y"});
+  if (!u || !v) return std::nullopt;
+  const double du = *u - (frame.u0 + position.x() * frame.pixels_per_m);
+  const double dv = *v - (frame.v0 - position.y() * frame.pixels_per_m);
+  return std::max(std::abs(du), std::abs(dv));
+}
+
+}  // namespace
+
+Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body) {
+  wire::JsonReader reader;
+  const auto data = dataOf(reader, body);
+  if (!data) return refused(data.error());
+  std::vector<map::CatalogueEntry> entries;
+  const auto member = wire::member(*data, {"map_lists", "map_list", "maps"});
+  if (!member) return entries;  // an empty list is left out by some encoders
+  const auto rows = wire::asList(*member);
+  if (!rows) return refused("The robot's list of maps is not a list.");
+  for (const Json row : *rows) {
+    map::CatalogueEntry entry;
+    entry.key = {map::MapKind::Stored, wire::text(row, {"map_id", "id"})};
+    entry.name = wire::text(row, {"map_name", "name"});
+    entry.index = wire::smallInteger(row, {"map_index", "index"});
+    if (!entry.key.id.empty()) entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+Read<std::string> parseCurrentMap(std::string_view body) {
+  wire::JsonReader reader;
+  const auto data = dataOf(reader, body);
+  if (!data) return refused(data.error());
+  std::string id = wire::text(*data, {"map_id", "id"});
+  return id == "0" || id == "-1" ? std::string() : id;
+}
+
+Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
+  wire::JsonReader reader;
+  const auto data = dataOf(reader, body);
+  if (!data) return refused(data.error());
+  ParsedMap parsed;
+  map::WholeMap& whole = parsed.map;
+  whole.key = asked;
+  whole.name = wire::text(*data, {"map_name", "name"});
+  parsed.pixels_per_m = wire::number(*data, {"resolution"}).value_or(kNaN);
+  parsed.u0 = wire::number(*data, {"origin_x"}).value_or(kNaN);
+  parsed.v0 = wire::number(*data, {"origin_y"}).value_or(kNaN);
+  if (!(parsed.pixels_per_m > 0) || !std::isfinite(parsed.pixels_per_m)) {
+    return refused("Its resolution is missing or not above 0 pixels per metre, so it cannot be placed.");
+  }
+  const std::string given = wire::text(*data, {"map_id"});
+  if (!given.empty() && given != asked.id) {
+    return refused("The robot sent the map " + given.substr(0, 100) + " instead of it.");
+  }
+  const auto base64 = wire::member(*data, {"map_data"});
+  std::string_view text;
+  if (!base64 || base64->get(text) || text.empty()) return refused("The robot sent no picture of it.");
+  auto picture = wire::fromBase64(text, kMaxPictureBytes);
+  if (!picture || picture->empty()) return refused("Its picture is not base64, or larger than 256 MB.");
+  const int width = wire::smallInteger(*data, {"width"}).value_or(0);
+  const int height = wire::smallInteger(*data, {"height"}).value_or(0);
+  whole.grid.width = width;
+  whole.grid.height = height;
+  if (const auto size = wire::pngSize(*picture)) {
+    std::tie(whole.grid.width, whole.grid.height) = *size;
+    if (*size != std::pair(width, height)) {
+      whole.notes.push_back({map::Severity::Warning, "Map " + asked.id,
+                             "Its picture has " + std::to_string(size->first) + " x " +
+                                 std::to_string(size->second) + " cells, but the robot says " +
+                                 std::to_string(width) + " x " + std::to_string(height) +
+                                 ". Placed by the picture's own size."});
+    }
+  } else if (width <= 0 || height <= 0) {
+    return refused("Its picture is not a PNG, and the robot does not say how high it is.");
+  }
+  // Pixel (origin_x, origin_y) is the world's origin and pixel rows run down: the lower-left corner lies
+  // (height - origin_y) rows below it.
+  whole.grid.resolution_m = 1 / parsed.pixels_per_m;
+  whole.grid.origin = {-parsed.u0 / parsed.pixels_per_m,
+                       (parsed.v0 - double(whole.grid.height)) / parsed.pixels_per_m, 0};
+  if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);
+  if (const auto degrees = wire::number(*data, {"rotate_angle"}); degrees && *degrees != 0) {
+    whole.display_rotation_rad = geometry::radiansFromDegrees(*degrees);
+  }
+  whole.fingerprint = wire::fingerprint(*picture);
+  whole.bytes = std::make_shared<const std::string>(std::move(*picture));
+  return parsed;
+}
+
+Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* frame) {
+  wire::JsonReader reader;
+  const auto data = dataOf(reader, body);
+  if (!data) return refused(data.error());
+  map::WaypointList list;
+  const auto member = wire::member(*data, {"points"});
+  if (!member) return list;
+  const auto rows = wire::asList(*member);
+  if (!rows) return refused("The robot's list of points is not a list.");
+  std::size_t unplaced = 0, unsaid = 0;
+  const auto note = [&](std::string sentence) {
+    if (list.notes.size() < kMaxNotes) {
+      list.notes.push_back(std::move(sentence));
+    } else {
+      ++unsaid;
+    }
+  };
+  for (const Json row : *rows) {
+    const auto pose = wire::member(row, {"pose"});
+    const auto position = pose ? wire::asPoint(*pose) : std::nullopt;
+    if (!position) {
+      ++unplaced;
+      continue;
+    }
+    map::Waypoint point{wire::text(row, {"point_id", "id"}), wire::text(row, {"name"}),
+                        wire::text(row, {"point_type", "type"}), *position, headingOf(row)};
+    const auto off = frame ? pixelsOff(row, *position, *frame) : std::nullopt;
+    if (off && !(*off <= 1)) {
+      note("Point " + point.id + " (" + point.name + "): its pixels lie " + plain(*off) +
+           " px from its metres. Shown where its metres say.");
+    }
+    list.points.push_back(std::move(point));
+  }
+  if (unplaced > 0) list.notes.push_back(std::to_string(unplaced) + " points without a place were left out.");
+  if (unsaid > 0) list.notes.push_back(std::to_string(unsaid) + " points more disagree with their pixels.");
+  return list;
+}
+
+QByteArray mapNamesRequest() { return command("MappingCommand_GET_STORED_MAP_NAME"); }
+
+QByteArray currentMapRequest() { return command("MappingCommand_GET_CURRENT_WORKING_MAP"); }
+
+QByteArray wholeMapRequest(std::string_view map_id) {
+  return command("MappingCommand_GET_2D_WHOLE_MAP",
+                 {{QStringLiteral("map_id"), QString::fromUtf8(map_id.data(), qsizetype(map_id.size()))}});
+}
+
+std::optional<QByteArray> topologyRequest(std::string_view map_id) {
+  const bool number = !map_id.empty() && map_id.find_first_not_of("0123456789") == std::string_view::npos &&
+                      (map_id == "0" || map_id.front() != '0');
+  if (!number) return std::nullopt;
+  // Written by hand: a number of JSON libraries is a double, which may lose digits.
+  return R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":)" +
+         QByteArray(map_id.data(), qsizetype(map_id.size())) + '}';
+}
+
+}  // namespace mapwright::robot::aimdk

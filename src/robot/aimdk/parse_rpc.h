@@ -1,0 +1,42 @@
+// From AimDK answers to values. Pure functions, any thread. Source: aimdk.md; seed 001.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QByteArray>
+#include <tl/expected.hpp>
+
+#include "map/catalogue.h"
+#include "map/waypoint.h"
+
+namespace mapwright::robot::aimdk {
+
+/// The error is a sentence without its subject: "The robot refuses: no such map."
+template <typename T>
+using Read = tl::expected<T, std::string>;
+
+/// GetStoredMapNames, in the robot's order of rows.
+Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body);
+/// GetCurrentWorkingMap: an id, empty when none is in use.
+Read<std::string> parseCurrentMap(std::string_view body);
+/// Get2DWholeMap.
+struct ParsedMap {
+  map::WholeMap map;
+  /// How world metres become pixels, as the robot says: u = u0 + x * scale, v = v0 - y * scale.
+  double pixels_per_m = 0, u0 = 0, v0 = 0;
+};
+Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked);
+/// GetTopoMsgs. Without `frame` the pixels are not compared with the metres.
+Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* frame);
+
+/// The requests. Ids are sent as text in one call and as a number in the other, digit by digit; a GetTopoMsgs
+/// for an id that is no number has no request.
+QByteArray mapNamesRequest();
+QByteArray currentMapRequest();
+QByteArray wholeMapRequest(std::string_view map_id);
+std::optional<QByteArray> topologyRequest(std::string_view map_id);
+
+}  // namespace mapwright::robot::aimdk

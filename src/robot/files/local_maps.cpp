@@ -1,0 +1,149 @@
+#include "robot/files/local_maps.h"
+
+#include <filesystem>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include "robot/files/read_map_yaml.h"
+
+namespace mapwright::robot::files {
+namespace {
+
+constexpr qsizetype kMostFiles = 10'000;
+constexpr double kUsualResolutionM = 0.05;
+
+bool hasSuffix(const QString& path, std::initializer_list<const char*> suffixes) {
+  for (const char* suffix : suffixes) {
+    if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) return true;
+  }
+  return false;
+}
+
+bool isYaml(const QString& path) { return hasSuffix(path, {".yaml", ".yml"}); }
+
+auto refused(std::string sentence) { return tl::make_unexpected(std::move(sentence)); }
+
+/// Where a file really lies, links followed as far as they lead.
+QString trueFolder(const QString& path) {
+  const QFileInfo info(path);
+  const QString canonical = info.canonicalFilePath();
+  return canonical.isEmpty() ? QDir::cleanPath(info.absolutePath()) : QFileInfo(canonical).absolutePath();
+}
+
+bool liesBelow(const QString& folder, const QString& above) {
+  return folder == above ||
+         folder.startsWith(above.endsWith(QLatin1Char('/')) ? above : above + QLatin1Char('/'));
+}
+
+std::string readingText(const map::CellReading& reading) {
+  return std::to_string(int(reading.mode)) + (reading.negate ? "n" : "p") + " " +
+         std::to_string(reading.occupied_thresh) + " " + std::to_string(reading.free_thresh);
+}
+
+void note(map::WholeMap& whole, map::Severity severity, std::string sentence) {
+  whole.notes.push_back({severity, "File " + whole.name, std::move(sentence)});
+}
+
+std::optional<std::string> whyUnreadable(const QString& path) {
+  const QFileInfo info(path);
+  const std::string name = path.toStdString();
+  if (!info.exists()) return "There is no file " + name + ".";
+  if (!info.isFile()) return name + " is not a file.";
+  if (!info.isReadable()) return "The file " + name + " may not be read by you.";
+  return std::nullopt;
+}
+
+tl::expected<map::WholeMap, std::string> fromYaml(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    return refused(path.toStdString() + " cannot be opened: " + file.errorString().toStdString() + ".");
+  }
+  auto yaml = parseMapYaml(file.read(qint64(kMaxYamlBytes) + 1).toStdString());
+  if (!yaml) return refused(yaml.error());
+  map::WholeMap whole;
+  whole.name = QFileInfo(path).fileName().toStdString();
+  whole.grid = yaml->grid;
+  whole.reading = yaml->reading;
+  const QString folder = QFileInfo(path).absolutePath();
+  const QString picture = QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(yaml->image)));
+  if (auto why = whyUnreadable(picture)) return refused("Its picture cannot be read. " + *why);
+  whole.path = picture.toStdString();
+  for (std::string& sentence : yaml->notes) note(whole, map::Severity::Warning, std::move(sentence));
+  if (!liesBelow(trueFolder(picture), trueFolder(path))) {
+    note(whole, map::Severity::Info, "Its picture lies outside of its folder: " + whole.path + ".");
+  }
+  return whole;
+}
+
+map::WholeMap fromPicture(const QString& path, const PicturePlace& place) {
+  map::WholeMap whole;
+  whole.name = QFileInfo(path).fileName().toStdString();
+  whole.path = path.toStdString();
+  whole.grid.resolution_m = place.resolution_m.value_or(kUsualResolutionM);
+  whole.grid.origin = place.origin.value_or(geometry::Pose2{});
+  if (!place.resolution_m) {
+    note(whole, map::Severity::Warning,
+         "A picture alone does not say how large its cells are. 0.05 m is assumed; give ?resolution=0.05 "
+         "after "
+         "the path to say it.");
+  }
+  const QString stem = QFileInfo(path).absolutePath() + QLatin1Char('/') + QFileInfo(path).completeBaseName();
+  for (const char* suffix : {".yaml", ".yml"}) {
+    const QString beside = stem + QLatin1String(suffix);
+    if (QFileInfo::exists(beside)) {
+      note(whole, map::Severity::Info,
+           QFileInfo(beside).fileName().toStdString() +
+               " beside it may say where it lies: open that instead.");
+      break;
+    }
+  }
+  return whole;
+}
+
+}  // namespace
+
+bool isMapFile(const QString& path) { return hasSuffix(path, {".yaml", ".yml", ".png", ".pgm", ".bmp"}); }
+
+QStringList mapFilesIn(const QString& folder) {
+  QStringList names;
+  for (const QString& name : QDir(folder).entryList(QDir::Files, QDir::Name | QDir::IgnoreCase)) {
+    if (isMapFile(name) && names.size() < kMostFiles) names << name;
+  }
+  return names;
+}
+
+tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place) {
+  if (auto why = whyUnreadable(path)) return refused(std::move(*why));
+  tl::expected<map::WholeMap, std::string> whole = isYaml(path) ? fromYaml(path) : fromPicture(path, place);
+  if (!whole) return whole;
+  if (auto why = map::whyUnusable(whole->grid)) return refused(std::move(*why));
+  whole->fingerprint = stampOf(QString::fromStdString(whole->path)) + "|" + readingText(whole->reading);
+  return whole;
+}
+
+map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place) {
+  map::CatalogueEntry entry;
+  entry.key = key;
+  entry.name = QFileInfo(path).fileName().toStdString();
+  entry.modified_s = double(QFileInfo(path).lastModified().toMSecsSinceEpoch()) / 1000;
+  entry.bytes = std::uint64_t(QFileInfo(path).size());
+  if (const auto whole = readLocalMap(path, place)) {
+    entry.grid = whole->grid;
+    entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
+  }
+  return entry;
+}
+
+std::string stampOf(const QString& path) {
+  const std::filesystem::path file(path.toStdString());
+  std::error_code gone;
+  const auto size = std::filesystem::file_size(file, gone);
+  if (gone) return path.toStdString() + "|gone";
+  const auto time = std::filesystem::last_write_time(file, gone);
+  return path.toStdString() + "|" + std::to_string(size) + "|" +
+         std::to_string(gone ? 0 : time.time_since_epoch().count());
+}
+
+}  // namespace mapwright::robot::files

@@ -1,0 +1,154 @@
+#include <QTest>
+
+#include "robot/aimdk/parse_rpc.h"
+
+using namespace mapwright;
+using namespace mapwright::robot::aimdk;
+
+namespace {
+
+const map::MapKey kKey{map::MapKind::Stored, "1764059676131"};
+
+/// Header of a PNG that says 2898 x 2603.
+QByteArray png() {
+  return QByteArray::fromHex("89504e470d0a1a0a0000000d4948445200000b5200000a2b08000000") + "rest";
+}
+
+std::string wholeMap(const std::string& members, const std::string& prefix = {}) {
+  return R"({"data":{"map_id":"1764059676131","map_name":"Park","map_url":"",)" + members +
+         R"("map_data":)"
+         "\"" +
+         prefix + png().toBase64().toStdString() + "\"}}";
+}
+
+const std::string kUsual = R"("width":2898,"height":2603,"resolution":20,"origin_x":1274,"origin_y":1371,
+  "rotate_angle":-5.512457272434708,)";
+
+std::string point(const std::string& u, const std::string& angle) {
+  return R"({"data":{"points":[{"point_id":1,"name":"<b>🚪</b>","point_type":"NaviPointType_NAVI_POINT",
+    "pixel_pose":{"position":{"u":)" +
+         u + R"(,"v":1420},"angle":)" + angle +
+         R"(},"pose":{"position":{"x":11.6,"y":-2.45,"z":0}}}],"paths":[]}})";
+}
+
+}  // namespace
+
+class AimdkParseTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theSeedsMapIsPlacedByPixelsPerMetre() {
+    for (const char* prefix : {"", "data:image/png;base64,"}) {
+      const auto parsed = parseWholeMap(wholeMap(kUsual, prefix), kKey);
+      QVERIFY2(parsed.has_value(), parsed ? "" : parsed.error().c_str());
+      const map::WholeMap& whole = parsed->map;
+      QCOMPARE(whole.grid.resolution_m, 0.05);
+      QCOMPARE(whole.grid.width, 2898);
+      QVERIFY(whole.notes.empty());
+      QCOMPARE(*whole.display_rotation_rad, geometry::radiansFromDegrees(-5.512457272434708));
+      // pixel_x = origin_x + x * resolution, pixel_y = origin_y - y * resolution
+      const Eigen::Vector2d pixel = whole.grid.cellFromWorld({11.6, -2.45});
+      QVERIFY((pixel - Eigen::Vector2d(1274 + 11.6 * 20, 1371 + 2.45 * 20)).norm() < 1e-6);
+      QCOMPARE(QByteArray::fromStdString(*whole.bytes), png());
+    }
+  }
+
+  void thePicturesOwnSizeWinsWithAWarning() {
+    const auto parsed = parseWholeMap(
+        wholeMap(R"("width":10,"height":20,"resolution":20,"origin_x":1274,"origin_y":1371,)"), kKey);
+    QCOMPARE(parsed->map.grid.height, 2603);
+    QCOMPARE(parsed->map.grid.origin.y_m, (1371.0 - 2603) / 20);
+    QCOMPARE(parsed->map.notes.size(), std::size_t(1));
+    QCOMPARE(parsed->map.notes[0].severity, map::Severity::Warning);
+  }
+
+  void mapsThatCannotBePlacedAreRefused() {
+    for (const char* members :
+         {R"("resolution":0,"origin_x":1,"origin_y":1,)", R"("origin_x":1,"origin_y":1,)",
+          R"("resolution":-20,"origin_x":1,"origin_y":1,)", R"("resolution":20,"origin_x":1,)",
+          R"("resolution":NaN,"origin_x":1,"origin_y":1,)",
+          R"("resolution":1e-300,"origin_x":1,"origin_y":1,)"}) {
+      const auto parsed = parseWholeMap(wholeMap(members), kKey);
+      QVERIFY2(!parsed, members);
+      QVERIFY(parsed.error().ends_with('.'));
+    }
+    QVERIFY(!parseWholeMap(R"({"data":{"resolution":20,"origin_x":1,"origin_y":1,"map_data":"!!"}})", kKey));
+    QVERIFY(!parseWholeMap(R"({"data":{"resolution":20,"origin_x":1,"origin_y":1,"map_data":""}})", kKey));
+    QVERIFY(!parseWholeMap(wholeMap(kUsual), {map::MapKind::Stored, "5"}));
+  }
+
+  void failuresAreSentences_data() {
+    QTest::addColumn<QByteArray>("body");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("error text") << QByteArray(R"({"error":"no such map"})") << QStringLiteral("no such map");
+    QTest::newRow("error object") << QByteArray(R"({"error":{"message":"busy"}})") << QStringLiteral("busy");
+    QTest::newRow("code") << QByteArray(R"({"code":1003,"message":"bad"})") << QStringLiteral("code 1003");
+    QTest::newRow("empty data") << QByteArray(R"({"data":{}})") << QStringLiteral("no data");
+    QTest::newRow("null data") << QByteArray(R"({"data":null,"msg":"none"})") << QStringLiteral("none");
+    QTest::newRow("no data") << QByteArray("{}") << QStringLiteral("no data");
+    QTest::newRow("html") << QByteArray("<html>") << QStringLiteral("not JSON");
+    QTest::newRow("nothing") << QByteArray() << QStringLiteral("not JSON");
+  }
+  void failuresAreSentences() {
+    QFETCH(QByteArray, body);
+    QFETCH(QString, says);
+    for (const auto& why :
+         {parseMapNames(body.toStdString()).error(), parseCurrentMap(body.toStdString()).error(),
+          parseWholeMap(body.toStdString(), kKey).error()}) {
+      QVERIFY2(QString::fromStdString(why).contains(says), why.c_str());
+      QVERIFY(why.ends_with('.'));
+    }
+  }
+
+  void idsKeepEveryDigitAsTextAndAsNumber() {
+    const auto entries = parseMapNames(
+        R"({"code":0,"error":"","data":{"map_lists":[{"map_id":"1764137567113","map_name":"River Park","map_index":5},
+            {"map_id":1764059676131123456,"map_name":"Park","map_index":"3"},{"map_name":"no id"},
+            {"map_id":123456789012345678901234567890}]}})");
+    QVERIFY(entries.has_value());
+    QCOMPARE(entries->size(), std::size_t(3));
+    QCOMPARE(entries->at(0).index, std::optional(5));
+    QCOMPARE(entries->at(1).key.id, std::string("1764059676131123456"));
+    QCOMPARE(entries->at(2).key.id, std::string("123456789012345678901234567890"));
+    QCOMPARE(*parseCurrentMap(R"({"data":{"map_id":1764059676131}})"), std::string("1764059676131"));
+    QVERIFY(parseMapNames(R"({"data":{"map_lists":[]}})")->empty());
+  }
+
+  void theTopologyIsAskedForByNumber() {
+    QCOMPARE(*topologyRequest("1764059676131999999"),
+             QByteArray(R"({"command":"TopoCommand_GET_TOPO_MSG","map_id":1764059676131999999})"));
+    for (const char* id : {"", "abc", "1,\"x\":2", "-1", "007"}) QVERIFY2(!topologyRequest(id), id);
+    QVERIFY(wholeMapRequest("1764059676131").contains("\"map_id\":\"1764059676131\""));
+    QVERIFY(wholeMapRequest("a\"b").contains("\"a\\\"b\""));
+  }
+
+  void pointsLieWhereTheirMetresSay() {
+    const auto frame = parseWholeMap(wholeMap(kUsual), kKey);
+    const auto good = parseTopology(point("1506", "0"), &*frame);
+    QCOMPARE(good->points.size(), std::size_t(1));
+    QCOMPARE(good->points[0].id, std::string("1"));
+    QCOMPARE(good->points[0].name, std::string("<b>🚪</b>"));
+    QCOMPARE(good->points[0].position_m, Eigen::Vector2d(11.6, -2.45));
+    QVERIFY(good->notes.empty());
+    const auto off = parseTopology(point("1520", "0"), &*frame);
+    QCOMPARE(off->points[0].position_m, Eigen::Vector2d(11.6, -2.45));
+    QCOMPARE(off->notes.size(), std::size_t(1));
+    QVERIFY(parseTopology(point("1520", "0"), nullptr)->notes.empty());
+  }
+
+  void headingsAreRadiansUpToAFullTurnAndDegreesBeyond() {
+    QCOMPARE(*parseTopology(point("1506", "1.5"), nullptr)->points[0].yaw_rad, 1.5);
+    QCOMPARE(*parseTopology(point("1506", "\"90\""), nullptr)->points[0].yaw_rad,
+             geometry::radiansFromDegrees(90));
+    QVERIFY(!parseTopology(point("1506", "null"), nullptr)->points[0].yaw_rad);
+  }
+
+  void pointsWithoutAPlaceAreCountedOnly() {
+    const auto list =
+        parseTopology(R"({"data":{"points":[{"point_id":1},7,{"pose":{"position":{"x":1}}}]}})", nullptr);
+    QVERIFY(list->points.empty());
+    QCOMPARE(list->notes.size(), std::size_t(1));
+  }
+};
+
+QTEST_GUILESS_MAIN(AimdkParseTest)
+#include "test_aimdk_parse.moc"

@@ -1,0 +1,182 @@
+#include <QSignalSpy>
+#include <QTest>
+
+#include "robot/aimdk/aimdk_robot.h"
+#include "scripted_robot.h"
+
+using namespace mapwright;
+using namespace mapwright::robot;
+using aimdk::AimdkRobot;
+using testing::ScriptedRobot;
+
+namespace {
+
+constexpr int kPatienceMs = 20'000;
+const QByteArray kNames = "/rpc/aimdk.protocol.MappingService/GetStoredMapNames";
+const QByteArray kCurrent = "/rpc/aimdk.protocol.MappingService/GetCurrentWorkingMap";
+const QByteArray kWhole = "/rpc/aimdk.protocol.MappingService/Get2DWholeMap";
+const QByteArray kTopo = "/rpc/aimdk.protocol.LocalizationService/GetTopoMsgs";
+
+QByteArray png() {
+  return QByteArray::fromHex("89504e470d0a1a0a0000000d49484452000000030000000208000000") + "rest";
+}
+
+template <typename T, typename Ask>
+Answer<T> answerTo(Ask ask) {
+  std::optional<Answer<T>> answer;
+  ask([&](Answer<T> given) { answer = std::move(given); });
+  if (!QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) {
+    return tl::make_unexpected(map::Problem{map::Severity::Error, "test", "no answer"});
+  }
+  return *answer;
+}
+
+}  // namespace
+
+class AimdkRobotTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<ScriptedRobot> server_;
+  std::unique_ptr<AimdkRobot> robot_;
+
+  void serveAll() {
+    server_->serve(kNames,
+                   "{\"data\":{\"map_lists\":[{\"map_id\":\"17\",\"map_name\":\"Park\",\"map_index\":3},{"
+                   "\"map_id\":\"1764059676131\",\"map_name\":\"River\",\"map_index\":5}]}}");
+    server_->serve(kCurrent, "{\"data\":{\"map_id\":\"1764059676131\"}}");
+    server_->serve(kWhole,
+                   "{\"data\":{\"map_id\":\"1764059676131\",\"map_name\":\"River\",\"width\":3,\"height\":2,"
+                   "\"resolution\":20,\"origin_x\":1,\"origin_y\":1,\"map_data\":"
+                   "\"" +
+                       png().toBase64() + "\"}}");
+    server_->serve(kTopo,
+                   "{\"data\":{\"points\":[{\"point_id\":1,\"name\":\"A\",\"pixel_pose\":{\"position\":{"
+                   "\"u\":9,\"v\":9},\"angle\":0},\"pose\":{\"position\":{\"x\":1,\"y\":1,\"z\":0}}}]}}");
+  }
+  void makeRobot(const QUrl& tf = {}) {
+    aimdk::LinkOptions options;
+    options.base = server_->url();
+    options.tf = tf;
+    options.poll_every = std::chrono::milliseconds(5);
+    options.backoff_first = std::chrono::milliseconds(5);
+    options.backoff_limit = std::chrono::milliseconds(20);
+    robot_ = std::make_unique<AimdkRobot>(QStringLiteral("aimdk+test"), options);
+  }
+  bool isIn(ConnectionPhase phase) const { return robot_->connection().phase == phase; }
+
+ private Q_SLOTS:
+  void init() {
+    server_ = std::make_unique<ScriptedRobot>();
+    serveAll();
+    makeRobot();
+  }
+  void cleanup() {
+    robot_.reset();
+    server_.reset();
+  }
+
+  void itIsOnlineOnceItListsItsMaps() {
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
+    QCOMPARE(server_->asked.first().method, QByteArray("POST"));
+    QCOMPARE(server_->asked.first().body, QByteArray("{\"command\":\"MappingCommand_GET_STORED_MAP_NAME\"}"));
+    robot_->disconnectFromRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Offline), kPatienceMs);
+  }
+
+  void aLossIsNoticedAndMended() {
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
+    server_->goAway();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!robot_->connection().reason.isEmpty(), kPatienceMs);
+    server_->listen();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
+  }
+
+  void aServerOfAnotherKindIsNotOnline() {
+    server_->serve(kNames, "<html>hello</html>");
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted) && !robot_->connection().reason.isEmpty(),
+                             kPatienceMs);
+  }
+
+  void anotherCurrentMapIsTold() {
+    QSignalSpy changed(robot_.get(), &Robot::mapsChanged);
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(server_->timesAsked(kCurrent) >= 2, kPatienceMs);
+    QCOMPARE(changed.size(), 0);
+    server_->serve(kCurrent, "{\"data\":{\"map_id\":\"17\"}}");
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), kPatienceMs);
+  }
+
+  void theListMarksTheCurrentMap() {
+    const auto entries =
+        answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) { robot_->mapCatalogue()->list(reply); });
+    QCOMPARE(entries->size(), std::size_t(2));
+    QVERIFY(!entries->at(0).is_current && entries->at(1).is_current);
+    const auto one = answerTo<map::CatalogueEntry>([&](auto reply) {
+      robot_->mapCatalogue()->describe({map::MapKind::Stored, "17"}, reply);
+    });
+    QCOMPARE(one->name, std::string("Park"));
+  }
+
+  void theListStandsWithoutACurrentMap() {
+    server_->serve(kCurrent, "{\"code\":5,\"message\":\"none\"}");
+    QSignalSpy problems(robot_.get(), &Robot::problemFound);
+    const auto entries =
+        answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) { robot_->mapCatalogue()->list(reply); });
+    QCOMPARE(entries->size(), std::size_t(2));
+    QCOMPARE(problems.size(), 1);
+  }
+
+  void aMapAndItsPointsCome() {
+    const map::MapKey key{map::MapKind::Stored, "1764059676131"};
+    const auto map =
+        answerTo<map::WholeMap>([&](auto reply) { robot_->wholeMapSource()->fetch(key, reply); });
+    QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+    QCOMPARE(map->grid, (map::GridReference{3, 2, 0.05, {-0.05, -0.05, 0}}));
+    const auto points =
+        answerTo<map::WaypointList>([&](auto reply) { robot_->waypointSource()->waypoints(key, reply); });
+    QCOMPARE(points->points.size(), std::size_t(1));
+    QCOMPARE(points->notes.size(), std::size_t(1));
+    QVERIFY(server_->asked.last().body.endsWith("\"map_id\":1764059676131}"));
+    QCOMPARE(server_->timesAsked(kWhole), 1);
+  }
+
+  void mapAndPointsAskedTogetherLoadTheMapOnce() {
+    const map::MapKey key{map::MapKind::Stored, "1764059676131"};
+    int maps = 0;
+    robot_->wholeMapSource()->fetch(key, [&](const auto& map) { maps += map ? 1 : 0; });
+    const auto points =
+        answerTo<map::WaypointList>([&](auto reply) { robot_->waypointSource()->waypoints(key, reply); });
+    QCOMPARE(maps, 1);
+    QCOMPARE(points->notes.size(), std::size_t(1));
+    QCOMPARE(server_->timesAsked(kWhole), 1);
+  }
+
+  void failuresAreProblemsOfTheMap() {
+    server_->answers[kWhole] =
+        ScriptedRobot::reply(500, "{\"message\":\"boom\"}", "Content-Type: application/json\r\n");
+    const auto map = answerTo<map::WholeMap>([&](auto reply) {
+      robot_->wholeMapSource()->fetch({map::MapKind::Stored, "17"}, reply);
+    });
+    QVERIFY(!map.has_value());
+    QCOMPARE(map.error().subject, std::string("Map 17"));
+    QVERIFY(map.error().sentence.find("boom") != std::string::npos);
+    QVERIFY(!answerTo<map::WaypointList>([&](auto reply) {
+               robot_->waypointSource()->waypoints({map::MapKind::Stored, "x y"}, reply);
+             }).has_value());
+  }
+
+  void itSaysThatItCannotEdit() {
+    QVERIFY(robot_->limits().contains(QStringLiteral("offers no editing")));
+    QVERIFY(!robot_->limits().contains(QStringLiteral("rosbridge")));
+    QVERIFY(!robot_->liveTopics() && !robot_->submapSource());
+    makeRobot(QUrl(QStringLiteral("ws://h:9090")));
+    QVERIFY(robot_->limits().contains(QStringLiteral("rosbridge")));
+  }
+};
+
+QTEST_GUILESS_MAIN(AimdkRobotTest)
+#include "test_aimdk_robot.moc"

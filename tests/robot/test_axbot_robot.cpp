@@ -1,0 +1,298 @@
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "robot/axbot/axbot_robot.h"
+#include "ros_messages/wrapper.pb.h"
+#include "scripted_robot.h"
+
+using namespace mapwright;
+using namespace mapwright::robot;
+using axbot::AxbotRobot;
+using testing::ScriptedRobot;
+
+namespace {
+
+constexpr int kPatienceMs = 20'000;
+
+/// The answer to one question, waited for.
+template <typename T, typename Ask>
+Answer<T> answerTo(Ask ask) {
+  std::optional<Answer<T>> answer;
+  ask([&](Answer<T> given) { answer = std::move(given); });
+  if (!QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) {
+    return tl::make_unexpected(map::Problem{map::Severity::Error, "test", "no answer"});
+  }
+  return *answer;
+}
+
+/// Header of a PNG that says 3 x 2; the rest does not matter here.
+QByteArray png() {
+  return QByteArray::fromHex("89504e470d0a1a0a0000000d49484452000000030000000208000000") + "rest";
+}
+
+}  // namespace
+
+class AxbotRobotTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<ScriptedRobot> server_;
+  std::unique_ptr<QTemporaryDir> cache_;
+  std::unique_ptr<AxbotRobot> robot_;
+  std::vector<map::Problem> problems_;
+  std::vector<map::TopicMessage> messages_;
+
+  void makeRobot(const QString& prefix = {}) {
+    axbot::LinkOptions options;
+    options.base = server_->url();
+    options.base.setPath(prefix);
+    options.secret = "hush";
+    options.cache_folder = cache_->path();
+    options.socket.backoff_first = std::chrono::milliseconds(5);
+    options.socket.backoff_limit = std::chrono::milliseconds(20);
+    robot_ = std::make_unique<AxbotRobot>(QStringLiteral("axbot+test"), options);
+    connect(robot_.get(), &Robot::problemFound, this,
+            [this](const map::Problem& p) { problems_.push_back(p); });
+    connect(robot_.get(), &Robot::topicReceived, this,
+            [this](const map::TopicMessage& m) { messages_.push_back(m); });
+  }
+  void connectRobot() {
+    server_->serve("/device/info", "{\"caps\":{\"supportsEnableTopicList\":true}}");
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/slam/state")),
+                             kPatienceMs);
+  }
+  template <typename T>
+  const T* last() const {
+    const T* found = nullptr;
+    for (const auto& message : messages_) {
+      if (const T* one = std::get_if<T>(&message)) found = one;
+    }
+    return found;
+  }
+  void sendMapV2(const QByteArray& url) {
+    server_->send(
+        "{\"topic\":\"/map_v2\",\"resolution\":0.05,\"size\":[3,2],\"origin\":[1,2],\"data_url\":"
+        "\"" +
+        url + "\"}");
+  }
+  Answer<std::vector<map::CatalogueEntry>> list() {
+    return answerTo<std::vector<map::CatalogueEntry>>(
+        [&](auto reply) { robot_->mapCatalogue()->list(reply); });
+  }
+  Answer<map::WholeMap> fetch(const map::MapKey& key) {
+    return answerTo<map::WholeMap>([&](auto reply) { robot_->wholeMapSource()->fetch(key, reply); });
+  }
+
+ private Q_SLOTS:
+  void init() {
+    cache_ = std::make_unique<QTemporaryDir>();
+    server_ = std::make_unique<ScriptedRobot>();
+    problems_.clear();
+    messages_.clear();
+    makeRobot();
+  }
+  void cleanup() {
+    robot_.reset();
+    server_.reset();
+  }
+
+  void picturesOfOtherHostsAreAskedOfTheRobotItself() {
+    ScriptedRobot elsewhere;
+    server_->serve("/static-files/a.png", png());
+    connectRobot();
+    sendMapV2(elsewhere.url().toEncoded() + "/static-files/a.png");
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::GridMessage>() != nullptr, kPatienceMs);
+    QCOMPARE(QByteArray::fromStdString(*last<map::GridMessage>()->png), png());
+    QVERIFY(!last<map::GridMessage>()->fingerprint.empty());
+    QVERIFY2(elsewhere.asked.isEmpty(), "the secret belongs to one origin");
+    QCOMPARE(server_->timesAsked("/static-files/a.png"), 1);
+  }
+
+  void aPictureThatIsGoneIsReported() {
+    connectRobot();
+    sendMapV2("static-files/gone.png");
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::UnreadableMessage>() != nullptr, kPatienceMs);
+    QCOMPARE(last<map::UnreadableMessage>()->topic, std::string("/map_v2"));
+    QVERIFY(last<map::UnreadableMessage>()->reason.find("404") != std::string::npos);
+    QVERIFY(last<map::UnreadableMessage>()->reason.find("hush") == std::string::npos);
+  }
+
+  void picturesThatMayBeKeptAreFetchedOnce() {
+    server_->serve("/a.png", png(), "Cache-Control: public, max-age=2592000\r\n");
+    connectRobot();
+    for (const char* url : {"a.png", "/a.png", "http://10.0.0.1:8090/a.png"}) {
+      messages_.clear();
+      sendMapV2(url);
+      QTRY_VERIFY_WITH_TIMEOUT(last<map::GridMessage>() != nullptr, kPatienceMs);
+    }
+    QCOMPARE(server_->timesAsked("/a.png"), 1);
+  }
+
+  void wantedTopicsAreSwitchedOnAndOffAndKept() {
+    connectRobot();
+    LiveTopics* topics = robot_->liveTopics();
+    topics->setWanted({QStringLiteral("/path"), QStringLiteral("/map"), QStringLiteral("/tracked_pose")});
+    QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/map")),
+                             kPatienceMs);
+    topics->setWanted({QStringLiteral("/path"), QStringLiteral("/alerts")});
+    QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/alerts")),
+                             kPatienceMs);
+    QCOMPARE(server_->topicsSent("disable_topic"), QStringList{QStringLiteral("/map")});
+    QCOMPARE(server_->topicsSent("enable_topic").count(QStringLiteral("/path")), 1);
+    QCOMPARE(server_->topicsSent("enable_topic").count(QStringLiteral("/tracked_pose")), 1);
+    server_->texts.clear();
+    server_->peers.first()->abort();
+    QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/alerts")),
+                             kPatienceMs);
+    const QStringList again = server_->topicsSent("enable_topic");
+    QVERIFY(again.contains(QStringLiteral("/path")) && again.contains(QStringLiteral("/submap_list")));
+    QVERIFY(!again.contains(QStringLiteral("/map")));
+  }
+
+  void watchingShowsEveryMessageAsItCame() {
+    QSignalSpy raw(robot_.get(), &Robot::rawReceived);
+    connectRobot();
+    server_->send("{\"topic\":\"/before\"}");
+    server_->send("{\"topic\":\"/tracked_pose\",\"pos\":[1,2],\"ori\":0}");
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::TrackedPose>() != nullptr, kPatienceMs);
+    QCOMPARE(raw.size(), 0);
+    robot_->liveTopics()->setWatching(true);
+    // The order of a queued call and of what comes over the network is not fixed: ask until it shows.
+    QTRY_VERIFY_WITH_TIMEOUT((server_->send("{\"topic\":\"/odd\",\"a\":1}"), !raw.isEmpty()), kPatienceMs);
+    const auto text = raw.first().first().value<RawMessage>();
+    QCOMPARE(text.topic, QStringLiteral("/odd"));
+    QCOMPARE(text.text, QByteArray("{\"topic\":\"/odd\",\"a\":1}"));
+    ros_messages::RosMessageWrapper wrapper;
+    wrapper.mutable_point_cloud()->set_point_number(77);
+    server_->sendBinary(QByteArray("\x04/pts") + '\0' +
+                        QByteArray::fromStdString(wrapper.SerializeAsString()));
+    QTRY_VERIFY_WITH_TIMEOUT(raw.last().first().value<RawMessage>().binary, kPatienceMs);
+    QVERIFY(raw.last().first().value<RawMessage>().text.contains("77"));
+  }
+
+  void mapsAndMappingsAreListedAndTheCurrentOneMarked() {
+    server_->serve("/maps/",
+                   "[{\"id\":1,\"uid\":\"a\",\"map_name\":\"<b>Hall</b> "
+                   "🏭\",\"create_time\":1644568815,\"map_version\":9,\"thumbnail_url\":\"http://x/maps/1/"
+                   "thumbnail\"},{\"id\":2,\"uid\":\"b\"},{\"uid\":\"no id\"}]");
+    server_->serve("/mappings",
+                   "{\"results\":[{\"id\":48,\"state\":\"finished\",\"start_time\":1647520760000,\"grid_"
+                   "origin_x\":-8,\"grid_origin_y\":-5,\"grid_resolution\":0.05}]}");
+    server_->serve("/chassis/current-map", "{\"id\":-1,\"uid\":\"b\"}");
+    const auto entries = list();
+    QVERIFY(entries.has_value());
+    QCOMPARE(entries->size(), std::size_t(3));
+    QCOMPARE(entries->at(0).name, std::string("<b>Hall</b> 🏭"));
+    QVERIFY(entries->at(0).has_thumbnail && !entries->at(0).is_current);
+    QVERIFY(entries->at(1).is_current);
+    QCOMPARE(entries->at(2).key, (map::MapKey{map::MapKind::Mapping, "48"}));
+    QCOMPARE(*entries->at(2).created_s, 1647520760.0);
+    QVERIFY(entries->at(2).grid.has_value());
+    QTRY_COMPARE(problems_.size(), std::size_t(1));  // the row without an id
+    for (const auto& asked : server_->asked) QCOMPARE(asked.headers.value("secret"), QByteArray("hush"));
+  }
+
+  void halfAListIsAnAnswer() {
+    server_->serve("/maps/", "[{\"id\":1}]");
+    server_->answers["/mappings/"] = ScriptedRobot::reply(500, "<html><body>oops</body></html>");
+    const auto entries = list();
+    QCOMPARE(entries->size(), std::size_t(1));
+    QCOMPARE(problems_.size(), std::size_t(1));
+    QCOMPARE(problems_[0].subject, std::string("Mappings"));
+  }
+
+  void noListAtAllIsAnError() {
+    const auto entries = list();
+    QVERIFY(!entries.has_value());
+    QVERIFY(QString::fromStdString(entries.error().sentence).contains(QStringLiteral("404")));
+  }
+
+  void aStoredMapComesWhole() {
+    server_->serve("/maps/7",
+                   "{\"id\":7,\"map_name\":\"Hall\",\"grid_origin_x\":\"-53.2\",\"grid_origin_y\":-25,\"grid_"
+                   "resolution\":0.05,\"image_url\":\"http://192.168.25.25:8090/maps/"
+                   "7.png\",\"overlays\":\"{\\\"type\\\":\\\"FeatureCollection\\\",\\\"features\\\":[{"
+                   "\\\"geometry\\\":{\\\"type\\\":\\\"Point\\\",\\\"coordinates\\\":[1,2]}}]}\"}");
+    server_->serve("/maps/7.png", png());
+    const auto map = fetch({map::MapKind::Stored, "7"});
+    QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+    QCOMPARE(map->name, std::string("Hall"));
+    QCOMPARE(map->grid, (map::GridReference{3, 2, 0.05, {-53.2, -25, 0}}));
+    QCOMPARE(QByteArray::fromStdString(*map->bytes), png());
+    QCOMPARE(map->overlays.size(), std::size_t(1));
+    QVERIFY(!map->fingerprint.empty());
+    QCOMPARE(map->reading.mode, map::CellReading::Mode::Picture);
+  }
+
+  void aWrongPictureAddressFallsBackToTheUsualOne() {
+    server_->serve("/maps/7",
+                   "{\"id\":7,\"grid_origin_x\":0,\"grid_origin_y\":0,\"grid_resolution\":0.05,\"image_url\":"
+                   "\"http://x/old/7.png\"}");
+    server_->serve("/maps/7.png", png());
+    QVERIFY(fetch({map::MapKind::Stored, "7"}).has_value());
+  }
+
+  void aMappingBringsItsTrajectoriesAndLandmarks() {
+    server_->serve("/mappings/48",
+                   "{\"id\":48,\"grid_origin_x\":0,\"grid_origin_y\":0,\"grid_resolution\":0.05}");
+    server_->serve("/mappings/48.png", png());
+    server_->serve("/mappings/48/trajectories.json", "[{\"id\":0,\"coordinates\":[[0,0],[1,1]]}]");
+    server_->serve("/mappings/48/landmarks.json", "[{\"id\":\"landmark_1\",\"pos\":[1.5,2]}]");
+    auto map = fetch({map::MapKind::Mapping, "48"});
+    QVERIFY(map.has_value());
+    QCOMPARE(map->trajectories.at(0).size(), std::size_t(2));
+    QCOMPARE(map->landmarks.at(0).id, std::string("landmark_1"));
+    server_->answers.remove("/mappings/48/landmarks.json");
+    map = fetch({map::MapKind::Mapping, "48"});
+    QVERIFY(map.has_value());
+    QCOMPARE(map->notes.size(), std::size_t(1));
+  }
+
+  void mapsThatCannotBePlacedAreRefused() {
+    for (const QByteArray members :
+         {QByteArray("\"grid_resolution\":0,\"grid_origin_x\":0,\"grid_origin_y\":0"),
+          QByteArray("\"grid_resolution\":0.05"), QByteArray("\"grid_resolution\":-1")}) {
+      server_->serve("/maps/7", "{\"id\":7," + members + "}");
+      const auto map = fetch({map::MapKind::Stored, "7"});
+      QVERIFY(!map.has_value());
+      QCOMPARE(map.error().subject, std::string("Map 7"));
+    }
+    QVERIFY(!fetch({map::MapKind::Stored, "404"}).has_value());
+    QVERIFY(!fetch({map::MapKind::Live, {}}).has_value());
+    QVERIFY(!fetch({map::MapKind::Stored, "../device/info?x#y"}).has_value());
+    QVERIFY(server_->asked.last().path.startsWith("/maps/..%2Fdevice"));
+  }
+
+  void theOverviewIsAsked() {
+    ros_messages::slam::GetMapImageResponse response;
+    response.set_origin_x(-3);
+    response.set_origin_y(4);
+    response.set_resolution(0.2);
+    response.set_png_bytes(png().toStdString());
+    server_->serve("/ros/slam/map_image", QByteArray::fromStdString(response.SerializeAsString()));
+    const auto ask = [&](auto reply) { robot_->wholeMapSource()->fetchOverview(0.2, reply); };
+    auto overview = answerTo<map::WholeMap>(ask);
+    QVERIFY(overview.has_value());
+    QCOMPARE(overview->grid, (map::GridReference{3, 2, 0.2, {-3, 4, 0}}));
+    QVERIFY(server_->asked.last().path.endsWith("?resolution=0.2"));
+    response.set_status_code(ros_messages::slam::UNAVAILABLE);
+    server_->serve("/ros/slam/map_image", QByteArray::fromStdString(response.SerializeAsString()));
+    overview = answerTo<map::WholeMap>(ask);
+    QVERIFY(!overview.has_value());
+    QVERIFY(overview.error().sentence.find("UNAVAILABLE") != std::string::npos);
+    server_->serve("/ros/slam/map_image", "<html>");
+    QVERIFY(!answerTo<map::WholeMap>(ask).has_value());
+  }
+
+  void aRobotThatIsGoneAnswersNobody() {
+    int answers = 0;
+    robot_->mapCatalogue()->list([&](const auto&) { ++answers; });
+    robot_.reset();
+    QCoreApplication::processEvents();
+    QCOMPARE(answers, 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(AxbotRobotTest)
+#include "test_axbot_robot.moc"

@@ -1,0 +1,212 @@
+#include <cstdio>
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "robot/files/file_robot.h"
+#include "robot/files/read_map_yaml.h"
+
+using namespace mapwright;
+using namespace mapwright::robot;
+using namespace mapwright::robot::files;
+
+namespace {
+
+constexpr int kPatienceMs = 20'000;
+const QByteArray kYaml =
+    "image: office.pgm\nresolution: 0.05\norigin: [-10.0, -7.5, 0.3]\nnegate: 0\noccupied_thresh: 0.65\n"
+    "free_thresh: 0.25\n";
+
+template <typename T, typename Ask>
+Answer<T> answerTo(Ask ask) {
+  std::optional<Answer<T>> answer;
+  ask([&](Answer<T> given) { answer = std::move(given); });
+  if (answer || !QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) {
+    return tl::make_unexpected(map::Problem{map::Severity::Error, "test", "not answered later"});
+  }
+  return *answer;
+}
+
+}  // namespace
+
+class FileRobotTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<QTemporaryDir> folder_;
+
+  QString path(const QString& name) const { return folder_->filePath(name); }
+  void write(const QString& name, const QByteArray& bytes) {
+    QFile file(path(name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+  }
+  std::unique_ptr<FileRobot> open(const QString& name, PicturePlace place = {}) {
+    FileOptions options;
+    options.path = name.isEmpty() ? folder_->path() : path(name);
+    options.place = place;
+    options.settle = std::chrono::milliseconds(1);
+    auto robot = std::make_unique<FileRobot>(QStringLiteral("file:test"), options);
+    robot->connectToRobot();
+    return robot;
+  }
+  static Answer<map::WholeMap> fetch(FileRobot& robot, const std::string& id = {}) {
+    return answerTo<map::WholeMap>([&](auto reply) {
+      robot.wholeMapSource()->fetch({map::MapKind::File, id}, reply);
+    });
+  }
+
+ private Q_SLOTS:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+  void aRosMapIsRead() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), "P5 1 1 255 x");
+    const auto robot = open(QStringLiteral("office.yaml"));
+    QCOMPARE(robot->connection().phase, ConnectionPhase::Online);
+    const auto map = fetch(*robot);
+    QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+    QCOMPARE(QString::fromStdString(map->path), path(QStringLiteral("office.pgm")));
+    QVERIFY(!map->bytes);
+    QCOMPARE(map->grid, (map::GridReference{0, 0, 0.05, {-10, -7.5, 0.3}}));
+    QCOMPARE(map->reading.mode, map::CellReading::Mode::Trinary);
+    QCOMPARE(map->reading.free_thresh, 0.25);
+    QVERIFY(map->notes.empty() && !map->fingerprint.empty());
+    const auto list =
+        answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) { robot->mapCatalogue()->list(reply); });
+    QCOMPARE(list->size(), std::size_t(1));
+    QCOMPARE(list->at(0).key, (map::MapKey{map::MapKind::File, {}}));
+    QVERIFY(list->at(0).grid.has_value());
+  }
+
+  void modesNegateAndSpellingsAreUnderstood() {
+    const std::string base = "image: a.png\nresolution: '5e-2'\norigin: [0, 0]\n";
+    QCOMPARE(parseMapYaml(base + "mode: scale\nnegate: true\n")->reading.mode, map::CellReading::Mode::Scale);
+    QVERIFY(parseMapYaml(base + "negate: 1\n")->reading.negate);
+    QVERIFY(!parseMapYaml(base + "negate: false\n")->reading.negate);
+    QCOMPARE(parseMapYaml(base + "mode: raw\n")->reading.mode, map::CellReading::Mode::Raw);
+  }
+
+  void aYawThatIsNoNumberIsZeroWithANote() {
+    for (const char* yaw : {"nan", ".nan", "NaN", ".inf", "north"}) {
+      const auto yaml =
+          parseMapYaml("image: a\nresolution: 0.05\nmode: raw\norigin: [1, 2, " + std::string(yaw) + "]\n");
+      QVERIFY2(yaml.has_value(), yaw);
+      QCOMPARE(yaml->grid.origin, (geometry::Pose2{1, 2, 0}));
+      QCOMPARE(yaml->notes.size(), std::size_t(1));
+    }
+  }
+
+  void whatCannotBePlacedIsRefused_data() {
+    QTest::addColumn<QByteArray>("yaml");
+    const auto row = [](const char* yaml) { QTest::newRow(yaml) << QByteArray(yaml); };
+    row("image: a\norigin: [0,0,0]\n");
+    row("image: a\nresolution: 0\norigin: [0,0,0]\n");
+    row("image: a\nresolution: -0.05\norigin: [0,0,0]\n");
+    row("image: a\nresolution: .nan\norigin: [0,0,0]\n");
+    row("image: a\nresolution: five\norigin: [0,0,0]\n");
+    row("image: a\nresolution: 0.05\n");
+    row("image: a\nresolution: 0.05\norigin: [0]\n");
+    row("image: a\nresolution: 0.05\norigin: [nan,0,0]\n");
+    row("image: a\nresolution: 0.05\norigin: [x,0,0]\n");
+    row("resolution: 0.05\norigin: [0,0,0]\n");
+    row("image: a\nresolution: 0.05\norigin: [0,0,0]\nmode: colour\n");
+    row("image: a\nresolution: 0.05\norigin: [0,0,0]\nnegate: maybe\n");
+    row("image: a\nresolution: 0.05\norigin: [0,0,0]\nfree_thresh: 7\n");
+    row("image: [a]\nresolution: 0.05\norigin: [0,0,0]\n");
+    row("[1, 2");
+    row("just text");
+    row("");
+  }
+  void whatCannotBePlacedIsRefused() {
+    QFETCH(QByteArray, yaml);
+    const auto read = parseMapYaml(yaml.toStdString());
+    QVERIFY(!read.has_value());
+    QVERIFY(!read.error().empty());
+    write(QStringLiteral("a.yaml"), yaml);
+    const auto robot = open(QStringLiteral("a.yaml"));
+    QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
+    QVERIFY(!robot->connection().reason.isEmpty());
+  }
+
+  void deepNestingAndLongTextsAreRefused() {
+    QVERIFY(!parseMapYaml(std::string(200'000, '[')).has_value());
+    QVERIFY(!parseMapYaml(std::string(kMaxYamlBytes + 1, ' ')).has_value());
+  }
+
+  void aPictureOutsideOfTheFolderIsNoted() {
+    QDir(folder_->path()).mkdir(QStringLiteral("maps"));
+    write(QStringLiteral("office.pgm"), "P5");
+    write(QStringLiteral("maps/a.yaml"), QByteArray(kYaml).replace("office.pgm", "../office.pgm"));
+    const auto robot = open(QStringLiteral("maps/a.yaml"));
+    const auto map = fetch(*robot);
+    QVERIFY(map.has_value());
+    QCOMPARE(map->notes.size(), std::size_t(1));
+  }
+
+  void aMissingPictureIsTold() {
+    write(QStringLiteral("a.yaml"), kYaml);
+    const auto map = fetch(*open(QStringLiteral("a.yaml")));
+    QVERIFY(!map.has_value());
+    QVERIFY(map.error().sentence.find("office.pgm") != std::string::npos);
+    QCOMPARE(open(QStringLiteral("none.yaml"))->connection().phase, ConnectionPhase::Refused);
+  }
+
+  void aBarePictureIsPlacedByItsAddress() {
+    write(QStringLiteral("a.png"), "x");
+    const auto map = fetch(*open(QStringLiteral("a.png"), {0.02, geometry::Pose2{1, 2, 0.5}}));
+    QCOMPARE(map->grid, (map::GridReference{0, 0, 0.02, {1, 2, 0.5}}));
+    QCOMPARE(map->reading.mode, map::CellReading::Mode::Picture);
+    QVERIFY(map->notes.empty());
+    QCOMPARE(fetch(*open(QStringLiteral("a.png")))->notes.size(), std::size_t(1));
+  }
+
+  void aFolderHoldsItsMapFiles() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), "P5");
+    write(QStringLiteral("notes.txt"), "x");
+    const auto robot = open({});
+    QCOMPARE(robot->connection().phase, ConnectionPhase::Online);
+    const auto list =
+        answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) { robot->mapCatalogue()->list(reply); });
+    QCOMPARE(list->size(), std::size_t(2));
+    QVERIFY(fetch(*robot, "office.yaml").has_value());
+    for (const char* id : {"", "notes.txt", "../office.yaml", "/etc/passwd"})
+      QVERIFY2(!fetch(*robot, id), id);
+  }
+
+  void changesAreTold() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), "P5");
+    const auto robot = open(QStringLiteral("office.yaml"));
+    QSignalSpy changed(robot.get(), &Robot::mapsChanged);
+    const std::string before = fetch(*robot)->fingerprint;
+    write(QStringLiteral("office.pgm"), "P5 more");
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(fetch(*robot)->fingerprint != before, kPatienceMs);
+    for (int times = 1; times <= 2; ++times) {  // replaced by renaming, twice
+      const std::string last = fetch(*robot)->fingerprint;
+      const auto told = changed.size();
+      write(QStringLiteral("new"), QByteArray("P5 longer ") + QByteArray(times, 'x'));
+      QCOMPARE(::rename(path(QStringLiteral("new")).toLocal8Bit().constData(),
+                        path(QStringLiteral("office.pgm")).toLocal8Bit().constData()),
+               0);
+      QTRY_VERIFY_WITH_TIMEOUT(changed.size() > told, kPatienceMs);
+      QVERIFY(fetch(*robot)->fingerprint != last);
+    }
+  }
+
+  void aMendedFileIsOpened() {
+    write(QStringLiteral("office.pgm"), "P5");
+    write(QStringLiteral("office.yaml"), "broken");
+    const auto robot = open(QStringLiteral("office.yaml"));
+    QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
+    write(QStringLiteral("office.yaml"), kYaml);
+    QTRY_COMPARE_WITH_TIMEOUT(robot->connection().phase, ConnectionPhase::Online, kPatienceMs);
+  }
+};
+
+QTEST_GUILESS_MAIN(FileRobotTest)
+#include "test_file_robot.moc"

@@ -1,0 +1,234 @@
+// A session and its whole maps: catalogue, opening, comparing, topics.
+#include <QSignalSpy>
+#include <QTest>
+
+#include "fake_robot.h"
+#include "session/session.h"
+
+using namespace mapwright;
+using session::MapSlot;
+using session::Session;
+using test::FakeRobot;
+using Phase = MapSlot::Phase;
+
+namespace {
+
+map::GridMessage liveGrid(int gray, map::GridKind kind = map::GridKind::WholeMap) {
+  map::GridMessage message;
+  message.topic = "/map_v2";
+  message.kind = kind;
+  message.grid = {40, 40, 0.05, {-1, -1, 0}};
+  message.png = test::grayPicture(40, 40, gray);
+  return message;
+}
+
+}  // namespace
+
+class SessionMapsTest : public QObject {
+  Q_OBJECT
+  FakeRobot* robot_ = nullptr;
+  std::unique_ptr<Session> session_;
+
+  void make(bool maps, bool topics, bool submaps = true, bool overview = false) {
+    auto robot = std::make_unique<FakeRobot>();
+    robot_ = robot.get();
+    robot_->has_maps = maps;
+    robot_->has_topics = topics;
+    robot_->has_submaps = submaps;
+    robot_->offers_overview = overview;
+    session_ = std::make_unique<Session>(std::move(robot), Session::Options{});
+  }
+  void goOnline() { robot_->setPhase(robot::ConnectionPhase::Online); }
+  int shownGray() const {
+    const auto cells = session_->wholeMap().cells();
+    return cells ? cells->at(5, 5) : -1;
+  }
+
+ private Q_SLOTS:
+  void cleanup() { session_.reset(); }
+
+  void aRobotThatSendsItsMapShowsIt() {
+    make(true, true);
+    goOnline();
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
+    robot_->say(liveGrid(0));
+    QTRY_COMPARE(shownGray(), 0);
+  }
+
+  void aRobotThatSendsNoneShowsItsCurrentMap() {
+    make(true, false, false);
+    goOnline();
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+    robot_->answerList({FakeRobot::entry("1"), FakeRobot::entry("1764059676131", true)});
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
+    QVERIFY(robot_->map_fetches[0].first.id == "1764059676131");
+    QVERIFY(session_->wholeMap().phase() == Phase::Fetching);
+    robot_->map_fetches[0].second(FakeRobot::wholeMap("1764059676131"));
+    QTRY_COMPARE(shownGray(), 254);
+    // Another one becomes current: the view follows, for nobody chose.
+    Q_EMIT robot_->mapsChanged();
+    robot_->answerList({FakeRobot::entry("1", true), FakeRobot::entry("1764059676131")});
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(2));
+    QVERIFY(robot_->map_fetches[1].first.id == "1");
+  }
+
+  void aMapThatTheUserOpenedStays() {
+    make(true, true);
+    goOnline();
+    robot_->answerList({FakeRobot::entry("7"), FakeRobot::entry("8", true)});
+    session_->openMap({map::MapKind::Stored, "7"});
+    QCOMPARE(session_->wholeMap().name(), QStringLiteral("Map 7"));
+    robot_->map_fetches.back().second(FakeRobot::wholeMap("7", 200));
+    QTRY_COMPARE(shownGray(), 200);
+    robot_->say(liveGrid(0));
+    QTest::qWait(50);
+    QCOMPARE(shownGray(), 200);
+    session_->openMap({map::MapKind::Live, {}});
+    QTRY_COMPARE(shownGray(), 0);
+  }
+
+  void anAnswerThatNobodyAwaitsAnyMoreIsDropped() {
+    make(true, true);
+    goOnline();
+    session_->openMap({map::MapKind::Stored, "7"});
+    session_->openMap({map::MapKind::Stored, "8"});
+    robot_->map_fetches[0].second(FakeRobot::wholeMap("7", 200));
+    QVERIFY(session_->wholeMap().phase() == Phase::Fetching);
+    robot_->map_fetches[1].second(FakeRobot::wholeMap("8", 30));
+    QTRY_COMPARE(shownGray(), 30);
+  }
+
+  void aMapThatCannotBeHadFailsWithTheRobotsWords() {
+    make(true, true);
+    goOnline();
+    session_->openMap({map::MapKind::Stored, "7"});
+    robot_->map_fetches[0].second(
+        tl::make_unexpected(map::Problem{map::Severity::Error, "Map 7", "The robot has no map 7."}));
+    QVERIFY(session_->wholeMap().phase() == Phase::Failed);
+    QCOMPARE(session_->wholeMap().remark(), QStringLiteral("The robot has no map 7."));
+    QCOMPARE(session_->problems().unresolved(), 1);
+    session_->openMap({map::MapKind::Stored, "7"});
+    robot_->map_fetches[1].second(FakeRobot::wholeMap("7"));
+    QTRY_COMPARE(shownGray(), 254);
+  }
+
+  void navigationPointsComeWithTheMap() {
+    make(true, false, false);
+    goOnline();
+    robot_->answerList({FakeRobot::entry("1", true)});
+    map::WaypointList list;
+    list.points.push_back({"3", "Door <b>", "NAVI", {1, 2}, 0.5});
+    list.notes = {"Point 3 lies 4 px off."};
+    robot_->waypoint_asks[0].second(list);
+    robot_->map_fetches[0].second(FakeRobot::wholeMap("1"));
+    QTRY_COMPARE(session_->wholeMap().waypoints().points.size(), std::size_t(1));
+    QCOMPARE(session_->problems().unresolved(), 1);
+  }
+
+  void thePresentStateCanBeKeptForComparing() {
+    make(true, true);
+    goOnline();
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
+    session_->keepForComparing();
+    QTRY_VERIFY(session_->comparedMap().phase() == Phase::Ready);
+    robot_->say(liveGrid(0));
+    QTRY_COMPARE(shownGray(), 0);
+    QCOMPARE(int(session_->comparedMap().cells()->at(5, 5)), 254);
+    session_->compareWith(std::nullopt);
+    QVERIFY(session_->comparedMap().phase() == Phase::Empty);
+  }
+
+  void wantsOfSeveralOwnersAddUp() {
+    make(true, true);
+    goOnline();
+    session_->want(QStringLiteral("layers"), {QStringLiteral("/path"), QStringLiteral("/alerts")});
+    session_->want(QStringLiteral("status"), {QStringLiteral("/alerts"), QStringLiteral("/battery_state")});
+    QStringList wanted = robot_->wanted;
+    wanted.sort();
+    QCOMPARE(wanted, (QStringList{QStringLiteral("/alerts"), QStringLiteral("/battery_state"),
+                                  QStringLiteral("/path")}));
+    session_->want(QStringLiteral("status"), {});
+    QVERIFY(!robot_->wanted.contains(QStringLiteral("/battery_state")));
+    QVERIFY(robot_->wanted.contains(QStringLiteral("/alerts")));
+  }
+
+  void anOlderTopicIsTriedWhenTheNewerStaysSilent() {
+    make(true, true);
+    goOnline();
+    session_->want(QStringLiteral("layers"), {QStringLiteral("/map_v2")});
+    QVERIFY(!robot_->wanted.contains(QStringLiteral("/map")));
+    QTRY_VERIFY(robot_->wanted.contains(QStringLiteral("/map")));
+  }
+
+  void anOverviewIsShownUntilEverySubmapIsIn() {
+    make(true, true, true, true);
+    goOnline();
+    map::SubmapList list;
+    list.uuid = "u";
+    map::SubmapEntry entry;
+    entry.id = {0, 0};
+    entry.version = 1;
+    entry.pose = geometry::poseFromYaw(3, 4, 0);
+    list.entries = {entry};
+    robot_->say(list);
+    QCOMPARE(robot_->overviews.size(), std::size_t(1));
+    QVERIFY(robot_->overview_resolutions[0] >= 0.1 && robot_->overview_resolutions[0] <= 5);
+    robot_->overviews[0](FakeRobot::wholeMap("overview"));
+    QTRY_VERIFY(session_->overview().cells() != nullptr);
+    robot_->answer(map::SubmapAnswer::Outcome::Ok);
+    QTRY_VERIFY(session_->overview().phase() == Phase::Empty);
+    robot_->say(list);
+    QCOMPARE(robot_->overviews.size(), std::size_t(1));  // once a session
+  }
+
+  void costmapsAreDecodedTheNewestLast() {
+    make(true, true);
+    goOnline();
+    for (int gray = 0; gray < 10; ++gray) robot_->say(liveGrid(gray, map::GridKind::CostmapLow));
+    QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow) &&
+                session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices->at(3, 3) == 9);
+    map::GridMessage broken = liveGrid(5, map::GridKind::CostmapLow);
+    broken.png = std::make_shared<const std::string>("garbage");
+    robot_->say(broken);
+    QTRY_COMPARE(session_->problems().unresolved(), 1);
+    QVERIFY(session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices->at(3, 3) == 9);
+  }
+
+  void thumbnailsAreAskedForOnceAndAFewAtATime() {
+    make(true, true);
+    goOnline();
+    std::vector<map::CatalogueEntry> rows;
+    for (int i = 0; i < 6; ++i) rows.push_back(FakeRobot::entry(std::to_string(i)));
+    robot_->answerList(rows);
+    session::Catalogue& catalogue = session_->catalogue();
+    QSignalSpy arrived(&catalogue, &session::Catalogue::thumbnailArrived);
+    for (int round = 0; round < 2; ++round) {
+      for (const auto& row : rows) QVERIFY(catalogue.thumbnail(row.key).isEmpty());
+    }
+    QCOMPARE(robot_->thumbnails.size(), std::size_t(2));
+    robot_->thumbnails[0].second(std::string("png"));
+    robot_->thumbnails[1].second(tl::make_unexpected(map::Problem{}));
+    QCOMPARE(arrived.size(), 1);
+    QCOMPARE(robot_->thumbnails.size(), std::size_t(4));
+    QCOMPARE(catalogue.thumbnail(rows[0].key), QByteArray("png"));
+  }
+
+  void aFailedListKeepsTheRowsAndSaysWhy() {
+    make(true, true);
+    goOnline();
+    robot_->answerList({FakeRobot::entry("1")});
+    session_->catalogue().refresh();
+    session_->catalogue().refresh();  // while one is under way: once more after it
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+    auto replies = std::exchange(robot_->lists, {});
+    replies[0](tl::make_unexpected(map::Problem{map::Severity::Error, "Maps", "The robot answered 500."}));
+    QCOMPARE(session_->catalogue().error(), QStringLiteral("The robot answered 500."));
+    QCOMPARE(session_->catalogue().entries().size(), std::size_t(1));
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+  }
+};
+
+QTEST_MAIN(SessionMapsTest)
+#include "test_session_maps.moc"

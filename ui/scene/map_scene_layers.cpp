@@ -1,0 +1,85 @@
+// MapScene: which layers are shown, in which order and style, and comparisons.
+#include <algorithm>
+
+#include "scene/map_scene_impl.h"
+
+namespace mapwright::scene {
+
+bool MapScene::layerVisible(Layer layer) const { return impl_->shown.at(layer); }
+
+void MapScene::setLayerVisible(Layer layer, bool visible) {
+  impl_->shown[layer] = visible;
+  impl_->applyVisibility();
+  syncColors();
+  syncFeatures();
+  sendWants();
+  Q_EMIT layersChanged();
+}
+
+double MapScene::layerOpacity(Layer layer) const { return impl_->items.at(layer)->opacity(); }
+
+void MapScene::setLayerOpacity(Layer layer, double opacity) {
+  impl_->items.at(layer)->setOpacity(std::clamp(opacity, 0.0, 1.0));
+  impl_->applyVisibility();
+  Q_EMIT layersChanged();
+}
+
+const LayerStyle& MapScene::layerStyle(Layer layer) const { return impl_->items.at(layer)->style(); }
+
+void MapScene::setLayerStyle(Layer layer, const LayerStyle& style) {
+  impl_->items.at(layer)->setStyle(style);
+  if (layer == Layer::WholeMap) applyReduction();
+  Q_EMIT layersChanged();
+}
+
+void MapScene::applyReduction() {
+  if (!session_) return;
+  const bool average = WholeMapChoice(layerStyle(Layer::WholeMap).choice) == WholeMapChoice::Average;
+  for (session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
+    slot->setReduction(average ? raster::Reduction::Average : raster::Reduction::OccupiedWins);
+  }
+}
+
+const std::vector<Layer>& MapScene::layerOrder() const { return impl_->order; }
+
+void MapScene::setLayerOrder(const std::vector<Layer>& order) {
+  std::vector<Layer> next, fixed;
+  const auto missing = [&](Layer layer) { return std::find(next.begin(), next.end(), layer) == next.end(); };
+  for (const Layer layer : order) {
+    if (!orderFixed(layer) && missing(layer)) next.push_back(layer);
+  }
+  for (const Layer layer : allLayers()) {
+    if (orderFixed(layer)) {
+      fixed.push_back(layer);
+    } else if (missing(layer)) {
+      next.push_back(layer);  // one that the caller does not know goes on top
+    }
+  }
+  next.insert(next.end(), fixed.begin(), fixed.end());
+  impl_->order = std::move(next);
+  impl_->stack();
+  update();
+  Q_EMIT layersChanged();
+}
+
+CompareMode MapScene::compareMode() const { return impl_->compare; }
+
+void MapScene::setCompareMode(CompareMode mode) {
+  if (mode == impl_->compare) return;
+  impl_->compare = mode;
+  impl_->applyVisibility();
+  syncColors();
+  syncFeatures();
+  sendWants();
+  update();
+  Q_EMIT layersChanged();
+}
+
+double MapScene::swipeAt() const { return impl_->swipe_at; }
+
+void MapScene::setSwipeAt(double fraction) {
+  impl_->swipe_at = std::clamp(fraction, 0.0, 1.0);
+  impl_->applyVisibility();
+}
+
+}  // namespace mapwright::scene

@@ -1,0 +1,247 @@
+#include "window/dialogs/export_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QRegularExpression>
+#include <QVBoxLayout>
+
+#include "window/look/ui_colors.h"
+
+namespace mapwright::window {
+
+namespace {
+
+QString fileNameFrom(const QString& name) {
+  QString plain = name.simplified();
+  static const QRegularExpression odd(QStringLiteral("[^\\w\\-. ]"),
+                                      QRegularExpression::UseUnicodePropertiesOption);
+  plain.replace(odd, QStringLiteral("_"));
+  plain = plain.left(60).trimmed();
+  while (plain.startsWith(QLatin1Char('.'))) plain.remove(0, 1);
+  return plain.isEmpty() ? QStringLiteral("map") : plain;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(ExportOffer offer, QWidget* parent)
+    : QDialog(parent),
+      offer_(std::move(offer)),
+      map_picture_(new QRadioButton(QStringLiteral("&Picture of the whole map (PNG)"), this)),
+      map_server_(new QRadioButton(QStringLiteral("&ROS map (PGM and YAML, for map_server)"), this)),
+      view_picture_(new QRadioButton(QStringLiteral("Picture of the present &view (PNG)"), this)),
+      source_(new QComboBox(this)),
+      resolution_(new QDoubleSpinBox(this)),
+      world_file_(new QCheckBox(QStringLiteral("With a &world file (.pgw) that places the picture"), this)),
+      path_(new QLineEdit(this)),
+      browse_(new QPushButton(QStringLiteral("&Browse…"), this)),
+      export_(new QPushButton(QStringLiteral("Export"), this)),
+      cancel_(new QPushButton(QStringLiteral("Cancel"), this)),
+      progress_(new QProgressBar(this)),
+      error_(new QLabel(this)),
+      source_label_(new QLabel(QStringLiteral("&What"), this)),
+      resolution_label_(new QLabel(QStringLiteral("Metres per &cell"), this)) {
+  setWindowTitle(QStringLiteral("Export"));
+  setMinimumWidth(520);
+  source_->setObjectName(QStringLiteral("source"));
+  if (offer_.whole) source_->addItem(QStringLiteral("The whole map"), false);
+  if (!offer_.submaps.empty()) source_->addItem(QStringLiteral("The submaps, composed"), true);
+  source_->setCurrentIndex(qMax(0, source_->findData(offer_.prefers_submaps)));
+  source_label_->setBuddy(source_);
+  resolution_label_->setBuddy(resolution_);
+  resolution_->setDecimals(4);
+  resolution_->setRange(0.001, 10);
+  resolution_->setSingleStep(0.01);
+  resolution_->setValue(offer_.submap_resolution_m);
+  path_->setObjectName(QStringLiteral("path"));
+  for (QPushButton* button : {browse_, cancel_}) {
+    button->setObjectName(QStringLiteral("secondary"));
+    button->setAutoDefault(false);
+  }
+  export_->setObjectName(QStringLiteral("primary"));
+  export_->setDefault(true);
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setFixedHeight(4);
+  QSizePolicy keeps = progress_->sizePolicy();
+  keeps.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(keeps);
+  progress_->hide();
+  error_->setTextFormat(Qt::PlainText);
+  error_->setWordWrap(true);
+  QPalette red = error_->palette();
+  red.setColor(QPalette::WindowText, appColors().error_text);
+  error_->setPalette(red);
+  error_->hide();
+
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(6);
+  form->addRow(source_label_, source_);
+  form->addRow(resolution_label_, resolution_);
+  auto* path_row = new QHBoxLayout;
+  path_row->addWidget(path_, 1);
+  path_row->addWidget(browse_);
+  form->addRow(QStringLiteral("&File"), path_row);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  buttons->addWidget(cancel_);
+  buttons->addWidget(export_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(8);
+  for (QRadioButton* button : {map_picture_, map_server_, view_picture_}) column->addWidget(button);
+  column->addSpacing(4);
+  column->addLayout(form);
+  column->addWidget(world_file_);
+  column->addWidget(error_);
+  column->addWidget(progress_);
+  column->addLayout(buttons);
+
+  const bool has_map = source_->count() > 0;
+  for (QRadioButton* button : {map_picture_, map_server_}) {
+    button->setEnabled(has_map);
+    button->setToolTip(has_map ? QString() : offer_.why_not_whole);
+  }
+  (has_map ? map_picture_ : view_picture_)->setChecked(true);
+  path_->setText(QDir(offer_.folder).filePath(fileNameFrom(offer_.name)));
+  for (QRadioButton* button : {map_picture_, map_server_, view_picture_})
+    connect(button, &QRadioButton::toggled, this, &ExportDialog::sync);
+  connect(source_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);
+  connect(path_, &QLineEdit::textEdited, this, [this] {
+    confirmed_ = false;
+    error_->hide();
+    export_->setEnabled(!path_->text().trimmed().isEmpty());
+  });
+  connect(browse_, &QPushButton::clicked, this, &ExportDialog::browse);
+  connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
+  connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
+  connect(&job_, &ExportJob::progressed, this,
+          [this](double done) { progress_->setValue(int(done * 1000)); });
+  connect(&job_, &ExportJob::finished, this, &ExportDialog::take);
+  sync();
+}
+
+ExportFormat ExportDialog::format() const {
+  if (map_server_->isChecked()) return ExportFormat::MapServer;
+  return view_picture_->isChecked() ? ExportFormat::ViewPicture : ExportFormat::MapPicture;
+}
+
+QRadioButton* ExportDialog::formatButton(ExportFormat format) const {
+  return format == ExportFormat::MapServer     ? map_server_
+         : format == ExportFormat::ViewPicture ? view_picture_
+                                               : map_picture_;
+}
+
+bool ExportDialog::fromSubmaps() const { return source_->currentData().toBool(); }
+
+void ExportDialog::sync() {
+  const bool view = format() == ExportFormat::ViewPicture;
+  source_->setEnabled(!view && source_->count() > 1);
+  resolution_->setEnabled(!view && fromSubmaps());
+  resolution_label_->setEnabled(resolution_->isEnabled());
+  source_label_->setEnabled(!view);
+  world_file_->setEnabled(format() != ExportFormat::MapServer);
+  // The name stays, its ending follows the format.
+  QString path = path_->text();
+  for (const char* suffix : {".png", ".yaml", ".pgm"}) {
+    if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive)) {
+      path.chop(qstrlen(suffix));
+      break;
+    }
+  }
+  path_->setText(path + QLatin1Char('.') + exportSuffix(format()));
+  confirmed_ = false;
+  error_->hide();
+}
+
+void ExportDialog::browse() {
+  const QString filter = format() == ExportFormat::MapServer ? QStringLiteral("ROS maps (*.yaml)")
+                                                             : QStringLiteral("PNG pictures (*.png)");
+  const QString path =
+      QFileDialog::getSaveFileName(this, QStringLiteral("Export to"), path_->text(), filter);
+  if (path.isEmpty()) return;
+  path_->setText(path);
+  sync();
+  confirmed_ = true;  // the file dialog has asked
+}
+
+void ExportDialog::start() {
+  if (job_.running()) return;
+  const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
+  if (QFileInfo::exists(path) && !confirmed_) {
+    confirmed_ = true;
+    error_->setText(QStringLiteral("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
+    error_->show();
+    return;
+  }
+  ExportRequest request;
+  request.path = path;
+  request.format = format();
+  request.world_file = world_file_->isChecked() && world_file_->isEnabled();
+  if (request.format == ExportFormat::ViewPicture) {
+    request.source = offer_.view();
+  } else if (fromSubmaps()) {
+    request.source = SubmapsExport{offer_.submaps, resolution_->value()};
+  } else if (offer_.whole) {
+    request.source = *offer_.whole;
+  } else {
+    return;
+  }
+  error_->hide();
+  setRunning(true);
+  job_.start(std::move(request));
+}
+
+void ExportDialog::setRunning(bool running) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{map_picture_, map_server_, view_picture_, source_,
+                                                         resolution_, world_file_, path_, browse_, export_})
+    widget->setEnabled(!running);
+  progress_->setValue(0);
+  progress_->setVisible(running);
+  if (running) return;
+  const bool has_map = source_->count() > 0;
+  map_picture_->setEnabled(has_map);
+  map_server_->setEnabled(has_map);
+  cancel_->setEnabled(true);
+  const QString path = path_->text();
+  sync();
+  path_->setText(path);
+}
+
+void ExportDialog::take(const ExportResult& result) {
+  setRunning(false);
+  if (result.cancelled) {
+    error_->setText(QStringLiteral("Cancelled. Nothing was written."));
+    error_->show();
+  } else if (!result.error.isEmpty()) {
+    error_->setText(result.error);
+    error_->show();
+  } else {
+    Q_EMIT exported(result.path);
+    accept();
+  }
+}
+
+void ExportDialog::reject() {
+  if (job_.running()) {
+    job_.cancel();
+    cancel_->setEnabled(false);
+    return;
+  }
+  QDialog::reject();
+}
+
+QString ExportDialog::errorText() const { return error_->isHidden() ? QString() : error_->text(); }
+
+}  // namespace mapwright::window

@@ -1,0 +1,73 @@
+// Asks what to write of the map on screen, and where; stays until it is written.
+#pragma once
+
+#include <functional>
+
+#include <QDialog>
+
+#include "window/files/export_map.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QRadioButton;
+
+namespace mapwright::window {
+
+/// What there is to export at present.
+struct ExportOffer {
+  QString name;                         // of the map, for the proposed file
+  std::optional<WholeMapExport> whole;  // nullopt: none is complete
+  QString why_not_whole;                // the sentence then
+  std::vector<render::PlacedTexture> submaps;
+  double submap_resolution_m = 0.05;  // of the finest one
+  bool prefers_submaps = false;       // they are what is on screen
+  std::function<ViewExport()> view;
+  QString folder;
+};
+
+class ExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit ExportDialog(ExportOffer offer, QWidget* parent = nullptr);
+
+  QRadioButton* formatButton(ExportFormat format) const;
+  QComboBox* sourceBox() const { return source_; }
+  QCheckBox* worldFileBox() const { return world_file_; }
+  QLineEdit* pathEdit() const { return path_; }
+  QPushButton* exportButton() const { return export_; }
+  QString errorText() const;
+  void start();
+
+ Q_SIGNALS:
+  void exported(const QString& path);
+
+ protected:
+  void reject() override;
+
+ private:
+  ExportFormat format() const;
+  bool fromSubmaps() const;
+  void sync();
+  void browse();
+  void take(const ExportResult& result);
+  void setRunning(bool running);
+
+  ExportOffer offer_;
+  ExportJob job_;
+  QRadioButton *map_picture_, *map_server_, *view_picture_;
+  QComboBox* source_;
+  QDoubleSpinBox* resolution_;
+  QCheckBox* world_file_;
+  QLineEdit* path_;
+  QPushButton *browse_, *export_, *cancel_;
+  QProgressBar* progress_;
+  QLabel *error_, *source_label_, *resolution_label_;
+  bool confirmed_ = false;  // overwriting
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,125 @@
+#include "window/dialogs/picture_dialog.h"
+
+#include <cmath>
+
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "map/grid_reference.h"
+#include "window/look/ui_colors.h"
+
+namespace mapwright::window {
+
+namespace {
+
+std::optional<double> numberIn(const QString& text) {
+  bool fine = false;
+  QString plain = text.trimmed();
+  if (!plain.contains(QLatin1Char('.'))) plain.replace(QLatin1Char(','), QLatin1Char('.'));
+  const double value = plain.toDouble(&fine);
+  return fine && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<PicturePlacement> placementFrom(const QString& resolution, const QString& x, const QString& y,
+                                              const QString& yaw_deg) {
+  const auto cell = numberIn(resolution), east = numberIn(x), north = numberIn(y), yaw = numberIn(yaw_deg);
+  if (!cell || !east || !north || !yaw) return std::nullopt;
+  return PicturePlacement{*cell, {*east, *north, geometry::radiansFromDegrees(*yaw)}};
+}
+
+}  // namespace
+
+QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y, const QString& yaw_deg) {
+  const auto cell = numberIn(resolution);
+  if (!cell) return QStringLiteral("The resolution has to be a number of metres, for example 0.05.");
+  if (*cell <= 0)
+    return QStringLiteral("The resolution has to be greater than 0: it is the edge of a cell in metres.");
+  const auto placement = placementFrom(resolution, x, y, yaw_deg);
+  if (!placement) return QStringLiteral("The origin takes three numbers: x and y in metres, yaw in degrees.");
+  map::GridReference grid;
+  grid.resolution_m = placement->resolution_m;
+  grid.origin = placement->origin;
+  const auto problem = map::whyUnusable(grid);
+  return problem ? QString::fromStdString(*problem) : QString();
+}
+
+PictureDialog::PictureDialog(const QString& path, const QString& accept_text, QWidget* parent)
+    : QDialog(parent),
+      resolution_(new QLineEdit(QStringLiteral("0.05"), this)),
+      x_(new QLineEdit(QStringLiteral("0"), this)),
+      y_(new QLineEdit(QStringLiteral("0"), this)),
+      yaw_(new QLineEdit(QStringLiteral("0"), this)),
+      error_(new QLabel(this)),
+      open_(new QPushButton(accept_text, this)) {
+  setWindowTitle(QStringLiteral("Where the picture lies"));
+  setMinimumWidth(440);
+  auto* intro = new QLabel(this);
+  intro->setTextFormat(Qt::PlainText);
+  intro->setWordWrap(true);
+  intro->setText(QStringLiteral("%1 is a picture without a map.yaml. How large is a cell, and where in the world "
+                                "is its lower-left corner?")
+                     .arg(QFileInfo(path).fileName().left(120)));
+  resolution_->setObjectName(QStringLiteral("resolution"));
+  x_->setObjectName(QStringLiteral("originX"));
+  y_->setObjectName(QStringLiteral("originY"));
+  yaw_->setObjectName(QStringLiteral("originYaw"));
+  error_->setTextFormat(Qt::PlainText);
+  error_->setWordWrap(true);
+  error_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  error_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  QPalette red = error_->palette();
+  red.setColor(QPalette::WindowText, appColors().error_text);
+  error_->setPalette(red);
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(6);
+  form->addRow(QStringLiteral("&Resolution, metres per cell"), resolution_);
+  form->addRow(QStringLiteral("Origin &x, metres"), x_);
+  form->addRow(QStringLiteral("Origin &y, metres"), y_);
+  form->addRow(QStringLiteral("Origin ya&w, degrees"), yaw_);
+  open_->setObjectName(QStringLiteral("primary"));
+  open_->setDefault(true);
+  auto* cancel = new QPushButton(QStringLiteral("Cancel"), this);
+  cancel->setObjectName(QStringLiteral("secondary"));
+  cancel->setAutoDefault(false);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  buttons->addWidget(cancel);
+  buttons->addWidget(open_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(10);
+  column->addWidget(intro);
+  column->addLayout(form);
+  column->addWidget(error_);
+  column->addLayout(buttons);
+  for (QLineEdit* field : {resolution_, x_, y_, yaw_})
+    connect(field, &QLineEdit::textChanged, this, &PictureDialog::check);
+  connect(open_, &QPushButton::clicked, this, &QDialog::accept);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  resolution_->selectAll();
+  check();
+}
+
+std::optional<PicturePlacement> PictureDialog::placement() const {
+  if (!errorText().isEmpty()) return std::nullopt;
+  return placementFrom(resolution_->text(), x_->text(), y_->text(), yaw_->text());
+}
+
+QString PictureDialog::errorText() const {
+  return whyNoPlacement(resolution_->text(), x_->text(), y_->text(), yaw_->text());
+}
+
+void PictureDialog::check() {
+  const QString error = errorText();
+  error_->setText(error);
+  open_->setEnabled(error.isEmpty());
+}
+
+}  // namespace mapwright::window

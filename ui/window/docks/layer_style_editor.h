@@ -1,0 +1,38 @@
+// The settings of one layer: colour, size and choice, as far as the layer has them.
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+
+#include "scene/map_scene.h"
+
+class QColorDialog;
+class QComboBox;
+class QDoubleSpinBox;
+class QToolButton;
+
+namespace mapwright::window {
+
+class LayerStyleEditor : public QWidget {
+  Q_OBJECT
+ public:
+  LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, QWidget* parent = nullptr);
+  void sync();
+  /// Null where the layer has no such setting.
+  QToolButton* colorButton() const { return color_; }
+  QDoubleSpinBox* sizeBox() const { return size_; }
+  QComboBox* choiceBox() const { return choice_; }
+  void setColor(const QColor& color);  // invalid: the theme's
+
+ private:
+  void askForColor();
+
+  scene::MapScene* scene_;
+  scene::Layer layer_;
+  QToolButton *color_ = nullptr, *color_reset_ = nullptr;
+  QDoubleSpinBox* size_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  QPointer<QColorDialog> dialog_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,210 @@
+#include "window/docks/maps_model.h"
+
+#include <algorithm>
+
+#include <QBuffer>
+#include <QDateTime>
+#include <QGuiApplication>
+#include <QImageReader>
+
+#include "window/look/plain_label.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr qsizetype kLongestTitle = 300;
+constexpr int kLargestThumbnail = 4'096;
+
+QString sectionTitle(map::MapKind kind) {
+  switch (kind) {
+    case map::MapKind::Live:
+      break;
+    case map::MapKind::Stored:
+      return QStringLiteral("Stored maps");
+    case map::MapKind::Mapping:
+      return QStringLiteral("Mappings");
+    case map::MapKind::File:
+      return QStringLiteral("File");
+  }
+  return {};
+}
+
+}  // namespace
+
+QString mapTitle(const std::string& name) {
+  const QString title = QString::fromStdString(name).simplified().left(kLongestTitle);
+  return title.isEmpty() ? QStringLiteral("(no name)") : title;
+}
+
+QString mapDetail(const map::CatalogueEntry& entry) {
+  QStringList parts;
+  const QString id = QString::fromStdString(entry.key.id).simplified().left(kLongestTitle);
+  if (entry.key.kind != map::MapKind::File && !id.isEmpty()) parts << QStringLiteral("id %1").arg(id);
+  if (entry.map_version) parts << QStringLiteral("v%1").arg(*entry.map_version);
+  if (!entry.state.empty()) parts << QString::fromStdString(entry.state).simplified().left(40);
+  const auto date = entry.modified_s ? entry.modified_s : entry.created_s;
+  // Beyond these years it is a clock gone wrong, not a date.
+  if (date && *date > 0 && *date < 4e9) {
+    parts << QDateTime::fromSecsSinceEpoch(qint64(*date)).toString(QStringLiteral("yyyy-MM-dd"));
+  }
+  if (entry.grid && entry.grid->width > 0 && entry.grid->height > 0) {
+    parts << QStringLiteral("%1 x %2").arg(countText(entry.grid->width), countText(entry.grid->height));
+  }
+  if (entry.bytes) parts << bytesText(qint64(std::min<std::uint64_t>(*entry.bytes, 1ULL << 60)));
+  return parts.join(QStringLiteral(" · "));
+}
+
+QPixmap thumbnailFrom(const QByteArray& png, int edge_px) {
+  QBuffer buffer;
+  buffer.setData(png);
+  QImageReader reader(&buffer);
+  reader.setAutoDetectImageFormat(true);
+  const QSize size = reader.size();
+  if (!size.isValid() || size.isEmpty() || std::max(size.width(), size.height()) > kLargestThumbnail)
+    return {};
+  reader.setScaledSize(size.scaled(edge_px, edge_px, Qt::KeepAspectRatio).expandedTo({1, 1}));
+  const QImage image = reader.read();
+  return image.isNull() ? QPixmap() : QPixmap::fromImage(image);
+}
+
+void MapsModel::setSession(session::Session* session) {
+  beginResetModel();
+  session_ = session;
+  rows_.clear();
+  thumbnails_.clear();
+  endResetModel();
+  sync();
+}
+
+void MapsModel::setFilter(const QString& text) {
+  words_ = text.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  sync();
+}
+
+std::vector<MapsModel::Row> MapsModel::build() {
+  std::vector<Row> rows;
+  maps_ = found_ = 0;
+  if (!session_) return rows;
+  const session::MapSlot& slot = session_->wholeMap();
+  const auto open = [&](const map::MapKey& key) {
+    return slot.phase() != session::MapSlot::Phase::Empty && slot.key() == key;
+  };
+  const auto passes = [&](const QString& text) {
+    return std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
+      return text.contains(word, Qt::CaseInsensitive);
+    });
+  };
+  if (session_->robot().liveTopics()) {
+    Row row{RowKind::Live, {map::MapKind::Live, {}}, QStringLiteral("Live map"),
+            QStringLiteral("what the robot sends now"), true, false, false};
+    row.open = open(row.key);
+    if (passes(row.title)) rows.push_back(row);
+  }
+  std::optional<map::MapKind> section;
+  for (const map::CatalogueEntry& entry : session_->catalogue().entries()) {
+    ++maps_;
+    Row row{RowKind::Map, entry.key, mapTitle(entry.name), mapDetail(entry), entry.name.empty(),
+            entry.is_current, open(entry.key)};
+    if (!passes(QString::fromStdString(entry.name) + QLatin1Char(' ') + row.detail)) continue;
+    ++found_;
+    if (section != entry.key.kind) {
+      section = entry.key.kind;
+      rows.push_back({RowKind::Section, {}, sectionTitle(*section), {}, true, false, false});
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+void MapsModel::sync() {
+  std::vector<Row> fresh = build();
+  if (fresh == rows_) return;
+  const bool same_places =
+      fresh.size() == rows_.size() &&
+      std::equal(fresh.begin(), fresh.end(), rows_.begin(),
+                 [](const Row& a, const Row& b) { return a.kind == b.kind && a.key == b.key; });
+  if (same_places) {
+    rows_ = std::move(fresh);
+    Q_EMIT dataChanged(index(0), index(int(rows_.size()) - 1));
+    return;
+  }
+  beginResetModel();
+  rows_ = std::move(fresh);
+  endResetModel();
+}
+
+void MapsModel::thumbnailArrived(const map::MapKey& key) {
+  thumbnails_.erase(key);
+  const QModelIndex at = indexOf(key);
+  if (at.isValid()) Q_EMIT dataChanged(at, at, {ThumbnailRole});
+}
+
+QPixmap MapsModel::thumbnail(const map::MapKey& key) const {
+  if (const auto found = thumbnails_.find(key); found != thumbnails_.end()) return found->second;
+  const QByteArray bytes = session_ ? session_->catalogue().thumbnail(key) : QByteArray();
+  if (bytes.isEmpty()) return {};
+  const double ratio = qApp->devicePixelRatio();
+  QPixmap pixmap = thumbnailFrom(bytes, int(kThumbnailPx * ratio));
+  pixmap.setDevicePixelRatio(ratio);
+  thumbnails_[key] = pixmap;
+  return pixmap;
+}
+
+int MapsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(rows_.size()); }
+
+QVariant MapsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= int(rows_.size())) return {};
+  const Row& row = rows_[std::size_t(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+      return row.title;
+    case Qt::ToolTipRole:
+      if (row.kind == RowKind::Section) return {};
+      return plainToolTip(
+          QStringLiteral("%1\n%2\nDouble click opens it here. Nothing is loaded or changed on the robot.")
+              .arg(row.title, row.detail));
+    case Qt::AccessibleTextRole:
+      return QStringLiteral("%1, %2%3%4")
+          .arg(row.title, row.detail, row.current ? QStringLiteral(", current") : QString(),
+               row.open ? QStringLiteral(", open") : QString());
+    case KindRole:
+      return int(row.kind);
+    case DetailRole:
+      return row.detail;
+    case NamelessRole:
+      return row.nameless;
+    case BadgesRole: {
+      QStringList badges;
+      if (row.current) badges << QStringLiteral("current");
+      if (row.open) badges << QStringLiteral("open");
+      return badges;
+    }
+    case ThumbnailRole:
+      return row.kind == RowKind::Map ? QVariant(thumbnail(row.key)) : QVariant();
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags MapsModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  return rows_[std::size_t(index.row())].kind == RowKind::Section ? Qt::ItemFlags(Qt::NoItemFlags)
+                                                                  : QAbstractListModel::flags(index);
+}
+
+std::optional<map::MapKey> MapsModel::key(const QModelIndex& index) const {
+  if (!index.isValid() || index.row() >= int(rows_.size())) return std::nullopt;
+  const Row& row = rows_[std::size_t(index.row())];
+  return row.kind == RowKind::Section ? std::nullopt : std::optional(row.key);
+}
+
+QModelIndex MapsModel::indexOf(const map::MapKey& key) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].kind != RowKind::Section && rows_[i].key == key) return index(int(i));
+  }
+  return {};
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,318 @@
+#include "window/docks/messages_dock.h"
+
+#include <QCompleter>
+#include <QElapsedTimer>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QStringListModel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "window/docks/pretty_json.h"
+#include "window/look/icons.h"
+#include "window/look/plain_label.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kRefreshMs = 200, kIdleMs = 1'000;
+const QString kOwner = QStringLiteral("messages");
+
+std::function<qint64()> elapsedClock() {
+  QElapsedTimer timer;
+  timer.start();
+  return [timer] { return timer.elapsed(); };
+}
+
+}  // namespace
+
+MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
+    : QDockWidget(QStringLiteral("Messages"), parent),
+      monotonic_(monotonic ? std::move(monotonic) : elapsedClock()),
+      model_(new TopicsModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      table_(new QTableView(this)),
+      message_(new QPlainTextEdit(this)),
+      caption_(new PlainLabel(this)),
+      filter_(new QLineEdit(this)),
+      topic_(new QLineEdit(this)),
+      known_(new QStringListModel(this)),
+      add_(new QPushButton(QStringLiteral("Listen"), this)),
+      pause_(new QPushButton(QStringLiteral("Pause"), this)),
+      clear_(new QPushButton(QStringLiteral("Clear"), this)),
+      copy_(new QPushButton(QStringLiteral("Copy"), this)) {
+  setObjectName(QStringLiteral("messages"));
+  buildTable();
+  message_->setReadOnly(true);
+  message_->setUndoRedoEnabled(false);
+  message_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  message_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  message_->setFrameShape(QFrame::NoFrame);
+  message_->setAccessibleName(QStringLiteral("Last message"));
+  caption_->setSecondary(true);
+  caption_->setSample(QStringLiteral("x"));
+  caption_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+
+  auto* right = new QWidget(this);
+  auto* right_column = new QVBoxLayout(right);
+  right_column->setContentsMargins(8, 2, 0, 0);
+  right_column->setSpacing(2);
+  right_column->addWidget(caption_);
+  right_column->addWidget(message_, 1);
+  auto* split = new QSplitter(Qt::Horizontal, this);
+  split->addWidget(table_);
+  split->addWidget(right);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 2);
+  split->setHandleWidth(1);
+  split->setChildrenCollapsible(false);
+  auto* body = new QWidget(this);
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(buildControls());
+  column->addWidget(split, 1);
+  setWidget(body);
+
+  refresh_timer_.setSingleShot(true);
+  connect(&refresh_timer_, &QTimer::timeout, this, &MessagesDock::refresh);
+  connect(this, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    on_screen_ = visible;
+    updateWatching();
+    if (visible) refresh();
+  });
+  // Behind another tab the topics stay asked for; closing the dock lets go of them.
+  connect(toggleViewAction(), &QAction::toggled, this, [this](bool open) {
+    if (open || asked_.isEmpty()) return;
+    asked_.clear();
+    log_.setAskedFor(asked_);
+    if (session_) session_->want(kOwner, asked_);
+  });
+  refresh();
+}
+
+MessagesDock::~MessagesDock() {
+  if (table_->selectionModel()) table_->selectionModel()->disconnect(this);
+  disconnect();
+}
+
+QWidget* MessagesDock::buildControls() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(6);
+  filter_->setPlaceholderText(QStringLiteral("Filter topics"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setAccessibleName(QStringLiteral("Filter topics"));
+  topic_->setPlaceholderText(QStringLiteral("/topic to listen to"));
+  topic_->setAccessibleName(QStringLiteral("Topic to listen to"));
+  topic_->setMaxLength(300);
+  auto* completer = new QCompleter(known_, topic_);
+  completer->setFilterMode(Qt::MatchContains);
+  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  topic_->setCompleter(completer);
+  add_->setToolTip(QStringLiteral("Ask the robot for this topic as long as this panel is open"));
+  pause_->setCheckable(true);
+  pause_->setToolTip(QStringLiteral("Keep what is shown; nothing is received meanwhile"));
+  clear_->setIcon(themedIcon(QStringLiteral("trash")));
+  copy_->setIcon(themedIcon(QStringLiteral("copy")));
+  copy_->setToolTip(QStringLiteral("Copy the message as it came"));
+  for (QPushButton* button : {add_, pause_, clear_, copy_})
+    button->setObjectName(QStringLiteral("compact"));
+  row->addWidget(filter_, 2);
+  row->addWidget(topic_, 2);
+  row->addWidget(add_);
+  row->addSpacing(8);
+  row->addWidget(pause_);
+  row->addWidget(clear_);
+  row->addWidget(copy_);
+  connect(filter_, &QLineEdit::textChanged, sorted_, &QSortFilterProxyModel::setFilterFixedString);
+  connect(topic_, &QLineEdit::returnPressed, this, &MessagesDock::addTopic);
+  connect(topic_, &QLineEdit::textChanged, this,
+          [this](const QString& text) { add_->setEnabled(session_ && !text.trimmed().isEmpty()); });
+  connect(add_, &QPushButton::clicked, this, &MessagesDock::addTopic);
+  connect(pause_, &QPushButton::toggled, this, [this](bool paused) {
+    pause_->setText(paused ? QStringLiteral("Resume") : QStringLiteral("Pause"));
+    updateWatching();
+    refresh();
+  });
+  connect(clear_, &QPushButton::clicked, this, [this] {
+    log_.clear();
+    shown_count_ = 0;
+    refresh();
+    showMessage(true);
+  });
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    if (const TopicTally* tally = log_.find(chosen_))
+      Q_EMIT copyWanted(QString::fromUtf8(tally->text), QStringLiteral("Message copied"));
+  });
+  return box;
+}
+
+void MessagesDock::buildTable() {
+  sorted_->setSourceModel(model_);
+  sorted_->setSortRole(TopicsModel::kSortRole);
+  sorted_->setFilterKeyColumn(TopicsModel::TopicColumn);
+  sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  table_->setModel(sorted_);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(TopicsModel::TopicColumn, Qt::AscendingOrder);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->setTabKeyNavigation(false);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(22);
+  table_->setAccessibleName(QStringLiteral("Topics"));
+  QHeaderView* header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setMinimumSectionSize(40);
+  header->setSectionResizeMode(TopicsModel::TopicColumn, QHeaderView::Stretch);
+  const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
+  header->resizeSection(TopicsModel::TypeColumn, digit * 8 + 16);
+  header->resizeSection(TopicsModel::CountColumn, digit * 9 + 16);
+  header->resizeSection(TopicsModel::RateColumn, digit * 6 + 16);
+  header->resizeSection(TopicsModel::BytesRateColumn, digit * 9 + 16);
+  header->resizeSection(TopicsModel::SizeColumn, digit * 9 + 16);
+  header->resizeSection(TopicsModel::TimeColumn, digit * 9 + 16);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& index) {
+            const QString topic =
+                index.isValid() ? model_->topicAt(sorted_->mapToSource(index).row()) : QString();
+            if (topic.isEmpty() || topic == chosen_) return;
+            chosen_ = topic;
+            showMessage(true);
+          });
+  connect(table_, &QTableView::customContextMenuRequested, this, &MessagesDock::showMenu);
+}
+
+void MessagesDock::setSession(session::Session* session) {
+  if (session_) {
+    if (watching_ && session_->robot().liveTopics()) session_->robot().liveTopics()->setWatching(false);
+    session_->robot().disconnect(this);
+  }
+  watching_ = false;
+  session_ = session;
+  asked_.clear();
+  log_ = {};
+  chosen_.clear();
+  shown_count_ = 0;
+  robot::LiveTopics* const live = session ? session->robot().liveTopics() : nullptr;
+  known_->setStringList(live ? live->known() : QStringList());
+  if (session) {
+    connect(&session->robot(), &robot::Robot::rawReceived, this, [this](const robot::RawMessage& message) {
+      if (!watching_) return;
+      log_.note(message, monotonic_());
+      if (dirty_) return;
+      dirty_ = true;
+      refresh_timer_.start(kRefreshMs);
+    });
+  }
+  updateWatching();
+  refresh();
+  showMessage(true);
+}
+
+void MessagesDock::updateWatching() {
+  robot::LiveTopics* const live = session_ ? session_->robot().liveTopics() : nullptr;
+  const bool wanted = live && on_screen_ && !pause_->isChecked();
+  for (QWidget* widget : {static_cast<QWidget*>(topic_), static_cast<QWidget*>(pause_)})
+    widget->setEnabled(live != nullptr);
+  add_->setEnabled(live && !topic_->text().trimmed().isEmpty());
+  if (wanted == watching_) return;
+  watching_ = wanted;
+  if (live) live->setWatching(wanted);
+}
+
+void MessagesDock::refresh() {
+  dirty_ = false;
+  model_->sync(log_, monotonic_());
+  clear_->setEnabled(model_->rowCount() > 0);
+  showMessage(false);
+  // Rates fall although nothing comes: looked at again as long as there are rows.
+  if (watching_ && model_->rowCount() > 0) refresh_timer_.start(kIdleMs);
+}
+
+void MessagesDock::showMessage(bool force) {
+  const TopicTally* const tally = log_.find(chosen_);
+  copy_->setEnabled(tally && tally->count > 0);
+  if (!tally || tally->count == 0) {
+    if (force || shown_count_ > 0) message_->clear();
+    shown_count_ = 0;
+    QString hint;
+    if (!session_) {
+      hint = QStringLiteral("Connect to a robot to see its messages.");
+    } else if (!session_->robot().liveTopics()) {
+      hint = QStringLiteral("Nothing live comes from here.");
+    } else if (tally) {
+      hint = QStringLiteral("Nothing has come on %1 yet.").arg(chosen_.left(100));
+    } else {
+      hint = QStringLiteral("Choose a topic to see its last message.");
+    }
+    caption_->setText(hint);
+    return;
+  }
+  if (!force && tally->count == shown_count_) return;
+  shown_count_ = tally->count;
+  caption_->setText(QStringLiteral("%1  %2, %3%4")
+                        .arg(chosen_.left(100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
+                             bytesText(tally->last_bytes),
+                             tally->cut ? QStringLiteral(", cut") : QString()));
+  const int down = message_->verticalScrollBar()->value();
+  const int across = message_->horizontalScrollBar()->value();
+  message_->setPlainText(prettyJson(tally->text));
+  message_->verticalScrollBar()->setValue(down);
+  message_->horizontalScrollBar()->setValue(across);
+}
+
+void MessagesDock::chooseTopic(const QString& topic) {
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (model_->topicAt(row) != topic) continue;
+    table_->setCurrentIndex(sorted_->mapFromSource(model_->index(row, 0)));
+    return;
+  }
+}
+
+void MessagesDock::addTopic() {
+  QString topic = topic_->text().trimmed();
+  if (topic.isEmpty() || !session_) return;
+  if (!topic.startsWith(QLatin1Char('/'))) topic.prepend(QLatin1Char('/'));
+  topic_->clear();
+  if (!asked_.contains(topic)) asked_ << topic;
+  log_.setAskedFor(asked_);
+  session_->want(kOwner, asked_);
+  refresh();
+  chooseTopic(topic);
+}
+
+void MessagesDock::dropTopic(const QString& topic) {
+  asked_.removeAll(topic);
+  log_.setAskedFor(asked_);
+  if (session_) session_->want(kOwner, asked_);
+  refresh();
+}
+
+void MessagesDock::showMenu(const QPoint& at) {
+  const QModelIndex index = table_->indexAt(at);
+  const QString topic = index.isValid() ? model_->topicAt(sorted_->mapToSource(index).row()) : QString();
+  if (topic.isEmpty()) return;
+  QMenu menu(this);
+  menu.addAction(themedIcon(QStringLiteral("copy")), QStringLiteral("Copy topic"), this,
+                 [this, topic] { Q_EMIT copyWanted(topic, QStringLiteral("Topic copied")); });
+  if (asked_.contains(topic))
+    menu.addAction(QStringLiteral("Stop listening to it"), this, [this, topic] { dropTopic(topic); });
+  menu.exec(table_->viewport()->mapToGlobal(at));
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,79 @@
+// Every message of the robot as it comes: what arrives how often, and what is in it.
+#pragma once
+
+#include <functional>
+
+#include <QDockWidget>
+#include <QPointer>
+#include <QSortFilterProxyModel>
+#include <QTimer>
+
+#include "session/session.h"
+#include "window/docks/topics_model.h"
+
+class QCompleter;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QStringListModel;
+class QTableView;
+
+namespace mapwright::window {
+
+class PlainLabel;
+
+/// Listens only while it is on screen and not paused.
+class MessagesDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  /// `monotonic`: milliseconds of a clock that never goes back.
+  explicit MessagesDock(std::function<qint64()> monotonic = {}, QWidget* parent = nullptr);
+  ~MessagesDock() override;
+  void setSession(session::Session* session);
+
+  const TopicLog& log() const { return log_; }
+  QTableView* table() const { return table_; }
+  QSortFilterProxyModel* rows() const { return sorted_; }
+  QLineEdit* filterEdit() const { return filter_; }
+  QLineEdit* topicEdit() const { return topic_; }
+  QPushButton* pauseButton() const { return pause_; }
+  QPushButton* clearButton() const { return clear_; }
+  QPushButton* copyButton() const { return copy_; }
+  QPlainTextEdit* messageView() const { return message_; }
+  QString chosenTopic() const { return chosen_; }
+  bool watching() const { return watching_; }
+  void chooseTopic(const QString& topic);
+  /// Shows now what has come.
+  void refresh();
+
+ Q_SIGNALS:
+  void copyWanted(const QString& text, const QString& what);
+
+ private:
+  QWidget* buildControls();
+  void buildTable();
+  void addTopic();
+  void dropTopic(const QString& topic);
+  void updateWatching();
+  void showMessage(bool force);
+  void showMenu(const QPoint& at);
+
+  std::function<qint64()> monotonic_;
+  QPointer<session::Session> session_;
+  TopicLog log_;
+  QStringList asked_;
+  QString chosen_;
+  bool watching_ = false, on_screen_ = false, dirty_ = false;
+  quint64 shown_count_ = 0;
+  QTimer refresh_timer_;
+  TopicsModel* model_;
+  QSortFilterProxyModel* sorted_;
+  QTableView* table_;
+  QPlainTextEdit* message_;
+  PlainLabel* caption_;
+  QLineEdit *filter_, *topic_;
+  QStringListModel* known_;
+  QPushButton *add_, *pause_, *clear_, *copy_;
+};
+
+}  // namespace mapwright::window

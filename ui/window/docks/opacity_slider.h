@@ -1,0 +1,24 @@
+// A slider of the height of a row with its percentage written on it.
+#pragma once
+
+#include <QSlider>
+
+namespace mapwright::window {
+
+class OpacitySlider : public QSlider {
+  Q_OBJECT
+ public:
+  explicit OpacitySlider(QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {52, 18}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  void follow(const QPointF& at);
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,82 @@
+// Writing what is on screen into files. The work runs on any thread; ExportJob runs it beside the window.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include "map/grid_reference.h"
+#include "raster/grid_pyramid.h"
+#include "render/compositor.h"
+
+namespace mapwright::window {
+
+enum class ExportFormat { MapPicture, MapServer, ViewPicture };
+
+/// A whole map as it was read.
+struct WholeMapExport {
+  std::shared_ptr<const raster::GridPyramid> cells;  // complete
+  map::GridReference reference;
+};
+/// Submaps, to be composed first.
+struct SubmapsExport {
+  std::vector<render::PlacedTexture> textures;  // ascending ids
+  double resolution_m = 0.05;
+};
+/// The view as it is painted; `reference` places its pixels.
+struct ViewExport {
+  QImage picture;
+  map::GridReference reference;
+};
+using ExportSource = std::variant<WholeMapExport, SubmapsExport, ViewExport>;
+
+struct ExportRequest {
+  ExportSource source;
+  ExportFormat format = ExportFormat::MapPicture;  // of a ViewExport: ViewPicture
+  QString path;                                    // MapServer: of the .yaml or the .pgm
+  bool world_file = false;                         // beside a PNG, as .pgw
+};
+
+/// What came of it.
+struct ExportResult {
+  QString path;   // what was written
+  QString error;  // a sentence; empty = it is written
+  bool cancelled = false;
+};
+
+/// Blocks. `proceed` gets the part that is done (0..1); false ends the work, and nothing half-written stays.
+ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed);
+/// "/maps/a.png" -> "/maps/a.pgw".
+QString worldFilePath(const QString& picture_path);
+/// The extension that the format takes: "png", "yaml".
+QString exportSuffix(ExportFormat format);
+
+/// One export on a thread of its own. GUI-thread object; deleting it cancels and waits.
+class ExportJob : public QObject {
+  Q_OBJECT
+ public:
+  explicit ExportJob(QObject* parent = nullptr);
+  ~ExportJob() override;
+  void start(ExportRequest request);
+  void cancel() { cancelled_->store(true); }
+  bool running() const { return running_; }
+
+ Q_SIGNALS:
+  void progressed(double done);
+  void finished(const mapwright::window::ExportResult& result);
+
+ private:
+  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  bool running_ = false;
+  QThreadPool pool_;
+};
+
+}  // namespace mapwright::window

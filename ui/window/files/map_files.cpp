@@ -1,0 +1,59 @@
+#include "window/files/map_files.h"
+
+#include <algorithm>
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace mapwright::window {
+
+namespace {
+
+bool endsWithAny(const QString& path, std::initializer_list<const char*> suffixes) {
+  return std::any_of(suffixes.begin(), suffixes.end(), [&](const char* suffix) {
+    return path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
+  });
+}
+
+QString exact(double value) { return QString::number(value, 'g', 15); }
+
+}  // namespace
+
+bool isMapYaml(const QString& path) { return endsWithAny(path, {".yaml", ".yml"}); }
+bool isBarePicture(const QString& path) { return endsWithAny(path, {".png", ".pgm", ".bmp"}); }
+
+QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement) {
+  const QString address = QStringLiteral("file:") + QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+  if (!placement) return address;
+  return address + QStringLiteral("?resolution=") + exact(placement->resolution_m) +
+         QStringLiteral("&origin=") + exact(placement->origin.x_m) + QLatin1Char(',') +
+         exact(placement->origin.y_m) + QLatin1Char(',') + exact(placement->origin.yaw_rad);
+}
+
+QString pathOfAddress(const QString& address) {
+  if (!address.startsWith(QLatin1String("file:"))) return {};
+  QString path = address.mid(5);
+  const qsizetype query = path.lastIndexOf(QStringLiteral("?resolution="));
+  if (query >= 0) path.truncate(query);
+  return path;
+}
+
+QString droppedMap(const QList<QUrl>& urls) {
+  QString picture;
+  for (const QUrl& url : urls) {
+    if (!url.isLocalFile()) continue;
+    const QString path = url.toLocalFile();
+    // Whoever drops a map.yaml with its picture means the map.
+    if (isMapYaml(path) || QFileInfo(path).isDir()) return path;
+    if (picture.isEmpty() && isBarePicture(path)) picture = path;
+  }
+  return picture;
+}
+
+QString mapFileFilter() {
+  return QStringLiteral(
+      "Maps (*.yaml *.yml *.png *.pgm *.bmp *.YAML *.PNG *.PGM *.BMP);;ROS maps (*.yaml *.yml);;"
+      "Pictures (*.png *.pgm *.bmp);;All files (*)");
+}
+
+}  // namespace mapwright::window
