@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
 
@@ -28,6 +29,16 @@ bool writeReport(const QString& path, const QJsonObject& report) {
 
 QString summaryOf(const SnapshotRun& run) {
   const QJsonObject report = run.report();
+  if (report[QLatin1String("mode")].toString() == QLatin1String("whole")) {
+    const QJsonObject map = report[QLatin1String("map")].toObject();
+    const QJsonArray size = map[QLatin1String("size")].toArray();
+    const QString name = map[QLatin1String("name")].toString().simplified();
+    return QStringLiteral("%1: map %2%3, %4 x %5 cells")
+        .arg(run.options().output, map[QLatin1String("id")].toString(),
+             name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(name))
+        .arg(size.at(0).toInt())
+        .arg(size.at(1).toInt());
+  }
   const QJsonObject submaps = report[QLatin1String("submaps")].toObject();
   QString line = QStringLiteral("%1: %2 of %3 submaps")
                      .arg(run.options().output)

@@ -5,13 +5,13 @@
 #include <map>
 #include <optional>
 
-#include <QIODevice>
 #include <QLocale>
 #include <QNetworkAccessManager>
 #include <QNetworkReply>
 #include <QTimer>
 
 #include "net/http_cache.h"
+#include "net/one_way_body.h"
 #include "net/plain_sentences.h"
 
 namespace mapwright::net {
@@ -48,33 +48,6 @@ QString unreachableSentence(QNetworkReply::NetworkError error, const QString& er
       return QStringLiteral("%1 cannot be reached: %2").arg(hostAndPort(url), error_text);
   }
 }
-
-}  // namespace
-
-namespace {
-
-/// A body that can be read once, with no way back to its beginning.
-class OneWayBody : public QIODevice {
- public:
-  explicit OneWayBody(QByteArray bytes) : bytes_(std::move(bytes)) { open(QIODevice::ReadOnly); }
-  bool isSequential() const override { return true; }
-  bool atEnd() const override { return read_ >= bytes_.size() && QIODevice::atEnd(); }
-  qint64 bytesAvailable() const override { return bytes_.size() - read_ + QIODevice::bytesAvailable(); }
-
- protected:
-  qint64 readData(char* to, qint64 most) override {
-    const qint64 count = std::min<qint64>(most, bytes_.size() - read_);
-    if (count <= 0) return -1;
-    std::copy_n(bytes_.constData() + read_, count, to);
-    read_ += count;
-    return count;
-  }
-  qint64 writeData(const char*, qint64) override { return -1; }
-
- private:
-  QByteArray bytes_;
-  qint64 read_ = 0;
-};
 
 }  // namespace
 

@@ -164,7 +164,7 @@ class Quantiser {
   bool fixed_ = false;
 };
 
-bool isPlainGray(const PixelFormat& format) { return format.gray && format.indexed && !format.has_alpha; }
+bool isPlainGray(const PixelFormat& format) { return format.gray && !format.has_alpha; }
 
 GridError brokenOff(const PixelFormat& format, int came, const std::string& problem) {
   return GridError{"It says that it is " + dimensions(format.width, format.height) + " pixels, but " +
@@ -189,7 +189,10 @@ tl::expected<ColoredGrid, GridError> decodeColors(std::shared_ptr<const std::str
     const std::uint8_t* pixels = (*rows)->next();
     if (pixels == nullptr) return tl::unexpected(brokenOff(format, row, (*rows)->problem()));
     if (gray) {
-      for (int u = 0; u < format.width; ++u) indices.push_back(format.table[pixels[u]].r);
+      const Colours colours(format);
+      for (int u = 0; u < format.width; ++u, pixels += format.pixelBytes()) {
+        indices.push_back(std::uint8_t(colours.at(pixels)));
+      }
     } else {
       quantiser.take(pixels, indices);
     }

@@ -36,6 +36,7 @@ class PictureReading final : public GridReading {
     if (finished_) return std::nullopt;
     const int height = rows_->format().height;
     const auto pyramid = builder_.pyramid();
+    rows_->stopWhen(cancelled);
     bool announced = false;
     auto last = Clock::now();
     while (builder_.rowsPushed() < height) {
@@ -53,6 +54,7 @@ class PictureReading final : public GridReading {
         progressed();
       }
     }
+    if (cancelled.load(std::memory_order_relaxed)) return std::nullopt;
     const int came = builder_.rowsPushed();
     if (came == height) rows_->checkEnd();
     builder_.finish();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -43,6 +44,8 @@ class PictureRows {
   /// The next row from the top, format().rowBytes() bytes, valid until the next call. Null: there is no more,
   /// because of problem() or because all came.
   virtual const std::uint8_t* next() = 0;
+  /// next() that has to read much before its first row gives up when `cancelled` becomes true.
+  virtual void stopWhen(const std::atomic<bool>&) {}
   /// Called after the last row: what is wrong with the picture though all rows came.
   virtual void checkEnd() {}
   /// Half a sentence after "it is 60 x 60 pixels, but ": why rows are missing or not to be trusted; empty =

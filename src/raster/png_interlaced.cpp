@@ -32,6 +32,7 @@ class InterlacedRows final : public PictureRows {
     if (row_ >= whole_rows_) return nullptr;
     return rowAt(row_++);
   }
+  void stopWhen(const std::atomic<bool>& cancelled) override { cancelled_ = &cancelled; }
   void checkEnd() override {
     if (problem_.empty() && !stream_.checkEnd()) problem_ = stream_.problem();
   }
@@ -48,6 +49,10 @@ class InterlacedRows final : public PictureRows {
       if (columns == 0 || rows == 0) continue;
       PngPass reader(header_, columns);
       for (int row = 0; row < rows; ++row) {
+        if (cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed)) {
+          problem_ = "reading it was stopped";
+          return;
+        }
         const std::uint8_t* from = reader.next(stream_, problem_);
         if (from == nullptr) {
           // Rows above the one that broke off are whole only in the last pass.
@@ -75,6 +80,7 @@ class InterlacedRows final : public PictureRows {
   PngHeader header_;
   PngStream stream_;
   ScratchBytes picture_;
+  const std::atomic<bool>* cancelled_ = nullptr;
   bool read_ = false;
   int whole_rows_ = 0, row_ = 0;
 };

@@ -34,6 +34,7 @@ void MapSlot::cancel() {
   if (cancelled_) cancelled_->store(true);
   cancelled_.reset();
   reading_.reset();
+  next_.reset();
 }
 
 void MapSlot::expect(const map::MapKey& key, const QString& name) {
@@ -47,6 +48,11 @@ void MapSlot::expect(const map::MapKey& key, const QString& name) {
 }
 
 void MapSlot::show(map::WholeMap map) {
+  if (phase_ == Phase::Reading && source_ && source_->key == map.key) {
+    // A map that changes faster than it can be read would never be seen: this one is read to its end first.
+    next_ = std::move(map);
+    return;
+  }
   cancel();
   key_ = map.key;
   if (!map.name.empty() || key_.kind != map::MapKind::Live) name_ = QString::fromStdString(map.name);
@@ -121,7 +127,9 @@ void MapSlot::start() {
 void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened) {
   if (generation != generation_) return;
   if (opened->error) {
+    auto next = std::exchange(next_, std::nullopt);
     fail({map::Severity::Error, subject().toStdString(), opened->error->sentence});
+    if (next) show(std::move(*next));
     return;
   }
   for (const std::string& note : opened->notes) {
@@ -163,6 +171,7 @@ void MapSlot::takeEnd(quint64 generation, const std::optional<raster::GridError>
   } else {
     put(opened);
   }
+  if (next_) show(*std::exchange(next_, std::nullopt));
 }
 
 void MapSlot::fail(const map::Problem& problem) {

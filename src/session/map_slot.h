@@ -27,8 +27,9 @@ class MapSlot : public QObject {
 
   /// The map is being fetched; what is shown stays.
   void expect(const map::MapKey& key, const QString& name);
-  /// Reads and shows `map`. A map of the same key stays on screen until the new picture is whole; of another
-  /// key, until its header is read.
+  /// Reads and shows `map`; a newer state of the map that is being read right now waits until that is done. A
+  /// map of the same key stays on screen until the new picture is whole; of another key, until its header is
+  /// read.
   void show(map::WholeMap map);
   /// It cannot be had. What is shown stays when it is of the same key.
   void fail(const map::Problem& problem);
@@ -85,6 +86,7 @@ class MapSlot : public QObject {
   map::MapKey key_;
   QString name_, remark_;
   std::optional<map::WholeMap> source_;  // to read it again
+  std::optional<map::WholeMap> next_;    // a newer state of the map that is being read
   map::WholeMap shown_;
   std::shared_ptr<const raster::GridPyramid> shown_cells_;
   map::WaypointList waypoints_;

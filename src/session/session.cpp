@@ -78,6 +78,8 @@ void Session::retryNow() {
   }
   scheduler_.retryNow();
   failure_reasons_.clear();
+  catalogue_.refresh();
+  retryMaps();
   touchRows();
   pump();
 }
@@ -96,6 +98,7 @@ void Session::noteConnection() {
     if (online) {
       pump();
       catalogue_.refresh();
+      retryMaps();
     }
   }
   Q_EMIT connectionChanged();

@@ -154,6 +154,7 @@ class Session : public QObject {
   void takeGrid(const map::GridMessage& message);
   void openInto(MapSlot& slot, const map::MapKey& key);
   void openFirstMap();
+  void retryMaps();  // those that could not be had
   void askForOverview();
   void sendWants();
   submap::Millis now() const { return monotonic_(); }
@@ -182,7 +183,7 @@ class Session : public QObject {
   MapSlot whole_map_, compared_map_, overview_;
   LayerGrids layer_grids_;
   QThreadPool decode_pool_;
-  QTimer wake_timer_, rows_timer_, problems_timer_, fallback_timer_;
+  QTimer wake_timer_, rows_timer_, problems_timer_, fallback_timer_, no_live_map_timer_;
 };
 
 }  // namespace mapwright::session

@@ -68,6 +68,14 @@ void Session::wireMaps() {
       if (!live_.grids.contains(name.kind)) waited_for_.insert(QLatin1String(name.topic));
     }
     sendWants();
+    if (!live_.grids.contains(map::GridKind::WholeMap)) no_live_map_timer_.start(kFallbackAfterMs);
+  });
+  no_live_map_timer_.setSingleShot(true);
+  connect(&no_live_map_timer_, &QTimer::timeout, this, [this] {
+    // It sends no map of its own: the one that it works with is shown, until it does.
+    const map::CatalogueEntry* const current = catalogue_.current();
+    if (map_chosen_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
+    openInto(whole_map_, current->key);
   });
 }
 
@@ -127,6 +135,12 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
         if (!stillWanted()) return;
         answer ? slot.setWaypoints(std::move(*answer)) : report(answer.error());
       });
+}
+
+void Session::retryMaps() {
+  for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+    if (slot->phase() == MapSlot::Phase::Failed) openInto(*slot, map::MapKey(slot->key()));
+  }
 }
 
 void Session::takeGrid(const map::GridMessage& message) {

@@ -79,6 +79,13 @@ class TestColoredGrid : public QObject {
     for (int x = 0; x < 4; ++x) QCOMPARE(int(grid->indices->at(x, 0)), x * 85);
   }
 
+  void grayOf16BitsHasNoPaletteEither() {
+    const auto grid = decodeColors(test::shared(test::png(PngRecipe{3, 1, 16, 0}, {0, 0x8080, 65535})), 3);
+    QVERIFY(grid && grid->palette.empty());
+    QCOMPARE(int(grid->indices->at(1, 0)), 128);
+    QCOMPARE(int(grid->indices->at(2, 0)), 255);
+  }
+
   void anObstacleSurvivesEveryLevel() {
     constexpr int kSize = 1100;
     Samples samples;

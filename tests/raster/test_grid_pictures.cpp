@@ -302,12 +302,16 @@ class TestGridPictures : public QObject {
   }
 
   void readingCanBeCancelled() {
-    auto opened = openGrid(test::shared(test::png({300, 3000}, test::roomGrays(300, 3000))), {});
-    QVERIFY(opened);
-    const std::atomic<bool> cancelled{true};
-    QVERIFY(!(*opened)->read(cancelled, {}));
-    QVERIFY(!(*opened)->complete());
-    QVERIFY(!(*opened)->pyramid()->complete());
+    for (const bool interlaced : {false, true}) {
+      PngRecipe recipe{300, 3000};
+      recipe.interlaced = interlaced;
+      auto opened = openGrid(test::shared(test::png(recipe, test::roomGrays(300, 3000))), {});
+      QVERIFY(opened);
+      const std::atomic<bool> cancelled{true};
+      QVERIFY(!(*opened)->read(cancelled, {}));
+      QVERIFY(!(*opened)->complete());
+      QVERIFY(!(*opened)->pyramid()->complete());
+    }
   }
 };
 

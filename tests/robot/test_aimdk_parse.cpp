@@ -142,6 +142,15 @@ class AimdkParseTest : public QObject {
     QVERIFY(!parseTopology(point("1506", "null"), nullptr)->points[0].yaw_rad);
   }
 
+  void oneAngleInDegreesMakesAllOfThemDegrees() {
+    const auto list = parseTopology(
+        "{\"data\":{\"points\":[{\"pixel_pose\":{\"angle\":5},\"pose\":{\"position\":{\"x\":0,\"y\":0}}},"
+        "{\"pixel_pose\":{\"angle\":-90},\"pose\":{\"position\":{\"x\":0,\"y\":0}}}]}}",
+        nullptr);
+    QCOMPARE(*list->points.at(0).yaw_rad, geometry::radiansFromDegrees(5));
+    QCOMPARE(*list->points.at(1).yaw_rad, geometry::radiansFromDegrees(-90));
+  }
+
   void pointsWithoutAPlaceAreCountedOnly() {
     const auto list =
         parseTopology(R"({"data":{"points":[{"point_id":1},7,{"pose":{"position":{"x":1}}}]}})", nullptr);

@@ -63,7 +63,8 @@ class AxbotPartsTest : public QObject {
 
   void theMailboxIsBounded() {
     TopicMailbox box;
-    for (int i = 0; i < 1000; ++i) box.put(map::PointCloudMessage{"/cloud" + std::to_string(i), nullptr});
+    for (int i = 0; i < 1000; ++i)
+      box.put(map::PointCloudMessage{std::string("/cloud").append(std::to_string(i)), nullptr});
     QCOMPARE(box.take().size(), TopicMailbox::kTopics);
   }
 
@@ -94,7 +95,8 @@ class AxbotPartsTest : public QObject {
   }
 
   void rawTextsAreCutBetweenCharacters() {
-    const std::string text = std::string(std::size_t(robot::kMaxRawText) - 1, 'x') + "🔥";
+    std::string text(std::size_t(robot::kMaxRawText) - 1, 'x');
+    text.append("🔥");
     const auto raw = rawText("/t", text);
     QCOMPARE(raw.text.size(), robot::kMaxRawText - 1);
     QCOMPARE(raw.bytes, qint64(text.size()));

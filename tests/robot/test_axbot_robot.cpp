@@ -250,7 +250,7 @@ class AxbotRobotTest : public QObject {
   }
 
   void mapsThatCannotBePlacedAreRefused() {
-    for (const QByteArray members :
+    for (const QByteArray& members :
          {QByteArray("\"grid_resolution\":0,\"grid_origin_x\":0,\"grid_origin_y\":0"),
           QByteArray("\"grid_resolution\":0.05"), QByteArray("\"grid_resolution\":-1")}) {
       server_->serve("/maps/7", "{\"id\":7," + members + "}");

@@ -19,6 +19,12 @@ T read(const std::string& text) {
   return std::get<T>(*frame.message);
 }
 
+/// A message of a topic, its other members as they are written.
+std::string of(std::string_view topic, std::string_view members) {
+  std::string text("{\"topic\":\"");
+  return text.append(topic).append("\",").append(members).append("}");
+}
+
 bool unreadable(const std::string& text) {
   const TextFrame frame = parseTextFrame(text);
   return frame.message && std::holds_alternative<map::UnreadableMessage>(*frame.message) &&
@@ -57,10 +63,7 @@ class AxbotTopicsTest : public QObject {
                  .points,
              (map::Polyline{{1, 2}, {3, 4.5}}));
     for (const char* topic : {"/trajectory", "/trajectory_node_list"}) {
-      QCOMPARE(read<map::TrajectoryMessage>("{\"topic\":"
-                                            "\"" +
-                                            std::string(topic) + "\",\"points\":[[1,2],[3,4]]}")
-                   .points.size(),
+      QCOMPARE(read<map::TrajectoryMessage>(of(topic, "\"points\":[[1,2],[3,4]]")).points.size(),
                std::size_t(2));
     }
     QVERIFY(read<map::PathMessage>("{\"topic\":\"/path\",\"positions\":null}").points.empty());
@@ -69,9 +72,8 @@ class AxbotTopicsTest : public QObject {
 
   void theLocalPathHasItsColour() {
     const auto colour = [](const std::string& text) {
-      return read<map::LocalPathMessage>(
-                 "{\"topic\":\"/local_path\",\"width\":1.1,\"poses\":[[1,2,3]],\"color\":" + text + "}")
-          .rgba;
+      std::string members("\"width\":1.1,\"poses\":[[1,2,3]],\"color\":");
+      return read<map::LocalPathMessage>(of("/local_path", members.append(text))).rgba;
     };
     QCOMPARE(colour("\"#FFEACD50\""), std::optional(0xffeacd50u));
     QCOMPARE(colour("\"##FFEACD50\""), std::optional(0xffeacd50u));
@@ -187,20 +189,14 @@ class AxbotTopicsTest : public QObject {
     const std::string overlays =
         "{\"type\":\"FeatureCollection\",\"features\":[{\"geometry\":{\"type\":\"Point\",\"coordinates\":[1,"
         "2]}}]}";
-    QCOMPARE(
-        read<map::MapInfo>(
-            "{\"topic\":\"/map/info\",\"name\":\"<b>\",\"uid\":\"u\",\"map_version\":\"3\",\"overlays\":" +
-            overlays + "}")
-            .overlays.size(),
-        std::size_t(1));
-    std::string quoted = overlays;
-    for (std::size_t at = 0; (at = quoted.find('"', at)) != std::string::npos; at += 2)
-      quoted.insert(at, "\\");
-    QCOMPARE(read<map::MapInfo>("{\"topic\":\"/map/info\",\"overlays\":"
-                                "\"" +
-                                quoted + "\"}")
-                 .overlays.size(),
-             std::size_t(1));
+    std::string members("\"name\":\"<b>\",\"uid\":\"u\",\"map_version\":\"3\",\"overlays\":");
+    const auto info = read<map::MapInfo>(of("/map/info", members.append(overlays)));
+    QCOMPARE(info.overlays.size(), std::size_t(1));
+    QCOMPARE(info.map_version, std::optional(3));
+    std::string quoted("\"overlays\":\"");
+    for (const char c : overlays) quoted.append(c == '"' ? "\\" : "").push_back(c);
+    quoted.append("\"");
+    QCOMPARE(read<map::MapInfo>(of("/map/info", quoted)).overlays.size(), std::size_t(1));
   }
 
   void picturesComeAsBase64() {
@@ -237,7 +233,7 @@ class AxbotTopicsTest : public QObject {
   }
   void picturesThatCannotBeUsedAreReported() {
     QFETCH(QByteArray, members);
-    QVERIFY(unreadable("{\"topic\":\"/map\"," + members.toStdString() + "}"));
+    QVERIFY(unreadable(of("/map", members.toStdString())));
   }
 
   void absurdSizesAreNoSizes() {
@@ -252,13 +248,10 @@ class AxbotTopicsTest : public QObject {
   void everyKnownTopicStandsGarbage() {
     for (const QString& topic : knownTopics()) {
       for (const char* members :
-           {"", ",\"points\":3", ",\"robots\":{},\"doors\":[[]],\"boxes\":[null],\"pallets\":[{}]",
-            ",\"pos\":\"x\",\"pose\":[],\"size\":[],\"fields\":[{}],\"data\":[[]]",
-            ",\"alerts\":[[]],\"overlays\":\"[\""}) {
-        const std::string text =
-            "{\"topic\":"
-            "\"" +
-            topic.toStdString() + "\"" + members + "}";
+           {"\"a\":1", "\"points\":3", "\"robots\":{},\"doors\":[[]],\"boxes\":[null],\"pallets\":[{}]",
+            "\"pos\":\"x\",\"pose\":[],\"size\":[],\"fields\":[{}],\"data\":[[]]",
+            "\"alerts\":[[]],\"overlays\":\"[\""}) {
+        const std::string text = of(topic.toStdString(), members);
         QVERIFY(!parseTextFrame(text).grid_to_fetch);
       }
     }

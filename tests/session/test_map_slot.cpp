@@ -99,6 +99,15 @@ class MapSlotTest : public QObject {
     QVERIFY(slot_->key().id == "19");
   }
 
+  void aMapThatChangesFasterThanItIsReadIsStillSeen() {
+    QSignalSpy changed(slot_.get(), &MapSlot::changed);
+    for (int i = 1; i <= 20; ++i) slot_->show(mapOf("live", pgm(700, 700, i)));
+    QTRY_VERIFY(slot_->cells() != nullptr);
+    QTRY_VERIFY(slot_->phase() == Phase::Ready);
+    QCOMPARE(int(slot_->cells()->at(3, 3)), 20);
+    QVERIFY(problems_.isEmpty());
+  }
+
   void aFailureOfTheSameMapKeepsWhatIsOnScreen() {
     slot_->show(mapOf("1", pgm(30, 20, 254)));
     QTRY_VERIFY(slot_->phase() == Phase::Ready);

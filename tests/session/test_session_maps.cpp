@@ -113,6 +113,20 @@ class SessionMapsTest : public QObject {
     QTRY_COMPARE(shownGray(), 254);
   }
 
+  void aMapThatCouldNotBeHadIsAskedForAgainWhenTheRobotIsBack() {
+    make(true, true);
+    goOnline();
+    session_->openMap({map::MapKind::Stored, "7"});
+    robot_->setPhase(robot::ConnectionPhase::Interrupted);
+    robot_->map_fetches[0].second(
+        tl::make_unexpected(map::Problem{map::Severity::Error, "Map 7", "The connection was lost."}));
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
+    goOnline();
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(2));
+    robot_->map_fetches[1].second(FakeRobot::wholeMap("7"));
+    QTRY_COMPARE(shownGray(), 254);
+  }
+
   void navigationPointsComeWithTheMap() {
     make(true, false, false);
     goOnline();
@@ -160,6 +174,13 @@ class SessionMapsTest : public QObject {
     session_->want(QStringLiteral("layers"), {QStringLiteral("/map_v2")});
     QVERIFY(!robot_->wanted.contains(QStringLiteral("/map")));
     QTRY_VERIFY(robot_->wanted.contains(QStringLiteral("/map")));
+    // And when neither gives anything, the current map is opened.
+    robot_->answerList({FakeRobot::entry("8", true)});
+    QTRY_COMPARE(robot_->map_fetches.size(), std::size_t(1));
+    robot_->map_fetches[0].second(FakeRobot::wholeMap("8", 30));
+    QTRY_COMPARE(shownGray(), 30);
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
   }
 
   void anOverviewIsShownUntilEverySubmapIsIn() {

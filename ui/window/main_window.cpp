@@ -5,13 +5,20 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QFileDialog>
+#include <QToolButton>
 #include <QTreeView>
 
 #include "window/dialogs/connect_dialog.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
+#include "window/docks/maps_dock.h"
+#include "window/docks/messages_dock.h"
 #include "window/docks/problems_dock.h"
+#include "window/docks/robot_dock.h"
+#include "window/files/map_files.h"
 #include "window/look/icons.h"
+#include "window/map/compare_control.h"
 #include "window/map/empty_state.h"
 #include "window/map/map_furniture.h"
 #include "window/map/map_overlay.h"
@@ -44,6 +51,10 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   pan_ = view_->tool();
   measure_ = new MeasureTool(scene_.get(), this);
   setCentralWidget(view_);
+  // What is dropped on the map is dropped on the window.
+  setAcceptDrops(true);
+  view_->setAcceptDrops(false);
+  view_->viewport()->setAcceptDrops(false);
   bar_ = new WindowStatusBar(this);
   setStatusBar(bar_);
   createActions();
@@ -51,6 +62,12 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
       view_, new MapFurniture(actions_.find(QStringLiteral("zoomIn")),
                               actions_.find(QStringLiteral("zoomOut")), actions_.find(QStringLiteral("fit")),
                               actions_.find(QStringLiteral("northUp")), view_));
+  comparison_ = new CompareControl(scene_.get(), view_, overlay_->compareBar(), this);
+  connect(comparison_, &CompareControl::fileWanted, this, [this] {
+    const QString path =
+        QFileDialog::getOpenFileName(this, QStringLiteral("Compare with a map file"), {}, mapFileFilter());
+    if (!path.isEmpty()) compareFile(path);
+  });
   createDocks();
   createMenus();
   createToolBar();
@@ -66,13 +83,16 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   connect(overlay_->card(), &EmptyStateCard::retryWanted, actions_.find(QStringLiteral("retry")),
           &QAction::trigger);
   connect(overlay_->card(), &EmptyStateCard::cancelWanted, this, &MainWindow::leaveRobot);
+  connect(overlay_->card(), &EmptyStateCard::fileWanted, actions_.find(QStringLiteral("openFile")),
+          &QAction::trigger);
   connect(overlay_->notice(), &NoticeBar::offerTaken, this, [this] {
     if (session_) {
-      session_->retryNow();
+      retry();
     } else {
       openConnectDialog();
     }
   });
+  connect(overlay_->notice(), &NoticeBar::closed, this, &MainWindow::dismissNotice);
 
   restoreSettings();
   refreshState();
@@ -103,6 +123,8 @@ std::optional<QString> MainWindow::connectTo(const QString& address, const QByte
   secret_ = secret;
   may_fit_ = true;
   fitted_poses_ = false;
+  fit_next_map_ = false;
+  fitted_map_.reset();
   recents_.add(address, QDateTime::currentDateTime());
   wireSession();
   session_->open();
@@ -114,7 +136,14 @@ std::optional<QString> MainWindow::connectTo(const QString& address, const QByte
 void MainWindow::leaveRobot() {
   if (!session_) return;
   view_->setFollowing(false);
+  compare_source_.reset();
+  export_when_read_.reset();
   session_->disconnect(this);
+  comparison_->setSession(nullptr);
+  layers_->setSession(nullptr);
+  maps_->setSession(nullptr);
+  robot_panel_->setSession(nullptr);
+  messages_->setSession(nullptr);
   scene_->setStale(false);
   scene_->setHighlighted(std::nullopt);
   inspector_->setSession(nullptr);
@@ -125,6 +154,8 @@ void MainWindow::leaveRobot() {
   session_.reset();
   address_.clear();
   last_uuid_.clear();
+  endMapMode();
+  syncModeActions();
   refreshState();
 }
 
@@ -147,10 +178,25 @@ void MainWindow::wireSession() {
   });
   connect(session, &session::Session::sessionRestarted, this, &MainWindow::noteRestart);
   connect(session, &session::Session::problemsChanged, this, &MainWindow::noteProblems);
+  wireMapsOf(session);
   scene_->setSession(session);
   inspector_->setSession(session);
   problems_->setSession(session);
   bar_->setSession(session);
+  layers_->setSession(session);
+  maps_->setSession(session);
+  robot_panel_->setSession(session);
+  messages_->setSession(session);
+  comparison_->setSession(session);
+  beginMapMode();
+}
+
+void MainWindow::retry() {
+  if (!session_) return;
+  const session::MapSlot& slot = session_->wholeMap();
+  const bool map_failed = slot.phase() == session::MapSlot::Phase::Failed || slot.broken();
+  session_->retryNow();
+  if (map_failed) session_->openMap(slot.key());
 }
 
 void MainWindow::openConnectDialog() {
@@ -166,7 +212,11 @@ void MainWindow::refreshState() {
   for (const char* id : {"retry", "disconnect", "follow"}) {
     actions_.find(QLatin1String(id))->setEnabled(connected);
   }
-  overlay_->card()->setState(emptyState(session_.get()));
+  refreshMapActions();
+  MapsInView in_view{scene_->layerVisible(scene::Layer::Submaps),
+                     scene_->layerVisible(scene::Layer::WholeMap)};
+  if (comparison_->active()) in_view.whole = true;
+  overlay_->card()->setState(emptyState(session_.get(), in_view));
   scene_->setStale(session_ && session_->staleSince().has_value());
   refreshChip();
   refreshNotice();
@@ -195,20 +245,42 @@ void MainWindow::refreshChip() {
 }
 
 void MainWindow::refreshNotice() {
-  if (!session_) {
-    overlay_->notice()->setNotice(Mark::None, {}, {});
-    return;
-  }
+  NoticeBar* const notice = overlay_->notice();
+  const auto quiet = [&] { notice->setNotice(Mark::None, {}, {}); };
+  if (!session_) return quiet();
+  const session::MapSlot& slot = session_->wholeMap();
   const auto since = session_->staleSince();
-  if (!since || session_->counts().shown == 0) {
-    overlay_->notice()->setNotice(Mark::None, {}, {});
+  if (since && (session_->counts().shown > 0 || slot.cells())) {
+    const bool refused = session_->connection().phase == ConnectionPhase::Refused;
+    QString sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
+    if (refused && !session_->connection().reason.isEmpty())
+      sentence += QLatin1Char(' ') + session_->connection().reason;
+    notice->setNotice(refused ? Mark::Bad : Mark::Warning, sentence, QStringLiteral("Retry now"));
     return;
   }
-  const bool refused = session_->connection().phase == ConnectionPhase::Refused;
-  QString sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
-  if (refused && !session_->connection().reason.isEmpty())
-    sentence += QLatin1Char(' ') + session_->connection().reason;
-  overlay_->notice()->setNotice(refused ? Mark::Bad : Mark::Warning, sentence, QStringLiteral("Retry now"));
+  const bool whole_wanted = scene_->layerVisible(scene::Layer::WholeMap) || comparison_->active();
+  const QString name = mapCalled(slot.name(), slot.key());
+  if (whole_wanted && slot.phase() == session::MapSlot::Phase::Failed && overlay_->card()->isHidden()) {
+    notice->setNotice(Mark::Bad, QStringLiteral("%1: %2").arg(name, slot.remark()), QStringLiteral("Retry"));
+    return;
+  }
+  const QString remark = QStringLiteral("%1: %2").arg(name, slot.remark());
+  if (whole_wanted && slot.phase() == session::MapSlot::Phase::Ready && !slot.remark().isEmpty() &&
+      !dismissed_.contains(remark)) {
+    notice->setNotice(Mark::Warning, remark, slot.broken() ? QStringLiteral("Retry") : QString(), true);
+    return;
+  }
+  const QString limits = session_->robot().limits();
+  if (!limits.isEmpty() && !dismissed_.contains(limits)) {
+    notice->setNotice(Mark::Neutral, limits, {}, true);
+    return;
+  }
+  quiet();
+}
+
+void MainWindow::dismissNotice() {
+  dismissed_.insert(overlay_->notice()->sentence());
+  refreshNotice();
 }
 
 void MainWindow::noteRestart() {
@@ -232,6 +304,7 @@ void MainWindow::noteProblems() {
   }
   problems_shown_once_ = true;
   problems_->show();
+  problems_->raise();
 }
 
 void MainWindow::setTheme(ThemeChoice choice) {

@@ -4,11 +4,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QByteArray>
 #include <QImage>
 #include <QMainWindow>
 #include <QPointer>
+#include <QSet>
 #include <QSettings>
 #include <QString>
 #include <QTimer>
@@ -20,19 +22,26 @@
 #include "window/actions.h"
 #include "window/dialogs/recent_robots.h"
 #include "window/look/theme.h"
+#include "window/map/view_mode.h"
 
 class QActionGroup;
 class QDockWidget;
 
 namespace mapwright::window {
 
+class CompareControl;
 class ConnectionChip;
+class ExportDialog;
 class InspectorDock;
 class LayersDock;
 class MapOverlay;
+class MapsDock;
 class MapView;
 class MeasureTool;
+class MessagesDock;
+class PictureDialog;
 class ProblemsDock;
+class RobotDock;
 class WindowStatusBar;
 
 class MainWindow : public QMainWindow {
@@ -57,6 +66,10 @@ class MainWindow : public QMainWindow {
   /// Leaves the present robot and goes to another; the error is a sentence, then everything stays as it was.
   std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
   void leaveRobot();
+  /// A map.yaml, a picture (asks how it lies) or a folder. What cannot be opened becomes a toast.
+  void openPath(const QString& path);
+  /// Shows a map of the catalogue without loading it on the robot.
+  void openMap(const map::MapKey& key);
 
   session::Session* session() const { return session_.get(); }
   scene::MapScene* mapScene() const { return scene_.get(); }
@@ -64,6 +77,12 @@ class MainWindow : public QMainWindow {
   const Actions& actionList() const { return actions_; }
   InspectorDock* inspector() const { return inspector_; }
   LayersDock* layers() const { return layers_; }
+  MapsDock* maps() const { return maps_; }
+  RobotDock* robotPanel() const { return robot_panel_; }
+  MessagesDock* messages() const { return messages_; }
+  CompareControl* comparison() const { return comparison_; }
+  PictureDialog* pictureDialog() const;  // null: not open
+  ExportDialog* exportDialog() const;    // null: not open
   ProblemsDock* problems() const { return problems_; }
   WindowStatusBar* bar() const { return bar_; }
   MapOverlay* overlay() const { return overlay_; }
@@ -73,6 +92,7 @@ class MainWindow : public QMainWindow {
   ThemeChoice theme() const { return theme_; }
   void setTheme(ThemeChoice choice);
   void setColorMode(render::ColorMode mode);
+  void setMapMode(ViewMode mode);
 
   /// The map as on screen, without buttons and notices.
   QImage mapPicture() const;
@@ -84,6 +104,9 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   // main_window_actions.cpp
@@ -95,6 +118,8 @@ class MainWindow : public QMainWindow {
   void createMenus();
   void createToolBar();
   void fillRobotMenu(QMenu* menu);
+  void addRecents(QMenu* menu, bool files, const QString& title);
+  std::vector<QDockWidget*> docks() const;
   // main_window_layout.cpp
   void createDocks();
   void arrangeDocks();
@@ -113,7 +138,28 @@ class MainWindow : public QMainWindow {
   void askAndSavePicture();
   void showCursor();
   void fitAtFirst();
+  // main_window_maps.cpp
+  void createModeActions();
+  void createCompareActions();
+  void wireMapsOf(session::Session* session);
+  void syncModeActions();
+  void beginMapMode();
+  void endMapMode();
+  void fitNewMap();
+  void noteMapChange();
+  void refreshMapActions();
+  void compareFile(const QString& path);
+  void compareWithAddress(const QString& address);
+  // main_window_files.cpp
+  void createFileActions();
+  void chooseFile();
+  void askPlacement(const QString& path, const QString& accept_text,
+                    const std::function<void(const QString& address)>& then);
+  void goToAddress(const QString& address);
+  void exportMap();
   // main_window.cpp
+  void retry();
+  void dismissNotice();
   void wireSession();
   void openConnectDialog();
   void refreshState();
@@ -139,7 +185,14 @@ class MainWindow : public QMainWindow {
   InspectorDock* inspector_ = nullptr;
   LayersDock* layers_ = nullptr;
   ProblemsDock* problems_ = nullptr;
+  MapsDock* maps_ = nullptr;
+  RobotDock* robot_panel_ = nullptr;
+  MessagesDock* messages_ = nullptr;
+  CompareControl* comparison_ = nullptr;
+  QPointer<PictureDialog> picture_dialog_;
+  QPointer<ExportDialog> export_dialog_;
   QActionGroup* theme_actions_ = nullptr;
+  QActionGroup* mode_actions_ = nullptr;
   QActionGroup* color_actions_ = nullptr;
 
   ThemeChoice theme_ = ThemeChoice::System;
@@ -149,6 +202,14 @@ class MainWindow : public QMainWindow {
   /// The camera is still ours: the first pictures may be fitted.
   bool may_fit_ = true;
   bool fitted_poses_ = false;
+  /// The next whole map is one that the user asked for: look at it.
+  bool fit_next_map_ = false;
+  std::optional<map::MapKey> fitted_map_;
+  /// What was on screen before a robot without submaps left no choice.
+  std::optional<ViewMode> mode_before_;
+  std::optional<map::MapKey> export_when_read_;
+  std::unique_ptr<robot::Robot> compare_source_;  // reads a file for a comparison
+  QSet<QString> dismissed_;                       // notices that were closed
 };
 
 }  // namespace mapwright::window

@@ -2,6 +2,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -14,7 +15,11 @@
 #include "window/docks/inspector_controls.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
+#include "window/docks/maps_dock.h"
+#include "window/docks/messages_dock.h"
 #include "window/docks/problems_dock.h"
+#include "window/docks/robot_dock.h"
+#include "window/files/map_files.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/main_window.h"
@@ -40,7 +45,10 @@ QKeySequence key(const char* text) { return QKeySequence(QLatin1String(text)); }
 
 void MainWindow::createActions() {
   createRobotActions();
+  createFileActions();
   createMapActions();
+  createCompareActions();
+  createModeActions();
   createViewActions();
   createHelpActions();
 }
@@ -59,9 +67,7 @@ void MainWindow::createRobotActions() {
   on(actions_.add(kRobot, QStringLiteral("retry"), QStringLiteral("&Retry now"), QStringLiteral("retry"),
                   {key("F5")}, Reach::Everywhere,
                   QStringLiteral("Reconnect, and ask again for everything that failed")),
-     [this] {
-       if (session_) session_->retryNow();
-     });
+     [this] { retry(); });
   on(actions_.add(kRobot, QStringLiteral("disconnect"), QStringLiteral("D&isconnect"),
                   QStringLiteral("disconnect"), {}, Reach::Everywhere, QStringLiteral("Leave this robot")),
      [this] { leaveRobot(); });
@@ -234,17 +240,43 @@ void MainWindow::createMenus() {
     }
     return made;
   };
-  menu(QStringLiteral("&Robot"), {"connect", "demo", "-", "retry", "disconnect", "-", "quit"});
-  menu(QStringLiteral("&Map"),
-       {"zoomIn", "zoomOut", "native", "fit", "-", "follow", "goTo", "-", "northUp", "rotateLeft",
-        "rotateRight", "-", "pan", "measure", "-", "copyCoordinates", "screenshotCopy", "screenshotSave"});
-  QMenu* view = menu(QStringLiteral("&View"), {"grid", "showIds", "showOutlines", "furniture", "-",
-                                               "colorsNormal", "colorsIncremental", "colorsActive", "-",
-                                               "themeLight", "themeDark", "themeSystem", "-"});
-  for (QDockWidget* dock : {static_cast<QDockWidget*>(layers_), static_cast<QDockWidget*>(inspector_),
-                            static_cast<QDockWidget*>(problems_)}) {
-    view->addAction(dock->toggleViewAction());
+  QMenu* robot = menu(QStringLiteral("&Robot"), {"connect", "openFile"});
+  QMenu* files = robot->addMenu(QStringLiteral("Recent &files"));
+  files->setToolTipsVisible(true);
+  connect(files, &QMenu::aboutToShow, this, [this, files] {
+    files->clear();
+    addRecents(files, true, {});
+    if (files->isEmpty()) files->addAction(QStringLiteral("None yet"))->setEnabled(false);
+  });
+  for (const char* id : {"demo", "-", "retry", "disconnect", "-", "quit"}) {
+    *id == '-' ? (void)robot->addSeparator() : robot->addAction(actions_.find(QLatin1String(id)));
   }
+  menu(QStringLiteral("&Map"), {"zoomIn",
+                                "zoomOut",
+                                "native",
+                                "fit",
+                                "-",
+                                "follow",
+                                "goTo",
+                                "-",
+                                "northUp",
+                                "rotateLeft",
+                                "rotateRight",
+                                "-",
+                                "pan",
+                                "measure",
+                                "-",
+                                "compare",
+                                "export",
+                                "-",
+                                "copyCoordinates",
+                                "screenshotCopy",
+                                "screenshotSave"});
+  QMenu* view =
+      menu(QStringLiteral("&View"), {"modeSubmaps", "modeWhole", "modeBoth", "-", "grid", "showIds",
+                                     "showOutlines", "furniture", "-", "colorsNormal", "colorsIncremental",
+                                     "colorsActive", "-", "themeLight", "themeDark", "themeSystem", "-"});
+  for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
   view->addSeparator();
   for (const char* id : {"filter", "focusMap", "fullScreen", "resetLayout"}) {
     view->addAction(actions_.find(QLatin1String(id)));
@@ -265,8 +297,10 @@ void MainWindow::createToolBar() {
   connect(robots, &QMenu::aboutToShow, this, [this, robots] { fillRobotMenu(robots); });
   chip_->setMenu(robots);
   bar->addWidget(chip_);
-  for (const char* id : {"-", "pan", "measure", "-", "fit", "native", "follow", "northUp", "-", "grid",
-                         "showIds", "showOutlines", "-", "goTo", "screenshotSave"}) {
+  for (const char* id :
+       {"-",    "modeSubmaps",   "modeWhole", "modeBoth", "compare", "-",    "pan",     "measure",      "-",
+        "fit",  "native",        "follow",    "northUp",  "-",       "grid", "showIds", "showOutlines", "-",
+        "goTo", "screenshotSave"}) {
     if (*id == '-') {
       bar->addSeparator();
     } else {
@@ -283,21 +317,10 @@ void MainWindow::fillRobotMenu(QMenu* menu) {
   menu->clear();
   menu->setToolTipsVisible(true);
   menu->addAction(actions_.find(QStringLiteral("connect")));
+  menu->addAction(actions_.find(QStringLiteral("openFile")));
   menu->addAction(actions_.find(QStringLiteral("demo")));
-  const QVector<RecentRobot> recents = recents_.list();
-  if (!recents.isEmpty()) menu->addSection(QStringLiteral("Recent robots"));
-  for (const RecentRobot& robot : recents) {
-    if (robot.address == address_) continue;
-    QString label = robot.name.isEmpty()
-                        ? robot.address
-                        : QStringLiteral("%1  %2").arg(robot.name.simplified(), robot.address);
-    label.replace(QLatin1Char('&'), QLatin1String("&&"));  // no mnemonics from robots
-    QAction* action = menu->addAction(label.left(120));
-    action->setToolTip(plainToolTip(robot.address));
-    connect(action, &QAction::triggered, this, [this, address = robot.address] {
-      if (const auto error = connectTo(address)) overlay_->toasts()->add(Mark::Bad, *error);
-    });
-  }
+  addRecents(menu, false, QStringLiteral("Recent robots"));
+  addRecents(menu, true, QStringLiteral("Recent files"));
   if (session_) {
     menu->addSeparator();
     menu->addAction(actions_.find(QStringLiteral("retry")));
@@ -305,13 +328,32 @@ void MainWindow::fillRobotMenu(QMenu* menu) {
   }
 }
 
+void MainWindow::addRecents(QMenu* menu, bool files, const QString& title) {
+  bool first = true;
+  for (const RecentRobot& robot : recents_.list()) {
+    const QString path = pathOfAddress(robot.address);
+    if (robot.address == address_ || path.isEmpty() == files) continue;
+    if (first && !title.isEmpty()) menu->addSection(title);
+    first = false;
+    QString label =
+        files ? QStringLiteral("%1  %2").arg(QFileInfo(path).fileName(), QFileInfo(path).absolutePath())
+        : robot.name.isEmpty() ? robot.address
+                               : QStringLiteral("%1  %2").arg(robot.name.simplified(), robot.address);
+    label.replace(QLatin1Char('&'), QLatin1String("&&"));  // no mnemonics from robots
+    QAction* action = menu->addAction(label.left(120));
+    action->setToolTip(plainToolTip(robot.address));
+    connect(action, &QAction::triggered, this, [this, address = robot.address] { goToAddress(address); });
+  }
+}
+
+std::vector<QDockWidget*> MainWindow::docks() const {
+  return {maps_, layers_, inspector_, robot_panel_, problems_, messages_};
+}
+
 QMenu* MainWindow::createPopupMenu() {
   // The default one lists tool bars by names nobody knows.
   auto* menu = new QMenu(this);
-  for (QDockWidget* dock : {static_cast<QDockWidget*>(layers_), static_cast<QDockWidget*>(inspector_),
-                            static_cast<QDockWidget*>(problems_)}) {
-    menu->addAction(dock->toggleViewAction());
-  }
+  for (QDockWidget* dock : docks()) menu->addAction(dock->toggleViewAction());
   return menu;
 }
 

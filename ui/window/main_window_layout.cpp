@@ -5,9 +5,14 @@
 
 #include "window/docks/dock_title.h"
 #include "window/docks/inspector_dock.h"
+#include "window/docks/layer_memory.h"
 #include "window/docks/layers_dock.h"
+#include "window/docks/maps_dock.h"
+#include "window/docks/messages_dock.h"
 #include "window/docks/problems_dock.h"
+#include "window/docks/robot_dock.h"
 #include "window/main_window.h"
+#include "window/map/compare_control.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
 
@@ -16,17 +21,11 @@ namespace mapwright::window {
 namespace {
 
 // Raised whenever docks or tool bars come or go, so that an old state is not forced upon a new layout.
-constexpr int kLayoutVersion = 1;
-constexpr int kLeftPx = 200;
-constexpr int kRightPx = 332;
+constexpr int kLayoutVersion = 2;
+constexpr int kLeftPx = 212;
+constexpr int kRightPx = 322;
 constexpr int kBottomPx = 168;
-
-QString visibleKey(scene::Layer layer) {
-  return QStringLiteral("layers/%1/visible").arg(scene::layerName(layer));
-}
-QString opacityKey(scene::Layer layer) {
-  return QStringLiteral("layers/%1/opacity").arg(scene::layerName(layer));
-}
+constexpr int kFramePx = 8, kTitleBarPx = 40;
 
 QString colorModeName(render::ColorMode mode) {
   switch (mode) {
@@ -47,10 +46,10 @@ void MainWindow::createDocks() {
   inspector_ = new InspectorDock(scene_.get(), actions_.find(QStringLiteral("showIds")),
                                  actions_.find(QStringLiteral("showOutlines")), this);
   problems_ = new ProblemsDock(this);
-  for (QDockWidget* dock : {static_cast<QDockWidget*>(layers_), static_cast<QDockWidget*>(inspector_),
-                            static_cast<QDockWidget*>(problems_)}) {
-    giveTitle(dock);
-  }
+  maps_ = new MapsDock(this);
+  robot_panel_ = new RobotDock(this);
+  messages_ = new MessagesDock({}, this);
+  for (QDockWidget* dock : docks()) giveTitle(dock);
   setDockNestingEnabled(true);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -59,32 +58,52 @@ void MainWindow::createDocks() {
   connect(inspector_, &InspectorDock::locateWanted, this, &MainWindow::locate);
   connect(inspector_, &InspectorDock::colorModeWanted, this, &MainWindow::setColorMode);
   connect(inspector_, &InspectorDock::copyWanted, this, &MainWindow::copyText);
+  connect(maps_, &MapsDock::openWanted, this, &MainWindow::openMap);
+  connect(maps_, &MapsDock::copyWanted, this, &MainWindow::copyText);
+  connect(maps_, &MapsDock::compareWanted, this, [this](const map::MapKey& key) { comparison_->start(key); });
+  connect(maps_, &MapsDock::exportWanted, this, [this](const map::MapKey& key) {
+    const session::MapSlot& slot = session_->wholeMap();
+    if (slot.key() == key && slot.phase() == session::MapSlot::Phase::Ready) {
+      exportMap();
+      return;
+    }
+    export_when_read_ = key;
+    openMap(key);
+  });
+  connect(messages_, &MessagesDock::copyWanted, this, &MainWindow::copyText);
   connect(problems_, &ProblemsDock::copyWanted, this, &MainWindow::copyText);
   connect(problems_, &ProblemsDock::retryWanted, actions_.find(QStringLiteral("retry")), &QAction::trigger);
 }
 
 void MainWindow::arrangeDocks() {
-  for (QDockWidget* dock : {static_cast<QDockWidget*>(layers_), static_cast<QDockWidget*>(inspector_),
-                            static_cast<QDockWidget*>(problems_)}) {
+  for (QDockWidget* dock : docks()) {
     dock->setFloating(false);
+    removeDockWidget(dock);
   }
-  addDockWidget(Qt::LeftDockWidgetArea, layers_);
-  addDockWidget(Qt::RightDockWidgetArea, inspector_);
-  addDockWidget(Qt::BottomDockWidgetArea, problems_);
-  layers_->show();
-  inspector_->show();
+  const auto stack = [this](Qt::DockWidgetArea area, QDockWidget* first, QDockWidget* second) {
+    addDockWidget(area, first);
+    addDockWidget(area, second);
+    tabifyDockWidget(first, second);
+  };
+  stack(Qt::LeftDockWidgetArea, maps_, layers_);
+  stack(Qt::RightDockWidgetArea, robot_panel_, inspector_);
+  stack(Qt::BottomDockWidgetArea, messages_, problems_);
+  for (QDockWidget* dock : {static_cast<QDockWidget*>(maps_), static_cast<QDockWidget*>(layers_),
+                            static_cast<QDockWidget*>(robot_panel_), static_cast<QDockWidget*>(inspector_)})
+    dock->show();
+  layers_->raise();
+  inspector_->raise();
   problems_->hide();
+  messages_->hide();
   resizeDocks({layers_, inspector_}, {kLeftPx, kRightPx}, Qt::Horizontal);
   resizeDocks({problems_}, {kBottomPx}, Qt::Vertical);
 }
 
 void MainWindow::resetLayout() {
   arrangeDocks();
-  for (const scene::Layer layer : scene::allLayers()) {
-    const bool extra = layer == scene::Layer::Outlines || layer == scene::Layer::Ids;
-    scene_->setLayerVisible(layer, !extra);
-    scene_->setLayerOpacity(layer, 1.0);
-  }
+  resetOrderAndStyles(*scene_);
+  resetVisibility(*scene_);
+  if (mode_before_) setMapMode(ViewMode::Whole);
   setColorMode(render::ColorMode::Normal);
   actions_.find(QStringLiteral("furniture"))->setChecked(true);
   setMeasuring(false);
@@ -94,18 +113,15 @@ void MainWindow::restoreSettings() {
   const QSettings& settings = dependencies_.settings;
   if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray())) {
     const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
-    resize(qMin(1600, room.width()), qMin(1000, room.height()));
+    // Room for the frame that the window manager puts around it.
+    resize(qMin(1600, room.width() - kFramePx), qMin(1000, room.height() - kTitleBarPx));
   }
   if (restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion)) {
     problems_->hide();  // it opens when there is something in it
   } else {
     arrangeDocks();
   }
-  for (const scene::Layer layer : scene::allLayers()) {
-    const bool extra = layer == scene::Layer::Outlines || layer == scene::Layer::Ids;
-    scene_->setLayerVisible(layer, settings.value(visibleKey(layer), !extra).toBool());
-    scene_->setLayerOpacity(layer, qBound(0.0, settings.value(opacityKey(layer), 1.0).toDouble(), 1.0));
-  }
+  restoreLayers(*scene_, settings);
   const QString colors = settings.value(QStringLiteral("view/colors")).toString();
   for (const auto mode :
        {render::ColorMode::Normal, render::ColorMode::Incremental, render::ColorMode::Active}) {
@@ -128,10 +144,11 @@ void MainWindow::saveSettings() {
   settings.setValue(QStringLiteral("view/colors"), colorModeName(scene_->colorMode()));
   settings.setValue(QStringLiteral("view/furniture"), overlay_->furnitureVisible());
   settings.setValue(QStringLiteral("view/tool"), view_->tool()->name());
-  for (const scene::Layer layer : scene::allLayers()) {
-    settings.setValue(visibleKey(layer), scene_->layerVisible(layer));
-    settings.setValue(opacityKey(layer), scene_->layerOpacity(layer));
-  }
+  // A robot that has no submaps must not decide what the next one shows.
+  const std::optional<ViewMode> before = mode_before_;
+  if (before) endMapMode();
+  saveLayers(*scene_, settings);
+  if (before && session_) beginMapMode();
 }
 
 void MainWindow::setColorMode(render::ColorMode mode) {
@@ -149,6 +166,9 @@ void MainWindow::syncLayerActions() {
   sync("grid", scene::Layer::Grid);
   sync("showIds", scene::Layer::Ids);
   sync("showOutlines", scene::Layer::Outlines);
+  syncModeActions();
+  refreshState();
+  fitNewMap();
 }
 
 }  // namespace mapwright::window

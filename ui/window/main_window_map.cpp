@@ -16,6 +16,7 @@
 #include "window/docks/inspector_dock.h"
 #include "window/look/icons.h"
 #include "window/main_window.h"
+#include "window/map/compare_control.h"
 #include "window/map/map_furniture.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -50,7 +51,9 @@ void MainWindow::wireMap() {
   camera_moved();
   connect(view_, &MapView::movedByHand, this, [this] { may_fit_ = false; });
   connect(view_, &MapView::menuRequested, this, &MainWindow::showMapMenu);
-  connect(view_, &MapView::escaped, this, [this] { inspector_->clearSelection(); });
+  connect(scene_.get(), &scene::MapScene::contentChanged, this, &MainWindow::fitNewMap);
+  connect(view_, &MapView::escaped, this,
+          [this] { comparison_->active() ? comparison_->end() : inspector_->clearSelection(); });
   connect(view_, &MapView::followingChanged, actions_.find(QStringLiteral("follow")), &QAction::setChecked);
   connect(measure_, &MapTool::hintChanged, this,
           [this] { overlay_->setHint(view_->tool() == measure_ ? measure_->hint() : QString()); });
@@ -68,11 +71,11 @@ void MainWindow::showCursor() {
 }
 
 void MainWindow::fit() {
-  if (session_) view_->fit(session_->contentBounds(), true);
+  if (session_) view_->fit(scene_->contentBounds(), true);
 }
 
 void MainWindow::fitAtFirst() {
-  if (!may_fit_ || !session_) return;
+  if (!may_fit_ || !session_ || !scene_->layerVisible(scene::Layer::Submaps)) return;
   const session::SubmapCounts counts = session_->counts();
   const geometry::WorldRect bounds = session_->contentBounds();
   if (counts.listed == 0 || bounds.empty()) return;
@@ -159,7 +162,7 @@ void MainWindow::showMapMenu(const QPoint& global_pos, const QPointF& viewport_p
                    [this, id] { session_->setVisible({*id}, false); });
   }
   menu.addSeparator();
-  for (const char* id : {"screenshotCopy", "screenshotSave"})
+  for (const char* id : {"screenshotCopy", "screenshotSave", "export"})
     menu.addAction(actions_.find(QLatin1String(id)));
   menu.addSeparator();
   for (const char* id : {"fit", "northUp"}) menu.addAction(actions_.find(QLatin1String(id)));

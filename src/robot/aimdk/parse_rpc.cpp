@@ -77,15 +77,24 @@ QByteArray command(const char* name, QJsonObject members = {}) {
   return QJsonDocument(members).toJson(QJsonDocument::Compact);
 }
 
-/// Seed 001 names an angle without its unit. Up to a full turn it is taken as radians, beyond as degrees.
-double angleOf(double angle) {
-  return std::abs(angle) <= 2 * std::numbers::pi ? angle : geometry::radiansFromDegrees(angle);
+std::optional<double> angleOf(const Json& point) {
+  const auto pixel_pose = wire::member(point, {"pixel_pose"});
+  return pixel_pose ? wire::number(*pixel_pose, {"angle"}) : std::nullopt;
 }
 
-std::optional<double> headingOf(const Json& point) {
-  const auto pixel_pose = wire::member(point, {"pixel_pose"});
-  const auto angle = pixel_pose ? wire::number(*pixel_pose, {"angle"}) : std::nullopt;
-  return angle ? std::optional(geometry::normalizeAngle(angleOf(*angle))) : std::nullopt;
+/// Seed 001 names an angle without its unit. Where no point of a list turns further than once around in
+/// radians they are taken as radians, else all of them as degrees; counter-clockwise either way.
+bool anglesAreDegrees(const wire::JsonList& points) {
+  for (const Json point : points) {
+    if (const auto angle = angleOf(point); angle && std::abs(*angle) > 2 * std::numbers::pi) return true;
+  }
+  return false;
+}
+
+std::optional<double> headingOf(const Json& point, bool degrees) {
+  const auto angle = angleOf(point);
+  if (!angle) return std::nullopt;
+  return geometry::normalizeAngle(degrees ? geometry::radiansFromDegrees(*angle) : *angle);
 }
 
 /// How far the pixels of a point lie from where its metres say; nullopt where it has no pixels.
@@ -191,6 +200,7 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
   if (!member) return list;
   const auto rows = wire::asList(*member);
   if (!rows) return refused("The robot's list of points is not a list.");
+  const bool degrees = anglesAreDegrees(*rows);
   std::size_t unplaced = 0, unsaid = 0;
   const auto note = [&](std::string sentence) {
     if (list.notes.size() < kMaxNotes) {
@@ -207,7 +217,7 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
       continue;
     }
     map::Waypoint point{wire::text(row, {"point_id", "id"}), wire::text(row, {"name"}),
-                        wire::text(row, {"point_type", "type"}), *position, headingOf(row)};
+                        wire::text(row, {"point_type", "type"}), *position, headingOf(row, degrees)};
     const auto off = frame ? pixelsOff(row, *position, *frame) : std::nullopt;
     if (off && !(*off <= 1)) {
       note("Point " + point.id + " (" + point.name + "): its pixels lie " + plain(*off) +

@@ -93,6 +93,7 @@ void AxbotLink::start() {
   connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
     topics_confirmed_ = false;
+    subscribed_ = false;
     if (device_info_answered_)
       subscribe();
     else
@@ -168,6 +169,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
 }
 
 void AxbotLink::subscribe() {
+  subscribed_ = true;
   list_timer_->start(options_.list_expected_within);
   send(subscriptions_.all());
   // Some firmware claims lists and ignores them.
@@ -177,8 +179,8 @@ void AxbotLink::subscribe() {
 void AxbotLink::setWantedTopics(const QStringList& topics) {
   start();
   const QStringList requests = subscriptions_.setWanted(topics);
-  // While it is not known yet whether it takes lists, everything is asked for later, at once.
-  if (device_info_answered_) send(requests);
+  // Before the first subscription everything is asked for with it, at once.
+  if (subscribed_) send(requests);
 }
 
 void AxbotLink::send(const QStringList& requests) {

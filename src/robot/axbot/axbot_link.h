@@ -90,6 +90,7 @@ class AxbotLink : public QObject {
   bool wanted_ = false;
   bool device_info_answered_ = false;
   bool device_info_asked_ = false;
+  bool subscribed_ = false;  // on this connection
   bool topics_confirmed_ = false;
   bool watching_ = false;
   std::map<map::SubmapKey, net::HttpClient::RequestId> under_way_;

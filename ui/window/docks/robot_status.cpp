@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QTimeZone>
+
 namespace mapwright::window {
 
 namespace {
@@ -51,7 +53,8 @@ void addWheels(const map::WheelState& wheels, std::vector<StatusSection>& sectio
   if (wheels.emergency_stop.value_or(false)) {
     section.add("Emergency stop", QStringLiteral("PRESSED"), Mark::Bad);
   }
-  section.add("Control", plain(wheels.control_mode), wheels.control_mode == "manual" ? Mark::Warning : Mark::None);
+  section.add("Control", plain(wheels.control_mode),
+              wheels.control_mode == "manual" ? Mark::Warning : Mark::None);
   if (wheels.wheels_released.value_or(false)) {
     section.add("Wheels", QStringLiteral("released, can be pushed"), Mark::Warning);
   }
@@ -82,8 +85,7 @@ void addSlam(const map::SlamStatus& slam, std::vector<StatusSection>& sections) 
     section.add("Lidar matching", *slam.lidar_matched ? QStringLiteral("matched") : QStringLiteral("lost"),
                 *slam.lidar_matched ? Mark::Good : Mark::Warning);
   }
-  if (slam.wheel_slipping.value_or(false))
-    section.add("Wheels", QStringLiteral("slipping"), Mark::Warning);
+  if (slam.wheel_slipping.value_or(false)) section.add("Wheels", QStringLiteral("slipping"), Mark::Warning);
   section.addTo(sections);
 }
 
@@ -91,7 +93,9 @@ void addPlanning(const map::PlanningState& planning, std::vector<StatusSection>&
   Section section("Planning");
   QString action = plain(planning.action_type);
   if (planning.action_id && *planning.action_id > 0) {
-    action = QStringLiteral("%1 #%2").arg(action.isEmpty() ? QStringLiteral("action") : action).arg(*planning.action_id);
+    action = QStringLiteral("%1 #%2")
+                 .arg(action.isEmpty() ? QStringLiteral("action") : action)
+                 .arg(*planning.action_id);
   }
   section.add("Action", action);
   const std::string& state = planning.move_state;
@@ -102,8 +106,7 @@ void addPlanning(const map::PlanningState& planning, std::vector<StatusSection>&
                                      : Mark::None);
   if (planning.remaining_distance_m && *planning.remaining_distance_m >= 0)
     section.add("Remaining", number(*planning.remaining_distance_m, 1, "m"));
-  if (planning.stuck_state != "none")
-    section.add("Stuck", plain(planning.stuck_state), Mark::Warning);
+  if (planning.stuck_state != "none") section.add("Stuck", plain(planning.stuck_state), Mark::Warning);
   if (planning.fail_reason != "none") section.add("Failure", plain(planning.fail_reason), Mark::Bad);
   section.addTo(sections);
 }
@@ -147,8 +150,7 @@ std::vector<StatusSection> statusSections(const map::LiveState& live) {
   if (live.map_info) {
     Section section("Map");
     section.add("Name", plain(live.map_info->name));
-    if (live.map_info->map_version)
-      section.add("Version", QString::number(*live.map_info->map_version));
+    if (live.map_info->map_version) section.add("Version", QString::number(*live.map_info->map_version));
     if (live.map_info->overlays_version)
       section.add("Overlays", QStringLiteral("version %1").arg(*live.map_info->overlays_version));
     section.addTo(sections);

@@ -42,14 +42,14 @@ QLineEdit { border: 1px solid %border%; border-radius: 4px; padding: 2px 6px; ba
   min-height: 18px; selection-background-color: %accent%;
   selection-color: white; }
 QLineEdit:focus { border-color: %accent%; }
-QComboBox, QSpinBox { border: 1px solid %border%; border-radius: 4px; padding: 2px 6px; background: %base%;
+QComboBox, QSpinBox, QDoubleSpinBox { border: 1px solid %border%; border-radius: 4px; padding: 2px 6px; background: %base%;
   min-height: 18px; }
-QComboBox:focus, QSpinBox:focus { border-color: %accent%; }
-QComboBox:disabled, QSpinBox:disabled { color: %neutral%; background: transparent; }
+QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus { border-color: %accent%; }
+QComboBox:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled { color: %neutral%; background: transparent; }
 QComboBox::drop-down { border: none; width: 20px; }
-QComboBox::down-arrow, QSpinBox::down-arrow { image: url(:/controls/down.svg); width: 12px; height: 12px; }
-QSpinBox::up-arrow { image: url(:/controls/up.svg); width: 12px; height: 12px; }
-QSpinBox::up-button, QSpinBox::down-button { border: none; width: 18px; background: transparent; }
+QComboBox::down-arrow, QSpinBox::down-arrow, QDoubleSpinBox::down-arrow { image: url(:/controls/down.svg); width: 12px; height: 12px; }
+QSpinBox::up-arrow, QDoubleSpinBox::up-arrow { image: url(:/controls/up.svg); width: 12px; height: 12px; }
+QSpinBox::up-button, QSpinBox::down-button, QDoubleSpinBox::up-button, QDoubleSpinBox::down-button { border: none; width: 18px; background: transparent; }
 QCheckBox { spacing: 6px; }
 QCheckBox::indicator, QTreeView::indicator { width: 13px; height: 13px; border: 1px solid %neutral%; border-radius: 3px;
   background: %base%; }
@@ -73,6 +73,7 @@ QTabBar::tab:selected { color: %text%; border-bottom-color: %accent%; }
 QTabBar::tab:hover { color: %text%; }
 #card { background: %window%; border: 1px solid %border%; border-radius: 8px; }
 #furniture { background: %furniture%; border: 1px solid %border%; border-radius: 6px; }
+#compareBar { background: %window%; border: none; border-bottom: 1px solid %border%; }
 #toast { background: %window%; border: 1px solid %border%; border-radius: 6px; }
 #primary { background: %accent%; color: white; border: 1px solid %accent%; border-radius: 4px; padding: 5px 14px; }
 #primary:hover { background: #1a60cf; }
@@ -89,6 +90,7 @@ QTabBar::tab:hover { color: %text%; }
 #compact:hover { background: %hover%; }
 #compact:focus { border-color: %accent%; }
 #compact:disabled { color: %neutral%; }
+#compact:checked { background: %tint%; border-color: %accent%; }
 #recents { background: %base%; border: 1px solid %border%; border-radius: 4px; }
 )");
   const auto put = [&css](const char* key, const QColor& color) {

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 
 #include "window/look/plain_label.h"
+#include "window/map/compare_bar.h"
 #include "window/map/empty_state.h"
 #include "window/map/map_furniture.h"
 #include "window/map/map_view.h"
@@ -24,6 +25,7 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
       furniture_(furniture),
       card_(new EmptyStateCard(view)),
       notice_(new NoticeBar(view)),
+      compare_bar_(new CompareBar(view)),
       toasts_(new ToastStack(view)),
       hint_frame_(new QFrame(view)),
       hint_(new PlainLabel(hint_frame_)) {
@@ -36,8 +38,8 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
   hint_frame_->hide();
   // The map goes on working under the hint.
   hint_frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  for (QWidget* widget :
-       {static_cast<QWidget*>(view_), static_cast<QWidget*>(card_), static_cast<QWidget*>(notice_)}) {
+  for (QWidget* widget : {static_cast<QWidget*>(view_), static_cast<QWidget*>(card_),
+                          static_cast<QWidget*>(notice_), static_cast<QWidget*>(compare_bar_)}) {
     widget->installEventFilter(this);
   }
   connect(toasts_, &ToastStack::changed, this, &MapOverlay::place);
@@ -71,6 +73,10 @@ void MapOverlay::place() {
   if (!notice_->isHidden()) {
     notice_->setGeometry(0, 0, area.width(), notice_->sizeHint().height());
     top = notice_->height();
+  }
+  if (!compare_bar_->isHidden()) {
+    compare_bar_->setGeometry(0, top, area.width(), compare_bar_->sizeHint().height());
+    top += compare_bar_->height();
   }
   const QSize furniture = furniture_->sizeHint();
   furniture_->setGeometry(area.width() - furniture.width() - kMargin, top + kMargin, furniture.width(),

@@ -6,6 +6,7 @@
 
 namespace mapwright::window {
 
+class CompareBar;
 class EmptyStateCard;
 class MapFurniture;
 class MapView;
@@ -20,6 +21,7 @@ class MapOverlay : public QObject {
   MapOverlay(MapView* view, MapFurniture* furniture);
 
   EmptyStateCard* card() const { return card_; }
+  CompareBar* compareBar() const { return compare_bar_; }
   NoticeBar* notice() const { return notice_; }
   ToastStack* toasts() const { return toasts_; }
   MapFurniture* furniture() const { return furniture_; }
@@ -39,6 +41,7 @@ class MapOverlay : public QObject {
   MapFurniture* furniture_;
   EmptyStateCard* card_;
   NoticeBar* notice_;
+  CompareBar* compare_bar_;
   ToastStack* toasts_;
   QFrame* hint_frame_;
   PlainLabel* hint_;
