@@ -81,7 +81,7 @@ GridPalette differencePalette(bool dark) {
     palette[std::size_t(what)] = premultiplied(argb);
   };
   set(Difference::SameFree, dark ? 0xff3c4653 : 0xfff4f6f8);
-  set(Difference::SameOccupied, dark ? 0xff98a4b3 : 0xff6b7683);
+  set(Difference::SameOccupied, dark ? 0xff98a4b3 : 0xff39414c);
   set(Difference::Appeared, 0xffd1383d);
   set(Difference::Vanished, 0xff1f6feb);
   set(Difference::OnlyFirst, dark ? 0xff2c4a73 : 0xffbcd4f7);

@@ -35,7 +35,64 @@ inline map::SubmapEntry entry(int trajectory, int index, int version, double x_m
   return made;
 }
 
-class FakeRobot : public robot::Robot, public robot::SubmapSource {
+/// A gray picture of `width` x `height` cells, free but for a wall of 5 columns.
+inline map::WholeMap wholeMap(const map::MapKey& key, const std::string& name, int width, int height) {
+  map::WholeMap made;
+  made.key = key;
+  made.name = name;
+  made.grid.resolution_m = 0.05;
+  std::string pgm = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) pgm += char(column < 5 ? 0 : 254);
+  }
+  made.bytes = std::make_shared<const std::string>(std::move(pgm));
+  return made;
+}
+
+inline map::CatalogueEntry catalogued(const std::string& id, const std::string& name) {
+  map::CatalogueEntry made;
+  made.key = {map::MapKind::Stored, id};
+  made.name = name;
+  return made;
+}
+
+/// Answers about maps what it is told to.
+class FakeMaps : public QObject, public robot::MapCatalogue, public robot::WholeMapSource {
+  Q_OBJECT
+ public:
+  void list(robot::AnswerTo<std::vector<map::CatalogueEntry>> reply) override {
+    QTimer::singleShot(0, this, [this, reply = std::move(reply)] {
+      if (list_error.empty()) {
+        reply(entries);
+      } else {
+        reply(tl::make_unexpected(map::Problem{map::Severity::Error, "maps", list_error}));
+      }
+    });
+  }
+  void describe(const map::MapKey&, robot::AnswerTo<map::CatalogueEntry> reply) override {
+    reply(tl::make_unexpected(map::Problem{}));
+  }
+  void thumbnail(const map::MapKey&, robot::AnswerTo<std::string> reply) override {
+    QTimer::singleShot(0, this, [reply = std::move(reply)] { reply(std::string("no picture")); });
+  }
+  void fetch(const map::MapKey& key, robot::AnswerTo<map::WholeMap> reply) override {
+    opened.push_back(key);
+    QTimer::singleShot(0, this, [this, key, reply = std::move(reply)] {
+      if (map_error.empty()) {
+        reply(wholeMap(key, "Map " + key.id, 80, 60));
+      } else {
+        reply(tl::make_unexpected(map::Problem{map::Severity::Error, "Map " + key.id, map_error}));
+      }
+    });
+  }
+
+  std::vector<map::CatalogueEntry> entries;
+  std::string list_error, map_error;
+  std::vector<map::MapKey> opened;
+};
+
+/// Which capabilities it has is set before it is connected; submaps only, unless told otherwise.
+class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot::LiveTopics {
   Q_OBJECT
  public:
   explicit FakeRobot(QString address = QStringLiteral("axbot+http://192.0.2.7:8090"))
@@ -49,7 +106,24 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource {
   void disconnectFromRobot() override {}
   robot::ConnectionState connection() const override { return state; }
   robot::RobotIdentity identity() const override { return who; }
-  robot::SubmapSource* submapSource() override { return this; }
+  robot::SubmapSource* submapSource() override { return has_submaps ? this : nullptr; }
+  robot::MapCatalogue* mapCatalogue() override { return has_catalogue ? &maps : nullptr; }
+  robot::WholeMapSource* wholeMapSource() override { return has_catalogue ? &maps : nullptr; }
+  robot::LiveTopics* liveTopics() override { return has_live ? this : nullptr; }
+  QString limits() const override { return limits_text; }
+
+  QStringList known() const override { return {QStringLiteral("/alerts"), QStringLiteral("/battery_state")}; }
+  void setWanted(const QStringList& topics) override { wanted = topics; }
+  void setWatching(bool on) override { watching = on; }
+  void sayRaw(const QString& topic, const QByteArray& text, bool binary = false) {
+    robot::RawMessage message;
+    message.topic = topic;
+    message.received = QDateTime::currentDateTime();
+    message.bytes = text.size();
+    message.binary = binary;
+    message.text = text;
+    Q_EMIT rawReceived(message);
+  }
 
   void fetch(const map::SubmapKey& key, Reply reply) override {
     ++fetches;
@@ -115,6 +189,11 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource {
   }
 
   bool auto_online = true, hold = false;
+  bool has_submaps = true, has_catalogue = false, has_live = false;
+  QString limits_text;
+  FakeMaps maps;
+  QStringList wanted;
+  bool watching = false;
   int side = 100;
   int connects = 0, fetches = 0;
   std::set<map::SubmapId> missing, failing, corrupt;

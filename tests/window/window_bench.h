@@ -51,6 +51,16 @@ struct Bench {
     window::InspectorDock* dock = window->inspector();
     return dock->filterModel()->mapFromSource(dock->model()->indexOf(id)).siblingAtColumn(column);
   }
+  /// A robot with stored maps 1 (current), 2 and a mapping 7.
+  void offerMaps() {
+    prepare = [](FakeRobot& made) {
+      made.has_catalogue = true;
+      made.maps.entries = {catalogued("1", "Ground floor"), catalogued("2", "<b>Attic</b>"),
+                           catalogued("7", "Survey")};
+      made.maps.entries[0].is_current = true;
+      made.maps.entries[2].key.kind = map::MapKind::Mapping;
+    };
+  }
   /// Two trajectories, the second far to the right; all pictures in.
   void load() {
     robot->list({entry(0, 0, 1, 0, 0), entry(0, 1, 1, 5, 0), entry(1, 0, 3, 40, 0)});

@@ -10,7 +10,7 @@
 namespace mapwright::scene {
 namespace {
 
-constexpr double kNameFromMPerPx = 0.06;  // names appear when a pixel is no larger than this
+constexpr double kNameFromMPerPx = 0.12;  // names appear when a pixel is no larger than this
 constexpr int kLongestName = 40;
 
 QColor translucent(QColor color, int alpha) {

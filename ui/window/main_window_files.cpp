@@ -125,7 +125,7 @@ void MainWindow::exportMap() {
     offer.why_not_whole = slot.cells() ? QStringLiteral("The map is still being read.")
                                        : QStringLiteral("No whole map is open, and no submaps are there.");
   }
-  offer.prefers_submaps = viewMode(*scene_) != ViewMode::Whole || !offer.whole;
+  offer.prefers_submaps = !offer.whole || !scene_->layerVisible(scene::Layer::WholeMap);
   offer.name = slot.cells() && !offer.prefers_submaps ? mapCalled(slot.name(), slot.key())
                                                       : session_->robot().identity().name;
   if (offer.name.trimmed().isEmpty()) offer.name = QStringLiteral("map");

@@ -22,8 +22,8 @@ namespace {
 
 // Raised whenever docks or tool bars come or go, so that an old state is not forced upon a new layout.
 constexpr int kLayoutVersion = 2;
-constexpr int kLeftPx = 212;
-constexpr int kRightPx = 322;
+constexpr int kLeftPx = 226;
+constexpr int kRightPx = 306;
 constexpr int kBottomPx = 168;
 constexpr int kFramePx = 8, kTitleBarPx = 40;
 
@@ -91,10 +91,14 @@ void MainWindow::arrangeDocks() {
   for (QDockWidget* dock : {static_cast<QDockWidget*>(maps_), static_cast<QDockWidget*>(layers_),
                             static_cast<QDockWidget*>(robot_panel_), static_cast<QDockWidget*>(inspector_)})
     dock->show();
-  layers_->raise();
-  inspector_->raise();
   problems_->hide();
   messages_->hide();
+  // Which tab is in front is settled only when the window has been laid out.
+  QTimer::singleShot(0, this, [this] {
+    const bool catalogue_first = mode_before_ && session_ && session_->catalogue().offered();
+    (catalogue_first ? static_cast<QDockWidget*>(maps_) : layers_)->raise();
+    inspector_->raise();
+  });
   resizeDocks({layers_, inspector_}, {kLeftPx, kRightPx}, Qt::Horizontal);
   resizeDocks({problems_}, {kBottomPx}, Qt::Vertical);
 }

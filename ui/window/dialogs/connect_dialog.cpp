@@ -88,10 +88,11 @@ QWidget* ConnectDialog::buildForm() {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   address_->setObjectName(QStringLiteral("address"));
   address_->setPlaceholderText(QStringLiteral("192.0.2.7"));
-  auto* examples =
-      plainLabel(QStringLiteral("For example 192.0.2.7, robot.local:8090 or axbot+https://robot.example. "
-                                "Without a port, 8090 is meant."),
-                 form_box);
+  auto* examples = plainLabel(
+      QStringLiteral("For example 192.0.2.7, robot.local:8090 or axbot+https://robot.example for "
+                     "Autoxing robots (without a port, 8090 is meant), aimdk+http://192.0.2.8:50807 "
+                     "for Agibot robots, file:/maps/office.yaml for a map on this computer."),
+      form_box);
   makeSecondary(examples);
   secret_->setObjectName(QStringLiteral("secret"));
   secret_->setEchoMode(QLineEdit::Password);
@@ -117,7 +118,7 @@ QWidget* ConnectDialog::buildRecents() {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  column->addWidget(plainLabel(QStringLiteral("Recent robots"), box));
+  column->addWidget(plainLabel(QStringLiteral("Recent robots and files"), box));
   list_->setObjectName(QStringLiteral("recents"));
   list_->setMinimumHeight(120);
   list_->setUniformItemSizes(true);

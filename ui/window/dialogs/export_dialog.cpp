@@ -91,7 +91,9 @@ ExportDialog::ExportDialog(ExportOffer offer, QWidget* parent)
   auto* path_row = new QHBoxLayout;
   path_row->addWidget(path_, 1);
   path_row->addWidget(browse_);
-  form->addRow(QStringLiteral("&File"), path_row);
+  auto* path_label = new QLabel(QStringLiteral("&File"), this);
+  path_label->setBuddy(path_);
+  form->addRow(path_label, path_row);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();
@@ -168,8 +170,7 @@ void ExportDialog::sync() {
 void ExportDialog::browse() {
   const QString filter = format() == ExportFormat::MapServer ? QStringLiteral("ROS maps (*.yaml)")
                                                              : QStringLiteral("PNG pictures (*.png)");
-  const QString path =
-      QFileDialog::getSaveFileName(this, QStringLiteral("Export to"), path_->text(), filter);
+  const QString path = QFileDialog::getSaveFileName(this, QStringLiteral("Export to"), path_->text(), filter);
   if (path.isEmpty()) return;
   path_->setText(path);
   sync();
@@ -181,7 +182,8 @@ void ExportDialog::start() {
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
   if (QFileInfo::exists(path) && !confirmed_) {
     confirmed_ = true;
-    error_->setText(QStringLiteral("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
+    error_->setText(
+        QStringLiteral("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
     error_->show();
     return;
   }

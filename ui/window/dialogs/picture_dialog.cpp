@@ -34,7 +34,8 @@ std::optional<PicturePlacement> placementFrom(const QString& resolution, const Q
 
 }  // namespace
 
-QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y, const QString& yaw_deg) {
+QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y,
+                       const QString& yaw_deg) {
   const auto cell = numberIn(resolution);
   if (!cell) return QStringLiteral("The resolution has to be a number of metres, for example 0.05.");
   if (*cell <= 0)
@@ -61,9 +62,10 @@ PictureDialog::PictureDialog(const QString& path, const QString& accept_text, QW
   auto* intro = new QLabel(this);
   intro->setTextFormat(Qt::PlainText);
   intro->setWordWrap(true);
-  intro->setText(QStringLiteral("%1 is a picture without a map.yaml. How large is a cell, and where in the world "
-                                "is its lower-left corner?")
-                     .arg(QFileInfo(path).fileName().left(120)));
+  intro->setText(
+      QStringLiteral("%1 is a picture without a map.yaml. How large is a cell, and where in the world "
+                     "is its lower-left corner?")
+          .arg(QFileInfo(path).fileName().left(120)));
   resolution_->setObjectName(QStringLiteral("resolution"));
   x_->setObjectName(QStringLiteral("originX"));
   y_->setObjectName(QStringLiteral("originY"));

@@ -63,9 +63,8 @@ void LayersDock::place() {
 
 void LayersDock::sync() {
   const std::vector<Layer>& order = scene_->layerOrder();
-  const bool same =
-      std::equal(rows_.begin(), rows_.end(), order.rbegin(), order.rend(),
-                 [](const LayerRow* row, Layer layer) { return row->layer() == layer; });
+  const bool same = std::equal(rows_.begin(), rows_.end(), order.rbegin(), order.rend(),
+                               [](const LayerRow* row, Layer layer) { return row->layer() == layer; });
   if (!same && !dragging_) {
     std::vector<LayerRow*> sorted;
     for (auto it = order.rbegin(); it != order.rend(); ++it) sorted.push_back(row(*it));

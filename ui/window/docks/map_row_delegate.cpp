@@ -80,9 +80,8 @@ void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
       index.data(MapsModel::NamelessRole).toBool() && kindOf(index) == MapsModel::RowKind::Map;
   painter->setFont(option.font);
   painter->setPen(nameless ? colors.secondary_text : colors.text);
-  painter->drawText(
-      first, kLeft | Qt::TextSingleLine,
-      metrics.elidedText(index.data().toString(), Qt::ElideRight, first.width()));
+  painter->drawText(first, kLeft | Qt::TextSingleLine,
+                    metrics.elidedText(index.data().toString(), Qt::ElideRight, first.width()));
   QFont second = option.font;
   second.setPointSizeF(second.pointSizeF() * 0.88);
   painter->setFont(second);
@@ -123,9 +122,9 @@ void MapRowDelegate::paintThumbnail(QPainter* painter, const QRect& box, const Q
     return;
   }
   const QSizeF size = QSizeF(picture.size()) / picture.devicePixelRatio();
-  painter->drawPixmap(QPointF(box.center().x() + 0.5 - size.width() / 2,
-                              box.center().y() + 0.5 - size.height() / 2),
-                      picture);
+  painter->drawPixmap(
+      QPointF(box.center().x() + 0.5 - size.width() / 2, box.center().y() + 0.5 - size.height() / 2),
+      picture);
 }
 
 }  // namespace mapwright::window

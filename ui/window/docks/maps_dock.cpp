@@ -141,7 +141,8 @@ void MapsDock::refresh() {
 QString MapsDock::emptyText() const {
   if (!session_)
     return QStringLiteral("Connect to a robot to see its maps, or open a map file (Ctrl+Shift+O).");
-  if (!session_->catalogue().offered()) return QStringLiteral("This robot does not tell which maps it keeps.");
+  if (!session_->catalogue().offered())
+    return QStringLiteral("This robot does not tell which maps it keeps.");
   if (session_->catalogue().loading() || !session_->catalogue().error().isEmpty()) return {};
   if (model_->maps() == 0) {
     return session_->catalogue().asOf() ? QStringLiteral("The robot keeps no maps.")

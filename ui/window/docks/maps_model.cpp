@@ -43,12 +43,12 @@ QString mapDetail(const map::CatalogueEntry& entry) {
   const QString id = QString::fromStdString(entry.key.id).simplified().left(kLongestTitle);
   if (entry.key.kind != map::MapKind::File && !id.isEmpty()) parts << QStringLiteral("id %1").arg(id);
   if (entry.map_version) parts << QStringLiteral("v%1").arg(*entry.map_version);
-  if (!entry.state.empty()) parts << QString::fromStdString(entry.state).simplified().left(40);
   const auto date = entry.modified_s ? entry.modified_s : entry.created_s;
   // Beyond these years it is a clock gone wrong, not a date.
   if (date && *date > 0 && *date < 4e9) {
     parts << QDateTime::fromSecsSinceEpoch(qint64(*date)).toString(QStringLiteral("yyyy-MM-dd"));
   }
+  if (!entry.state.empty()) parts << QString::fromStdString(entry.state).simplified().left(40);
   if (entry.grid && entry.grid->width > 0 && entry.grid->height > 0) {
     parts << QStringLiteral("%1 x %2").arg(countText(entry.grid->width), countText(entry.grid->height));
   }
@@ -92,21 +92,25 @@ std::vector<MapsModel::Row> MapsModel::build() {
     return slot.phase() != session::MapSlot::Phase::Empty && slot.key() == key;
   };
   const auto passes = [&](const QString& text) {
-    return std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
-      return text.contains(word, Qt::CaseInsensitive);
-    });
+    return std::all_of(words_.begin(), words_.end(),
+                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
   };
   if (session_->robot().liveTopics()) {
-    Row row{RowKind::Live, {map::MapKind::Live, {}}, QStringLiteral("Live map"),
-            QStringLiteral("what the robot sends now"), true, false, false};
+    Row row{RowKind::Live,
+            {map::MapKind::Live, {}},
+            QStringLiteral("Live map"),
+            QStringLiteral("as the robot sends it"),
+            true,
+            false,
+            false};
     row.open = open(row.key);
     if (passes(row.title)) rows.push_back(row);
   }
   std::optional<map::MapKind> section;
   for (const map::CatalogueEntry& entry : session_->catalogue().entries()) {
     ++maps_;
-    Row row{RowKind::Map, entry.key, mapTitle(entry.name), mapDetail(entry), entry.name.empty(),
-            entry.is_current, open(entry.key)};
+    Row row{RowKind::Map,       entry.key,        mapTitle(entry.name), mapDetail(entry),
+            entry.name.empty(), entry.is_current, open(entry.key)};
     if (!passes(QString::fromStdString(entry.name) + QLatin1Char(' ') + row.detail)) continue;
     ++found_;
     if (section != entry.key.kind) {

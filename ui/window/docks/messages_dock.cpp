@@ -71,8 +71,8 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   auto* split = new QSplitter(Qt::Horizontal, this);
   split->addWidget(table_);
   split->addWidget(right);
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 2);
+  split->setSizes({560, 300});
+  split->setStretchFactor(1, 1);
   split->setHandleWidth(1);
   split->setChildrenCollapsible(false);
   auto* body = new QWidget(this);
@@ -126,8 +126,7 @@ QWidget* MessagesDock::buildControls() {
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
   copy_->setIcon(themedIcon(QStringLiteral("copy")));
   copy_->setToolTip(QStringLiteral("Copy the message as it came"));
-  for (QPushButton* button : {add_, pause_, clear_, copy_})
-    button->setObjectName(QStringLiteral("compact"));
+  for (QPushButton* button : {add_, pause_, clear_, copy_}) button->setObjectName(QStringLiteral("compact"));
   row->addWidget(filter_, 2);
   row->addWidget(topic_, 2);
   row->addWidget(add_);
@@ -180,12 +179,13 @@ void MessagesDock::buildTable() {
   header->setMinimumSectionSize(40);
   header->setSectionResizeMode(TopicsModel::TopicColumn, QHeaderView::Stretch);
   const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  header->resizeSection(TopicsModel::TypeColumn, digit * 8 + 16);
-  header->resizeSection(TopicsModel::CountColumn, digit * 9 + 16);
-  header->resizeSection(TopicsModel::RateColumn, digit * 6 + 16);
-  header->resizeSection(TopicsModel::BytesRateColumn, digit * 9 + 16);
-  header->resizeSection(TopicsModel::SizeColumn, digit * 9 + 16);
-  header->resizeSection(TopicsModel::TimeColumn, digit * 9 + 16);
+  const auto room = [&](int column, int digits) { header->resizeSection(column, digit * digits + 14); };
+  room(TopicsModel::TypeColumn, 6);
+  room(TopicsModel::CountColumn, 7);
+  room(TopicsModel::RateColumn, 4);
+  room(TopicsModel::BytesRateColumn, 7);
+  room(TopicsModel::SizeColumn, 7);
+  room(TopicsModel::TimeColumn, 7);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
             const QString topic =
@@ -267,8 +267,7 @@ void MessagesDock::showMessage(bool force) {
   shown_count_ = tally->count;
   caption_->setText(QStringLiteral("%1  %2, %3%4")
                         .arg(chosen_.left(100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
-                             bytesText(tally->last_bytes),
-                             tally->cut ? QStringLiteral(", cut") : QString()));
+                             bytesText(tally->last_bytes), tally->cut ? QStringLiteral(", cut") : QString()));
   const int down = message_->verticalScrollBar()->value();
   const int across = message_->horizontalScrollBar()->value();
   message_->setPlainText(prettyJson(tally->text));

@@ -10,7 +10,7 @@ namespace mapwright::window {
 OpacitySlider::OpacitySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
   setRange(0, 100);
   setPageStep(10);
-  setFixedSize(52, 18);
+  setFixedSize(46, 18);
   setFocusPolicy(Qt::TabFocus);
   setToolTip(QStringLiteral("Opacity"));
 }

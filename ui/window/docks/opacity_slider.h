@@ -9,7 +9,7 @@ class OpacitySlider : public QSlider {
   Q_OBJECT
  public:
   explicit OpacitySlider(QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {52, 18}; }
+  QSize sizeHint() const override { return {46, 18}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

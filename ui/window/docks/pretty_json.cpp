@@ -44,9 +44,7 @@ qsizetype endOfString(const QString& text, qsizetype at) {
 
 QString prettyJson(const QByteArray& bytes, qsizetype limit, qsizetype longest_string) {
   const QString text = QString::fromUtf8(bytes).trimmed();
-  const auto cutNote = [&] {
-    return QStringLiteral("\n… cut here: %1 in all").arg(bytesText(bytes.size()));
-  };
+  const auto cutNote = [&] { return QStringLiteral("\n… cut here: %1 in all").arg(bytesText(bytes.size())); };
   if (!text.startsWith(QLatin1Char('{')) && !text.startsWith(QLatin1Char('['))) {
     return text.size() <= limit ? text : text.left(limit) + cutNote();
   }

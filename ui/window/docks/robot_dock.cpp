@@ -22,11 +22,13 @@ constexpr int kRefreshMs = 200;
 constexpr std::size_t kMostAlerts = 100;
 
 const QStringList& statusTopics() {
-  static const QStringList topics{
-      QStringLiteral("/battery_state"),        QStringLiteral("/wheel_state"),
-      QStringLiteral("/alerts"),               QStringLiteral("/planning_state"),
-      QStringLiteral("/sensor_manager_state"), QStringLiteral("/global_positioning_state"),
-      QStringLiteral("/map/info")};
+  static const QStringList topics{QStringLiteral("/battery_state"),
+                                  QStringLiteral("/wheel_state"),
+                                  QStringLiteral("/alerts"),
+                                  QStringLiteral("/planning_state"),
+                                  QStringLiteral("/sensor_manager_state"),
+                                  QStringLiteral("/global_positioning_state"),
+                                  QStringLiteral("/map/info")};
   return topics;
 }
 
@@ -49,11 +51,11 @@ QLabel* wrapped(QWidget* parent) {
 /// The names of the fields: as long as these are the same, only the values change.
 bool sameShape(const std::vector<StatusSection>& a, const std::vector<StatusSection>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return x.title == y.title &&
-           std::equal(x.fields.begin(), x.fields.end(), y.fields.begin(), y.fields.end(),
-                      [](const auto& f, const auto& g) {
-                        return f.name == g.name && f.bar.has_value() == g.bar.has_value();
-                      });
+    return x.title == y.title && std::equal(x.fields.begin(), x.fields.end(), y.fields.begin(),
+                                            y.fields.end(), [](const auto& f, const auto& g) {
+                                              return f.name == g.name &&
+                                                     f.bar.has_value() == g.bar.has_value();
+                                            });
   });
 }
 
@@ -200,9 +202,10 @@ QWidget* RobotDock::alertRow(const AlertLine& line) {
   column->setSpacing(0);
   auto* head = new StateLabel(row);
   head->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  head->setState({line.mark, QStringLiteral("%1 %2%3").arg(
-                                 line.level, line.code,
-                                 line.since.isEmpty() ? QString() : QStringLiteral(", since ") + line.since)});
+  head->setState(
+      {line.mark, QStringLiteral("%1 %2%3").arg(
+                      line.level, line.code,
+                      line.since.isEmpty() ? QString() : QStringLiteral(", since ") + line.since)});
   auto* text = wrapped(row);
   text->setText(line.text);
   text->setContentsMargins(20, 0, 0, 0);

@@ -27,8 +27,8 @@ void TopicLog::note(const robot::RawMessage& message, qint64 now_ms) {
   tally.text = tally.cut ? message.text.left(kMaxText) : message.text;
   Arrivals& arrivals = arrivals_[message.topic];
   if (tally.count == 1) arrivals.first_ms = now_ms;
-  while (!arrivals.recent.empty() && (arrivals.recent.size() >= kMaxRecent ||
-                                      arrivals.recent.front().first <= now_ms - kRateSpanMs)) {
+  while (!arrivals.recent.empty() &&
+         (arrivals.recent.size() >= kMaxRecent || arrivals.recent.front().first <= now_ms - kRateSpanMs)) {
     arrivals.recent.pop_front();
   }
   arrivals.recent.emplace_back(now_ms, message.bytes);

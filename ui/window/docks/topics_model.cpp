@@ -13,9 +13,8 @@ void TopicsModel::sync(const TopicLog& log, qint64 now_ms) {
   std::vector<Row> fresh;
   fresh.reserve(log.topics().size());
   for (const auto& [topic, tally] : log.topics()) {
-    fresh.push_back({topic, tally.binary, tally.asked_for, tally.count,
-                     log.messagesPerSecond(topic, now_ms), log.bytesPerSecond(topic, now_ms),
-                     tally.last_bytes, tally.last});
+    fresh.push_back({topic, tally.binary, tally.asked_for, tally.count, log.messagesPerSecond(topic, now_ms),
+                     log.bytesPerSecond(topic, now_ms), tally.last_bytes, tally.last});
   }
   const bool same = fresh.size() == rows_.size() &&
                     std::equal(fresh.begin(), fresh.end(), rows_.begin(),
@@ -57,7 +56,9 @@ QString TopicsModel::topicAt(int row) const {
   return row >= 0 && row < int(rows_.size()) ? rows_[std::size_t(row)].topic : QString();
 }
 
-int TopicsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(rows_.size()); }
+int TopicsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(rows_.size());
+}
 int TopicsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : Columns; }
 
 QString TopicsModel::text(const Row& row, int column) const {
@@ -66,7 +67,9 @@ QString TopicsModel::text(const Row& row, int column) const {
     case TopicColumn:
       return row.topic.left(200);
     case TypeColumn:
-      return !any ? QStringLiteral("waiting") : row.binary ? QStringLiteral("binary") : QStringLiteral("text");
+      return !any         ? QStringLiteral("waiting")
+             : row.binary ? QStringLiteral("binary")
+                          : QStringLiteral("text");
     case CountColumn:
       return countText(qint64(row.count));
     case RateColumn:
@@ -127,15 +130,15 @@ QVariant TopicsModel::headerData(int section, Qt::Orientation orientation, int r
     case TypeColumn:
       return QStringLiteral("Type");
     case CountColumn:
-      return QStringLiteral("Messages");
+      return QStringLiteral("Count");
     case RateColumn:
       return QStringLiteral("Hz");
     case BytesRateColumn:
       return QStringLiteral("Bytes/s");
     case SizeColumn:
-      return QStringLiteral("Last size");
+      return QStringLiteral("Size");
     case TimeColumn:
-      return QStringLiteral("Last at");
+      return QStringLiteral("Last");
     default:
       return {};
   }

@@ -1,0 +1,233 @@
+// Map files: opening, dropping, placing pictures, exporting.
+#include <QCheckBox>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QtTest>
+
+#include "window/dialogs/export_dialog.h"
+#include "window/dialogs/picture_dialog.h"
+#include "window/files/map_files.h"
+#include "window/map/map_overlay.h"
+#include "window/map/toast_stack.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::Bench;
+using test::kAddress;
+
+namespace {
+
+void drop(MainWindow& window, const QList<QUrl>& urls) {
+  QMimeData data;
+  data.setUrls(urls);
+  QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&window, &enter);
+  QDropEvent event(QPointF(400, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(&window, &event);
+}
+
+QString touched(const QTemporaryDir& folder, const char* name) {
+  const QString path = folder.filePath(QLatin1String(name));
+  QFile file(path);
+  (void)file.open(QIODevice::WriteOnly);
+  return path;
+}
+
+QLineEdit* field(const PictureDialog& dialog, const char* name) {
+  return dialog.findChild<QLineEdit*>(QLatin1String(name));
+}
+
+}  // namespace
+
+class TestWindowFiles : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void opensADroppedMap() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const QString yaml = touched(bench.folder, "map.yaml"), picture = touched(bench.folder, "map.png");
+    drop(window, {QUrl::fromLocalFile(picture), QUrl::fromLocalFile(yaml)});
+    QVERIFY(window.session());
+    QCOMPARE(window.session()->robot().address(), QStringLiteral("file:") + yaml);
+    drop(window, {QUrl::fromLocalFile(bench.folder.path())});
+    QCOMPARE(window.session()->robot().address(), QStringLiteral("file:") + bench.folder.path());
+  }
+
+  void leavesOtherDropsAlone() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    drop(window, {QUrl(QStringLiteral("https://example.com/map.yaml")),
+                  QUrl::fromLocalFile(touched(bench.folder, "notes.txt"))});
+    QVERIFY(!window.session());
+    window.openPath(bench.folder.filePath(QStringLiteral("gone.yaml")));
+    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("is not there")));
+    window.openPath(touched(bench.folder, "notes.txt"));
+    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("is no map")));
+    QVERIFY(!window.session());
+  }
+
+  void asksWhereABarePictureLies() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const QString path = touched(bench.folder, "floor <b>1.png");
+    drop(window, {QUrl::fromLocalFile(path)});
+    QVERIFY(!window.session());
+    PictureDialog* dialog = window.pictureDialog();
+    QVERIFY(dialog && dialog->isVisible());
+    field(*dialog, "resolution")->setText(QStringLiteral("0.1"));
+    field(*dialog, "originX")->setText(QStringLiteral("-12.5"));
+    field(*dialog, "originYaw")->setText(QStringLiteral("180"));
+    dialog->accept();
+    QVERIFY(window.session());
+    const QString address = window.session()->robot().address();
+    QVERIFY2(address.startsWith(QStringLiteral("file:") + path +
+                                QStringLiteral("?resolution=0.1&origin=-12.5,0,3.14159265")),
+             qPrintable(address));
+    QCOMPARE(pathOfAddress(address), path);
+  }
+
+  void refusesPlacesThatAreNone_data() {
+    QTest::addColumn<QString>("resolution");
+    QTest::addColumn<QString>("x");
+    QTest::addColumn<bool>("fine");
+    QTest::newRow("usual") << QStringLiteral("0.05") << QStringLiteral("0") << true;
+    QTest::newRow("comma") << QStringLiteral("0,05") << QStringLiteral("-3,5") << true;
+    QTest::newRow("zero") << QStringLiteral("0") << QStringLiteral("0") << false;
+    QTest::newRow("negative") << QStringLiteral("-0.05") << QStringLiteral("0") << false;
+    QTest::newRow("nan") << QStringLiteral("nan") << QStringLiteral("0") << false;
+    QTest::newRow("infinite") << QStringLiteral("inf") << QStringLiteral("0") << false;
+    QTest::newRow("huge") << QStringLiteral("1e9") << QStringLiteral("0") << false;
+    QTest::newRow("empty") << QString() << QStringLiteral("0") << false;
+    QTest::newRow("far") << QStringLiteral("0.05") << QStringLiteral("1e12") << false;
+    QTest::newRow("word") << QStringLiteral("0.05") << QStringLiteral("here") << false;
+  }
+  void refusesPlacesThatAreNone() {
+    QFETCH(QString, resolution);
+    QFETCH(QString, x);
+    QFETCH(bool, fine);
+    PictureDialog dialog(QStringLiteral("/maps/a.png"), QStringLiteral("Open"));
+    field(dialog, "resolution")->setText(resolution);
+    field(dialog, "originX")->setText(x);
+    QCOMPARE(dialog.placement().has_value(), fine);
+    QCOMPARE(dialog.errorText().isEmpty(), fine);
+    if (!fine) QVERIFY(dialog.errorText().endsWith(QLatin1Char('.')));
+  }
+
+  void remembersFilesAmongTheRecents() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const QString yaml = touched(bench.folder, "map.yaml");
+    window.openPath(yaml);
+    const RecentRobots recents(bench.settings);
+    QCOMPARE(recents.list().front().address, QStringLiteral("file:") + yaml);
+  }
+
+  void tellsThatAFileChanged() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    window.openPath(touched(bench.folder, "map.yaml"));
+    window.openMap({map::MapKind::File, {}});
+    QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
+    Q_EMIT bench.robot->mapsChanged();
+    QVERIFY(window.overlay()->toasts()->texts().last().contains(QLatin1String("changed on disk")));
+  }
+
+  void exportsTheWholeMap() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    window.openMap({map::MapKind::Stored, "2"});
+    QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
+    bench.action("export")->trigger();
+    ExportDialog* dialog = window.exportDialog();
+    QVERIFY(dialog);
+    const QString path = bench.folder.filePath(QStringLiteral("out.png"));
+    dialog->pathEdit()->setText(path);
+    dialog->worldFileBox()->setChecked(true);
+    dialog->start();
+    QTRY_VERIFY(!window.exportDialog() || !window.exportDialog()->isVisible());
+    QImage picture(path);
+    QCOMPARE(picture.size(), QSize(80, 60));
+    QCOMPARE(qGray(picture.pixel(0, 0)), 0);
+    QCOMPARE(qGray(picture.pixel(20, 20)), 254);
+    QFile world(worldFilePath(path));
+    QVERIFY(world.open(QIODevice::ReadOnly));
+    QCOMPARE(world.readAll().split('\n').first().trimmed().toDouble(), 0.05);
+    QVERIFY(window.overlay()->toasts()->texts().last().startsWith(QLatin1String("Exported to")));
+  }
+
+  void exportsForMapServer() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    window.openMap({map::MapKind::Stored, "2"});
+    QTRY_COMPARE(window.session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
+    bench.action("export")->trigger();
+    ExportDialog* dialog = window.exportDialog();
+    dialog->pathEdit()->setText(bench.folder.filePath(QStringLiteral("out.png")));
+    dialog->formatButton(ExportFormat::MapServer)->setChecked(true);
+    QVERIFY(dialog->pathEdit()->text().endsWith(QLatin1String("out.yaml")));
+    QVERIFY(!dialog->worldFileBox()->isEnabled());
+    dialog->start();
+    QTRY_VERIFY(QFile::exists(bench.folder.filePath(QStringLiteral("out.yaml"))));
+    QVERIFY(QFile::exists(bench.folder.filePath(QStringLiteral("out.pgm"))));
+  }
+
+  void exportsTheSubmaps() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    bench.action("export")->trigger();
+    ExportDialog* dialog = window.exportDialog();
+    const QString path = bench.folder.filePath(QStringLiteral("submaps.png"));
+    dialog->pathEdit()->setText(path);
+    dialog->start();
+    QTRY_VERIFY(QFile::exists(path));
+    QVERIFY(QImage(path).width() > 100);
+  }
+
+  void exportsTheViewAndSaysWhatWentWrong() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.action("export")->trigger();
+    ExportDialog* dialog = window.exportDialog();
+    QVERIFY(!dialog->formatButton(ExportFormat::MapServer)->isEnabled());
+    QVERIFY(dialog->formatButton(ExportFormat::ViewPicture)->isChecked());
+    dialog->pathEdit()->setText(bench.folder.filePath(QStringLiteral("no/such/folder.png")));
+    dialog->start();
+    QTRY_VERIFY(dialog->errorText().contains(QLatin1String("cannot be written")));
+    QVERIFY(dialog->isVisible());
+    const QString path = bench.folder.filePath(QStringLiteral("view.png"));
+    dialog->pathEdit()->setText(path);
+    dialog->start();
+    QTRY_VERIFY(QFile::exists(path));
+    QCOMPARE(QImage(path).size(), window.view()->viewport()->size());
+  }
+
+  void asksBeforeItReplacesAFile() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.action("export")->trigger();
+    ExportDialog* dialog = window.exportDialog();
+    const QString path = touched(bench.folder, "old.png");
+    dialog->pathEdit()->setText(path);
+    dialog->start();
+    QVERIFY(dialog->errorText().contains(QLatin1String("exists")));
+    QCOMPARE(QFileInfo(path).size(), qint64(0));
+    dialog->start();
+    QTRY_VERIFY(QFileInfo(path).size() > 0);
+  }
+};
+
+QTEST_MAIN(TestWindowFiles)
+#include "test_window_files.moc"

@@ -1,0 +1,166 @@
+// The list of layers: order, styles, what a robot cannot fill.
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QScrollArea>
+#include <QSlider>
+#include <QToolButton>
+#include <QtTest>
+
+#include "window/docks/layer_row.h"
+#include "window/docks/layer_style_editor.h"
+#include "window/docks/layers_dock.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using scene::Layer;
+using test::Bench;
+using test::kAddress;
+
+namespace {
+
+std::ptrdiff_t placeOf(const scene::MapScene& scene, Layer layer) {
+  const std::vector<Layer>& order = scene.layerOrder();
+  return std::find(order.begin(), order.end(), layer) - order.begin();
+}
+
+}  // namespace
+
+class TestWindowLayers : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void hasARowForEveryLayerTheTopOneOnTop() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    for (const Layer layer : scene::allLayers()) QVERIFY(window.layers()->row(layer));
+    QVERIFY(window.layers()->row(Layer::Robot)->y() < window.layers()->row(Layer::Submaps)->y());
+    QVERIFY(window.layers()->row(Layer::Submaps)->y() < window.layers()->row(Layer::WholeMap)->y());
+  }
+
+  void movesARowByDraggingIt() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    LayerRow* grid = window.layers()->row(Layer::Grid);
+    LayerRow* submaps = window.layers()->row(Layer::Submaps);
+    QVERIFY(placeOf(*window.mapScene(), Layer::Grid) > placeOf(*window.mapScene(), Layer::Submaps));
+    const QPoint from(60, 12);
+    QTest::mousePress(grid, Qt::LeftButton, {}, from);
+    // Step by step: the row itself moves below the cursor.
+    for (int step = 0; step < 20; ++step) {
+      const QPoint target = submaps->mapTo(window.layers(), QPoint(60, 20));
+      QMouseEvent move(QEvent::MouseMove, grid->mapFrom(window.layers(), target), QPoint(), Qt::NoButton,
+                       Qt::LeftButton, {});
+      QApplication::sendEvent(grid, &move);
+      QCoreApplication::processEvents();
+    }
+    QTest::mouseRelease(grid, Qt::LeftButton, {}, from);
+    QVERIFY(placeOf(*window.mapScene(), Layer::Grid) < placeOf(*window.mapScene(), Layer::Submaps));
+    QTRY_VERIFY(grid->y() > submaps->y());
+  }
+
+  void movesARowByKeys() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const std::vector<Layer> before = window.mapScene()->layerOrder();
+    LayerRow* grid = window.layers()->row(Layer::Grid);
+    grid->setFocus();
+    QTest::keyClick(grid, Qt::Key_Up, Qt::ControlModifier);
+    QCOMPARE(placeOf(*window.mapScene(), Layer::Grid),
+             std::find(before.begin(), before.end(), Layer::Grid) - before.begin() + 1);
+    QVERIFY(grid->hasFocus());
+    QTest::keyClick(grid, Qt::Key_Down, Qt::ControlModifier);
+    QCOMPARE(window.mapScene()->layerOrder(), before);
+  }
+
+  void keepsTheScaleBarOnTop() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const std::vector<Layer> before = window.mapScene()->layerOrder();
+    LayerRow* bar = window.layers()->row(Layer::ScaleBar);
+    bar->setFocus();
+    QTest::keyClick(bar, Qt::Key_Down, Qt::ControlModifier);
+    LayerRow* robot = window.layers()->row(Layer::Robot);
+    QTest::keyClick(robot, Qt::Key_Up, Qt::ControlModifier);
+    QCOMPARE(window.mapScene()->layerOrder(), before);
+  }
+
+  void foldsOutWhatALayerHasToOffer() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.layers()->row(Layer::Grid)->settings());
+    LayerRow* cloud = window.layers()->row(Layer::Cloud);
+    QTest::mouseClick(cloud->settings(), Qt::LeftButton);
+    LayerStyleEditor* editor = cloud->editor();
+    QVERIFY(editor && editor->isVisible());
+    QVERIFY(editor->colorButton() && editor->sizeBox() && editor->choiceBox());
+    editor->sizeBox()->setValue(5);
+    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud).size, 5.0);
+    editor->setColor(QColor(10, 200, 30));
+    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud).color, QColor(10, 200, 30));
+    editor->choiceBox()->setCurrentIndex(2);
+    Q_EMIT editor->choiceBox()->activated(2);
+    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud).choice, int(scene::CloudChoice::Height));
+    QTest::mouseClick(cloud->settings(), Qt::LeftButton);
+    QVERIFY(!editor->isVisible());
+  }
+
+  void remembersOrderOpacityVisibilityAndStyles() {
+    Bench bench;
+    std::vector<Layer> order;
+    const scene::LayerStyle style{QColor(10, 200, 30), 4.5, 1};
+    {
+      MainWindow& window = bench.open();
+      LayerRow* path = window.layers()->row(Layer::Path);
+      QTest::keyClick(path, Qt::Key_Up, Qt::ControlModifier);
+      order = window.mapScene()->layerOrder();
+      window.layers()->opacity(Layer::Path)->setValue(40);
+      window.layers()->eye(Layer::CostmapLow)->click();
+      window.mapScene()->setLayerStyle(Layer::Cloud, style);
+      window.close();
+    }
+    MainWindow& again = bench.open();
+    QCOMPARE(again.mapScene()->layerOrder(), order);
+    QCOMPARE(again.mapScene()->layerOpacity(Layer::Path), 0.4);
+    QVERIFY(again.mapScene()->layerVisible(Layer::CostmapLow));
+    QCOMPARE(again.mapScene()->layerStyle(Layer::Cloud), style);
+    bench.action("resetLayout")->trigger();
+    QCOMPARE(again.mapScene()->layerOrder(), scene::allLayers());
+    QCOMPARE(again.mapScene()->layerStyle(Layer::Cloud), scene::LayerStyle{});
+  }
+
+  void takesNothingFromBrokenSettings() {
+    Bench bench;
+    bench.settings.setValue(QStringLiteral("layers/order"), QStringList{QStringLiteral("nonsense")});
+    bench.settings.setValue(QStringLiteral("layers/cloud/size"), QStringLiteral("nan"));
+    bench.settings.setValue(QStringLiteral("layers/cloud/choice"), 77);
+    bench.settings.setValue(QStringLiteral("layers/cloud/color"), QStringLiteral("no colour"));
+    bench.settings.setValue(QStringLiteral("layers/path/opacity"), -3);
+    MainWindow& window = bench.open();
+    QCOMPARE(window.mapScene()->layerOrder(), scene::allLayers());
+    QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud), scene::LayerStyle{});
+    QCOMPARE(window.mapScene()->layerOpacity(Layer::Path), 0.0);
+  }
+
+  void greysWhatARobotCannotFillAndSaysWhy() {
+    Bench bench;
+    bench.prepare = [](test::FakeRobot& robot) {
+      robot.has_submaps = false;
+      robot.has_catalogue = true;
+    };
+    MainWindow& window = bench.open();
+    QVERIFY(window.layers()->row(Layer::Submaps)->unavailable().isEmpty());
+    QVERIFY(!window.connectTo(kAddress));
+    for (const Layer layer : {Layer::Submaps, Layer::Ids, Layer::Cloud, Layer::Robot}) {
+      QVERIFY2(!window.layers()->row(layer)->unavailable().isEmpty(), qPrintable(scene::layerName(layer)));
+      QVERIFY(!window.layers()->eye(layer)->isEnabled());
+      QVERIFY(!window.layers()->row(layer)->toolTip().isEmpty());
+    }
+    QVERIFY(window.layers()->row(Layer::WholeMap)->unavailable().isEmpty());
+    QVERIFY(window.layers()->row(Layer::Grid)->unavailable().isEmpty());
+    window.leaveRobot();
+    QVERIFY(window.layers()->eye(Layer::Cloud)->isEnabled());
+  }
+};
+
+QTEST_MAIN(TestWindowLayers)
+#include "test_window_layers.moc"

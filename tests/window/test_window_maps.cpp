@@ -1,0 +1,363 @@
+// Whole maps in the window: the catalogue, view modes, comparing, limits.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QToolButton>
+#include <QtTest>
+
+#include "window/docks/layers_dock.h"
+#include "window/docks/maps_dock.h"
+#include "window/docks/robot_dock.h"
+#include "window/map/compare_control.h"
+#include "window/map/empty_state.h"
+#include "window/map/map_overlay.h"
+#include "window/map/notice_bar.h"
+#include "window/map/swipe_handle.h"
+#include "window/status/window_status_bar.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using scene::Layer;
+using test::Bench;
+using test::kAddress;
+
+namespace {
+
+map::MapKey stored(const char* id) { return {map::MapKind::Stored, id}; }
+
+QStringList titles(const MapsModel& model) {
+  QStringList made;
+  for (int row = 0; row < model.rowCount(); ++row) made << model.index(row).data().toString();
+  return made;
+}
+
+bool ready(const MainWindow& window) {
+  return window.session()->wholeMap().phase() == session::MapSlot::Phase::Ready;
+}
+
+}  // namespace
+
+class TestWindowMaps : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void listsStoredMapsAndMappings() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    const MapsModel& model = *window.maps()->model();
+    QTRY_COMPARE(model.maps(), 3);
+    QCOMPARE(titles(model), (QStringList{QStringLiteral("Stored maps"), QStringLiteral("Ground floor"),
+                                         QStringLiteral("<b>Attic</b>"), QStringLiteral("Mappings"),
+                                         QStringLiteral("Survey")}));
+    const QModelIndex current = model.indexOf(stored("1"));
+    QVERIFY(current.data(MapsModel::BadgesRole).toStringList().contains(QStringLiteral("current")));
+    QVERIFY(model.indexOf(stored("2")).data(MapsModel::BadgesRole).toStringList().isEmpty());
+    QVERIFY(!(model.index(0).flags() & Qt::ItemIsSelectable));
+    QVERIFY(window.maps()->statusShown().startsWith(QLatin1String("3 maps, as of ")));
+    // Markup in a name is text, in the tooltip too.
+    QVERIFY(!model.indexOf(stored("2")).data(Qt::ToolTipRole).toString().contains(QLatin1String("<b>")));
+  }
+
+  void survivesAnyName() {
+    Bench bench;
+    bench.prepare = [](test::FakeRobot& robot) {
+      robot.has_catalogue = true;
+      robot.maps.entries = {test::catalogued("1", ""), test::catalogued("2", std::string(500, 'x')),
+                            test::catalogued("3", "\xD7\xA9\xD7\x9C\xD7\x95\xD7\x9D \xF0\x9F\xA4\x96"),
+                            test::catalogued("1700000000123", "two\nlines\t"),
+                            test::catalogued("5", "\xff\xfe")};
+      robot.maps.entries[1].created_s = 1e300;
+      robot.maps.entries[1].map_version = 9;
+      robot.maps.entries[1].grid = map::GridReference{2898, 2603, 0.05, {}};
+      for (auto& map : robot.maps.entries) map.has_thumbnail = true;
+    };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    window.maps()->raise();
+    const MapsModel& model = *window.maps()->model();
+    QTRY_COMPARE(model.maps(), 5);
+    QCOMPARE(model.indexOf(stored("1")).data().toString(), QStringLiteral("(no name)"));
+    QVERIFY(model.indexOf(stored("2")).data().toString().size() <= 300);
+    QCOMPARE(model.indexOf(stored("2")).data(MapsModel::DetailRole).toString(),
+             QStringLiteral("id 2 · v9 · 2,898 x 2,603"));
+    QCOMPARE(model.indexOf(stored("1700000000123")).data().toString(), QStringLiteral("two lines"));
+    QVERIFY(model.indexOf(stored("1700000000123"))
+                .data(MapsModel::DetailRole)
+                .toString()
+                .contains(QLatin1String("1700000000123")));
+    window.maps()->grab();
+    QCoreApplication::processEvents();
+    QVERIFY(model.indexOf(stored("2")).data(MapsModel::ThumbnailRole).value<QPixmap>().isNull());
+  }
+
+  void findsMapsByName() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    QTest::keyClicks(window.maps()->search(), QStringLiteral("atti"));
+    QCOMPARE(titles(*window.maps()->model()),
+             (QStringList{QStringLiteral("Stored maps"), QStringLiteral("<b>Attic</b>")}));
+    window.maps()->search()->setText(QStringLiteral("cellar"));
+    QCOMPARE(window.maps()->model()->rowCount(), 0);
+    QCOMPARE(window.maps()->emptyShown(), QStringLiteral("No map matches the search."));
+    window.maps()->search()->clear();
+    QCOMPARE(window.maps()->model()->found(), 3);
+  }
+
+  void opensAMapWithoutTouchingTheRobot() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    const MapsModel& model = *window.maps()->model();
+    QTRY_COMPARE(model.maps(), 3);
+    QVERIFY(model.indexOf(stored("2"))
+                .data(Qt::ToolTipRole)
+                .toString()
+                .contains(QLatin1String("Nothing is loaded or changed on the robot")));
+    bench.robot->maps.opened.clear();
+    window.maps()->list()->setCurrentIndex(model.indexOf(stored("2")));
+    QTest::keyClick(window.maps()->list(), Qt::Key_Return);
+    QCOMPARE(*viewMode(*window.mapScene()), ViewMode::Whole);
+    QTRY_VERIFY(ready(window));
+    QCOMPARE(bench.robot->maps.opened, std::vector<map::MapKey>{stored("2")});
+    QTRY_VERIFY(model.indexOf(stored("2"))
+                    .data(MapsModel::BadgesRole)
+                    .toStringList()
+                    .contains(QStringLiteral("open")));
+    QVERIFY(!window.overlay()->card()->kind());
+    // The camera went there: 80 x 60 cells of 5 cm.
+    QVERIFY(std::abs(window.mapScene()->view().center_m.x() - 2.0) < 0.1);
+  }
+
+  void saysWhatIsWrongWithTheList() {
+    Bench bench;
+    bench.offerMaps();
+    const auto offer = bench.prepare;
+    bench.prepare = [offer](test::FakeRobot& robot) {
+      offer(robot);
+      robot.maps.list_error = "The robot answered 500 to /maps/.";
+    };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->statusShown(), QStringLiteral("The robot answered 500 to /maps/."));
+    QVERIFY(!window.maps()->retryButton()->isHidden());
+    bench.robot->maps.list_error.clear();
+    QTest::mouseClick(window.maps()->retryButton(), Qt::LeftButton);
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    QVERIFY(window.maps()->retryButton()->isHidden());
+    bench.robot->maps.entries.clear();
+    QTest::mouseClick(window.maps()->refreshButton(), Qt::LeftButton);
+    QTRY_COMPARE(window.maps()->emptyShown(), QStringLiteral("The robot keeps no maps."));
+  }
+
+  void saysWhyThereIsNoCatalogue() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(window.maps()->emptyShown().contains(QLatin1String("Connect to a robot")));
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(window.maps()->emptyShown(), QStringLiteral("This robot does not tell which maps it keeps."));
+    QVERIFY(!window.maps()->refreshButton()->isEnabled());
+  }
+
+  void offersTheLiveMapOfARobotThatSendsOne() {
+    Bench bench;
+    bench.offerMaps();
+    const auto offer = bench.prepare;
+    bench.prepare = [offer](test::FakeRobot& robot) {
+      offer(robot);
+      robot.has_live = true;
+    };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    QCOMPARE(titles(*window.maps()->model()).front(), QStringLiteral("Live map"));
+    window.openMap({map::MapKind::Live, {}});
+    QCOMPARE(*window.overlay()->card()->kind(), EmptyState::Kind::LoadingMap);
+    map::GridMessage message;
+    message.kind = map::GridKind::WholeMap;
+    message.grid.resolution_m = 0.05;
+    message.png = test::wholeMap({}, "", 50, 40).bytes;
+    bench.robot->say(message);
+    QTRY_VERIFY(ready(window));
+    QVERIFY(!window.overlay()->card()->kind());
+  }
+
+  void switchesWhatIsOnScreen() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.key(Qt::Key_2);
+    QVERIFY(!window.mapScene()->layerVisible(Layer::Submaps));
+    QVERIFY(window.mapScene()->layerVisible(Layer::WholeMap));
+    QVERIFY(bench.action("modeWhole")->isChecked());
+    bench.key(Qt::Key_3);
+    QVERIFY(window.mapScene()->layerVisible(Layer::Submaps));
+    QVERIFY(window.mapScene()->layerVisible(Layer::WholeMap));
+    QVERIFY(bench.action("modeBoth")->isChecked());
+    bench.key(Qt::Key_1);
+    QVERIFY(!window.mapScene()->layerVisible(Layer::WholeMap));
+    // The switch follows the list of layers.
+    window.layers()->eye(Layer::Submaps)->click();
+    QVERIFY(!bench.action("modeSubmaps")->isChecked());
+  }
+
+  void putsTheWholeMapBelowWhenBothAreShown() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    std::vector<Layer> order = window.mapScene()->layerOrder();
+    std::swap(order[0], order[1]);
+    window.mapScene()->setLayerOrder(order);
+    QCOMPARE(window.mapScene()->layerOrder()[1], Layer::WholeMap);
+    window.setMapMode(ViewMode::Both);
+    QCOMPARE(window.mapScene()->layerOrder()[0], Layer::WholeMap);
+    QCOMPARE(window.mapScene()->layerOrder()[1], Layer::Submaps);
+  }
+
+  void startsWithTheWholeMapWhereThereAreNoSubmaps() {
+    Bench bench;
+    bench.offerMaps();
+    const auto offer = bench.prepare;
+    bench.prepare = [offer](test::FakeRobot& robot) {
+      offer(robot);
+      robot.has_submaps = false;
+    };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(*viewMode(*window.mapScene()), ViewMode::Whole);
+    QVERIFY(!bench.action("modeSubmaps")->isEnabled());
+    QVERIFY(!bench.action("modeBoth")->isEnabled());
+    QVERIFY(bench.action("modeSubmaps")->toolTip().contains(QLatin1String("no submaps")));
+    // The current map of such a robot opens by itself.
+    QTRY_VERIFY(ready(window));
+    QCOMPARE(window.session()->wholeMap().key(), stored("1"));
+    bench.prepare = {};
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(*viewMode(*window.mapScene()), ViewMode::Submaps);
+    QVERIFY(bench.action("modeBoth")->isEnabled());
+  }
+
+  void saysWhyAMapCannotBeShown() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    bench.robot->maps.map_error = "The robot answered 404.";
+    window.openMap(stored("2"));
+    QTRY_VERIFY(window.overlay()->card()->kind() == EmptyState::Kind::MapFailed);
+    QVERIFY(window.bar()->mapShown().contains(QLatin1String("failed")));
+    bench.robot->maps.map_error.clear();
+    Q_EMIT window.overlay()->card()->retryWanted();
+    QTRY_VERIFY(ready(window));
+    QVERIFY(!window.overlay()->card()->kind());
+    QVERIFY(window.bar()->mapShown().isEmpty());
+    // While the map stays on screen, the next failure is a notice above it.
+    bench.robot->maps.map_error = "The robot answered 500.";
+    window.openMap(stored("2"));
+    QTRY_VERIFY(window.overlay()->notice()->sentence().contains(QLatin1String("answered 500")));
+    QVERIFY(window.overlay()->notice()->isVisible());
+  }
+
+  void comparesWithAnotherMap() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    window.openMap(stored("1"));
+    QTRY_VERIFY(ready(window));
+    Q_EMIT window.maps()->compareWanted(stored("2"));
+    CompareControl& comparison = *window.comparison();
+    QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Swipe);
+    QVERIFY(comparison.bar()->isVisible());
+    QVERIFY(comparison.handle()->isVisible());
+    QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
+    QVERIFY(comparison.bar()->second()->currentText().startsWith(QLatin1String("<b>Attic</b>")));
+    QTest::mouseClick(comparison.bar()->differenceButton(), Qt::LeftButton);
+    QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Difference);
+    QVERIFY(comparison.bar()->legendShown());
+    QVERIFY(!comparison.handle()->isVisible());
+    QTest::mouseClick(comparison.bar()->closeButton(), Qt::LeftButton);
+    QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Off);
+    QVERIFY(!comparison.bar()->isVisible());
+  }
+
+  void keepsThePresentStateToCompareWith() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    window.openMap(stored("1"));
+    QTRY_VERIFY(ready(window));
+    window.comparison()->start(SecondMap(KeptState{}));
+    QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
+    QCOMPARE(window.comparison()->bar()->second()->currentText(), QStringLiteral("Keep the present state"));
+    bench.key(Qt::Key_Escape);
+    QVERIFY(!window.comparison()->active());
+  }
+
+  void setsTheSubmapsAgainstTheWholeMap() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.action("compare")->trigger();
+    QVERIFY(window.comparison()->active());
+    QCOMPARE(*window.comparison()->second(), SecondMap(SubmapsAside{}));
+    QVERIFY(!window.comparison()->bar()->differenceButton()->isEnabled());
+  }
+
+  void dragsTheDivider() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.action("compare")->trigger();
+    SwipeHandle& handle = *window.comparison()->handle();
+    QCOMPARE(window.mapScene()->swipeAt(), 0.5);
+    const QPoint middle = handle.rect().center();
+    QTest::mousePress(&handle, Qt::LeftButton, {}, middle);
+    const int right = int(0.75 * window.view()->width());
+    QMouseEvent move(QEvent::MouseMove, handle.mapFrom(window.view(), QPoint(right, middle.y())), QPoint(),
+                     Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&handle, &move);
+    QTest::mouseRelease(&handle, Qt::LeftButton, {}, middle);
+    QVERIFY(std::abs(window.mapScene()->swipeAt() - 0.75) < 0.01);
+    QVERIFY(std::abs(handle.geometry().center().x() - right) <= 2);
+    handle.setFocus();
+    const double before = window.mapScene()->swipeAt();
+    QTest::keyClick(&handle, Qt::Key_Left);
+    QVERIFY(std::abs(window.mapScene()->swipeAt() - (before - 0.01)) < 1e-9);
+    QTest::keyClick(&handle, Qt::Key_Home);
+    QCOMPARE(window.mapScene()->swipeAt(), 0.0);
+    QTest::keyClick(&handle, Qt::Key_Escape);
+    QVERIFY(!window.comparison()->active());
+  }
+
+  void tellsWhatTheRobotDoesNotAllow() {
+    Bench bench;
+    bench.prepare = [](test::FakeRobot& robot) {
+      robot.limits_text = QStringLiteral("Read only: <i>maps</i> can be looked at.");
+    };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(window.robotPanel()->limitsShown(), bench.robot->limits_text);
+    NoticeBar* notice = window.overlay()->notice();
+    QVERIFY(notice->isVisible());
+    QCOMPARE(notice->sentence(), bench.robot->limits_text);
+    QTest::mouseClick(notice->closeButton(), Qt::LeftButton);
+    QVERIFY(!notice->isVisible());
+    QVERIFY(!window.connectTo(kAddress));
+    QVERIFY(!notice->isVisible());  // once is enough
+    QCOMPARE(window.robotPanel()->limitsShown(), bench.robot->limits_text);
+  }
+};
+
+QTEST_MAIN(TestWindowMaps)
+#include "test_window_maps.moc"
