@@ -113,8 +113,8 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   for (int row = 0; row < diff.height; row += kStrip) {
     strip.first_row = row;
     strip.height_px = std::min(kStrip, diff.height - row);
-    const render::Composition a = render::sampleGrid(strip, first, nullptr);
-    const render::Composition b = render::sampleGrid(strip, second, nullptr);
+    const render::Composition a = render::sampleGrid(strip, first, nullptr, render::Sampling::Exact);
+    const render::Composition b = render::sampleGrid(strip, second, nullptr, render::Sampling::Exact);
     std::size_t at = 0;
     for (int y = 0; y < strip.height_px; ++y) {
       for (int x = 0; x < strip.width_px; ++x, ++at) {

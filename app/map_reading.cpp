@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "app/exit_code.h"
+#include "app/one_line.h"
 #include "app/robot_factory.h"
 #include "render/compose_grid.h"
 #include "scene/layer.h"
@@ -15,9 +16,12 @@ namespace mapwright::app {
 namespace {
 
 constexpr int kLookEveryMs = 10;
+constexpr qsizetype kLongestAddress = 200;
 constexpr int kConnectAttempts = 3;
 constexpr double kLiveMapWithinS = 8;
 constexpr int kTries = 3;
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 session::Session::Options quietOptions() {
   session::Session::Options options;
@@ -47,7 +51,7 @@ bool MapReading::waitUntil(const std::function<bool()>& done) {
 bool MapReading::local() const { return session_.robot().address().startsWith(QLatin1String("file:")); }
 
 CommandFailure MapReading::failure(int exit_code, const QString& sentence) const {
-  return {exit_code, QStringLiteral("%1: %2").arg(address_, sentence)};
+  return {exit_code, QStringLiteral("%1: %2").arg(oneLine(address_, kLongestAddress), sentence)};
 }
 
 CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& address, const QByteArray& secret,
@@ -92,13 +96,18 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
   if (!catalogue.error().isEmpty()) {
     return tl::make_unexpected(failure(local() ? kUsage : kRobotError, catalogue.error()));
   }
+  warnOfProblems();
   return &catalogue.entries();
 }
 
 void MapReading::warnOfProblems() {
   for (const session::LoggedProblem& row : session_.problems().rows()) {
     if (row.resolved || row.problem.severity == map::Severity::Info) continue;
-    std::fprintf(stderr, "%s: %s\n", row.problem.subject.c_str(), row.problem.sentence.c_str());
+    // What concerns the robot as such (no submap list yet) is not what was asked for.
+    if (row.problem.subject.starts_with("Robot ")) continue;
+    if (row.problem.severity == map::Severity::Error) complete_ = false;
+    const QString line = text(row.problem.subject) + QStringLiteral(": ") + text(row.problem.sentence);
+    if (warned_.insert(line).second) std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(line)));
   }
 }
 
@@ -141,7 +150,8 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
     }
     if (!(slot.key() == entry->key) || slot.phase() == Phase::Empty) session_.openMap(entry->key);
   }
-  if (!waitUntil([&] { return slot.settled() && slot.phase() != Phase::Empty; })) {
+  if (!waitUntil(
+          [&] { return slot.settled() && slot.phase() != Phase::Empty && !slot.waypointsAwaited(); })) {
     return tl::make_unexpected(
         failure(kRobotError, QStringLiteral("The map had not arrived within %1 s.").arg(timeout_s_)));
   }

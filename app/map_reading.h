@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 
 #include <QString>
 #include <tl/expected.hpp>
@@ -35,6 +36,8 @@ class MapReading {
   /// `resolution_m`. Warnings (an odd origin, a picture that breaks off) are printed on stderr.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
   QString nameOfMap() const { return name_; }
+  /// False when something that was asked for could not be had (it has been said on stderr).
+  bool complete() const { return complete_; }
 
  private:
   MapReading(std::unique_ptr<robot::Robot> robot, QString address, double timeout_s);
@@ -47,6 +50,8 @@ class MapReading {
   session::Session session_;
   QString address_, name_;
   double timeout_s_;
+  bool complete_ = true;
+  std::set<QString> warned_;
 };
 
 }  // namespace mapwright::app

@@ -16,6 +16,7 @@
 #include "app/exit_code.h"
 #include "app/map_diff.h"
 #include "app/map_reading.h"
+#include "app/one_line.h"
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "raster/export_grid.h"
@@ -35,7 +36,7 @@ QString plain(const std::string& name) {
 }
 
 int refuse(const CommandFailure& failure) {
-  std::fprintf(stderr, "%s\n", qUtf8Printable(failure.sentence));
+  std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(failure.sentence)));
   return failure.exit_code;
 }
 
@@ -129,8 +130,11 @@ int run(int& argc, char** argv, Command command) {
 
 bool looksLikeFile(const QString& operand) {
   return operand.startsWith(QLatin1String("file:")) || operand.contains(QLatin1Char('/')) ||
-         QFileInfo(operand).isFile() || operand.contains(QLatin1String("+http")) ||
-         operand.startsWith(QLatin1String("demo:"));
+         QFileInfo(operand).isFile() ||
+         QStringList{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
+                     QStringLiteral("pgm"), QStringLiteral("bmp")}
+             .contains(QFileInfo(operand).suffix().toLower()) ||
+         operand.contains(QLatin1String("+http")) || operand.startsWith(QLatin1String("demo:"));
 }
 
 }  // namespace
@@ -145,17 +149,17 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
       QJsonArray list;
       for (const map::CatalogueEntry& row : **rows) list << jsonOf(row);
       print(QJsonDocument(list));
-      return kDone;
+      return (*robot)->complete() ? kDone : kIncomplete;
     }
     if ((*rows)->empty()) {
       std::printf("There is no map.\n");
-      return kDone;
+      return (*robot)->complete() ? kDone : kIncomplete;
     }
     std::vector<QStringList> table{{QStringLiteral(" "), QStringLiteral("ID"), QStringLiteral("VERSION"),
                                     QStringLiteral("DATE"), QStringLiteral("NAME")}};
     for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
     printTable(table);
-    return kDone;
+    return (*robot)->complete() ? kDone : kIncomplete;
   });
 }
 
@@ -209,7 +213,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
     if (words.json) {
       print(QJsonDocument(json));
-      return kDone;
+      return (*robot)->complete() ? kDone : kIncomplete;
     }
     const map::GridReference& grid = placed->reference;
     std::vector<QStringList> table{
@@ -240,7 +244,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
                .arg(point.yaw_rad ? QStringLiteral(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
     }
     printTable(table);
-    return kDone;
+    return (*robot)->complete() ? kDone : kIncomplete;
   });
 }
 
@@ -322,7 +326,7 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
       std::vector<QStringList> table;
       const auto row = [&](const QString& name, qint64 count) {
         table.push_back({name, QStringLiteral("%1 cells").arg(count),
-                         QStringLiteral("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 2)});
+                         QStringLiteral("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 4)});
       };
       row(QStringLiteral("occupied in the second only"), cells(Difference::Appeared));
       row(QStringLiteral("occupied in the first only"), cells(Difference::Vanished));

@@ -10,6 +10,7 @@
 
 #include "app/display.h"
 #include "app/exit_code.h"
+#include "app/one_line.h"
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "app/snapshot_run.h"
@@ -18,7 +19,7 @@ namespace mapwright::app {
 namespace {
 
 int refuse(int exit_code, const QString& sentence) {
-  std::fprintf(stderr, "%s\n", qUtf8Printable(sentence));
+  std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
   return exit_code;
 }
 

@@ -174,7 +174,20 @@ void SnapshotRun::askForWhole() {
   const bool nothing_sent = !options_.map && sends_maps && slot.key().kind == map::MapKind::Live &&
                             slot.phase() == session::MapSlot::Phase::Fetching &&
                             seconds() - connected_s_ > kLiveMapWithinS;
-  if (nothing_sent && catalogue.current()) session_.openMap(catalogue.current()->key);
+  if (nothing_sent && catalogue.current()) {
+    for (const session::LoggedProblem& row : session_.problems().rows()) {
+      live_map_broken_ |= !row.resolved && row.problem.subject.starts_with("Topic /map");
+    }
+    notes_ << (live_map_broken_
+                   ? QStringLiteral(
+                         "The map that the robot sends cannot be had. Its current stored map is shown.")
+                   : QStringLiteral("The robot sends no map now. Its current stored map is shown."));
+    session_.openMap(catalogue.current()->key);
+  } else if (nothing_sent && !catalogue.loading()) {
+    fail(kRobotError,
+         QStringLiteral("%1: it sends no map now, and none of its stored maps is the current one.")
+             .arg(options_.robot));
+  }
   if (!sends_maps && !options_.map && slot.phase() == session::MapSlot::Phase::Empty &&
       !catalogue.loading() && catalogue.asOf() && catalogue.error().isEmpty()) {
     fail(kRobotError,
@@ -219,7 +232,7 @@ bool SnapshotRun::everythingIn() const {
 bool SnapshotRun::mapComplete() const {
   const session::MapSlot& slot = session_.wholeMap();
   return slot.cells() && slot.phase() == session::MapSlot::Phase::Ready && slot.cells()->complete() &&
-         !slot.broken();
+         !slot.broken() && !live_map_broken_;
 }
 
 void SnapshotRun::timeOut() {
@@ -350,10 +363,13 @@ void SnapshotRun::finish(int exit_code) {
 QStringList SnapshotRun::warnings() const {
   QStringList all;
   if (!error_.isEmpty()) all << error_;
-  for (const session::LoggedProblem& row : session_.problems().rows()) {
-    if (row.resolved) continue;
-    all << QStringLiteral("%1: %2").arg(QString::fromStdString(row.problem.subject),
-                                        QString::fromStdString(row.problem.sentence));
+  // The gravest first: a terminal shows no more than one.
+  for (const map::Severity severity : {map::Severity::Error, map::Severity::Warning, map::Severity::Info}) {
+    for (const session::LoggedProblem& row : session_.problems().rows()) {
+      if (row.resolved || row.problem.severity != severity) continue;
+      all << QStringLiteral("%1: %2").arg(QString::fromStdString(row.problem.subject),
+                                          QString::fromStdString(row.problem.sentence));
+    }
   }
   return all + notes_;
 }

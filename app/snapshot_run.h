@@ -59,7 +59,7 @@ class SnapshotRun : public QObject {
   geometry::ViewTransform view_;
   double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1;
   bool painting_ = false, done_ = false, complete_ = false, timed_out_ = false;
-  bool whole_asked_ = false;
+  bool whole_asked_ = false, live_map_broken_ = false;
   std::set<QString> topics_awaited_;
   QString error_;
   QStringList notes_;

@@ -11,22 +11,11 @@ namespace {
 constexpr int kStrip = 256;      // rows
 constexpr int kColumns = 2'048;  // of one composed window
 
-/// An observed intensity as the nearest gray level that is known.
-std::array<std::uint8_t, 256> knownGrays() {
-  const raster::CellMeaning& meaning = raster::meaningOf(raster::CellCode::Gray);
+/// Percent occupied of every intensity.
+std::array<std::uint8_t, 256> percents() {
   std::array<std::uint8_t, 256> table{};
-  for (int gray = 0; gray < 256; ++gray) {
-    for (int away = 0; away < 256; ++away) {
-      const int up = gray + away, down = gray - away;
-      if (down >= 0 && meaning.known[std::size_t(down)]) {
-        table[std::size_t(gray)] = std::uint8_t(down);
-        break;
-      }
-      if (up < 256 && meaning.known[std::size_t(up)]) {
-        table[std::size_t(gray)] = std::uint8_t(up);
-        break;
-      }
-    }
+  for (int intensity = 0; intensity < 256; ++intensity) {
+    table[std::size_t(intensity)] = std::uint8_t(std::lround((1.0 - intensity / 255.0) * 100.0));
   }
   return table;
 }
@@ -60,8 +49,8 @@ tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTextur
   made.reference.resolution_m = resolution_m;
   made.reference.origin = {left * resolution_m, bottom * resolution_m, 0};
   const auto builder =
-      raster::buildGrid(width, height, raster::CellCode::Gray, raster::Reduction::OccupiedWins);
-  const std::array<std::uint8_t, 256> known = knownGrays();
+      raster::buildGrid(width, height, raster::CellCode::Occupancy, raster::Reduction::OccupiedWins);
+  const std::array<std::uint8_t, 256> percent = percents();
 
   PixelGrid window;
   window.origin_m = {left * resolution_m, (bottom + rows) * resolution_m};
@@ -72,7 +61,7 @@ tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTextur
     if (proceed && !proceed(double(row) / height)) return fail("Cancelled.");
     window.first_row = row;
     window.height_px = std::min(kStrip, height - row);
-    strip.assign(std::size_t(width) * std::size_t(window.height_px), raster::kTransparentGray);
+    strip.assign(std::size_t(width) * std::size_t(window.height_px), raster::kUnknownOccupancy);
     for (int column = 0; column < width; column += kColumns) {
       window.first_column = column;
       window.width_px = std::min(kColumns, width - column);
@@ -88,7 +77,7 @@ tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTextur
           const std::size_t from = std::size_t(y) * std::size_t(window.width_px) + std::size_t(x);
           if (pixels.flags[from] == 0) continue;
           strip[std::size_t(y) * std::size_t(width) + std::size_t(column + x)] =
-              known[pixels.intensity[from]];
+              percent[pixels.intensity[from]];
         }
       }
     }

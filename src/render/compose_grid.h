@@ -17,13 +17,11 @@
 namespace mapwright::render {
 
 struct ComposedGrid {
-  std::shared_ptr<const raster::GridPyramid>
-      cells;                     // code Gray: intensity; unknown = raster::kTransparentGray
-  map::GridReference reference;  // unturned
+  std::shared_ptr<const raster::GridPyramid> cells;  // code Occupancy: percent
+  map::GridReference reference;                      // unturned
 };
 
-/// Composes `textures` (ascending ids) exactly at `resolution_m`, over all that they touch. An observed
-/// intensity that would read as unknown (112..143, 205) is kept: the nearest known gray level. Memory: one
+/// Composes `textures` (ascending ids) exactly at `resolution_m`, over all that they touch. Memory: one
 /// strip of 256 rows and the compressed grid. `proceed` gets the part that is done (0..1) and ends the work
 /// by returning false. The error is a sentence. Any thread; one core.
 tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTexture> textures,

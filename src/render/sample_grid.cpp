@@ -170,7 +170,8 @@ Composition emptyRaster(const PixelGrid& grid) {
 
 }  // namespace
 
-Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled) {
+Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
+                       Sampling sampling) {
   if (grid.width_px <= 0 || grid.height_px <= 0) return {};
   Composition pixels = emptyRaster(grid);
   if (!placed.cells || map::whyUnusable(placed.reference) || !(grid.scale_m_per_px > 0) ||
@@ -179,9 +180,11 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
   }
   const GridPyramid& cells = *placed.cells;
   const double zoom = grid.scale_m_per_px / placed.reference.resolution_m;
-  const int level = std::clamp(int(std::floor(std::log2(zoom) + 1e-9)), 0, cells.levels() - 1);
+  // One level finer than would do: then a pixel is at least two cells wide, and what it touches is told well.
+  int level = std::clamp(int(std::floor(std::log2(zoom) + 1e-9)) - 1, 0, cells.levels() - 1);
+  if (sampling == Sampling::Exact && zoom <= kExactCells) level = 0;
   const CellsOfPixels to_cell(grid, placed.reference, level);
-  const bool reduced = to_cell.cells_per_pixel > 1 + 1e-9;
+  const bool reduced = zoom > 1 + 1e-9;
 
   geometry::WorldRect touched;  // in cells
   for (const double x : {0.0, double(grid.width_px)}) {
@@ -201,7 +204,7 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
   const double half = to_cell.cells_per_pixel / 2;
   const double turn = (std::abs(to_cell.per_column.x()) + std::abs(to_cell.per_row.x())) /
                       std::max(to_cell.cells_per_pixel, 1e-300);
-  const double reach = half * std::clamp(turn, 1.0, 1.5);
+  const double reach = sampling == Sampling::Exact ? half : half * std::clamp(turn, 1.0, 1.5);
   std::size_t at = 0;
   for (int row = 0; row < grid.height_px; ++row) {
     if (cancelled && cancelled->load(std::memory_order_relaxed)) return {};

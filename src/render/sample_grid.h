@@ -27,7 +27,14 @@ struct PlacedGrid {
 /// A pixel no larger than a cell shows the cell under its centre. A larger one shows what the cells that it
 /// touches come to by the pyramid's reduction: the highest rank, or the average by area of the known ones.
 /// A grid whose numbers are unusable (map::whyUnusable) gives nothing.
-Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled);
+///
+/// Sampling::View reads from a level of detail, so that what a large pixel touches is rounded up to at most
+/// half a pixel. Sampling::Exact reads the cells themselves where a pixel is at most kExactCells of them
+/// wide, and counts a turned pixel by its middle square.
+enum class Sampling { View, Exact };
+inline constexpr double kExactCells = 64;
+Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
+                       Sampling sampling = Sampling::View);
 
 /// How two maps compare at a pixel; the codes of compareGrids().
 enum class Difference : std::uint8_t {

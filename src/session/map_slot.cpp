@@ -42,6 +42,7 @@ void MapSlot::expect(const map::MapKey& key, const QString& name) {
   key_ = key;
   name_ = name;
   coming_waypoints_.reset();
+  waypoints_awaited_ = false;
   remark_.clear();
   phase_ = Phase::Fetching;
   Q_EMIT changed();

@@ -63,6 +63,9 @@ class MapSlot : public QObject {
   /// it.
   const map::WaypointList& waypoints() const { return waypoints_; }
   void setWaypoints(map::WaypointList waypoints);
+  /// They have been asked for, and neither came nor failed yet.
+  bool waypointsAwaited() const { return waypoints_awaited_; }
+  void awaitWaypoints(bool awaited) { waypoints_awaited_ = awaited; }
 
  Q_SIGNALS:
   void changed();      // phase, name, cells, reference, waypoints
@@ -94,7 +97,7 @@ class MapSlot : public QObject {
   std::shared_ptr<Opened> reading_;                    // opened, not on screen yet or still growing
   std::shared_ptr<std::atomic<bool>> cancelled_;
   quint64 generation_ = 0;
-  bool broken_ = false;
+  bool broken_ = false, waypoints_awaited_ = false;
   QThreadPool pool_;
 };
 

@@ -130,9 +130,11 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     answer ? slot.show(std::move(*answer)) : slot.fail(answer.error());
   });
   if (!robot_->waypointSource()) return;
+  slot.awaitWaypoints(true);
   robot_->waypointSource()->waypoints(
       key, [this, stillWanted, &slot](robot::Answer<map::WaypointList> answer) {
         if (!stillWanted()) return;
+        slot.awaitWaypoints(false);
         answer ? slot.setWaypoints(std::move(*answer)) : report(answer.error());
       });
 }

@@ -22,8 +22,8 @@ namespace {
 
 // Raised whenever docks or tool bars come or go, so that an old state is not forced upon a new layout.
 constexpr int kLayoutVersion = 2;
-constexpr int kLeftPx = 226;
-constexpr int kRightPx = 306;
+constexpr int kLeftPx = 220;
+constexpr int kRightPx = 322;
 constexpr int kBottomPx = 168;
 constexpr int kFramePx = 8, kTitleBarPx = 40;
 

@@ -135,7 +135,9 @@ void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::
 
 void MapRequests::finishPart(const std::shared_ptr<Listing>& listing) {
   if (--listing->open > 0) return;
-  if (listing->failures.size() == 2) {
+  // Mappings alone are worth showing; an empty list where the maps could not be had would be a lie.
+  const bool nothing = listing->maps.empty() && listing->mappings.empty();
+  if (!listing->failures.empty() && (nothing || listing->failures.size() == 2)) {
     map::Problem failure = listing->failures.front();
     failure.severity = map::Severity::Error;
     listing->reply(tl::make_unexpected(std::move(failure)));

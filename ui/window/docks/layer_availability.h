@@ -8,7 +8,8 @@
 
 namespace mapwright::window {
 
-/// Why the robot of `session` can never fill this layer, as a sentence; empty when it can, or without a robot.
+/// Why the robot of `session` can never fill this layer, as a sentence; empty when it can, or without a
+/// robot.
 QString whyLayerStaysEmpty(scene::Layer layer, session::Session* session);
 
 }  // namespace mapwright::window

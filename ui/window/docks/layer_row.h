@@ -21,7 +21,7 @@ class LayerRow : public QFrame {
   scene::Layer layer() const { return layer_; }
   QToolButton* eye() const { return eye_; }
   QSlider* opacity() const { return opacity_; }
-  QToolButton* settings() const { return settings_; }  // null: there is nothing to set
+  QToolButton* settings() const { return settings_; }   // null: there is nothing to set
   LayerStyleEditor* editor() const { return editor_; }  // null until folded out
   /// Shows what the scene says.
   void sync();

@@ -17,8 +17,8 @@ namespace mapwright::window {
 
 class LayerRow;
 
-/// The list reads like the map: what lies on top stands on top. Rows are dragged to another place, or moved by
-/// Ctrl+Up and Ctrl+Down.
+/// The list reads like the map: what lies on top stands on top. Rows are dragged to another place, or moved
+/// by Ctrl+Up and Ctrl+Down.
 class LayersDock : public QDockWidget {
   Q_OBJECT
  public:

@@ -7,8 +7,8 @@
 namespace mapwright::window {
 
 /// Indented by two spaces; short lists stay on one line; strings longer than `longest_string` are cut with a
-/// note of their length. Stops at `limit` characters, with a note. Text that is no JSON comes out as it is, up
-/// to the limit.
+/// note of their length. Stops at `limit` characters, with a note. Text that is no JSON comes out as it is,
+/// up to the limit.
 QString prettyJson(const QByteArray& text, qsizetype limit = 32'768, qsizetype longest_string = 400);
 
 }  // namespace mapwright::window

@@ -18,7 +18,7 @@ struct TopicTally {
   bool binary = false;
   quint64 count = 0;
   qint64 last_bytes = 0;
-  QDateTime last;  // invalid: nothing came yet
+  QDateTime last;   // invalid: nothing came yet
   QByteArray text;  // of the last message, at most TopicLog::kMaxText
   bool cut = false;
   bool asked_for = false;  // enabled by the user

@@ -12,7 +12,16 @@ namespace mapwright::window {
 class TopicsModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { TopicColumn, TypeColumn, CountColumn, RateColumn, BytesRateColumn, SizeColumn, TimeColumn, Columns };
+  enum Column {
+    TopicColumn,
+    TypeColumn,
+    CountColumn,
+    RateColumn,
+    BytesRateColumn,
+    SizeColumn,
+    TimeColumn,
+    Columns
+  };
   static constexpr int kSortRole = Qt::UserRole;
 
   using QAbstractTableModel::QAbstractTableModel;

@@ -83,9 +83,8 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed) {
                                               [&](double done) { return watched(done * kComposePart); });
     if (composed) {
       reference = composed->reference;
-      problem = writeGrid({composed->cells, composed->reference}, request, [&](double done) {
-        return watched(kComposePart + done * (1 - kComposePart));
-      });
+      problem = writeGrid({composed->cells, composed->reference}, request,
+                          [&](double done) { return watched(kComposePart + done * (1 - kComposePart)); });
     } else {
       problem = QString::fromStdString(composed.error());
     }
@@ -113,7 +112,8 @@ void ExportJob::start(ExportRequest request) {
     const ExportResult result = exportMap(request, [&](double done) {
       if (!told.isValid() || told.elapsed() > 50) {
         told.start();
-        QMetaObject::invokeMethod(this, [this, done] { Q_EMIT progressed(done); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, done] { Q_EMIT progressed(done); }, Qt::QueuedConnection);
       }
       return !cancelled->load();
     });

@@ -134,11 +134,11 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
   };
   if (session->robot().submapSource())
     offer(SubmapsAside{}, QStringLiteral("the submaps (they lie on the left)"));
-  if (session->robot().liveTopics())
-    offer(map::MapKey{map::MapKind::Live, {}}, QStringLiteral("Live map"));
+  if (session->robot().liveTopics()) offer(map::MapKey{map::MapKind::Live, {}}, QStringLiteral("Live map"));
   for (const map::CatalogueEntry& entry : session->catalogue().entries()) {
-    QString title = QStringLiteral("%1  (%2)").arg(
-        mapTitle(entry.name).left(60), QString::fromStdString(map::toText(entry.key)).left(30));
+    QString title =
+        QStringLiteral("%1  (%2)")
+            .arg(mapTitle(entry.name).left(60), QString::fromStdString(map::toText(entry.key)).left(30));
     if (entry.is_current) title += QStringLiteral("  current");
     offer(entry.key, title);
   }

@@ -13,7 +13,10 @@
 namespace mapwright::window {
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), label_(new PlainLabel(this)), button_(new QPushButton(this)), close_(new QToolButton(this)) {
+    : QFrame(parent),
+      label_(new PlainLabel(this)),
+      button_(new QPushButton(this)),
+      close_(new QToolButton(this)) {
   setObjectName(QStringLiteral("notice"));
   button_->setObjectName(QStringLiteral("secondary"));
   auto* row = new QHBoxLayout(this);
