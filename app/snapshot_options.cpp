@@ -137,6 +137,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   const auto layers = parseLayers(text(words.layers));
   if (!layers) return wrong(layers.error());
   options.layers = *layers;
+  options.without_submaps = !words.layers.empty() && words.layers != "all" && words.layers != "none" &&
+                            !layers->contains(scene::Layer::Submaps);
   if (words.slice < 0) return wrong(QStringLiteral("--slice must be 0 or more."));
   options.slice = words.slice;
   if (words.colors == "normal")

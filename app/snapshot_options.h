@@ -39,6 +39,7 @@ struct SnapshotOptions {
   QSize size_px;
   double rotation_rad = 0;
   std::set<scene::Layer> layers;  // without Submaps and WholeMap: the mode says which, unless both are named
+  bool without_submaps = false;   // layers were named, and the submaps are not among them
   int slice = 0;
   render::ColorMode colors = render::ColorMode::Normal;
   bool dark = false;

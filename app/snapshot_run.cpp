@@ -292,7 +292,7 @@ void SnapshotRun::paint(bool settled) {
   for (const scene::Layer layer : scene::allLayers()) {
     scene_->setLayerVisible(layer, options_.layers.contains(layer));
   }
-  scene_->setLayerVisible(scene::Layer::Submaps, wantsSubmaps());
+  scene_->setLayerVisible(scene::Layer::Submaps, wantsSubmaps() && !options_.without_submaps);
   scene_->setLayerVisible(scene::Layer::WholeMap, wantsWhole());
   scene_->setView(view_);
   scene_->setSession(&session_);

@@ -31,7 +31,7 @@ struct MapKey {
   auto operator<=>(const MapKey&) const = default;
 };
 
-/// As people type and read it: "12", "mapping:48", "live", "file" (the only one), "office.yaml" (of a folder).
+/// As people type and read it: "12", "mapping:48", "live", "file" (the only one) or a file's name.
 std::string toText(const MapKey& key);
 /// The reverse; "12" is a stored map.
 MapKey mapKeyFromText(const std::string& text);

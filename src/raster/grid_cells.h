@@ -26,7 +26,7 @@ struct CellMeaning {
   std::array<bool, 256> known{};
   std::array<std::uint8_t, 256> intensity{};  // 0 occupied .. 255 free, linear; 128 where unknown
   std::array<std::int8_t, 256> occupancy{};   // -1 unknown, 0..100 percent (rounded)
-  std::array<std::uint8_t, 256> rank{};       // for reducing: unknown 0, free 1, .., occupied 255: the highest wins
+  std::array<std::uint8_t, 256> rank{};       // unknown 0, free 1, .., occupied 255: the highest wins
 };
 const CellMeaning& meaningOf(CellCode code);
 

@@ -1,6 +1,7 @@
 // The program as a script sees it: exit codes, one line on stderr, files.
 #include <QElapsedTimer>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -57,11 +58,13 @@ class CommandLineTest : public QObject {
     QTest::addColumn<QString>("line");
     for (const char* line :
          {"nonsense", "snapshot", "snapshot --output p.png",
-          "snapshot --robot demo: --output p.png --size big",
-          "snapshot --robot aimdk+http://h --output p.png",
+          "snapshot --robot demo: --output p.png --size big", "snapshot --robot kabam+ws://h --output p.png",
           "snapshot --robot demo:?scene=moon --output p.png",
           "snapshot --robot demo: --output /no/such/folder/p.png", "simulate --scene moon",
-          "simulate --drop-rate 2", "snapshot --robot demo: --secret-file /no/such/file --output p.png"}) {
+          "simulate --drop-rate 2", "snapshot --robot demo: --secret-file /no/such/file --output p.png",
+          "maps", "maps list", "maps list --robot /no/such/map.yaml",
+          "maps export --robot demo: --output map.tiff", "maps diff a.yaml b.yaml",
+          "snapshot --robot /no/such/map.yaml --output p.png"}) {
       QTest::newRow(line) << QString::fromLatin1(line);
     }
   }
@@ -90,6 +93,42 @@ class CommandLineTest : public QObject {
     QVERIFY(outcome.out.contains(QStringLiteral("mapwright-demo.png")));
     QVERIFY(outcome.err.contains(QStringLiteral("no display")));
     QVERIFY(QFile::exists(at("mapwright-demo.png")));
+  }
+
+  void mapsAreListedExportedReadBackAndCompared() {
+    const auto maps = [&](const QString& line) { return run(line.split(QLatin1Char(' '))); };
+    const Outcome list = maps(QStringLiteral("maps list --robot demo: --json"));
+    QVERIFY2(list.code == 0, qPrintable(list.err));
+    const QJsonArray rows = QJsonDocument::fromJson(list.out.toUtf8()).array();
+    QVERIFY(rows.size() >= 3);
+    QString current;
+    for (const QJsonValue& row : rows) {
+      if (row.toObject()[QLatin1String("current")].toBool())
+        current = row.toObject()[QLatin1String("id")].toString();
+    }
+    QVERIFY(!current.isEmpty());
+    QVERIFY(maps(QStringLiteral("maps current --robot demo:")).out.startsWith(current));
+
+    const Outcome exported =
+        maps(QStringLiteral("maps export %1 --robot demo: --world-file -o one.yaml").arg(current));
+    QVERIFY2(exported.code == 0, qPrintable(exported.err));
+    QVERIFY(QFile::exists(at("one.pgm")) && QFile::exists(at("one.pgw")));
+    const Outcome again = maps(QStringLiteral("maps export --robot one.yaml -o two.yaml"));
+    QVERIFY2(again.code == 0, qPrintable(again.err));
+    const Outcome same = maps(QStringLiteral("maps diff one.yaml two.yaml --json"));
+    QVERIFY2(same.code == 0, qPrintable(same.err + same.out));
+    QVERIFY(QJsonDocument::fromJson(same.out.toUtf8()).object()[QLatin1String("same")].toBool());
+    const Outcome other = maps(QStringLiteral("maps diff one.yaml submaps --robot demo: --diff d.png"));
+    QVERIFY2(other.code == 1, qPrintable(other.err));
+    QVERIFY(QFile::exists(at("d.png")));
+    QCOMPARE(maps(QStringLiteral("maps show 999 --robot demo:")).code, 4);
+    QCOMPARE(maps(QStringLiteral("snapshot --robot one.yaml --raw --output raw.png --report r.json")).code,
+             0);
+    QFile report(at("r.json"));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QJsonObject json = QJsonDocument::fromJson(report.readAll()).object();
+    QVERIFY(json[QLatin1String("complete")].toBool());
+    QCOMPARE(json[QLatin1String("mode")].toString(), QStringLiteral("whole"));
   }
 
   void simulateServesUntilItIsToldToStopAndSnapshotReadsIt() {
@@ -121,6 +160,15 @@ class CommandLineTest : public QObject {
     one.close();
     QVERIFY(one.open(QIODevice::ReadOnly));
     QCOMPARE(one.readAll(), bytes);
+
+    const QString agibot = ready[QLatin1String("aimdk")].toString();
+    const Outcome listed = run({QStringLiteral("maps"), QStringLiteral("list"), QStringLiteral("--robot"),
+                                agibot, QStringLiteral("--json")});
+    QVERIFY2(listed.code == 0, qPrintable(listed.err));
+    QVERIFY(QJsonDocument::fromJson(listed.out.toUtf8()).array().size() >= 3);
+    const Outcome park = run({QStringLiteral("snapshot"), QStringLiteral("--robot"), agibot,
+                              QStringLiteral("--output"), at("a.png")});
+    QVERIFY2(park.code == 0, qPrintable(park.err));
 
     robot.terminate();
     QVERIFY(robot.waitForFinished(30'000));

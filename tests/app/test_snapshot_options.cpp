@@ -4,6 +4,7 @@
 
 using namespace mapwright;
 using app::parseSnapshotOptions;
+using app::SnapshotMode;
 using app::SnapshotWords;
 
 class SnapshotOptionsTest : public QObject {
@@ -22,7 +23,8 @@ class SnapshotOptionsTest : public QObject {
     QVERIFY(options.has_value());
     QVERIFY(!options->center_m);
     QCOMPARE(options->size_px, QSize(1280, 800));
-    QVERIFY(options->layers.contains(scene::Layer::Submaps) && !options->layers.contains(scene::Layer::Ids));
+    QVERIFY(options->mode == SnapshotMode::Automatic && !options->without_submaps);
+    QVERIFY(options->layers.contains(scene::Layer::Robot) && !options->layers.contains(scene::Layer::Ids));
   }
 
   void everyOptionIsTakenOver() {
@@ -45,6 +47,36 @@ class SnapshotOptionsTest : public QObject {
     QVERIFY(options->dark && options->colors == render::ColorMode::Active);
   }
 
+  void aMapMeansTheWholeMode() {
+    SnapshotWords w = words();
+    w.map = "1764059676131";
+    auto options = parseSnapshotOptions(w);
+    QVERIFY(options && options->mode == SnapshotMode::Whole && options->map->id == "1764059676131");
+    w.mode = "submaps";
+    QVERIFY(!parseSnapshotOptions(w));
+    w.mode = "grid";
+    w.map = "mapping:48";
+    options = parseSnapshotOptions(w);
+    QVERIFY(options && options->mode == SnapshotMode::Whole && options->map->kind == map::MapKind::Mapping);
+  }
+
+  void namedLayersWithoutTheSubmapsHideThem() {
+    SnapshotWords w = words();
+    w.layers = "grid,robot";
+    QVERIFY(parseSnapshotOptions(w)->without_submaps);
+    w.layers = "none";
+    QVERIFY(!parseSnapshotOptions(w)->without_submaps);
+  }
+
+  void aBarePictureTakesItsPlaceFromTheOptions() {
+    SnapshotWords w = words();
+    w.robot = "/maps/floor.png";
+    w.resolution = "0.1";
+    w.origin = "-3,4,0.5";
+    QCOMPARE(parseSnapshotOptions(w)->robot,
+             QStringLiteral("file:/maps/floor.png?resolution=0.1&origin=-3,4,0.5"));
+  }
+
   void wrongWordsAreRefusedWithASentence_data() {
     QTest::addColumn<QString>("option");
     QTest::addColumn<QString>("value");
@@ -63,8 +95,7 @@ class SnapshotOptionsTest : public QObject {
     row("layers", "submaps,moon");
     row("settle", "soon");
     row("settle", "-1");
-    row("mode", "whole");
-    row("map", "3");
+    row("mode", "hologram");
     row("robot", "");
     row("output", "/no/such/folder/p.png");
   }

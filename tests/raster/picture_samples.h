@@ -18,10 +18,10 @@ struct PngRecipe {
   int width = 1, height = 1;
   int depth = 8, colour_type = 0;  // as in IHDR
   bool interlaced = false;
-  int filter = -1;           // -1: all five in turn
+  int filter = -1;                // -1: all five in turn
   std::string palette = {};       // PLTE, when not empty
   std::string transparency = {};  // tRNS, when not empty
-  std::size_t chunk = 1000;  // bytes of an IDAT
+  std::size_t chunk = 1000;       // bytes of an IDAT
   int level = 6;
 };
 

@@ -105,6 +105,13 @@ void MainWindow::createMapActions() {
                   {key("N")}, Reach::MapAndTree,
                   QStringLiteral("Turn the view so that the map's y axis points up")),
      [this] { view_->setRotation(0); });
+  on(actions_.add(kMap, QStringLiteral("robotTurn"), QStringLiteral("Turn as the robot shows i&t"),
+                  QStringLiteral("north"), {}, Reach::Map,
+                  QStringLiteral("Turn the view as this map's robot shows it to people")),
+     [this] {
+       if (const auto rad = session_ ? session_->wholeMap().shown().display_rotation_rad : std::nullopt)
+         view_->setRotation(*rad);
+     });
   on(actions_.add(kMap, QStringLiteral("rotateLeft"), QStringLiteral("Turn &left"),
                   QStringLiteral("rotate-left"), {key("[")}, Reach::Map,
                   QStringLiteral("Turn the view by 15° counter-clockwise")),
@@ -260,6 +267,7 @@ void MainWindow::createMenus() {
                                 "goTo",
                                 "-",
                                 "northUp",
+                                "robotTurn",
                                 "rotateLeft",
                                 "rotateRight",
                                 "-",

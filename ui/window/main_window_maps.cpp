@@ -129,6 +129,12 @@ void MainWindow::refreshMapActions() {
   const bool connected = session_ != nullptr;
   actions_.find(QStringLiteral("compare"))->setEnabled(connected);
   actions_.find(QStringLiteral("export"))->setEnabled(connected);
+  const bool turned = connected && session_->wholeMap().shown().display_rotation_rad.has_value();
+  QAction* turn = actions_.find(QStringLiteral("robotTurn"));
+  turn->setEnabled(turned);
+  turn->setToolTip(plainToolTip(turned
+                                    ? QStringLiteral("Turn the view as this map's robot shows it to people")
+                                    : QStringLiteral("The open map comes without a turn of its own.")));
 }
 
 void MainWindow::compareFile(const QString& path) {
