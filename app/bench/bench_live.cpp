@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QGraphicsView>
 #include <QTimer>
 #include <benchmark/benchmark.h>
@@ -100,10 +101,10 @@ struct Stage {
   }
   ~Stage() { scene.setSession(nullptr); }
   void run(double seconds) {
-    const auto until = Clock::now() + std::chrono::duration<double>(seconds);
-    while (Clock::now() < until) {
-      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 5);
-    }
+    // A loop that sleeps between events: processEvents() with a time limit would spin.
+    QEventLoop loop;
+    QTimer::singleShot(int(seconds * 1000), Qt::PreciseTimer, &loop, &QEventLoop::quit);
+    loop.exec();
   }
 
   scene::MapScene scene{render::TileRenderer::Options{}};

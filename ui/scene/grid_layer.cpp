@@ -42,23 +42,35 @@ std::pair<double, double> gridSteps(double least) {
   return {10 * power, 100 * power};
 }
 
-/// An upright grid line is a strip one pixel wide, copied onto whole pixels: crisp, and quicker than any
-/// line.
-void drawUpright(QPainter& painter, const QList<QLineF>& lines, const QColor& color, const QSizeF& viewport) {
+struct LineSet {
+  QList<QLineF> lines;
+  QColor color;
+};
+
+/// Upright lines on whole pixels: crisp, and quicker than any line. The standing ones are painted into a few
+/// rows of transparent ground that are laid down the viewport one after the other: a strip for each line
+/// would touch a new cache line at every pixel.
+void drawUpright(QPainter& painter, const std::array<LineSet, 3>& sets, const QSizeF& viewport) {
+  constexpr int kRows = 32;
   const qreal ratio = painter.device()->devicePixelRatioF();
   const QSize size = (viewport * ratio).toSize();
-  QImage strip(1, std::max(size.width(), size.height()), QImage::Format_ARGB32_Premultiplied);
-  strip.fill(color);
-  const QImage lying = strip.transformed(QTransform().rotate(90));
+  QImage rows(size.width(), kRows, QImage::Format_ARGB32_Premultiplied);
+  if (rows.isNull()) return;
+  rows.fill(Qt::transparent);
+  QPainter on_rows(&rows);
   painter.save();
   painter.scale(1 / ratio, 1 / ratio);
-  for (const QLineF& line : lines) {
-    const bool standing = std::abs(line.dx()) < std::abs(line.dy());
-    if (standing)
-      painter.drawImage(QPoint(int(std::floor(line.x1() * ratio)), 0), strip);
-    else
-      painter.drawImage(QPoint(0, int(std::floor(line.y1() * ratio))), lying);
+  for (const LineSet& set : sets) {
+    for (const QLineF& line : set.lines) {
+      if (std::abs(line.dx()) < std::abs(line.dy())) {
+        on_rows.fillRect(int(std::floor(line.x1() * ratio)), 0, 1, kRows, set.color);
+      } else {
+        painter.fillRect(0, int(std::floor(line.y1() * ratio)), size.width(), 1, set.color);
+      }
+    }
   }
+  on_rows.end();
+  for (int y = 0; y < size.height(); y += kRows) painter.drawImage(QPoint(0, y), rows);
   painter.restore();
 }
 
@@ -76,36 +88,33 @@ double roundDown125(double value) {
 void GridLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const geometry::ViewTransform& view = context_.view;
   const auto [minor, major] = gridSteps(kMinorSpacingPx * view.scale_m_per_px);
-  QList<QLineF> minor_lines, major_lines, axes;
+  std::array<LineSet, 3> sets{LineSet{{}, context_.theme.grid_minor}, LineSet{{}, context_.theme.grid_major},
+                              LineSet{{}, context_.theme.axis}};
   for (const int axis : {0, 1}) {
-    minor_lines += gridLines(view, minor, axis);
-    major_lines += gridLines(view, major, axis);
+    sets[0].lines += gridLines(view, minor, axis);
+    sets[1].lines += gridLines(view, major, axis);
   }
   const geometry::WorldRect world = view.visibleWorld();
   if (world.min_y <= 0 && world.max_y >= 0) {
-    axes << QLineF(toPoint(view.pixelFromWorld({world.min_x, 0})),
-                   toPoint(view.pixelFromWorld({world.max_x, 0})));
+    sets[2].lines << QLineF(toPoint(view.pixelFromWorld({world.min_x, 0})),
+                            toPoint(view.pixelFromWorld({world.max_x, 0})));
   }
   if (world.min_x <= 0 && world.max_x >= 0) {
-    axes << QLineF(toPoint(view.pixelFromWorld({0, world.min_y})),
-                   toPoint(view.pixelFromWorld({0, world.max_y})));
+    sets[2].lines << QLineF(toPoint(view.pixelFromWorld({0, world.min_y})),
+                            toPoint(view.pixelFromWorld({0, world.max_y})));
   }
-  const std::array<std::pair<const QList<QLineF>*, QColor>, 3> sets{
-      {{&minor_lines, context_.theme.grid_minor},
-       {&major_lines, context_.theme.grid_major},
-       {&axes, context_.theme.axis}}};
   const QSizeF viewport(view.width_px, view.height_px);
   if (view.rotation_rad == 0) {
-    for (const auto& [lines, color] : sets) drawUpright(*painter, *lines, color, viewport);
+    drawUpright(*painter, sets, viewport);
     return;
   }
-  for (const auto& [lines, color] : sets) {
-    if (lines->isEmpty()) continue;
-    QColor opaque = color;
+  for (const LineSet& set : sets) {
+    if (set.lines.isEmpty()) continue;
+    QColor opaque = set.color;
     opaque.setAlpha(255);
-    sheet_.paint(*painter, viewport, color.alphaF(), [&, shown = lines](QPainter& on_sheet) {
+    sheet_.paint(*painter, viewport, set.color.alphaF(), [&](QPainter& on_sheet) {
       on_sheet.setPen(QPen(opaque, 0));
-      on_sheet.drawLines(*shown);
+      on_sheet.drawLines(set.lines);
     });
   }
 }
