@@ -64,7 +64,7 @@ Samples randomSamples(int width, int height, int channels, int depth) {
 
 std::string little(std::uint32_t number, int bytes) {
   std::string text;
-  for (int n = 0; n < bytes; ++n) text.push_back(char(number >> 8 * n));
+  for (int n = 0; n < bytes; ++n, number >>= 8) text.push_back(char(number & 0xff));
   return text;
 }
 

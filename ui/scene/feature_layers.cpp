@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -87,7 +88,7 @@ void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vect
   painter.setBrush(color);
   painter.drawEllipse(at, 5, 5);
   if (!name.isEmpty() && context.view.scale_m_per_px <= kNameFromMPerPx) {
-    drawLabel(painter, at + QPointF(10, -7), name, context.theme, context.theme.text);
+    drawName(painter, context, QRectF(at - QPointF(5, 5), QSizeF(10, 10)), name, context.theme.text);
   }
 }
 
@@ -104,9 +105,9 @@ void DoorsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     painter->drawPolygon(polygon);
     const QString state = shortName(door.state.empty() ? "unknown" : door.state);
     if (context_.view.scale_m_per_px <= kNameFromMPerPx) {
-      drawLabel(*painter, polygon.boundingRect().topRight() + QPointF(4, 0),
-                door.name.empty() ? state : shortName(door.name) + QStringLiteral(": ") + state,
-                context_.theme, context_.theme.text);
+      drawName(*painter, context_, polygon.boundingRect(),
+               door.name.empty() ? state : shortName(door.name) + QStringLiteral(": ") + state,
+               context_.theme.text);
     }
   }
 }
@@ -150,7 +151,7 @@ void LandmarksLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
       if (!landmark.in_use.value_or(true)) painter->setPen(QPen(color, 2));
       painter->drawPolygon(diamond);
       if (context_.view.scale_m_per_px <= kNameFromMPerPx) {
-        drawLabel(*painter, at + QPointF(11, 4), shortName(landmark.id), context_.theme, context_.theme.text);
+        drawName(*painter, context_, diamond.boundingRect(), shortName(landmark.id), context_.theme.text);
       }
     }
   }
@@ -198,7 +199,12 @@ void OverlaysLayer::paintRegion(QPainter& painter, const map::OverlayFeature& fe
                            ? QString::fromStdString(map::kindText(feature.shape, feature.type))
                            : shortName(feature.name);
   if (context_.view.scale_m_per_px <= kNameFromMPerPx && bounds.width() > 60) {
-    drawLabel(painter, bounds.center() - QPointF(3.0 * double(name.size()), -4), name, context_.theme, color);
+    const QFontMetricsF metrics(context_.theme.label_font);
+    QRectF spot(0, 0, metrics.horizontalAdvance(name), metrics.height());
+    spot.moveCenter(bounds.center());
+    if (context_.labels->take({&spot, 1})) {
+      drawLabel(painter, {spot.left(), spot.top() + metrics.ascent()}, name, context_.theme, color);
+    }
   }
 }
 

@@ -1,7 +1,9 @@
 #include "scene/layer_item.h"
 
+#include <array>
 #include <cmath>
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStyleOptionGraphicsItem>
@@ -21,6 +23,28 @@ void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& t
   painter.setPen(QPen(theme.text_halo, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(path);
   painter.fillPath(path, color);
+}
+
+void drawName(QPainter& painter, const LayerContext& context, const QRectF& mark, const QString& name,
+              const QColor& color) {
+  if (name.isEmpty()) return;
+  const QFontMetricsF metrics(context.theme.label_font);
+  const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
+  const auto spot = [&](double center_x, double center_y) {
+    return QRectF(QPointF(center_x - size.width() / 2, center_y - size.height() / 2), size);
+  };
+  const double aside = mark.width() / 2 + 5 + size.width() / 2,
+               over = mark.height() / 2 + 3 + size.height() / 2;
+  const double x = mark.center().x(), y = mark.center().y();
+  const std::array spots{spot(x + aside, y - over / 2),
+                         spot(x + aside, y + over / 2),
+                         spot(x - aside, y - over / 2),
+                         spot(x - aside, y + over / 2),
+                         spot(x, y + over),
+                         spot(x, y - over)};
+  if (const auto taken = context.labels->take(spots)) {
+    drawLabel(painter, {taken->left(), taken->top() + metrics.ascent()}, name, context.theme, color);
+  }
 }
 
 std::vector<QPolygonF> visibleLines(const geometry::ViewTransform& view,

@@ -11,6 +11,7 @@
 #include "geometry/view_transform.h"
 #include "map/live_state.h"
 #include "render/tile_renderer.h"
+#include "scene/label_space.h"
 #include "scene/layer.h"
 #include "scene/map_theme.h"
 
@@ -21,6 +22,7 @@ struct LayerContext {
   geometry::ViewTransform view;  // logical pixels
   MapTheme theme;
   const map::LiveState* live = nullptr;  // never null while items exist; of the session, or an empty one
+  LabelSpace* labels = nullptr;          // never null while items exist; empty at the start of a frame
 };
 
 QPointF toPoint(const Eigen::Vector2d& v);
@@ -28,6 +30,11 @@ QPointF toPoint(const Eigen::Vector2d& v);
 /// Text with a halo, readable on any map.
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
                const QColor& color, bool struck_through = false);
+
+/// A name beside what it names: right of it, else left, below or above, else not at all when other names
+/// leave no room. `mark` is the thing's picture in viewport pixels.
+void drawName(QPainter& painter, const LayerContext& context, const QRectF& mark, const QString& name,
+              const QColor& color);
 
 /// The viewport polyline of world points, without what cannot be seen: points within two pixels of the one
 /// before, and stretches outside the viewport grown by `margin_px` (then there are several polylines).

@@ -41,6 +41,11 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* pare
   setView(view);
 }
 
+void MapScene::drawBackground(QPainter* painter, const QRectF& rect) {
+  impl_->labels.clear();
+  QGraphicsScene::drawBackground(painter, rect);
+}
+
 MapScene::~MapScene() {
   if (session_) session_->disconnect(this);
   clear();  // the items paint with what impl_ holds

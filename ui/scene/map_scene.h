@@ -93,6 +93,9 @@ class MapScene : public QGraphicsScene {
   void tilesSettled();
   void contentChanged();  // another whole map, or its end
 
+ protected:
+  void drawBackground(QPainter* painter, const QRectF& rect) override;
+
  private:
   class Impl;
   void takeLive(int what);

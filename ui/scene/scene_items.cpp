@@ -33,6 +33,7 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
                        const render::TileRenderer::Options& options)
     : order(allLayers()), raster(context, rasterOptions(options), nullptr) {
   context.live = &nothing_live;
+  context.labels = &labels;
   tiles = add(scene, Layer::Submaps, new TileLayer(context, renderer));
   for (const Layer layer : allLayers()) {
     if (RasterLayer* item = raster.item(layer)) add(scene, layer, item);

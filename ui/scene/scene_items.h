@@ -28,6 +28,7 @@ class SceneItems {
   void takeFeatures(const session::Session* session);
 
   LayerContext context;
+  LabelSpace labels;
   map::LiveState nothing_live;
   Outlines outlines;
   std::optional<map::SubmapId> highlighted;

@@ -36,6 +36,8 @@ class Actions : public QObject {
                const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip);
   QAction* addToggle(const QString& menu, const QString& id, const QString& text, const QString& icon_name,
                      const QList<QKeySequence>& shortcuts, Reach reach, const QString& tip);
+  /// Lists an action that something else owns and that has no shortcuts.
+  void list(const QString& menu, QAction* action) { entries_.push_back({menu, action, Reach::Everywhere}); }
   const std::vector<Entry>& entries() const { return entries_; }
   QAction* find(const QString& id) const;  // null = none
 

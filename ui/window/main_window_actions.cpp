@@ -284,7 +284,10 @@ void MainWindow::createMenus() {
       menu(QStringLiteral("&View"), {"modeSubmaps", "modeWhole", "modeBoth", "-", "grid", "showIds",
                                      "showOutlines", "furniture", "-", "colorsNormal", "colorsIncremental",
                                      "colorsActive", "-", "themeLight", "themeDark", "themeSystem", "-"});
-  for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : docks()) {
+    view->addAction(dock->toggleViewAction());
+    actions_.list(kView, dock->toggleViewAction());
+  }
   view->addSeparator();
   for (const char* id : {"filter", "focusMap", "fullScreen", "resetLayout"}) {
     view->addAction(actions_.find(QLatin1String(id)));

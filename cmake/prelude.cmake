@@ -1,0 +1,37 @@
+# Precompiled headers of the libraries that nearly every file reads (Eigen and Qt cost more time than our own code):
+# measured, they halve the time of a full build. No header of ours is in them, so the walls between the rooms stand.
+# Each kind is compiled once; a target takes the widest kind whose libraries it links.
+
+set(PRELUDE_plain
+  <algorithm> <array> <atomic> <cmath> <cstdint> <cstdio> <cstring> <functional> <map> <memory> <mutex> <optional>
+  <set> <span> <string> <string_view> <thread> <unordered_map> <utility> <variant> <vector> <Eigen/Geometry>
+  <tl/expected.hpp>)
+set(PRELUDE_core ${PRELUDE_plain}
+  <QByteArray> <QDateTime> <QDir> <QFile> <QJsonArray> <QJsonDocument> <QJsonObject> <QMetaObject> <QObject>
+  <QPointer> <QString> <QStringList> <QTimer> <QUrl>)
+set(PRELUDE_widgets ${PRELUDE_core}
+  <QAction> <QApplication> <QGraphicsItem> <QGraphicsView> <QImage> <QKeyEvent> <QLabel> <QLineEdit> <QMainWindow>
+  <QPainter> <QPainterPath> <QPushButton> <QSettings> <QStyle> <QToolButton> <QVBoxLayout>)
+set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer>)
+
+set(PRELUDE_LIBRARIES_plain PkgConfig::EIGEN)
+set(PRELUDE_LIBRARIES_core ${PRELUDE_LIBRARIES_plain} Qt6::Core)
+set(PRELUDE_LIBRARIES_widgets ${PRELUDE_LIBRARIES_core} Qt6::Widgets)
+set(PRELUDE_LIBRARIES_test ${PRELUDE_LIBRARIES_widgets} Qt6::Network Qt6::Test)
+
+# Qt Test defines the folder of every test on its command line, and a precompiled header that has seen one folder is
+# refused in the next. Our tests find their data by MAPWRIGHT_TEST_DATA.
+set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
+
+file(WRITE ${CMAKE_BINARY_DIR}/prelude.cpp.in "")
+configure_file(${CMAKE_BINARY_DIR}/prelude.cpp.in ${CMAKE_BINARY_DIR}/prelude.cpp COPYONLY)
+foreach(kind plain core widgets test)
+  add_library(mw_prelude_${kind} OBJECT ${CMAKE_BINARY_DIR}/prelude.cpp)
+  target_link_libraries(mw_prelude_${kind} PRIVATE mw_warnings ${PRELUDE_LIBRARIES_${kind}})
+  target_precompile_headers(mw_prelude_${kind} PRIVATE ${PRELUDE_${kind}})
+  set_target_properties(mw_prelude_${kind} PROPERTIES AUTOMOC OFF)
+endforeach()
+
+function(take_prelude target kind)
+  target_precompile_headers(${target} REUSE_FROM mw_prelude_${kind})
+endfunction()

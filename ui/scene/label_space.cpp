@@ -1,0 +1,33 @@
+#include "scene/label_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mapwright::scene {
+namespace {
+
+constexpr double kBandPx = 32;
+
+int bandOf(double y) { return int(std::floor(std::clamp(y, -1e6, 1e6) / kBandPx)); }
+
+}  // namespace
+
+bool LabelSpace::free(const QRectF& spot) const {
+  for (int band = bandOf(spot.top()); band <= bandOf(spot.bottom()); ++band) {
+    const auto taken = bands_.find(band);
+    if (taken == bands_.end()) continue;
+    for (const QRectF& other : taken->second) {
+      if (other.intersects(spot)) return false;
+    }
+  }
+  return true;
+}
+
+std::optional<QRectF> LabelSpace::take(std::span<const QRectF> spots) {
+  const auto spot = std::find_if(spots.begin(), spots.end(), [this](const QRectF& s) { return free(s); });
+  if (spot == spots.end()) return std::nullopt;
+  for (int band = bandOf(spot->top()); band <= bandOf(spot->bottom()); ++band) bands_[band].push_back(*spot);
+  return *spot;
+}
+
+}  // namespace mapwright::scene
