@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "raster/stand_back.h"
+
 namespace mapwright::raster {
 
 namespace {
@@ -80,6 +82,7 @@ void BandBuilder::finish() {
 }
 
 void BandBuilder::work() {
+  standBack();
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return closed_ || !strips_.empty(); });

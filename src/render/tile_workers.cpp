@@ -2,13 +2,13 @@
 
 #include <QThread>
 
+#include "raster/stand_back.h"
+
 namespace mapwright::render {
 
 TileWorkers::TileWorkers(int threads, std::function<void(std::vector<Outcome>)> receive)
     : receive_(std::move(receive)) {
   pool_.setMaxThreadCount(threads > 0 ? threads : QThread::idealThreadCount());
-  // The GUI thread goes first: a late tile is seen less than a late frame.
-  pool_.setThreadPriority(QThread::LowPriority);
 }
 
 TileWorkers::~TileWorkers() {
@@ -23,6 +23,8 @@ TileWorkers::Ticket TileWorkers::start(Work work) {
   auto cancelled = std::make_shared<std::atomic<bool>>(false);
   running_.emplace(ticket, cancelled);
   pool_.start([this, ticket, cancelled, work = std::move(work)] {
+    // The GUI thread goes first: a late tile is seen less than a late frame.
+    raster::standBack();
     Outcome outcome{ticket, false, {}};
     if (!cancelled->load(std::memory_order_relaxed)) outcome.result = work(*cancelled);
     const std::lock_guard lock(mutex_);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "raster/stand_back.h"
+
 namespace mapwright::session {
 
 LayerGrids::LayerGrids(QObject* parent) : QObject(parent) { pool_.setMaxThreadCount(1); }
@@ -24,6 +26,7 @@ void LayerGrids::take(const map::GridMessage& message) {
 void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
   rows_[kind].busy = true;
   pool_.start([this, kind, generation = generation_, message = std::move(message)] {
+    raster::standBack();
     auto grid = std::make_shared<tl::expected<LayerGrid, std::string>>(LayerGrid{message.grid, {}});
     auto colors = message.png ? raster::decodeColors(message.png, kMaxCells)
                               : tl::make_unexpected(raster::GridError{"It came without a picture."});

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "raster/stand_back.h"
+
 namespace mapwright::session {
 
 struct MapSlot::Opened {
@@ -89,6 +91,7 @@ void MapSlot::start() {
   options.sidecar_folder = sidecar_folder_.toStdString();
   options.fingerprint = source_->fingerprint;
   pool_.start([this, generation = generation_, cancelled = cancelled_, map = *source_, options] {
+    raster::standBack();
     auto opened = std::make_shared<Opened>();
     opened->map = map;
     auto reading = map.bytes ? raster::openGrid(map.bytes, options) : raster::openGridFile(map.path, options);

@@ -5,6 +5,8 @@
 
 #include <QPointer>
 
+#include "raster/stand_back.h"
+
 namespace mapwright::session {
 namespace {
 
@@ -192,6 +194,7 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
       problems_.resolve(subjectOf(key));
       ++decoding_[key.id];
       decode_pool_.start([this, generation = generation_, held = std::move(answer)]() mutable {
+        raster::standBack();
         auto decoded = submap::decode(held);
         QMetaObject::invokeMethod(
             this,

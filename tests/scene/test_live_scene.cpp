@@ -1,4 +1,6 @@
 // Whole maps, live layers, order and comparison, in pixels.
+#include <cmath>
+
 #include <QImage>
 #include <QPainter>
 #include <QSignalSpy>
@@ -197,6 +199,29 @@ class LiveSceneTest : public QObject {
     QVERIFY(scene_->layerOrder().back() == Layer::ScaleBar);
     scene_->setLayerOrder({});
     QCOMPARE(scene_->layerOrder().size(), scene::allLayers().size());
+  }
+
+  void aPartOfThePictureIsPaintedLikeTheWhole() {
+    showOnly({Layer::WholeMap, Layer::Grid, Layer::ScaleBar, Layer::Trail, Layer::Robot});
+    showWhole(254);
+    scene_->setView({{0.033, -0.021}, 0.01, 0, 230, 170});
+    for (int step = 0; step < 40; ++step) {
+      robot_->say(map::TrackedPose{{std::cos(step * 0.3) * 0.8, std::sin(step * 0.3) * 0.6, step * 0.3}});
+    }
+    QTRY_VERIFY(scene_->picturesSettled());
+    const QRect all(0, 0, 230, 170);
+    QImage whole(all.size(), QImage::Format_RGB32), parts(all.size(), QImage::Format_RGB32);
+    whole.fill(Qt::red);
+    parts.fill(Qt::red);
+    QPainter on_whole(&whole), on_parts(&parts);
+    scene_->render(&on_whole, all, all);
+    for (int y = 0; y < all.height(); y += 41) {
+      for (int x = 0; x < all.width(); x += 37) {
+        const QRect part = QRect(x, y, 37, 41) & all;
+        scene_->render(&on_parts, part, part);
+      }
+    }
+    QCOMPARE(parts, whole);
   }
 
   void swipingShowsOneMapOnEachSide() {

@@ -5,6 +5,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
 
 #include "scene/map_layers.h"
 
@@ -50,11 +51,11 @@ struct LineSet {
 /// Upright lines on whole pixels: crisp, and quicker than any line. The standing ones are painted into a few
 /// rows of transparent ground that are laid down the viewport one after the other: a strip for each line
 /// would touch a new cache line at every pixel.
-void drawUpright(QPainter& painter, const std::array<LineSet, 3>& sets, const QSizeF& viewport) {
+void drawUpright(QPainter& painter, const std::array<LineSet, 3>& sets, const QRectF& exposed) {
   constexpr int kRows = 32;
   const qreal ratio = painter.device()->devicePixelRatioF();
-  const QSize size = (viewport * ratio).toSize();
-  QImage rows(size.width(), kRows, QImage::Format_ARGB32_Premultiplied);
+  const QRect seen = QRectF(exposed.topLeft() * ratio, exposed.size() * ratio).toAlignedRect();
+  QImage rows(seen.width(), kRows, QImage::Format_ARGB32_Premultiplied);
   if (rows.isNull()) return;
   rows.fill(Qt::transparent);
   QPainter on_rows(&rows);
@@ -63,14 +64,16 @@ void drawUpright(QPainter& painter, const std::array<LineSet, 3>& sets, const QS
   for (const LineSet& set : sets) {
     for (const QLineF& line : set.lines) {
       if (std::abs(line.dx()) < std::abs(line.dy())) {
-        on_rows.fillRect(int(std::floor(line.x1() * ratio)), 0, 1, kRows, set.color);
-      } else {
-        painter.fillRect(0, int(std::floor(line.y1() * ratio)), size.width(), 1, set.color);
+        on_rows.fillRect(int(std::floor(line.x1() * ratio)) - seen.x(), 0, 1, kRows, set.color);
+      } else if (const int y = int(std::floor(line.y1() * ratio)); y >= seen.top() && y <= seen.bottom()) {
+        painter.fillRect(seen.x(), y, seen.width(), 1, set.color);
       }
     }
   }
   on_rows.end();
-  for (int y = 0; y < size.height(); y += kRows) painter.drawImage(QPoint(0, y), rows);
+  for (int y = seen.top(); y <= seen.bottom(); y += kRows) {
+    painter.drawImage(seen.x(), y, rows, 0, 0, seen.width(), std::min(kRows, seen.bottom() + 1 - y));
+  }
   painter.restore();
 }
 
@@ -85,7 +88,7 @@ double roundDown125(double value) {
   return power;
 }
 
-void GridLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void GridLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const geometry::ViewTransform& view = context_.view;
   const auto [minor, major] = gridSteps(kMinorSpacingPx * view.scale_m_per_px);
   std::array<LineSet, 3> sets{LineSet{{}, context_.theme.grid_minor}, LineSet{{}, context_.theme.grid_major},
@@ -105,7 +108,7 @@ void GridLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
   }
   const QSizeF viewport(view.width_px, view.height_px);
   if (view.rotation_rad == 0) {
-    drawUpright(*painter, sets, viewport);
+    drawUpright(*painter, sets, option->exposedRect & QRectF(QPointF(), viewport));
     return;
   }
   for (const LineSet& set : sets) {

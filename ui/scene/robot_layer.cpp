@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QStyleOptionGraphicsItem>
 
 #include "scene/map_layers.h"
 
@@ -13,7 +14,7 @@ constexpr double kMarkPx = 11;  // half the length of the mark
 
 }  // namespace
 
-void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const auto& trail = context_.live->trail;
   if (trail.size() < 2) return;
   const std::vector<Eigen::Vector2d> points(trail.begin(), trail.end());
@@ -21,7 +22,10 @@ void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setBrush(Qt::NoBrush);
   painter->setPen(QPen(colorOr(context_.theme.trail), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  for (const QPolygonF& line : visibleLines(context_.view, points, width)) painter->drawPolyline(line);
+  for (const QPolygonF& line : visibleLines(context_.view, points, width)) {
+    const QRectF stroke = line.boundingRect().adjusted(-width, -width, width, width);
+    if (stroke.intersects(option->exposedRect)) painter->drawPolyline(line);
+  }
 }
 
 QRectF RobotLayer::robotRect() const {

@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
 
 #include "scene/map_layers.h"
 
@@ -24,11 +25,13 @@ QString lengthText(double metres) {
   return trimmed(metres / 1000, metres < 10'000 ? 2 : 1) + QStringLiteral(" km");
 }
 
-void ScaleBarLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void ScaleBarLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   constexpr double kWidestPx = 140, kLeft = 16, kBottom = 16;
   const double length_m = roundDown125(kWidestPx * context_.view.scale_m_per_px);
   const double width = std::round(length_m / context_.view.scale_m_per_px);
   const double y = context_.view.height_px - kBottom;
+  const QRectF frame(kLeft - 8, y - 24, width + 16, 32);
+  if (!option->exposedRect.intersects(frame.adjusted(-2, -2, 2, 2))) return;
   const QString text = lengthText(length_m);
   const QFontMetricsF metrics(context_.theme.label_font);
   painter->setRenderHint(QPainter::Antialiasing);
@@ -36,7 +39,7 @@ void ScaleBarLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
   plate.setAlpha(190);
   painter->setPen(Qt::NoPen);
   painter->setBrush(plate);
-  painter->drawRoundedRect(QRectF(kLeft - 8, y - 24, width + 16, 32), 4, 4);
+  painter->drawRoundedRect(frame, 4, 4);
   painter->setRenderHint(QPainter::Antialiasing, false);
   painter->setPen(QPen(context_.theme.text, 2));
   painter->drawPolyline(QPolygonF{{kLeft, y - 6}, {kLeft, y}, {kLeft + width, y}, {kLeft + width, y - 6}});
