@@ -62,6 +62,10 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
   }
   if (options_.average) session_.wholeMap().setReduction(raster::Reduction::Average);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, &SnapshotRun::look, Qt::QueuedConnection);
+  connect(&session_.wholeMap(), &session::MapSlot::changed, this, [this] {
+    const auto cells = session_.wholeMap().cells();
+    if (first_paint_s_ < 0 && wantsWhole() && cells && cells->rowsReady() > 0) first_paint_s_ = seconds();
+  });
   connect(&session_, &session::Session::submapsPlaced, this, [this] {
     if (first_paint_s_ < 0) first_paint_s_ = seconds();
   });

@@ -125,8 +125,12 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     return;
   }
   const auto stillWanted = [self = QPointer<Session>(this), &slot, key] { return self && slot.key() == key; };
-  robot_->wholeMapSource()->fetch(key, [stillWanted, &slot](robot::Answer<map::WholeMap> answer) {
+  robot_->wholeMapSource()->fetch(key, [this, stillWanted, &slot](robot::Answer<map::WholeMap> answer) {
     if (!stillWanted() || slot.phase() != MapSlot::Phase::Fetching) return;
+    if (answer && answer->bytes) {
+      ++fetches_;
+      bytes_fetched_ += answer->bytes->size();
+    }
     answer ? slot.show(std::move(*answer)) : slot.fail(answer.error());
   });
   if (!robot_->waypointSource()) return;
@@ -151,6 +155,7 @@ void Session::takeGrid(const map::GridMessage& message) {
     return;
   }
   const map::MapKey live{map::MapKind::Live, {}};
+  if (message.png) bytes_fetched_ += message.png->size();
   if (live_wanted_) whole_map_.show(liveMap(message, live_));
   if (compared_map_.key() == live && compared_map_.phase() != MapSlot::Phase::Empty) {
     compared_map_.show(liveMap(message, live_));

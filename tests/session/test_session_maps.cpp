@@ -81,6 +81,8 @@ class SessionMapsTest : public QObject {
     QCOMPARE(session_->wholeMap().name(), QStringLiteral("Map 7"));
     robot_->map_fetches.back().second(FakeRobot::wholeMap("7", 200));
     QTRY_COMPARE(shownGray(), 200);
+    QCOMPARE(session_->counts().fetches, quint64(1));
+    QCOMPARE(session_->counts().bytes_fetched, quint64(session_->wholeMap().source()->bytes->size()));
     robot_->say(liveGrid(0));
     QTest::qWait(50);
     QCOMPARE(shownGray(), 200);

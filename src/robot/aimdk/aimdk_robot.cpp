@@ -37,12 +37,9 @@ void AimdkRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &AimdkLink:
 void AimdkRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::close); }
 
 QString AimdkRobot::limits() const {
-  const QString limits =
-      tr("Read only: Agibot's interface offers no editing; maps and navigation points can be looked at.");
-  const QString pose =
-      has_tf_ ? tr("The robot's live pose over rosbridge (/tf): not yet in this version.")
-              : tr("Where the robot stands is not shown: not yet in this version (rosbridge, /tf).");
-  return limits + QLatin1Char(' ') + pose;
+  const QString pose = has_tf_ ? tr("Its live pose over rosbridge (/tf): not yet in this version.")
+                               : tr("Its live pose: not yet in this version.");
+  return tr("Read only: Agibot's interface offers no editing.") + QLatin1Char(' ') + pose;
 }
 
 void AimdkRobot::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
