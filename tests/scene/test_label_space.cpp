@@ -1,4 +1,5 @@
 #include <array>
+#include <limits>
 
 #include <QtTest>
 
@@ -42,6 +43,11 @@ class LabelSpaceTest : public QObject {
     LabelSpace space;
     const std::array spot{QRectF(1e300, -1e300, 50, 12)};
     QVERIFY(space.take(spot));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const std::array nowhere{QRectF(none, none, 50, 12)};
+    space.take(nowhere);
+    const std::array near{QRectF(0, 0, 50, 12)};
+    QVERIFY(space.take(near));
   }
 };
 

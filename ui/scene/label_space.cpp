@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kBandPx = 32;
 
-int bandOf(double y) { return int(std::floor(std::clamp(y, -1e6, 1e6) / kBandPx)); }
+// A place that is no number lies in the first band: a robot may send one.
+int bandOf(double y) { return y > -1e6 ? int(std::floor(std::min(y, 1e6) / kBandPx)) : int(-1e6 / kBandPx); }
 
 }  // namespace
 
