@@ -130,6 +130,7 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     if (answer && answer->bytes) {
       ++fetches_;
       bytes_fetched_ += answer->bytes->size();
+      touchRows();
     }
     answer ? slot.show(std::move(*answer)) : slot.fail(answer.error());
   });
