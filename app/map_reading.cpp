@@ -103,10 +103,13 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
 void MapReading::warnOfProblems() {
   for (const session::LoggedProblem& row : session_.problems().rows()) {
     if (row.resolved || row.problem.severity == map::Severity::Info) continue;
-    // What concerns the robot as such (no submap list yet) is not what was asked for.
-    if (row.problem.subject.starts_with("Robot ")) continue;
+    // What concerns the robot as such, or a submap list that has not come yet, is not what was asked for.
+    const map::SubjectKind kind = row.problem.subject.kind;
+    if (kind == map::SubjectKind::Robot) continue;
+    if (kind == map::SubjectKind::SubmapList && row.problem.code == map::ProblemCode::Unavailable) continue;
     if (row.problem.severity == map::Severity::Error) complete_ = false;
-    const QString line = text(row.problem.subject) + QStringLiteral(": ") + text(row.problem.sentence);
+    const QString line =
+        text(map::toText(row.problem.subject)) + QStringLiteral(": ") + text(row.problem.sentence);
     if (warned_.insert(line).second) std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(line)));
   }
 }

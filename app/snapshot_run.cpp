@@ -180,7 +180,8 @@ void SnapshotRun::askForWhole() {
                             seconds() - connected_s_ > kLiveMapWithinS;
   if (nothing_sent && catalogue.current()) {
     for (const session::LoggedProblem& row : session_.problems().rows()) {
-      live_map_broken_ |= !row.resolved && row.problem.subject.starts_with("Topic /map");
+      live_map_broken_ |= !row.resolved && row.problem.subject.kind == map::SubjectKind::Topic &&
+                          row.problem.subject.id.starts_with("/map");
     }
     notes_ << (live_map_broken_
                    ? QStringLiteral(
@@ -371,7 +372,7 @@ QStringList SnapshotRun::warnings() const {
   for (const map::Severity severity : {map::Severity::Error, map::Severity::Warning, map::Severity::Info}) {
     for (const session::LoggedProblem& row : session_.problems().rows()) {
       if (row.resolved || row.problem.severity != severity) continue;
-      all << QStringLiteral("%1: %2").arg(QString::fromStdString(row.problem.subject),
+      all << QStringLiteral("%1: %2").arg(QString::fromStdString(map::toText(row.problem.subject)),
                                           QString::fromStdString(row.problem.sentence));
     }
   }

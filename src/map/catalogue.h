@@ -36,6 +36,11 @@ std::string toText(const MapKey& key);
 /// The reverse; "12" is a stored map.
 MapKey mapKeyFromText(const std::string& text);
 
+/// The map as the subject of a problem, called by its name where it is known.
+Subject subjectOf(const MapKey& key, const std::string& name = {});
+/// Its named places likewise.
+Subject placesOf(const MapKey& key, const std::string& name = {});
+
 /// A row of the catalogue. Empty or nullopt where the robot did not say. Names are untrusted plain text.
 struct CatalogueEntry {
   MapKey key;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "map/problem.h"
 
 namespace mapwright::map {
 
@@ -23,6 +24,8 @@ struct SubmapId {
 
 /// "12-3": how a submap is named towards people.
 std::string toText(SubmapId id);
+/// The submap as the subject of a problem, whatever its version.
+Subject subjectOf(SubmapId id);
 
 /// Identity of content. The pose is not part of it.
 struct SubmapKey {

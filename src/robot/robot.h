@@ -151,6 +151,8 @@ class Robot : public QObject {
   void identityChanged();
   void topicReceived(const mapwright::map::TopicMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
+  /// What problemFound() told of is well again.
+  void recovered(const mapwright::map::Recovery& recovery);
   void rawReceived(const mapwright::robot::RawMessage& message);
   /// The list of maps, the current one, or a local file's content may have changed: ask again.
   void mapsChanged();
@@ -160,6 +162,7 @@ class Robot : public QObject {
 
 Q_DECLARE_METATYPE(mapwright::map::TopicMessage)
 Q_DECLARE_METATYPE(mapwright::map::Problem)
+Q_DECLARE_METATYPE(mapwright::map::Recovery)
 Q_DECLARE_METATYPE(mapwright::map::SubmapAnswer)
 Q_DECLARE_METATYPE(mapwright::robot::ConnectionState)
 Q_DECLARE_METATYPE(mapwright::robot::RobotIdentity)

@@ -47,12 +47,16 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
           Row& row = rows_[kind];
           row.busy = false;
           if (auto next = std::exchange(row.next, std::nullopt)) start(kind, std::move(*next));
+          const map::Subject subject{map::SubjectKind::Topic, topic};
+          const bool was_broken = std::exchange(row.broken, !*grid);
           if (*grid) {
-            rows_[kind].shown = std::move(**grid);
+            row.shown = std::move(**grid);
+            if (was_broken) Q_EMIT recovered({subject, map::ProblemCode::Unreadable});
             Q_EMIT changed(kind);
           } else {
-            Q_EMIT problemFound(
-                {map::Severity::Warning, "Topic " + topic, grid->error() + " The picture before it stays."});
+            Q_EMIT problemFound({map::Severity::Warning, subject,
+                                 grid->error() + " The picture before it stays.",
+                                 map::ProblemCode::Unreadable});
           }
         },
         Qt::QueuedConnection);

@@ -36,12 +36,14 @@ class LayerGrids : public QObject {
  Q_SIGNALS:
   void changed(mapwright::map::GridKind kind);
   void problemFound(const mapwright::map::Problem& problem);
+  void recovered(const mapwright::map::Recovery& recovery);
 
  private:
   struct Row {
     std::optional<LayerGrid> shown;
     std::optional<map::GridMessage> next;  // came while one is being decoded
     bool busy = false;
+    bool broken = false;  // the last one could not be shown
   };
   void start(map::GridKind kind, map::GridMessage message);
 

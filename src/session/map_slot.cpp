@@ -26,10 +26,7 @@ MapSlot::~MapSlot() {
   pool_.waitForDone();
 }
 
-QString MapSlot::subject() const {
-  return name_.isEmpty() ? QStringLiteral("Map %1").arg(QString::fromStdString(map::toText(key_)))
-                         : QStringLiteral("Map \"%1\"").arg(name_);
-}
+map::Subject MapSlot::subject() const { return map::subjectOf(key_, name_.toStdString()); }
 
 void MapSlot::cancel() {
   ++generation_;
@@ -76,10 +73,12 @@ void MapSlot::start() {
   broken_ = false;
   phase_ = Phase::Reading;
   if (const auto why = map::whyUnusable(source_->grid)) {
-    fail({map::Severity::Error, subject().toStdString(), *why});
+    fail({map::Severity::Error, subject(), *why, map::ProblemCode::Unreadable});
     return;
   }
-  for (const map::Problem& note : source_->notes) {
+  for (map::Problem note : source_->notes) {
+    note.subject = subject();
+    note.code = map::ProblemCode::Odd;
     Q_EMIT problemFound(note);
     if (note.severity != map::Severity::Info)
       remark_ = remark_.isEmpty() ? QString::fromStdString(note.sentence) : remark_;
@@ -132,12 +131,12 @@ void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& open
   if (generation != generation_) return;
   if (opened->error) {
     auto next = std::exchange(next_, std::nullopt);
-    fail({map::Severity::Error, subject().toStdString(), opened->error->sentence});
+    fail({map::Severity::Error, subject(), opened->error->sentence, map::ProblemCode::Unreadable});
     if (next) show(std::move(*next));
     return;
   }
   for (const std::string& note : opened->notes) {
-    Q_EMIT problemFound({map::Severity::Warning, subject().toStdString(), note});
+    Q_EMIT problemFound({map::Severity::Warning, subject(), note, map::ProblemCode::Odd});
     if (remark_.isEmpty()) remark_ = QString::fromStdString(note);
   }
   reading_ = opened;
@@ -165,9 +164,12 @@ void MapSlot::takeEnd(quint64 generation, const std::optional<raster::GridError>
   broken_ = error.has_value();
   if (error) {
     remark_ = QString::fromStdString(error->sentence);
-    Q_EMIT problemFound({map::Severity::Error, subject().toStdString(), error->sentence});
+    Q_EMIT problemFound({map::Severity::Error, subject(), error->sentence, map::ProblemCode::Unreadable});
   } else if (remark_.isEmpty()) {
-    Q_EMIT resolved(subject());
+    Q_EMIT recovered({subject()});
+  } else {
+    Q_EMIT recovered({subject(), map::ProblemCode::Unavailable});
+    Q_EMIT recovered({subject(), map::ProblemCode::Unreadable});
   }
   if (opened->cells == shown_cells_) {
     Q_EMIT rowsArrived();
@@ -178,7 +180,10 @@ void MapSlot::takeEnd(quint64 generation, const std::optional<raster::GridError>
   if (next_) show(*std::exchange(next_, std::nullopt));
 }
 
-void MapSlot::fail(const map::Problem& problem) {
+void MapSlot::fail(map::Problem problem) {
+  // Whoever found it may call the map otherwise; what recovers later is this slot's map.
+  problem.subject = subject();
+  if (problem.code == map::ProblemCode::Unspecified) problem.code = map::ProblemCode::Unavailable;
   cancel();
   phase_ = Phase::Failed;
   remark_ = QString::fromStdString(problem.sentence);
@@ -211,8 +216,10 @@ double MapSlot::progress() const {
 }
 
 void MapSlot::setWaypoints(map::WaypointList waypoints) {
+  const map::Subject places = map::placesOf(key_, name_.toStdString());
+  Q_EMIT recovered({places});
   for (const std::string& note : waypoints.notes) {
-    Q_EMIT problemFound({map::Severity::Warning, "Navigation points of " + subject().toStdString(), note});
+    Q_EMIT problemFound({map::Severity::Warning, places, note, map::ProblemCode::Odd});
   }
   if (shown_cells_ && shown_.key == key_) {
     waypoints_ = std::move(waypoints);

@@ -32,7 +32,7 @@ class MapSlot : public QObject {
   /// read.
   void show(map::WholeMap map);
   /// It cannot be had. What is shown stays when it is of the same key.
-  void fail(const map::Problem& problem);
+  void fail(map::Problem problem);
   void clear();
   /// How cells become coarser ones; the picture is read again.
   void setReduction(raster::Reduction reduction);
@@ -71,7 +71,7 @@ class MapSlot : public QObject {
   void changed();      // phase, name, cells, reference, waypoints
   void rowsArrived();  // more of cells()
   void problemFound(const mapwright::map::Problem& problem);
-  void resolved(const QString& subject);
+  void recovered(const mapwright::map::Recovery& recovery);
 
  private:
   struct Opened;
@@ -81,7 +81,7 @@ class MapSlot : public QObject {
   void takeEnd(quint64 generation, const std::optional<raster::GridError>& error);
   void put(const std::shared_ptr<Opened>& opened);
   void cancel();
-  QString subject() const;
+  map::Subject subject() const;
 
   QString sidecar_folder_;
   raster::Reduction reduction_ = raster::Reduction::OccupiedWins;

@@ -23,10 +23,6 @@ std::string asSentence(std::string words) {
   return words;
 }
 
-std::string subjectOf(const map::SubmapKey& key) {
-  return "Submap " + map::toText(key.id) + " v" + std::to_string(key.version);
-}
-
 }  // namespace
 
 Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent,
@@ -56,7 +52,10 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
   connect(&problems_timer_, &QTimer::timeout, this, &Session::problemsChanged);
 
   connect(robot_.get(), &robot::Robot::topicReceived, this, &Session::takeTopic);
-  connect(robot_.get(), &robot::Robot::problemFound, this, &Session::report);
+  connect(robot_.get(), &robot::Robot::problemFound, this,
+          [this](const map::Problem& problem) { report(problem); });
+  connect(robot_.get(), &robot::Robot::recovered, this,
+          [this](const map::Recovery& recovery) { recover(recovery); });
   connect(robot_.get(), &robot::Robot::identityChanged, this, &Session::identityChanged);
   connect(robot_.get(), &robot::Robot::connectionChanged, this, &Session::noteConnection);
   wireMaps();
@@ -98,6 +97,7 @@ void Session::noteConnection() {
     if (online) stale_since_.reset();
     was_online_ = online;
     if (online) {
+      if (problems_.resolveAll(map::SubjectKind::Robot, QDateTime::currentDateTime())) tellProblems();
       pump();
       catalogue_.refresh();
       retryMaps();
@@ -112,7 +112,8 @@ void Session::takeTopic(const map::TopicMessage& message) {
     return;
   }
   if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
-    report({map::Severity::Warning, "Topic " + unreadable->topic, unreadable->reason});
+    report({map::Severity::Warning, map::Subject(map::SubjectKind::Topic, unreadable->topic),
+            unreadable->reason, map::ProblemCode::Unreadable});
     return;
   }
   live_ = map::reduce(std::move(live_), message, double(QDateTime::currentMSecsSinceEpoch()) / 1000);
@@ -130,6 +131,7 @@ void Session::takeList(const map::SubmapList& list) {
     scheduler_.setUuid(book_.uuid());
     failure_reasons_.clear();
     decoding_.clear();
+    if (problems_.resolveAll(map::SubjectKind::Submap, QDateTime::currentDateTime())) tellProblems();
   }
   scheduler_.listArrived();
   for (const map::SubmapId id : change.removed) {
@@ -149,6 +151,7 @@ void Session::takeList(const map::SubmapList& list) {
 }
 
 void Session::publish(const submap::BookChange& change) {
+  for (const map::Recovery& recovery : change.recoveries) recover(recovery);
   for (const map::Problem& problem : change.problems) report(problem);
   if (!change.removed.empty()) Q_EMIT submapsRemoved(change.removed);
   if (!change.placed.empty()) Q_EMIT submapsPlaced(change.placed);
@@ -185,13 +188,15 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
       const std::string reason = asSentence(answer.reason);
       failure_reasons_[key.id] = reason;
       const bool missing = answer.outcome == Outcome::NotFound;
-      report({missing ? map::Severity::Warning : map::Severity::Error, subjectOf(key),
-              reason + (missing ? " It will be asked for again at the next version."
-                                : " It will be asked for again.")});
+      report({missing ? map::Severity::Warning : map::Severity::Error, map::subjectOf(key.id),
+              "Version " + std::to_string(key.version) + ": " + reason +
+                  (missing ? " It will be asked for again at the next version."
+                           : " It will be asked for again."),
+              map::ProblemCode::Unavailable});
     }
     if (answer.outcome == Outcome::Ok) {
       failure_reasons_.erase(key.id);
-      problems_.resolve(subjectOf(key));
+      recover({map::subjectOf(key.id), map::ProblemCode::Unavailable});
       ++decoding_[key.id];
       decode_pool_.start([this, generation = generation_, held = std::move(answer)]() mutable {
         raster::standBack();
@@ -216,8 +221,16 @@ void Session::takeDecoded(submap::DecodedSubmap decoded) {
   touchRows();
 }
 
-void Session::report(const map::Problem& problem) {
-  problems_.add(problem, QDateTime::currentDateTime());
+void Session::report(const map::Problem& problem, const QDateTime& at) {
+  problems_.add(problem, at.isValid() ? at : QDateTime::currentDateTime());
+  tellProblems();
+}
+
+void Session::recover(const map::Recovery& recovery, const QDateTime& at) {
+  if (problems_.resolve(recovery, at.isValid() ? at : QDateTime::currentDateTime())) tellProblems();
+}
+
+void Session::tellProblems() {
   if (!problems_timer_.isActive()) problems_timer_.start(kRowsEveryMs);
 }
 

@@ -88,6 +88,9 @@ class Session : public QObject {
   const submap::SubmapBook& book() const { return book_; }
   const ProblemLog& problems() const { return problems_; }
   void clearProblems();
+  /// Something went wrong, or is well again, `at` some time (now, where it is not given).
+  void report(const map::Problem& problem, const QDateTime& at = {});
+  void recover(const map::Recovery& recovery, const QDateTime& at = {});
   /// When live messages stopped (link lost); nullopt while online or never online.
   std::optional<QDateTime> staleSince() const { return stale_since_; }
 
@@ -144,7 +147,7 @@ class Session : public QObject {
   void takeList(const map::SubmapList& list);
   void takeAnswer(map::SubmapAnswer answer);
   void takeDecoded(submap::DecodedSubmap decoded);
-  void report(const map::Problem& problem);
+  void tellProblems();
   void publish(const submap::BookChange& change);
   void pump();
   void noteConnection();
@@ -178,6 +181,7 @@ class Session : public QObject {
   bool live_wanted_ = true;  // the whole map on screen is the one that the robot sends
   bool map_chosen_ = false;  // by the user
   std::map<QString, QStringList> wants_;
+  QStringList wanted_topics_;     // all of them together
   std::set<QString> waited_for_;  // topics that gave nothing in time: their older names are tried too
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, overview_;

@@ -40,14 +40,26 @@ map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& liv
 }  // namespace
 
 void Session::wireMaps() {
-  for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_}) {
-    connect(slot, &MapSlot::problemFound, this, &Session::report);
-    connect(slot, &MapSlot::resolved, this, [this](const QString& subject) {
-      problems_.resolve(subject.toStdString());
-      if (!problems_timer_.isActive()) problems_timer_.start(0);
-    });
+  const auto note = [this](const map::Problem& problem) { report(problem); };
+  const auto forget = [this](const map::Recovery& recovery) { recover(recovery); };
+  for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+    connect(slot, &MapSlot::problemFound, this, note);
+    connect(slot, &MapSlot::recovered, this, forget);
   }
-  connect(&layer_grids_, &LayerGrids::problemFound, this, &Session::report);
+  const map::Subject overview(map::SubjectKind::Overview, {});
+  connect(&overview_, &MapSlot::problemFound, this, [this, overview](map::Problem problem) {
+    problem.subject = overview;
+    report(problem);
+  });
+  connect(&overview_, &MapSlot::changed, this, [this, overview] {
+    // Well, or not needed any more.
+    if (overview_.phase() == MapSlot::Phase::Ready ? overview_.remark().isEmpty()
+                                                   : overview_.phase() == MapSlot::Phase::Empty) {
+      recover({overview});
+    }
+  });
+  connect(&layer_grids_, &LayerGrids::problemFound, this, note);
+  connect(&layer_grids_, &LayerGrids::recovered, this, forget);
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
     catalogue_.refresh();
     if (whole_map_.key().kind == map::MapKind::File && whole_map_.settled()) {
@@ -121,7 +133,8 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
   const QString name = entry ? QString::fromStdString(entry->name) : QString();
   slot.expect(key, name);
   if (!robot_->wholeMapSource()) {
-    slot.fail({map::Severity::Error, "Map " + map::toText(key), "This robot gives no whole maps."});
+    slot.fail({map::Severity::Error, map::subjectOf(key, name.toStdString()),
+               "This robot gives no whole maps.", map::ProblemCode::Unavailable});
     return;
   }
   const auto stillWanted = [self = QPointer<Session>(this), &slot, key] { return self && slot.key() == key; };
@@ -137,10 +150,15 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
   if (!robot_->waypointSource()) return;
   slot.awaitWaypoints(true);
   robot_->waypointSource()->waypoints(
-      key, [this, stillWanted, &slot](robot::Answer<map::WaypointList> answer) {
+      key, [this, stillWanted, &slot,
+            places = map::placesOf(key, name.toStdString())](robot::Answer<map::WaypointList> answer) {
         if (!stillWanted()) return;
         slot.awaitWaypoints(false);
-        answer ? slot.setWaypoints(std::move(*answer)) : report(answer.error());
+        if (answer) {
+          slot.setWaypoints(std::move(*answer));
+        } else {
+          report({answer.error().severity, places, answer.error().sentence, map::ProblemCode::Unavailable});
+        }
       });
 }
 
@@ -203,6 +221,11 @@ void Session::sendWants() {
     }
   }
   all.removeDuplicates();
+  for (const QString& topic : std::as_const(wanted_topics_)) {
+    // Nobody listens to it any more: whether it is readable again will never be known.
+    if (!all.contains(topic)) recover({map::Subject(map::SubjectKind::Topic, topic.toStdString())});
+  }
+  wanted_topics_ = all;
   live->setWanted(all);
   if (may_fall_back && !fallback_timer_.isActive()) fallback_timer_.start(kFallbackAfterMs);
 }

@@ -7,9 +7,7 @@
 namespace mapwright::submap {
 namespace {
 
-std::string describe(map::SubmapId id, std::int32_t version) {
-  return "Submap " + map::toText(id) + " v" + std::to_string(version);
-}
+std::string versionText(std::int32_t version) { return "Version " + std::to_string(version); }
 
 std::string poseProblem(const geometry::Pose3& pose) {
   if (!geometry::toIsometry(pose)) {
@@ -23,17 +21,21 @@ std::string poseProblem(const geometry::Pose3& pose) {
   return {};
 }
 
-/// The list without duplicates: per id the highest version, then the first.
+/// The list without duplicates: per id the highest version, then the first. `twice`: those that were listed
+/// more than once.
 std::map<map::SubmapId, map::SubmapEntry> uniqueEntries(const map::SubmapList& list,
+                                                        std::set<map::SubmapId>& twice,
                                                         std::vector<map::Problem>& problems) {
   std::map<map::SubmapId, map::SubmapEntry> entries;
   for (const map::SubmapEntry& entry : list.entries) {
     const auto [it, added] = entries.try_emplace(entry.id, entry);
     if (added) continue;
-    problems.push_back({map::Severity::Warning, "Submap " + map::toText(entry.id),
+    twice.insert(entry.id);
+    problems.push_back({map::Severity::Warning, map::subjectOf(entry.id),
                         it->second == entry ? "It is listed twice. Counted once."
                                             : "It is listed twice, differently. The highest version with a "
-                                              "usable pose is used."});
+                                              "usable pose is used.",
+                        map::ProblemCode::ListedTwice});
     const auto rank = [](const map::SubmapEntry& e) {
       return std::pair(poseProblem(e.pose).empty(), e.version);
     };
@@ -63,9 +65,15 @@ std::string SubmapRow::corruptReason() const {
 
 BookChange SubmapBook::apply(const map::SubmapList& list) {
   BookChange change;
+  const map::Subject list_subject{map::SubjectKind::SubmapList, {}};
   for (const std::string& sentence : list.rejected) {
-    change.problems.push_back({map::Severity::Warning, "Submap list", sentence});
+    change.problems.push_back({map::Severity::Warning, list_subject, sentence, map::ProblemCode::Odd});
   }
+  if (rows_rejected_ && list.rejected.empty()) {
+    change.recoveries.push_back({list_subject, map::ProblemCode::Odd});
+  }
+  rows_rejected_ = !list.rejected.empty();
+  if (!list_received_) change.recoveries.push_back({list_subject, map::ProblemCode::Unavailable});
   if (list.uuid != uuid_ || !list_received_) {
     change.new_session = true;
     change.set_changed = true;
@@ -76,7 +84,13 @@ BookChange SubmapBook::apply(const map::SubmapList& list) {
   }
   list_received_ = true;
   slam_state_ = list.slam_state;
-  const auto entries = uniqueEntries(list, change.problems);
+  std::set<map::SubmapId> listed_twice;
+  const auto entries = uniqueEntries(list, listed_twice, change.problems);
+  for (const map::SubmapId id : listed_twice_) {
+    if (!listed_twice.contains(id))
+      change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::ListedTwice});
+  }
+  listed_twice_ = std::move(listed_twice);
 
   for (auto it = rows_.begin(); it != rows_.end();) {
     if (entries.contains(it->first)) {
@@ -84,6 +98,7 @@ BookChange SubmapBook::apply(const map::SubmapList& list) {
       continue;
     }
     change.removed.push_back(it->first);
+    change.recoveries.push_back({map::subjectOf(it->first)});
     change.set_changed = true;
     texture_bytes_ -= it->second.texture_bytes;
     backward_lists_.erase(it->first);
@@ -96,9 +111,13 @@ BookChange SubmapBook::apply(const map::SubmapList& list) {
     change.set_changed |= added;
     const std::string problem = poseProblem(entry.pose);
     if (!problem.empty() && problem != row.pose_problem) {
-      change.problems.push_back({map::Severity::Error, describe(id, entry.version),
-                                 "It cannot be placed: " + problem +
-                                     (row.pose_usable ? ". It stays where it was." : ". Shown without it.")});
+      change.problems.push_back({map::Severity::Error, map::subjectOf(id),
+                                 versionText(entry.version) + " cannot be placed: " + problem +
+                                     (row.pose_usable ? ". It stays where it was." : ". Shown without it."),
+                                 map::ProblemCode::Unplaced});
+    }
+    if (problem.empty() && !row.pose_problem.empty()) {
+      change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::Unplaced});
     }
     row.pose_problem = problem;
     const map::SubmapEntry before = row.entry;
@@ -110,15 +129,18 @@ BookChange SubmapBook::apply(const map::SubmapList& list) {
     if (entry.version < row.shown_version) {
       const int lists = ++backward_lists_[id];
       if (!row.stale_texture) {
-        change.problems.push_back({map::Severity::Warning, describe(id, entry.version),
+        change.problems.push_back({map::Severity::Warning, map::subjectOf(id),
                                    "Its version went back from " + std::to_string(row.shown_version) +
-                                       ". The newer picture stays unless the robot insists."});
+                                       " to " + std::to_string(entry.version) +
+                                       ". The newer picture stays unless the robot insists.",
+                                   map::ProblemCode::VersionWentBack});
       }
       row.stale_texture = true;
       if (lists == kBackwardLists) change.restarted.push_back(id);
     } else {
       backward_lists_.erase(id);
-      row.stale_texture = false;
+      if (std::exchange(row.stale_texture, false))
+        change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::VersionWentBack});
     }
 
     const bool looks_different = row.entry.pose != before.pose || entry.is_frozen != before.is_frozen ||
@@ -138,16 +160,20 @@ BookChange SubmapBook::commit(DecodedSubmap decoded) {
   const bool insisted = backward != backward_lists_.end() && backward->second >= kBackwardLists;
   if (decoded.version < row.shown_version && !insisted) return change;
   row.shown_version = decoded.version;
-  row.stale_texture = false;
+  if (std::exchange(row.stale_texture, false))
+    change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::VersionWentBack});
   backward_lists_.erase(decoded.key.id);
   texture_bytes_ -= row.texture_bytes;
   row.slices = std::move(decoded.slices);
   row.texture_bytes = bytesOf(row.slices);
   texture_bytes_ += row.texture_bytes;
   if (const std::string reason = row.corruptReason(); !reason.empty()) {
-    change.problems.push_back(
-        {map::Severity::Error, describe(decoded.key.id, decoded.version),
-         reason + ". Shown without it. It will be asked for again at the next version."});
+    change.problems.push_back({map::Severity::Error, map::subjectOf(decoded.key.id),
+                               versionText(decoded.version) + ": " + reason +
+                                   ". Shown without it. It will be asked for again at the next version.",
+                               map::ProblemCode::Unreadable});
+  } else {
+    change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::Unreadable});
   }
   change.placed.push_back(decoded.key.id);
   return change;

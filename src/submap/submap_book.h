@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,7 @@ struct BookChange {
   std::vector<map::SubmapId> removed;
   std::vector<map::SubmapId> restarted;  // version went back for good: forget what was fetched
   std::vector<map::Problem> problems;
+  std::vector<map::Recovery> recoveries;  // what was wrong before and is well now
 };
 
 /// Where one slice lies.
@@ -102,6 +104,8 @@ class SubmapBook {
   bool list_received_ = false;
   Rows rows_;
   std::map<map::SubmapId, int> backward_lists_;
+  std::set<map::SubmapId> listed_twice_;
+  bool rows_rejected_ = false;
   std::size_t texture_bytes_ = 0;
 };
 

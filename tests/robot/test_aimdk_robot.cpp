@@ -128,6 +128,14 @@ class AimdkRobotTest : public QObject {
         answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) { robot_->mapCatalogue()->list(reply); });
     QCOMPARE(entries->size(), std::size_t(2));
     QCOMPARE(problems.size(), 1);
+    QSignalSpy recovered(robot_.get(), &Robot::recovered);
+    server_->serve(kCurrent, "{\"data\":{\"map_id\":\"17\"}}");
+    QVERIFY(answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) {
+              robot_->mapCatalogue()->list(reply);
+            }).has_value());
+    QCOMPARE(recovered.size(), 1);
+    QCOMPARE(recovered.first().first().value<map::Recovery>().subject,
+             problems.first().first().value<map::Problem>().subject);
   }
 
   void aMapAndItsPointsCome() {
@@ -162,7 +170,7 @@ class AimdkRobotTest : public QObject {
       robot_->wholeMapSource()->fetch({map::MapKind::Stored, "17"}, reply);
     });
     QVERIFY(!map.has_value());
-    QCOMPARE(map.error().subject, std::string("Map 17"));
+    QCOMPARE(map::toText(map.error().subject), std::string("Map 17"));
     QVERIFY(map.error().sentence.find("boom") != std::string::npos);
     QVERIFY(!answerTo<map::WaypointList>([&](auto reply) {
                robot_->waypointSource()->waypoints({map::MapKind::Stored, "x y"}, reply);

@@ -40,6 +40,7 @@ class AxbotRobotTest : public QObject {
   std::unique_ptr<QTemporaryDir> cache_;
   std::unique_ptr<AxbotRobot> robot_;
   std::vector<map::Problem> problems_;
+  std::vector<map::Recovery> recoveries_;
   std::vector<map::TopicMessage> messages_;
 
   void makeRobot(const QString& prefix = {}) {
@@ -53,6 +54,8 @@ class AxbotRobotTest : public QObject {
     robot_ = std::make_unique<AxbotRobot>(QStringLiteral("axbot+test"), options);
     connect(robot_.get(), &Robot::problemFound, this,
             [this](const map::Problem& p) { problems_.push_back(p); });
+    connect(robot_.get(), &Robot::recovered, this,
+            [this](const map::Recovery& r) { recoveries_.push_back(r); });
     connect(robot_.get(), &Robot::topicReceived, this,
             [this](const map::TopicMessage& m) { messages_.push_back(m); });
   }
@@ -69,6 +72,10 @@ class AxbotRobotTest : public QObject {
       if (const T* one = std::get_if<T>(&message)) found = one;
     }
     return found;
+  }
+  bool recovered(map::SubjectKind kind, const char* id) const {
+    return std::any_of(recoveries_.begin(), recoveries_.end(),
+                       [&](const auto& one) { return one.subject == map::Subject(kind, id); });
   }
   void sendMapV2(const QByteArray& url) {
     server_->send(
@@ -89,6 +96,7 @@ class AxbotRobotTest : public QObject {
     cache_ = std::make_unique<QTemporaryDir>();
     server_ = std::make_unique<ScriptedRobot>();
     problems_.clear();
+    recoveries_.clear();
     messages_.clear();
     makeRobot();
   }
@@ -116,6 +124,72 @@ class AxbotRobotTest : public QObject {
     QCOMPARE(last<map::UnreadableMessage>()->topic, std::string("/map_v2"));
     QVERIFY(last<map::UnreadableMessage>()->reason.find("404") != std::string::npos);
     QVERIFY(last<map::UnreadableMessage>()->reason.find("hush") == std::string::npos);
+  }
+
+  void aTopicThatCanBeReadAgainIsTold_data() {
+    QTest::addColumn<QByteArray>("topic");
+    QTest::addColumn<QByteArray>("broken");
+    QTest::addColumn<QByteArray>("well");
+    const auto row = [](const char* topic, const char* broken, const char* well) {
+      QTest::newRow(topic) << QByteArray(topic) << QByteArray(broken) << QByteArray(well);
+    };
+    row("/map_v2",
+        R"({"topic":"/map_v2","resolution":0.05,"size":[3,2],"origin":[1,2],"data_url":"gone.png"})",
+        R"({"topic":"/map_v2","resolution":0.05,"size":[3,2],"origin":[1,2],"data_url":"a.png"})");
+    row("/submap_list", R"({"topic":"/submap_list","submap":7})",
+        R"({"topic":"/submap_list","uuid":"u","submap":[]})");
+    row("/tracked_pose", R"({"topic":"/tracked_pose","pos":"none"})",
+        R"({"topic":"/tracked_pose","pos":[1,2],"ori":0})");
+    row("/scan_matched_points2", R"({"topic":"/scan_matched_points2"})",
+        R"({"topic":"/scan_matched_points2","points":[[1,2,0]]})");
+    row("(unknown)", "]garbage[", R"({"topic":"/tracked_pose","pos":[1,2],"ori":0})");
+  }
+  void aTopicThatCanBeReadAgainIsTold() {
+    QFETCH(QByteArray, topic);
+    QFETCH(QByteArray, broken);
+    QFETCH(QByteArray, well);
+    server_->serve("/a.png", png());
+    connectRobot();
+    server_->send(well);
+    server_->send(broken);
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::UnreadableMessage>() != nullptr, kPatienceMs);
+    QCOMPARE(last<map::UnreadableMessage>()->topic, topic.toStdString());
+    QVERIFY2(!recovered(map::SubjectKind::Topic, topic), "nothing was wrong before");
+    server_->send(well);
+    QTRY_VERIFY_WITH_TIMEOUT(recovered(map::SubjectKind::Topic, topic), kPatienceMs);
+  }
+
+  void aBinaryTopicThatCanBeReadAgainIsTold() {
+    connectRobot();
+    ros_messages::RosMessageWrapper wrapper;
+    wrapper.mutable_submap_list()->set_uuid("u");
+    const QByteArray head = QByteArray("\x0c/submap_list") + '\0';
+    server_->sendBinary(head + "garbage");
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::UnreadableMessage>() != nullptr, kPatienceMs);
+    server_->sendBinary(head + QByteArray::fromStdString(wrapper.SerializeAsString()));
+    QTRY_VERIFY_WITH_TIMEOUT(recovered(map::SubjectKind::Topic, "/submap_list"), kPatienceMs);
+  }
+
+  void aPartOfTheListThatCanBeHadAgainIsTold() {
+    server_->serve("/maps/", R"([{"id":1},{"uid":"no id"}])");
+    server_->answers["/mappings/"] = ScriptedRobot::reply(500, "oops");
+    server_->answers["/chassis/current-map"] = ScriptedRobot::reply(500, "oops");
+    QVERIFY(list().has_value());
+    QCOMPARE(problems_.size(), std::size_t(3));
+    for (const map::Problem& problem : problems_) {
+      QVERIFY(problem.subject.kind == map::SubjectKind::Catalogue);
+      QVERIFY(problem.code != map::ProblemCode::Unspecified);
+    }
+    QVERIFY(!recovered(map::SubjectKind::Catalogue, "Mappings"));
+    server_->serve("/maps/", R"([{"id":1}])");
+    server_->serve("/mappings/", "[]");
+    server_->answers.remove("/chassis/current-map");  // there is none: that is an answer too
+    recoveries_.clear();
+    QVERIFY(list().has_value());
+    for (const char* part : {"Maps", "Mappings", "Current map"}) {
+      QVERIFY2(recovered(map::SubjectKind::Catalogue, part), part);
+    }
+    QCOMPARE(problems_.size(), std::size_t(3));
   }
 
   void picturesThatMayBeKeptAreFetchedOnce() {
@@ -199,7 +273,7 @@ class AxbotRobotTest : public QObject {
     const auto entries = list();
     QCOMPARE(entries->size(), std::size_t(1));
     QCOMPARE(problems_.size(), std::size_t(1));
-    QCOMPARE(problems_[0].subject, std::string("Mappings"));
+    QCOMPARE(map::toText(problems_[0].subject), std::string("Mappings"));
   }
 
   void noListAtAllIsAnError() {
@@ -256,7 +330,7 @@ class AxbotRobotTest : public QObject {
       server_->serve("/maps/7", "{\"id\":7," + members + "}");
       const auto map = fetch({map::MapKind::Stored, "7"});
       QVERIFY(!map.has_value());
-      QCOMPARE(map.error().subject, std::string("Map 7"));
+      QCOMPARE(map::toText(map.error().subject), std::string("Map 7"));
     }
     QVERIFY(!fetch({map::MapKind::Stored, "404"}).has_value());
     QVERIFY(!fetch({map::MapKind::Live, {}}).has_value());

@@ -3,35 +3,150 @@
 #include "session/problem_log.h"
 
 using namespace mapwright;
+using map::ProblemCode;
+using map::Severity;
+using map::Subject;
+using map::SubjectKind;
 using session::ProblemLog;
 
 class ProblemLogTest : public QObject {
   Q_OBJECT
  private:
   const QDateTime noon_ = QDateTime(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
-  static map::Problem problem(int i) {
-    return {map::Severity::Error, "Submap " + std::to_string(i), "It is gone."};
+  static Subject submap(int i) { return {SubjectKind::Submap, std::to_string(i)}; }
+  static map::Problem problem(int i, ProblemCode code = ProblemCode::Unavailable) {
+    return {Severity::Error, submap(i), "It is gone.", code};
   }
+  QDateTime after(int s) const { return noon_.addSecs(s); }
 
  private Q_SLOTS:
   void equalProblemsAreCounted() {
     ProblemLog log;
     log.add(problem(1), noon_);
-    log.add(problem(1), noon_.addSecs(60));
+    log.add(problem(1), after(60));
     log.add(problem(2), noon_);
     QCOMPARE(log.rows().size(), std::size_t(2));
     QCOMPARE(log.rows()[0].count, 2);
-    QCOMPARE(log.rows()[0].last, noon_.addSecs(60));
+    QCOMPARE(log.rows()[0].first, noon_);
+    QCOMPARE(log.rows()[0].last, after(60));
+  }
+
+  void sentencesThatDifferInNumbersOnlyAreOneRow_data() {
+    QTest::addColumn<QString>("one");
+    QTest::addColumn<QString>("other");
+    QTest::addColumn<bool>("same");
+    const auto row = [](const char* name, const char* one, const char* other, bool same) {
+      QTest::newRow(name) << QString::fromUtf8(one) << QString::fromUtf8(other) << same;
+    };
+    row("whole numbers", "A message of 7 bytes.", "A message of 12345 bytes.", true);
+    row("grouped", "3,200 bytes of 51,200.", "12 bytes of 1,000,000.", true);
+    row("fractions", "0.5 m off.", "12 m off.", true);
+    row("signs", "It lies at -3.5.", "It lies at 3.5.", true);
+    row("exponents", "Off by 1e-05 m.", "Off by 2.5E+7 m.", true);
+    row("versions", "Version v7: no.", "Version v70: no.", true);
+    row("at the end", "It answered 500", "It answered 404", true);
+    row("another word", "Row 7 is odd.", "Row 7 is even.", false);
+    row("one number more", "Row 7 is odd.", "Row 7 8 is odd.", false);
+    row("a dash is no sign", "1-593 is odd.", "1593 is odd.", false);
+    row("a number less", "Row 7 is odd.", "Row is odd.", false);
+    row("not ASCII", "Größe 7", "Größe 8", true);
+  }
+  void sentencesThatDifferInNumbersOnlyAreOneRow() {
+    QFETCH(QString, one);
+    QFETCH(QString, other);
+    QFETCH(bool, same);
+    ProblemLog log;
+    log.add({Severity::Warning, "x", one.toStdString()}, noon_);
+    log.add({Severity::Warning, "x", other.toStdString()}, after(1));
+    QCOMPARE(log.rows().size(), std::size_t(same ? 1 : 2));
+    QCOMPARE(log.rows().back().problem.sentence, other.toStdString());  // the newest numbers
+  }
+
+  void onePerSecondBuriesNothing() {
+    ProblemLog log;
+    log.add(problem(1), noon_);
+    for (int i = 0; i < 2 * int(ProblemLog::kLimit); ++i) {
+      log.add({Severity::Warning, Subject(SubjectKind::Topic, "/x"), std::to_string(i) + " bytes."},
+              after(i));
+    }
+    QCOMPARE(log.rows().size(), std::size_t(2));
+    QCOMPARE(log.rows()[1].count, 2 * int(ProblemLog::kLimit));
+  }
+
+  void subjectsAreToldApartByKindAndIdAlone() {
+    ProblemLog log;
+    log.add({Severity::Error, Subject(SubjectKind::Map, "12"), "No."}, noon_);
+    log.add({Severity::Error, Subject(SubjectKind::Map, "12", "Map \"Hall\""), "No."}, noon_);
+    log.add({Severity::Error, Subject(SubjectKind::Map, "13"), "No."}, noon_);
+    log.add({Severity::Error, Subject(SubjectKind::Submap, "12"), "No."}, noon_);
+    QCOMPARE(log.rows().size(), std::size_t(3));
+    QVERIFY(log.resolve({Subject(SubjectKind::Map, "12", "another name")}, noon_));
+    QCOMPARE(log.unresolved(), 2);
   }
 
   void recoveryResolvesAndARepetitionReopens() {
     ProblemLog log;
     log.add(problem(1), noon_);
     QCOMPARE(log.unresolved(), 1);
-    log.resolve("Submap 1");
+    QVERIFY(log.resolve({submap(1)}, after(1)));
     QCOMPARE(log.unresolved(), 0);
-    log.add(problem(1), noon_);
+    QVERIFY(!log.resolve({submap(1)}, after(2)));
+    QCOMPARE(*log.rows()[0].resolved, after(1));
+    log.add(problem(1), after(3));
     QCOMPARE(log.unresolved(), 1);
+    QVERIFY(!log.rows()[0].resolved);
+  }
+
+  void aSubjectRecoversFromEachTroubleByItself() {
+    ProblemLog log;
+    log.add(problem(1, ProblemCode::Unavailable), noon_);
+    log.add(problem(1, ProblemCode::Unplaced), noon_);
+    QCOMPARE(log.rows().size(), std::size_t(2));
+    QVERIFY(log.resolve({submap(1), ProblemCode::Unplaced}, noon_));
+    QCOMPARE(log.unresolved(), 1);
+    QVERIFY(!log.resolve({submap(1), ProblemCode::Odd}, noon_));
+    QVERIFY(!log.rows()[0].resolved);
+  }
+
+  void everySubjectOfAKindRecoversTogether() {
+    ProblemLog log;
+    for (int i = 0; i < 3; ++i) log.add(problem(i), noon_);
+    log.add({Severity::Error, "else", "No."}, noon_);
+    QVERIFY(log.resolveAll(SubjectKind::Submap, after(5)));
+    QCOMPARE(log.unresolved(), 1);
+    QVERIFY(!log.resolveAll(SubjectKind::Submap, after(6)));
+    log.add(problem(1), after(7));
+    QVERIFY(log.resolve({submap(1)}, after(8)));
+  }
+
+  void theTimeThatItLastedIsKeptWithoutThePausesBetween() {
+    ProblemLog log;
+    log.add(problem(1), noon_);
+    QCOMPARE(log.rows()[0].lastedMs(after(4)), 4'000);
+    log.add(problem(1), after(5));
+    log.resolve({submap(1)}, after(10));
+    QCOMPARE(log.rows()[0].lastedMs(after(999)), 10'000);
+    log.add(problem(1), after(7200));
+    QCOMPARE(log.rows()[0].lastedMs(after(7201)), 11'000);
+    log.resolve({submap(1)}, after(7202));
+    QCOMPARE(log.rows()[0].lastedMs(after(9999)), 12'000);
+    QCOMPARE(log.rows()[0].first, noon_);
+  }
+
+  void spansReadWell_data() {
+    QTest::addColumn<qint64>("ms");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("backwards") << qint64(-5) << QStringLiteral("0 s");
+    QTest::newRow("short") << qint64(420) << QStringLiteral("0.4 s");
+    QTest::newRow("seconds") << qint64(59'999) << QStringLiteral("59 s");
+    QTest::newRow("minutes") << qint64(200'000) << QStringLiteral("3 min 20 s");
+    QTest::newRow("whole minutes") << qint64(180'000) << QStringLiteral("3 min");
+    QTest::newRow("hours") << qint64(7'500'000) << QStringLiteral("2 h 5 min");
+    QTest::newRow("days") << qint64(100) * 3'600'000 << QStringLiteral("4 d 4 h");
+  }
+  void spansReadWell() {
+    QFETCH(qint64, ms);
+    QTEST(session::spanText(ms), "text");
   }
 
   void theLogIsBoundedAndSaysSo() {
@@ -39,13 +154,41 @@ class ProblemLogTest : public QObject {
     for (int i = 0; i < int(ProblemLog::kLimit) + 5; ++i) log.add(problem(i), noon_);
     QCOMPARE(log.rows().size(), ProblemLog::kLimit);
     QCOMPARE(log.forgotten(), std::size_t(5));
-    QVERIFY(log.toText().endsWith(QStringLiteral("5 older problems are not kept.\n")));
+    QVERIFY(log.toText(noon_).endsWith(QStringLiteral("5 older problems are not kept.\n")));
+  }
+
+  void whatIsResolvedIsForgottenFirst() {
+    ProblemLog log;
+    for (int i = 0; i < int(ProblemLog::kLimit); ++i) log.add(problem(i), noon_);
+    log.resolve({submap(1000)}, noon_);
+    log.add(problem(-1), noon_);
+    QCOMPARE(log.unresolved(), int(ProblemLog::kLimit));
+    QCOMPARE(log.rows()[0].problem.subject.id, std::string("0"));
+    QVERIFY(!log.resolve({submap(1000)}, noon_));
+  }
+
+  void rowsKeepTheirNames() {
+    ProblemLog log;
+    for (int i = 0; i < 3; ++i) log.add(problem(i), noon_);
+    const quint64 second = log.rows()[1].row;
+    QVERIFY(second != log.rows()[0].row);
+    log.add(problem(1), after(1));
+    QCOMPARE(log.rows()[1].row, second);
+    log.clear();
+    log.add(problem(1), after(2));
+    QVERIFY(log.rows()[0].row > second);
   }
 
   void theTextHoldsEveryRowAsPlainText() {
     ProblemLog log;
-    log.add({map::Severity::Warning, "<b>x</b>", "Odd."}, noon_);
-    QCOMPARE(log.toText(), QStringLiteral("2026-01-02T12:00:00Z  warning  <b>x</b>: Odd.\n"));
+    log.add({Severity::Warning, "<b>x</b>", "Odd %1."}, noon_);
+    log.add(problem(7), noon_);
+    log.add(problem(7), after(60));
+    log.resolve({submap(7)}, after(90));
+    QCOMPARE(log.toText(after(500)),
+             QStringLiteral("2026-01-02T12:00:00Z  warning  <b>x</b>: Odd %1.\n"
+                            "2026-01-02T12:01:00Z  error  Submap 7: It is gone.  (2 times since "
+                            "2026-01-02T12:00:00Z)  (resolved after 1 min 30 s)\n"));
   }
 };
 

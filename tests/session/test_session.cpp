@@ -193,6 +193,141 @@ class SessionTest : public QObject {
     QVERIFY(session_->settled(1));
   }
 
+  void aSubmapThatFailedRecoversWithItsNextVersion_data() {
+    QTest::addColumn<int>("outcome");
+    QTest::newRow("not there") << int(Outcome::NotFound);
+    QTest::newRow("failed") << int(Outcome::Failed);
+    QTest::newRow("of another session") << int(Outcome::WrongUuid);
+  }
+  void aSubmapThatFailedRecoversWithItsNextVersion() {
+    QFETCH(int, outcome);
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome(outcome));
+    QCOMPARE(session_->problems().unresolved(), 1);
+    now_ += submap::Millis(100'000);
+    robot_->say(listOf({entry(0, 2)}));
+    QCOMPARE(session_->problems().unresolved(), 1);
+    robot_->answer(Outcome::Ok);
+    QCOMPARE(session_->problems().unresolved(), 0);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
+  void aSubmapThatFailsAtEveryVersionIsOneRow() {
+    for (int version = 1; version <= 5; ++version) {
+      robot_->say(listOf({entry(0, version)}));
+      robot_->answer(Outcome::NotFound);
+      now_ += submap::Millis(1'000);
+      robot_->say(listOf({entry(0, version)}));
+    }
+    QCOMPARE(session_->problems().rows().size(), std::size_t(1));
+    QCOMPARE(session_->problems().rows()[0].count, 5);
+    QVERIFY(session_->problems().rows()[0].problem.sentence.starts_with("Version 5: "));
+  }
+
+  void aCorruptPictureRecoversWithTheNextVersion() {
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::Ok, 0, 5, 7);
+    QTRY_COMPARE(session_->counts().corrupt, 1);
+    QCOMPARE(session_->problems().unresolved(), 1);
+    now_ += submap::Millis(1'000);
+    robot_->say(listOf({entry(0, 2)}));
+    robot_->answer(Outcome::Failed);  // the broken one is on screen yet
+    QCOMPARE(session_->problems().unresolved(), 2);
+    now_ += submap::Millis(100'000);
+    robot_->say(listOf({entry(0, 3)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
+  void aSubmapRecoversFromWhatItsListSaidWhenTheListIsFine_data() {
+    QTest::addColumn<int>("trouble");
+    QTest::newRow("no usable pose") << 0;
+    QTest::newRow("listed twice") << 1;
+    QTest::newRow("version went back") << 2;
+    QTest::newRow("rows left out") << 3;
+  }
+  void aSubmapRecoversFromWhatItsListSaidWhenTheListIsFine() {
+    QFETCH(int, trouble);
+    robot_->say(listOf({entry(0, 2)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    auto broken = listOf({entry(0, 2)});
+    if (trouble == 0) broken.entries[0].pose.x = std::nan("");
+    if (trouble == 1) broken.entries.push_back(entry(0, 2, 4));
+    if (trouble == 2) broken.entries[0].version = 1;
+    if (trouble == 3) broken.rejected = {"Row 7 is odd."};
+    robot_->say(broken);
+    QCOMPARE(session_->problems().unresolved(), 1);
+    robot_->say(broken);
+    QCOMPARE(session_->problems().rows().size(), std::size_t(1));
+    robot_->say(listOf({entry(0, 2)}));
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
+  void aSubmapThatLeavesTheListIsNoProblemAnyMore() {
+    auto lost = entry(2, 1);
+    lost.pose.x = std::nan("");
+    robot_->say(listOf({entry(0, 1), entry(1, 1), lost, entry(3, 1), entry(3, 1, 1)}));
+    robot_->answer(Outcome::Failed);
+    robot_->answer(Outcome::NotFound);
+    QCOMPARE(session_->problems().unresolved(), 4);
+    robot_->say(listOf({entry(1, 1), entry(7, 1)}));
+    QCOMPARE(session_->problems().unresolved(), 1);  // 0-1 is still missing
+  }
+
+  void aNewSessionSettlesTheProblemsOfTheOldOne() {
+    auto lost = entry(2, 1);
+    lost.pose.x = std::nan("");
+    robot_->say(listOf({entry(0, 1), entry(1, 1), lost}));
+    robot_->answer(Outcome::Failed);
+    robot_->answer(Outcome::NotFound);
+    QCOMPARE(session_->problems().unresolved(), 3);
+    robot_->say(listOf({entry(0, 1)}, "v"));
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
+  void whatTheRobotTellsToBeWellIsResolved() {
+    QSignalSpy changed(session_.get(), &Session::problemsChanged);
+    const map::Subject topic(map::SubjectKind::Topic, "/x");
+    robot_->say(map::UnreadableMessage{"/x", "It is garbage."});
+    Q_EMIT robot_->problemFound({map::Severity::Warning, topic, "Odd.", map::ProblemCode::Odd});
+    QCOMPARE(session_->problems().unresolved(), 2);
+    Q_EMIT robot_->recovered({topic, map::ProblemCode::Unreadable});
+    QCOMPARE(session_->problems().unresolved(), 1);
+    Q_EMIT robot_->recovered({topic});
+    QCOMPARE(session_->problems().unresolved(), 0);
+    QTRY_VERIFY(!changed.isEmpty());
+  }
+
+  void aTopicThatNobodyWantsAnyMoreIsNoProblem() {
+    robot_->has_topics = true;
+    session_->want(QStringLiteral("layers"), {QStringLiteral("/x"), QStringLiteral("/y")});
+    robot_->say(map::UnreadableMessage{"/x", "It is garbage."});
+    robot_->say(map::UnreadableMessage{"/y", "It is garbage."});
+    session_->want(QStringLiteral("layers"), {QStringLiteral("/y")});
+    QCOMPARE(session_->problems().unresolved(), 1);
+  }
+
+  void aRobotThatIsConnectedAgainHasItsProblemsBehindIt() {
+    robot_->setPhase(robot::ConnectionPhase::Interrupted);
+    Q_EMIT robot_->problemFound(
+        {map::Severity::Error, map::Subject(map::SubjectKind::Robot, "1.2.3.4:8090"), "It is gone."});
+    Q_EMIT robot_->problemFound({map::Severity::Error, "something else", "No."});
+    QCOMPARE(session_->problems().unresolved(), 2);
+    robot_->setPhase(robot::ConnectionPhase::Online);
+    QCOMPARE(session_->problems().unresolved(), 1);
+  }
+
+  void problemsMayBeToldWithTheirTimes() {
+    const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
+    const map::Subject stop(map::SubjectKind::Condition, "emergency stop", "Emergency stop");
+    session_->report({map::Severity::Error, stop, "It is pressed."}, noon);
+    session_->recover({stop}, noon.addSecs(90));
+    QCOMPARE(session_->problems().rows()[0].lastedMs(noon.addSecs(500)), 90'000);
+  }
+
   void unreadableMessagesBecomeProblems() {
     robot_->say(map::UnreadableMessage{"/submap_list", "It is garbage."});
     QCOMPARE(session_->problems().rows().size(), std::size_t(1));

@@ -129,6 +129,76 @@ class SessionMapsTest : public QObject {
     QTRY_COMPARE(shownGray(), 254);
   }
 
+  void aMapThatIsReadWellHasItsProblemsBehindIt_data() {
+    QTest::addColumn<int>("trouble");
+    QTest::newRow("cannot be had") << 0;
+    QTest::newRow("called otherwise by whoever tells") << 1;
+    QTest::newRow("no picture") << 2;
+    QTest::newRow("breaks off") << 3;
+    QTest::newRow("no usable grid") << 4;
+    QTest::newRow("odd") << 5;
+    QTest::newRow("another size") << 6;
+  }
+  void aMapThatIsReadWellHasItsProblemsBehindIt() {
+    QFETCH(int, trouble);
+    make(true, true);
+    goOnline();
+    robot_->answerList({FakeRobot::entry("7")});
+    session_->openMap({map::MapKind::Stored, "7"});
+    map::WholeMap broken = FakeRobot::wholeMap("7");
+    if (trouble == 2) broken.bytes = std::make_shared<const std::string>("garbage");
+    if (trouble == 3) broken.bytes = std::make_shared<const std::string>(broken.bytes->substr(0, 500));
+    if (trouble == 4) broken.grid.resolution_m = 0;
+    if (trouble == 5) broken.notes.push_back({map::Severity::Warning, "Whatever", "It is odd."});
+    if (trouble == 6) broken.grid.width = 77;
+    if (trouble == 0) {
+      robot_->map_fetches[0].second(tl::make_unexpected(
+          map::Problem{map::Severity::Error, map::subjectOf({map::MapKind::Stored, "7"}), "No."}));
+    } else if (trouble == 1) {
+      robot_->map_fetches[0].second(
+          tl::make_unexpected(map::Problem{map::Severity::Error, "That map", "No."}));
+    } else {
+      robot_->map_fetches[0].second(broken);
+    }
+    QTRY_COMPARE(session_->problems().unresolved(), 1);
+    QTRY_VERIFY(session_->wholeMap().settled());
+    // It was given another name meanwhile: it is the same map all the same.
+    session_->openMap({map::MapKind::Stored, "7"});
+    map::WholeMap well = FakeRobot::wholeMap("7");
+    well.name = "Another name";
+    robot_->map_fetches[1].second(well);
+    QTRY_VERIFY(session_->wholeMap().phase() == Phase::Ready);
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
+  void oneMapThatIsWellSaysNothingOfAnother() {
+    make(true, true);
+    goOnline();
+    session_->openMap({map::MapKind::Stored, "7"});
+    robot_->map_fetches[0].second(tl::make_unexpected(map::Problem{map::Severity::Error, "Map", "No."}));
+    session_->openMap({map::MapKind::Stored, "8"});
+    robot_->map_fetches[1].second(FakeRobot::wholeMap("8"));
+    QTRY_VERIFY(session_->wholeMap().phase() == Phase::Ready);
+    QCOMPARE(session_->problems().unresolved(), 1);
+  }
+
+  void navigationPointsRecoverByThemselves() {
+    make(true, true);
+    goOnline();
+    const auto open = [&](std::size_t round) {
+      session_->openMap({map::MapKind::Stored, "7"});
+      robot_->map_fetches[round].second(FakeRobot::wholeMap("7"));
+      QTRY_VERIFY(session_->wholeMap().phase() == Phase::Ready);
+    };
+    open(0);
+    robot_->waypoint_asks[0].second(tl::make_unexpected(map::Problem{map::Severity::Error, "Map 7", "No."}));
+    QCOMPARE(session_->problems().unresolved(), 1);
+    open(1);
+    QCOMPARE(session_->problems().unresolved(), 1);  // the map is well, its points are not
+    robot_->waypoint_asks[1].second(map::WaypointList{});
+    QCOMPARE(session_->problems().unresolved(), 0);
+  }
+
   void navigationPointsComeWithTheMap() {
     make(true, false, false);
     goOnline();
@@ -217,6 +287,8 @@ class SessionMapsTest : public QObject {
     robot_->say(broken);
     QTRY_COMPARE(session_->problems().unresolved(), 1);
     QVERIFY(session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices->at(3, 3) == 9);
+    robot_->say(liveGrid(7, map::GridKind::CostmapLow));
+    QTRY_COMPARE(session_->problems().unresolved(), 0);
   }
 
   void thumbnailsAreAskedForOnceAndAFewAtATime() {

@@ -17,8 +17,10 @@ std::string because(const char* what, const net::HttpAnswer& answer) {
   return what + answer.sentence.toStdString() + ".";
 }
 
-QString subjectOf(const map::MapKey& key) {
-  return QStringLiteral("Map ") + QString::fromStdString(key.id).left(100);
+map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }
+
+map::Problem problem(map::Subject subject, std::string sentence) {
+  return {map::Severity::Error, std::move(subject), std::move(sentence), map::ProblemCode::Unavailable};
 }
 
 }  // namespace
@@ -54,10 +56,6 @@ net::HttpClient::RequestId AimdkLink::call(const char* method, const QByteArray&
   request.timeout = patience;
   request.max_bytes = kMaxAnswerBytes;
   return http_->post(request, std::move(taken));
-}
-
-map::Problem AimdkLink::problem(const QString& subject, const std::string& sentence) const {
-  return {map::Severity::Error, subject.toStdString(), sentence};
 }
 
 void AimdkLink::open() {
@@ -142,13 +140,13 @@ void AimdkLink::enter(ConnectionPhase phase, const QString& reason, std::optiona
 void AimdkLink::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
   call(kMapNames, mapNamesRequest(), options_.patience, [this, reply](const net::HttpAnswer& answer) {
     if (!answer.ok()) {
-      reply(
-          tl::make_unexpected(problem(QStringLiteral("Maps"), because("The list cannot be had: ", answer))));
+      reply(tl::make_unexpected(
+          problem(catalogueSubject("Maps"), because("The list cannot be had: ", answer))));
       return;
     }
     auto maps = parseMapNames(view(answer.body));
     if (!maps) {
-      reply(tl::make_unexpected(problem(QStringLiteral("Maps"), maps.error())));
+      reply(tl::make_unexpected(problem(catalogueSubject("Maps"), maps.error())));
       return;
     }
     call(kCurrentMap, currentMapRequest(), options_.patience,
@@ -156,11 +154,12 @@ void AimdkLink::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
            const auto id = parseCurrentMap(view(current.body));
            if (!current.ok() || !id) {
              map::Problem found = problem(
-                 QStringLiteral("Current map"),
+                 catalogueSubject("Current map"),
                  current.ok() ? id.error() : because("Which map is in use cannot be told: ", current));
              found.severity = map::Severity::Warning;
              Q_EMIT problemFound(found);
            } else {
+             Q_EMIT recovered({catalogueSubject("Current map")});
              for (map::CatalogueEntry& entry : entries)
                entry.is_current = !id->empty() && entry.key.id == *id;
              noteCurrent(*id);
@@ -172,7 +171,8 @@ void AimdkLink::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
 
 void AimdkLink::fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply) {
   if (key.kind != map::MapKind::Stored || key.id.empty()) {
-    reply(tl::make_unexpected(problem(subjectOf(key), "Only stored maps can be asked for, by their id.")));
+    reply(
+        tl::make_unexpected(problem(map::subjectOf(key), "Only stored maps can be asked for, by their id.")));
     return;
   }
   auto& waiting = fetching_[key];
@@ -181,13 +181,13 @@ void AimdkLink::fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply) {
   call(kWholeMap, wholeMapRequest(key.id), options_.map_patience, [this, key](const net::HttpAnswer& answer) {
     Answer<ParsedMap> result = tl::make_unexpected(map::Problem{});
     if (!answer.ok()) {
-      result = tl::make_unexpected(problem(subjectOf(key), because("It cannot be had: ", answer)));
+      result = tl::make_unexpected(problem(map::subjectOf(key), because("It cannot be had: ", answer)));
     } else if (auto parsed = parseWholeMap(view(answer.body), key)) {
       result = std::move(*parsed);
       frame_ = *result;
       frame_->map.bytes.reset();
     } else {
-      result = tl::make_unexpected(problem(subjectOf(key), parsed.error()));
+      result = tl::make_unexpected(problem(map::subjectOf(key), parsed.error()));
     }
     const auto replies = std::move(fetching_.extract(key).mapped());
     for (const auto& waiting_reply : replies) waiting_reply(result);
@@ -208,7 +208,7 @@ void AimdkLink::waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> re
   const auto body = topologyRequest(key.id);
   if (!body || key.kind != map::MapKind::Stored) {
     reply(tl::make_unexpected(
-        problem(subjectOf(key), "Its points cannot be asked for: its id is not a whole number.")));
+        problem(map::placesOf(key), "Its points cannot be asked for: its id is not a whole number.")));
     return;
   }
   if (frame_ && frame_->map.key == key) {
@@ -225,7 +225,8 @@ void AimdkLink::askPoints(const map::MapKey& key, const QByteArray& body, Answer
   call(kTopology, body, options_.patience,
        [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
          if (!answer.ok()) {
-           reply(tl::make_unexpected(problem(subjectOf(key), because("Its points cannot be had: ", answer))));
+           reply(tl::make_unexpected(
+               problem(map::placesOf(key), because("Its points cannot be had: ", answer))));
            return;
          }
          const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
@@ -233,7 +234,7 @@ void AimdkLink::askPoints(const map::MapKey& key, const QByteArray& body, Answer
          if (points) {
            reply(std::move(*points));
          } else {
-           reply(tl::make_unexpected(problem(subjectOf(key), points.error())));
+           reply(tl::make_unexpected(problem(map::placesOf(key), points.error())));
          }
        });
 }

@@ -45,6 +45,7 @@ class AimdkLink : public QObject {
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
   void problemFound(const mapwright::map::Problem& problem);
+  void recovered(const mapwright::map::Recovery& recovery);
   void currentMapChanged();
 
  private:
@@ -60,7 +61,6 @@ class AimdkLink : public QObject {
   void enter(ConnectionPhase phase, const QString& reason = {}, std::optional<int> retry_in_ms = {});
   void askPoints(const map::MapKey& key, const QByteArray& body, AnswerTo<map::WaypointList> reply);
   void fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply);
-  map::Problem problem(const QString& subject, const std::string& sentence) const;
 
   LinkOptions options_;
   std::unique_ptr<net::HttpClient> http_;

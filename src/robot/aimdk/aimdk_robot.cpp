@@ -12,6 +12,7 @@ AimdkRobot::AimdkRobot(QString address, LinkOptions options, QObject* parent)
       link_(new AimdkLink(std::move(options))) {
   qRegisterMetaType<ConnectionState>();
   qRegisterMetaType<map::Problem>();
+  qRegisterMetaType<map::Recovery>();
   identity_.model = QStringLiteral("Agibot (AimDK)");
   link_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("aimdk link"));
@@ -22,6 +23,7 @@ AimdkRobot::AimdkRobot(QString address, LinkOptions options, QObject* parent)
     Q_EMIT connectionChanged();
   });
   connect(link_, &AimdkLink::problemFound, this, &Robot::problemFound);
+  connect(link_, &AimdkLink::recovered, this, &Robot::recovered);
   connect(link_, &AimdkLink::currentMapChanged, this, &Robot::mapsChanged);
   thread_.start();
 }
@@ -60,7 +62,7 @@ void AimdkRobot::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> 
       reply(*found);
     } else {
       reply(tl::make_unexpected(
-          map::Problem{map::Severity::Error, "Map " + key.id.substr(0, 100), "The robot has no such map."}));
+          map::Problem{map::Severity::Error, map::subjectOf(key), "The robot has no such map."}));
     }
   });
 }
@@ -69,7 +71,7 @@ void AimdkRobot::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) 
   QMetaObject::invokeMethod(
       this,
       [key, reply = std::move(reply)] {
-        reply(tl::make_unexpected(map::Problem{map::Severity::Info, "Map " + key.id.substr(0, 100),
+        reply(tl::make_unexpected(map::Problem{map::Severity::Info, map::subjectOf(key),
                                                "The robot offers no small pictures of its maps."}));
       },
       Qt::QueuedConnection);

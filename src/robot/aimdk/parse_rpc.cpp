@@ -168,7 +168,7 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   if (const auto size = wire::pngSize(*picture)) {
     std::tie(whole.grid.width, whole.grid.height) = *size;
     if (*size != std::pair(width, height)) {
-      whole.notes.push_back({map::Severity::Warning, "Map " + asked.id,
+      whole.notes.push_back({map::Severity::Warning, map::subjectOf(asked),
                              "Its picture has " + std::to_string(size->first) + " x " +
                                  std::to_string(size->second) + " cells, but the robot says " +
                                  std::to_string(width) + " x " + std::to_string(height) +

@@ -67,10 +67,13 @@ void AxbotLink::start() {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
   }
   http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
-  maps_ = std::make_unique<MapRequests>(*http_, options_.base,
-                                        [this](const map::Problem& found) { Q_EMIT problemFound(found); });
-  grids_ = std::make_unique<GridFetcher>(
-      *http_, options_.base, [this](map::TopicMessage message) { emitTopic(std::move(message)); });
+  maps_ = std::make_unique<MapRequests>(
+      *http_, options_.base, [this](const map::Problem& found) { Q_EMIT problemFound(found); },
+      [this](const map::Recovery& well) { Q_EMIT recovered(well); });
+  grids_ = std::make_unique<GridFetcher>(*http_, options_.base, [this](map::TopicMessage message) {
+    const auto* grid = std::get_if<map::GridMessage>(&message);
+    emitTopic(grid ? grid->topic : std::string(), std::move(message));
+  });
   clock_.start();
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
   socket_ = std::make_unique<net::WebSocketLink>(
@@ -80,10 +83,11 @@ void AxbotLink::start() {
   subscribe_timer_ = std::make_unique<QTimer>();
   for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get()}) timer->setSingleShot(true);
   connect(list_timer_.get(), &QTimer::timeout, this, [this] {
-    Q_EMIT problemFound(
-        problem(map::Severity::Warning,
-                tr("It has not sent a submap list yet. It may have no SLAM session, or its firmware "
-                   "may not know the topic /submap_list. Still listening.")));
+    Q_EMIT problemFound({map::Severity::Warning, map::Subject(map::SubjectKind::SubmapList, {}),
+                         tr("The robot has not sent one yet. It may have no SLAM session, or its firmware "
+                            "may not know the topic /submap_list. Still listening.")
+                             .toStdString(),
+                         map::ProblemCode::Unavailable});
   });
   connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
     if (topics_confirmed_) return;
@@ -134,8 +138,8 @@ QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const
 }
 
 map::Problem AxbotLink::problem(map::Severity severity, const QString& sentence) const {
-  const QString host = QStringLiteral("Robot %1:%2").arg(options_.base.host()).arg(options_.base.port());
-  return {severity, host.toStdString(), sentence.toStdString()};
+  const QString host = QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port());
+  return {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), sentence.toStdString()};
 }
 
 void AxbotLink::askDeviceInfo() {
@@ -193,7 +197,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
     Q_EMIT rawReceived(rawText(frame.topic, view(utf8)));
   }
   if (frame.message) {
-    emitTopic(std::move(*frame.message));
+    emitTopic(frame.topic, std::move(*frame.message));
   } else if (frame.grid_to_fetch) {
     grids_->fetch(std::move(*frame.grid_to_fetch));
   } else if (frame.enabled_topics) {
@@ -209,10 +213,22 @@ void AxbotLink::takeText(const QByteArray& utf8) {
 void AxbotLink::takeBinary(const QByteArray& bytes) {
   if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
     Q_EMIT rawReceived(rawBinary(view(bytes)));
-  if (auto message = parseBinaryFrame(view(bytes))) emitTopic(std::move(*message));
+  if (auto message = parseBinaryFrame(view(bytes))) {
+    emitTopic(topicOfBinaryFrame(view(bytes)), std::move(*message));
+  }
 }
 
-void AxbotLink::emitTopic(map::TopicMessage message) {
+void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
+  const auto recover = [this](const std::string& name) {
+    if (unreadable_topics_.erase(name) > 0)
+      Q_EMIT recovered({map::Subject(map::SubjectKind::Topic, name), map::ProblemCode::Unreadable});
+  };
+  if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
+    unreadable_topics_.insert(unreadable->topic);
+  } else if (!unreadable_topics_.empty()) {
+    recover(topic);
+    recover(kUnknownTopic);  // whatever it was, messages can be read again
+  }
   if (std::holds_alternative<map::SubmapList>(message)) {
     topics_confirmed_ = true;
     list_timer_->stop();

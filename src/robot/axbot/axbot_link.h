@@ -5,6 +5,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -59,6 +61,7 @@ class AxbotLink : public QObject {
   void mailArrived();  // the mailbox was empty and is no more
   void rawReceived(const mapwright::robot::RawMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
+  void recovered(const mapwright::map::Recovery& recovery);
   void answered(quint64 ticket, const mapwright::map::SubmapAnswer& answer);
 
  private:
@@ -70,7 +73,8 @@ class AxbotLink : public QObject {
   void takeText(const QByteArray& utf8);
   void takeBinary(const QByteArray& bytes);
   void takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket);
-  void emitTopic(map::TopicMessage message);
+  /// `topic` as it was sent, whatever the message became of it.
+  void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
   map::Problem problem(map::Severity severity, const QString& sentence) const;
@@ -79,6 +83,7 @@ class AxbotLink : public QObject {
   std::shared_ptr<TopicMailbox> mailbox_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
+  std::set<std::string> unreadable_topics_;  // whose last message could not be read
   RawLimit raw_limit_;
   QElapsedTimer clock_;
   std::unique_ptr<net::HttpCache> cache_;

@@ -16,6 +16,7 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
   qRegisterMetaType<RobotIdentity>();
   qRegisterMetaType<map::TopicMessage>();
   qRegisterMetaType<map::Problem>();
+  qRegisterMetaType<map::Recovery>();
   qRegisterMetaType<map::SubmapAnswer>();
   qRegisterMetaType<RawMessage>();
   link_->moveToThread(&thread_);
@@ -35,6 +36,7 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
   connect(link_, &AxbotLink::mailArrived, this, &AxbotRobot::takeMail);
   connect(link_, &AxbotLink::rawReceived, this, &Robot::rawReceived);
   connect(link_, &AxbotLink::problemFound, this, &Robot::problemFound);
+  connect(link_, &AxbotLink::recovered, this, &Robot::recovered);
   connect(link_, &AxbotLink::answered, this, [this](quint64 ticket, const map::SubmapAnswer& answer) {
     auto entry = replies_.extract(ticket);
     if (!entry.empty()) entry.mapped()(answer);

@@ -22,8 +22,7 @@ QString pathOf(const map::MapKey& key) { return folderOf(key.kind) + pathSegment
 
 map::Problem problemOf(const map::MapKey& key, const std::string& sentence,
                        map::Severity severity = map::Severity::Error) {
-  const char* what = key.kind == map::MapKind::Mapping ? "Mapping " : "Map ";
-  return {severity, what + key.id.substr(0, 100), sentence};
+  return {severity, map::subjectOf(key), sentence, map::ProblemCode::Unavailable};
 }
 
 std::string because(const char* what, const net::HttpAnswer& answer) {
@@ -61,8 +60,8 @@ struct MapRequests::Fetch {
   }
 };
 
-MapRequests::MapRequests(net::HttpClient& http, QUrl base, Report report)
-    : http_(http), base_(std::move(base)), report_(std::move(report)) {}
+MapRequests::MapRequests(net::HttpClient& http, QUrl base, Report report, Recovered recovered)
+    : http_(http), base_(std::move(base)), report_(std::move(report)), recovered_(std::move(recovered)) {}
 
 void MapRequests::getJson(const QString& path, Taken taken) {
   net::HttpRequest request;
@@ -101,12 +100,15 @@ void MapRequests::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
     finishPart(listing);
   });
   getJson(QStringLiteral("/chassis/current-map"), [this, listing](const net::HttpAnswer& answer) {
+    const map::Subject subject(map::SubjectKind::Catalogue, "Current map");
+    if (answer.ok()) listing->current = parseCurrentMap(view(answer.body));
     // No current map is a 404 with some firmware.
-    if (answer.ok()) {
-      listing->current = parseCurrentMap(view(answer.body));
-    } else if (!unknown(answer) && answer.kind != net::HttpAnswer::Kind::Cancelled) {
-      report_({map::Severity::Warning, "Current map",
-               because("Which map is the current one cannot be told: ", answer)});
+    if (answer.ok() || unknown(answer)) {
+      recovered_({subject});
+    } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
+      report_({map::Severity::Warning, subject,
+               because("Which map is the current one cannot be told: ", answer),
+               map::ProblemCode::Unavailable});
     }
     finishPart(listing);
   });
@@ -114,21 +116,23 @@ void MapRequests::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
 
 void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::MapKind kind) {
   const bool maps = kind == map::MapKind::Stored;
-  const char* subject = maps ? "Maps" : "Mappings";
+  const map::Subject subject(map::SubjectKind::Catalogue, maps ? "Maps" : "Mappings");
   if (!answer.ok()) {
-    listing.failures.push_back(
-        {map::Severity::Warning, subject, because("The list cannot be had: ", answer)});
+    listing.failures.push_back({map::Severity::Warning, subject, because("The list cannot be had: ", answer),
+                                map::ProblemCode::Unavailable});
     return;
   }
   auto rows = parseMapRows(view(answer.body), kind);
   if (!rows) {
-    listing.failures.push_back(
-        {map::Severity::Warning, subject, "The list cannot be read: " + rows.error() + "."});
+    listing.failures.push_back({map::Severity::Warning, subject,
+                                "The list cannot be read: " + rows.error() + ".",
+                                map::ProblemCode::Unreadable});
     return;
   }
+  recovered_({subject});
   if (rows->without_id > 0) {
     report_({map::Severity::Warning, subject,
-             std::to_string(rows->without_id) + " rows without an id were left out."});
+             std::to_string(rows->without_id) + " rows without an id were left out.", map::ProblemCode::Odd});
   }
   (maps ? listing.maps : listing.mappings) = std::move(rows->entries);
 }
@@ -281,7 +285,9 @@ void MapRequests::fetchOverview(double resolution_m, AnswerTo<map::WholeMap> rep
   request.timeout = kOverviewPatience;
   http_.get(request, [resolution_m, reply = std::move(reply)](const net::HttpAnswer& answer) {
     const auto fail = [&](std::string sentence) {
-      reply(tl::make_unexpected(map::Problem{map::Severity::Warning, "Overview", std::move(sentence)}));
+      reply(tl::make_unexpected(map::Problem{map::Severity::Warning,
+                                             map::Subject(map::SubjectKind::Overview, {}),
+                                             std::move(sentence), map::ProblemCode::Unavailable}));
     };
     if (!answer.ok()) return fail(because("The overview of the map cannot be had: ", answer));
     auto overview = parseOverview(view(answer.body), resolution_m);

@@ -19,8 +19,9 @@ namespace mapwright::robot::axbot {
 class MapRequests {
  public:
   using Report = std::function<void(const map::Problem&)>;
+  using Recovered = std::function<void(const map::Recovery&)>;
   /// `http` outlives this object, and calls nobody any more once it is gone itself.
-  MapRequests(net::HttpClient& http, QUrl base, Report report);
+  MapRequests(net::HttpClient& http, QUrl base, Report report, Recovered recovered);
 
   void list(AnswerTo<std::vector<map::CatalogueEntry>> reply);
   void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply);
@@ -48,6 +49,7 @@ class MapRequests {
   net::HttpClient& http_;
   QUrl base_;
   Report report_;
+  Recovered recovered_;
 };
 
 }  // namespace mapwright::robot::axbot

@@ -37,12 +37,17 @@ std::optional<std::string> inflateBounded(std::string_view packed) {
 
 }  // namespace
 
+std::string topicOfBinaryFrame(std::string_view bytes) {
+  const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
+  return bytes.size() < length + 2 ? std::string() : std::string(bytes.substr(1, length));
+}
+
 tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes) {
   const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
   if (bytes.size() < length + 2) {
     return tl::make_unexpected(
-        map::UnreadableMessage{"(unknown)", "A binary message of " + std::to_string(bytes.size()) +
-                                                " bytes is too short to be read. It was left out."});
+        map::UnreadableMessage{kUnknownTopic, "A binary message of " + std::to_string(bytes.size()) +
+                                                  " bytes is too short to be read. It was left out."});
   }
   BinaryFrame frame;
   frame.topic = bytes.substr(1, length);

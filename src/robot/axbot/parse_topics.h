@@ -21,6 +21,9 @@ struct GridToFetch {
   std::string data_url;   // as the robot wrote it
 };
 
+/// Where a message that cannot be read at all is filed.
+inline constexpr const char* kUnknownTopic = "(unknown)";
+
 /// What a text frame was.
 struct TextFrame {
   std::string topic;                         // empty for answers
@@ -50,6 +53,9 @@ struct BinaryFrame {
 };
 /// The error is the message that says what is wrong.
 tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes);
+
+/// Its topic alone; empty when there is none.
+std::string topicOfBinaryFrame(std::string_view bytes);
 
 /// Reads a binary frame. nullopt for topics that are not ours; UnreadableMessage when it cannot be read.
 std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes);

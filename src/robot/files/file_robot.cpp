@@ -120,7 +120,7 @@ QString FileRobot::pathOf(const map::MapKey& key) const {
 map::Problem FileRobot::problem(const map::MapKey& key, std::string sentence, map::Severity severity) const {
   const std::string name =
       key.id.empty() ? QFileInfo(options_.path).fileName().toStdString() : key.id.substr(0, 200);
-  return {severity, "File " + name, std::move(sentence)};
+  return {severity, map::subjectOf(key, name), std::move(sentence), map::ProblemCode::Unavailable};
 }
 
 template <typename T>

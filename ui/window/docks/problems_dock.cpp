@@ -40,6 +40,8 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   header->resizeSection(ProblemsModel::TimeColumn,
                         fontMetrics().horizontalAdvance(QStringLiteral("00:00:00")) + 40);
   header->resizeSection(ProblemsModel::CountColumn, 64);
+  header->resizeSection(ProblemsModel::DurationColumn,
+                        fontMetrics().horizontalAdvance(QStringLiteral("59 min 59 s")) + 16);
   header->resizeSection(ProblemsModel::SubjectColumn, 150);
 
   auto* body = new QWidget(this);
@@ -67,7 +69,9 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   connect(retry_, &QPushButton::clicked, this, &ProblemsDock::retryWanted);
   connect(copy_selected_, &QPushButton::clicked, this, &ProblemsDock::copySelected);
   connect(copy_all_, &QPushButton::clicked, this, [this] {
-    if (session_) Q_EMIT copyWanted(session_->problems().toText(), QStringLiteral("All problems copied"));
+    if (session_)
+      Q_EMIT copyWanted(session_->problems().toText(QDateTime::currentDateTime()),
+                        QStringLiteral("All problems copied"));
   });
   connect(clear_, &QPushButton::clicked, this, [this] {
     if (session_) session_->clearProblems();

@@ -15,8 +15,30 @@ namespace mapwright::window {
 
 namespace {
 
-bool same(const session::LoggedProblem& a, const session::LoggedProblem& b) {
-  return a.problem.subject == b.problem.subject && a.problem.sentence == b.problem.sentence;
+bool same(const session::LoggedProblem& a, const session::LoggedProblem& b) { return a.row == b.row; }
+
+QString subjectText(const session::LoggedProblem& problem) {
+  return QString::fromStdString(map::toText(problem.problem.subject));
+}
+
+/// What lasts has no length yet; what was met once and recovered at once has none worth a word.
+QString durationText(const session::LoggedProblem& problem) {
+  if (!problem.resolved) return {};
+  return session::spanText(problem.lastedMs(*problem.resolved));
+}
+
+QString timesText(const session::LoggedProblem& problem) {
+  const auto at = [](const QDateTime& time) {
+    return QLocale::c().toString(time, QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+  };
+  QString text = problem.count > 1
+                     ? ProblemsModel::tr("First %1, last %2.").arg(at(problem.first), at(problem.last))
+                     : ProblemsModel::tr("At %1.").arg(at(problem.last));
+  if (problem.resolved) {
+    text += QLatin1Char(' ') +
+            ProblemsModel::tr("Resolved %1, after %2.").arg(at(*problem.resolved), durationText(problem));
+  }
+  return text;
 }
 
 QString severityWord(map::Severity severity) {
@@ -71,10 +93,7 @@ void ProblemsModel::sync(const std::vector<session::LoggedProblem>& fresh) {
     endRemoveRows();
   }
   for (std::size_t i = 0; i < fresh.size(); ++i) {
-    if (rows_[i].count == fresh[i].count && rows_[i].last == fresh[i].last &&
-        rows_[i].resolved == fresh[i].resolved) {
-      continue;
-    }
+    if (rows_[i].count == fresh[i].count && rows_[i].resolved == fresh[i].resolved) continue;
     rows_[i] = fresh[i];
     Q_EMIT dataChanged(index(int(i), 0), index(int(i), kColumns - 1));
   }
@@ -91,7 +110,9 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
         case CountColumn:
           return QStringLiteral("%1×").arg(countText(row.count));
         case SubjectColumn:
-          return QString::fromStdString(row.problem.subject);
+          return subjectText(row);
+        case DurationColumn:
+          return durationText(row);
         case SentenceColumn:
           return QString::fromStdString(row.problem.sentence).simplified();
         default:
@@ -100,13 +121,14 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     case Qt::DecorationRole:
       return index.column() == TimeColumn ? severityPicture(row) : QVariant();
     case Qt::TextAlignmentRole:
-      return index.column() == CountColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
-                                           : int(Qt::AlignLeft | Qt::AlignVCenter);
+      return index.column() == CountColumn || index.column() == DurationColumn
+                 ? int(Qt::AlignRight | Qt::AlignVCenter)
+                 : int(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
       return row.resolved ? QVariant(appColors().secondary_text) : QVariant();
     case Qt::ToolTipRole:
-      return plainToolTip(problemLine(row) +
-                          (row.resolved ? QStringLiteral("\nResolved since.") : QString()));
+      return plainToolTip(subjectText(row) + QStringLiteral(": ") +
+                          QString::fromStdString(row.problem.sentence) + QLatin1Char('\n') + timesText(row));
     case Qt::AccessibleTextRole:
       return index.column() == TimeColumn
                  ? QStringLiteral("%1, %2").arg(severityWord(row.problem.severity), row.last.toString())
@@ -119,8 +141,8 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole) {
-    return section == CountColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
-                                  : int(Qt::AlignLeft | Qt::AlignVCenter);
+    return section == CountColumn || section == DurationColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
+                                                               : int(Qt::AlignLeft | Qt::AlignVCenter);
   }
   if (role != Qt::DisplayRole) return {};
   switch (section) {
@@ -128,6 +150,8 @@ QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int
       return QStringLiteral("Last");
     case CountColumn:
       return QStringLiteral("Count");
+    case DurationColumn:
+      return tr("Lasted");
     case SubjectColumn:
       return QStringLiteral("What");
     case SentenceColumn:
@@ -138,10 +162,10 @@ QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int
 }
 
 QString problemLine(const session::LoggedProblem& problem) {
-  return QStringLiteral("%1 %2 %3×  %4: %5")
+  return QStringLiteral("%1 %2 %3×  %4: %5  (%6)")
       .arg(QLocale::c().toString(problem.last, QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-           severityWord(problem.problem.severity), QString::number(problem.count),
-           QString::fromStdString(problem.problem.subject), QString::fromStdString(problem.problem.sentence));
+           severityWord(problem.problem.severity), QString::number(problem.count), subjectText(problem),
+           QString::fromStdString(problem.problem.sentence), timesText(problem));
 }
 
 }  // namespace mapwright::window

@@ -12,7 +12,7 @@ namespace mapwright::window {
 class ProblemsModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { TimeColumn, CountColumn, SubjectColumn, SentenceColumn, kColumns };
+  enum Column { TimeColumn, CountColumn, DurationColumn, SubjectColumn, SentenceColumn, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
   void sync(const std::vector<session::LoggedProblem>& rows);
