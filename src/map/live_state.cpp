@@ -25,6 +25,12 @@ std::vector<Alert> withTimes(const std::vector<Alert>& before, std::vector<Alert
   return now;
 }
 
+/// Whether the world of `after` is another one: uids tell, or names where there is no uid.
+bool otherMap(const MapInfo& before, const MapInfo& after) {
+  if (!before.uid.empty() && !after.uid.empty()) return before.uid != after.uid;
+  return !before.name.empty() && !after.name.empty() && before.name != after.name;
+}
+
 struct Reducer {
   LiveState& state;
   double at_s;
@@ -41,7 +47,10 @@ struct Reducer {
   void operator()(const LocalPathMessage& path) { state.local_path = path; }
   void operator()(const TrajectoryMessage& trajectory) { state.trajectory = trajectory.points; }
   void operator()(const PlanningState& planning) { state.planning = planning; }
-  void operator()(const MapInfo& info) { state.map_info = info; }
+  void operator()(const MapInfo& info) {
+    if (state.map_info && otherMap(*state.map_info, info)) state = inNewFrame(std::move(state), false);
+    state.map_info = info;
+  }
   void operator()(const AlertsMessage& alerts) {
     state.alerts = withTimes(state.alerts, alerts.alerts, at_s);
   }
@@ -60,11 +69,44 @@ struct Reducer {
   void operator()(const ConstraintsMessage& constraints) { state.constraints = constraints; }
   void operator()(const GlobalPositioning& positioning) { state.global_positioning = positioning; }
   void operator()(const BarcodeMessage& barcode) { state.barcode = barcode; }
-  void operator()(const SubmapList&) {}
+  void operator()(const SubmapList& list) {
+    if (list.uuid.empty() || list.uuid == state.session_uuid) return;
+    if (!state.session_uuid.empty()) {
+      state = inNewFrame(std::move(state), list.slam_state == SlamState::Positioning);
+    }
+    state.session_uuid = list.uuid;
+  }
   void operator()(const UnreadableMessage&) {}
 };
 
 }  // namespace
+
+LiveState inNewFrame(LiveState state, bool map_stays) {
+  ++state.frame;
+  state.robot_pose.reset();
+  state.trail.clear();
+  std::erase_if(state.grids,
+                [&](const auto& grid) { return !map_stays || grid.first != GridKind::WholeMap; });
+  if (!map_stays) state.map_info.reset();
+  state.clouds.clear();
+  state.path.clear();
+  state.trajectory.clear();
+  state.local_path = {};
+  if (state.planning) {
+    state.planning->targets.clear();
+    state.planning->remaining_distance_m.reset();
+  }
+  state.nearby_robots.clear();
+  state.landmarks.clear();
+  state.doors.clear();
+  state.pallets.clear();
+  state.racks.clear();
+  state.seen_objects.clear();
+  state.constraints = {};
+  if (state.global_positioning) state.global_positioning->pose.reset();
+  if (state.barcode) state.barcode->pose.reset();
+  return state;
+}
 
 LiveState reduce(LiveState state, const TopicMessage& message, double at_s) {
   std::visit(Reducer{state, at_s}, message);

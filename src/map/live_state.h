@@ -18,7 +18,17 @@ namespace mapwright::map {
 
 /// What is known of the robot's world now. Value type, cheap to copy where it is large (shared, immutable
 /// parts); submap lists are handled by submap::SubmapBook.
+///
+/// Coordinates are those of a frame: it begins anew with another SLAM session (the uuid of the submap list)
+/// and with another map (the uid in MapInfo, or its name where there is no uid). What lies in the old frame
+/// is then forgotten: the pose and the trail, pictures, points, paths, targets, the places of landmarks,
+/// doors, boxes, other robots, constraints, and where positioning and barcodes said that the robot was. What
+/// is no place is kept: the robot's shape and those of others, SLAM's and the planner's state, alerts,
+/// battery, wheels, sensors. The picture of the whole map and MapInfo lie in the map: they outlive a new
+/// session that works in that map (positioning), and no other.
 struct LiveState {
+  int frame = 0;  // counts the frames
+  std::string session_uuid;
   std::optional<geometry::Pose2> robot_pose;
   std::deque<Eigen::Vector2d> trail;  // oldest first, points at least kTrailStepM apart, at most kTrailPoints
   RobotModel model;
@@ -45,6 +55,9 @@ struct LiveState {
   static constexpr double kTrailStepM = 0.05;
   static constexpr std::size_t kTrailPoints = 20'000;
 };
+
+/// Without all that lies in the frame of before; `map_stays`: the new one is of the same map.
+LiveState inNewFrame(LiveState state, bool map_stays);
 
 /// The state after `message`, which came at `at_s` (seconds since the epoch; the bag's time when replayed).
 /// Messages that the state does not hold leave it as it is.

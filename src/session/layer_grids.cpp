@@ -46,7 +46,9 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
           if (generation != generation_) return;
           Row& row = rows_[kind];
           row.busy = false;
+          const bool dropped = std::exchange(row.dropped, false);
           if (auto next = std::exchange(row.next, std::nullopt)) start(kind, std::move(*next));
+          if (dropped) return;
           const map::Subject subject{map::SubjectKind::Topic, topic};
           const bool was_broken = std::exchange(row.broken, !*grid);
           if (*grid) {
@@ -66,6 +68,16 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
 const LayerGrid* LayerGrids::find(map::GridKind kind) const {
   const auto found = rows_.find(kind);
   return found == rows_.end() || !found->second.shown ? nullptr : &*found->second.shown;
+}
+
+void LayerGrids::drop(map::GridKind kind) {
+  const auto found = rows_.find(kind);
+  if (found == rows_.end()) return;
+  Row& row = found->second;
+  row.next.reset();
+  row.dropped = row.busy;
+  row.broken = false;
+  if (std::exchange(row.shown, std::nullopt)) Q_EMIT changed(kind);
 }
 
 void LayerGrids::clear() {

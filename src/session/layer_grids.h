@@ -31,6 +31,7 @@ class LayerGrids : public QObject {
   void take(const map::GridMessage& message);
   /// Null while none has been decoded.
   const LayerGrid* find(map::GridKind kind) const;
+  void drop(map::GridKind kind);
   void clear();
 
  Q_SIGNALS:
@@ -43,7 +44,8 @@ class LayerGrids : public QObject {
     std::optional<LayerGrid> shown;
     std::optional<map::GridMessage> next;  // came while one is being decoded
     bool busy = false;
-    bool broken = false;  // the last one could not be shown
+    bool dropped = false;  // what is being decoded is not wanted any more
+    bool broken = false;   // the last one could not be shown
   };
   void start(map::GridKind kind, map::GridMessage message);
 

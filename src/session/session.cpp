@@ -107,6 +107,17 @@ void Session::noteConnection() {
 }
 
 void Session::takeTopic(const map::TopicMessage& message) {
+  // What is still on its way when nobody listens any more would stay for ever.
+  if (const auto* cloud = std::get_if<map::PointCloudMessage>(&message); cloud && !listensTo(cloud->topic)) {
+    return;
+  }
+  if (const auto* grid = std::get_if<map::GridMessage>(&message);
+      grid && grid->kind != map::GridKind::WholeMap && !listensTo(grid->topic)) {
+    return;
+  }
+  const int frame = live_.frame;
+  live_ = map::reduce(std::move(live_), message, double(QDateTime::currentMSecsSinceEpoch()) / 1000);
+  if (live_.frame != frame) takeFrame();
   if (const auto* list = std::get_if<map::SubmapList>(&message)) {
     takeList(*list);
     return;
@@ -116,7 +127,6 @@ void Session::takeTopic(const map::TopicMessage& message) {
             unreadable->reason, map::ProblemCode::Unreadable});
     return;
   }
-  live_ = map::reduce(std::move(live_), message, double(QDateTime::currentMSecsSinceEpoch()) / 1000);
   if (const auto* grid = std::get_if<map::GridMessage>(&message)) takeGrid(*grid);
   if (std::holds_alternative<map::MapInfo>(message)) catalogue_.refresh();
   Q_EMIT liveChanged(int(message.index()));

@@ -133,7 +133,9 @@ class Session : public QObject {
   void identityChanged();
   /// Something of live(); `what` is the TopicMessage alternative that came (map::topicIndex).
   void liveChanged(int what);
-  void listChanged();       // submaps were added or removed, or the session is new
+  void listChanged();  // submaps were added or removed, or the session is new
+  /// The world's coordinates begin anew (see map::LiveState): much of live() is gone.
+  void frameChanged();
   void sessionRestarted();  // new uuid: every picture is gone. Comes before listChanged()
   void submapsPlaced(
       const std::vector<mapwright::map::SubmapId>& ids);  // picture, pose, flags or visibility: draw again
@@ -155,6 +157,9 @@ class Session : public QObject {
   void touchRows();
   void wireMaps();
   void takeGrid(const map::GridMessage& message);
+  bool listensTo(const std::string& topic) const;
+  void takeFrame();
+  void forgetUnwanted();
   void openInto(MapSlot& slot, const map::MapKey& key);
   void openFirstMap();
   void retryMaps();  // those that could not be had

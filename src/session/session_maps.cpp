@@ -199,6 +199,43 @@ void Session::askForOverview() {
   });
 }
 
+bool Session::listensTo(const std::string& topic) const {
+  return !robot_->liveTopics() || wanted_topics_.contains(QString::fromStdString(topic));
+}
+
+void Session::takeFrame() {
+  layer_grids_.clear();
+  const map::MapKey live_map{map::MapKind::Live, {}};
+  for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+    if (!(slot->key() == live_map) || live_.grids.contains(map::GridKind::WholeMap)) continue;
+    slot->clear();  // or its picture would stay until the new one is whole
+    openInto(*slot, live_map);
+  }
+  // What the robot says once and not again (landmarks, doors, the map) may have come before it told of the
+  // new frame: asked for anew it is sent again.
+  if (robot::LiveTopics* const live = robot_->liveTopics()) {
+    live->setWanted({});
+    live->setWanted(wanted_topics_);
+    sendWants();
+  }
+  Q_EMIT frameChanged();
+}
+
+void Session::forgetUnwanted() {
+  const auto unwanted = [this](const std::string& topic) { return !listensTo(topic); };
+  const bool clouds =
+      std::erase_if(live_.clouds, [&](const auto& cloud) { return unwanted(cloud.first); }) > 0;
+  std::vector<map::GridKind> kinds;
+  for (const auto& [kind, grid] : live_.grids) {
+    if (kind != map::GridKind::WholeMap && unwanted(grid.topic)) kinds.push_back(kind);
+  }
+  for (const map::GridKind kind : kinds) {
+    live_.grids.erase(kind);
+    layer_grids_.drop(kind);
+  }
+  if (clouds) Q_EMIT liveChanged(map::topicIndex<map::PointCloudMessage>());
+}
+
 void Session::want(const QString& owner, const QStringList& topics) {
   if (wants_[owner] == topics) return;
   wants_[owner] = topics;
@@ -227,6 +264,7 @@ void Session::sendWants() {
   }
   wanted_topics_ = all;
   live->setWanted(all);
+  forgetUnwanted();
   if (may_fall_back && !fallback_timer_.isActive()) fallback_timer_.start(kFallbackAfterMs);
 }
 

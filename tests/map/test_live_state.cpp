@@ -75,6 +75,177 @@ class LiveStateTest : public QObject {
     QCOMPARE(state.clouds["/a"], points);
   }
 
+  /// Every part is there, and nothing is what it is by default.
+  static LiveState full(SlamState slam_state = SlamState::Slam) {
+    SubmapList list;
+    list.uuid = "first";
+    list.slam_state = slam_state;
+    const Polyline line{{0, 0}, {1, 0}, {0, 1}};
+    RobotModel model;
+    model.footprint = line;
+    SlamStatus slam;
+    slam.state = "positioning";
+    GridMessage whole, costs, incremental, match, symmetry, fine;
+    costs.kind = GridKind::CostmapLow;
+    fine.kind = GridKind::CostmapHigh;
+    incremental.kind = GridKind::Incremental;
+    match.kind = GridKind::EnvMatch;
+    symmetry.kind = GridKind::EnvSymmetry;
+    LocalPathMessage local;
+    local.points = line;
+    local.width_m = 1;
+    PlanningState planning;
+    planning.action_type = "charge";
+    planning.targets = {{1, 2, 3}};
+    planning.remaining_distance_m = 7;
+    MapInfo info;
+    info.name = "Hall";
+    info.uid = "a";
+    ConstraintsMessage constraints;
+    constraints.by_name["x"] = {{{0, 0}, {1, 1}}};
+    GlobalPositioning global;
+    global.state = "succeeded";
+    global.pose = geometry::Pose2{1, 2, 3};
+    BarcodeMessage barcode;
+    barcode.id = "D1";
+    barcode.pose = geometry::Pose2{1, 2, 3};
+    LiveState state;
+    for (const TopicMessage& message :
+         std::vector<TopicMessage>{list,
+                                   TrackedPose{{1, 2, 3}},
+                                   model,
+                                   slam,
+                                   whole,
+                                   costs,
+                                   fine,
+                                   incremental,
+                                   match,
+                                   symmetry,
+                                   PointCloudMessage{"/a", nullptr},
+                                   PathMessage{line},
+                                   local,
+                                   TrajectoryMessage{line},
+                                   planning,
+                                   info,
+                                   AlertsMessage{{{7, AlertLevel::Error, "hot", 0}}},
+                                   BatteryState{0.5, {}, {}, "full"},
+                                   WheelState{"auto", true, {}},
+                                   SensorState{"on"},
+                                   NearbyRobotsMessage{{{"r", {}, line, "aa"}}},
+                                   NearbyFootprintsMessage{{{"aa", line}}},
+                                   LandmarksMessage{{{"l", {1, 2}, true}}},
+                                   AutoDoorsMessage{{{"d", "mac", "closed", line}}},
+                                   PalletsMessage{{{"p", {}, 1, 1, false}}},
+                                   RackMessage{{{"k", {}, 1, 1, true}}},
+                                   SeenObjectsMessage{{{"s", {}, 1, 1, false}}},
+                                   constraints,
+                                   global,
+                                   barcode}) {
+      state = reduce(std::move(state), message, 100);
+    }
+    return state;
+  }
+  static void hasForgottenItsFrame(const LiveState& state, bool map_stays) {
+    QVERIFY(!state.robot_pose && state.trail.empty());
+    QVERIFY(state.clouds.empty() && state.path.empty() && state.trajectory.empty());
+    QVERIFY(state.local_path.points.empty());
+    QVERIFY(state.nearby_robots.empty() && state.landmarks.empty() && state.doors.empty());
+    QVERIFY(state.pallets.empty() && state.racks.empty() && state.seen_objects.empty());
+    QVERIFY(state.constraints.by_name.empty());
+    QVERIFY(state.planning && state.planning->targets.empty() && !state.planning->remaining_distance_m);
+    QVERIFY(!state.global_positioning->pose && !state.barcode->pose);
+    QCOMPARE(state.grids.size(), std::size_t(map_stays ? 1 : 0));
+    QCOMPARE(state.grids.contains(GridKind::WholeMap), map_stays);
+    QCOMPARE(state.map_info.has_value(), map_stays);
+    // No place, so it holds in every frame.
+    QCOMPARE(state.model.footprint.size(), std::size_t(3));
+    QCOMPARE(state.slam.state, std::string("positioning"));
+    QCOMPARE(state.planning->action_type, std::string("charge"));
+    QCOMPARE(state.alerts.size(), std::size_t(1));
+    QCOMPARE(state.alerts[0].since_s, 100.0);
+    QVERIFY(state.battery && state.wheels && state.sensors);
+    QCOMPARE(state.nearby_footprints.size(), std::size_t(1));
+    QCOMPARE(state.global_positioning->state, std::string("succeeded"));
+    QCOMPARE(state.barcode->id, std::string("D1"));
+  }
+
+  void anotherSessionForgetsWhatLayInItsFrame_data() {
+    QTest::addColumn<int>("slam_state");
+    QTest::addColumn<bool>("map_stays");
+    QTest::newRow("a new map is being made") << int(SlamState::Slam) << false;
+    QTest::newRow("unknown") << int(SlamState::Invalid) << false;
+    QTest::newRow("in the same map") << int(SlamState::Positioning) << true;
+  }
+  void anotherSessionForgetsWhatLayInItsFrame() {
+    QFETCH(int, slam_state);
+    QFETCH(bool, map_stays);
+    LiveState state = full();
+    const int frame = state.frame;
+    QVERIFY(state.robot_pose && !state.trail.empty() && state.grids.size() == 6);
+    SubmapList list;
+    list.uuid = "second";
+    list.slam_state = SlamState(slam_state);
+    state = reduce(std::move(state), list, 200);
+    QCOMPARE(state.frame, frame + 1);
+    hasForgottenItsFrame(state, map_stays);
+    state = reduce(std::move(state), TrackedPose{{5, 6, 0}}, 201);
+    QCOMPARE(state.trail.size(), std::size_t(1));
+    state = reduce(std::move(state), list, 202);
+    QVERIFY(state.robot_pose);
+  }
+
+  void theSameOrNoSessionForgetsNothing() {
+    for (const char* uuid : {"first", ""}) {
+      SubmapList list;
+      list.uuid = uuid;
+      const LiveState state = reduce(full(), list, 200);
+      QVERIFY(state.robot_pose && state.grids.size() == 6);
+      QCOMPARE(state.frame, full().frame);
+    }
+    // After a pause without a session the next one is told by the last.
+    SubmapList none, first, second;
+    first.uuid = "first";
+    second.uuid = "second";
+    QVERIFY(reduce(reduce(full(), none, 200), first, 201).robot_pose);
+    QVERIFY(!reduce(reduce(full(), none, 200), second, 201).robot_pose);
+  }
+
+  void anotherMapForgetsWhatLayInItsFrame_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("uid");
+    QTest::addColumn<bool>("other");
+    QTest::newRow("the same") << "Hall"
+                              << "a" << false;
+    QTest::newRow("renamed") << "Attic"
+                             << "a" << false;
+    QTest::newRow("another uid") << "Hall"
+                                 << "b" << true;
+    QTest::newRow("no uid, the same name") << "Hall"
+                                           << "" << false;
+    QTest::newRow("no uid, another name") << "Attic"
+                                          << "" << true;
+    QTest::newRow("nothing said") << ""
+                                  << "" << false;
+  }
+  void anotherMapForgetsWhatLayInItsFrame() {
+    QFETCH(QString, name);
+    QFETCH(QString, uid);
+    QFETCH(bool, other);
+    MapInfo info;
+    info.name = name.toStdString();
+    info.uid = uid.toStdString();
+    info.map_version = 77;
+    LiveState state = reduce(full(), info, 200);
+    QCOMPARE(state.frame, full().frame + (other ? 1 : 0));
+    QCOMPARE(*state.map_info->map_version, 77);
+    if (!other) {
+      QVERIFY(state.robot_pose && state.grids.size() == 6);
+      return;
+    }
+    state.map_info.reset();
+    hasForgottenItsFrame(state, false);
+  }
+
   void footprintsOfOtherRobotsAddUp() {
     NearbyFootprintsMessage first, second;
     first.by_digest["aa"] = {{0, 0}, {1, 0}, {0, 1}};

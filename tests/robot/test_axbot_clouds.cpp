@@ -67,7 +67,8 @@ class AxbotCloudsTest : public QObject {
   }
 
   void probabilitiesOfZeroToOneFillTheWholeRange() {
-    const Points points = cloud(R"({"topic":"/a","points":[[0,0,0,0.5],[0,0,0,1],[0,0,0,-1]]})");
+    const Points points =
+        cloud(R"({"topic":"/semantic_points","points":[[0,0,0,0.5],[0,0,0,1],[0,0,0,-1]]})");
     QCOMPARE(int(points[0].intensity), 128);
     QCOMPARE(int(points[1].intensity), 255);
     QCOMPARE(int(points[2].intensity), 0);
@@ -97,7 +98,7 @@ class AxbotCloudsTest : public QObject {
 
   void tabledFieldsAreReadToo() {
     const Points points = cloud(
-        R"({"topic":"/b","fields":[{"name":"y","data_type":"f32"},{"name":"x","data_type":"f32"}],"data":[[1,2],[3],[]]})");
+        R"({"topic":"/matched_depth_points/forward","fields":[{"name":"y","data_type":"f32"},{"name":"x","data_type":"f32"}],"data":[[1,2],[3],[]]})");
     QCOMPARE(points.size(), std::size_t(1));
     QCOMPARE(points[0].x_m, 2.0);
   }
@@ -113,9 +114,9 @@ class AxbotCloudsTest : public QObject {
     for (
         const char* text :
         {R"({"topic":"/scan_matched_points2"})", R"({"topic":"/scan_matched_points2","points":"x"})",
-         R"({"topic":"/a","fields":[{"name":"x","data_type":"f32"}],"data":"AAAA"})",
-         R"({"topic":"/a","fields":[{"name":"x","data_type":"f99"},{"name":"y","data_type":"f32"}],"data":"AAAA"})",
-         R"({"topic":"/a","fields":[{"name":"x","data_type":"f32"},{"name":"y","data_type":"f32"}],"data":"!"})"}) {
+         R"({"topic":"/semantic_points","fields":[{"name":"x","data_type":"f32"}],"data":"AAAA"})",
+         R"({"topic":"/semantic_points","fields":[{"name":"x","data_type":"f99"},{"name":"y","data_type":"f32"}],"data":"AAAA"})",
+         R"({"topic":"/semantic_points","fields":[{"name":"x","data_type":"f32"},{"name":"y","data_type":"f32"}],"data":"!"})"}) {
       const TextFrame frame = parseTextFrame(text);
       QVERIFY2(frame.message && std::holds_alternative<map::UnreadableMessage>(*frame.message), text);
     }
@@ -144,8 +145,44 @@ class AxbotCloudsTest : public QObject {
   void binaryCloudsWithNonsenseAreReported() {
     ros_messages::RosMessageWrapper wrapper;
     wrapper.mutable_point_cloud()->set_resolution(std::numeric_limits<float>::infinity());
-    const auto message = parseBinaryFrame(binary("/cloud", wrapper));
+    const auto message = parseBinaryFrame(binary("/semantic_points", wrapper));
     QVERIFY(message && std::holds_alternative<map::UnreadableMessage>(*message));
+    const auto empty = parseBinaryFrame(binary("/semantic_points", {}));
+    QVERIFY(empty && std::holds_alternative<map::UnreadableMessage>(*empty));
+  }
+
+  void onlyKnownTopicsAreClouds_data() {
+    QTest::addColumn<QString>("topic");
+    QTest::addColumn<bool>("known");
+    const auto row = [](const char* topic, bool known) { QTest::newRow(topic) << QString(topic) << known; };
+    row("/scan_matched_points2", true);
+    row("/semantic_points", true);
+    row("/left_laser_2d/matched", true);
+    row("/right_laser_2d/matched", true);
+    row("/matched_depth_points/downward", true);
+    row("/left_laser_2d", false);
+    row("/scan_matched_points", false);
+    row("/depth_points", false);
+    row("/recorded_points", false);
+    row("/", false);
+  }
+  void onlyKnownTopicsAreClouds() {
+    QFETCH(QString, topic);
+    QFETCH(bool, known);
+    const std::string name = topic.toStdString();
+    ros_messages::RosMessageWrapper wrapper;
+    wrapper.mutable_point_cloud()->add_xs(1);
+    wrapper.mutable_point_cloud()->add_ys(2);
+    const std::string head = "{\"topic\":\"" + name + "\",";
+    const auto points = parseTextFrame(head + "\"points\":[[1,2]]}").message;
+    const auto fields = parseTextFrame(head +
+                                       "\"fields\":[{\"name\":\"x\",\"data_type\":\"f32\"},{\"name\":"
+                                       "\"y\",\"data_type\":\"f32\"}],\"data\":\"\"}")
+                            .message;
+    for (const auto& message : {points, fields, parseBinaryFrame(binary(name, wrapper))}) {
+      QCOMPARE(message.has_value(), known);
+      if (known) QVERIFY(std::holds_alternative<map::PointCloudMessage>(*message));
+    }
   }
 };
 

@@ -118,6 +118,7 @@ class LiveSceneTest : public QObject {
     auto picture = std::make_shared<std::string>(*costs.png);
     for (std::size_t i = picture->size() - 80 * 10; i < picture->size(); ++i) (*picture)[i] = char(254);
     costs.png = picture;
+    costs.topic = "/maps/5cm/1hz";
     robot_->say(costs);
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow) && scene_->picturesSettled());
     QTRY_VERIFY(qRed(at(50, 85)) > 2 * qGreen(at(50, 85)));  // obstacles in the lowest ten rows
@@ -143,6 +144,29 @@ class LiveSceneTest : public QObject {
     style.size = 5;
     scene_->setLayerStyle(Layer::Cloud, style);
     QCOMPARE(at(28, 38), QColor(Qt::green).rgb());
+  }
+
+  void nothingOfAnOldFrameIsDrawn() {
+    showOnly({Layer::Cloud, Layer::Path, Layer::Robot, Layer::Trail, Layer::Landmarks, Layer::Doors});
+    map::SubmapList list;
+    list.uuid = "u";
+    robot_->say(list);
+    const QImage before = painted();
+    const map::Polyline line{{-0.3, 0}, {0.3, 0}};
+    const auto draw = [&](const map::TopicMessage& message) {
+      const QImage without = painted();
+      robot_->say(message);
+      QVERIFY(painted() != without);
+    };
+    draw(map::PathMessage{line});
+    draw(
+        map::PointCloudMessage{"/scan_matched_points2", std::make_shared<const std::vector<map::CloudPoint>>(
+                                                            std::vector<map::CloudPoint>{{0.2, 0.1, 0, 0}})});
+    draw(map::LandmarksMessage{{{"l", {-0.2, -0.2}, true}}});
+    draw(map::TrackedPose{{0, 0.3, 0}});
+    list.uuid = "v";
+    robot_->say(list);
+    QVERIFY(painted() == before);
   }
 
   void livePartsAreDrawnFromTheLiveState_data() {

@@ -51,7 +51,10 @@ class FakeRobot : public robot::Robot,
     waypoint_asks.emplace_back(key, std::move(reply));
   }
   QStringList known() const override { return {}; }
-  void setWanted(const QStringList& topics) override { wanted = topics; }
+  void setWanted(const QStringList& topics) override {
+    wanted = topics;
+    wants.push_back(topics);
+  }
   void setWatching(bool) override {}
 
   static map::CatalogueEntry entry(const std::string& id, bool current = false) {
@@ -84,6 +87,7 @@ class FakeRobot : public robot::Robot,
   std::vector<robot::AnswerTo<map::WholeMap>> overviews;
   std::vector<double> overview_resolutions;
   QStringList wanted;
+  std::vector<QStringList> wants;  // one after the other
 
   QString address() const override { return QStringLiteral("fake:"); }
   void connectToRobot() override { ++connects; }

@@ -240,6 +240,117 @@ class SessionMapsTest : public QObject {
     QVERIFY(robot_->wanted.contains(QStringLiteral("/alerts")));
   }
 
+  static map::SubmapList listOf(const std::string& uuid, map::SlamState state = map::SlamState::Slam) {
+    map::SubmapList list;
+    list.uuid = uuid;
+    list.slam_state = state;
+    return list;
+  }
+  static map::PointCloudMessage cloud(const std::string& topic) {
+    return {topic, std::make_shared<const std::vector<map::CloudPoint>>(3)};
+  }
+
+  void anotherSessionLeavesNothingOfTheOldFrame() {
+    make(true, true);
+    goOnline();
+    session_->want(QStringLiteral("layers"), {QStringLiteral("/map_v2"), QStringLiteral("/landmarks")});
+    robot_->say(listOf("u"));
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
+    robot_->say(liveGrid(3, map::GridKind::CostmapLow));
+    QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow));
+    robot_->say(map::TrackedPose{{1, 2, 3}});
+    robot_->say(map::LandmarksMessage{{{"l", {1, 2}, true}}});
+    QSignalSpy frames(session_.get(), &Session::frameChanged);
+    const std::size_t asked = robot_->wants.size();
+    robot_->say(listOf("v"));
+    QCOMPARE(frames.size(), 1);
+    QVERIFY(!session_->live().robot_pose && session_->live().landmarks.empty());
+    QCOMPARE(shownGray(), -1);
+    QVERIFY(session_->wholeMap().phase() == Phase::Fetching);
+    QVERIFY(!session_->layerGrids().find(map::GridKind::CostmapLow));
+    // What is sent once only is asked for again, for it may have come before.
+    QVERIFY(robot_->wants.size() >= asked + 2);
+    QVERIFY(robot_->wants[asked].isEmpty());
+    QVERIFY(robot_->wanted.contains(QStringLiteral("/landmarks")));
+    robot_->say(liveGrid(7));
+    QTRY_COMPARE(shownGray(), 7);
+    robot_->say(listOf("v"));
+    QCOMPARE(frames.size(), 1);
+  }
+
+  void aNewSessionInTheSameMapKeepsItsPicture() {
+    make(true, true);
+    goOnline();
+    robot_->say(listOf("u", map::SlamState::Positioning));
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
+    robot_->say(map::TrackedPose{{1, 2, 3}});
+    robot_->say(listOf("v", map::SlamState::Positioning));
+    QVERIFY(!session_->live().robot_pose);
+    QCOMPARE(shownGray(), 254);
+  }
+
+  void anotherMapIsAnotherFrameAndAStoredOneStaysOnScreen() {
+    make(true, true);
+    goOnline();
+    robot_->answerList({FakeRobot::entry("7")});
+    session_->openMap({map::MapKind::Stored, "7"});
+    robot_->map_fetches.back().second(FakeRobot::wholeMap("7", 200));
+    QTRY_COMPARE(shownGray(), 200);
+    map::MapInfo info;
+    info.uid = "a";
+    robot_->say(info);
+    robot_->say(map::TrackedPose{{1, 2, 3}});
+    QSignalSpy frames(session_.get(), &Session::frameChanged);
+    info.uid = "b";
+    robot_->say(info);
+    QCOMPARE(frames.size(), 1);
+    QVERIFY(!session_->live().robot_pose);
+    QCOMPARE(shownGray(), 200);
+  }
+
+  void aCloudGoesWithTheLastWhoWantsItsTopic() {
+    make(true, true);
+    goOnline();
+    const QStringList both{QStringLiteral("/a"), QStringLiteral("/b")};
+    session_->want(QStringLiteral("layers"), both);
+    session_->want(QStringLiteral("inspector"), {QStringLiteral("/b")});
+    robot_->say(cloud("/a"));
+    robot_->say(cloud("/b"));
+    QCOMPARE(session_->live().clouds.size(), std::size_t(2));
+    QSignalSpy changed(session_.get(), &Session::liveChanged);
+    session_->want(QStringLiteral("layers"), {});
+    QCOMPARE(session_->live().clouds.size(), std::size_t(1));
+    QVERIFY(session_->live().clouds.contains("/b"));
+    QCOMPARE(changed.size(), 1);
+    QCOMPARE(changed.first().first().toInt(), map::topicIndex<map::PointCloudMessage>());
+    robot_->say(cloud("/a"));  // was on its way
+    QVERIFY(!session_->live().clouds.contains("/a"));
+    session_->want(QStringLiteral("inspector"), {});
+    QVERIFY(session_->live().clouds.empty());
+    session_->want(QStringLiteral("layers"), both);
+    QVERIFY2(session_->live().clouds.empty(), "nothing old is shown when its layer is switched on again");
+  }
+
+  void aCostmapGoesWithTheLastWhoWantsItsTopic() {
+    make(true, true);
+    goOnline();
+    const QString topic = QStringLiteral("/map_v2");
+    session_->want(QStringLiteral("layers"), {topic});
+    robot_->say(liveGrid(3, map::GridKind::CostmapLow));
+    QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow));
+    session_->want(QStringLiteral("layers"), {});
+    QVERIFY(!session_->layerGrids().find(map::GridKind::CostmapLow));
+    session_->want(QStringLiteral("layers"), {topic});
+    robot_->say(liveGrid(4, map::GridKind::CostmapLow));
+    session_->want(QStringLiteral("layers"), {});  // while it is being decoded
+    session_->want(QStringLiteral("layers"), {topic});
+    robot_->say(liveGrid(5, map::GridKind::CostmapLow));
+    QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow));
+    QCOMPARE(int(session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices->at(3, 3)), 5);
+  }
+
   void anOlderTopicIsTriedWhenTheNewerStaysSilent() {
     make(true, true);
     goOnline();
@@ -279,6 +390,7 @@ class SessionMapsTest : public QObject {
   void costmapsAreDecodedTheNewestLast() {
     make(true, true);
     goOnline();
+    session_->want(QStringLiteral("layers"), {QStringLiteral("/map_v2")});
     for (int gray = 0; gray < 10; ++gray) robot_->say(liveGrid(gray, map::GridKind::CostmapLow));
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow) &&
                 session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices->at(3, 3) == 9);

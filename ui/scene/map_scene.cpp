@@ -77,6 +77,7 @@ void MapScene::setSession(session::Session* session) {
     });
     connect(session_, &Session::sliceChanged, this, &MapScene::syncAll);
     connect(session_, &Session::liveChanged, this, &MapScene::takeLive);
+    connect(session_, &Session::frameChanged, this, &MapScene::takeFrame);
     for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
       connect(slot, &session::MapSlot::changed, this, [this] {
         impl_->has_compared = session_ && session_->comparedMap().cells() != nullptr;
@@ -215,6 +216,14 @@ void MapScene::takeLive(int what) {
         {topicIndex<map::ConstraintsMessage>(), Layer::Constraints}};
     if (const auto found = kLayerOf.find(what); found != kLayerOf.end()) touch(found->second);
   }
+}
+
+void MapScene::takeFrame() {
+  impl_->trail_length = 0;
+  impl_->cloud->pointsArrived();
+  impl_->robot_rect = impl_->robot->robotRect();
+  syncFeatures();
+  update();
 }
 
 void MapScene::syncFeatures() {

@@ -99,6 +99,7 @@ class MapScene : public QGraphicsScene {
  private:
   class Impl;
   void takeLive(int what);
+  void takeFrame();
   void syncColors();
   void syncFeatures();
   void sendWants();

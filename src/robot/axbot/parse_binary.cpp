@@ -5,6 +5,7 @@
 #include "robot/axbot/parse_binary_cloud.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
+#include "robot/axbot/topic_subjects.h"
 #include "ros_messages/wrapper.pb.h"
 
 namespace mapwright::robot::axbot {
@@ -71,7 +72,10 @@ std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
   ros_messages::RosMessageWrapper wrapper;
   const bool read = frame->body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
                     wrapper.ParseFromArray(frame->body.data(), int(frame->body.size()));
-  if (read && wrapper.has_point_cloud()) return readCloud(frame->topic, wrapper.point_cloud());
+  if (isCloudTopic(frame->topic)) {
+    if (read && wrapper.has_point_cloud()) return readCloud(frame->topic, wrapper.point_cloud());
+    return map::UnreadableMessage{frame->topic, "A binary message holds no points that can be read."};
+  }
   if (frame->topic != "/submap_list") return std::nullopt;
   if (!read || !wrapper.has_submap_list()) {
     return map::UnreadableMessage{frame->topic,

@@ -222,14 +222,16 @@ map::TopicMessage tabledPoints(const std::string& topic, const Layout& layout, c
   return cloud.message(topic, isByte(layout.brightness()));
 }
 
+}  // namespace
+
+// Other topics have points too, of another frame or of another kind: those are no clouds of the map.
 bool isCloudTopic(const std::string& topic) {
   return topic == "/scan_matched_points2" || topic == "/semantic_points" ||
          topic.starts_with("/matched_depth_points/") || topic.ends_with("_laser_2d/matched");
 }
 
-}  // namespace
-
 MaybeMessage readCloudTopic(const std::string& topic, const Json& message) {
+  if (!isCloudTopic(topic)) return std::nullopt;
   if (const auto rows = wire::list(message, {"points"})) return listedPoints(topic, *rows);
   if (const auto fields = wire::list(message, {"fields"})) {
     const auto data = wire::member(message, {"data", "points"});
@@ -240,14 +242,10 @@ MaybeMessage readCloudTopic(const std::string& topic, const Json& message) {
       wire::JsonList rows;
       if (!data->get(rows)) return tabledPoints(topic, *layout, rows);
     }
-    if (data || isCloudTopic(topic)) {
-      return map::UnreadableMessage{
-          topic,
-          "Its fields name no x and y, or a type that is not known. Its points were "
-          "left out."};
-    }
+    return map::UnreadableMessage{topic,
+                                  "Its fields name no x and y, or a type that is not known. Its points were "
+                                  "left out."};
   }
-  if (!isCloudTopic(topic)) return std::nullopt;
   return map::UnreadableMessage{topic, "It holds no points that can be read. They were left out."};
 }
 

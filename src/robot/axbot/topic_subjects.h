@@ -21,8 +21,9 @@ MaybeMessage readMotionTopic(const std::string& topic, const wire::Json& message
 MaybeMessage readStateTopic(const std::string& topic, const wire::Json& message);
 /// What is around it: other robots, landmarks, doors, pallets, racks, seen objects, constraints, barcodes.
 MaybeMessage readWorldTopic(const std::string& topic, const wire::Json& message);
-/// Points: known cloud topics, and any message that has points, or fields and data.
+/// Points of the map: the known cloud topics, as points or as fields and data.
 MaybeMessage readCloudTopic(const std::string& topic, const wire::Json& message);
+bool isCloudTopic(const std::string& topic);
 /// Which layer a picture topic belongs to; nullopt for other topics.
 std::optional<map::GridKind> gridKindOf(const std::string& topic);
 /// A picture topic: sets frame.message or frame.grid_to_fetch.

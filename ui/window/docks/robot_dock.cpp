@@ -116,6 +116,7 @@ void RobotDock::setSession(session::Session* session) {
       if (what == topicIndex<map::AlertsMessage>()) alerts_known_ = true;
       if (!refresh_timer_.isActive()) refresh_timer_.start();
     });
+    connect(session, &session::Session::frameChanged, this, &RobotDock::refresh);
     connect(session, &session::Session::connectionChanged, this, &RobotDock::refresh);
     session->want(QStringLiteral("status"), statusTopics());
   }
