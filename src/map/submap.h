@@ -73,8 +73,7 @@ struct SubmapAnswer {
     Ok,         // `slices` is what the robot has
     NotFound,   // 404 or NOT_FOUND: remembered for this key
     WrongUuid,  // UUID_MISMATCH: wait for the next list
-    Corrupt,    // an answer that cannot be read; asked again at the next version
-    Failed,     // anything else: wait, then try again
+    Failed,     // anything else, an answer that cannot be read too: wait, then try again
     Cancelled,  // nobody wants it any more
   };
   SubmapKey key;  // as it was asked

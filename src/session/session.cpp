@@ -190,7 +190,7 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
   scheduler_.answered(answer.key, answer.outcome, answer.version, now());
   const map::SubmapKey key = answer.key;
   if (key.uuid == book_.uuid() && book_.find(key.id)) {
-    if (answer.outcome == Outcome::Ok || answer.outcome == Outcome::Corrupt) {
+    if (answer.outcome == Outcome::Ok) {
       answer.from_cache ? ++cache_hits_ : ++fetches_;
       bytes_fetched_ += answer.from_cache ? 0 : answer.bytes;
     } else if (answer.outcome != Outcome::Cancelled) {

@@ -122,7 +122,6 @@ void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::i
   wish.not_before = now + options_.min_interval;
   switch (outcome) {
     case Outcome::Ok:
-    case Outcome::Corrupt:
       wish.failures = 0;
       wish.any_answer = true;
       wish.satisfied = std::max({wish.satisfied, key.version, answered_version});

@@ -98,7 +98,9 @@ class FetchSchedulerTest : public QObject {
     scheduler.answered(keys[0], Outcome::Failed, 0, ms(10));
     QCOMPARE(scheduler.state(keys[0].id), FetchState::Waiting);
     for (int i = 1; i < 4; ++i) scheduler.answered(keys[std::size_t(i)], Outcome::Ok, 1, ms(10));
-    for (const SubmapKey& key : scheduler.take(ms(10))) {
+    const auto others = scheduler.take(ms(10));
+    QCOMPARE(others.size(), std::size_t(2));
+    for (const SubmapKey& key : others) {
       QVERIFY(key.id != keys[0].id);
       scheduler.answered(key, Outcome::Ok, 1, ms(20));
     }
@@ -160,7 +162,9 @@ class FetchSchedulerTest : public QObject {
   void anUnwantedSubmapIsNotSent() {
     FetchScheduler scheduler = ready(3);
     scheduler.unwant({0, 1});
-    for (const SubmapKey& key : scheduler.take(ms(0))) QVERIFY(key.id.index != 1);
+    const auto keys = scheduler.take(ms(0));
+    QCOMPARE(keys.size(), std::size_t(2));
+    for (const SubmapKey& key : keys) QVERIFY(key.id.index != 1);
   }
 
   void aSubmapThatComesBackIsNotAskedForTwiceAtOnce() {
@@ -203,6 +207,34 @@ class FetchSchedulerTest : public QObject {
     scheduler.answered(keys[1], Outcome::NotFound, 0, ms(0));
     scheduler.retryNow();
     QCOMPARE(scheduler.take(ms(1)).size(), std::size_t(2));
+  }
+
+  void everyOutcomeEndsOrIsTriedAgain_data() {
+    QTest::addColumn<int>("outcome");
+    QTest::addColumn<int>("state");
+    QTest::addColumn<bool>("again");       // at the same version, given time
+    QTest::addColumn<bool>("after_list");  // or once a new list came
+    const auto row = [](const char* name, Outcome outcome, FetchState state, bool again, bool after_list) {
+      QTest::newRow(name) << int(outcome) << int(state) << again << after_list;
+    };
+    row("ok", Outcome::Ok, FetchState::Idle, false, false);
+    row("not found", Outcome::NotFound, FetchState::Missing, false, false);
+    row("wrong uuid", Outcome::WrongUuid, FetchState::Waiting, false, true);
+    row("failed", Outcome::Failed, FetchState::Waiting, true, true);
+    row("cancelled", Outcome::Cancelled, FetchState::Queued, true, true);
+  }
+  void everyOutcomeEndsOrIsTriedAgain() {
+    QFETCH(int, outcome);
+    QFETCH(int, state);
+    FetchScheduler scheduler = ready(1);
+    scheduler.answered(scheduler.take(ms(0)).at(0), Outcome(outcome), 0, ms(1));
+    QCOMPARE(int(scheduler.state({0, 0})), state);
+    // What says that it is queued really goes out some day.
+    QTEST(!scheduler.take(ms(100'000)).empty(), "again");
+    FetchScheduler listed = ready(1);
+    listed.answered(listed.take(ms(0)).at(0), Outcome(outcome), 0, ms(1));
+    listed.listArrived();
+    QTEST(!listed.take(ms(100'000)).empty(), "after_list");
   }
 
   void answersNobodyAskedForAreIgnored() {
