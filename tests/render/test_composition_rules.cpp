@@ -86,16 +86,19 @@ void TestCompositionRules::addingLightSaturates() {
   const PixelGrid grid = gridAround({0, 0}, 1.0, 0.3, 5, 5);
   const std::vector<PlainTexture> textures{uniformTexture({200, 10}, 0), uniformTexture({200, 10}, 1)};
   const Composition picture = composeAll(grid, textures);
+  QCOMPARE(picture.intensity.size(), std::size_t(25));
   for (const auto intensity : picture.intensity) QCOMPARE(int(intensity), 255);
   // Saturation happens per layer: a dark layer on top starts from 255, not from what the sum would have been.
   const Composition dimmed = composeAll(
       grid, {uniformTexture({200, 0}, 0), uniformTexture({200, 0}, 1), uniformTexture({0, 51}, 2)});
+  QCOMPARE(dimmed.intensity.size(), std::size_t(25));
   for (const auto intensity : dimmed.intensity) QCOMPARE(int(intensity), 204);
 }
 
 void TestCompositionRules::valueWithoutAlphaAddsUp() {
   const PixelGrid grid = gridAround({0, 0}, 1.0, 0, 4, 4);
   const Composition picture = composeAll(grid, {uniformTexture({30, 0}, 0), uniformTexture({41, 0}, 1)});
+  QCOMPARE(picture.intensity.size(), std::size_t(16));
   for (const auto intensity : picture.intensity) QCOMPARE(int(intensity), 128 + 30 + 41);
 }
 

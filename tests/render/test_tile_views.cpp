@@ -57,7 +57,9 @@ void TestTileViews::tilesLieAtWholePixels() {
   for (int step = 0; step < 5; ++step) {
     renderer.setView(viewAt(0.0173 * step, -0.0311 * step, 0.05, 500, 400, 0.3));
     WAIT_UNTIL_SETTLED(renderer);
-    for (const DrawnTile& tile : renderer.drawnTiles()) {
+    const auto tiles = renderer.drawnTiles();
+    QVERIFY(!tiles.empty());
+    for (const DrawnTile& tile : tiles) {
       QVERIFY(!tile.stand_in);
       QVERIFY(tile.to_viewport.type() <= QTransform::TxTranslate);
       QCOMPARE(tile.to_viewport.dx(), std::round(tile.to_viewport.dx()));
@@ -73,6 +75,7 @@ void TestTileViews::panningReusesTiles() {
   renderer.setView(viewAt(0, 0, 0.05, 800, 600));
   WAIT_UNTIL_SETTLED(renderer);
   const auto composed = renderer.counts().composed;
+  QVERIFY(composed > 9);
   renderer.setView(viewAt(0.3, 0.2, 0.05, 800, 600));  // 6 and 4 pixels
   WAIT_UNTIL_SETTLED(renderer);
   const auto few = renderer.counts().composed - composed;
@@ -114,6 +117,7 @@ void TestTileViews::standInsAreBounded() {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 3);
     most = std::max(most, renderer.drawnTiles().size());
   }
+  QVERIFY(most > 0);
   QVERIFY(most <= 150);  // five screens' worth of tiles at the very most
   WAIT_UNTIL_SETTLED(renderer);
 }
@@ -208,7 +212,9 @@ void TestTileViews::snapshotsEqualTheCompositor() {
   QVERIFY(actual.intensity == expected.intensity);
   QVERIFY(actual.flags == expected.flags);
   QVERIFY(std::any_of(actual.flags.begin(), actual.flags.end(), [](auto flags) { return flags != 0; }));
-  for (const DrawnTile& tile : renderer.drawnTiles()) {
+  const auto tiles = renderer.drawnTiles();
+  QVERIFY(!tiles.empty());
+  for (const DrawnTile& tile : tiles) {
     QVERIFY(tile.to_viewport.dx() >= 0 && tile.to_viewport.dx() + tile.image.width() <= 611);
   }
 }

@@ -1,6 +1,7 @@
 // A robot whose every word the test speaks.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -35,7 +36,9 @@ class FakeRobot : public robot::Robot,
   void list(robot::AnswerTo<std::vector<map::CatalogueEntry>> reply) override {
     lists.push_back(std::move(reply));
   }
-  void describe(const map::MapKey&, robot::AnswerTo<map::CatalogueEntry>) override {}
+  void describe(const map::MapKey& key, robot::AnswerTo<map::CatalogueEntry> reply) override {
+    descriptions.emplace_back(key, std::move(reply));
+  }
   void thumbnail(const map::MapKey& key, robot::AnswerTo<std::string> reply) override {
     thumbnails.emplace_back(key, std::move(reply));
   }
@@ -81,6 +84,7 @@ class FakeRobot : public robot::Robot,
 
   bool has_maps = false, has_topics = false, has_submaps = true, offers_overview = false;
   std::vector<robot::AnswerTo<std::vector<map::CatalogueEntry>>> lists;
+  std::vector<std::pair<map::MapKey, robot::AnswerTo<map::CatalogueEntry>>> descriptions;
   std::vector<std::pair<map::MapKey, robot::AnswerTo<std::string>>> thumbnails;
   std::vector<std::pair<map::MapKey, robot::AnswerTo<map::WholeMap>>> map_fetches;
   std::vector<std::pair<map::MapKey, robot::AnswerTo<map::WaypointList>>> waypoint_asks;
@@ -101,16 +105,19 @@ class FakeRobot : public robot::Robot,
     open.emplace_back(key, std::move(reply));
   }
   void cancelAll() override {
-    auto replies = std::move(open);
-    open.clear();
-    for (auto& [key, reply] : replies) {
-      map::SubmapAnswer answer;
-      answer.key = key;
-      answer.outcome = map::SubmapAnswer::Outcome::Cancelled;
-      reply(answer);
-    }
+    while (!open.empty()) cancel(map::SubmapKey(open.front().first));
   }
-  void cancel(const map::SubmapKey&) override {}
+  void cancel(const map::SubmapKey& key) override {
+    const auto found =
+        std::find_if(open.begin(), open.end(), [&](const auto& one) { return one.first == key; });
+    if (found == open.end()) return;
+    const Reply reply = std::move(found->second);
+    open.erase(found);
+    map::SubmapAnswer answer;
+    answer.key = key;
+    answer.outcome = map::SubmapAnswer::Outcome::Cancelled;
+    reply(answer);
+  }
 
   void setPhase(robot::ConnectionPhase phase) {
     state_.phase = phase;

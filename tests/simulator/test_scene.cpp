@@ -46,6 +46,7 @@ class TestScene : public QObject {
 
   void headingsFollowTheWayWithoutJumps() {
     const auto scene = makeScene("office", 0, 1);
+    QVERIFY(!scene->trajectories.empty());
     for (const Trajectory& trajectory : scene->trajectories) {
       for (double s = 0.5; s + 0.5 < trajectory.drive.length_m(); s += 0.02) {
         const geometry::Pose2 a = trajectory.drive.at(s), b = trajectory.drive.at(s + 0.02);

@@ -1,6 +1,7 @@
 // A robot of the tests' own: says what it is told to say and answers fetches at once, later or badly.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -69,8 +70,17 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
       }
     });
   }
-  void describe(const map::MapKey&, robot::AnswerTo<map::CatalogueEntry> reply) override {
-    reply(tl::make_unexpected(map::Problem{}));
+  void describe(const map::MapKey& key, robot::AnswerTo<map::CatalogueEntry> reply) override {
+    QTimer::singleShot(0, this, [this, key, reply = std::move(reply)] {
+      const auto found =
+          std::find_if(entries.begin(), entries.end(), [&](const auto& row) { return row.key == key; });
+      if (found != entries.end()) {
+        reply(*found);
+      } else {
+        reply(tl::make_unexpected(
+            map::Problem{map::Severity::Error, map::subjectOf(key), "The robot has no such map."}));
+      }
+    });
   }
   void thumbnail(const map::MapKey&, robot::AnswerTo<std::string> reply) override {
     QTimer::singleShot(0, this, [reply = std::move(reply)] { reply(std::string("no picture")); });
@@ -127,14 +137,25 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
 
   void fetch(const map::SubmapKey& key, Reply reply) override {
     ++fetches;
-    if (hold) {
-      held.emplace_back(key, std::move(reply));
-      return;
-    }
-    QTimer::singleShot(0, this, [this, key, reply = std::move(reply)] { reply(answer(key)); });
+    held.emplace_back(key, std::move(reply));
+    if (!hold) QTimer::singleShot(0, this, [this, key] { release(key, answer(key)); });
   }
-  void cancelAll() override { held.clear(); }
-  void cancel(const map::SubmapKey&) override {}
+  void cancelAll() override {
+    const auto keys = held;
+    for (const auto& [key, reply] : keys) cancel(key);
+  }
+  void cancel(const map::SubmapKey& key) override {
+    map::SubmapAnswer cancelled;
+    cancelled.key = key;
+    cancelled.outcome = map::SubmapAnswer::Outcome::Cancelled;
+    QTimer::singleShot(0, this, [reply = takeHeld(key), cancelled] {
+      if (reply) reply(cancelled);
+    });
+  }
+  /// Answers what is held of `key`, once.
+  void release(const map::SubmapKey& key, const map::SubmapAnswer& with) {
+    if (const Reply reply = takeHeld(key)) reply(with);
+  }
 
   map::SubmapAnswer answer(const map::SubmapKey& key) const {
     map::SubmapAnswer made;
@@ -202,6 +223,15 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
   robot::RobotIdentity who;
 
  private:
+  Reply takeHeld(const map::SubmapKey& key) {
+    const auto found =
+        std::find_if(held.begin(), held.end(), [&](const auto& one) { return one.first == key; });
+    if (found == held.end()) return {};
+    Reply reply = std::move(found->second);
+    held.erase(found);
+    return reply;
+  }
+
   QString address_;
 };
 
