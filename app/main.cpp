@@ -8,10 +8,12 @@
 #include "app/bench/bench.h"
 #include "app/exit_code.h"
 #include "app/maps.h"
+#include "app/option_words.h"
 #include "app/simulate.h"
 #include "app/snapshot.h"
 #include "app/window.h"
 #include "scene/layer.h"
+#include "words/plain.h"
 
 namespace {
 
@@ -217,11 +219,13 @@ int run(int argc, char** argv) {
   bench->footer("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose");
   bench->set_help_flag();
 
+  app::refuseOddWords(cli);
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return cli.exit(error);
-    std::fprintf(stderr, "%s (see mapwright --help)\n", error.what());
+    std::fprintf(stderr, "%s (see mapwright --help)\n",
+                 words::plainLine(std::string_view(error.what())).c_str());
     return app::kUsage;
   }
   if (cli.got_subcommand("simulate")) return app::simulate(line.simulator);
@@ -252,7 +256,8 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "mapwright had to stop: %s\n", error.what());
+    std::fprintf(stderr, "mapwright had to stop: %s\n",
+                 words::plainLine(std::string_view(error.what())).c_str());
     return app::kRobotError;
   }
 }

@@ -20,27 +20,19 @@
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "raster/export_grid.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-/// Control characters of a robot's names do not reach the terminal.
-QString plain(const std::string& name) {
-  QString out = text(name).simplified();
-  for (QChar& c : out) {
-    if (c.category() == QChar::Other_Control) c = QChar(0xfffd);
-  }
-  return out;
-}
-
 int refuse(const CommandFailure& failure) {
   std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(failure.sentence)));
   return failure.exit_code;
 }
 
-void print(const QJsonDocument& json) { std::printf("%s", json.toJson().constData()); }
+void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(json.toJson()).constData()); }
 
 QString dateText(std::optional<double> epoch_s) {
   if (!epoch_s || !(*epoch_s > 0) || *epoch_s > 4e11) return QStringLiteral("-");
@@ -85,7 +77,7 @@ void printTable(const std::vector<QStringList>& rows) {
     for (qsizetype i = 0; i < row.size(); ++i) {
       line += i + 1 == row.size() ? row[i] : row[i].leftJustified(widths[std::size_t(i)] + 2);
     }
-    std::printf("%s\n", qUtf8Printable(line));
+    std::printf("%s\n", qUtf8Printable(words::plainLine(line)));
   }
 }
 
@@ -93,7 +85,7 @@ QStringList rowOf(const map::CatalogueEntry& row) {
   const QString version = row.map_version ? QStringLiteral("v%1").arg(*row.map_version) : text(row.state);
   return {row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
           version.isEmpty() ? QStringLiteral("-") : version,
-          dateText(row.modified_s ? row.modified_s : row.created_s), plain(row.name)};
+          dateText(row.modified_s ? row.modified_s : row.created_s), words::plainName(row.name)};
 }
 
 /// NaN when it is no number.
@@ -104,7 +96,33 @@ double resolutionOf(const MapsWords& words) {
 }
 
 using Opened = CommandResult<std::unique_ptr<MapReading>>;
+bool looksLikeFile(const QString& operand) {
+  return operand.startsWith(QLatin1String("file:")) || operand.contains(QLatin1Char('/')) ||
+         QFileInfo(operand).isFile() ||
+         QStringList{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
+                     QStringLiteral("pgm"), QStringLiteral("bmp")}
+             .contains(QFileInfo(operand).suffix().toLower()) ||
+         operand.contains(QLatin1String("+http")) || operand.startsWith(QLatin1String("demo:"));
+}
+
+/// Why --resolution and --origin would have no effect on anything that the command reads.
+std::optional<QString> whyNoPlaceIn(const MapsWords& words) {
+  if (words.resolution.empty() && words.origin.empty()) return std::nullopt;
+  const bool diff = !words.first.empty();
+  const std::vector<std::string> operands =
+      diff ? std::vector{words.first, words.second} : std::vector{words.id};
+  std::optional<QString> why;
+  for (const std::string& operand : operands) {
+    if (operand == "submaps" && words.origin.empty()) return std::nullopt;
+    const bool other = diff && looksLikeFile(text(operand));
+    why = whyNoPlace(text(other ? operand : words.robot), words.resolution, words.origin);
+    if (!why) return std::nullopt;
+  }
+  return why;
+}
+
 Opened openRobot(const QString& address, const MapsWords& words) {
+  if (const auto why = whyNoPlaceIn(words)) return tl::make_unexpected(CommandFailure{kUsage, *why});
   const auto secret = readSecret(text(words.secret_file));
   if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
     return tl::make_unexpected(
@@ -126,15 +144,6 @@ int run(int& argc, char** argv, Command command) {
   QApplication application(argc, argv);
   const CommandResult<int> result = command();
   return result ? *result : refuse(result.error());
-}
-
-bool looksLikeFile(const QString& operand) {
-  return operand.startsWith(QLatin1String("file:")) || operand.contains(QLatin1Char('/')) ||
-         QFileInfo(operand).isFile() ||
-         QStringList{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
-                     QStringLiteral("pgm"), QStringLiteral("bmp")}
-             .contains(QFileInfo(operand).suffix().toLower()) ||
-         operand.contains(QLatin1String("+http")) || operand.startsWith(QLatin1String("demo:"));
 }
 
 }  // namespace
@@ -177,7 +186,8 @@ int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
     if (words.json) {
       print(QJsonDocument(jsonOf(*current)));
     } else {
-      std::printf("%s  %s\n", map::toText(current->key).c_str(), qUtf8Printable(plain(current->name)));
+      std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(current->key))),
+                  qUtf8Printable(words::plainName(current->name)));
     }
     return kDone;
   });
@@ -218,7 +228,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     const map::GridReference& grid = placed->reference;
     std::vector<QStringList> table{
         {QStringLiteral("id"), text(map::toText(shown.key))},
-        {QStringLiteral("name"), plain((*robot)->nameOfMap().toStdString())},
+        {QStringLiteral("name"), words::plainName((*robot)->nameOfMap())},
         {QStringLiteral("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
         {QStringLiteral("resolution"), QStringLiteral("%1 m").arg(grid.resolution_m)},
         {QStringLiteral("origin"), QStringLiteral("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
@@ -238,7 +248,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
       table.push_back(
           {QStringLiteral("point"),
            QStringLiteral("%1 %2  x %3 m, y %4 m%5")
-               .arg(plain(point.id), plain(point.name))
+               .arg(words::plainName(point.id), words::plainName(point.name))
                .arg(point.position_m.x())
                .arg(point.position_m.y())
                .arg(point.yaw_rad ? QStringLiteral(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
@@ -262,6 +272,12 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
           QStringLiteral("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
                          "--format png or pgm.")
               .arg(output));
+    }
+    const bool names_png = suffix == QLatin1String("png");
+    const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
+    if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
+      return wrong(QStringLiteral("--output %1 and --format %2 contradict each other.")
+                       .arg(output, text(words.format)));
     }
     const QFileInfo folder(QFileInfo(output).absolutePath());
     if (!folder.isDir() || !folder.isWritable()) {
@@ -287,7 +303,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
       }
     }
     const bool broken = (*robot)->session().wholeMap().broken();
-    std::printf("%s: %d x %d cells of %g m\n", words.output.c_str(), placed->reference.width,
+    std::printf("%s: %d x %d cells of %g m\n", qUtf8Printable(oneLine(output)), placed->reference.width,
                 placed->reference.height, placed->reference.resolution_m);
     return broken ? kIncomplete : kDone;
   });

@@ -1,5 +1,6 @@
 #include "app/robot_factory.h"
 
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include "robot/address.h"
@@ -17,6 +18,29 @@ QString httpCacheFolder() {
 QString gridCacheFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
          QStringLiteral("/mapwright/grids");
+}
+
+std::optional<QString> whyNoPlace(const QString& address, const std::string& resolution,
+                                  const std::string& origin) {
+  if (resolution.empty() && origin.empty()) return std::nullopt;
+  const auto parsed = robot::parseAddress(address);
+  if (!parsed) return std::nullopt;  // which is said elsewhere
+  const QString options = origin.empty()       ? QStringLiteral("--resolution")
+                          : resolution.empty() ? QStringLiteral("--origin")
+                                               : QStringLiteral("--resolution and --origin");
+  if (parsed->backend != robot::Backend::File) {
+    return QStringLiteral("%1: only for a bare picture file. A robot says itself where its maps lie.")
+        .arg(options);
+  }
+  if (parsed->resolution_m || parsed->origin) {
+    return QStringLiteral("%1: the address says it already, after its ?. Give one of the two.").arg(options);
+  }
+  const QString suffix = QFileInfo(parsed->path).suffix().toLower();
+  if (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml")) {
+    return QStringLiteral("%1: only for a bare picture file. %2 says itself where its map lies.")
+        .arg(options, QFileInfo(parsed->path).fileName());
+  }
+  return std::nullopt;
 }
 
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QByteArray>
@@ -19,6 +20,9 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
 
 /// The address of a bare picture with its resolution (metres per cell) and origin ("x,y" or "x,y,yaw") from
 /// the command line, which makeRobot() then checks; other addresses, and empty words, change nothing.
+/// Why --resolution and --origin make no sense for this address; nullopt when they do, or are not given.
+std::optional<QString> whyNoPlace(const QString& address, const std::string& resolution,
+                                  const std::string& origin);
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin);
 
 /// The folder of answers kept on disk (XDG_CACHE_HOME/mapwright/http).

@@ -5,6 +5,7 @@
 #include <pthread.h>
 
 #include "app/exit_code.h"
+#include "words/plain.h"
 
 namespace mapwright::app {
 
@@ -18,7 +19,7 @@ int simulate(const simulator::Options& options) {
 
   simulator::Simulator robot(options);
   if (const auto error = robot.start()) {
-    std::fprintf(stderr, "%s\n", error->c_str());
+    std::fprintf(stderr, "%s\n", words::plainLine(*error).c_str());
     return kUnreachable;
   }
   std::printf("{\"axbot\":\"%s\",\"aimdk\":\"%s\"}\n", robot.address().c_str(), robot.aimdkAddress().c_str());

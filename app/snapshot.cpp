@@ -14,6 +14,7 @@
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "app/snapshot_run.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
@@ -25,7 +26,8 @@ int refuse(int exit_code, const QString& sentence) {
 
 bool writeReport(const QString& path, const QJsonObject& report) {
   QSaveFile file(path);
-  return file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(report).toJson()) > 0 && file.commit();
+  return file.open(QIODevice::WriteOnly) &&
+         file.write(words::escapedJson(QJsonDocument(report).toJson())) > 0 && file.commit();
 }
 
 QString summaryOf(const SnapshotRun& run) {
@@ -33,7 +35,7 @@ QString summaryOf(const SnapshotRun& run) {
   if (report[QLatin1String("mode")].toString() == QLatin1String("whole")) {
     const QJsonObject map = report[QLatin1String("map")].toObject();
     const QJsonArray size = map[QLatin1String("size")].toArray();
-    const QString name = map[QLatin1String("name")].toString().simplified();
+    const QString name = words::plainName(map[QLatin1String("name")].toString());
     return QStringLiteral("%1: map %2%3, %4 x %5 cells")
         .arg(run.options().output, map[QLatin1String("id")].toString(),
              name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(name))
@@ -86,9 +88,10 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!run.options().report.isEmpty() && !writeReport(run.options().report, run.report())) {
     return refuse(kUsage, QStringLiteral("%1 cannot be written.").arg(run.options().report));
   }
-  if (run.options().json) std::printf("%s", QJsonDocument(run.report()).toJson().constData());
+  if (run.options().json)
+    std::printf("%s", words::escapedJson(QJsonDocument(run.report()).toJson()).constData());
   if (!run.error().isEmpty()) return refuse(exit_code, run.error());
-  if (!run.options().json) std::printf("%s\n", qUtf8Printable(summaryOf(run)));
+  if (!run.options().json) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
   if (exit_code != kDone) {
     const QStringList warnings = run.warnings();
     refuse(exit_code,

@@ -68,6 +68,32 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) 
   return chosen;
 }
 
+/// An option that nothing could come of is a mistake, and the picture would not tell.
+std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
+  if (words.average && options.mode == SnapshotMode::Submaps) {
+    return QStringLiteral("--average is for whole maps: submaps are always averaged when zoomed out.");
+  }
+  const bool whole = options.mode == SnapshotMode::Whole;
+  if (whole && words.slice != 0) {
+    return QStringLiteral("--slice is for submaps: a whole map has no slices.");
+  }
+  if (whole && options.colors != render::ColorMode::Normal) {
+    return QStringLiteral("--colors %1 is for submaps: a whole map has none.").arg(text(words.colors));
+  }
+  if (!words.raw) return std::nullopt;
+  if (options.dark || options.colors != render::ColorMode::Normal) {
+    return QStringLiteral("--raw has no colours: give it, or --theme and --colors.");
+  }
+  if (words.layers.empty()) return std::nullopt;
+  for (const scene::Layer layer : options.layers) {
+    if (layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap) {
+      return QStringLiteral("--raw draws the map alone, without the layer \"%1\" of --layers.")
+          .arg(scene::layerName(layer));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words) {
@@ -100,6 +126,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     options.mode = SnapshotMode::Whole;
     options.map = map::mapKeyFromText(words.map);
   }
+  if (const auto why = whyNoPlace(text(words.robot), words.resolution, words.origin)) return wrong(*why);
   options.average = words.average;
   const auto size = parseSize(text(words.size));
   if (!size) {
@@ -111,7 +138,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
             .arg(kMaxPixels / 1'000'000));
   }
   options.size_px = *size;
-  const bool has_center = !words.center.empty(), has_scale = words.scale != 0;
+  const bool has_center = !words.center.empty(), has_scale = words.scale.has_value();
   if (words.fit && (has_center || has_scale)) {
     return wrong(
         QStringLiteral("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
@@ -125,12 +152,12 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
       return wrong(
           QStringLiteral("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
     }
-    if (!(words.scale >= geometry::kMinScaleMPerPx && words.scale <= geometry::kMaxScaleMPerPx)) {
+    if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
       return wrong(QStringLiteral("--scale must lie between %1 and %2 metres per pixel.")
                        .arg(geometry::kMinScaleMPerPx)
                        .arg(geometry::kMaxScaleMPerPx));
     }
-    options.scale_m_per_px = words.scale;
+    options.scale_m_per_px = *words.scale;
   }
   if (!std::isfinite(words.rotate_deg)) return wrong(QStringLiteral("--rotate must be a number of degrees."));
   options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(words.rotate_deg));
@@ -165,8 +192,13 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
       return wrong(
           QStringLiteral("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
     }
+    if (seconds > words.timeout_s) {
+      return wrong(
+          QStringLiteral("--settle %1 lasts longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
+    }
     options.settle_s = seconds;
   }
+  if (const auto why = whyWithoutEffect(words, options)) return wrong(*why);
   for (const QString& path : {options.output, options.report}) {
     if (path.isEmpty()) continue;
     const QFileInfo folder(QFileInfo(path).absolutePath());

@@ -21,7 +21,8 @@ struct SnapshotWords {
   std::string robot, secret_file, output, mode, map, center,
       size = "1280x800", layers, colors = "normal", theme = "light", settle = "complete", report, resolution,
       origin;
-  double scale = 0, rotate_deg = 0, timeout_s = 60;
+  std::optional<double> scale;
+  double rotate_deg = 0, timeout_s = 60;
   int slice = 0;
   bool fit = false, raw = false, json = false, average = false;
 };

@@ -7,6 +7,7 @@
 
 #include "app/display.h"
 #include "app/exit_code.h"
+#include "app/one_line.h"
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "app/snapshot.h"
@@ -43,7 +44,7 @@ int showWindow(const QString& address, const QByteArray& secret) {
 int window(const QString& address, const QString& secret_file, int& argc, char** argv) {
   const auto secret = readSecret(secret_file);
   if (!secret) {
-    std::fprintf(stderr, "%s\n", qUtf8Printable(secret.error()));
+    std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(secret.error())));
     return kUsage;
   }
   chooseWindowPlatform();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "words/qt_plain.h"
+
 namespace mapwright::session {
 namespace {
 
@@ -157,10 +159,10 @@ int ProblemLog::unresolved() const {
 QString ProblemLog::toText(const QDateTime& now) const {
   QString text;
   for (const LoggedProblem& row : rows_) {
-    text += QStringLiteral("%1  %2  %3: %4")
-                .arg(row.last.toString(Qt::ISODate), severityWord(row.problem.severity),
-                     QString::fromStdString(map::toText(row.problem.subject)),
-                     QString::fromStdString(row.problem.sentence));
+    text +=
+        QStringLiteral("%1  %2  %3: %4")
+            .arg(row.last.toString(Qt::ISODate), severityWord(row.problem.severity),
+                 words::plainName(map::toText(row.problem.subject)), words::plainName(row.problem.sentence));
     if (row.count > 1) {
       text += QStringLiteral("  (%1 times since %2)").arg(row.count).arg(row.first.toString(Qt::ISODate));
     }

@@ -6,6 +6,7 @@
 #include <QPointer>
 
 #include "raster/stand_back.h"
+#include "words/sentences.h"
 
 namespace mapwright::session {
 namespace {
@@ -13,15 +14,6 @@ namespace {
 constexpr int kRowsEveryMs = 100;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-/// The robot's words as a sentence that another one can follow.
-std::string asSentence(std::string words) {
-  while (!words.empty() && words.back() == ' ') words.pop_back();
-  if (words.empty()) return words;
-  if (words.back() != '.' && words.back() != '!' && words.back() != '?') words += '.';
-  if (words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
-  return words;
-}
 
 }  // namespace
 
@@ -195,7 +187,7 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
       bytes_fetched_ += answer.from_cache ? 0 : answer.bytes;
     } else if (answer.outcome != Outcome::Cancelled) {
       ++fetches_;
-      const std::string reason = asSentence(answer.reason);
+      const std::string reason = words::asSentence(answer.reason);
       failure_reasons_[key.id] = reason;
       const bool missing = answer.outcome == Outcome::NotFound;
       report({missing ? map::Severity::Warning : map::Severity::Error, map::subjectOf(key.id),
@@ -282,9 +274,10 @@ SubmapStatus Session::status(map::SubmapId id) const {
 QString Session::reason(map::SubmapId id) const {
   const submap::SubmapRow* row = book_.find(id);
   if (!row) return {};
-  if (!row->pose_problem.empty()) return text("It cannot be placed: " + row->pose_problem + ".");
+  if (!row->pose_problem.empty()) return text(words::because("It cannot be placed", row->pose_problem));
   if (const auto it = failure_reasons_.find(id); it != failure_reasons_.end()) return text(it->second);
-  if (const std::string corrupt = row->corruptReason(); !corrupt.empty()) return text(corrupt + ".");
+  if (const std::string corrupt = row->corruptReason(); !corrupt.empty())
+    return text(words::asSentence(corrupt));
   if (row->stale_texture) return tr("The robot lists an older version than the one shown.");
   return {};
 }

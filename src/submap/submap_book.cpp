@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "words/sentences.h"
+
 namespace mapwright::submap {
 namespace {
 
@@ -112,8 +114,8 @@ BookChange SubmapBook::apply(const map::SubmapList& list) {
     const std::string problem = poseProblem(entry.pose);
     if (!problem.empty() && problem != row.pose_problem) {
       change.problems.push_back({map::Severity::Error, map::subjectOf(id),
-                                 versionText(entry.version) + " cannot be placed: " + problem +
-                                     (row.pose_usable ? ". It stays where it was." : ". Shown without it."),
+                                 words::because(versionText(entry.version) + " cannot be placed", problem) +
+                                     (row.pose_usable ? " It stays where it was." : " Shown without it."),
                                  map::ProblemCode::Unplaced});
     }
     if (problem.empty() && !row.pose_problem.empty()) {
@@ -169,8 +171,8 @@ BookChange SubmapBook::commit(DecodedSubmap decoded) {
   texture_bytes_ += row.texture_bytes;
   if (const std::string reason = row.corruptReason(); !reason.empty()) {
     change.problems.push_back({map::Severity::Error, map::subjectOf(decoded.key.id),
-                               versionText(decoded.version) + ": " + reason +
-                                   ". Shown without it. It will be asked for again at the next version.",
+                               words::because(versionText(decoded.version) + " is broken", reason) +
+                                   " Shown without it. It will be asked for again at the next version.",
                                map::ProblemCode::Unreadable});
   } else {
     change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::Unreadable});

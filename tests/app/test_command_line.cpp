@@ -64,7 +64,39 @@ class CommandLineTest : public QObject {
           "simulate --drop-rate 2", "snapshot --robot demo: --secret-file /no/such/file --output p.png",
           "maps", "maps list", "maps list --robot /no/such/map.yaml",
           "maps export --robot demo: --output map.tiff", "maps diff a.yaml b.yaml",
-          "snapshot --robot /no/such/map.yaml --output p.png"}) {
+          "snapshot --robot /no/such/map.yaml --output p.png",
+          // Options that say nothing, or no number.
+          "snapshot --robot demo: --output p.png --layers ", "snapshot --robot demo: --output p.png --mode ",
+          "snapshot --robot demo: --output p.png --map ", "snapshot --robot  --output p.png",
+          "snapshot --robot demo: --output p.png --rotate nan",
+          "snapshot --robot demo: --output p.png --rotate 1e999",
+          "snapshot --robot demo: --output p.png --rotate 0x10",
+          "snapshot --robot demo: --output p.png --rotate 5deg",
+          "snapshot --robot demo: --output p.png --scale 0",
+          "snapshot --robot demo: --output p.png --center 0,0 --scale 0",
+          "snapshot --robot demo: --output p.png --center 0,0 --scale inf",
+          "snapshot --robot demo: --output p.png --slice 1.5",
+          "snapshot --robot demo: --output p.png --slice -1",
+          "snapshot --robot demo: --output p.png --timeout 0",
+          "snapshot --robot demo: --output p.png --timeout nan",
+          "snapshot --robot demo: --output p.png --settle 61", "simulate --speed nan",
+          "simulate --port 70000", "simulate --seed -1", "simulate --submaps 1e9", "simulate --points many",
+          "maps list --robot demo: --timeout inf", "maps list --robot demo: --timeout -1",
+          "maps show  --robot demo:",
+          // Options that contradict each other, or could have no effect.
+          "snapshot --robot demo: --output p.png --resolution 0.1",
+          "snapshot --robot demo: --output p.png --origin 1,2",
+          "snapshot --robot demo: --output p.png --mode submaps --average",
+          "snapshot --robot demo: --output p.png --mode whole --slice 1",
+          "snapshot --robot demo: --output p.png --mode whole --colors active",
+          "snapshot --robot demo: --output p.png --raw --theme dark",
+          "snapshot --robot demo: --output p.png --raw --layers robot",
+          "maps list --robot demo: --resolution 0.1", "maps show --robot demo: --origin 1,2",
+          "maps export 1 --robot demo: --resolution 0.1 --output map.png",
+          "maps export submaps --robot demo: --origin 1,2 --output map.png",
+          "maps export submaps --robot demo: --resolution 0 --output map.png",
+          "maps export --robot demo: --format pgm --output map.png",
+          "maps diff 1 2 --robot demo: --resolution 0.1"}) {
       QTest::newRow(line) << QString::fromLatin1(line);
     }
   }

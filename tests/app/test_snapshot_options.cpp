@@ -1,11 +1,16 @@
+#include <cmath>
+
 #include <QTest>
 
+#include "app/option_words.h"
 #include "app/snapshot_options.h"
 
 using namespace mapwright;
 using app::parseSnapshotOptions;
 using app::SnapshotMode;
 using app::SnapshotWords;
+
+Q_DECLARE_METATYPE(SnapshotWords)
 
 class SnapshotOptionsTest : public QObject {
   Q_OBJECT
@@ -119,6 +124,50 @@ class SnapshotOptionsTest : public QObject {
     QVERIFY(options.error().size() > 10);
   }
 
+  void anOptionWithoutEffectIsRefused_data() {
+    QTest::addColumn<SnapshotWords>("given");
+    QTest::addColumn<bool>("fine");
+    const auto row = [](const char* name, bool fine, auto change) {
+      SnapshotWords w = words();
+      change(w);
+      QTest::newRow(name) << w << fine;
+    };
+    using W = SnapshotWords;
+    row("average of submaps", false, [](W& w) { w.mode = "submaps", w.average = true; });
+    row("average of whole maps", true, [](W& w) { w.mode = "whole", w.average = true; });
+    row("average of whatever is there", true, [](W& w) { w.average = true; });
+    row("slice of a whole map", false, [](W& w) { w.map = "7", w.slice = 1; });
+    row("slice of submaps", true, [](W& w) { w.slice = 1; });
+    row("colours of a whole map", false, [](W& w) { w.mode = "whole", w.colors = "incremental"; });
+    row("raw and dark", false, [](W& w) { w.raw = true, w.theme = "dark"; });
+    row("raw and coloured", false, [](W& w) { w.raw = true, w.colors = "active"; });
+    row("raw and a layer", false, [](W& w) { w.raw = true, w.layers = "submaps,robot"; });
+    row("raw and all layers", false, [](W& w) { w.raw = true, w.layers = "all"; });
+    row("raw and no layers", true, [](W& w) { w.raw = true, w.layers = "none"; });
+    row("raw and the maps", true, [](W& w) { w.raw = true, w.layers = "submaps,whole"; });
+    row("settles within the time", true, [](W& w) { w.settle = "60"; });
+    row("settles after the time", false, [](W& w) { w.settle = "60.5"; });
+    row("a place for a robot", false, [](W& w) { w.resolution = "0.1"; });
+    row("a place for a yaml", false, [](W& w) { w.robot = "/maps/hall.yaml", w.origin = "1,2"; });
+    row("a place twice", false, [](W& w) { w.robot = "file:/m/a.png?resolution=1", w.resolution = "2"; });
+    row("a place for a picture", true, [](W& w) { w.robot = "/maps/hall.png", w.origin = "1,2"; });
+  }
+  void anOptionWithoutEffectIsRefused() {
+    QFETCH(SnapshotWords, given);
+    QFETCH(bool, fine);
+    const auto options = parseSnapshotOptions(given);
+    QVERIFY2(options.has_value() == fine, options ? "taken" : qPrintable(options.error()));
+    if (!fine) QVERIFY2(options.error().contains(QLatin1String("--")), qPrintable(options.error()));
+  }
+
+  void numbersAreDecimal() {
+    for (const char* word : {"0", "-0", "+1", "12", "-0.5", ".5", "5.", "1e-3", "1E+30"})
+      QVERIFY2(app::isDecimal(word), word);
+    for (const char* word : {"", " ", "nan", "inf", "-inf", "infinity", "0x10", "5m", "1,5", "--5", "1e", ".",
+                             "1 2", " 1", "1_000", "٣"})
+      QVERIFY2(!app::isDecimal(word), word);
+  }
+
   void centerAndScaleBelongTogether() {
     SnapshotWords w = words();
     w.center = "0,0";
@@ -128,8 +177,13 @@ class SnapshotOptionsTest : public QObject {
     w.fit = true;
     QVERIFY(!parseSnapshotOptions(w));
     w.fit = false;
-    w.scale = -1;
-    QVERIFY(!parseSnapshotOptions(w));
+    for (const double scale : {-1.0, 0.0, 1e-9, 1e9, std::nan(""), HUGE_VAL}) {
+      w.scale = scale;
+      QVERIFY2(!parseSnapshotOptions(w), qPrintable(QString::number(scale)));
+      SnapshotWords alone = words();
+      alone.scale = scale;
+      QVERIFY2(!parseSnapshotOptions(alone), qPrintable(QString::number(scale)));
+    }
   }
 };
 

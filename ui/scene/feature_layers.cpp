@@ -7,6 +7,7 @@
 #include <QPainterPath>
 
 #include "scene/live_layers.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::scene {
 namespace {
@@ -31,7 +32,7 @@ bool inView(const geometry::ViewTransform& view, const QRectF& rect) {
 
 /// One line, no markup, not too long.
 QString shortName(const std::string& name) {
-  QString text = QString::fromStdString(name).simplified();
+  QString text = words::plainName(name);
   if (text.size() > kLongestName) text = text.left(kLongestName - 1) + QChar(0x2026);
   return text;
 }

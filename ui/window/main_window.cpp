@@ -28,6 +28,7 @@
 #include "window/map/toast_stack.h"
 #include "window/status/connection_chip.h"
 #include "window/status/window_status_bar.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -233,7 +234,7 @@ void MainWindow::refreshChip() {
   const QString address = session_->robot().address();
   QString name = identity.name.isEmpty() ? identity.serial : identity.name;
   if (name.trimmed().isEmpty()) name = address;
-  name = name.simplified();
+  name = words::plainName(name);
   QStringList detail{address};
   if (!identity.model.isEmpty()) detail << QStringLiteral("Model %1").arg(identity.model);
   if (!identity.serial.isEmpty()) detail << QStringLiteral("Serial number %1").arg(identity.serial);

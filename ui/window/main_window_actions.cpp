@@ -28,6 +28,7 @@
 #include "window/map/measure_tool.h"
 #include "window/map/toast_stack.h"
 #include "window/status/connection_chip.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -349,7 +350,7 @@ void MainWindow::addRecents(QMenu* menu, bool files, const QString& title) {
     QString label =
         files ? QStringLiteral("%1  %2").arg(QFileInfo(path).fileName(), QFileInfo(path).absolutePath())
         : robot.name.isEmpty() ? robot.address
-                               : QStringLiteral("%1  %2").arg(robot.name.simplified(), robot.address);
+                               : QStringLiteral("%1  %2").arg(words::plainName(robot.name), robot.address);
     label.replace(QLatin1Char('&'), QLatin1String("&&"));  // no mnemonics from robots
     QAction* action = menu->addAction(label.left(120));
     action->setToolTip(plainToolTip(robot.address));

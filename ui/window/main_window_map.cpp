@@ -23,6 +23,7 @@
 #include "window/map/measure_tool.h"
 #include "window/map/toast_stack.h"
 #include "window/status/window_status_bar.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -127,7 +128,7 @@ void MainWindow::setMeasuring(bool on) {
 }
 
 void MainWindow::copyText(const QString& text, const QString& what) {
-  QGuiApplication::clipboard()->setText(text);
+  QGuiApplication::clipboard()->setText(words::plainText(text));
   overlay_->toasts()->add(Mark::Good, what);
 }
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "words/sentences.h"
+
 namespace mapwright::robot::aimdk {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr qint64 kMaxAnswerBytes = qint64(384) << 20;  // 256 MB of picture as b
 std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
 
 std::string because(const char* what, const net::HttpAnswer& answer) {
-  return what + answer.sentence.toStdString() + ".";
+  return words::because(what, answer.sentence.toStdString());
 }
 
 map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }

@@ -12,6 +12,7 @@
 #include "robot/wire/base64.h"
 #include "robot/wire/picture_facts.h"
 #include "robot/wire/read_json.h"
+#include "words/sentences.h"
 
 namespace mapwright::robot::aimdk {
 namespace {
@@ -46,7 +47,7 @@ std::optional<std::string> failure(const Json& root) {
   std::string sentence = "The robot refuses";
   if (bad_code) sentence += " (code " + std::to_string(*code) + ")";
   const std::string why = explanation(root);
-  return sentence + (why.empty() ? "." : ": " + why + (why.ends_with('.') ? "" : "."));
+  return words::because(sentence, why);
 }
 
 /// The `data` of an answer; the error is a sentence.
@@ -59,9 +60,7 @@ Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
   const auto data = wire::member(*root, {"data"});
   simdjson::dom::object members;
   if (!data || data->get(members) || members.size() == 0) {
-    const std::string why = explanation(*root);
-    return refused(why.empty() ? std::string("The robot's answer holds no data.")
-                               : "The robot's answer holds no data: " + why + ".");
+    return refused(words::because("The robot's answer holds no data", explanation(*root)));
   }
   return *data;
 }

@@ -2,6 +2,7 @@
 
 #include "robot/axbot/robot_urls.h"
 #include "robot/wire/picture_facts.h"
+#include "words/sentences.h"
 
 namespace mapwright::robot::axbot {
 
@@ -45,8 +46,10 @@ void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const ne
     return;
   }
   const std::string why = answer.ok() ? "the answer is empty" : answer.sentence.toStdString();
-  take_(map::UnreadableMessage{grid.topic, "Its picture " + url.path().left(120).toStdString() +
-                                               " cannot be had: " + why + ". The picture before stays."});
+  take_(map::UnreadableMessage{
+      grid.topic,
+      words::because("Its picture " + url.path().left(120).toStdString() + " cannot be had", why) +
+          " The picture before stays."});
 }
 
 void GridFetcher::cancelAll() {

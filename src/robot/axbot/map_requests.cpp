@@ -5,6 +5,7 @@
 
 #include "robot/axbot/robot_urls.h"
 #include "robot/wire/picture_facts.h"
+#include "words/sentences.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -26,7 +27,7 @@ map::Problem problemOf(const map::MapKey& key, const std::string& sentence,
 }
 
 std::string because(const char* what, const net::HttpAnswer& answer) {
-  return what + answer.sentence.toStdString() + ".";
+  return words::because(what, answer.sentence.toStdString());
 }
 
 bool unknown(const net::HttpAnswer& answer) {
@@ -125,7 +126,7 @@ void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::
   auto rows = parseMapRows(view(answer.body), kind);
   if (!rows) {
     listing.failures.push_back({map::Severity::Warning, subject,
-                                "The list cannot be read: " + rows.error() + ".",
+                                words::because("The list cannot be read", rows.error()),
                                 map::ProblemCode::Unreadable});
     return;
   }
@@ -176,7 +177,7 @@ void MapRequests::detail(const map::MapKey& key, AnswerTo<MapDetail> reply) {
     if (detail) {
       reply(std::move(*detail));
     } else {
-      reply(tl::make_unexpected(problemOf(key, "It cannot be read: " + detail.error() + ".")));
+      reply(tl::make_unexpected(problemOf(key, words::because("It cannot be read", detail.error()))));
     }
   });
 }
@@ -269,9 +270,10 @@ void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::str
     if (answer.ok()) {
       add(fetch->map, view(answer.body));
     } else {
-      fetch->map.notes.push_back(problemOf(
-          fetch->map.key, "Shown without " + file.toStdString() + ": " + answer.sentence.toStdString() + ".",
-          map::Severity::Info));
+      fetch->map.notes.push_back(
+          problemOf(fetch->map.key,
+                    words::because("Shown without " + file.toStdString(), answer.sentence.toStdString()),
+                    map::Severity::Info));
     }
     fetch->finishPart();
   });

@@ -6,6 +6,7 @@
 #include "robot/axbot/parse_overlays.h"
 #include "robot/wire/picture_facts.h"
 #include "ros_messages/slam.pb.h"
+#include "words/sentences.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -125,10 +126,9 @@ tl::expected<map::WholeMap, std::string> parseOverview(std::string_view body, do
   }
   if (response.status_code() != ros_messages::slam::OK) {
     const std::string& name = ros_messages::slam::StatusCode_Name(response.status_code());
-    std::string sentence =
-        "The robot answered " + (name.empty() ? "code " + std::to_string(response.status_code()) : name);
-    if (!response.status_message().empty()) sentence += ": " + response.status_message().substr(0, 300);
-    return tl::make_unexpected(sentence + ".");
+    return tl::make_unexpected(words::because(
+        "The robot answered " + (name.empty() ? "code " + std::to_string(response.status_code()) : name),
+        response.status_message().substr(0, 300)));
   }
   map::WholeMap whole;
   whole.key = {map::MapKind::Live, {}};

@@ -1,5 +1,7 @@
 #include "robot/axbot/parse_submap.h"
 
+#include "words/sentences.h"
+
 namespace mapwright::robot::axbot {
 namespace {
 
@@ -36,10 +38,8 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
     answer.outcome = code == ros_messages::slam::NOT_FOUND       ? Outcome::NotFound
                      : code == ros_messages::slam::UUID_MISMATCH ? Outcome::WrongUuid
                                                                  : Outcome::Failed;
-    answer.reason = "The robot answered " + codeName(code);
-    if (!response.status().message().empty())
-      answer.reason += ": " + response.status().message().substr(0, 300);
-    answer.reason += ".";
+    answer.reason =
+        words::because("The robot answered " + codeName(code), response.status().message().substr(0, 300));
     return answer;
   }
   answer.outcome = Outcome::Ok;

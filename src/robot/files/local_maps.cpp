@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include "robot/files/read_map_yaml.h"
+#include "words/sentences.h"
 
 namespace mapwright::robot::files {
 namespace {
@@ -58,7 +59,8 @@ std::optional<std::string> whyUnreadable(const QString& path) {
 tl::expected<map::WholeMap, std::string> fromYaml(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) {
-    return refused(path.toStdString() + " cannot be opened: " + file.errorString().toStdString() + ".");
+    return refused(
+        words::because(path.toStdString() + " cannot be opened", file.errorString().toStdString()));
   }
   auto yaml = parseMapYaml(file.read(qint64(kMaxYamlBytes) + 1).toStdString());
   if (!yaml) return refused(yaml.error());

@@ -14,6 +14,7 @@
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -203,7 +204,7 @@ void ConnectDialog::start(const QString& address, const QByteArray& secret) {
 }
 
 void ConnectDialog::setError(const QString& sentence) {
-  error_->setText(sentence);
+  error_->setText(words::plainText(sentence));
   error_->setVisible(!sentence.isEmpty());
   if (!sentence.isEmpty()) {
     address_->setFocus();

@@ -16,13 +16,14 @@
 #include <QVBoxLayout>
 
 #include "window/look/ui_colors.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
 namespace {
 
 QString fileNameFrom(const QString& name) {
-  QString plain = name.simplified();
+  QString plain = words::plainName(name);
   static const QRegularExpression odd(QStringLiteral("[^\\w\\-. ]"),
                                       QRegularExpression::UseUnicodePropertiesOption);
   plain.replace(odd, QStringLiteral("_"));

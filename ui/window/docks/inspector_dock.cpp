@@ -14,6 +14,7 @@
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/status/status_text.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -260,7 +261,7 @@ void InspectorDock::refreshDetails() {
                                       : QStringLiteral(
                                             "Select a submap to see where it is and how it stands. "
                                             "Double click shows it on the map.");
-  if (text != details_->text()) details_->setText(text);
+  if (const QString plain = words::plainText(text); plain != details_->text()) details_->setText(plain);
 }
 
 }  // namespace mapwright::window

@@ -9,6 +9,7 @@
 
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -34,13 +35,13 @@ QString sectionTitle(map::MapKind kind) {
 }  // namespace
 
 QString mapTitle(const std::string& name) {
-  const QString title = QString::fromStdString(name).simplified().left(kLongestTitle);
+  const QString title = words::plainName(name).left(kLongestTitle);
   return title.isEmpty() ? QStringLiteral("(no name)") : title;
 }
 
 QString mapDetail(const map::CatalogueEntry& entry) {
   QStringList parts;
-  const QString id = QString::fromStdString(entry.key.id).simplified().left(kLongestTitle);
+  const QString id = words::plainName(entry.key.id).left(kLongestTitle);
   if (entry.key.kind != map::MapKind::File && !id.isEmpty()) parts << QStringLiteral("id %1").arg(id);
   if (entry.map_version) parts << QStringLiteral("v%1").arg(*entry.map_version);
   const auto date = entry.modified_s ? entry.modified_s : entry.created_s;
@@ -48,7 +49,7 @@ QString mapDetail(const map::CatalogueEntry& entry) {
   if (date && *date > 0 && *date < 4e9) {
     parts << QDateTime::fromSecsSinceEpoch(qint64(*date)).toString(QStringLiteral("yyyy-MM-dd"));
   }
-  if (!entry.state.empty()) parts << QString::fromStdString(entry.state).simplified().left(40);
+  if (!entry.state.empty()) parts << words::plainName(entry.state).left(40);
   if (entry.grid && entry.grid->width > 0 && entry.grid->height > 0) {
     parts << QStringLiteral("%1 x %2").arg(countText(entry.grid->width), countText(entry.grid->height));
   }

@@ -10,6 +10,7 @@
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
 #include "window/status/status_text.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -18,7 +19,7 @@ namespace {
 bool same(const session::LoggedProblem& a, const session::LoggedProblem& b) { return a.row == b.row; }
 
 QString subjectText(const session::LoggedProblem& problem) {
-  return QString::fromStdString(map::toText(problem.problem.subject));
+  return words::plainName(map::toText(problem.problem.subject));
 }
 
 /// What lasts has no length yet; what was met once and recovered at once has none worth a word.
@@ -114,7 +115,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
         case DurationColumn:
           return durationText(row);
         case SentenceColumn:
-          return QString::fromStdString(row.problem.sentence).simplified();
+          return words::plainName(row.problem.sentence);
         default:
           return {};
       }
@@ -165,7 +166,7 @@ QString problemLine(const session::LoggedProblem& problem) {
   return QStringLiteral("%1 %2 %3×  %4: %5  (%6)")
       .arg(QLocale::c().toString(problem.last, QStringLiteral("yyyy-MM-dd HH:mm:ss")),
            severityWord(problem.problem.severity), QString::number(problem.count), subjectText(problem),
-           QString::fromStdString(problem.problem.sentence), timesText(problem));
+           words::plainName(problem.problem.sentence), timesText(problem));
 }
 
 }  // namespace mapwright::window

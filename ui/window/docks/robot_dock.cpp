@@ -13,6 +13,7 @@
 #include "window/look/ui_colors.h"
 #include "window/status/state_mark.h"
 #include "window/status/window_status_bar.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -139,7 +140,7 @@ void RobotDock::refresh() {
                         .arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss"))));
   }
   const QString limits = session_ ? session_->robot().limits() : QString();
-  limits_->setText(limits);
+  limits_->setText(words::plainText(limits));
   limits_->setVisible(!limits.isEmpty());
   QPalette quiet = limits_->palette();
   quiet.setColor(QPalette::WindowText, appColors().secondary_text);

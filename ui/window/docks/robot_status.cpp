@@ -5,15 +5,15 @@
 
 #include <QTimeZone>
 
+#include "words/qt_plain.h"
+
 namespace mapwright::window {
 
 namespace {
 
 constexpr qsizetype kLongestValue = 200;
 
-QString plain(const std::string& text) {
-  return QString::fromStdString(text).simplified().left(kLongestValue);
-}
+QString plain(const std::string& text) { return words::plainName(text).left(kLongestValue); }
 
 QString number(double value, int decimals, const char* unit) {
   if (!std::isfinite(value)) return QStringLiteral("?");

@@ -6,6 +6,7 @@
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
 #include "window/status/status_text.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -65,7 +66,7 @@ QString TopicsModel::text(const Row& row, int column) const {
   const bool any = row.count > 0;
   switch (column) {
     case TopicColumn:
-      return row.topic.left(200);
+      return words::plainName(row.topic.left(200));
     case TypeColumn:
       return !any         ? QStringLiteral("waiting")
              : row.binary ? QStringLiteral("binary")

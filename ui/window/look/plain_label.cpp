@@ -7,6 +7,7 @@
 
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -16,7 +17,8 @@ PlainLabel::PlainLabel(QWidget* parent) : QWidget(parent) {
 
 PlainLabel::PlainLabel(const QString& text, QWidget* parent) : PlainLabel(parent) { setText(text); }
 
-void PlainLabel::setText(const QString& text) {
+void PlainLabel::setText(const QString& given) {
+  const QString text = words::plainLine(given);
   if (text == text_) return;
   text_ = text;
   setAccessibleName(text);
@@ -104,7 +106,7 @@ void PlainLabel::changeEvent(QEvent* event) {
 
 QString plainToolTip(const QString& text) {
   if (text.isEmpty()) return {};
-  QString escaped = text.toHtmlEscaped();
+  QString escaped = words::plainText(text).toHtmlEscaped();
   escaped.replace(QLatin1Char('\n'), QLatin1String("<br>"));
   return QStringLiteral("<qt>%1</qt>").arg(escaped);
 }

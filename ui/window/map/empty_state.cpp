@@ -11,6 +11,7 @@
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"
 #include "window/status/status_text.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -217,8 +218,8 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
     hide();
     return;
   }
-  title_->setText(state->title);
-  text_->setText(state->text);
+  title_->setText(words::plainText(state->title));
+  text_->setText(words::plainText(state->text));
   text_->setVisible(!state->text.isEmpty());
   progress_->setVisible(state->busy);
   connect_->setVisible(state->offers_connect);

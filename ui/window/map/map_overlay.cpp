@@ -12,6 +12,7 @@
 #include "window/map/map_view.h"
 #include "window/map/notice_bar.h"
 #include "window/map/toast_stack.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -47,7 +48,7 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
 }
 
 void MapOverlay::setHint(const QString& text) {
-  hint_->setText(text);
+  hint_->setText(words::plainText(text));
   hint_frame_->setVisible(!text.isEmpty());
   place();
 }

@@ -9,6 +9,7 @@
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/status/state_mark.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -38,7 +39,7 @@ NoticeBar::NoticeBar(QWidget* parent)
 
 void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable) {
   mark_ = mark;
-  label_->setText(sentence);
+  label_->setText(words::plainText(sentence));
   button_->setText(offer);
   button_->setVisible(!offer.isEmpty());
   close_->setVisible(closable);

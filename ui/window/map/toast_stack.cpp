@@ -9,6 +9,7 @@
 
 #include "window/look/icons.h"
 #include "window/status/state_mark.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -50,7 +51,7 @@ void ToastStack::add(Mark mark, const QString& text) {
   auto* label = new QLabel(toast);
   label->setObjectName(QStringLiteral("toastText"));
   label->setTextFormat(Qt::PlainText);
-  label->setText(text);
+  label->setText(words::plainText(text));
   label->setWordWrap(text.size() > 60);
   label->setMaximumWidth(380);
   if (label->wordWrap()) label->setMinimumWidth(320);

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "geometry/pose.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -89,7 +90,7 @@ QString trafficText(const session::SubmapCounts& counts) {
 }
 
 QString mapCalled(const QString& name, const map::MapKey& key, int limit) {
-  QString called = name.simplified();
+  QString called = words::plainName(name);
   if (called.isEmpty()) {
     switch (key.kind) {
       case map::MapKind::Live:
@@ -99,7 +100,7 @@ QString mapCalled(const QString& name, const map::MapKey& key, int limit) {
         called = QStringLiteral("the file");
         break;
       default:
-        called = QStringLiteral("map %1").arg(QString::fromStdString(map::toText(key)).simplified());
+        called = QStringLiteral("map %1").arg(words::plainName(map::toText(key)));
     }
   }
   return called.size() > limit ? called.left(limit - 1) + QChar(0x2026) : called;

@@ -1,0 +1,27 @@
+#include "app/option_words.h"
+
+#include <regex>
+
+#include <CLI/CLI.hpp>
+
+namespace mapwright::app {
+
+bool isDecimal(const std::string& word) {
+  static const std::regex decimal(R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)");
+  return std::regex_match(word, decimal);
+}
+
+void refuseOddWords(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    const std::string type = option->get_type_name();
+    const bool number = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
+    option->check([number](const std::string& word) {
+      if (word.empty()) return std::string("its value is empty");
+      return number && !isDecimal(word) ? "\"" + word + "\" is not a number" : std::string();
+    });
+  }
+  for (CLI::App* command : app.get_subcommands({})) refuseOddWords(*command);
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,19 @@
+// What is refused of every option, whatever it means: nothing, and numbers that are none.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace mapwright::app {
+
+/// Every option of `app` and its subcommands that takes a value refuses an empty one; those that take a
+/// number take decimal ones only ("nan", "inf", "0x10" and "5 m" are none).
+void refuseOddWords(CLI::App& app);
+
+/// "12", "-0.5", "1e-3".
+bool isDecimal(const std::string& word);
+
+}  // namespace mapwright::app

@@ -1,0 +1,28 @@
+// words/plain.h for those who speak Qt.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+#include "words/plain.h"
+#include "words/sentences.h"
+
+namespace mapwright::words {
+
+inline QString plainLine(const QString& text) {
+  return QString::fromStdString(plainLine(std::string_view(text.toStdString())));
+}
+inline QString plainText(const QString& text) {
+  return QString::fromStdString(plainText(std::string_view(text.toStdString())));
+}
+/// A name: one line without blanks around it, single ones in it.
+inline QString plainName(const QString& name) { return plainLine(name).simplified(); }
+inline QString plainName(const std::string& name) { return plainName(QString::fromStdString(name)); }
+inline QByteArray escapedJson(const QByteArray& json) {
+  return QByteArray::fromStdString(escapedJson(std::string_view(json.constData(), std::size_t(json.size()))));
+}
+inline QString asSentence(const QString& words) {
+  return QString::fromStdString(asSentence(words.toStdString()));
+}
+
+}  // namespace mapwright::words

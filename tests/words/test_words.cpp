@@ -1,0 +1,111 @@
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "words/qt_plain.h"
+
+using namespace mapwright;
+
+class WordsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void nothingIsLeftThatATerminalObeys() {
+    // Every character of the first 0x3000: what is obeyed, and only that, is gone.
+    for (char32_t code = 0; code < 0x3000; ++code) {
+      const QString one = QStringLiteral("a") + QString::fromUcs4(&code, 1) + QStringLiteral("b");
+      const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029;
+      const bool direction = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+      const QString line = words::plainLine(one);
+      QCOMPARE(line, control ? QStringLiteral("a b") : direction ? QStringLiteral("ab") : one);
+      const bool layout = code == '\n' || code == '\t';
+      QCOMPARE(words::plainText(one), layout ? one : line);
+    }
+  }
+
+  void whatIsNoUtf8IsShownAsThat_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("text");
+    const auto row = [](const char* name, QByteArray bytes, const char* text) {
+      QTest::newRow(name) << bytes << QString::fromUtf8(text);
+    };
+    row("fine",
+        "Gr\xc3\xb6\xc3\x9f"
+        "e \xf0\x9f\x8f\xad",
+        "Größe 🏭");
+    row("lone lead", "a\xc3", "a\xef\xbf\xbd");
+    row("lone tail", "\x9b[31m", "\xef\xbf\xbd[31m");
+    row("overlong escape", "\xc0\x9b", "\xef\xbf\xbd\xef\xbf\xbd");
+    row("overlong in three", "\xe0\x82\x9b", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
+    row("surrogate", "\xed\xa0\x80", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
+    row("beyond", "\xf5\x80\x80\x80", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
+    row("cut off", "\xf0\x9f\x8f", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
+    row("nothing", "", "");
+  }
+  void whatIsNoUtf8IsShownAsThat() {
+    QFETCH(QByteArray, bytes);
+    QTEST(QString::fromStdString(words::plainLine(bytes.toStdString())), "text");
+    QTEST(QString::fromStdString(words::plainText(bytes.toStdString())), "text");
+  }
+
+  void jsonLosesNothingAndObeysNothing() {
+    QString all;
+    for (char32_t code = 1; code < 0x3000; ++code) all += QString::fromUcs4(&code, 1);
+    const QJsonObject object{{all, all}};
+    for (const auto format : {QJsonDocument::Indented, QJsonDocument::Compact}) {
+      const QByteArray json = words::escapedJson(QJsonDocument(object).toJson(format));
+      QCOMPARE(QJsonDocument::fromJson(json).object(), object);
+      const QString shown = QString::fromUtf8(json);
+      QCOMPARE(words::plainText(shown), shown);
+    }
+  }
+
+  void sentencesEndOnce_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("sentence");
+    const auto row = [](const char* words, const char* sentence) {
+      QTest::newRow(words) << QString::fromUtf8(words) << QString::fromUtf8(sentence);
+    };
+    row("no answer", "No answer.");
+    row("No answer.", "No answer.");
+    row("no answer..", "No answer.");
+    row("No answer. ", "No answer.");
+    row("no answer!", "No answer!");
+    row("really?", "Really?");
+    row("and so on...", "And so on...");
+    row("and so on…", "And so on…");
+    row("  no answer\n", "No answer.");
+    row("500", "500.");
+    row("größe", "Größe.");
+    row(" ", "");
+    row("", "");
+    row("..", "");
+  }
+  void sentencesEndOnce() {
+    QFETCH(QString, words);
+    QTEST(words::asSentence(words), "sentence");
+  }
+
+  void aReasonFollowsItsColon_data() {
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<QString>("reason");
+    QTest::addColumn<QString>("sentence");
+    const auto row = [](const char* name, const char* what, const char* reason, const char* sentence) {
+      QTest::newRow(name) << QString(what) << QString(reason) << QString(sentence);
+    };
+    row("plain", "It cannot be had", "no answer", "It cannot be had: no answer.");
+    row("ended", "It cannot be had", "no answer.", "It cannot be had: no answer.");
+    row("ended twice", "It cannot be had", "no answer..", "It cannot be had: no answer.");
+    row("colon given", "It cannot be had: ", "no answer", "It cannot be had: no answer.");
+    row("no reason", "It cannot be had", "", "It cannot be had.");
+    row("only a stop", "It cannot be had:", " . ", "It cannot be had.");
+    row("a question", "It asks", "who?", "It asks: who?");
+  }
+  void aReasonFollowsItsColon() {
+    QFETCH(QString, what);
+    QFETCH(QString, reason);
+    QTEST(QString::fromStdString(words::because(what.toStdString(), reason.toStdString())), "sentence");
+  }
+};
+
+QTEST_GUILESS_MAIN(WordsTest)
+#include "test_words.moc"
