@@ -75,7 +75,7 @@ BookChange SubmapBook::apply(const map::SubmapList& list) {
     change.recoveries.push_back({list_subject, map::ProblemCode::Odd});
   }
   rows_rejected_ = !list.rejected.empty();
-  if (!list_received_) change.recoveries.push_back({list_subject, map::ProblemCode::Unavailable});
+  change.recoveries.push_back({list_subject, map::ProblemCode::Unavailable});
   if (list.uuid != uuid_ || !list_received_) {
     change.new_session = true;
     change.set_changed = true;

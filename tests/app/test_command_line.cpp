@@ -1,4 +1,5 @@
 // The program as a script sees it: exit codes, one line on stderr, files.
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
@@ -161,6 +162,45 @@ class CommandLineTest : public QObject {
     const QJsonObject json = QJsonDocument::fromJson(report.readAll()).object();
     QVERIFY(json[QLatin1String("complete")].toBool());
     QCOMPARE(json[QLatin1String("mode")].toString(), QStringLiteral("whole"));
+  }
+
+  void namesCommandNoTerminal() {
+    const QString evil = QStringLiteral("evil\x1b[2J") + QChar(0x9b) + QStringLiteral("31m") + QChar(0x202e);
+    QVERIFY(QDir(folder_.path()).mkdir(QStringLiteral("evil")));
+    QFile map(at("evil/") + evil + QStringLiteral(".pgm"));
+    QVERIFY(map.open(QIODevice::WriteOnly));
+    map.write("P5\n2 2\n255\n\x01\x02\x03\x04");
+    map.close();
+    const auto ask = [&](const QStringList& words) {
+      const Outcome outcome = run(words + QStringList{QStringLiteral("--robot"), QStringLiteral("evil")});
+      for (const QString& text : {outcome.out, outcome.err}) {
+        for (const QChar c : text) {
+          const bool layout = c == QLatin1Char('\n') || c == QLatin1Char('\t');
+          if (!layout) QVERIFY2(c.isPrint(), qPrintable(words.join(QLatin1Char(' ')) + text.toHtmlEscaped()));
+        }
+      }
+      QVERIFY(!(outcome.out + outcome.err).isEmpty());
+    };
+    const QString maps = QStringLiteral("maps"), json = QStringLiteral("--json");
+    ask({maps, QStringLiteral("list")});
+    ask({maps, QStringLiteral("list"), json});
+    ask({maps, QStringLiteral("show"), evil + QStringLiteral(".pgm")});
+    ask({maps, QStringLiteral("show"), evil + QStringLiteral(".pgm"), json});
+    ask({maps, QStringLiteral("show"), evil});
+    ask({maps, QStringLiteral("show"), evil, json});
+    ask({maps, QStringLiteral("nonsense") + evil});
+    ask({maps, QStringLiteral("export"), evil + QStringLiteral(".pgm"), QStringLiteral("-o"),
+         evil + QStringLiteral(".png")});
+    for (const char* report : {"r.json", "r2.json"}) {
+      ask({QStringLiteral("snapshot"), QStringLiteral("--map"), evil + QStringLiteral(".pgm"),
+           QStringLiteral("-o"), QStringLiteral("evil.png"), QStringLiteral("--report"), at(report),
+           QLatin1String(report) == QLatin1String("r.json") ? json : QStringLiteral("--fit")});
+    }
+    const Outcome list =
+        run({maps, QStringLiteral("list"), json, QStringLiteral("--robot"), QStringLiteral("evil")});
+    const QJsonArray rows = QJsonDocument::fromJson(list.out.toUtf8()).array();
+    QCOMPARE(rows.size(), 1);
+    QCOMPARE(rows[0].toObject()[QLatin1String("id")].toString(), evil + QStringLiteral(".pgm"));
   }
 
   void simulateServesUntilItIsToldToStopAndSnapshotReadsIt() {

@@ -313,6 +313,17 @@ class SessionTest : public QObject {
     QCOMPARE(session_->problems().unresolved(), 0);
   }
 
+  void aListThatComesAtLastIsNoProblemAnyMore() {
+    const map::Problem none{map::Severity::Warning, map::Subject(map::SubjectKind::SubmapList, {}),
+                            "None yet.", map::ProblemCode::Unavailable};
+    for (int connection = 0; connection < 2; ++connection) {
+      Q_EMIT robot_->problemFound(none);
+      QCOMPARE(session_->problems().unresolved(), 1);
+      robot_->say(listOf({}));
+      QCOMPARE(session_->problems().unresolved(), 0);
+    }
+  }
+
   void whatTheRobotTellsToBeWellIsResolved() {
     QSignalSpy changed(session_.get(), &Session::problemsChanged);
     const map::Subject topic(map::SubjectKind::Topic, "/x");

@@ -3,6 +3,9 @@
 
 #include "window/dialogs/command_palette.h"
 #include "window/dialogs/go_to_dialog.h"
+#include "window/docks/maps_model.h"
+#include "window/docks/pretty_json.h"
+#include "window/docks/problems_model.h"
 #include "window/docks/submap_filter.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -12,6 +15,7 @@
 #include "window/map/measure_tool.h"
 #include "window/map/notice_bar.h"
 #include "window/status/status_text.h"
+#include "words/qt_plain.h"
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -266,6 +270,67 @@ class TestWindowText : public QObject {
     for (int status = 0; status <= int(session::SubmapStatus::Unplaced); ++status) {
       QVERIFY(iconNames().contains(statusIcon(session::SubmapStatus(status))));
     }
+  }
+
+  void obeysNoNames() {
+    const QString evil = QStringLiteral("a\x1b[31m\x7f") + QChar(0x9b) + QStringLiteral("2J") +
+                         QChar(0x202e) + QStringLiteral("b") + QChar(0x2066);
+    const auto harmless = [](const QString& text) {
+      QVERIFY2(!text.isEmpty(), "there is something to look at");
+      QCOMPARE(text, words::plainText(text));
+    };
+    QVERIFY(words::plainText(evil) != evil);
+    harmless(PlainLabel(evil).text());
+    harmless(plainToolTip(evil));
+    harmless(mapTitle(evil.toStdString()));
+    map::CatalogueEntry entry;
+    entry.key.id = entry.state = evil.toStdString();
+    harmless(mapDetail(entry));
+    harmless(prettyJson("{\"x\":\"" + evil.toUtf8() + "\"}"));
+    harmless(prettyJson(evil.toUtf8()));
+    session::ProblemLog log;
+    const QDateTime now = QDateTime::currentDateTime();
+    log.add({map::Severity::Error, evil.toStdString(), evil.toStdString()}, now);
+    harmless(log.toText(now));
+    harmless(problemLine(log.rows()[0]));
+    ProblemsModel model;
+    model.sync(log.rows());
+    for (int column = 0; column < ProblemsModel::kColumns; ++column) {
+      if (column == ProblemsModel::DurationColumn) continue;  // it lasts
+      harmless(model.index(0, column).data().toString());
+      harmless(model.index(0, column).data(Qt::ToolTipRole).toString());
+    }
+  }
+
+  void problemsAreFollowedRowByRow() {
+    session::ProblemLog log;
+    ProblemsModel model;
+    const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
+    const map::Subject topic(map::SubjectKind::Topic, "/x"), other(map::SubjectKind::Topic, "/y");
+    log.add({map::Severity::Error, topic, "7 bytes."}, noon);
+    log.add({map::Severity::Error, other, "Odd."}, noon);
+    model.sync(log.rows());
+    const QPersistentModelIndex first(model.index(0, ProblemsModel::SentenceColumn));
+    QSignalSpy removed(&model, &QAbstractItemModel::rowsRemoved);
+    QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    log.add({map::Severity::Error, topic, "8 bytes."}, noon.addSecs(5));
+    model.sync(log.rows());
+    QCOMPARE(removed.size(), 0);
+    QCOMPARE(changed.size(), 1);
+    QCOMPARE(first.data().toString(), QStringLiteral("8 bytes."));
+    QCOMPARE(model.index(0, ProblemsModel::CountColumn).data().toString(), QStringLiteral("2×"));
+    QVERIFY(model.index(0, ProblemsModel::DurationColumn).data().toString().isEmpty());
+    log.resolve({topic}, noon.addSecs(65));
+    model.sync(log.rows());
+    QCOMPARE(model.index(0, ProblemsModel::DurationColumn).data().toString(), QStringLiteral("1 min 5 s"));
+    const QString tip = first.data(Qt::ToolTipRole).toString();
+    QVERIFY(tip.contains(QLatin1String("12:00:00")) && tip.contains(QLatin1String("12:00:05")) &&
+            tip.contains(QLatin1String("12:01:05")));
+    log.clear();
+    log.add({map::Severity::Error, topic, "9 bytes."}, noon.addSecs(70));
+    model.sync(log.rows());
+    QCOMPARE(model.rowCount(), 1);
+    QVERIFY(!first.isValid());
   }
 
   void showsMarkupAsItIs() {
