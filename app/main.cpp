@@ -92,6 +92,7 @@ void addMaps(CLI::App& cli, CommandLine& line) {
         "--resolution", words.resolution,
         "Metres per cell: of a bare picture file, or of submaps that are exported or compared (0.05)");
     command->add_option("--origin", words.origin, "Lower left corner of a bare picture file: X,Y or X,Y,YAW");
+    command->add_option("--report", words.report, "Write what was done, and every warning, as JSON");
     return command;
   };
   const char* which =

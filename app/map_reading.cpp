@@ -1,13 +1,14 @@
 #include "app/map_reading.h"
 
-#include <cstdio>
+#include <algorithm>
 
-#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTimer>
 
 #include "app/exit_code.h"
+#include "app/map_wish.h"
 #include "app/one_line.h"
+#include "app/report.h"
 #include "app/robot_factory.h"
 #include "render/compose_grid.h"
 #include "scene/layer.h"
@@ -18,34 +19,42 @@ namespace {
 constexpr int kLookEveryMs = 10;
 constexpr qsizetype kLongestAddress = 200;
 constexpr int kConnectAttempts = 3;
-constexpr double kLiveMapWithinS = 8;
 constexpr int kTries = 3;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+double secondsSince(SteadyTime start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
-session::Session::Options quietOptions() {
+/// Only what the command shows is asked for.
+session::Session::Options quietOptions(MapReading::Purpose purpose) {
   session::Session::Options options;
   options.overview = false;
+  options.maps = false;
   options.sidecar_folder = gridCacheFolder();
+  options.basics = {purpose == MapReading::Purpose::Submaps, false, false};
   return options;
 }
 
 }  // namespace
 
-MapReading::MapReading(std::unique_ptr<robot::Robot> robot, QString address, double timeout_s)
-    : session_(std::move(robot), quietOptions()), address_(std::move(address)), timeout_s_(timeout_s) {}
+bool CommandTime::over(double grace_s) const { return secondsSince(begun) > timeout_s + grace_s; }
+
+MapReading::MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time,
+                       Purpose purpose)
+    : session_(std::move(robot), quietOptions(purpose)), address_(std::move(address)), time_(time) {}
 
 bool MapReading::waitUntil(const std::function<bool()>& done) {
-  QElapsedTimer clock;
-  clock.start();
   QEventLoop loop;
   QTimer look;
+  look.setTimerType(Qt::PreciseTimer);
+  bool is_done = done();
   QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-    if (done() || double(clock.elapsed()) > timeout_s_ * 1000) loop.quit();
+    is_done = done();
+    if (is_done || time_.over()) loop.quit();
   });
   look.start(kLookEveryMs);
-  if (!done()) loop.exec();
-  return done();
+  if (!is_done) loop.exec();
+  return is_done;
 }
 
 bool MapReading::local() const { return session_.robot().address().startsWith(QLatin1String("file:")); }
@@ -55,7 +64,7 @@ CommandFailure MapReading::failure(int exit_code, const QString& sentence) const
 }
 
 CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& address, const QByteArray& secret,
-                                                            double timeout_s) {
+                                                            CommandTime time, Purpose purpose) {
   if (address.isEmpty()) {
     return tl::make_unexpected(CommandFailure{
         kUsage,
@@ -63,7 +72,7 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   }
   auto robot = makeRobot(address, secret, DemoTime::Frozen);
   if (!robot) return tl::make_unexpected(CommandFailure{kUsage, robot.error()});
-  std::unique_ptr<MapReading> reading(new MapReading(std::move(*robot), address, timeout_s));
+  std::unique_ptr<MapReading> reading(new MapReading(std::move(*robot), address, time, purpose));
   session::Session& session = reading->session_;
   session.open();
   const auto phase = [&] { return session.connection().phase; };
@@ -77,8 +86,9 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
     const QString reason = session.connection().reason;
     return tl::make_unexpected(reading->failure(
         file ? kUsage : kUnreachable,
-        reason.isEmpty() ? QStringLiteral("no connection within %1 s.").arg(timeout_s) : reason));
+        reason.isEmpty() ? QStringLiteral("no connection within %1 s.").arg(time.timeout_s) : reason));
   }
+  reading->online_since_ = std::chrono::steady_clock::now();
   return reading;
 }
 
@@ -91,79 +101,59 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
   if (!waitUntil(
           [&] { return !catalogue.loading() && (catalogue.asOf() || !catalogue.error().isEmpty()); })) {
     return tl::make_unexpected(
-        failure(kRobotError, QStringLiteral("It did not answer within %1 s.").arg(timeout_s_)));
+        failure(kIncomplete, QStringLiteral("It did not answer within %1 s.").arg(time_.timeout_s)));
   }
   if (!catalogue.error().isEmpty()) {
     return tl::make_unexpected(failure(local() ? kUsage : kRobotError, catalogue.error()));
   }
-  warnOfProblems();
+  // A part of the list that could not be had is a problem of its own.
+  complete_ = complete_ && problems(map::Severity::Warning).isEmpty();
   return &catalogue.entries();
 }
 
-void MapReading::warnOfProblems() {
+QStringList MapReading::problems(map::Severity least) const {
+  QStringList lines;
   for (const session::LoggedProblem& row : session_.problems().rows()) {
-    if (row.resolved || row.problem.severity == map::Severity::Info) continue;
     // What concerns the robot as such, or a submap list that has not come yet, is not what was asked for.
     const map::SubjectKind kind = row.problem.subject.kind;
-    if (kind == map::SubjectKind::Robot) continue;
-    if (kind == map::SubjectKind::SubmapList && row.problem.code == map::ProblemCode::Unavailable) continue;
-    if (row.problem.severity == map::Severity::Error) complete_ = false;
-    const QString line =
-        text(map::toText(row.problem.subject)) + QStringLiteral(": ") + text(row.problem.sentence);
-    if (warned_.insert(line).second) std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(line)));
+    const bool asked_for =
+        kind != map::SubjectKind::Robot &&
+        !(kind == map::SubjectKind::SubmapList && row.problem.code == map::ProblemCode::Unavailable);
+    if (!row.resolved && asked_for && row.problem.severity >= least) lines << problemLine(row.problem);
   }
+  return lines;
+}
+
+QStringList MapReading::warnings() const { return notes_ + problems(map::Severity::Warning); }
+
+QJsonObject MapReading::facts() const {
+  QJsonObject facts = trafficJson(session_.counts());
+  for (auto it = facts_.begin(); it != facts_.end(); ++it) facts[it.key()] = it.value();
+  return facts;
 }
 
 CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double resolution_m) {
   if (id == QLatin1String("submaps")) return submaps(resolution_m);
-  session::MapSlot& slot = session_.wholeMap();
-  const bool sends_maps = session_.robot().liveTopics() != nullptr;
-  using Phase = session::MapSlot::Phase;
-  if (!id.isEmpty() && id != QLatin1String("live") && id != QLatin1String("file")) {
-    const auto rows = catalogue();  // for the map's name, and to tell a wrong id from a broken map
-    if (!rows) return tl::make_unexpected(rows.error());
-    const map::CatalogueEntry* const entry = session_.catalogue().called(id.toStdString());
-    session_.openMap(entry ? entry->key : map::mapKeyFromText(id.toStdString()));
-  } else if (sends_maps) {
+  if (id.isEmpty() || id == QLatin1String("live")) {
     session_.want(QStringLiteral("command"), scene::layerTopics(scene::Layer::WholeMap));
-    session_.openMap({map::MapKind::Live, {}});
-    QElapsedTimer clock;
-    clock.start();
-    waitUntil(
-        [&] { return slot.phase() != Phase::Fetching || double(clock.elapsed()) > kLiveMapWithinS * 1000; });
-    if (slot.phase() == Phase::Fetching) {
-      const auto rows = catalogue();
-      const map::CatalogueEntry* const current = rows ? session_.catalogue().current() : nullptr;
-      if (!current || id == QLatin1String("live")) {
-        return tl::make_unexpected(failure(kRobotError, QStringLiteral("It sends no map now.")));
-      }
-      session_.openMap(current->key);
-    }
-  } else {
-    const auto rows = catalogue();
-    if (!rows) return tl::make_unexpected(rows.error());
-    const map::CatalogueEntry* entry = session_.catalogue().current();
-    if (!entry && (*rows)->size() == 1) entry = &(*rows)->front();
-    if (!entry) {
-      return tl::make_unexpected(failure(
-          kRobotError,
-          (*rows)->empty()
-              ? QStringLiteral("There is no map.")
-              : QStringLiteral("None of its %1 maps is the current one: give an id.").arg((*rows)->size())));
-    }
-    if (!(slot.key() == entry->key) || slot.phase() == Phase::Empty) session_.openMap(entry->key);
   }
-  if (!waitUntil(
-          [&] { return slot.settled() && slot.phase() != Phase::Empty && !slot.waypointsAwaited(); })) {
+  MapWish wish(session_, id, true);
+  const bool in =
+      waitUntil([&] { return wish.look(secondsSince(online_since_)) != MapWish::State::Waiting; });
+  if (!in) {
     return tl::make_unexpected(
-        failure(kRobotError, QStringLiteral("The map had not arrived within %1 s.").arg(timeout_s_)));
+        failure(kIncomplete, QStringLiteral("The map had not arrived within %1 s.").arg(time_.timeout_s)));
   }
-  name_ = slot.name();
-  if (slot.phase() == Phase::Failed || !slot.cells()) {
-    return tl::make_unexpected(failure(local() ? kUsage : kRobotError, slot.remark()));
+  if (wish.look(secondsSince(online_since_)) == MapWish::State::Failed) {
+    return tl::make_unexpected(failure(wish.failure().exit_code, wish.failure().sentence));
   }
-  warnOfProblems();
-  return render::PlacedGrid{slot.cells(), slot.reference()};
+  session_.standStill();
+  complete_ = complete_ && wish.complete() && problems(map::Severity::Error).isEmpty();
+  notes_ += wish.notes();
+  name_ = session_.wholeMap().name();
+  const render::PlacedGrid grid = *wish.grid();
+  facts_[QStringLiteral("map")] = mapJson(*wish.key(), name_, grid.reference);
+  return grid;
 }
 
 CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
@@ -171,9 +161,17 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
     return tl::make_unexpected(failure(kRobotError, QStringLiteral("This robot has no submaps.")));
   }
   const bool settled = waitUntil([&] { return session_.settled(kTries); });
-  warnOfProblems();
+  session_.standStill();
+  session_.close();
+  const session::SubmapCounts counts = session_.counts();
+  complete_ = complete_ && settled && submapsComplete(counts);
+  facts_[QStringLiteral("submaps")] = submapsJson(counts);
+  facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.book().uuid());
   if (!settled) {
-    std::fprintf(stderr, "Not every submap had arrived within %g s; the others are exported.\n", timeout_s_);
+    notes_ << (counts.list_received
+                   ? QStringLiteral("Not everything had arrived within %1 s (--timeout).")
+                   : QStringLiteral("The robot sent no submap list within %1 s (--timeout)."))
+                  .arg(time_.timeout_s);
   }
   std::vector<render::PlacedTexture> textures;
   for (const auto& [id, row] : session_.book().rows()) {
@@ -181,8 +179,29 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
       textures.push_back({id, placement->texture, placement->world_from_texture, 0});
     }
   }
+  if (textures.empty()) {
+    // What a snapshot would draw as an empty picture cannot be a grid: it has no size.
+    const QStringList why = warnings();
+    return tl::make_unexpected(
+        failure(complete_ ? kRobotError : kIncomplete,
+                counts.listed == 0 && settled
+                    ? QStringLiteral("It has no submap yet.")
+                    : QStringLiteral("None of its submaps could be had. %1").arg(firstOf(why))));
+  }
   render::DenseCache cache(std::size_t(256) << 20);
-  auto made = render::composeGrid(textures, resolution_m, cache);
+  bool in_time = true;
+  auto made = render::composeGrid(textures, resolution_m, cache, [&](double) {
+    in_time = !time_.over(kDrawOnS);
+    return in_time;
+  });
+  if (!in_time) {
+    return tl::make_unexpected(failure(
+        kIncomplete, QStringLiteral("%1 of %2 submaps had arrived, but they could not be put together "
+                                    "within %3 s (--timeout).")
+                         .arg(counts.shown)
+                         .arg(counts.listed)
+                         .arg(time_.timeout_s)));
+  }
   if (!made) return tl::make_unexpected(failure(kRobotError, QString::fromStdString(made.error())));
   return render::PlacedGrid{made->cells, made->reference};
 }

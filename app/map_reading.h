@@ -4,54 +4,63 @@
 
 #include <functional>
 #include <memory>
-#include <set>
 
+#include <QJsonObject>
 #include <QString>
-#include <tl/expected.hpp>
+#include <QStringList>
 
+#include "app/command_failure.h"
+#include "app/deadline.h"
 #include "render/sample_grid.h"
 #include "session/session.h"
 
 namespace mapwright::app {
 
-/// A sentence and the exit code that it comes with.
-struct CommandFailure {
-  int exit_code = 0;
-  QString sentence;
+/// How long a command may take, and since when.
+struct CommandTime {
+  SteadyTime begun;
+  double timeout_s = 0;
+  bool over(double grace_s = 0) const;
 };
-template <typename T>
-using CommandResult = tl::expected<T, CommandFailure>;
 
 class MapReading {
  public:
-  /// Connects. `timeout_s` bounds every wait.
+  /// What is going to be asked for: nothing else is.
+  enum class Purpose { Maps, Submaps };
+  /// Connects.
   static CommandResult<std::unique_ptr<MapReading>> open(const QString& address, const QByteArray& secret,
-                                                         double timeout_s);
+                                                         CommandTime time, Purpose purpose);
 
   session::Session& session() { return session_; }
   bool local() const;
   /// The catalogue, once it is in.
   CommandResult<const std::vector<map::CatalogueEntry>*> catalogue();
   /// Opens a map and reads it to the end. "" = the live or current one; "submaps" composes the submaps at
-  /// `resolution_m`. Warnings (an odd origin, a picture that breaks off) are printed on stderr.
+  /// `resolution_m`. From then on nothing of the session changes any more.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
   QString nameOfMap() const { return name_; }
-  /// False when something that was asked for could not be had (it has been said on stderr).
+  /// False when something that was asked for could not be had: warnings() say what.
   bool complete() const { return complete_; }
+  /// What is odd, a line each.
+  QStringList warnings() const;
+  /// {"map" or "submaps", "uuid", "bytes_fetched", …} of what was read, for a report.
+  QJsonObject facts() const;
 
  private:
-  MapReading(std::unique_ptr<robot::Robot> robot, QString address, double timeout_s);
+  MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time, Purpose purpose);
   /// False when the time is up.
   bool waitUntil(const std::function<bool()>& done);
   CommandResult<render::PlacedGrid> submaps(double resolution_m);
+  QStringList problems(map::Severity least) const;  // unresolved
   CommandFailure failure(int exit_code, const QString& sentence) const;
-  void warnOfProblems();
 
   session::Session session_;
   QString address_, name_;
-  double timeout_s_;
+  CommandTime time_;
+  SteadyTime online_since_;
   bool complete_ = true;
-  std::set<QString> warned_;
+  QStringList notes_;
+  QJsonObject facts_;
 };
 
 }  // namespace mapwright::app

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include <QApplication>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -12,25 +11,20 @@
 #include <QJsonObject>
 #include <QSaveFile>
 
-#include "app/display.h"
 #include "app/exit_code.h"
 #include "app/map_diff.h"
-#include "app/map_reading.h"
-#include "app/one_line.h"
+#include "app/maps_command.h"
+#include "app/report.h"
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "raster/export_grid.h"
+#include "robot/address.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-int refuse(const CommandFailure& failure) {
-  std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(failure.sentence)));
-  return failure.exit_code;
-}
 
 void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(json.toJson()).constData()); }
 
@@ -40,12 +34,6 @@ QString dateText(std::optional<double> epoch_s) {
 }
 
 QJsonValue jsonOr(const std::optional<int>& number) { return number ? QJsonValue(*number) : QJsonValue(); }
-
-QJsonObject jsonOf(const map::GridReference& grid) {
-  return {{QStringLiteral("size"), QJsonArray{grid.width, grid.height}},
-          {QStringLiteral("resolution"), grid.resolution_m},
-          {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
-}
 
 QJsonObject jsonOf(const map::CatalogueEntry& row) {
   QJsonObject json{{QStringLiteral("id"), text(map::toText(row.key))},
@@ -60,7 +48,7 @@ QJsonObject jsonOf(const map::CatalogueEntry& row) {
                    {QStringLiteral("created"), row.created_s ? QJsonValue(*row.created_s) : QJsonValue()},
                    {QStringLiteral("modified"), row.modified_s ? QJsonValue(*row.modified_s) : QJsonValue()}};
   if (!row.state.empty()) json[QStringLiteral("state")] = text(row.state);
-  if (row.grid) json[QStringLiteral("grid")] = jsonOf(*row.grid);
+  if (row.grid) json[QStringLiteral("grid")] = gridJson(*row.grid);
   return json;
 }
 
@@ -95,14 +83,23 @@ double resolutionOf(const MapsWords& words) {
   return words.resolution.empty() ? 0.05 : ok && std::isfinite(value) ? value : std::nan("");
 }
 
-using Opened = CommandResult<std::unique_ptr<MapReading>>;
-bool looksLikeFile(const QString& operand) {
-  return operand.startsWith(QLatin1String("file:")) || operand.contains(QLatin1Char('/')) ||
-         QFileInfo(operand).isFile() ||
-         QStringList{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
-                     QStringLiteral("pgm"), QStringLiteral("bmp")}
-             .contains(QFileInfo(operand).suffix().toLower()) ||
-         operand.contains(QLatin1String("+http")) || operand.startsWith(QLatin1String("demo:"));
+/// Whether a word of `diff` is a file or an address of its own, and not a map of `robot`.
+bool standsAlone(const QString& operand, const QString& robot) {
+  if (operand.startsWith(QLatin1String("file:")) || operand.contains(QLatin1Char('/')) ||
+      operand.contains(QLatin1String("+http")) || operand.startsWith(QLatin1String("demo:"))) {
+    return true;
+  }
+  // In a folder of maps their names are ids.
+  const auto folder = robot::parseAddress(robot);
+  if (folder && folder->backend == robot::Backend::File &&
+      QFileInfo(folder->path + QLatin1Char('/') + operand).isFile()) {
+    return false;
+  }
+  const QStringList kinds{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
+                          QStringLiteral("pgm"), QStringLiteral("bmp")};
+  // A file that happens to be called like a map of the robot is not that map.
+  return kinds.contains(QFileInfo(operand).suffix().toLower()) ||
+         (robot.isEmpty() && QFileInfo(operand).isFile());
 }
 
 /// Why --resolution and --origin would have no effect on anything that the command reads.
@@ -114,14 +111,16 @@ std::optional<QString> whyNoPlaceIn(const MapsWords& words) {
   std::optional<QString> why;
   for (const std::string& operand : operands) {
     if (operand == "submaps" && words.origin.empty()) return std::nullopt;
-    const bool other = diff && looksLikeFile(text(operand));
+    const bool other = diff && standsAlone(text(operand), text(words.robot));
     why = whyNoPlace(text(other ? operand : words.robot), words.resolution, words.origin);
     if (!why) return std::nullopt;
   }
   return why;
 }
 
-Opened openRobot(const QString& address, const MapsWords& words) {
+using Opened = CommandResult<MapReading*>;
+Opened openRobot(MapsCommand& command, const QString& address, const MapsWords& words,
+                 MapReading::Purpose purpose = MapReading::Purpose::Maps) {
   if (const auto why = whyNoPlaceIn(words)) return tl::make_unexpected(CommandFailure{kUsage, *why});
   const auto secret = readSecret(text(words.secret_file));
   if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
@@ -130,27 +129,24 @@ Opened openRobot(const QString& address, const MapsWords& words) {
                                    .arg(text(words.resolution))});
   }
   if (!secret) return tl::make_unexpected(CommandFailure{kUsage, secret.error()});
-  if (!(words.timeout_s > 0 && words.timeout_s <= 86'400)) {
-    return tl::make_unexpected(
-        CommandFailure{kUsage, QStringLiteral("--timeout must be more than 0 and at most 86400 seconds.")});
-  }
-  return MapReading::open(placedFile(address, words.resolution, words.origin), *secret, words.timeout_s);
+  return command.open(placedFile(address, words.resolution, words.origin), *secret, purpose);
 }
 
-/// A command's frame: an application without a display, and what it ends with.
+MapReading::Purpose purposeOf(const std::string& id) {
+  return id == "submaps" ? MapReading::Purpose::Submaps : MapReading::Purpose::Maps;
+}
+
+/// A command's frame.
 template <typename Command>
-int run(int& argc, char** argv, Command command) {
-  chooseOffscreenPlatform();
-  QApplication application(argc, argv);
-  const CommandResult<int> result = command();
-  return result ? *result : refuse(result.error());
+int run(const MapsWords& words, int& argc, char** argv, Command command) {
+  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, command);
 }
 
 }  // namespace
 
 int mapsList(const MapsWords& words, int& argc, char** argv) {
-  return run(argc, argv, [&]() -> CommandResult<int> {
-    auto robot = openRobot(text(words.robot), words);
+  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    auto robot = openRobot(command, text(words.robot), words);
     if (!robot) return tl::make_unexpected(robot.error());
     const auto rows = (*robot)->catalogue();
     if (!rows) return tl::make_unexpected(rows.error());
@@ -158,23 +154,23 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
       QJsonArray list;
       for (const map::CatalogueEntry& row : **rows) list << jsonOf(row);
       print(QJsonDocument(list));
-      return (*robot)->complete() ? kDone : kIncomplete;
+      return kDone;
     }
     if ((*rows)->empty()) {
       std::printf("There is no map.\n");
-      return (*robot)->complete() ? kDone : kIncomplete;
+      return kDone;
     }
     std::vector<QStringList> table{{QStringLiteral(" "), QStringLiteral("ID"), QStringLiteral("VERSION"),
                                     QStringLiteral("DATE"), QStringLiteral("NAME")}};
     for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
     printTable(table);
-    return (*robot)->complete() ? kDone : kIncomplete;
+    return kDone;
   });
 }
 
 int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
-  return run(argc, argv, [&]() -> CommandResult<int> {
-    auto robot = openRobot(text(words.robot), words);
+  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    auto robot = openRobot(command, text(words.robot), words);
     if (!robot) return tl::make_unexpected(robot.error());
     const auto rows = (*robot)->catalogue();
     if (!rows) return tl::make_unexpected(rows.error());
@@ -194,18 +190,23 @@ int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
 }
 
 int mapsShow(const MapsWords& words, int& argc, char** argv) {
-  return run(argc, argv, [&]() -> CommandResult<int> {
-    auto robot = openRobot(text(words.robot), words);
+  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
+    const bool stored = !words.id.empty() && words.id != "live" && words.id != "submaps";
+    if (stored) {  // its dates and versions are in the list
+      if (const auto rows = (*robot)->catalogue(); !rows) return tl::make_unexpected(rows.error());
+    }
     const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
     session::Session& session = (*robot)->session();
     const map::WholeMap& shown = session.wholeMap().shown();
     const map::CatalogueEntry* const row = session.catalogue().find(shown.key);
-    QJsonObject json = row ? jsonOf(*row)
-                           : QJsonObject{{QStringLiteral("id"), text(map::toText(shown.key))},
-                                         {QStringLiteral("name"), (*robot)->nameOfMap()}};
-    json[QStringLiteral("grid")] = jsonOf(placed->reference);
+    const QString id = words.id == "submaps" ? text(words.id) : text(map::toText(shown.key));
+    QJsonObject json =
+        row ? jsonOf(*row)
+            : QJsonObject{{QStringLiteral("id"), id}, {QStringLiteral("name"), (*robot)->nameOfMap()}};
+    json[QStringLiteral("grid")] = gridJson(placed->reference);
     json[QStringLiteral("overlays")] = int(shown.overlays.size());
     json[QStringLiteral("trajectories")] = int(shown.trajectories.size());
     json[QStringLiteral("landmarks")] = int(shown.landmarks.size());
@@ -223,11 +224,11 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
     if (words.json) {
       print(QJsonDocument(json));
-      return (*robot)->complete() ? kDone : kIncomplete;
+      return kDone;
     }
     const map::GridReference& grid = placed->reference;
     std::vector<QStringList> table{
-        {QStringLiteral("id"), text(map::toText(shown.key))},
+        {QStringLiteral("id"), id},
         {QStringLiteral("name"), words::plainName((*robot)->nameOfMap())},
         {QStringLiteral("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
         {QStringLiteral("resolution"), QStringLiteral("%1 m").arg(grid.resolution_m)},
@@ -254,12 +255,12 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
                .arg(point.yaw_rad ? QStringLiteral(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
     }
     printTable(table);
-    return (*robot)->complete() ? kDone : kIncomplete;
+    return kDone;
   });
 }
 
 int mapsExport(const MapsWords& words, int& argc, char** argv) {
-  return run(argc, argv, [&]() -> CommandResult<int> {
+  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
     const auto wrong = [](const QString& sentence) {
       return tl::make_unexpected(CommandFailure{kUsage, sentence});
     };
@@ -284,7 +285,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
       return wrong(QStringLiteral("%1 cannot be written: there is no writable folder %2.")
                        .arg(output, folder.filePath()));
     }
-    auto robot = openRobot(text(words.robot), words);
+    auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
     const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
@@ -302,26 +303,27 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
         return wrong(QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString()));
       }
     }
-    const bool broken = (*robot)->session().wholeMap().broken();
-    std::printf("%s: %d x %d cells of %g m\n", qUtf8Printable(oneLine(output)), placed->reference.width,
-                placed->reference.height, placed->reference.resolution_m);
-    return broken ? kIncomplete : kDone;
+    std::printf(
+        "%s: %d x %d cells of %g m
+        ", qUtf8Printable(oneLine(output)), placed->reference.width,
+        placed->reference.height,
+        placed->reference.resolution_m);
+    return kDone;
   });
 }
 
 int mapsDiff(const MapsWords& words, int& argc, char** argv) {
-  return run(argc, argv, [&]() -> CommandResult<int> {
-    std::vector<std::unique_ptr<MapReading>> readings;
+  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
     std::vector<render::PlacedGrid> maps;
     for (const std::string& word : {words.first, words.second}) {
       const QString operand = text(word);
-      const bool other = looksLikeFile(operand);
-      auto robot = openRobot(other ? operand : text(words.robot), words);
+      const bool alone = standsAlone(operand, text(words.robot));
+      auto robot = openRobot(command, alone ? operand : text(words.robot), words,
+                             alone ? MapReading::Purpose::Maps : purposeOf(word));
       if (!robot) return tl::make_unexpected(robot.error());
-      const auto placed = (*robot)->map(other ? QString() : operand, resolutionOf(words));
+      const auto placed = (*robot)->map(alone ? QString() : operand, resolutionOf(words));
       if (!placed) return tl::make_unexpected(placed.error());
       maps.push_back(*placed);
-      readings.push_back(std::move(*robot));
     }
     const auto diff = diffMaps(maps[0], maps[1], text(words.diff_picture));
     if (!diff) return tl::make_unexpected(CommandFailure{kUsage, diff.error()});
@@ -333,6 +335,7 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
         {"same_free", Difference::SameFree},   {"same_occupied", Difference::SameOccupied}};
     if (words.json) {
       QJsonObject json{{QStringLiteral("same"), diff->same()},
+                       {QStringLiteral("complete"), command.complete()},
                        {QStringLiteral("size"), QJsonArray{diff->width, diff->height}},
                        {QStringLiteral("cell_area_m2"), diff->cell_area_m2},
                        {QStringLiteral("levels_differ"), qint64(diff->levels_differ)}};
@@ -352,7 +355,9 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
       row(QStringLiteral("free in both"), cells(Difference::SameFree));
       row(QStringLiteral("occupied in both"), cells(Difference::SameOccupied));
       printTable(table);
-      std::printf("%s\n", diff->same() ? "The maps are the same." : "The maps differ.");
+      std::printf("%s\n", !diff->same()        ? "The maps differ."
+                          : command.complete() ? "The maps are the same."
+                                               : "What could be had of the maps is the same.");
     }
     return diff->same() ? kDone : kIncomplete;
   });

@@ -10,7 +10,7 @@ struct MapsWords {
   std::string robot, secret_file;
   std::string id;             // show, export: a map (12, mapping:48, live, submaps)
   std::string first, second;  // diff: a map of the robot, or a file
-  std::string output, format, diff_picture;
+  std::string output, format, diff_picture, report;
   std::string resolution, origin;  // of a bare picture file; of exported submaps: the resolution
   double timeout_s = 60;
   bool json = false, world_file = false;

@@ -1,7 +1,6 @@
-#include "app/raw_picture.h"
-
+// The map's cells alone, in bands on every core.
 #include <algorithm>
-#include <functional>
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -9,32 +8,13 @@
 #include <QThreadPool>
 #include <spng.h>
 
+#include "app/snapshot_picture.h"
+
 namespace mapwright::app {
 namespace {
 
 constexpr int kBandRows = 128;
-
-/// Gray and alpha of every pixel, made in bands on every core. `draw` writes the pairs of a band.
-std::vector<std::uint8_t> inBands(
-    const geometry::ViewTransform& view,
-    const std::function<void(const render::PixelGrid& band, std::uint8_t* pairs)>& draw) {
-  std::vector<std::uint8_t> pixels(std::size_t(view.width_px) * std::size_t(view.height_px) * 2);
-  QThreadPool pool;
-  for (int top = 0; top < view.height_px; top += kBandRows) {
-    pool.start([&, top] {
-      render::PixelGrid band;
-      band.origin_m = view.worldFromPixel({0, 0});
-      band.first_row = top;
-      band.scale_m_per_px = view.scale_m_per_px;
-      band.rotation_rad = view.rotation_rad;
-      band.width_px = view.width_px;
-      band.height_px = std::min(kBandRows, view.height_px - top);
-      draw(band, pixels.data() + std::size_t(top) * std::size_t(view.width_px) * 2);
-    });
-  }
-  pool.waitForDone();
-  return pixels;
-}
+constexpr std::uint8_t kUndecided = 128;
 
 std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
                                       const std::vector<std::uint8_t>& pixels, const QString& path) {
@@ -62,36 +42,108 @@ std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
   return std::nullopt;
 }
 
-}  // namespace
+class RawPicture : public SnapshotPicture {
+ public:
+  explicit RawPicture(const SnapshotContent& content)
+      : content_(content),
+        cache_(std::size_t(256) << 20),
+        row_bytes_(std::size_t(content.view.width_px) * 2),
+        pixels_(row_bytes_ * std::size_t(content.view.height_px)),
+        band_made_(std::size_t((content.view.height_px + kBandRows - 1) / kBandRows)) {}
+  ~RawPicture() override {
+    pool_.clear();
+    pool_.waitForDone();
+  }
 
-std::optional<QString> writeRawPicture(const geometry::ViewTransform& view,
-                                       std::span<const render::PlacedTexture> textures, const QString& path) {
-  render::DenseCache cache(std::size_t(256) << 20);
-  const auto pixels = inBands(view, [&](const render::PixelGrid& band, std::uint8_t* pairs) {
-    const render::Composition made = render::compose(band, textures, render::Quality::Exact, cache);
+  void start() override {
+    for (int top = 0; top < content_.view.height_px; top += kBandRows) {
+      pool_.start([this, top] {
+        draw(top);
+        band_made_[std::size_t(top / kBandRows)].store(true);
+        QMetaObject::invokeMethod(this, &RawPicture::look, Qt::QueuedConnection);
+      });
+    }
+  }
+
+  double made() const override { return double(bandsMade()) / double(band_made_.size()); }
+
+  std::optional<QString> write(const QString& path) override {
+    if (bandsMade() == band_made_.size()) return writeGrayAlpha(content_.view, pixels_, path);
+    // Threads still draw into the bands that are not made.
+    std::vector<std::uint8_t> part(pixels_.size());
+    for (std::size_t i = 0; i < part.size(); i += 2) part[i] = kUndecided;
+    for (std::size_t band = 0; band < band_made_.size(); ++band) {
+      if (!band_made_[band].load()) continue;
+      const std::size_t from = band * kBandRows * row_bytes_;
+      const std::size_t to = std::min(part.size(), from + kBandRows * row_bytes_);
+      std::copy(pixels_.begin() + std::ptrdiff_t(from), pixels_.begin() + std::ptrdiff_t(to),
+                part.begin() + std::ptrdiff_t(from));
+    }
+    return writeGrayAlpha(content_.view, part, path);
+  }
+
+ private:
+  std::size_t bandsMade() const {
+    return std::size_t(std::count_if(band_made_.begin(), band_made_.end(),
+                                     [](const std::atomic<bool>& made) { return made.load(); }));
+  }
+  void look() {
+    if (bandsMade() == band_made_.size()) Q_EMIT finished();
+  }
+
+  void draw(int top) {
+    const geometry::ViewTransform& view = content_.view;
+    render::PixelGrid band;
+    band.origin_m = view.worldFromPixel({0, 0});
+    band.first_row = top;
+    band.scale_m_per_px = view.scale_m_per_px;
+    band.rotation_rad = view.rotation_rad;
+    band.width_px = view.width_px;
+    band.height_px = std::min(kBandRows, view.height_px - top);
+    std::uint8_t* const pairs = pixels_.data() + std::size_t(top) * row_bytes_;
+    if (content_.whole) {
+      drawGrid(band, pairs);
+    } else {
+      drawSubmaps(band, pairs);
+    }
+  }
+
+  void drawSubmaps(const render::PixelGrid& band, std::uint8_t* pairs) {
+    const render::Composition made = render::compose(band, content_.textures, render::Quality::Exact, cache_);
     for (std::size_t i = 0; i < made.intensity.size(); ++i) {
       pairs[2 * i] = made.intensity[i];
       pairs[2 * i + 1] = (made.flags[i] & render::kObserved) ? 255 : 0;
     }
-  });
-  return writeGrayAlpha(view, pixels, path);
-}
+  }
 
-std::optional<QString> writeRawPicture(const geometry::ViewTransform& view, const render::PlacedGrid& grid,
-                                       const QString& path) {
-  if (!grid.cells) return QStringLiteral("There is no map to draw.");
-  const raster::CellCode code = grid.cells->code();
-  const raster::CellMeaning& meaning = raster::meaningOf(code);
-  const auto pixels = inBands(view, [&](const render::PixelGrid& band, std::uint8_t* pairs) {
-    const render::Composition made = render::sampleGrid(band, grid, nullptr);
+  void drawGrid(const render::PixelGrid& band, std::uint8_t* pairs) {
+    if (!content_.grid) {
+      for (std::size_t i = 0; i < row_bytes_ * std::size_t(band.height_px); i += 2) pairs[i] = kUndecided;
+      return;
+    }
+    const raster::CellCode code = content_.grid->cells->code();
+    const raster::CellMeaning& meaning = raster::meaningOf(code);
+    const render::Composition made = render::sampleGrid(band, *content_.grid, nullptr);
     for (std::size_t i = 0; i < made.intensity.size(); ++i) {
       const std::uint8_t cell = made.intensity[i];
       const bool inside = made.flags[i] != 0;
-      pairs[2 * i] = !inside ? 128 : code == raster::CellCode::Gray ? cell : meaning.intensity[cell];
+      pairs[2 * i] = !inside ? kUndecided : code == raster::CellCode::Gray ? cell : meaning.intensity[cell];
       pairs[2 * i + 1] = inside && meaning.known[cell] ? 255 : 0;
     }
-  });
-  return writeGrayAlpha(view, pixels, path);
+  }
+
+  SnapshotContent content_;
+  render::DenseCache cache_;
+  std::size_t row_bytes_;
+  std::vector<std::uint8_t> pixels_;  // gray and alpha
+  std::vector<std::atomic<bool>> band_made_;
+  QThreadPool pool_;
+};
+
+}  // namespace
+
+std::unique_ptr<SnapshotPicture> makeRawPicture(const SnapshotContent& content) {
+  return std::make_unique<RawPicture>(content);
 }
 
 }  // namespace mapwright::app

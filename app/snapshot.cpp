@@ -6,11 +6,12 @@
 #include <QApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
+#include "app/deadline.h"
 #include "app/display.h"
 #include "app/exit_code.h"
 #include "app/one_line.h"
+#include "app/report.h"
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "app/snapshot_run.h"
@@ -24,16 +25,22 @@ int refuse(int exit_code, const QString& sentence) {
   return exit_code;
 }
 
-bool writeReport(const QString& path, const QJsonObject& report) {
-  QSaveFile file(path);
-  return file.open(QIODevice::WriteOnly) &&
-         file.write(words::escapedJson(QJsonDocument(report).toJson())) > 0 && file.commit();
+/// What the deadline does when the run is not over in time: it says so, also in the report.
+int giveUp(const SnapshotOptions& options, const SnapshotRun::Standing& standing) {
+  if (!options.report.isEmpty()) writeReport(options.report, standing.report);
+  if (options.json) {
+    const QByteArray json = words::escapedJson(QJsonDocument(standing.report).toJson());
+    if (write(STDOUT_FILENO, json.constData(), std::size_t(json.size())) < 0) return kIncomplete;
+  }
+  sayAtTheEnd(oneLine(standing.sentence).toStdString());
+  return standing.exit_code;
 }
 
 QString summaryOf(const SnapshotRun& run) {
   const QJsonObject report = run.report();
   if (report[QLatin1String("mode")].toString() == QLatin1String("whole")) {
     const QJsonObject map = report[QLatin1String("map")].toObject();
+    if (map.isEmpty()) return QStringLiteral("%1: no map").arg(run.options().output);
     const QJsonArray size = map[QLatin1String("size")].toArray();
     const QString name = words::plainName(map[QLatin1String("name")].toString());
     return QStringLiteral("%1: map %2%3, %4 x %5 cells")
@@ -56,24 +63,46 @@ QString summaryOf(const SnapshotRun& run) {
   return line;
 }
 
+/// The report, and what goes to the terminal; the exit code.
+int sayWhatCame(const SnapshotRun& run, int exit_code) {
+  const QJsonObject report = run.report();
+  if (!run.options().report.isEmpty() && !writeReport(run.options().report, report)) {
+    return refuse(kUsage, QStringLiteral("%1 cannot be written.").arg(run.options().report));
+  }
+  if (run.options().json) std::printf("%s", words::escapedJson(QJsonDocument(report).toJson()).constData());
+  if (!run.error().isEmpty()) return refuse(exit_code, run.error());
+  if (!run.options().json) std::printf("%s\n", qUtf8Printable(summaryOf(run)));
+  if (exit_code == kDone) return kDone;
+  return refuse(exit_code, QStringLiteral("Not complete. %1").arg(firstOf(run.warnings())));
+}
+
 }  // namespace
 
 int snapshot(const SnapshotWords& words, int& argc, char** argv) {
-  chooseOffscreenPlatform();
-  QApplication application(argc, argv);
+  const SteadyTime begun = std::chrono::steady_clock::now();
   auto options = parseSnapshotOptions(words);
   if (!options) return refuse(kUsage, options.error());
+  // Outlives all that may take its time, also in going away.
+  Deadline deadline(app::later(begun, options->timeout_s + kEndAfterS), [robot = options->robot] {
+    sayAtTheEnd(oneLine(robot).toStdString() + ": it could not be connected to in time.");
+    return int(kUnreachable);
+  });
+  chooseOffscreenPlatform();
+  QApplication application(argc, argv);
   const auto secret = readSecret(options->secret_file);
   if (!secret) return refuse(kUsage, secret.error());
   auto robot = makeRobot(options->robot, *secret, DemoTime::Frozen);
   if (!robot) return refuse(kUsage, robot.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  SnapshotRun run(std::move(*options), std::move(*robot));
+  SnapshotRun run(std::move(*options), std::move(*robot), begun);
+  deadline.setLastWords(
+      [options = run.options(), standing = run.standing()] { return giveUp(options, standing->take()); });
   int exit_code = kDone;
-  QObject::connect(&run, &SnapshotRun::progressed, [&](const QString& line) {
-    if (terminal) std::fprintf(stderr, "\r%-70s", qUtf8Printable(line));
-  });
+  if (terminal) {
+    QObject::connect(&run, &SnapshotRun::progressed,
+                     [](const QString& line) { std::fprintf(stderr, "\r%-70s", qUtf8Printable(line)); });
+  }
   QObject::connect(
       &run, &SnapshotRun::finished, &application,
       [&](int code) {
@@ -84,23 +113,10 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   run.start();
   QApplication::exec();
   if (terminal) std::fprintf(stderr, "\r%-70s\r", "");
-
-  if (!run.options().report.isEmpty() && !writeReport(run.options().report, run.report())) {
-    return refuse(kUsage, QStringLiteral("%1 cannot be written.").arg(run.options().report));
-  }
-  if (run.options().json)
-    std::printf("%s", words::escapedJson(QJsonDocument(run.report()).toJson()).constData());
-  if (!run.error().isEmpty()) return refuse(exit_code, run.error());
-  if (!run.options().json) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
-  if (exit_code != kDone) {
-    const QStringList warnings = run.warnings();
-    refuse(exit_code,
-           QStringLiteral("Not complete. %1%2")
-               .arg(warnings.isEmpty() ? QString() : warnings.first(),
-                    warnings.size() > 1
-                        ? QStringLiteral(" (and %1 more; --report lists them)").arg(warnings.size() - 1)
-                        : QString()));
-  }
+  exit_code = sayWhatCame(run, exit_code);
+  std::fflush(stdout);
+  // All is said: what is left to be taken apart may take no longer than the rest.
+  deadline.setLastWords([exit_code] { return exit_code; });
   return exit_code;
 }
 

@@ -1,17 +1,19 @@
 // One snapshot from connecting to the picture. The same session and scene as the window's.
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <set>
+#include <mutex>
 
-#include <QElapsedTimer>
 #include <QJsonObject>
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
 
+#include "app/deadline.h"
+#include "app/layer_wish.h"
+#include "app/map_wish.h"
 #include "app/snapshot_options.h"
+#include "app/snapshot_picture.h"
 #include "session/session.h"
 
 namespace mapwright::app {
@@ -19,7 +21,9 @@ namespace mapwright::app {
 class SnapshotRun : public QObject {
   Q_OBJECT
  public:
-  SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot);
+  /// `begun`: from then on --timeout counts.
+  SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot,
+              SteadyTime begun = std::chrono::steady_clock::now());
   ~SnapshotRun() override;
 
   void start();
@@ -28,39 +32,63 @@ class SnapshotRun : public QObject {
   QStringList warnings() const;
   const SnapshotOptions& options() const { return options_; }
 
+  /// How things stood a short while ago, for whoever ends the run from another thread.
+  struct Standing {
+    int exit_code = 0;
+    QString sentence;
+    QJsonObject report;
+  };
+  class StandingBoard {
+   public:
+    void put(Standing standing);
+    Standing take() const;
+
+   private:
+    mutable std::mutex mutex_;
+    Standing standing_;
+  };
+  std::shared_ptr<const StandingBoard> standing() const { return board_; }
+
  Q_SIGNALS:
   void progressed(const QString& line);
+  void contentChosen();  // from now on the picture and its report are about what is held now
   void finished(int exit_code);
 
  private:
+  struct Chosen;
   void look();  // whatever may have changed: is it time for the next step?
+  bool connected();
+  void tellProgress();
+  void noteStanding();
   void timeOut();
-  void paint(bool complete);
+  void cutOff();
+  void paint(bool settled);
+  void write();
+  QString noConnection() const;
   bool isLocal() const;
   bool wantsSubmaps() const;
   bool wantsWhole() const;
-  void askForWhole();
-  void askForTopics();
   bool topicsIn() const;
   bool everythingIn() const;
-  bool mapComplete() const;
-  bool writeRaw();
-  bool writeScene();
   void fail(int exit_code, const QString& sentence);
   void finish(int exit_code);
+  SnapshotContent chooseContent() const;
   geometry::ViewTransform chooseView() const;
-  double seconds() const { return double(clock_.nsecsElapsed()) / 1e9; }
+  double seconds() const;
 
   SnapshotOptions options_;
   session::Session session_;
-  std::unique_ptr<scene::MapScene> scene_;
-  QElapsedTimer clock_;
-  QTimer timeout_, settle_, poll_;
+  MapWish map_;
+  LayerWish live_layers_;
+  std::unique_ptr<Chosen> chosen_;
+  std::unique_ptr<SnapshotPicture> picture_;
+  std::shared_ptr<StandingBoard> board_ = std::make_shared<StandingBoard>();
+  SteadyTime begun_;
+  QTimer timeout_, cut_off_, settle_, poll_;
   geometry::ViewTransform view_;
-  double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1;
-  bool painting_ = false, done_ = false, complete_ = false, timed_out_ = false;
-  bool whole_asked_ = false, live_map_broken_ = false;
-  std::set<QString> topics_awaited_;
+  double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1, noted_s_ = -1, note_took_s_ = 0;
+  double made_ = 0;  // the share of the picture that was made
+  bool done_ = false, complete_ = false;
   QString error_;
   QStringList notes_;
 };

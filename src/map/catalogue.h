@@ -77,6 +77,8 @@ struct WholeMap {
   CellReading reading;
   std::shared_ptr<const std::string> bytes;    // the picture file (PNG, PGM, BMP); null when `path` is set
   std::string path;                            // a local picture file
+  std::size_t body_bytes = 0;                  // of the answer that brought the picture; 0 = no robot sent it
+  bool from_cache = false;                     // that body did not travel: disk, or 304
   std::string fingerprint;                     // names exactly this content, for side-car files; empty = none
   std::optional<double> display_rotation_rad;  // a hint of the robot, never part of coordinates
   std::vector<Problem> notes;                  // what is odd about it

@@ -60,7 +60,9 @@ struct GridMessage {
   GridKind kind = GridKind::WholeMap;
   GridReference grid;
   std::shared_ptr<const std::string> png;
-  std::string fingerprint;  // names exactly this content; empty = none
+  std::string fingerprint;     // names exactly this content; empty = none
+  std::size_t body_bytes = 0;  // of the answer that brought the picture; 0 = it came inside the message
+  bool from_cache = false;     // that body did not travel: disk, or 304
 };
 
 struct CloudPoint {

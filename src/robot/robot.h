@@ -118,9 +118,17 @@ class LiveTopics {
   virtual ~LiveTopics() = default;
   /// Topics that this adapter understands, for completion and layers.
   virtual QStringList known() const = 0;
-  /// Enables exactly these (any names, known or not), besides those that the robot is always asked for
-  /// (poses, submaps, state). Kept over reconnects.
+  /// Enables exactly these (any names, known or not), besides the basics. Kept over reconnects.
   virtual void setWanted(const QStringList& topics) = 0;
+  /// What a robot is asked for besides: a command that shows none of it does without.
+  struct Basics {
+    bool submaps = true;  // the list of them
+    bool pose = true;     // where it is, and its outline
+    bool state = true;    // what its localisation does
+    bool operator==(const Basics&) const = default;
+  };
+  /// To be told before connecting; without a word everything is asked for.
+  virtual void setBasics(const Basics&) {}
   /// While on, every message (also of unknown topics) is reported by Robot::rawReceived.
   virtual void setWatching(bool on) = 0;
 };

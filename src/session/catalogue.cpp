@@ -17,6 +17,7 @@ Catalogue::Catalogue(robot::MapCatalogue* source, QObject* parent) : QObject(par
 
 void Catalogue::refresh() {
   if (!source_) return;
+  asked_once_ = true;
   if (loading_) {
     again_ = true;
     return;

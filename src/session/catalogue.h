@@ -26,6 +26,8 @@ class Catalogue : public QObject {
   /// Asks again; while an answer is awaited this does nothing but remember to ask once more after it.
   void refresh();
   bool loading() const { return loading_; }
+  /// Whether anybody has ever asked.
+  bool asked() const { return asked_once_; }
   /// Why the last question failed; empty when it did not. The rows of before stay.
   QString error() const { return error_; }
   std::optional<QDateTime> asOf() const { return as_of_; }
@@ -49,7 +51,7 @@ class Catalogue : public QObject {
   void askForThumbnails();
 
   robot::MapCatalogue* source_;
-  bool loading_ = false, again_ = false;
+  bool loading_ = false, again_ = false, asked_once_ = false;
   QString error_;
   std::optional<QDateTime> as_of_;
   std::vector<map::CatalogueEntry> entries_;

@@ -33,6 +33,10 @@ class LayerGrids : public QObject {
   const LayerGrid* find(map::GridKind kind) const;
   void drop(map::GridKind kind);
   void clear();
+  /// Some picture is being decoded.
+  bool busy() const;
+  /// What is shown stays as it is: what is being decoded is not taken any more.
+  void standStill();
 
  Q_SIGNALS:
   void changed(mapwright::map::GridKind kind);

@@ -6,9 +6,15 @@
 #include "raster/stand_back.h"
 
 namespace mapwright::session {
+namespace {
+
+constexpr int kStillWithinMs = 200;
+
+}  // namespace
 
 struct MapSlot::Opened {
-  map::WholeMap map;  // grid has the picture's own size
+  map::WholeMap source;  // as it came
+  map::WholeMap map;     // grid has the picture's own size, without the bytes
   std::unique_ptr<raster::GridReading> reading;
   std::shared_ptr<const raster::GridPyramid> cells;
   std::optional<raster::GridError> error;  // instead of all the above
@@ -92,6 +98,7 @@ void MapSlot::start() {
   pool_.start([this, generation = generation_, cancelled = cancelled_, map = *source_, options] {
     raster::standBack();
     auto opened = std::make_shared<Opened>();
+    opened->source = map;
     opened->map = map;
     auto reading = map.bytes ? raster::openGrid(map.bytes, options) : raster::openGridFile(map.path, options);
     opened->map.bytes.reset();
@@ -148,6 +155,7 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
   if (!(shown_.key == opened->map.key)) waypoints_ = {};
   if (coming_waypoints_) waypoints_ = *std::exchange(coming_waypoints_, std::nullopt);
   shown_ = opened->map;
+  shown_source_ = opened->source;
   shown_cells_ = opened->cells;
   Q_EMIT changed();
 }
@@ -189,6 +197,7 @@ void MapSlot::fail(map::Problem problem) {
   remark_ = QString::fromStdString(problem.sentence);
   if (!(shown_.key == key_)) {
     shown_ = {};
+    shown_source_.reset();
     shown_cells_.reset();
     waypoints_ = {};
   }
@@ -204,10 +213,17 @@ void MapSlot::clear() {
   remark_.clear();
   source_.reset();
   shown_ = {};
+  shown_source_.reset();
   shown_cells_.reset();
   waypoints_ = {};
   coming_waypoints_.reset();
   Q_EMIT changed();
+}
+
+void MapSlot::standStill() {
+  cancel();
+  waypoints_awaited_ = false;
+  pool_.waitForDone(kStillWithinMs);  // a row or two may be on their way into the picture
 }
 
 double MapSlot::progress() const {

@@ -34,6 +34,8 @@ class MapSlot : public QObject {
   /// It cannot be had. What is shown stays when it is of the same key.
   void fail(map::Problem problem);
   void clear();
+  /// What is on screen stays as it is: reading ends where it is, and what still comes is not taken.
+  void standStill();
   /// How cells become coarser ones; the picture is read again.
   void setReduction(raster::Reduction reduction);
   raster::Reduction reduction() const { return reduction_; }
@@ -56,8 +58,8 @@ class MapSlot : public QObject {
   /// What came with the picture on screen (trajectories, landmarks, overlays); `bytes` is not kept.
   const map::WholeMap& shown() const { return shown_; }
 
-  /// The map as it came, to show it elsewhere too; nullopt while nothing came.
-  const std::optional<map::WholeMap>& source() const { return source_; }
+  /// What is on screen as it came, to show it elsewhere too; nullopt while nothing is.
+  const std::optional<map::WholeMap>& source() const { return shown_source_; }
 
   /// Named places of the shown map, when the robot has them. Those of a map that is still on its way wait for
   /// it.
@@ -91,6 +93,7 @@ class MapSlot : public QObject {
   std::optional<map::WholeMap> source_;  // to read it again
   std::optional<map::WholeMap> next_;    // a newer state of the map that is being read
   map::WholeMap shown_;
+  std::optional<map::WholeMap> shown_source_;  // with its bytes
   std::shared_ptr<const raster::GridPyramid> shown_cells_;
   map::WaypointList waypoints_;
   std::optional<map::WaypointList> coming_waypoints_;  // of the map that is on its way

@@ -24,6 +24,9 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
       monotonic_(std::move(monotonic)),
       scheduler_(options.scheduler),
       overview_wanted_(options.overview),
+      submaps_wanted_(options.basics.submaps),
+      maps_by_itself_(options.maps),
+      live_wanted_(options.maps),
       catalogue_(robot_->mapCatalogue()),
       whole_map_(options.sidecar_folder),
       compared_map_(options.sidecar_folder),
@@ -36,6 +39,7 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
     }()] { return submap::Millis(timer.elapsed()); };
   }
   if (options.decode_threads > 0) decode_pool_.setMaxThreadCount(options.decode_threads);
+  if (robot::LiveTopics* const live = robot_->liveTopics()) live->setBasics(options.basics);
   scheduler_.setPriority([this](map::SubmapId id) { return priorityOf(id); });
 
   for (QTimer* timer : {&wake_timer_, &rows_timer_, &problems_timer_}) timer->setSingleShot(true);
@@ -64,6 +68,16 @@ void Session::open() { robot_->connectToRobot(); }
 
 void Session::close() { robot_->disconnectFromRobot(); }
 
+void Session::standStill() {
+  if (std::exchange(still_, true)) return;
+  robot_->disconnect(this);
+  ++generation_;  // what is being decoded is not taken any more
+  decode_pool_.clear();
+  for (QTimer* timer : {&wake_timer_, &fallback_timer_, &no_live_map_timer_}) timer->stop();
+  for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_}) slot->standStill();
+  layer_grids_.standStill();
+}
+
 void Session::retryNow() {
   const auto phase = robot_->connection().phase;
   if (phase != robot::ConnectionPhase::Online && phase != robot::ConnectionPhase::Connecting) {
@@ -91,7 +105,7 @@ void Session::noteConnection() {
     if (online) {
       if (problems_.resolveAll(map::SubjectKind::Robot, QDateTime::currentDateTime())) tellProblems();
       pump();
-      catalogue_.refresh();
+      if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
       retryMaps();
     }
   }
@@ -111,7 +125,7 @@ void Session::takeTopic(const map::TopicMessage& message) {
   live_ = map::reduce(std::move(live_), message, double(QDateTime::currentMSecsSinceEpoch()) / 1000);
   if (live_.frame != frame) takeFrame();
   if (const auto* list = std::get_if<map::SubmapList>(&message)) {
-    takeList(*list);
+    if (submaps_wanted_) takeList(*list);
     return;
   }
   if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
@@ -120,7 +134,7 @@ void Session::takeTopic(const map::TopicMessage& message) {
     return;
   }
   if (const auto* grid = std::get_if<map::GridMessage>(&message)) takeGrid(*grid);
-  if (std::holds_alternative<map::MapInfo>(message)) catalogue_.refresh();
+  if (maps_by_itself_ && std::holds_alternative<map::MapInfo>(message)) catalogue_.refresh();
   Q_EMIT liveChanged(int(message.index()));
 }
 
@@ -161,7 +175,7 @@ void Session::publish(const submap::BookChange& change) {
 
 void Session::pump() {
   robot::SubmapSource* source = robot_->submapSource();
-  if (!source) return;
+  if (!source || still_) return;
   // Without a live link the list may be of another session: what is under way may end, nothing new is asked
   // for.
   if (robot_->connection().phase == robot::ConnectionPhase::Online) {
@@ -179,14 +193,12 @@ void Session::pump() {
 
 void Session::takeAnswer(map::SubmapAnswer answer) {
   using Outcome = map::SubmapAnswer::Outcome;
+  if (still_) return;
+  if (answer.outcome != Outcome::Cancelled) countFetch(answer.bytes, answer.from_cache);
   scheduler_.answered(answer.key, answer.outcome, answer.version, now());
   const map::SubmapKey key = answer.key;
   if (key.uuid == book_.uuid() && book_.find(key.id)) {
-    if (answer.outcome == Outcome::Ok) {
-      answer.from_cache ? ++cache_hits_ : ++fetches_;
-      bytes_fetched_ += answer.from_cache ? 0 : answer.bytes;
-    } else if (answer.outcome != Outcome::Cancelled) {
-      ++fetches_;
+    if (answer.outcome != Outcome::Ok && answer.outcome != Outcome::Cancelled) {
       const std::string reason = words::asSentence(answer.reason);
       failure_reasons_[key.id] = reason;
       const bool missing = answer.outcome == Outcome::NotFound;
@@ -234,6 +246,11 @@ void Session::recover(const map::Recovery& recovery, const QDateTime& at) {
 
 void Session::tellProblems() {
   if (!problems_timer_.isActive()) problems_timer_.start(kRowsEveryMs);
+}
+
+void Session::countFetch(std::size_t body_bytes, bool from_cache) {
+  from_cache ? ++cache_hits_ : ++fetches_;
+  if (!from_cache) bytes_fetched_ += body_bytes;
 }
 
 void Session::touchRows() {
@@ -392,12 +409,14 @@ double Session::priorityOf(map::SubmapId id) const {
 geometry::WorldRect Session::contentBounds() const {
   geometry::WorldRect drawn, listed;
   for (const auto& [id, row] : book_.rows()) {
-    if (!row.visible) continue;
-    const geometry::WorldRect bounds = book_.bounds(id, slice_);
-    listed.extend(bounds);
-    if (book_.placement(id, slice_)) drawn.extend(bounds);
+    const bool held = row.visible && row.shown_version >= 0;
+    if (held && book_.placement(id, slice_)) drawn.extend(book_.bounds(id, slice_));
   }
-  return drawn.empty() ? listed : drawn;
+  if (!drawn.empty()) return drawn;
+  for (const auto& [id, row] : book_.rows()) {
+    if (row.visible) listed.extend(book_.bounds(id, slice_));
+  }
+  return listed;
 }
 
 }  // namespace mapwright::session

@@ -57,9 +57,9 @@ struct SubmapCounts {
   int trajectories = 0;
   int fetching = 0, queued = 0;  // fetch work
   qint64 texture_bytes = 0;
-  quint64 fetches = 0;     // answers that travelled over the network
-  quint64 cache_hits = 0;  // answers from disk
-  quint64 bytes_fetched = 0;
+  quint64 fetches = 0;        // submaps and pictures whose body travelled over the network
+  quint64 cache_hits = 0;     // those whose body was on disk
+  quint64 bytes_fetched = 0;  // of the bodies that travelled
   bool operator==(const SubmapCounts&) const = default;
 };
 
@@ -71,6 +71,9 @@ class Session : public QObject {
     int decode_threads = 0;       // 0 = one per core
     QString sidecar_folder = {};  // finished pyramids of large maps are kept there; empty = nowhere
     bool overview = true;         // ask for a picture of the whole SLAM map while submaps are still loading
+    /// What the robot is asked for without a wish of anybody. Without `submaps` none is listed or fetched.
+    robot::LiveTopics::Basics basics = {};
+    bool maps = true;  // the catalogue is asked for and the first whole map opened without being told
   };
   /// Takes the robot over; connect with open(). `monotonic` is the clock of all waits.
   Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent = nullptr,
@@ -79,6 +82,9 @@ class Session : public QObject {
 
   void open();
   void close();
+  /// From now on nothing changes any more, whatever the robot sends: for whoever draws the present state and
+  /// says what he has drawn. Cannot be undone.
+  void standStill();
   void retryNow();  // reconnect if need be; ask again for everything that failed or was missing
 
   robot::Robot& robot() { return *robot_; }
@@ -155,6 +161,7 @@ class Session : public QObject {
   void noteConnection();
   double priorityOf(map::SubmapId id) const;
   void touchRows();
+  void countFetch(std::size_t body_bytes, bool from_cache);
   void wireMaps();
   void takeGrid(const map::GridMessage& message);
   bool listensTo(const std::string& topic) const;
@@ -182,7 +189,8 @@ class Session : public QObject {
   Eigen::Vector2d view_center_{0, 0};
   quint64 generation_ = 0;
   quint64 fetches_ = 0, cache_hits_ = 0, bytes_fetched_ = 0;
-  bool overview_wanted_;
+  bool overview_wanted_, submaps_wanted_, maps_by_itself_;
+  bool still_ = false;
   bool live_wanted_ = true;  // the whole map on screen is the one that the robot sends
   bool map_chosen_ = false;  // by the user
   std::map<QString, QStringList> wants_;

@@ -61,7 +61,7 @@ void Session::wireMaps() {
   connect(&layer_grids_, &LayerGrids::problemFound, this, note);
   connect(&layer_grids_, &LayerGrids::recovered, this, forget);
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
-    catalogue_.refresh();
+    if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
     if (whole_map_.key().kind == map::MapKind::File && whole_map_.settled()) {
       openInto(whole_map_, whole_map_.key());
     }
@@ -86,14 +86,14 @@ void Session::wireMaps() {
   connect(&no_live_map_timer_, &QTimer::timeout, this, [this] {
     // It sends no map of its own: the one that it works with is shown, until it does.
     const map::CatalogueEntry* const current = catalogue_.current();
-    if (map_chosen_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
+    if (map_chosen_ || !maps_by_itself_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
     openInto(whole_map_, current->key);
   });
 }
 
 void Session::openFirstMap() {
   // A robot that sends its map by itself needs no help; of the others the current map is shown, and follows.
-  if (map_chosen_ || robot_->liveTopics() || !robot_->wholeMapSource()) return;
+  if (map_chosen_ || !maps_by_itself_ || still_ || robot_->liveTopics() || !robot_->wholeMapSource()) return;
   const map::CatalogueEntry* entry = catalogue_.current();
   if (!entry && catalogue_.entries().size() == 1) entry = &catalogue_.entries().front();
   if (!entry || whole_map_.key() == entry->key) return;
@@ -108,7 +108,9 @@ void Session::openMap(const map::MapKey& key) {
 }
 
 void Session::compareWith(std::optional<map::MapKey> key) {
-  key ? openInto(compared_map_, *key) : compared_map_.clear();
+  // Another map must not stand in for the one that is to be compared.
+  if (!key || !(compared_map_.shown().key == *key)) compared_map_.clear();
+  if (key) openInto(compared_map_, *key);
 }
 
 void Session::keepForComparing() {
@@ -137,13 +139,19 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
                "This robot gives no whole maps.", map::ProblemCode::Unavailable});
     return;
   }
-  const auto stillWanted = [self = QPointer<Session>(this), &slot, key] { return self && slot.key() == key; };
+  const auto stillWanted = [self = QPointer<Session>(this), &slot, key] {
+    return self && !self->still_ && slot.key() == key;
+  };
   robot_->wholeMapSource()->fetch(key, [this, stillWanted, &slot](robot::Answer<map::WholeMap> answer) {
     if (!stillWanted() || slot.phase() != MapSlot::Phase::Fetching) return;
-    if (answer && answer->bytes) {
-      ++fetches_;
-      bytes_fetched_ += answer->bytes->size();
+    if (answer && answer->body_bytes > 0) {
+      countFetch(answer->body_bytes, answer->from_cache);
       touchRows();
+    }
+    if (answer && !(answer->key == slot.key())) {
+      answer = tl::make_unexpected(map::Problem{
+          map::Severity::Error, "Map " + map::toText(slot.key()),
+          "The robot answered with another map, " + map::toText(answer->key) + ". It is not shown."});
     }
     answer ? slot.show(std::move(*answer)) : slot.fail(answer.error());
   });
@@ -169,12 +177,12 @@ void Session::retryMaps() {
 }
 
 void Session::takeGrid(const map::GridMessage& message) {
+  if (message.body_bytes > 0) countFetch(message.body_bytes, message.from_cache);
   if (message.kind != map::GridKind::WholeMap) {
     layer_grids_.take(message);
     return;
   }
   const map::MapKey live{map::MapKind::Live, {}};
-  if (message.png) bytes_fetched_ += message.png->size();
   if (live_wanted_) whole_map_.show(liveMap(message, live_));
   if (compared_map_.key() == live && compared_map_.phase() != MapSlot::Phase::Empty) {
     compared_map_.show(liveMap(message, live_));
@@ -195,6 +203,7 @@ void Session::askForOverview() {
     if (!self || generation != self->generation_) return;
     // Without it the submaps appear all the same, one by one.
     if (!answer) return;
+    if (answer->body_bytes > 0) self->countFetch(answer->body_bytes, answer->from_cache);
     if (self->counts().pending > 0) self->overview_.show(std::move(*answer));
   });
 }
@@ -244,7 +253,7 @@ void Session::want(const QString& owner, const QStringList& topics) {
 
 void Session::sendWants() {
   robot::LiveTopics* const live = robot_->liveTopics();
-  if (!live) return;
+  if (!live || still_) return;
   QStringList all;
   for (const auto& [owner, topics] : wants_) all += topics;
   bool may_fall_back = false;

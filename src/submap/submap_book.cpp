@@ -30,8 +30,10 @@ std::map<map::SubmapId, map::SubmapEntry> uniqueEntries(const map::SubmapList& l
                                                         std::vector<map::Problem>& problems) {
   std::map<map::SubmapId, map::SubmapEntry> entries;
   for (const map::SubmapEntry& entry : list.entries) {
-    const auto [it, added] = entries.try_emplace(entry.id, entry);
-    if (added) continue;
+    // Lists are in order as a rule.
+    const std::size_t before = entries.size();
+    const auto it = entries.try_emplace(entries.end(), entry.id, entry);
+    if (entries.size() > before) continue;
     twice.insert(entry.id);
     problems.push_back({map::Severity::Warning, map::subjectOf(entry.id),
                         it->second == entry ? "It is listed twice. Counted once."
@@ -107,9 +109,12 @@ BookChange SubmapBook::apply(const map::SubmapList& list) {
     it = rows_.erase(it);
   }
 
+  auto next = rows_.begin();  // both are in order
   for (const auto& [id, entry] : entries) {
-    const auto [it, added] = rows_.try_emplace(id);
-    SubmapRow& row = it->second;
+    while (next != rows_.end() && next->first < id) ++next;
+    const bool added = next == rows_.end() || id < next->first;
+    if (added) next = rows_.try_emplace(next, id);
+    SubmapRow& row = next->second;
     change.set_changed |= added;
     const std::string problem = poseProblem(entry.pose);
     if (!problem.empty() && problem != row.pose_problem) {

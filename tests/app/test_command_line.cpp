@@ -203,6 +203,58 @@ class CommandLineTest : public QObject {
     QCOMPARE(rows[0].toObject()[QLatin1String("id")].toString(), evil + QStringLiteral(".pgm"));
   }
 
+  void submapsWithHolesAreNotComplete_data() {
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<int>("code");
+    QTest::newRow("whole") << QString() << 0;
+    QTest::newRow("missing") << QStringLiteral("--error-rate 0.4 --error-status 404") << 1;
+    QTest::newRow("none at all") << QStringLiteral("--error-rate 1 --error-status 404") << 1;
+    QTest::newRow("corrupt") << QStringLiteral("--wrong-size-rate 0.4") << 1;
+    QTest::newRow("without a place") << QStringLiteral("--bad-entries") << 1;
+  }
+  void submapsWithHolesAreNotComplete() {
+    QFETCH(QString, fault);
+    QFETCH(int, code);
+    QProcess robot;
+    robot.setProcessEnvironment(environment());
+    robot.start(QStringLiteral(MAPWRIGHT_PROGRAM), QStringLiteral("simulate --paused --start-at 30 %1")
+                                                       .arg(fault)
+                                                       .split(QLatin1Char(' '), Qt::SkipEmptyParts));
+    QVERIFY(robot.waitForReadyRead(30'000));
+    const QJsonObject ready = QJsonDocument::fromJson(robot.readLine()).object();
+    QProcessEnvironment env = environment();
+    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"), ready[QLatin1String("axbot")].toString());
+    const auto perform = [&](const char* line) {
+      QFile::remove(at("r.json"));
+      const Outcome outcome = run(QString::fromLatin1(line).split(QLatin1Char(' ')), env);
+      QFile file(at("r.json"));
+      const bool opened = file.open(QIODevice::ReadOnly);
+      const QJsonObject report = opened ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+      return std::pair(outcome, report);
+    };
+    for (const char* line :
+         {"snapshot -o s.png --report r.json", "maps export submaps -o e.png --report r.json",
+          "maps diff submaps submaps --report r.json"}) {
+      const auto [outcome, report] = perform(line);
+      QVERIFY2(outcome.code == code, qPrintable(QLatin1String(line) + outcome.err + outcome.out));
+      QVERIFY2(outcome.err.count(QLatin1Char('\n')) == (code ? 1 : 0), qPrintable(outcome.err));
+      QCOMPARE(report[QLatin1String("complete")].toBool(), code == 0);
+      QCOMPARE(report[QLatin1String("warnings")].toArray().isEmpty(), code == 0);
+    }
+    robot.terminate();
+    QVERIFY(robot.waitForFinished(30'000));
+  }
+
+  void aFileThatIsCalledLikeAMapIsNotThatMap() {
+    QFile decoy(at("2"));
+    QVERIFY(decoy.open(QIODevice::WriteOnly) && decoy.write("no map") > 0);
+    decoy.close();
+    const Outcome same = run({QStringLiteral("maps"), QStringLiteral("diff"), QStringLiteral("2"),
+                              QStringLiteral("2"), QStringLiteral("--robot"), QStringLiteral("demo:")});
+    QVERIFY2(same.code == 0, qPrintable(same.err + same.out));
+    QVERIFY(QFile::remove(at("2")));
+  }
+
   void simulateServesUntilItIsToldToStopAndSnapshotReadsIt() {
     QProcess robot;
     robot.setProcessEnvironment(environment());

@@ -75,6 +75,7 @@ class FakeRobot : public robot::Robot,
     map.name = "Map " + id;
     map.grid = {0, 0, 0.05, {-1, -1, 0}};
     map.bytes = grayPicture(size, size, gray);
+    map.body_bytes = map.bytes->size();
     return map;
   }
   void answerList(std::vector<map::CatalogueEntry> rows) {
@@ -92,6 +93,7 @@ class FakeRobot : public robot::Robot,
   std::vector<double> overview_resolutions;
   QStringList wanted;
   std::vector<QStringList> wants;  // one after the other
+  Basics basics;
 
   QString address() const override { return QStringLiteral("fake:"); }
   void connectToRobot() override { ++connects; }

@@ -29,14 +29,15 @@ class SessionMapsTest : public QObject {
   FakeRobot* robot_ = nullptr;
   std::unique_ptr<Session> session_;
 
-  void make(bool maps, bool topics, bool submaps = true, bool overview = false) {
+  void make(bool maps, bool topics, bool submaps = true, bool overview = false,
+            const Session::Options& options = {}) {
     auto robot = std::make_unique<FakeRobot>();
     robot_ = robot.get();
     robot_->has_maps = maps;
     robot_->has_topics = topics;
     robot_->has_submaps = submaps;
     robot_->offers_overview = overview;
-    session_ = std::make_unique<Session>(std::move(robot), Session::Options{});
+    session_ = std::make_unique<Session>(std::move(robot), options);
   }
   void goOnline() { robot_->setPhase(robot::ConnectionPhase::Online); }
   int shownGray() const {
@@ -213,6 +214,112 @@ class SessionMapsTest : public QObject {
     robot_->map_fetches[0].second(FakeRobot::wholeMap("1"));
     QTRY_COMPARE(session_->wholeMap().waypoints().points.size(), std::size_t(1));
     QCOMPARE(session_->problems().unresolved(), 1);
+  }
+
+  void anAnswerThatIsAnotherMapIsNotTakenForIt() {
+    make(true, true);
+    goOnline();
+    session_->openMap({map::MapKind::Stored, "7"});
+    robot_->map_fetches[0].second(FakeRobot::wholeMap("8", 30));
+    QVERIFY(session_->wholeMap().phase() == Phase::Failed);
+    QVERIFY(!session_->wholeMap().cells());
+    QCOMPARE(session_->problems().unresolved(), 1);
+  }
+
+  void whoWantsNothingByItselfGetsNothingByItself() {
+    Session::Options options;
+    options.maps = false;
+    options.overview = false;
+    options.basics = {false, false, false};
+    make(true, true, true, true, options);
+    QVERIFY(robot_->basics == options.basics);
+    goOnline();
+    map::SubmapList list;
+    list.uuid = "u";
+    list.entries.resize(3);
+    for (int i = 0; i < 3; ++i) {
+      list.entries[std::size_t(i)].id = {0, i};
+      list.entries[std::size_t(i)].version = 1;
+    }
+    robot_->say(list);
+    robot_->say(liveGrid(254));
+    robot_->say(map::MapInfo{});
+    Q_EMIT robot_->mapsChanged();
+    goOnline();
+    QVERIFY(session_->wholeMap().phase() == Phase::Empty);
+    QVERIFY(robot_->asked.empty() && robot_->lists.empty() && robot_->overviews.empty());
+    QVERIFY(robot_->map_fetches.empty() && robot_->wanted.isEmpty());
+    // What it is told to do it does.
+    session_->openMap({map::MapKind::Live, {}});
+    QTRY_COMPARE(shownGray(), 254);
+    session_->catalogue().refresh();
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+  }
+
+  void bytesCountOnlyWhenTheyTravelled_data() {
+    QTest::addColumn<QByteArray>("what");
+    QTest::addColumn<quint64>("fetches");
+    QTest::addColumn<quint64>("cache_hits");
+    QTest::addColumn<quint64>("bytes");
+    QTest::newRow("a stored map") << QByteArray("stored") << quint64(1) << quint64(0) << quint64(1000);
+    QTest::newRow("a stored map on disk")
+        << QByteArray("stored cached") << quint64(0) << quint64(1) << quint64(0);
+    QTest::newRow("a local file") << QByteArray("file") << quint64(0) << quint64(0) << quint64(0);
+    QTest::newRow("a picture by address")
+        << QByteArray("address") << quint64(1) << quint64(0) << quint64(1000);
+    QTest::newRow("a picture by address, on disk")
+        << QByteArray("address cached") << quint64(0) << quint64(1) << quint64(0);
+    QTest::newRow("a picture in its message")
+        << QByteArray("inside") << quint64(0) << quint64(0) << quint64(0);
+    QTest::newRow("a costmap by address")
+        << QByteArray("costmap") << quint64(1) << quint64(0) << quint64(1000);
+  }
+  void bytesCountOnlyWhenTheyTravelled() {
+    QFETCH(QByteArray, what);
+    make(true, true);
+    goOnline();
+    if (what.startsWith("stored") || what == "file") {
+      session_->openMap({map::MapKind::Stored, "7"});
+      map::WholeMap map = FakeRobot::wholeMap("7");
+      map.body_bytes = what == "file" ? 0 : 1000;
+      map.from_cache = what.endsWith("cached");
+      robot_->map_fetches[0].second(map);
+    } else {
+      map::GridMessage message =
+          liveGrid(9, what == "costmap" ? map::GridKind::CostmapLow : map::GridKind::WholeMap);
+      message.body_bytes = what == "inside" ? 0 : 1000;
+      message.from_cache = what.endsWith("cached");
+      robot_->say(message);
+    }
+    const session::SubmapCounts counts = session_->counts();
+    QTEST(counts.fetches, "fetches");
+    QTEST(counts.cache_hits, "cache_hits");
+    QTEST(counts.bytes_fetched, "bytes");
+  }
+
+  void noOtherMapIsComparedWhileTheChosenOneIsOnItsWay() {
+    make(true, true);
+    goOnline();
+    session_->compareWith(map::MapKey{map::MapKind::Stored, "7"});
+    robot_->map_fetches[0].second(FakeRobot::wholeMap("7", 200));
+    QTRY_VERIFY(session_->comparedMap().phase() == Phase::Ready);
+    session_->compareWith(map::MapKey{map::MapKind::Stored, "8"});
+    QVERIFY(!session_->comparedMap().cells());
+    robot_->map_fetches[1].second(
+        tl::make_unexpected(map::Problem{map::Severity::Error, "Map 8", "The robot has no map 8."}));
+    QVERIFY(!session_->comparedMap().cells());
+  }
+
+  void whatIsKeptForComparingIsWhatIsOnScreen() {
+    make(true, true);
+    goOnline();
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
+    robot_->say(liveGrid(0));  // is being read yet
+    QCOMPARE(shownGray(), 254);
+    session_->keepForComparing();
+    QTRY_VERIFY(session_->comparedMap().phase() == Phase::Ready);
+    QCOMPARE(int(session_->comparedMap().cells()->at(5, 5)), 254);
   }
 
   void thePresentStateCanBeKeptForComparing() {

@@ -98,7 +98,9 @@ void MapScene::setSession(session::Session* session) {
 void MapScene::syncAll() {
   std::vector<map::SubmapId> ids;
   if (session_) {
-    for (const auto& [id, row] : session_->book().rows()) ids.push_back(id);
+    for (const auto& [id, row] : session_->book().rows()) {
+      if (row.shown_version >= 0) ids.push_back(id);
+    }
   }
   renderer_->clear();
   impl_->outlines.clear();

@@ -185,6 +185,7 @@ void AimdkLink::fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply) {
     if (!answer.ok()) {
       result = tl::make_unexpected(problem(map::subjectOf(key), because("It cannot be had: ", answer)));
     } else if (auto parsed = parseWholeMap(view(answer.body), key)) {
+      parsed->map.body_bytes = std::size_t(answer.body.size());
       result = std::move(*parsed);
       frame_ = *result;
       frame_->map.bytes.reset();

@@ -174,11 +174,14 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
 
 void AxbotLink::subscribe() {
   subscribed_ = true;
-  list_timer_->start(options_.list_expected_within);
+  const QStringList names = subscriptions_.names();
+  if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(options_.list_expected_within);
   send(subscriptions_.all());
   // Some firmware claims lists and ignores them.
-  if (subscriptions_.takesLists()) subscribe_timer_->start(kSubscribeAnswerMs);
+  if (subscriptions_.takesLists() && !names.isEmpty()) subscribe_timer_->start(kSubscribeAnswerMs);
 }
+
+void AxbotLink::setBasics(const LiveTopics::Basics& basics) { subscriptions_.setBasics(basics); }
 
 void AxbotLink::setWantedTopics(const QStringList& topics) {
   start();
@@ -201,8 +204,10 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   } else if (frame.grid_to_fetch) {
     grids_->fetch(std::move(*frame.grid_to_fetch));
   } else if (frame.enabled_topics) {
-    const auto& enabled = *frame.enabled_topics;
-    if (std::find(enabled.begin(), enabled.end(), "/submap_list") != enabled.end()) topics_confirmed_ = true;
+    const QStringList asked = subscriptions_.names();
+    topics_confirmed_ |=
+        std::any_of(frame.enabled_topics->begin(), frame.enabled_topics->end(),
+                    [&](const std::string& name) { return asked.contains(QString::fromStdString(name)); });
   } else if (!frame.error.empty()) {
     Q_EMIT problemFound(
         problem(map::Severity::Warning,
@@ -280,6 +285,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
     }
   } else {
     answer.key = key;
+    answer.bytes = std::size_t(http.body.size());
     answer.reason = http.sentence.toStdString();
     answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
                      : http.status == 404                          ? Outcome::NotFound

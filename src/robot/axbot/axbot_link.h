@@ -51,6 +51,7 @@ class AxbotLink : public QObject {
   void cancel(const map::SubmapKey& key);
   void cancelAll();  // the fetches of submaps
   void setWantedTopics(const QStringList& topics);
+  void setBasics(const LiveTopics::Basics& basics);
   void setWatching(bool on) { watching_ = on; }
   MapRequests& maps();
 

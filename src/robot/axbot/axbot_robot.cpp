@@ -96,6 +96,10 @@ void AxbotRobot::setWanted(const QStringList& topics) {
   QMetaObject::invokeMethod(link_, [link = link_, topics] { link->setWantedTopics(topics); });
 }
 
+void AxbotRobot::setBasics(const Basics& basics) {
+  QMetaObject::invokeMethod(link_, [link = link_, basics] { link->setBasics(basics); });
+}
+
 void AxbotRobot::setWatching(bool on) {
   QMetaObject::invokeMethod(link_, [link = link_, on] { link->setWatching(on); });
 }

@@ -46,6 +46,7 @@ class AxbotRobot : public Robot,
 
   QStringList known() const override { return knownTopics(); }
   void setWanted(const QStringList& topics) override;
+  void setBasics(const Basics& basics) override;
   void setWatching(bool on) override;
 
   void takeTopic(const map::TopicMessage& message);

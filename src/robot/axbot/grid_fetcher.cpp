@@ -42,6 +42,8 @@ void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const ne
     map::GridMessage complete = grid;
     complete.png = std::make_shared<const std::string>(answer.body.toStdString());
     complete.fingerprint = wire::fingerprint(*complete.png);
+    complete.body_bytes = std::size_t(answer.body.size());
+    complete.from_cache = answer.from_cache;
     take_(std::move(complete));
     return;
   }

@@ -252,6 +252,8 @@ void MapRequests::fetchPicture(const std::shared_ptr<Fetch>& fetch, const QUrl& 
     } else {
       fetch->map.bytes = std::make_shared<const std::string>(answer.body.toStdString());
       fetch->map.fingerprint = wire::fingerprint(*fetch->map.bytes);
+      fetch->map.body_bytes = fetch->map.bytes->size();
+      fetch->map.from_cache = answer.from_cache;
       if (const auto size = wire::pngSize(*fetch->map.bytes)) {
         std::tie(fetch->map.grid.width, fetch->map.grid.height) = *size;
       }
@@ -294,6 +296,7 @@ void MapRequests::fetchOverview(double resolution_m, AnswerTo<map::WholeMap> rep
     if (!answer.ok()) return fail(because("The overview of the map cannot be had: ", answer));
     auto overview = parseOverview(view(answer.body), resolution_m);
     if (!overview) return fail(overview.error());
+    overview->body_bytes = std::size_t(answer.body.size());
     reply(std::move(*overview));
   });
 }

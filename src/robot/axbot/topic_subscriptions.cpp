@@ -11,9 +11,12 @@ constexpr qsizetype kLongestName = 256;
 
 }  // namespace
 
-QStringList TopicSubscriptions::always() {
-  return {QStringLiteral("/submap_list"), QStringLiteral("/tracked_pose"), QStringLiteral("/robot_model"),
-          QStringLiteral("/slam/state")};
+QStringList TopicSubscriptions::always() const {
+  QStringList topics;
+  if (basics_.submaps) topics << QStringLiteral("/submap_list");
+  if (basics_.pose) topics << QStringLiteral("/tracked_pose") << QStringLiteral("/robot_model");
+  if (basics_.state) topics << QStringLiteral("/slam/state");
+  return topics;
 }
 
 QStringList TopicSubscriptions::setWanted(const QStringList& topics) {
@@ -33,7 +36,7 @@ QStringList TopicSubscriptions::setWanted(const QStringList& topics) {
   return requests("disable_topic", off) + requests("enable_topic", on);
 }
 
-QStringList TopicSubscriptions::all() const { return requests("enable_topic", always() + wanted_); }
+QStringList TopicSubscriptions::all() const { return requests("enable_topic", names()); }
 
 QStringList TopicSubscriptions::requests(const char* verb, const QStringList& topics) const {
   QStringList texts;

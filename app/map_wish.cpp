@@ -1,0 +1,134 @@
+#include "app/map_wish.h"
+
+#include <utility>
+
+#include "app/exit_code.h"
+
+namespace mapwright::app {
+namespace {
+
+constexpr double kLiveMapWithinS = 8;  // a robot that sends no map of its own is asked for its current one
+
+using Phase = session::MapSlot::Phase;
+
+}  // namespace
+
+MapWish::MapWish(session::Session& session, QString id, bool with_points)
+    : session_(session), id_(std::move(id)), with_points_(with_points) {}
+
+bool MapWish::local() const { return session_.robot().address().startsWith(QLatin1String("file:")); }
+
+void MapWish::fail(int exit_code, const QString& sentence) {
+  failed_ = true;
+  failure_ = {exit_code, sentence};
+}
+
+void MapWish::open(const map::MapKey& key) {
+  key_ = key;
+  session_.openMap(key);
+}
+
+MapWish::State MapWish::look(double online_for_s) {
+  if (failed_) return State::Failed;
+  if (!key_) choose();
+  if (!key_) return failed_ ? State::Failed : State::Waiting;
+  const session::MapSlot& slot = session_.wholeMap();
+  if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && online_for_s > kLiveMapWithinS) {
+    chooseInsteadOfLive();
+  } else if (slot.key() == *key_ && slot.phase() == Phase::Failed && !shown()) {
+    fail(local() ? kUsage : kRobotError, slot.remark());
+  }
+  if (failed_) return State::Failed;
+  const bool here = slot.settled() && shown() && !(with_points_ && slot.waypointsAwaited());
+  return here ? State::Here : State::Waiting;
+}
+
+void MapWish::choose() {
+  if (id_.isEmpty() && !sendsMaps()) {
+    chooseCurrent();
+    return;
+  }
+  const std::string id = id_.toStdString();
+  const map::MapKey key = id_.isEmpty() ? map::MapKey{map::MapKind::Live, {}} : map::mapKeyFromText(id);
+  if (key.kind == map::MapKind::Live && !sendsMaps()) {
+    fail(local() ? kUsage : kRobotError,
+         QStringLiteral("It sends no live map. Ask for one of its maps by its id (mapwright maps list)."));
+  } else if (local()) {
+    // The names of a folder's maps are known when its list is in.
+    if (!catalogueIn()) return;
+    const map::CatalogueEntry* const entry = session_.catalogue().called(id);
+    open(entry ? entry->key : key);
+  } else {
+    open(key);
+  }
+}
+
+void MapWish::chooseCurrent() {
+  if (!catalogueIn()) return;
+  const session::Catalogue& catalogue = session_.catalogue();
+  const map::CatalogueEntry* entry = catalogue.current();
+  if (!entry && catalogue.entries().size() == 1) entry = &catalogue.entries().front();
+  if (entry) {
+    open(entry->key);
+  } else {
+    fail(kRobotError,
+         catalogue.entries().empty()
+             ? QStringLiteral("There is no map.")
+             : QStringLiteral("None of its %1 maps is the current one. Give an id (mapwright maps list).")
+                   .arg(catalogue.entries().size()));
+  }
+}
+
+void MapWish::chooseInsteadOfLive() {
+  if (!id_.isEmpty()) {
+    fail(kRobotError, QStringLiteral("It sends no map now."));
+    return;
+  }
+  if (!catalogueIn()) return;
+  const map::CatalogueEntry* const current = session_.catalogue().current();
+  if (!current) {
+    fail(kRobotError, QStringLiteral("It sends no map now, and none of its stored maps is the current one."));
+    return;
+  }
+  for (const session::LoggedProblem& row : session_.problems().rows()) {
+    const map::Subject& subject = row.problem.subject;
+    live_broken_ |=
+        !row.resolved && subject.kind == map::SubjectKind::Topic && subject.id.starts_with("/map");
+  }
+  notes_ << (live_broken_
+                 ? QStringLiteral(
+                       "The map that the robot sends cannot be had. Its current stored map is shown.")
+                 : QStringLiteral("The robot sends no map now. Its current stored map is shown."));
+  open(current->key);
+}
+
+bool MapWish::catalogueIn() {
+  session::Catalogue& catalogue = session_.catalogue();
+  if (!catalogue.offered()) {
+    fail(kRobotError, QStringLiteral("This robot offers no list of maps."));
+    return false;
+  }
+  if (!catalogue.asked()) catalogue.refresh();
+  if (catalogue.loading()) return false;
+  if (catalogue.error().isEmpty()) return catalogue.asOf().has_value();
+  fail(local() ? kUsage : kRobotError, catalogue.error());
+  return false;
+}
+
+bool MapWish::shown() const {
+  const session::MapSlot& slot = session_.wholeMap();
+  return key_ && slot.cells() && slot.shown().key == *key_;
+}
+
+std::optional<render::PlacedGrid> MapWish::grid() const {
+  if (!shown()) return std::nullopt;
+  return render::PlacedGrid{session_.wholeMap().cells(), session_.wholeMap().reference()};
+}
+
+bool MapWish::complete() const {
+  const session::MapSlot& slot = session_.wholeMap();
+  return shown() && slot.key() == *key_ && slot.phase() == Phase::Ready && slot.cells()->complete() &&
+         !slot.broken() && !live_broken_;
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,59 @@
+// The one whole map that a command was asked for: brought onto its session, and no other taken for it.
+#pragma once
+
+#include <optional>
+
+#include <QString>
+#include <QStringList>
+
+#include "app/command_failure.h"
+#include "render/sample_grid.h"
+#include "session/session.h"
+
+namespace mapwright::app {
+
+/// The session must not open maps by itself (session::Session::Options::maps).
+class MapWish {
+ public:
+  /// `id`: as people type it; "" = the map that the robot sends, else its current one. `with_points`: its
+  /// navigation points are waited for too.
+  MapWish(session::Session& session, QString id, bool with_points);
+
+  enum class State { Waiting, Here, Failed };
+  /// Takes the next step that is due. To be called, while online, whenever something may have changed.
+  State look(double online_for_s);
+  /// Why it Failed.
+  const CommandFailure& failure() const { return failure_; }
+
+  /// Which map it is, once that is known.
+  const std::optional<map::MapKey>& key() const { return key_; }
+  /// The cells of that map as far as they have been read; nullopt while there are none, or those of another.
+  std::optional<render::PlacedGrid> grid() const;
+  /// It is read to its end, and is what was to be had.
+  bool complete() const;
+  /// What is to be said beside the picture.
+  const QStringList& notes() const { return notes_; }
+
+ private:
+  void choose();
+  /// The robot's current map, or its only one.
+  void chooseCurrent();
+  void chooseInsteadOfLive();
+  void open(const map::MapKey& key);
+  /// Asks for the catalogue; false while it is on its way, or cannot be had.
+  bool catalogueIn();
+  void fail(int exit_code, const QString& sentence);
+  bool shown() const;
+  bool local() const;
+  bool sendsMaps() const { return session_.robot().liveTopics() != nullptr; }
+
+  session::Session& session_;
+  QString id_;
+  bool with_points_;
+  std::optional<map::MapKey> key_;
+  bool failed_ = false, live_broken_ = false;
+  CommandFailure failure_;
+  QStringList notes_;
+};
+
+}  // namespace mapwright::app

@@ -1,0 +1,99 @@
+#include "app/maps_command.h"
+
+#include <cstdio>
+#include <utility>
+
+#include <QApplication>
+#include <QJsonArray>
+
+#include "app/display.h"
+#include "app/exit_code.h"
+#include "app/one_line.h"
+#include "app/report.h"
+
+namespace mapwright::app {
+namespace {
+
+int say(const QString& sentence, int exit_code) {
+  std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
+  return exit_code;
+}
+
+QJsonObject failed(const QString& sentence) {
+  return {{QStringLiteral("complete"), false}, {QStringLiteral("warnings"), QJsonArray{sentence}}};
+}
+
+}  // namespace
+
+MapsCommand::MapsCommand(double timeout_s, QString report_path)
+    : time_{std::chrono::steady_clock::now(), timeout_s}, report_path_(std::move(report_path)) {}
+
+CommandResult<MapReading*> MapsCommand::open(const QString& address, const QByteArray& secret,
+                                             MapReading::Purpose purpose) {
+  auto reading = MapReading::open(address, secret, time_, purpose);
+  if (!reading) return tl::make_unexpected(reading.error());
+  connected_->store(true);
+  readings_.push_back(std::move(*reading));
+  return readings_.back().get();
+}
+
+bool MapsCommand::complete() const {
+  for (const auto& reading : readings_) {
+    if (!reading->complete()) return false;
+  }
+  return true;
+}
+
+int MapsCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(MapsCommand&)>& work) {
+  if (!(time_.timeout_s > 0 && time_.timeout_s <= 86'400)) {
+    return say(QStringLiteral("--timeout must be more than 0 and at most 86400 seconds."), kUsage);
+  }
+  Deadline deadline(
+      later(time_.begun, time_.timeout_s + kEndAfterS),
+      [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
+        const QString sentence =
+            (*connected
+                 ? QStringLiteral("Not complete. The command could not be finished within %1 s (--timeout).")
+                 : QStringLiteral("No connection within %1 s (--timeout)."))
+                .arg(timeout_s);
+        if (!path.isEmpty()) writeReport(path, failed(sentence));
+        sayAtTheEnd(sentence.toStdString());
+        return int(*connected ? kIncomplete : kUnreachable);
+      });
+  chooseOffscreenPlatform();
+  QApplication application(argc, argv);
+  const int exit_code = end(work(*this));
+  std::fflush(stdout);
+  // All is said: what is left to be taken apart may take no longer than the rest.
+  deadline.setLastWords([exit_code] { return exit_code; });
+  readings_.clear();
+  return exit_code;
+}
+
+int MapsCommand::end(const CommandResult<int>& result) const {
+  QStringList warnings;
+  for (const auto& reading : readings_) warnings += reading->warnings();
+  QJsonObject report;
+  if (!result) {
+    report = failed(result.error().sentence);
+  } else {
+    if (readings_.size() == 1) report = readings_.front()->facts();
+    if (readings_.size() == 2) {
+      report[QStringLiteral("first")] = readings_.front()->facts();
+      report[QStringLiteral("second")] = readings_.back()->facts();
+    }
+    report[QStringLiteral("complete")] = complete();
+    report[QStringLiteral("warnings")] = QJsonArray::fromStringList(warnings);
+  }
+  if (!report_path_.isEmpty() && !writeReport(report_path_, report)) {
+    return say(QStringLiteral("%1 cannot be written.").arg(report_path_), kUsage);
+  }
+  if (!result) return say(result.error().sentence, result.error().exit_code);
+  if (!complete()) {
+    return say(QStringLiteral("Not complete. %1").arg(firstOf(warnings)),
+               *result == kDone ? int(kIncomplete) : *result);
+  }
+  return warnings.isEmpty() ? *result : say(firstOf(warnings), *result);
+}
+
+}  // namespace mapwright::app

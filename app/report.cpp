@@ -1,0 +1,79 @@
+#include "app/report.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSaveFile>
+
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+
+bool submapsComplete(const session::SubmapCounts& counts) {
+  return counts.list_received && counts.shown + counts.without_slice == counts.listed && counts.updating == 0;
+}
+
+QJsonObject submapsJson(const session::SubmapCounts& counts) {
+  return {
+      {QStringLiteral("listed"), counts.listed},   {QStringLiteral("drawn"), counts.shown},
+      {QStringLiteral("missing"), counts.missing}, {QStringLiteral("failed"), counts.failed + counts.pending},
+      {QStringLiteral("corrupt"), counts.corrupt}, {QStringLiteral("without_slice"), counts.without_slice}};
+}
+
+QJsonObject trafficJson(const session::SubmapCounts& counts) {
+  return {{QStringLiteral("bytes_fetched"), qint64(counts.bytes_fetched)},
+          {QStringLiteral("fetches"), qint64(counts.fetches)},
+          {QStringLiteral("cache_hits"), qint64(counts.cache_hits)}};
+}
+
+QJsonObject gridJson(const map::GridReference& grid) {
+  return {{QStringLiteral("size"), QJsonArray{grid.width, grid.height}},
+          {QStringLiteral("resolution"), grid.resolution_m},
+          {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
+}
+
+QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::GridReference& grid) {
+  QJsonObject json = gridJson(grid);
+  json[QStringLiteral("id")] = QString::fromStdString(map::toText(key));
+  json[QStringLiteral("name")] = name;
+  return json;
+}
+
+QString problemLine(const map::Problem& problem) {
+  return QStringLiteral("%1: %2").arg(QString::fromStdString(map::toText(problem.subject)),
+                                      QString::fromStdString(problem.sentence));
+}
+
+QStringList problemLines(const session::ProblemLog& log) {
+  QStringList lines;
+  for (const map::Severity severity : {map::Severity::Error, map::Severity::Warning, map::Severity::Info}) {
+    for (const session::LoggedProblem& row : log.rows()) {
+      if (row.resolved || row.problem.severity != severity) continue;
+      lines << problemLine(row.problem);
+    }
+  }
+  return lines;
+}
+
+QString firstOf(const QStringList& lines) {
+  if (lines.size() < 2) return lines.isEmpty() ? QString() : lines.first();
+  return QStringLiteral("%1 (and %2 more; --report lists them)").arg(lines.first()).arg(lines.size() - 1);
+}
+
+bool writeReport(const QString& path, const QJsonObject& report) {
+  QSaveFile file(path);
+  const QByteArray json = words::escapedJson(QJsonDocument(report).toJson());
+  return file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.commit();
+}
+
+qint64 peakMemoryBytes() {
+  // getrusage() would answer with that of whoever started it, were that more.
+  QFile status(QStringLiteral("/proc/self/status"));
+  if (!status.open(QIODevice::ReadOnly)) return 0;
+  for (const QByteArray& line : status.readAll().split('\n')) {
+    if (line.startsWith("VmHWM:")) return line.mid(6).trimmed().split(' ').first().toLongLong() * 1024;
+  }
+  return 0;
+}
+
+}  // namespace mapwright::app

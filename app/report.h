@@ -1,0 +1,38 @@
+// What a command says of its work, as JSON and in words. Pure, but for the memory.
+#pragma once
+
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+
+#include "map/catalogue.h"
+#include "session/problem_log.h"
+#include "session/session.h"
+
+namespace mapwright::app {
+
+/// Everything that is listed and has the chosen slice is there, and none has a newer version on its way.
+bool submapsComplete(const session::SubmapCounts& counts);
+/// {"listed", "drawn", "missing", "failed", "corrupt", "without_slice"}
+QJsonObject submapsJson(const session::SubmapCounts& counts);
+/// {"bytes_fetched", "fetches", "cache_hits"}
+QJsonObject trafficJson(const session::SubmapCounts& counts);
+/// {"size", "resolution", "origin"}
+QJsonObject gridJson(const map::GridReference& grid);
+/// {"id", "name", "size", "resolution", "origin"}
+QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::GridReference& grid);
+
+/// "Map 12: It breaks off."
+QString problemLine(const map::Problem& problem);
+/// What is wrong now, one line each, the gravest first: a terminal shows no more than one.
+QStringList problemLines(const session::ProblemLog& log);
+/// The first and how many more there are; "" when there is none.
+QString firstOf(const QStringList& lines);
+
+/// False when it could not be written.
+bool writeReport(const QString& path, const QJsonObject& report);
+
+/// The most memory this program has held.
+qint64 peakMemoryBytes();
+
+}  // namespace mapwright::app

@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include <QImage>
+#include <QImageWriter>
+#include <QPainter>
+#include <QSaveFile>
+#include <QTimer>
+
+#include "app/snapshot_picture.h"
+#include "scene/map_scene.h"
+
+namespace mapwright::app {
+namespace {
+
+render::TileRenderer::Options exactOnly() {
+  render::TileRenderer::Options options;
+  options.previews = false;
+  return options;
+}
+
+class ScenePicture : public SnapshotPicture {
+ public:
+  ScenePicture(const SnapshotOptions& options, session::Session& session, const SnapshotContent& content)
+      : options_(options), session_(session), content_(content), scene_(exactOnly()) {}
+
+  void start() override {
+    scene_.setTheme(options_.dark ? scene::darkMapTheme() : scene::lightMapTheme());
+    scene_.setColorMode(options_.colors);
+    for (const scene::Layer layer : scene::allLayers()) {
+      scene_.setLayerVisible(layer, options_.layers.contains(layer));
+    }
+    scene_.setLayerVisible(scene::Layer::Submaps, content_.submaps && !options_.without_submaps);
+    scene_.setLayerVisible(scene::Layer::WholeMap, content_.whole);
+    scene_.setView(content_.view);
+    scene_.setSession(&session_);
+    connect(&scene_, &scene::MapScene::tilesSettled, this, &ScenePicture::look);
+    QTimer::singleShot(0, this, &ScenePicture::look);
+  }
+
+  double made() const override {
+    if (scene_.picturesSettled()) return 1;
+    const render::TileCounts tiles = scene_.renderer().counts();
+    // Short of all: other layers may be unfinished, too.
+    return tiles.visible > 0 ? std::min(0.99, double(tiles.exact) / tiles.visible) : 0;
+  }
+
+  std::optional<QString> write(const QString& path) override {
+    QImage image(options_.size_px, QImage::Format_RGB32);
+    if (image.isNull()) {
+      return QStringLiteral("There is not enough memory for a picture of %1 x %2.")
+          .arg(options_.size_px.width())
+          .arg(options_.size_px.height());
+    }
+    QPainter painter(&image);
+    const QRectF whole(QPointF(0, 0), QSizeF(options_.size_px));
+    scene_.render(&painter, whole, whole);
+    painter.end();
+    QSaveFile file(path);
+    const bool opened = file.open(QIODevice::WriteOnly);
+    QImageWriter writer(&file, "png");
+    if (!opened || !writer.write(image) || !file.commit()) {
+      return QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString());
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void look() {
+    if (scene_.picturesSettled()) Q_EMIT finished();
+  }
+
+  const SnapshotOptions& options_;
+  session::Session& session_;
+  SnapshotContent content_;
+  mutable scene::MapScene scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<SnapshotPicture> makeScenePicture(const SnapshotOptions& options, session::Session& session,
+                                                  const SnapshotContent& content) {
+  return std::make_unique<ScenePicture>(options, session, content);
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,265 @@
+// What is in the picture and in its report: what was asked for, as it was when the picture was begun.
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "../session/fake_robot.h"
+#include "app/exit_code.h"
+#include "app/snapshot_run.h"
+
+using namespace mapwright;
+using app::SnapshotRun;
+using test::FakeRobot;
+using Outcome = map::SubmapAnswer::Outcome;
+
+namespace {
+
+map::SubmapList listOf(int submaps, const std::string& uuid, double x = 0) {
+  map::SubmapList list;
+  list.uuid = uuid;
+  for (int i = 0; i < submaps; ++i) {
+    map::SubmapEntry entry;
+    entry.id = {0, i};
+    entry.version = 1;
+    entry.pose = geometry::poseFromYaw(x + 0.2 * i, 0, 0);
+    list.entries.push_back(entry);
+  }
+  return list;
+}
+
+map::GridMessage liveMap(int gray) {
+  map::GridMessage message;
+  message.topic = "/map_v2";
+  message.grid = {40, 40, 0.05, {-1, -1, 0}};
+  message.png = test::grayPicture(40, 40, gray);
+  return message;
+}
+
+}  // namespace
+
+class SnapshotContentTest : public QObject {
+  Q_OBJECT
+  QTemporaryDir folder_;
+  FakeRobot* robot_ = nullptr;
+  std::unique_ptr<SnapshotRun> run_;
+  std::unique_ptr<QSignalSpy> finished_;
+
+  app::SnapshotWords words(const char* name) const {
+    app::SnapshotWords words;
+    words.robot = "axbot+http://192.0.2.1";
+    words.output = folder_.filePath(QLatin1String(name)).toStdString();
+    words.size = "200x200";
+    words.layers = "none";
+    words.center = "0,0";
+    words.scale = 0.01;
+    return words;
+  }
+  void begin(const app::SnapshotWords& words) {
+    auto robot = std::make_unique<FakeRobot>();
+    robot_ = robot.get();
+    robot_->has_maps = true;
+    robot_->has_topics = true;
+    const auto options = app::parseSnapshotOptions(words);
+    QVERIFY2(options, options ? "" : qPrintable(options.error()));
+    run_ = std::make_unique<SnapshotRun>(*options, std::move(robot));
+    finished_ = std::make_unique<QSignalSpy>(run_.get(), &SnapshotRun::finished);
+    run_->start();
+    robot_->setPhase(robot::ConnectionPhase::Online);
+  }
+  int exitCode() const { return finished_->at(0).at(0).toInt(); }
+  int grayInTheMiddle(const char* name) const {
+    const QImage picture(folder_.filePath(QLatin1String(name)));
+    return picture.isNull() ? -1 : qGray(picture.pixel(100, 100));
+  }
+  QByteArray bytesOf(const char* name) const {
+    QFile file(folder_.filePath(QLatin1String(name)));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  QString mapId() const {
+    return run_->report()[QLatin1String("map")].toObject()[QLatin1String("id")].toString();
+  }
+  void answerEverySubmap() {
+    while (!robot_->open.empty()) robot_->answer(Outcome::Ok, 0, 90);
+  }
+
+ private Q_SLOTS:
+  void cleanup() {
+    finished_.reset();
+    run_.reset();
+  }
+
+  void theMapThatWasAskedForIsDrawnWhateverComesFirst_data() {
+    QTest::addColumn<QByteArray>("first");
+    for (const char* first : {"live map", "list of maps", "map info", "nothing"})
+      QTest::newRow(first) << QByteArray(first);
+  }
+  void theMapThatWasAskedForIsDrawnWhateverComesFirst() {
+    QFETCH(QByteArray, first);
+    app::SnapshotWords asked = words("seven.png");
+    asked.mode = "whole";
+    asked.map = "7";
+    asked.raw = true;
+    begin(asked);
+    if (first == "live map") {
+      robot_->say(liveMap(10));
+      robot_->say(liveMap(20));
+    }
+    if (first == "list of maps") robot_->answerList({FakeRobot::entry("8", true), FakeRobot::entry("7")});
+    if (first == "map info") robot_->say(map::MapInfo{});
+    // Long enough for a picture to be made of the wrong one.
+    for (int turn = 0; turn < 50 && finished_->isEmpty(); ++turn) {
+      bool turned = false;
+      QTimer::singleShot(1, this, [&] { turned = true; });
+      QTRY_VERIFY(turned);
+    }
+    QVERIFY(finished_->isEmpty());
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
+    QVERIFY(robot_->map_fetches[0].first == (map::MapKey{map::MapKind::Stored, "7"}));
+    robot_->map_fetches[0].second(FakeRobot::wholeMap("7", 200));
+    QTRY_VERIFY(!finished_->isEmpty());
+    QCOMPARE(exitCode(), int(app::kDone));
+    QCOMPARE(mapId(), QStringLiteral("7"));
+    QCOMPARE(grayInTheMiddle("seven.png"), 200);
+  }
+
+  void aMapThatDoesNotComeIsNotReplacedByAnother_data() {
+    QTest::addColumn<bool>("raw");
+    QTest::newRow("scene") << false;
+    QTest::newRow("raw") << true;
+  }
+  void aMapThatDoesNotComeIsNotReplacedByAnother() {
+    QFETCH(bool, raw);
+    app::SnapshotWords asked = words("none.png");
+    asked.mode = "whole";
+    asked.map = "7";
+    asked.raw = raw;
+    asked.timeout_s = 0.2;
+    begin(asked);
+    robot_->say(liveMap(10));
+    QTRY_VERIFY(!finished_->isEmpty());
+    QCOMPARE(exitCode(), int(app::kIncomplete));
+    QVERIFY(!run_->report()[QLatin1String("complete")].toBool());
+    QVERIFY(!run_->report().contains(QLatin1String("map")));
+    QVERIFY(grayInTheMiddle("none.png") > 60);  // the ground, not the live map
+  }
+
+  void whatHappensWhileThePictureIsMadeIsNotInIt_data() {
+    QTest::addColumn<QByteArray>("what");
+    QTest::addColumn<bool>("raw");
+    for (const bool raw : {false, true}) {
+      for (const char* what :
+           {"a new session", "a moved pose", "a robot pose", "a live map", "a lost link"}) {
+        QTest::newRow(qPrintable(QStringLiteral("%1, %2").arg(
+            QLatin1String(what), raw ? QLatin1String("raw") : QLatin1String("scene"))))
+            << QByteArray(what) << raw;
+      }
+    }
+  }
+  void whatHappensWhileThePictureIsMadeIsNotInIt() {
+    QFETCH(QByteArray, what);
+    QFETCH(bool, raw);
+    QByteArray undisturbed;
+    for (const bool disturb : {false, true}) {
+      app::SnapshotWords asked = words("busy.png");
+      asked.size = "1500x1100";
+      asked.raw = raw;
+      asked.layers = raw ? "none" : "submaps,whole,robot,trail";
+      begin(asked);
+      connect(run_.get(), &SnapshotRun::contentChosen, this, [&] {
+        if (!disturb) return;
+        if (what == "a new session") robot_->say(listOf(6, "other"));
+        if (what == "a moved pose") robot_->say(listOf(6, "u", 0.3));
+        if (what == "a robot pose") robot_->say(map::TrackedPose{{-0.5, 0.5, 2}});
+        if (what == "a live map") robot_->say(liveMap(5));
+        if (what == "a lost link") robot_->setPhase(robot::ConnectionPhase::Interrupted);
+      });
+      robot_->say(map::TrackedPose{{0.1, 0.1, 0}});
+      if (!raw) robot_->say(liveMap(180));
+      robot_->say(listOf(6, "u"));
+      answerEverySubmap();
+      QTRY_VERIFY_WITH_TIMEOUT(!finished_->isEmpty(), 60'000);
+      QCOMPARE(exitCode(), int(app::kDone));
+      const QJsonObject report = run_->report();
+      QVERIFY(report[QLatin1String("complete")].toBool());
+      QCOMPARE(report[QLatin1String("uuid")].toString(), QStringLiteral("u"));
+      const QJsonObject submaps = report[QLatin1String("submaps")].toObject();
+      QCOMPARE(submaps[QLatin1String("drawn")].toInt(), 6);
+      QCOMPARE(submaps[QLatin1String("listed")].toInt(), 6);
+      if (!disturb) undisturbed = bytesOf("busy.png");
+    }
+    QVERIFY(undisturbed.size() > 100);
+    QVERIFY(bytesOf("busy.png") == undisturbed);
+  }
+
+  void aPictureThatIsNotFinishedInTimeIsWrittenAsFarAsItIs_data() {
+    aMapThatDoesNotComeIsNotReplacedByAnother_data();
+  }
+  void aPictureThatIsNotFinishedInTimeIsWrittenAsFarAsItIs() {
+    QFETCH(bool, raw);
+    app::SnapshotWords asked = words("cut.png");
+    asked.size = "9000x9000";
+    asked.raw = raw;
+    asked.scale = 0.0005;
+    asked.timeout_s = 0.3;
+    begin(asked);
+    robot_->say(listOf(6, "u"));
+    answerEverySubmap();
+    QTRY_VERIFY_WITH_TIMEOUT(!finished_->isEmpty(), 60'000);
+    const double painted = run_->report()[QLatin1String("painted")].toDouble();
+    if (painted == 1) QSKIP("This machine made it in time.");
+    QCOMPARE(exitCode(), int(app::kIncomplete));
+    QVERIFY(!run_->report()[QLatin1String("complete")].toBool());
+    QVERIFY(run_->warnings().join(QLatin1Char(' ')).contains(QStringLiteral("--timeout")));
+    QVERIFY(!bytesOf("cut.png").isEmpty());
+  }
+
+  void onlyWhatIsDrawnIsAskedFor_data() {
+    QTest::addColumn<std::string>("mode");
+    QTest::addColumn<std::string>("map");
+    QTest::addColumn<std::string>("layers");
+    QTest::addColumn<bool>("submaps");
+    QTest::addColumn<bool>("pose");
+    QTest::addColumn<QStringList>("topics");
+    const QStringList none, live{QStringLiteral("/map_v2")};
+    const std::string no;
+    QTest::newRow("a stored map") << std::string("whole") << std::string("7") << std::string("none") << false
+                                  << false << none;
+    QTest::newRow("the live map") << std::string("whole") << no << std::string("none") << false << false
+                                  << live;
+    QTest::newRow("the live map by name")
+        << std::string("whole") << std::string("live") << std::string("none") << false << false << live;
+    QTest::newRow("submaps") << std::string("submaps") << no << std::string("none") << true << false << none;
+    QTest::newRow("submaps and robot")
+        << std::string("submaps") << no << std::string("submaps,robot") << true << true << none;
+    QTest::newRow("a stored map and the path")
+        << std::string("whole") << std::string("7") << std::string("path") << false << false
+        << QStringList{QStringLiteral("/path")};
+  }
+  void onlyWhatIsDrawnIsAskedFor() {
+    QFETCH(std::string, mode);
+    QFETCH(std::string, map);
+    QFETCH(std::string, layers);
+    QFETCH(bool, submaps);
+    QFETCH(bool, pose);
+    app::SnapshotWords asked = words("asked.png");
+    asked.mode = mode;
+    asked.map = map;
+    asked.layers = layers;
+    begin(asked);
+    robot_->say(listOf(3, "u"));
+    robot_->say(map::MapInfo{});
+    QCOMPARE(robot_->basics.submaps, submaps);
+    QCOMPARE(robot_->basics.pose, pose);
+    QVERIFY(!robot_->basics.state);
+    QTEST(robot_->wanted, "topics");
+    QCOMPARE(!robot_->asked.empty(), submaps);
+    QVERIFY(robot_->lists.empty() && robot_->thumbnails.empty() && robot_->overviews.empty());
+  }
+};
+
+QTEST_MAIN(SnapshotContentTest)
+#include "test_snapshot_content.moc"
