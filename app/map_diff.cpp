@@ -98,7 +98,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   strip.width_px = diff.width;
   const raster::CellMeaning& meaning_a = raster::meaningOf(first.cells->code());
   const raster::CellMeaning& meaning_b = raster::meaningOf(second.cells->code());
-  const bool comparable = first.cells->code() == second.cells->code();
+  const bool comparable = raster::isGray(first.cells->code()) == raster::isGray(second.cells->code());
 
   const render::GridPalette palette = render::differencePalette(false);
   std::vector<std::uint8_t> rgb(std::size_t(diff.width) * 3);
@@ -113,16 +113,15 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   for (int row = 0; row < diff.height; row += kStrip) {
     strip.first_row = row;
     strip.height_px = std::min(kStrip, diff.height - row);
-    const render::Composition a = render::sampleGrid(strip, first, nullptr, render::Sampling::Exact);
-    const render::Composition b = render::sampleGrid(strip, second, nullptr, render::Sampling::Exact);
+    const render::Composition a = render::sampleGrid(strip, first, nullptr);
+    const render::Composition b = render::sampleGrid(strip, second, nullptr);
     std::size_t at = 0;
     for (int y = 0; y < strip.height_px; ++y) {
       for (int x = 0; x < strip.width_px; ++x, ++at) {
         const std::uint8_t cell_a = a.intensity[at], cell_b = b.intensity[at];
-        const bool known_a = a.flags[at] && meaning_a.known[cell_a];
-        const bool known_b = b.flags[at] && meaning_b.known[cell_b];
         const render::Difference what =
-            render::differenceOf(known_a, meaning_a.occupancy[cell_a], known_b, meaning_b.occupancy[cell_b]);
+            render::differenceOf(render::knownIn(a, at, meaning_a), render::occupancyIn(a, at, meaning_a),
+                                 render::knownIn(b, at, meaning_b), render::occupancyIn(b, at, meaning_b));
         ++diff.cells[std::size_t(what)];
         const bool alike = what == render::Difference::SameFree || what == render::Difference::SameOccupied;
         if (alike && comparable && cell_a != cell_b) ++diff.levels_differ;

@@ -127,8 +127,8 @@ class RawPicture : public SnapshotPicture {
     for (std::size_t i = 0; i < made.intensity.size(); ++i) {
       const std::uint8_t cell = made.intensity[i];
       const bool inside = made.flags[i] != 0;
-      pairs[2 * i] = !inside ? kUndecided : code == raster::CellCode::Gray ? cell : meaning.intensity[cell];
-      pairs[2 * i + 1] = inside && meaning.known[cell] ? 255 : 0;
+      pairs[2 * i] = !inside ? kUndecided : raster::isGray(code) ? cell : meaning.intensity[cell];
+      pairs[2 * i + 1] = render::knownIn(made, i, meaning) ? 255 : 0;
     }
   }
 

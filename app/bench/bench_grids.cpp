@@ -1,6 +1,7 @@
 // Reading whole maps: our pyramid next to QImageReader, OpenCV and libvips on the same file, each in a
 // process of its own so that its peak memory is its own. Choose a size by its name:
 // --benchmark_filter=GridLoad/4000.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -22,6 +23,7 @@
 #include <spng.h>
 
 #include "raster/grid_pyramid.h"
+#include "render/sample_grid.h"
 
 namespace {
 
@@ -270,6 +272,94 @@ std::vector<std::pair<std::string, Contender>> contenders() {
        }},
   };
 }
+
+// What a view of a whole map costs: the quick look that a window shows first, and the exact picture. One
+// thread, tiles of 256 pixels as the window makes them.
+
+raster::Reduction reductionOf(bool average) {
+  return average ? raster::Reduction::Average : raster::Reduction::OccupiedWins;
+}
+
+struct Sampled {
+  std::map<std::string, render::PlacedGrid> maps;  // by size and reduction, each made when first asked for
+
+  const render::PlacedGrid& map(const Size& size, bool average) {
+    render::PlacedGrid& made = maps[size.name() + (average ? "a" : "o")];
+    if (made.cells) return made;
+    const auto builder =
+        raster::buildGrid(size.width, size.height, raster::CellCode::Gray, reductionOf(average));
+    std::vector<std::uint8_t> row(std::size_t(size.width));
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) row[std::size_t(x)] = mapCell(x, y);
+      builder->pushRow(row);
+    }
+    builder->finish();
+    made = {builder->pyramid(), {size.width, size.height, 0.05, {0, 0, 0}}};
+    return made;
+  }
+};
+
+struct ViewCase {
+  Size size;
+  double cells_per_pixel;
+  double rotation;
+  bool average;
+  render::Sampling sampling;
+  std::string name() const {
+    std::array<char, 120> text;
+    std::snprintf(text.data(), text.size(), "GridView/%s/%g_cells%s/%s%s", size.name().c_str(),
+                  cells_per_pixel, rotation != 0 ? "_turned" : "", average ? "average_" : "",
+                  sampling == render::Sampling::Quick ? "quick" : "exact");
+    return text.data();
+  }
+};
+
+void measureView(benchmark::State& state, const std::shared_ptr<Sampled>& sampled, const ViewCase& view) {
+  constexpr int kTile = 256;
+  const render::PlacedGrid& placed = sampled->map(view.size, view.average);
+  render::PixelGrid tile;
+  tile.scale_m_per_px = placed.reference.resolution_m * view.cells_per_pixel;
+  tile.rotation_rad = view.rotation;
+  tile.origin_m = placed.reference.worldFromCell({view.size.width / 2.0, view.size.height / 2.0});
+  tile.width_px = tile.height_px = kTile;
+  // As far as the map reaches, but no more than a window shows.
+  const int across = std::clamp(int(view.size.width / view.cells_per_pixel / kTile / 2), 1, 3);
+  const int down = std::clamp(int(view.size.height / view.cells_per_pixel / kTile / 2), 1, 2);
+  int tiles = 0;
+  double ms = 0;
+  for (auto _ : state) {
+    const auto from = Clock::now();
+    for (int y = -down; y < down; ++y) {
+      for (int x = -across; x < across; ++x) {
+        tile.first_column = x * kTile;
+        tile.first_row = y * kTile;
+        benchmark::DoNotOptimize(render::sampleGrid(tile, placed, nullptr, view.sampling));
+        ++tiles;
+      }
+    }
+    ms += msSince(from);
+  }
+  state.counters["ms_a_tile"] = ms / tiles;
+}
+
+[[maybe_unused]] const bool views_registered = [] {
+  const auto sampled = std::make_shared<Sampled>();
+  for (const Size& size : {Size{4000, 3000}, Size{20768, 13612}, Size{34641, 34641}}) {
+    for (const double cells : {2.0, 8.0, 34.6}) {
+      for (const double rotation : {0.0, 0.3}) {
+        for (const bool average : {false, true}) {
+          for (const render::Sampling sampling : {render::Sampling::Quick, render::Sampling::Exact}) {
+            const ViewCase view{size, cells, rotation, average, sampling};
+            benchmark::RegisterBenchmark(view.name().c_str(), [sampled, view](benchmark::State& state) {
+              measureView(state, sampled, view);
+            })->Unit(benchmark::kMillisecond);
+          }
+        }
+      }
+    }
+  }
+  return true;
+}();
 
 [[maybe_unused]] const bool registered = [] {
   const auto run = std::make_shared<Run>();

@@ -26,7 +26,7 @@ const char* const kStopped = "Stopped; nothing was written.";
 template <typename Take>
 std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
                                    Take take) {
-  const std::uint8_t unknown = grid.code() == CellCode::Gray ? kTransparentGray : kUnknownOccupancy;
+  const std::uint8_t unknown = unknownByte(grid.code());
   const int tiles = (grid.width() + kEdge - 1) / kEdge;
   std::vector<std::uint8_t> row(std::size_t(tiles) * kEdge);
   std::vector<std::optional<GridTile>> band(static_cast<std::size_t>(tiles));
@@ -142,7 +142,7 @@ std::string quoted(const std::string& text) {
 
 std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::string& path,
                                         const Proceed& proceed) {
-  const bool as_is = grid.code() == CellCode::Gray;
+  const bool as_is = isGray(grid.code());
   const tl::expected<bool, std::string> trinary = as_is ? false : isTrinary(grid, proceed);
   if (!trinary) return trinary.error();
   const bool has_alpha = !as_is && !*trinary;

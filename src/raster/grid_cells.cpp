@@ -9,16 +9,19 @@ namespace {
 
 constexpr std::uint8_t kFree = 0, kOccupied = 100;
 
-CellMeaning grayMeaning() {
+CellMeaning grayMeaning(CellCode code) {
+  const UnknownGrays unknown = unknownGrays(code);
   CellMeaning meaning;
   for (int gray = 0; gray < 256; ++gray) {
-    const bool known = (gray < 112 || gray > 143) && gray != 205;
+    const bool known = (gray < unknown.from || gray > unknown.to) && !(unknown.saver && gray == 205);
     const std::size_t at = std::size_t(gray);
     meaning.known[at] = known;
     meaning.intensity[at] = known ? std::uint8_t(gray) : kTransparentGray;
     meaning.occupancy[at] = known ? std::int8_t(std::lround((255 - gray) * 100 / 255.0)) : std::int8_t(-1);
-    // Strictly falling with the gray: the unknown grays in the middle leave room for white to be 1.
-    meaning.rank[at] = known ? std::uint8_t(255 - gray + (gray > 143 ? 1 : 0)) : std::uint8_t(0);
+    // Falling with the gray: unknown grays in the middle leave room for white to be 1. Without them the two
+    // lightest share it.
+    const bool room = unknown.to >= unknown.from && gray > unknown.to;
+    meaning.rank[at] = known ? std::uint8_t(std::max(1, 255 - gray + (room ? 1 : 0))) : std::uint8_t(0);
   }
   return meaning;
 }
@@ -41,9 +44,10 @@ CellMeaning occupancyMeaning() {
 }  // namespace
 
 const CellMeaning& meaningOf(CellCode code) {
-  static const CellMeaning gray = grayMeaning();
-  static const CellMeaning occupancy = occupancyMeaning();
-  return code == CellCode::Gray ? gray : occupancy;
+  static const std::array<CellMeaning, kCellCodes> meanings{
+      grayMeaning(CellCode::Gray), occupancyMeaning(), grayMeaning(CellCode::ShadedGray),
+      grayMeaning(CellCode::ClearGray), grayMeaning(CellCode::FullGray)};
+  return meanings[std::size_t(code)];
 }
 
 CellCode codeOf(const map::CellReading& reading) {

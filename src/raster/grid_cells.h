@@ -11,15 +11,43 @@ namespace mapwright::raster {
 
 /// How the one byte of a cell is coded.
 enum class CellCode : std::uint8_t {
-  Gray,       // a gray level: 0 occupied .. 255 free; 112..143 and 205 = unknown
-  Occupancy,  // nav_msgs/OccupancyGrid: 0..100 percent, as int8 (-1 = 255 = unknown; 101..127 count as 100,
-              // other negative ones as unknown; a "raw" map may hold any of them)
+  Gray,        // a gray level: 0 occupied .. 255 free; 112..143 and 205 = unknown
+  Occupancy,   // nav_msgs/OccupancyGrid: 0..100 percent, as int8 (-1 = 255 = unknown; 101..127 count as 100,
+               // other negative ones as unknown; a "raw" map may hold any of them)
+  ShadedGray,  // as Gray, but 205 is a gray like any other: pictures of many shades with unknown ground
+  ClearGray,   // only 128 = unknown: pictures of all shades with transparent pixels
+  FullGray,    // every byte is a gray: pictures of all shades
 };
+inline constexpr int kCellCodes = 5;
+
+inline constexpr bool isGray(CellCode code) { return code != CellCode::Occupancy; }
 
 /// Gray pictures: the byte that stands for a transparent pixel. An opaque pixel of this very gray is unknown
-/// all the same.
+/// all the same, but in a FullGray picture.
 inline constexpr std::uint8_t kTransparentGray = 128;
 inline constexpr std::uint8_t kUnknownOccupancy = 255;
+/// What stands for cells that are not there.
+inline constexpr std::uint8_t unknownByte(CellCode code) {
+  return isGray(code) ? kTransparentGray : kUnknownOccupancy;
+}
+
+/// The gray levels that a code takes for unknown: a band of them, and 205.
+struct UnknownGrays {
+  int from = 0, to = -1;  // inclusive; empty where `to` is less
+  bool saver = false;     // 205, map_saver's
+};
+inline constexpr UnknownGrays unknownGrays(CellCode code) {
+  switch (code) {
+    case CellCode::ShadedGray:
+      return {112, 143, false};
+    case CellCode::ClearGray:
+      return {kTransparentGray, kTransparentGray, false};
+    case CellCode::FullGray:
+      return {};
+    default:
+      return {112, 143, true};
+  }
+}
 
 /// Tables over the 256 bytes of a code.
 struct CellMeaning {
@@ -30,7 +58,8 @@ struct CellMeaning {
 };
 const CellMeaning& meaningOf(CellCode code);
 
-/// The code that a reading gives: Picture -> Gray, the others -> Occupancy.
+/// The code that a reading gives: Picture -> a gray one (which, the picture itself says: gray_shades.h), the
+/// others -> Occupancy.
 CellCode codeOf(const map::CellReading& reading);
 
 /// The cell byte of one pixel. `shade_sum` is the sum of the colour channels (each 0..1), `channels` their

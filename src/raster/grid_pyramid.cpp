@@ -3,7 +3,7 @@
 namespace mapwright::raster {
 
 std::uint8_t GridPyramid::at(int column, int row) const {
-  const std::uint8_t unknown = code() == CellCode::Gray ? kTransparentGray : kUnknownOccupancy;
+  const std::uint8_t unknown = unknownByte(code());
   if (column < 0 || row < 0 || column >= width() || row >= height()) return unknown;
   const auto found = tile(0, column / kTileEdge, row / kTileEdge);
   if (!found) return unknown;

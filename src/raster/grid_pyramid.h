@@ -1,6 +1,7 @@
 // A whole map in memory or in a side-car file: tiles of cells at all levels of detail. Never one big picture.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -42,6 +43,8 @@ class GridPyramid {
   virtual int levels() const = 0;  // >= 1; the last level fits one tile
   virtual CellCode code() const = 0;
   virtual Reduction reduction() const = 0;
+  /// Of several cells the one whose byte has the highest place here wins (Reduction::OccupiedWins).
+  virtual const std::array<std::uint8_t, 256>& order() const = 0;
   int levelWidth(int level) const { return (width() + (1 << level) - 1) >> level; }
   int levelHeight(int level) const { return (height() + (1 << level) - 1) >> level; }
 

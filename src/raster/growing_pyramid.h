@@ -28,6 +28,7 @@ class GrowingPyramid final : public GridPyramid {
   int levels() const override { return int(store_.levels().size()); }
   CellCode code() const override { return code_; }
   Reduction reduction() const override { return reduction_; }
+  const std::array<std::uint8_t, 256>& order() const override { return reducer_.order(); }
   std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override;
   int rowsReady() const override { return rows_ready_.load(std::memory_order_acquire); }
   std::size_t bytes() const override;

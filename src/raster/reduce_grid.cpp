@@ -7,46 +7,66 @@ namespace mapwright::raster {
 
 namespace {
 
-// Grays in an order that a vectoriser can compute: the lowest wins. Black 0 .. white 222, unknown above.
+// Grays in an order that a vectoriser can compute: the lowest wins. Black 0 up to white, unknown above,
+// backwards, so that of several the greatest byte wins: 205, then the band.
+template <CellCode code>
 constexpr std::uint8_t grayOrder(std::uint8_t gray) {
-  const std::uint8_t known = std::uint8_t(gray - (gray > 143 ? 32 : 0) - (gray > 205 ? 1 : 0));
-  // Unknown ones backwards, so that of several the greatest byte wins: 205, 143, .. 112.
-  const std::uint8_t unknown = gray == 205 ? std::uint8_t(223) : std::uint8_t(224 + (143 - gray));
-  return (gray >= 112 && gray <= 143) || gray == 205 ? unknown : known;
+  constexpr UnknownGrays kUnknown = unknownGrays(code);
+  constexpr int kBand = kUnknown.to - kUnknown.from + 1, kKnown = 256 - kBand - (kUnknown.saver ? 1 : 0);
+  const std::uint8_t known = std::uint8_t(gray - (kBand > 0 && gray > kUnknown.to ? kBand : 0) -
+                                          (kUnknown.saver && gray > 205 ? 1 : 0));
+  const bool saver = kUnknown.saver && gray == 205;
+  const std::uint8_t unknown =
+      saver ? std::uint8_t(kKnown) : std::uint8_t(kKnown + (kUnknown.saver ? 1 : 0) + kUnknown.to - gray);
+  return (kBand > 0 && gray >= kUnknown.from && gray <= kUnknown.to) || saver ? unknown : known;
 }
 
+template <CellCode code>
 constexpr std::uint8_t grayOf(std::uint8_t order) {
-  if (order >= 224) return std::uint8_t(143 - (order - 224));
-  if (order == 223) return 205;
-  return std::uint8_t(order + (order >= 112 ? 32 : 0) + (order >= 173 ? 1 : 0));
+  constexpr UnknownGrays kUnknown = unknownGrays(code);
+  constexpr int kBand = kUnknown.to - kUnknown.from + 1, kKnown = 256 - kBand - (kUnknown.saver ? 1 : 0);
+  constexpr int kFirst = kKnown + (kUnknown.saver ? 1 : 0);  // of the band
+  if (kBand > 0 && order >= kFirst) return std::uint8_t(kUnknown.to - (order - kFirst));
+  if (kUnknown.saver && order == kKnown) return 205;
+  const int lighter = order + (kBand > 0 && order >= kUnknown.from ? kBand : 0);
+  return std::uint8_t(lighter + (kUnknown.saver && lighter >= 205 ? 1 : 0));
 }
 
-static_assert([] {
+template <CellCode code>
+constexpr bool comesBack() {
   for (int gray = 0; gray < 256; ++gray) {
-    if (grayOf(grayOrder(std::uint8_t(gray))) != gray) return false;
+    if (grayOf<code>(grayOrder<code>(std::uint8_t(gray))) != gray) return false;
   }
   return true;
-}());
+}
+static_assert(comesBack<CellCode::Gray>() && comesBack<CellCode::ShadedGray>() &&
+              comesBack<CellCode::ClearGray>() && comesBack<CellCode::FullGray>());
 
 }  // namespace
 
-GridReducer::GridReducer(CellCode code, Reduction reduction) {
+GridReducer::GridReducer(CellCode code, Reduction reduction) : code_(code) {
   const CellMeaning& meaning = meaningOf(code);
   rankBytes(meaning.rank);
-  unknown_ = code == CellCode::Gray ? kTransparentGray : kUnknownOccupancy;
+  // A rank has no room for 256 grays and unknown: the lightest two share one, and the darker has to win.
+  if (code == CellCode::FullGray) {
+    for (std::size_t gray = 0; gray < 256; ++gray) key_[gray] = cell_[gray] = std::uint8_t(255 - gray);
+  }
+  unknown_ = unknownByte(code);
   if (reduction == Reduction::OccupiedWins) {
-    kind_ = code == CellCode::Gray ? Kind::GrayWins : Kind::OccupancyWins;
+    kind_ = isGray(code) ? Kind::GrayWins : Kind::OccupancyWins;
     return;
   }
   kind_ = Kind::Average;
   for (std::size_t byte = 0; byte < 256; ++byte) {
     const std::uint32_t value =
-        code == CellCode::Gray ? std::uint32_t(byte) : std::uint32_t(std::uint8_t(meaning.occupancy[byte]));
+        isGray(code) ? std::uint32_t(byte) : std::uint32_t(std::uint8_t(meaning.occupancy[byte]));
     weight_[byte] = meaning.known[byte] ? 1u << 16 | value : 0;
     mean_[byte] = std::uint8_t(byte);
     // A mean of known grays must not read as unknown: the nearest gray that does not, the darker of two.
-    if (code == CellCode::Gray && !meaning.known[byte]) {
-      mean_[byte] = byte == 205 ? std::uint8_t(204) : byte < 128 ? std::uint8_t(111) : std::uint8_t(144);
+    if (isGray(code) && !meaning.known[byte]) {
+      const UnknownGrays unknown = unknownGrays(code);
+      const bool darker = int(byte) * 2 <= unknown.from + unknown.to;
+      mean_[byte] = std::uint8_t(byte == 205 ? 204 : darker ? unknown.from - 1 : unknown.to + 1);
     }
   }
 }
@@ -72,14 +92,25 @@ std::uint8_t GridReducer::reduced(std::uint8_t a, std::uint8_t b, std::uint8_t c
   return mean_[((sum & 0xffff) * 2 + known) / (2 * known)];
 }
 
+template <CellCode code>
+void GridReducer::reduceGrays(const std::uint8_t* upper, const std::uint8_t* lower, std::size_t pairs,
+                              std::uint8_t* out) {
+  for (std::size_t u = 0; u < pairs; ++u) {
+    out[u] =
+        grayOf<code>(std::min(std::min(grayOrder<code>(upper[2 * u]), grayOrder<code>(upper[2 * u + 1])),
+                              std::min(grayOrder<code>(lower[2 * u]), grayOrder<code>(lower[2 * u + 1]))));
+  }
+}
+
 void GridReducer::reduceRow(const std::uint8_t* upper, const std::uint8_t* lower, std::size_t cells,
                             std::uint8_t* out) const {
   const std::size_t pairs = cells / 2;
   if (kind_ == Kind::GrayWins) {
-    for (std::size_t u = 0; u < pairs; ++u) {
-      out[u] = grayOf(std::min(std::min(grayOrder(upper[2 * u]), grayOrder(upper[2 * u + 1])),
-                               std::min(grayOrder(lower[2 * u]), grayOrder(lower[2 * u + 1]))));
-    }
+    const auto reduce = code_ == CellCode::ShadedGray  ? reduceGrays<CellCode::ShadedGray>
+                        : code_ == CellCode::ClearGray ? reduceGrays<CellCode::ClearGray>
+                        : code_ == CellCode::FullGray  ? reduceGrays<CellCode::FullGray>
+                                                       : reduceGrays<CellCode::Gray>;
+    reduce(upper, lower, pairs, out);
   } else if (kind_ == Kind::OccupancyWins) {
     // As int8 the order is that of the ranks: unknown below 0, the rest upwards.
     for (std::size_t u = 0; u < pairs; ++u) {

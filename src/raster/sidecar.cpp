@@ -12,6 +12,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "raster/reduce_grid.h"
+
 namespace mapwright::raster {
 
 namespace {
@@ -79,6 +81,7 @@ class SidecarPyramid final : public GridPyramid {
   SidecarPyramid(const SidecarKey& key, std::string path)
       : code_(key.code),
         reduction_(key.reduction),
+        order_(GridReducer(key.code, key.reduction).order()),
         path_(std::move(path)),
         store_(key.width, key.height, key.code) {}
 
@@ -87,6 +90,7 @@ class SidecarPyramid final : public GridPyramid {
   int levels() const override { return int(store_.levels().size()); }
   CellCode code() const override { return code_; }
   Reduction reduction() const override { return reduction_; }
+  const std::array<std::uint8_t, 256>& order() const override { return order_; }
   int rowsReady() const override { return height(); }
   std::size_t bytes() const override { return store_.bytes(); }
   std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override {
@@ -100,6 +104,7 @@ class SidecarPyramid final : public GridPyramid {
  private:
   CellCode code_;
   Reduction reduction_;
+  std::array<std::uint8_t, 256> order_;
   std::string path_;
   TileStore store_;
   mutable std::atomic<bool> removed_{false};

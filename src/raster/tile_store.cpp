@@ -51,7 +51,7 @@ std::vector<TileLevel> tileLevels(int width, int height) {
 
 TileStore::TileStore(int width, int height, CellCode code)
     : levels_(tileLevels(width, height)),
-      unknown_(code == CellCode::Gray ? kTransparentGray : kUnknownOccupancy),
+      unknown_(unknownByte(code)),
       uniform_(256),
       cache_(kCachedTiles) {
   tile_count_ = levels_.back().first + 1;

@@ -11,6 +11,20 @@ namespace {
 
 constexpr std::size_t kStandInsOutOfView = 32;
 
+/// The colour of a mean that has none of its own: between those of the known bytes on both sides.
+std::uint32_t between(const GridPalette& palette, std::size_t byte) {
+  std::size_t below = byte, above = byte;
+  while (below > 0 && palette[below] >> 24 == 0) --below;
+  while (above < 255 && palette[above] >> 24 == 0) ++above;
+  std::uint32_t color = 0;
+  for (const int shift : {0, 8, 16, 24}) {
+    const double from = palette[below] >> shift & 255, to = palette[above] >> shift & 255;
+    const double part = above > below ? double(byte - below) / double(above - below) : 0;
+    color |= std::uint32_t(from + (to - from) * part + 0.5) << shift;
+  }
+  return color;
+}
+
 /// RGB32 where nothing shines through: that is drawn several times faster.
 QImage paint(const Composition& pixels, const GridPalette& palette) {
   QImage image(pixels.width_px, pixels.height_px, QImage::Format_ARGB32_Premultiplied);
@@ -19,7 +33,8 @@ QImage paint(const Composition& pixels, const GridPalette& palette) {
   for (int row = 0; row < pixels.height_px; ++row) {
     auto* line = reinterpret_cast<std::uint32_t*>(image.scanLine(row));
     for (int column = 0; column < pixels.width_px; ++column, ++at) {
-      const std::uint32_t color = pixels.flags[at] ? palette[pixels.intensity[at]] : 0;
+      const std::uint8_t flags = pixels.flags[at], byte = pixels.intensity[at];
+      const std::uint32_t color = !flags ? 0 : (flags & kKnownMean) ? between(palette, byte) : palette[byte];
       line[column] = color;
       all &= color;
       any |= color;
@@ -128,10 +143,10 @@ class GridRenderer::Impl {
   }
 
   bool settled() const {
-    if (!placed_ || !active_) return true;
+    if (!placed_ || !placed_->cells || !active_) return true;
     return std::all_of(tiles_.visible().begin(), tiles_.visible().end(), [this](const TilePlace& place) {
       const ViewTile* const tile = tiles_.find(place);
-      return tile && tile->settled();
+      return tile && (finishable() ? tile->settled() : tile->current());
     });
   }
 
@@ -142,6 +157,7 @@ class GridRenderer::Impl {
   struct Work {
     TilePlace place;
     std::uint64_t raster = 0, generation = 0, colors = 0;
+    bool exact = false;
   };
 
   void changed() {
@@ -161,28 +177,63 @@ class GridRenderer::Impl {
         Qt::QueuedConnection);
   }
 
+  /// A quick look at every tile comes first, the exact ones after that.
   void proceed() {
     if (!placed_ || !placed_->cells || !active_) return;
-    for (const TilePlace& place : tiles_.visible()) {
-      if (!workers_.hasRoom()) break;
-      ViewTile& tile = tiles_.at(place);
-      if (tile.settled() || tile.exact_work != 0) continue;
-      start(place, tile);
+    bool all_seen = true;
+    if (options_.previews) {
+      for (const TilePlace& place : tiles_.visible()) {
+        ViewTile& tile = tiles_.at(place);
+        if (tile.current() || tile.preview_work != 0) continue;
+        all_seen = false;
+        if (!workers_.hasRoom()) {
+          makeRoom();
+          break;
+        }
+        tile.preview_work = start(place, Sampling::Quick);
+      }
+    }
+    if (all_seen && finishable()) {
+      for (const TilePlace& place : tiles_.visible()) {
+        if (!workers_.hasRoom()) break;
+        ViewTile& tile = tiles_.at(place);
+        if (!tile.settled() && tile.exact_work == 0 && tile.preview_work == 0) {
+          tile.exact_work = start(place, Sampling::Exact);
+        }
+      }
     }
     tiles_.trim(options_.tile_budget_bytes);
   }
 
-  void start(const TilePlace& place, ViewTile& tile) {
-    const PixelGrid grid = tiles_.gridOf(place);
-    tile.exact_work = workers_.start([grid, first = *placed_, second = compared_,
-                                      palette = palette_](const std::atomic<bool>& cancelled) -> TileResult {
-      Composition pixels =
-          second ? compareGrids(grid, first, *second, &cancelled) : sampleGrid(grid, first, &cancelled);
-      if (pixels.width_px == 0) return {};
-      QImage image = paint(pixels, palette);
-      return {std::make_shared<const Composition>(std::move(pixels)), std::move(image), nullptr};
+  /// While a window's map is still being read, every tile would be made exact several times.
+  bool finishable() const {
+    return !options_.previews ||
+           (placed_->cells->complete() && (!compared_ || !compared_->cells || compared_->cells->complete()));
+  }
+
+  /// What somebody waits for goes before what only gets better.
+  void makeRoom() {
+    tiles_.forEach([this](ViewTile& tile) {
+      if (tile.exact_work != 0) workers_.cancel(tile.exact_work);
+      tile.exact_work = 0;
     });
-    under_way_[tile.exact_work] = {place, raster_, generation_, colors_};
+  }
+
+  TileWorkers::Ticket start(const TilePlace& place, Sampling sampling) {
+    const PixelGrid grid = tiles_.gridOf(place);
+    const bool exact = sampling == Sampling::Exact || (finishable() && quickIsExact(grid, *placed_) &&
+                                                       (!compared_ || quickIsExact(grid, *compared_)));
+    const auto ticket =
+        workers_.start([grid, sampling, first = *placed_, second = compared_,
+                        palette = palette_](const std::atomic<bool>& cancelled) -> TileResult {
+          Composition pixels = second ? compareGrids(grid, first, *second, &cancelled, sampling)
+                                      : sampleGrid(grid, first, &cancelled, sampling);
+          if (pixels.width_px == 0) return {};
+          QImage image = paint(pixels, palette);
+          return {std::make_shared<const Composition>(std::move(pixels)), std::move(image), nullptr};
+        });
+    under_way_[ticket] = {place, raster_, generation_, colors_, exact};
+    return ticket;
   }
 
   void receive(std::vector<TileWorkers::Outcome> outcomes) {
@@ -192,11 +243,13 @@ class GridRenderer::Impl {
       const Work work = found->second;
       under_way_.erase(found);
       ViewTile* const tile = work.raster == raster_ ? tiles_.find(work.place) : nullptr;
-      if (!tile || tile->exact_work != outcome.ticket || outcome.cancelled) continue;
-      tile->exact_work = 0;
+      if (!tile || outcome.cancelled) continue;
+      if (tile->exact_work != outcome.ticket && tile->preview_work != outcome.ticket) continue;
+      (tile->exact_work == outcome.ticket ? tile->exact_work : tile->preview_work) = 0;
       tiles_.setPicture(*tile, std::move(outcome.result.pixels), std::move(outcome.result.image),
                         work.colors);
-      tile->known = tile->exact = true;
+      tile->known = true;
+      tile->exact = work.exact;
       tile->shown = work.generation;
     }
     proceed();
@@ -214,8 +267,10 @@ class GridRenderer::Impl {
 
   void cancelAll() {
     tiles_.forEach([this](ViewTile& tile) {
-      if (tile.exact_work != 0) workers_.cancel(tile.exact_work);
-      tile.exact_work = 0;
+      for (TileWorkers::Ticket* const work : {&tile.exact_work, &tile.preview_work}) {
+        if (*work != 0) workers_.cancel(*work);
+        *work = 0;
+      }
     });
   }
 

@@ -20,8 +20,9 @@ namespace mapwright::render {
 using GridPalette = std::array<std::uint32_t, 256>;
 
 /// GUI-thread object; samples on a pool, like TileRenderer: tiles lie in the grid of the view and are drawn
-/// at integer offsets; a replaced content or view stands in until the new one is there. Cost of a frame
-/// depends on the screen, not on the map.
+/// at integer offsets; a replaced content or view stands in until the new one is there. With previews a tile
+/// is first made from a level of detail, and exactly once every tile in view has something to show. Cost of a
+/// frame depends on the screen, not on the map.
 class GridRenderer : public QObject {
   Q_OBJECT
  public:
@@ -51,7 +52,8 @@ class GridRenderer : public QObject {
   };
   Drawing drawing();
 
-  /// Every visible tile shows all that has been read of the present content.
+  /// Every visible tile shows all that has been read of the present content: exactly, but with previews a map
+  /// that is still being read.
   bool settled() const;
   std::size_t cacheBytes() const;
 

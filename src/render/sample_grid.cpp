@@ -4,6 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "render/cells_of_pixels.h"
+#include "render/tile_reach.h"
+#include "render/touched_cells.h"
+
 namespace mapwright::render {
 namespace {
 
@@ -14,14 +18,19 @@ constexpr int kEdge = GridPyramid::kTileEdge;
 constexpr int kEdgeBits = 8;
 static_assert(1 << kEdgeBits == kEdge);
 constexpr int kMostTiles = 4096;  // of one window: far more than any view tile touches
-constexpr double kTouch = 1e-6;   // of a cell: less than this is not touched
+constexpr int kBlock = 16;        // pixels
+
+bool stopped(const std::atomic<bool>* cancelled) {
+  return cancelled && cancelled->load(std::memory_order_relaxed);
+}
 
 /// The tiles of one level that a window touches, fetched once.
 class TileWindow {
  public:
   /// Cells [u0, u1] x [v0, v1], clamped to the level; empty when they miss it.
   TileWindow(const GridPyramid& cells, int level, double u0, double v0, double u1, double v1)
-      : width_(cells.levelWidth(level)), height_(cells.levelHeight(level)) {
+      : width_(cells.levelWidth(level)),
+        height_(cells.complete() ? cells.levelHeight(level) : cells.rowsReady() >> level) {
     if (!(u0 < width_ && v0 < height_ && u1 >= 0 && v1 >= 0)) return;
     first_x_ = int(std::max(u0, 0.0)) >> kEdgeBits;
     first_y_ = int(std::max(v0, 0.0)) >> kEdgeBits;
@@ -63,34 +72,18 @@ class TileWindow {
   std::vector<const std::uint8_t*> data_;
 };
 
-/// From pixels of the window to cells of a level, as an affine map.
-struct CellsOfPixels {
-  Eigen::Vector2d origin, per_column, per_row;
-  double cells_per_pixel;  // of the level
-
-  CellsOfPixels(const PixelGrid& grid, const map::GridReference& reference, int level) {
-    const double shrink = std::ldexp(1.0, -level);
-    const auto cell = [&](double column, double row) {
-      return Eigen::Vector2d(reference.cellFromWorld(grid.worldFromPixel(column, row)) * shrink);
-    };
-    origin = cell(0, 0);
-    // Over the whole window: differences of neighbours would lose digits far from the origin.
-    per_column = (cell(grid.width_px, 0) - origin) / grid.width_px;
-    per_row = (cell(0, grid.height_px) - origin) / grid.height_px;
-    cells_per_pixel = grid.scale_m_per_px / reference.resolution_m * shrink;
-  }
-  Eigen::Vector2d at(double column, double row) const { return origin + per_column * column + per_row * row; }
-};
-
 struct Footprint {
   int u0, u1, v0, v1;  // cells touched, inclusive
 };
 
-/// What a footprint comes to.
+/// What a footprint comes to, for a quick look.
 class Reducer {
  public:
-  Reducer(const TileWindow& window, const raster::CellMeaning& meaning, raster::Reduction reduction)
-      : window_(window), meaning_(meaning), average_(reduction == raster::Reduction::Average) {}
+  Reducer(const TileWindow& window, const GridPyramid& cells)
+      : window_(window),
+        meaning_(raster::meaningOf(cells.code())),
+        order_(cells.order()),
+        average_(cells.reduction() == raster::Reduction::Average) {}
 
   /// Writes the byte; false where nothing has been read.
   bool operator()(const Footprint& print, const Eigen::Vector2d& centre, double half,
@@ -104,8 +97,8 @@ class Reducer {
     for (int v = print.v0; v <= print.v1; ++v) {
       for (int u = print.u0; u <= print.u1; ++u) {
         const std::uint8_t* const cell = window_.at(u, v);
-        if (cell && meaning_.rank[*cell] > best) {
-          best = meaning_.rank[*cell];
+        if (cell && order_[*cell] > best) {
+          best = order_[*cell];
           out = *cell;
         }
       }
@@ -155,6 +148,7 @@ class Reducer {
 
   const TileWindow& window_;
   const raster::CellMeaning& meaning_;
+  const std::array<std::uint8_t, 256>& order_;
   bool average_;
 };
 
@@ -168,54 +162,88 @@ Composition emptyRaster(const PixelGrid& grid) {
   return pixels;
 }
 
-}  // namespace
-
-Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
-                       Sampling sampling) {
-  if (grid.width_px <= 0 || grid.height_px <= 0) return {};
-  Composition pixels = emptyRaster(grid);
-  if (!placed.cells || map::whyUnusable(placed.reference) || !(grid.scale_m_per_px > 0) ||
-      !std::isfinite(placed.reference.origin.yaw_rad)) {
-    return pixels;
+/// Where what is asked for is no larger than a cell.
+void sampleNearest(const PixelGrid& grid, const CellsOfPixels& to_cell, TileReach& reach, Composition& pixels,
+                   const std::atomic<bool>* cancelled) {
+  std::size_t at = 0;
+  for (int row = 0; row < grid.height_px; ++row) {
+    if (stopped(cancelled)) return;
+    for (int column = 0; column < grid.width_px; ++column, ++at) {
+      const Eigen::Vector2d centre = to_cell.at(column + 0.5, row + 0.5);
+      const double u = std::floor(centre.x()), v = std::floor(centre.y());
+      if (!(u >= 0 && v >= 0 && u < reach.width() && v < reach.rows())) continue;
+      if (const std::uint8_t* const cell = reach.at(0, int(u), int(v))) {
+        pixels.intensity[at] = *cell;
+        pixels.flags[at] = kObserved;
+      }
+    }
   }
-  const GridPyramid& cells = *placed.cells;
-  const double zoom = grid.scale_m_per_px / placed.reference.resolution_m;
-  // One level finer than would do: then a pixel is at least two cells wide, and what it touches is told well.
-  int level = std::clamp(int(std::floor(std::log2(zoom) + 1e-9)) - 1, 0, cells.levels() - 1);
-  if (sampling == Sampling::Exact && zoom <= kExactCells) level = 0;
-  const CellsOfPixels to_cell(grid, placed.reference, level);
-  const bool reduced = zoom > 1 + 1e-9;
+}
 
+/// Block by block: the tiles under a block are used again and again while they are at hand.
+template <typename Sample>
+void sampleBlocks(const PixelGrid& grid, const CellsOfPixels& to_cell, const std::atomic<bool>* cancelled,
+                  Sample sample) {
+  for (int top = 0; top < grid.height_px; top += kBlock) {
+    for (int left = 0; left < grid.width_px; left += kBlock) {
+      if (stopped(cancelled)) return;
+      for (int row = top; row < std::min(top + kBlock, grid.height_px); ++row) {
+        for (int column = left; column < std::min(left + kBlock, grid.width_px); ++column) {
+          sample(to_cell.at(column + 0.5, row + 0.5),
+                 std::size_t(row) * std::size_t(grid.width_px) + std::size_t(column));
+        }
+      }
+    }
+  }
+}
+
+void sampleTouched(const PixelGrid& grid, const CellsOfPixels& to_cell, const GridPyramid& cells,
+                   TileReach& reach, Composition& pixels, const std::atomic<bool>* cancelled) {
+  const PixelSquare square(to_cell);
+  std::uint8_t byte = 0;
+  if (cells.reduction() == raster::Reduction::Average) {
+    MeanTouched mean(cells, reach, square);
+    const raster::CellMeaning& meaning = raster::meaningOf(cells.code());
+    bool known = false;
+    sampleBlocks(grid, to_cell, cancelled, [&](const Eigen::Vector2d& centre, std::size_t at) {
+      if (!mean(centre, byte, known)) return;
+      pixels.intensity[at] = byte;
+      pixels.flags[at] = std::uint8_t(kObserved | (known && !meaning.known[byte] ? kKnownMean : 0));
+    });
+    return;
+  }
+  HighestTouched highest(cells, reach, square);
+  sampleBlocks(grid, to_cell, cancelled, [&](const Eigen::Vector2d& centre, std::size_t at) {
+    if (!highest(centre, byte)) return;
+    pixels.intensity[at] = byte;
+    pixels.flags[at] = kObserved;
+  });
+}
+
+/// From a level of detail: what a pixel touches is rounded up to at most half a pixel.
+void sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Composition& pixels,
+                 const std::atomic<bool>* cancelled) {
+  const GridPyramid& cells = *placed.cells;
+  const CellsOfPixels to_cell(grid, placed.reference, level);
   geometry::WorldRect touched;  // in cells
   for (const double x : {0.0, double(grid.width_px)}) {
     for (const double y : {0.0, double(grid.height_px)}) touched.extend(to_cell.at(x, y));
   }
-  const double margin = reduced ? to_cell.cells_per_pixel : 0;
+  const double margin = to_cell.cells_per_pixel;
   const TileWindow window(cells, level, touched.min_x - margin, touched.min_y - margin,
                           touched.max_x + margin, touched.max_y + margin);
-  if (window.empty()) return pixels;
-
-  const auto mark = [&](std::size_t at, std::uint8_t cell) {
-    pixels.intensity[at] = cell;
-    pixels.flags[at] = kObserved;
-  };
-  const Reducer reduce(window, raster::meaningOf(cells.code()), cells.reduction());
+  if (window.empty()) return;
+  const Reducer reduce(window, cells);
   // Half of the footprint's extent along each cell axis: the pixel's own bounding box when turned.
   const double half = to_cell.cells_per_pixel / 2;
   const double turn = (std::abs(to_cell.per_column.x()) + std::abs(to_cell.per_row.x())) /
                       std::max(to_cell.cells_per_pixel, 1e-300);
-  const double reach = sampling == Sampling::Exact ? half : half * std::clamp(turn, 1.0, 1.5);
+  const double reach = half * std::clamp(turn, 1.0, 1.5);
   std::size_t at = 0;
   for (int row = 0; row < grid.height_px; ++row) {
-    if (cancelled && cancelled->load(std::memory_order_relaxed)) return {};
+    if (stopped(cancelled)) return;
     for (int column = 0; column < grid.width_px; ++column, ++at) {
       const Eigen::Vector2d centre = to_cell.at(column + 0.5, row + 0.5);
-      if (!reduced) {
-        const double u = std::floor(centre.x()), v = std::floor(centre.y());
-        if (!(u >= 0 && v >= 0 && u < window.width() && v < window.height())) continue;
-        if (const std::uint8_t* const cell = window.at(int(u), int(v))) mark(at, *cell);
-        continue;
-      }
       Footprint print;
       const double u0 = std::floor(centre.x() - reach + kTouch),
                    u1 = std::ceil(centre.x() + reach - kTouch) - 1;
@@ -227,10 +255,65 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
       print.u1 = int(std::min(u1, window.width() - 1.0));
       print.v1 = int(std::min(v1, window.height() - 1.0));
       std::uint8_t cell = 0;
-      if (reduce(print, centre, half, cell)) mark(at, cell);
+      if (!reduce(print, centre, half, cell)) continue;
+      pixels.intensity[at] = cell;
+      pixels.flags[at] = kObserved;
     }
   }
+}
+
+bool drawable(const PixelGrid& grid, const PlacedGrid& placed) {
+  return placed.cells && !map::whyUnusable(placed.reference) && grid.scale_m_per_px > 0 &&
+         std::isfinite(placed.reference.origin.yaw_rad);
+}
+
+double cellsPerPixel(const PixelGrid& grid, const PlacedGrid& placed) {
+  return grid.scale_m_per_px / placed.reference.resolution_m;
+}
+
+/// The level for a quick look. One finer than would do: then a pixel is at least two cells wide, and what it
+/// touches is told well.
+int quickLevel(const PixelGrid& grid, const PlacedGrid& placed) {
+  const double zoom = cellsPerPixel(grid, placed);
+  return std::clamp(int(std::floor(std::log2(zoom) + 1e-9)) - 1, 0, placed.cells->levels() - 1);
+}
+
+}  // namespace
+
+bool quickIsExact(const PixelGrid& grid, const PlacedGrid& placed) {
+  return !drawable(grid, placed) || quickLevel(grid, placed) == 0;
+}
+
+Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
+                       Sampling sampling) {
+  if (grid.width_px <= 0 || grid.height_px <= 0) return {};
+  Composition pixels = emptyRaster(grid);
+  if (!drawable(grid, placed)) return pixels;
+  if (sampling == Sampling::Quick && !quickIsExact(grid, placed)) {
+    sampleLevel(grid, placed, quickLevel(grid, placed), pixels, cancelled);
+  } else {
+    const CellsOfPixels to_cell(grid, placed.reference, 0);
+    TileReach reach(*placed.cells);
+    if (cellsPerPixel(grid, placed) > 1 + 1e-9) {
+      sampleTouched(grid, to_cell, *placed.cells, reach, pixels, cancelled);
+    } else {
+      sampleNearest(grid, to_cell, reach, pixels, cancelled);
+    }
+  }
+  if (stopped(cancelled)) return {};
   return pixels;
+}
+
+bool knownIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning) {
+  return pixels.flags[at] != 0 &&
+         (meaning.known[pixels.intensity[at]] || (pixels.flags[at] & kKnownMean) != 0);
+}
+
+int occupancyIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning) {
+  const std::uint8_t byte = pixels.intensity[at];
+  // Only grays read as unknown what is a mean of known ones.
+  return (pixels.flags[at] & kKnownMean) != 0 ? int(std::lround((255 - byte) * 100 / 255.0))
+                                              : int(meaning.occupancy[byte]);
 }
 
 Difference differenceOf(bool known_first, int occupancy_first, bool known_second, int occupancy_second) {
@@ -243,20 +326,17 @@ Difference differenceOf(bool known_first, int occupancy_first, bool known_second
 }
 
 Composition compareGrids(const PixelGrid& grid, const PlacedGrid& first, const PlacedGrid& second,
-                         const std::atomic<bool>* cancelled) {
-  Composition a = sampleGrid(grid, first, cancelled);
-  const Composition b = sampleGrid(grid, second, cancelled);
+                         const std::atomic<bool>* cancelled, Sampling sampling) {
+  Composition a = sampleGrid(grid, first, cancelled, sampling);
+  const Composition b = sampleGrid(grid, second, cancelled, sampling);
   if (a.width_px == 0 || b.width_px == 0 || !first.cells || !second.cells) return {};
   const raster::CellMeaning& meaning_a = raster::meaningOf(first.cells->code());
   const raster::CellMeaning& meaning_b = raster::meaningOf(second.cells->code());
   for (std::size_t at = 0; at < a.intensity.size(); ++at) {
-    const std::uint8_t cell_a = a.intensity[at], cell_b = b.intensity[at];
-    const bool known_a = a.flags[at] && meaning_a.known[cell_a];
-    const bool known_b = b.flags[at] && meaning_b.known[cell_b];
-    const Difference difference =
-        differenceOf(known_a, meaning_a.occupancy[cell_a], known_b, meaning_b.occupancy[cell_b]);
+    const Difference difference = differenceOf(knownIn(a, at, meaning_a), occupancyIn(a, at, meaning_a),
+                                               knownIn(b, at, meaning_b), occupancyIn(b, at, meaning_b));
     a.intensity[at] = std::uint8_t(difference);
-    a.flags[at] = a.flags[at] | b.flags[at];
+    a.flags[at] = (a.flags[at] | b.flags[at]) & kObserved;
   }
   return a;
 }

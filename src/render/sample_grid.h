@@ -21,20 +21,30 @@ struct PlacedGrid {
   bool operator==(const PlacedGrid&) const = default;
 };
 
+/// Beside kObserved in the flags of a sampled grid: the byte is the mean of known cells, though it is one
+/// that by itself reads as unknown (128 between black and white in a gray picture).
+inline constexpr std::uint8_t kKnownMean = 16;
+
 /// The cell bytes under the pixels of `grid`, row-major: Composition::intensity holds the byte in the
 /// pyramid's own code, flags is kObserved where the pixel touches the grid and its cell has been read.
 ///
 /// A pixel no larger than a cell shows the cell under its centre. A larger one shows what the cells that it
-/// touches come to by the pyramid's reduction: the highest rank, or the average by area of the known ones.
+/// touches come to by the pyramid's reduction: the highest rank, or the average by area of the known ones
+/// (unknown where less than half of the ground is known). The pixel is the square that it is, turned as the
+/// view is turned against the grid; a cell is touched when the two share more than an edge.
 /// A grid whose numbers are unusable (map::whyUnusable) gives nothing.
 ///
-/// Sampling::View reads from a level of detail, so that what a large pixel touches is rounded up to at most
-/// half a pixel. Sampling::Exact reads the cells themselves where a pixel is at most kExactCells of them
-/// wide, and counts a turned pixel by its middle square.
-enum class Sampling { View, Exact };
-inline constexpr double kExactCells = 64;
+/// Sampling::Quick reads from a level of detail, so that what a large pixel touches is rounded up to at most
+/// half a pixel and averages are averages of averages: for a first look.
+enum class Sampling { Quick, Exact };
 Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
-                       Sampling sampling = Sampling::View);
+                       Sampling sampling = Sampling::Exact);
+/// Both kinds of sampling give the same, as where a pixel is less than four cells wide.
+bool quickIsExact(const PixelGrid& grid, const PlacedGrid& placed);
+
+/// What a sampled pixel means.
+bool knownIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning);
+int occupancyIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning);
 
 /// How two maps compare at a pixel; the codes of compareGrids().
 enum class Difference : std::uint8_t {
@@ -53,6 +63,6 @@ Difference differenceOf(bool known_first, int occupancy_first, bool known_second
 
 /// The same raster with Difference codes as bytes.
 Composition compareGrids(const PixelGrid& grid, const PlacedGrid& first, const PlacedGrid& second,
-                         const std::atomic<bool>* cancelled);
+                         const std::atomic<bool>* cancelled, Sampling sampling = Sampling::Exact);
 
 }  // namespace mapwright::render

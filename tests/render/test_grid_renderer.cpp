@@ -99,6 +99,76 @@ class GridRendererTest : public QObject {
     QCOMPARE(painted(renderer_, 400, 400).pixel(200, 349), 0xffffffff);
   }
 
+  void aWindowLooksQuicklyAndThenExactly() {
+    const auto placed = gridOf(3000, 2500, 0.05, {0, 0, 0}, [](int u, int v) {
+      return (u * 7919 + v * 104729 + u * v * 31) % 97 == 0 ? 0 : 255;
+    });
+    for (const double rotation : {0.0, 0.4}) {
+      geometry::ViewTransform view = viewAt(75, 62, 0.35);
+      view.rotation_rad = rotation;
+      GridRenderer window(GridRenderer::Options{.threads = 1});
+      window.setPalette(palette_);
+      window.setView(view);
+      window.setGrid(placed);
+      bool seen_before_settled = false;
+      connect(&window, &GridRenderer::tilesChanged, &window, [&] {
+        if (!window.settled() && window.drawing().tiles.size() >= 4) seen_before_settled = true;
+      });
+      QTRY_VERIFY(window.settled());
+      QVERIFY(seen_before_settled);
+      // The raster of a window is anchored at the world's origin, so its picture is compared through it.
+      const Eigen::Vector2d origin = view.pixelFromWorld({0, 0});
+      render::PixelGrid pixels;
+      pixels.scale_m_per_px = 0.35;
+      pixels.rotation_rad = rotation;
+      pixels.first_column = -std::int64_t(std::round(origin.x()));
+      pixels.first_row = -std::int64_t(std::round(origin.y()));
+      pixels.width_px = 400;
+      pixels.height_px = 300;
+      const render::Composition exact = render::sampleGrid(pixels, placed, nullptr);
+      const QImage image = painted(window);
+      int differ = 0;
+      for (int row = 0; row < 300; ++row) {
+        for (int column = 0; column < 400; ++column) {
+          const std::size_t at = std::size_t(row * 400 + column);
+          differ += image.pixel(column, row) != (exact.flags[at] ? palette_[exact.intensity[at]] : 0);
+        }
+      }
+      QCOMPARE(differ, 0);
+      const render::Composition quick = render::sampleGrid(pixels, placed, nullptr, render::Sampling::Quick);
+      QVERIFY(quick.intensity != exact.intensity);
+    }
+  }
+
+  void aWindowIsSettledWithWhatHasBeenReadAndExactWhenAllHas() {
+    const auto builder =
+        raster::buildGrid(900, 1200, raster::CellCode::Gray, raster::Reduction::OccupiedWins);
+    GridRenderer window(GridRenderer::Options{.threads = 2});
+    window.setPalette(palette_);
+    window.setView(viewAt(22.5, 30, 0.4));
+    window.setGrid(render::PlacedGrid{builder->pyramid(), {900, 1200, 0.05, {0, 0, 0}}});
+    const std::vector<std::uint8_t> row(900, 255);
+    for (int v = 0; v < 600; ++v) builder->pushRow(row);
+    window.rowsArrived();
+    QTRY_VERIFY(window.settled());
+    for (int v = 600; v < 1200; ++v) builder->pushRow(row);
+    builder->finish();
+    window.rowsArrived();
+    QTRY_VERIFY(window.settled());
+    QCOMPARE(painted(window).pixel(200, 150 + 70), 0xffffffff);
+  }
+
+  void meansOfBlackAndWhiteHaveAColourBetweenThem() {
+    renderer_.setView(viewAt(12.8, 12.8, 0.4));
+    renderer_.setGrid(gridOf(
+        512, 512, 0.05, {0, 0, 0}, [](int u, int) { return u % 2 == 0 ? 0 : 255; },
+        raster::Reduction::Average));
+    QTRY_VERIFY(renderer_.settled());
+    const QColor shown(painted(renderer_).pixelColor(200, 150));
+    QCOMPARE(shown.alpha(), 255);
+    QVERIFY2(std::abs(shown.red() - (0x15 + 0xff) / 2) <= 2, qPrintable(shown.name()));
+  }
+
   void anotherPaletteRecoloursWhatIsThere() {
     renderer_.setView(viewAt(2.5, 2.5, 0.05));
     renderer_.setGrid(gridOf(100, 100, 0.05, {0, 0, 0}, [](int, int) { return 255; }));

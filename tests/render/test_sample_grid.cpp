@@ -147,8 +147,8 @@ class SampleGridTest : public QObject {
     const auto fine =
         gridOf(200, 150, 0.01, {1, 2, 0}, [](int u, int v) { return noise(u / 5, v / 5) < 90 ? 0 : 255; });
     const PixelGrid pixels = windowAt(coarse.reference.worldFromCell({0, 0}), 0.05, 0, 40, 30);
-    const Composition a = render::sampleGrid(pixels, coarse, nullptr, render::Sampling::Exact);
-    const Composition b = render::sampleGrid(pixels, fine, nullptr, render::Sampling::Exact);
+    const Composition a = render::sampleGrid(pixels, coarse, nullptr);
+    const Composition b = render::sampleGrid(pixels, fine, nullptr);
     QVERIFY(a.intensity == b.intensity);
     QVERIFY(a.flags == b.flags);
   }
