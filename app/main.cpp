@@ -23,7 +23,7 @@ struct CommandLine {
   std::string robot, secret_file, demo_query;
   app::SnapshotWords snapshot;
   app::MapsWords maps;
-  simulator::Options simulator;
+  app::SimulateWords simulate;
   std::vector<std::string> bench_arguments;
 };
 
@@ -123,7 +123,7 @@ void addSimulate(CLI::App& cli, CommandLine& line) {
   std::string scenes;
   for (const auto& [name, sentence] : simulator::sceneNames()) scenes += (scenes.empty() ? "" : ", ") + name;
   CLI::App* command = cli.add_subcommand("simulate", "Serve a simulated robot on 127.0.0.1");
-  simulator::Options& o = line.simulator;
+  simulator::Options& o = line.simulate.options;
   command->add_option("--port", o.port, "Port of the Autoxing robot, 0 = a free one")->capture_default_str();
   command->add_option("--aimdk-port", o.aimdk_port, "Port of the Agibot robot, 0 = a free one")
       ->capture_default_str();
@@ -142,6 +142,8 @@ void addSimulate(CLI::App& cli, CommandLine& line) {
   command->add_option("--start-at", o.start_at_s, "Simulated time at start, seconds")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--paused", o.paused, "Let simulated time stand still");
+  command->add_option("--secret-file", line.simulate.secret_file,
+                      "File that holds the secret without which the Autoxing robot answers 401");
   command->add_flag("!--no-topic-lists", o.enable_topic_list, "Understand enable_topic one by one only");
   command->add_flag("!--no-binary", o.binary_topics, "Ignore ?pb=1");
   command->add_option("--points", o.points_per_scan, "Lidar points in a scan")
@@ -184,6 +186,12 @@ void addSimulate(CLI::App& cli, CommandLine& line) {
       ->group("Faults");
   command->add_flag("--silent-websocket", f.silent_websocket, "Accept the WebSocket, then say nothing")
       ->group("Faults");
+  count("--write-latency-ms", f.write_latency_ms, "Delay of every answer to POST, PUT, PATCH and DELETE",
+        600'000);
+  rate("--write-error-rate", f.write_error_rate,
+       "Share of those that change nothing and get 500, 502 or 503");
+  rate("--drop-writes", f.drop_writes, "Share of those that change nothing and get no answer");
+  rate("--lose-write-answers", f.lose_write_answers, "Share of those that are carried out but get no answer");
   count("--map-latency-ms", f.map_latency_ms, "Delay of every answer about maps", 600'000);
   const auto flag = [&](const char* name, bool& value, const char* what) {
     command->add_flag(name, value, what)->group("Faults");
@@ -229,7 +237,7 @@ int run(int argc, char** argv) {
                  words::plainLine(std::string_view(error.what())).c_str());
     return app::kUsage;
   }
-  if (cli.got_subcommand("simulate")) return app::simulate(line.simulator);
+  if (cli.got_subcommand("simulate")) return app::simulate(line.simulate);
   if (cli.got_subcommand("snapshot")) {
     if (line.snapshot.robot.empty()) line.snapshot.robot = line.robot;
     if (line.snapshot.secret_file.empty()) line.snapshot.secret_file = line.secret_file;

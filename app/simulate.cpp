@@ -5,11 +5,24 @@
 #include <pthread.h>
 
 #include "app/exit_code.h"
+#include "app/secret.h"
 #include "words/plain.h"
 
 namespace mapwright::app {
 
-int simulate(const simulator::Options& options) {
+int simulate(const SimulateWords& words) {
+  simulator::Options options = words.options;
+  // MAPWRIGHT_SECRET is a client's: only a file makes this robot ask for one.
+  if (!words.secret_file.empty()) {
+    const auto secret = readSecret(QString::fromStdString(words.secret_file));
+    if (!secret || secret->isEmpty()) {
+      const std::string why = secret ? "The secret file " + words.secret_file + " holds no secret."
+                                     : secret.error().toStdString();
+      std::fprintf(stderr, "%s\n", why.c_str());
+      return kUsage;
+    }
+    options.secret = secret->toStdString();
+  }
   // Blocked before any thread starts, so that they arrive at sigwait() and nowhere else.
   sigset_t stop_signals;
   sigemptyset(&stop_signals);

@@ -56,6 +56,7 @@ std::unique_ptr<simulator::Simulator> robotOf500() {
   simulator::Options options;
   options.submaps = kSubmaps;
   options.paused = true;
+  options.pose_hz = 20;  // so that runs of every version are alike
   auto robot = std::make_unique<simulator::Simulator>(options);
   if (robot->start()) return nullptr;
   return robot;

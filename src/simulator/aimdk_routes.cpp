@@ -8,7 +8,7 @@
 #include <simdjson.h>
 
 #include "simulator/json_text.h"
-#include "simulator/map_routes.h"
+#include "simulator/map_answers.h"
 
 namespace mapwright::simulator {
 namespace {

@@ -24,12 +24,30 @@ void FaultPlan::setFaults(const Faults& faults) {
   faults_ = faults;
 }
 
-Fault FaultPlan::draw(const std::string& key) {
-  const std::lock_guard lock(mutex_);
+std::uint64_t FaultPlan::next(const std::string& key) {
   if (tries_.size() > kMostKeys) tries_.clear();
   std::uint64_t h = hashOf(seed_, 53, tries_[key]++);
   for (const char c : key) h = mix(h ^ static_cast<unsigned char>(c));
-  Dice dice(h);
+  return h;
+}
+
+WriteFault FaultPlan::drawWrite(const std::string& key, std::uint64_t& dice) {
+  const std::lock_guard lock(mutex_);
+  Dice throws(next(key));
+  dice = throws.next();
+  double lot = unitFrom(throws.next());
+  for (const auto& [rate, fault] : {std::pair{faults_.write_error_rate, WriteFault::Error},
+                                    {faults_.drop_writes, WriteFault::Drop},
+                                    {faults_.lose_write_answers, WriteFault::LoseAnswer}}) {
+    if (lot < rate) return fault;
+    lot -= rate;
+  }
+  return WriteFault::None;
+}
+
+Fault FaultPlan::draw(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  Dice dice(next(key));
 
   Fault fault;
   fault.http_status = faults_.error_status;

@@ -19,6 +19,8 @@ struct Fault {
   std::uint64_t dice = 0;  // for whatever else the fault leaves to chance
 };
 
+enum class WriteFault { None, Error, Drop, LoseAnswer };
+
 /// Safe from any thread.
 class FaultPlan {
  public:
@@ -28,8 +30,12 @@ class FaultPlan {
   void setFaults(const Faults& faults);
   /// The lot of the next try of `key`.
   Fault draw(const std::string& key);
+  /// What becomes of a request that changes something. `dice` decides the rest.
+  WriteFault drawWrite(const std::string& key, std::uint64_t& dice);
 
  private:
+  std::uint64_t next(const std::string& key);
+
   mutable std::mutex mutex_;
   Faults faults_;
   const std::uint32_t seed_;

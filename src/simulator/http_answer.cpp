@@ -1,12 +1,79 @@
 #include "simulator/http_answer.h"
 
+#include "simulator/json_text.h"
+
 namespace mapwright::simulator {
+namespace {
+
+int digitOf(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+bool isPlain(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '.' ||
+         c == '_' || c == '~';
+}
+
+}  // namespace
 
 HttpAnswer jsonAnswer(int status, std::string body) {
   HttpAnswer answer;
   answer.status = status;
   answer.body = std::make_shared<const std::string>(std::move(body));
   return answer;
+}
+
+HttpAnswer notFound() { return jsonAnswer(404, jsonDetail("Not found.")); }
+
+HttpAnswer noContent() {
+  HttpAnswer answer;
+  answer.status = 204;
+  answer.content_type.clear();
+  return answer;
+}
+
+std::optional<HttpAnswer> refusedMethod(const HttpQuestion& question, std::string_view allowed) {
+  for (std::string_view rest = allowed; !rest.empty();) {
+    const std::size_t comma = rest.find(", ");
+    if (rest.substr(0, comma) == question.method) return std::nullopt;
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
+  }
+  HttpAnswer answer =
+      jsonAnswer(405, jsonDetail("Method \"" + std::string(question.method) + "\" not allowed."));
+  answer.headers = {{"Allow", std::string(allowed)}};
+  return answer;
+}
+
+std::optional<std::string> percentDecoded(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      out += text[i];
+      continue;
+    }
+    if (i + 2 >= text.size() || digitOf(text[i + 1]) < 0 || digitOf(text[i + 2]) < 0) return std::nullopt;
+    out += static_cast<char>(16 * digitOf(text[i + 1]) + digitOf(text[i + 2]));
+    i += 2;
+  }
+  return out;
+}
+
+std::string percentEncoded(std::string_view text) {
+  static constexpr char kDigits[] = "0123456789ABCDEF";
+  std::string out;
+  for (const char c : text) {
+    if (isPlain(c)) {
+      out += c;
+      continue;
+    }
+    out += '%';
+    out += kDigits[static_cast<unsigned char>(c) >> 4];
+    out += kDigits[static_cast<unsigned char>(c) & 15];
+  }
+  return out;
 }
 
 std::string_view pathOf(std::string_view target) { return target.substr(0, target.find('?')); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@ struct HttpQuestion {
   std::string_view secret;
   std::string_view if_none_match;
   std::string_view body;
+  std::string_view content_type;
 };
 
 struct HttpAnswer {
@@ -29,10 +31,20 @@ struct HttpAnswer {
 
 HttpAnswer jsonAnswer(int status, std::string body);
 
+HttpAnswer notFound();
+/// 204 without a body.
+HttpAnswer noContent();
+/// 405 with Allow when the method is none of `allowed`, such as "GET, POST". HEAD is taken for GET.
+std::optional<HttpAnswer> refusedMethod(const HttpQuestion& question, std::string_view allowed);
+
 /// The path of a target, without its query.
 std::string_view pathOf(std::string_view target);
 /// The value of `key` in the target's query; empty when absent.
 std::string_view queryValue(std::string_view target, std::string_view key);
+/// %XX as the bytes that they mean; nullopt for what is no such text.
+std::optional<std::string> percentDecoded(std::string_view text);
+/// All but letters, digits and -._~ as %XX.
+std::string percentEncoded(std::string_view text);
 /// Weak comparison of an If-None-Match list with our opaque tag (with its quotes, if it has any), as HTTP
 /// asks for.
 bool matchesTag(std::string_view if_none_match, std::string_view tag);

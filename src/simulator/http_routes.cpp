@@ -1,17 +1,19 @@
 #include "simulator/http_routes.h"
 
 #include <array>
-#include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "ros_messages/slam.pb.h"
 #include "simulator/json_text.h"
-#include "simulator/noise.h"
+#include "simulator/map_answers.h"
+#include "simulator/whole_text.h"
 
 namespace mapwright::simulator {
 namespace {
 
 constexpr std::string_view kSubmapPrefix = "/ros/slam/submaps/";
+constexpr double kFinestM = 0.005, kCoarsestM = 10;
 constexpr std::size_t kBodyBudget = std::size_t{64} << 20;
 
 HttpAnswer protobufAnswer(std::shared_ptr<const std::string> body) {
@@ -25,14 +27,6 @@ HttpAnswer statusErrorAnswer(int code, const std::string& message) {
   HttpAnswer answer = protobufAnswer(std::make_shared<const std::string>(statusAnswer(code, message)));
   answer.headers = {{"Cache-Control", "no-cache"}};
   return answer;
-}
-
-std::optional<std::int32_t> wholeNumber(std::string_view text) {
-  std::int32_t number = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (text.empty() || result.ec != std::errc() || result.ptr != text.data() + text.size())
-    return std::nullopt;
-  return number;
 }
 
 bool isUuid(std::string_view text) {
@@ -64,49 +58,99 @@ std::string_view sentenceOf(int status) {
 
 bool isSubmapPath(std::string_view path) { return path.starts_with(kSubmapPrefix); }
 
-HttpRoutes::HttpRoutes(const RobotState& state, MapLibrary& library, FaultPlan& faults,
+HttpRoutes::HttpRoutes(RobotState& state, MapLibrary& library, MappingBook& mappings, FaultPlan& faults,
                        const Options& options)
     : state_(state),
+      library_(library),
       faults_(faults),
       secret_(options.secret),
-      enable_topic_list_(options.enable_topic_list),
-      seed_(options.seed),
       bodies_(kBodyBudget),
-      maps_(library, faults) {}
+      device_(options.seed, options.enable_topic_list),
+      maps_(library, mappings, faults),
+      mappings_(state, mappings, library, faults),
+      chassis_(state, library, faults),
+      bags_(state, library, options.seed) {}
 
 HttpAnswer HttpRoutes::answer(const HttpQuestion& question) {
   if (!allows(question.secret)) return jsonAnswer(401, jsonDetail("A valid Secret header is required."));
-  if (question.method != "GET") {
-    HttpAnswer answer = jsonAnswer(405, jsonDetail("This robot only answers GET here."));
-    answer.headers = {{"Allow", "GET"}};
-    return answer;
+  if (question.method == "GET") return routed(question);
+  if (question.method == "HEAD") {
+    HttpQuestion get = question;
+    get.method = "GET";
+    return routed(get);
   }
+  return write(question);
+}
+
+HttpAnswer HttpRoutes::write(const HttpQuestion& question) {
+  std::uint64_t dice = 0;
+  const WriteFault fault =
+      faults_.drawWrite(std::string(question.method) + " " + std::string(question.target), dice);
+  HttpAnswer answer;
+  if (fault == WriteFault::Error) {
+    constexpr std::array kStatuses{500, 502, 503};
+    answer =
+        jsonAnswer(kStatuses[dice % kStatuses.size()], jsonDetail("The request could not be carried out."));
+    if (answer.status == 502) {  // as a proxy in front of the robot writes it
+      answer.content_type = "text/html";
+      answer.body = std::make_shared<const std::string>(
+          "<html><head><title>502 Bad Gateway</title></head><body><h1>502 Bad Gateway</h1></body></html>");
+    }
+  } else if (fault != WriteFault::Drop) {
+    answer = routed(question);
+  }
+  answer.drop = answer.drop || fault == WriteFault::Drop || fault == WriteFault::LoseAnswer;
+  answer.delay_ms += faults_.faults().write_latency_ms;
+  return answer;
+}
+
+HttpAnswer HttpRoutes::routed(const HttpQuestion& question) {
   const std::string_view path = pathOf(question.target);
-  if (isSubmapPath(path)) return submap(question);
-  if (path == "/device/info") return deviceInfo();
-  if (std::optional<HttpAnswer> answer = maps_.answer(question)) return std::move(*answer);
-  return jsonAnswer(404, jsonDetail("Not found."));
+  if (isSubmapPath(path) || path == "/ros/slam/map_image") {
+    if (auto refused = refusedMethod(question, "GET")) return *refused;
+    return isSubmapPath(path) ? submap(question) : image(question);
+  }
+  if (auto answer = device_.answer(question)) return *answer;
+  if (auto answer = maps_.answer(question)) return *answer;
+  if (auto answer = mappings_.answer(question)) return *answer;
+  if (auto answer = chassis_.answer(question)) return *answer;
+  if (auto answer = bags_.answer(question)) return *answer;
+  return notFound();
 }
 
 bool HttpRoutes::isSlow(std::string_view path) const { return path != "/device/info"; }
 
-HttpAnswer HttpRoutes::deviceInfo() const {
-  std::string sn = "71822";
-  Dice dice(hashOf(seed_, 61));
-  for (int i = 0; i < 8; ++i) sn += static_cast<char>('0' + dice.integer(0, 9));
-  std::string body =
-      R"({"rosversion":"noetic","distro":"focal","axbot_version":"2.11.0","rest_version":"2.11.0",)"
-      R"("device":{"model":"hygeia","sn":)";
-  appendJsonText(body, sn);
-  body += R"(,"name":)";
-  appendJsonText(body, "robot-" + sn);
-  body +=
-      R"(,"nickname":"Simulated robot"},"robot":{"inscribed_radius":0.24,"height":1.23,"thickness":0.5},)"
-      R"("caps":{"supportsImuRecalibrateService":true,"supportsShutdownService":true,"supportsSubmaps":true,)"
-      R"("supportsEnableTopicList":)";
-  body += enable_topic_list_ ? "true" : "false";
-  body += "}}";
-  return jsonAnswer(200, std::move(body));
+HttpAnswer HttpRoutes::image(const HttpQuestion& question) {
+  const std::string_view asked = queryValue(question.target, "resolution");
+  PictureWish wish;
+  const std::optional<MappingSpan> span = state_.mapping();
+  const bool new_only = queryValue(question.target, "new_trajectory_only") == "true";
+  if (span) wish = wishOf(*span, new_only);
+  const std::optional<double> resolution = asked.empty() ? wish.resolution_m : numberFrom<double>(asked);
+  if (!resolution || !std::isfinite(*resolution) || *resolution < kFinestM || *resolution > kCoarsestM) {
+    return jsonAnswer(400, jsonDetail("The resolution must lie between 0.005 and 10 metres."));
+  }
+  wish.resolution_m = *resolution;
+  if (const std::string_view id = queryValue(question.target, "trajectory_id"); !id.empty()) {
+    const std::optional<int> number = numberFrom<int>(id);
+    if (!number) return jsonAnswer(400, jsonDetail("Invalid query parameters."));
+    if (*number >= 0 && *number != wish.trajectory) {
+      wish = PictureWish();
+      wish.resolution_m = *resolution;
+      wish.trajectory = *number;
+    }
+  }
+  const MapPicturePtr made = library_.pictures().picture(wish);
+  if (!made) return jsonAnswer(502, jsonDetail("The ROS service call failed."));
+  ros_messages::slam::GetMapImageResponse response;
+  response.set_origin_x(made->origin_m.x());
+  response.set_origin_y(made->origin_m.y());
+  response.set_resolution(made->resolution_m);
+  response.set_png_bytes(faultyPng(*made->png, faults_.faults()));
+  HttpAnswer answer = protobufAnswer(std::make_shared<const std::string>(response.SerializeAsString()));
+  answer.headers = {{"Cache-Control", "no-cache"}};
+  answer.delay_ms = faults_.faults().map_latency_ms;
+  return answer;
 }
 
 HttpAnswer HttpRoutes::submap(const HttpQuestion& question) {
@@ -117,7 +161,7 @@ HttpAnswer HttpRoutes::submap(const HttpQuestion& question) {
     parts[i] = rest.substr(0, slash);
     rest = slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
   }
-  const auto trajectory = wholeNumber(parts[1]), index = wholeNumber(parts[2]);
+  const auto trajectory = numberFrom<std::int32_t>(parts[1]), index = numberFrom<std::int32_t>(parts[2]);
   if (!isUuid(parts[0]) || !trajectory || !index) return jsonAnswer(400, jsonDetail(sentenceOf(400)));
 
   const Fault fault = faults_.draw(std::string(question.target));

@@ -4,9 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "simulator/bag_routes.h"
+#include "simulator/chassis_routes.h"
+#include "simulator/device_routes.h"
 #include "simulator/fault_plan.h"
 #include "simulator/http_answer.h"
 #include "simulator/map_routes.h"
+#include "simulator/mapping_routes.h"
 #include "simulator/robot_state.h"
 #include "simulator/simulator.h"
 
@@ -17,7 +21,8 @@ bool isSubmapPath(std::string_view path);
 /// Safe from any thread.
 class HttpRoutes : public Answerer {
  public:
-  HttpRoutes(const RobotState& state, MapLibrary& library, FaultPlan& faults, const Options& options);
+  HttpRoutes(RobotState& state, MapLibrary& library, MappingBook& mappings, FaultPlan& faults,
+             const Options& options);
 
   HttpAnswer answer(const HttpQuestion& question) override;
   bool isSlow(std::string_view path) const override;
@@ -25,16 +30,21 @@ class HttpRoutes : public Answerer {
 
  private:
   bool allows(std::string_view secret) const { return secret_.empty() || secret == secret_; }
+  HttpAnswer write(const HttpQuestion& question);
+  HttpAnswer routed(const HttpQuestion& question);
   HttpAnswer submap(const HttpQuestion& question);
-  HttpAnswer deviceInfo() const;
+  HttpAnswer image(const HttpQuestion& question);
 
   const RobotState& state_;
+  MapLibrary& library_;
   FaultPlan& faults_;
   const std::string secret_;
-  const bool enable_topic_list_;
-  const std::uint32_t seed_;
   BodyCache bodies_;
+  DeviceRoutes device_;
   MapRoutes maps_;
+  MappingRoutes mappings_;
+  ChassisRoutes chassis_;
+  BagRoutes bags_;
 };
 
 }  // namespace mapwright::simulator

@@ -18,7 +18,7 @@ namespace http = boost::beast::http;
 using boost::asio::ip::tcp;
 
 constexpr std::uint32_t kMostHeaderBytes = 16 << 10;
-constexpr std::uint64_t kMostBodyBytes = 64 << 10;
+constexpr std::uint64_t kMostBodyBytes = 64 << 20;  // a map with its picture
 constexpr auto kIdle = std::chrono::seconds(60);
 constexpr std::string_view kTopicsPath = "/ws/v2/topics";
 
@@ -60,8 +60,12 @@ void HttpSession::read() {
 void HttpSession::take() {
   const auto& request = parser_->get();
   const std::string_view target = view(request.target()), path = pathOf(target);
-  HttpQuestion question{view(request.method_string()), target, view(request["Secret"]),
-                        view(request[http::field::if_none_match]), request.body()};
+  HttpQuestion question{view(request.method_string()),
+                        target,
+                        view(request["Secret"]),
+                        view(request[http::field::if_none_match]),
+                        request.body(),
+                        view(request[http::field::content_type])};
   RequestRecord record;
   record.method = question.method;
   record.target = target;
@@ -147,7 +151,7 @@ void HttpSession::respond() {
   for (const auto& [name, value] : answer_.headers) response_->set(name, value);
   const std::size_t whole = answer_.body ? answer_.body->size() : 0;
   const std::size_t sent = head_only_ ? 0 : answer_.truncate ? whole / 2 : whole;
-  if (answer_.status != 304) response_->content_length(whole);
+  if (answer_.status != 304 && answer_.status != 204) response_->content_length(whole);
   response_->keep_alive(keep_alive_);
   if (sent > 0) response_->body() = {answer_.body->data(), sent};
   stream_.expires_after(kIdle);

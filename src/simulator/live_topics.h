@@ -6,15 +6,19 @@
 #include <string>
 #include <string_view>
 
-#include "simulator/map_library.h"
+#include "map/submap.h"
 #include "simulator/robot_state.h"
+#include "simulator/stored_map.h"
 
 namespace mapwright::simulator {
 
-/// /path, /local_path, /trajectory, /planning_state, /alerts, /battery_state, /wheel_state, ...; nullopt for
-/// other topics and for a robot without a map.
+/// As these robots write it.
+std::string_view nameOf(map::SlamState state);
+
+/// /tracked_pose, /slam/state, /path, /planning_state, /alerts, /battery_state, /wheel_state, ...; nullopt
+/// for other topics, and for those that need a map of a robot without one. `map` is the current one.
 std::optional<std::string> ownTopic(std::string_view topic, const RobotState& state,
-                                    const MapLibrary& library);
+                                    const std::optional<StoredMap>& map);
 
 /// /nearby_robots, /landmarks, /nearby_auto_doors, /detected_pallets, /constraint_list, ...
 std::optional<std::string> surroundingsTopic(std::string_view topic, const RobotState& state);

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include <simdjson.h>
+
 #include "simulator/json_text.h"
 
 namespace mapwright::simulator {
@@ -82,11 +84,22 @@ std::string yawOf(const geometry::Pose2& pose, bool as_text) {
 
 }  // namespace
 
-std::string overlaysOf(const Scene& scene, const StoredMap& map) {
+std::string noOverlays() { return Collection().finished(); }
+
+bool isOverlays(std::string_view text) {
+  if (text.empty()) return true;
+  simdjson::dom::parser parser;
+  simdjson::dom::element document;
+  simdjson::dom::array features;
+  return parser.parse(text.data(), text.size()).get(document) == simdjson::SUCCESS && document.is_object() &&
+         document["features"].get(features) == simdjson::SUCCESS;
+}
+
+std::string overlaysAlong(const Scene& scene, int id) {
   Collection all;
   const Trajectory* way = nullptr;
   for (const Trajectory& trajectory : scene.trajectories) {
-    if (trajectory.id == map.wish.trajectory) way = &trajectory;
+    if (trajectory.id == id) way = &trajectory;
   }
   if (way == nullptr) return all.finished();
   const double step = way->drive.length_m() / 40;

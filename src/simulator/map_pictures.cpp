@@ -28,13 +28,25 @@ const Trajectory* find(const Scene& scene, int id) {
   return nullptr;
 }
 
-std::vector<ScanPlace> placesOf(const Trajectory& trajectory, int scans) {
+/// Where `scans` scans (all of them when negative) were taken, not all of which are worth their time.
+std::vector<ScanPlace> placesOf(const Trajectory& trajectory, int scans, double from_m) {
   const int whole = kScansPerSubmapStart * (trajectory.submaps + 1);
-  const int count = scans < 0 ? whole : std::min(scans, whole);
+  const bool has_end = trajectory.growth != Growth::Live;
+  const int count = scans < 0 ? whole : has_end ? std::min(scans, whole) : scans;
   const int stride = std::max(kScanStride, count / kMostScans);
   std::vector<ScanPlace> places;
   for (int scan = 0; scan < count; scan += stride)
-    places.push_back({trajectory.drive.at(kScanStepM * scan), static_cast<std::uint64_t>(scan)});
+    places.push_back({trajectory.drive.at(from_m + kScanStepM * scan), static_cast<std::uint64_t>(scan)});
+  return places;
+}
+
+std::vector<ScanPlace> placesOf(const Scene& scene, const PictureWish& wish) {
+  std::vector<ScanPlace> places;
+  if (const Trajectory* base = find(scene, wish.base)) places = placesOf(*base, -1, 0);
+  if (const Trajectory* trajectory = find(scene, wish.trajectory)) {
+    const std::vector<ScanPlace> more = placesOf(*trajectory, wish.scans, wish.from_m);
+    places.insert(places.end(), more.begin(), more.end());
+  }
   return places;
 }
 
@@ -88,7 +100,7 @@ FloorCells drawFloor(const Scene& scene, const PictureWish& wish) {
   FloorCells floor;
   const Trajectory* trajectory = find(scene, wish.trajectory);
   if (trajectory == nullptr) return floor;
-  const std::vector<ScanPlace> places = placesOf(*trajectory, wish.scans);
+  const std::vector<ScanPlace> places = placesOf(scene, wish);
   if (places.empty()) return floor;
 
   ScanSettings settings;
@@ -123,6 +135,28 @@ GrayPicture grayOf(const FloorCells& cells, int bits) {
   std::transform(cells.cells.begin(), cells.cells.end(), picture.levels.begin(),
                  [bits](FloorCell cell) { return levelOf(cell, bits); });
   return picture;
+}
+
+GrayPicture thumbnailOf(const GrayPicture& picture, std::uint8_t unknown) {
+  const int step =
+      std::max(1, (std::max(picture.width, picture.height) + kThumbnailPixels - 1) / kThumbnailPixels);
+  GrayPicture small{(picture.width + step - 1) / step, (picture.height + step - 1) / step, {}};
+  small.levels.assign(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height), 255);
+  std::vector<bool> seen(small.levels.size());
+  std::size_t from = 0;
+  for (int v = 0; v < picture.height; ++v) {
+    for (int u = 0; u < picture.width; ++u, ++from) {
+      if (picture.levels[from] == unknown) continue;
+      const std::size_t at = static_cast<std::size_t>(v / step) * static_cast<std::size_t>(small.width) +
+                             static_cast<std::size_t>(u / step);
+      seen[at] = true;
+      small.levels[at] = std::min(small.levels[at], picture.levels[from]);
+    }
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i]) small.levels[i] = unknown;
+  }
+  return small;
 }
 
 MapPicturePtr encode(const FloorCells& cells, const GrayPicture& picture, int bits) {
@@ -174,25 +208,7 @@ MapPicturePtr MapPictures::thumbnail(const PictureWish& wish) {
   }
   const std::shared_ptr<const FloorCells> floor = cells(wish);
   if (!floor) return nullptr;
-  const int step = (std::max(floor->width, floor->height) + kThumbnailPixels - 1) / kThumbnailPixels;
-  GrayPicture small{(floor->width + step - 1) / step, (floor->height + step - 1) / step, {}};
-  small.levels.assign(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height), 255);
-  std::vector<bool> seen(small.levels.size());
-  for (int v = 0; v < floor->height; ++v) {
-    for (int u = 0; u < floor->width; ++u) {
-      const FloorCell cell =
-          floor->cells[static_cast<std::size_t>(v) * static_cast<std::size_t>(floor->width) +
-                       static_cast<std::size_t>(u)];
-      if (cell == FloorCell::Unknown) continue;
-      const std::size_t at = static_cast<std::size_t>(v / step) * static_cast<std::size_t>(small.width) +
-                             static_cast<std::size_t>(u / step);
-      seen[at] = true;
-      small.levels[at] = std::min(small.levels[at], levelOf(cell, 8));
-    }
-  }
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!seen[i]) small.levels[i] = levelOf(FloorCell::Unknown, 8);
-  }
+  const GrayPicture small = thumbnailOf(grayOf(*floor, 8), levelOf(FloorCell::Unknown, 8));
   MapPicturePtr made = encode(*floor, small, 8);
   const std::lock_guard lock(mutex_);
   if (thumbnails_.size() >= kPicturesKept) thumbnails_.clear();

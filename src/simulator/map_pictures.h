@@ -43,12 +43,17 @@ struct PictureWish {
   int bits = 8;                // 4: 0 occupied, 7 unknown, 15 free; 8: 0, 128, 255
   int crates = 0;              // so many crates have come to stand along the way
   int scans = -1;              // >= 0: only what the first scans saw
+  double from_m = 0;           // where along the way the first scan was
+  int base = -1;               // >= 0: on top of all that this trajectory saw
   auto operator<=>(const PictureWish&) const = default;
 };
 
 /// What the scans of `wish.trajectory` saw. No cells when there is no such trajectory or no scan. Takes about
 /// a tenth of a second for an office at 5 cm.
 FloorCells drawFloor(const Scene& scene, const PictureWish& wish);
+
+/// At most 160 pixels wide and high; thin walls stay. `unknown` is the level of what nobody saw.
+GrayPicture thumbnailOf(const GrayPicture& picture, std::uint8_t unknown);
 
 GrayPicture grayOf(const FloorCells& cells, int bits);
 MapPicturePtr encode(const FloorCells& cells, const GrayPicture& picture, int bits);

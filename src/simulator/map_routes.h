@@ -1,38 +1,36 @@
-// Maps, mapping tasks and static files over HTTP (axbot.md, "Requests"): pure of sockets.
+// Stored maps and static files over HTTP (axbot.md, "Requests"): pure of sockets.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "simulator/fault_plan.h"
 #include "simulator/http_answer.h"
 #include "simulator/map_library.h"
+#include "simulator/mapping_book.h"
 
 namespace mapwright::simulator {
 
 /// Safe from any thread.
 class MapRoutes {
  public:
-  MapRoutes(MapLibrary& library, const FaultPlan& faults) : library_(library), faults_(faults) {}
+  MapRoutes(MapLibrary& library, const MappingBook& mappings, const FaultPlan& faults)
+      : library_(library), mappings_(mappings), faults_(faults) {}
 
-  /// The answer to a GET; nullopt for paths that are not its own.
+  /// nullopt for paths that are not its own.
   std::optional<HttpAnswer> answer(const HttpQuestion& question);
 
  private:
-  HttpAnswer list() const;
+  HttpAnswer collection(const HttpQuestion& question);
+  HttpAnswer create(const HttpQuestion& question);
   HttpAnswer map(std::string_view rest, const HttpQuestion& question);
-  HttpAnswer current() const;
-  HttpAnswer mappings() const;
-  HttpAnswer mapping(std::string_view rest, const HttpQuestion& question);
-  HttpAnswer image(const HttpQuestion& question);
-  HttpAnswer picture(const MapPicturePtr& picture, const HttpQuestion& question, bool for_ever);
+  HttpAnswer detail(const StoredMap& map);
+  HttpAnswer change(const StoredMap& map, const HttpQuestion& question);
+  HttpAnswer download(const StoredMap& map);
 
   MapLibrary& library_;
+  const MappingBook& mappings_;
   const FaultPlan& faults_;
 };
-
-/// A map's PNG as the faults leave it.
-std::string faultyPng(const std::string& png, const Faults& faults);
 
 }  // namespace mapwright::simulator

@@ -5,7 +5,8 @@
 
 #include "simulator/cost_maps.h"
 #include "simulator/json_text.h"
-#include "simulator/map_routes.h"
+#include "simulator/map_answers.h"
+#include "simulator/mapping_book.h"
 #include "simulator/noise.h"
 #include "simulator/stamp.h"
 
@@ -85,7 +86,14 @@ std::optional<Frame> MapTopics::messageOf(std::string_view topic) {
 }
 
 MapPicturePtr MapTopics::pictureOf(std::string_view topic) {
-  if (topic == "/map" || topic == "/map_v2") return library_.livePicture();
+  if (topic == "/map" || topic == "/map_v2") {
+    if (const std::optional<MappingSpan> span = state_.mapping()) {
+      PictureWish wish = wishOf(*span, false);
+      wish.bits = 4;
+      return library_.pictures().picture(wish);
+    }
+    return library_.livePicture();
+  }
   if (topic == "/map/costmap" || topic == "/map/costmap_v2") return costsOfWholeMap();
   if (topic == "/maps/5cm/1hz") return costsAroundRobot(0.05, options_.costmap_cells);
   if (topic == "/maps/1cm/1hz") return costsAroundRobot(0.01, std::max(400, options_.costmap_cells));
@@ -132,12 +140,12 @@ MapPicturePtr MapTopics::incremental() {
 
 MapPicturePtr MapTopics::environment(bool symmetry) {
   const std::optional<StoredMap> current = library_.current();
-  if (!current) return nullptr;
-  PictureWish wish = current->wish;
+  if (!current || !current->wish) return nullptr;
+  PictureWish wish = *current->wish;
   wish.resolution_m = std::max(wish.resolution_m, kEnvironmentM);
   const std::shared_ptr<const FloorCells> floor = library_.pictures().cells(wish);
   if (!floor) return nullptr;
-  const std::string of = std::to_string(current->id) + "/" + std::to_string(current->map_version);
+  const std::string of = current->uid + "/" + std::to_string(current->map_version);
   const std::lock_guard lock(mutex_);
   Made& made = made_[symmetry ? "symmetry" : "match"];
   if (made.picture && made.of == of) return made.picture;

@@ -126,7 +126,22 @@ std::string pointsBinary(const std::vector<LidarPoint>& points, const geometry::
   return binaryMessage(kPoints, wrapper);
 }
 
+/// What the lidar sees from where the robot is, put where it believes to be.
+std::vector<LidarPoint> pointsNow(const RobotState& state, int count, std::uint64_t seed) {
+  const geometry::Pose2 misplacement = state.misplacement();
+  std::vector<LidarPoint> points =
+      scanFrom(state.plan(), misplacement.inverse() * state.robotPose(), count, seed);
+  for (LidarPoint& point : points) point.at_m = misplacement.apply(point.at_m);
+  return points;
+}
+
 }  // namespace
+
+std::string scanMessage(const RobotState& state, int points, std::uint32_t seed) {
+  const double time_s = state.time();
+  return pointsJson(
+      pointsNow(state, std::min(points, kMostPoints), hashOf(seed, 97, std::llround(1000 * time_s))), time_s);
+}
 
 std::optional<Frame> PointTopics::messageOf(std::string_view topic, bool binary) {
   if (topic != kPoints && topic != kPacked && topic != kSemantic) return std::nullopt;
@@ -143,8 +158,7 @@ std::optional<Frame> PointTopics::messageOf(std::string_view topic, bool binary)
   const geometry::Pose2 pose = state_.robotPose();
   const double time_s = state_.time();
   const std::vector<LidarPoint> points =
-      scanFrom(state_.plan(), pose, std::min(options_.points_per_scan, kMostPoints),
-               hashOf(options_.seed, 97, number));
+      pointsNow(state_, std::min(options_.points_per_scan, kMostPoints), hashOf(options_.seed, 97, number));
   Frame frame =
       as_binary ? Frame{std::make_shared<const std::string>(pointsBinary(points, pose, number, time_s)), true}
       : topic == kPoints ? textFrame(pointsJson(points, time_s))

@@ -17,6 +17,9 @@ namespace mapwright::simulator {
 
 struct Options;
 
+/// One scan of /scan_matched_points2 as JSON, as the robot sees it now.
+std::string scanMessage(const RobotState& state, int points, std::uint32_t seed);
+
 /// Safe from any thread. Each scan is made once, however many listen. Above 5,000 points eight scans around
 /// the place of the first are prepared and sent in turn, so that a reader is measured and not the writer.
 class PointTopics {

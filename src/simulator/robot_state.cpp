@@ -10,10 +10,9 @@ namespace mapwright::simulator {
 namespace {
 
 constexpr int kFullVersion = kScansPerSubmap;
-
-map::SlamState slamStateOf(const Scene& scene) {
-  return scene.trajectories.empty() ? map::SlamState::Slam : map::SlamState::Positioning;
-}
+constexpr int kScansAtStart = 8;  // a session's first scans were taken just before it was published
+constexpr double kLostM = 0.5, kLostRad = 0.3;              // beyond it, the lidar does not fit the map
+constexpr double kAdjustableM = 1.5, kAdjustableRad = 0.8;  // up to here, a given pose can be put right
 
 /// How a loop closure moves a submap: rigidly in the plane, turning about the submap's own origin.
 struct Correction {
@@ -35,21 +34,31 @@ Correction correctionOf(std::uint64_t seed, std::uint64_t closures, map::SubmapI
 }  // namespace
 
 RobotState::RobotState(Scene scene, std::uint32_t seed, ClockOptions clock)
-    : scene_(std::move(scene)), seed_(seed), clock_(clock) {
-  for (const Trajectory& trajectory : scene_.trajectories) {
+    : RobotState(std::make_shared<const Scene>(std::move(scene)), seed, clock, nullptr) {
+  auto poses_of = std::make_shared<FixedPoses>();
+  for (const Trajectory& trajectory : scene_->trajectories) {
     if (trajectory.growth == Growth::Live) continue;
-    std::vector<geometry::Pose3>& poses = fixed_poses_[trajectory.id];
+    std::vector<geometry::Pose3>& poses = (*poses_of)[trajectory.id];
     for (int index = 0; index < trajectory.submaps; ++index) {
       const map::SubmapId id{trajectory.id, index};
       poses.push_back(nominalPose(anchorOf(trajectory, index), id, seedOf(id)));
     }
   }
+  fixed_poses_ = std::move(poses_of);
+}
+
+RobotState::RobotState(std::shared_ptr<const Scene> scene, std::uint32_t seed, ClockOptions clock,
+                       std::shared_ptr<const FixedPoses> fixed_poses)
+    : scene_(std::move(scene)), seed_(seed), clock_(clock), fixed_poses_(std::move(fixed_poses)) {}
+
+RobotState RobotState::recordedAt(double time_s) const {
+  return RobotState(scene_, seed_, {time_s, 1, true}, fixed_poses_);
 }
 
 geometry::Pose3 RobotState::nominalOf(const Trajectory& trajectory, int index) const {
   const map::SubmapId id{trajectory.id, index};
-  const auto fixed = fixed_poses_.find(trajectory.id);
-  if (fixed != fixed_poses_.end()) return fixed->second[static_cast<std::size_t>(index)];
+  const auto fixed = fixed_poses_->find(trajectory.id);
+  if (fixed != fixed_poses_->end()) return fixed->second[static_cast<std::size_t>(index)];
   return nominalPose(anchorOf(trajectory, index), id, seedOf(id));
 }
 
@@ -77,7 +86,7 @@ std::string RobotState::uuidNow() const {
 }
 
 const Trajectory* RobotState::trajectoryOf(int id) const {
-  for (const Trajectory& trajectory : scene_.trajectories) {
+  for (const Trajectory& trajectory : scene_->trajectories) {
     if (trajectory.id == id) return &trajectory;
   }
   return nullptr;
@@ -91,8 +100,7 @@ std::uint64_t RobotState::seedOf(map::SubmapId id) const {
 
 double RobotState::metresAtScan(const Trajectory& trajectory, int scan) const {
   if (trajectory.growth != Growth::Live) return kScanStepM * scan;
-  // The session's first scans were taken just before it was published.
-  return kSpeedMPerS * std::floor(session_began_s_) + kScanStepM * (scan - 8);
+  return kSpeedMPerS * std::floor(session_began_s_) + kScanStepM * (scan - kScansAtStart);
 }
 
 int RobotState::versionOf(map::SubmapId id, int scans) const {
@@ -117,12 +125,13 @@ geometry::Pose3 RobotState::corrected(const geometry::Pose3& pose, map::SubmapId
 
 map::SubmapList RobotState::list() const {
   map::SubmapList list;
-  list.slam_state = slamStateOf(scene_);
+  list.slam_state = slamState();
   const std::lock_guard lock(mutex_);
   list.uuid = uuidNow();
-  for (const Trajectory& trajectory : scene_.trajectories) {
+  for (const Trajectory& trajectory : scene_->trajectories) {
+    if (!isThere(trajectory)) continue;
     const int scans = trajectory.scansAt(sessionNow());
-    const auto [first, end] = trajectory.submapsAfter(scans);
+    const auto [first, end] = submapsOf(trajectory, scans);
     const bool whole =
         trajectory.growth != Growth::Live && scans >= kScansPerSubmapStart * (trajectory.submaps + 1);
     for (int index = first; index < end; ++index) {
@@ -139,7 +148,7 @@ ListStamp RobotState::stamp() const {
   const std::lock_guard lock(mutex_);
   ListStamp stamp;
   stamp.edits = edits_;
-  for (const Trajectory& trajectory : scene_.trajectories)
+  for (const Trajectory& trajectory : scene_->trajectories)
     stamp.scans.push_back(trajectory.scansAt(sessionNow()));
   return stamp;
 }
@@ -157,9 +166,13 @@ int RobotState::scansOf(int id) const {
 
 geometry::Pose2 RobotState::poseAhead(double metres) const {
   const std::lock_guard lock(mutex_);
+  return misplacement_ * truePoseAhead(metres);
+}
+
+geometry::Pose2 RobotState::truePoseAhead(double metres) const {
   const Trajectory* live = trajectoryOf(1);
   if (live == nullptr) return {};
-  const int newest = live->submapsAfter(live->scansAt(sessionNow())).second - 1;
+  const int newest = submapsOf(*live, live->scansAt(sessionNow())).second - 1;
   geometry::Pose2 pose = live->drive.at(kSpeedMPerS * now() + metres);
   const geometry::Pose2 origin = anchorOf(*live, newest);
   const Correction correction = correctionOf(seed_, closures_, {1, newest});
@@ -196,11 +209,81 @@ SubmapSource RobotState::describe(const Trajectory& trajectory, int index, int s
 std::optional<SubmapSource> RobotState::find(map::SubmapId id) const {
   const std::lock_guard lock(mutex_);
   const Trajectory* owner = trajectoryOf(id.trajectory);
-  if (owner == nullptr || removed_.contains(id)) return std::nullopt;
+  if (owner == nullptr || !isThere(*owner) || removed_.contains(id)) return std::nullopt;
   const int scans = owner->scansAt(sessionNow());
-  const auto [first, end] = owner->submapsAfter(scans);
+  const auto [first, end] = submapsOf(*owner, scans);
   if (id.index < first || id.index >= end) return std::nullopt;
   return describe(*owner, id.index, scans);
+}
+
+bool RobotState::isThere(const Trajectory& trajectory) const {
+  return mapping_ != Mapping::New || trajectory.growth == Growth::Live;
+}
+
+std::pair<int, int> RobotState::submapsOf(const Trajectory& trajectory, int scans) const {
+  std::pair<int, int> range = trajectory.submapsAfter(scans);
+  // What is being mapped is kept.
+  if (trajectory.growth == Growth::Live && mapping_ != Mapping::Off) range.first = 0;
+  return range;
+}
+
+geometry::Pose2 RobotState::misplacement() const {
+  const std::lock_guard lock(mutex_);
+  return misplacement_;
+}
+
+bool RobotState::isPositioned() const {
+  const std::lock_guard lock(mutex_);
+  const geometry::Pose2 here = truePoseAhead(0), believed = misplacement_ * here;
+  return std::hypot(believed.x_m - here.x_m, believed.y_m - here.y_m) < kLostM &&
+         std::abs(geometry::normalizeAngle(believed.yaw_rad - here.yaw_rad)) < kLostRad;
+}
+
+map::SlamState RobotState::slamState() const {
+  const std::lock_guard lock(mutex_);
+  return scene_->trajectories.empty() || mapping_ != Mapping::Off ? map::SlamState::Slam
+                                                                  : map::SlamState::Positioning;
+}
+
+Controls RobotState::controls() const {
+  const std::lock_guard lock(mutex_);
+  return controls_;
+}
+
+std::optional<MappingSpan> RobotState::mapping() const {
+  const std::lock_guard lock(mutex_);
+  const Trajectory* live = trajectoryOf(1);
+  if (mapping_ == Mapping::Off || live == nullptr) return std::nullopt;
+  return MappingSpan{mapping_, metresAtScan(*live, 0), live->scansAt(sessionNow())};
+}
+
+void RobotState::setPose(const geometry::Pose2& pose, bool adjust) {
+  const std::lock_guard lock(mutex_);
+  const geometry::Pose2 here = truePoseAhead(0);
+  const bool near = std::hypot(pose.x_m - here.x_m, pose.y_m - here.y_m) < kAdjustableM &&
+                    std::abs(geometry::normalizeAngle(pose.yaw_rad - here.yaw_rad)) < kAdjustableRad;
+  misplacement_ = adjust && near ? geometry::Pose2{} : pose * here.inverse();
+}
+
+void RobotState::relocate() {
+  const std::lock_guard lock(mutex_);
+  misplacement_ = {};
+}
+
+void RobotState::setMapping(Mapping mapping) {
+  const std::lock_guard lock(mutex_);
+  beginSession();
+  mapping_ = mapping;
+}
+
+void RobotState::setControlMode(std::string mode) {
+  const std::lock_guard lock(mutex_);
+  controls_.control_mode = std::move(mode);
+}
+
+void RobotState::setEmergencyStop(bool pressed) {
+  const std::lock_guard lock(mutex_);
+  controls_.emergency_stop = pressed;
 }
 
 void RobotState::advance(double simulated_s) {
@@ -216,9 +299,14 @@ void RobotState::closeLoop() {
 
 void RobotState::restartSlam() {
   const std::lock_guard lock(mutex_);
+  beginSession();
+}
+
+void RobotState::beginSession() {
   ++session_;
   ++edits_;
   closures_ = 0;
+  misplacement_ = {};
   session_began_s_ = now();
   removed_.clear();
   bumps_.clear();

@@ -17,14 +17,14 @@ constexpr auto kListAtMost = std::chrono::seconds(1);
 
 }  // namespace
 
-Server::Server(const Options& options, RobotState& state, MapLibrary& library, FaultPlan& faults,
-               RequestLog& log)
+Server::Server(const Options& options, RobotState& state, MapLibrary& library, MappingBook& mappings,
+               FaultPlan& faults, RequestLog& log)
     : options_(options),
       state_(state),
       library_(library),
       faults_(faults),
       log_(log),
-      routes_(state, library, faults, options),
+      routes_(state, library, mappings, faults, options),
       aimdk_routes_(library, faults),
       messages_(state, library, faults, options) {}
 
@@ -54,6 +54,7 @@ std::optional<std::string> Server::start(std::uint16_t port, std::uint16_t aimdk
   if (std::optional<std::string> failure = open(aimdk_, aimdk_port)) return failure;
   published_ = state_.stamp();
   published_maps_ = library_.edits();
+  published_mapping_ = state_.mapping().has_value();
   list_at_ = tick_at_ = dropped_at_ = restarted_at_ = steady_clock::now();
   periodic_ = periodicTopics(options_, tick_at_);
   accept(axbot_);
@@ -90,15 +91,19 @@ void Server::tick() {
 }
 
 void Server::publishChanges(steady_clock::time_point now) {
+  const bool mapping = state_.mapping().has_value();
   for (PeriodicTopic& topic : periodic_) {
     if (now < topic.due) continue;
     topic.due = std::max(topic.due + topic.period, now);
-    hub_.publish(topic.topic);
+    if (mapping || !growsWhileMapping(topic.topic)) hub_.publish(topic.topic);
   }
-  if (const std::uint64_t edits = library_.edits(); edits != published_maps_) {
-    published_maps_ = edits;
+  const MapEdits edits = library_.edits();
+  if (edits.info != published_maps_.info) hub_.publish("/map/info");
+  if (edits.pictures != published_maps_.pictures || mapping != published_mapping_) {
     for (const std::string_view topic : mapTopics()) hub_.publish(topic);
   }
+  published_maps_ = edits;
+  published_mapping_ = mapping;
   if (now - list_at_ < kListAtMost) return;
   ListStamp stamp = state_.stamp();
   if (stamp == published_) return;

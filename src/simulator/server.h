@@ -22,7 +22,8 @@ namespace mapwright::simulator {
 /// waits; two workers make what takes milliseconds.
 class Server {
  public:
-  Server(const Options& options, RobotState& state, MapLibrary& library, FaultPlan& faults, RequestLog& log);
+  Server(const Options& options, RobotState& state, MapLibrary& library, MappingBook& mappings,
+         FaultPlan& faults, RequestLog& log);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -67,7 +68,8 @@ class Server {
   Door aimdk_{boost::asio::ip::tcp::acceptor(io_), aimdk_routes_};
   boost::asio::steady_timer timer_{io_};
   ListStamp published_;
-  std::uint64_t published_maps_ = 0;
+  MapEdits published_maps_;
+  bool published_mapping_ = false;
   std::chrono::steady_clock::time_point list_at_, tick_at_, dropped_at_, restarted_at_;
   std::vector<PeriodicTopic> periodic_;
   std::thread thread_;

@@ -50,6 +50,7 @@ class Simulator::Impl {
   const std::optional<std::string> problem;
   RobotState state;
   MapLibrary library;
+  MappingBook mappings;
   FaultPlan faults;
   RequestLog log;
   mutable std::mutex server_mutex;
@@ -65,7 +66,8 @@ class Simulator::Impl {
         problem(problemOf(chosen, scene.has_value())),
         state(problem || !scene ? Scene{} : std::move(*scene), chosen.seed,
               {chosen.start_at_s, chosen.speed, chosen.paused}),
-        library(state),
+        library(state, chosen.seed),
+        mappings(state),
         faults(chosen.faults, chosen.seed) {}
 };
 
@@ -77,8 +79,8 @@ std::optional<std::string> Simulator::start() {
   if (impl_->problem) return impl_->problem;
   const std::lock_guard lock(impl_->server_mutex);
   if (impl_->server) return std::nullopt;
-  auto server =
-      std::make_unique<Server>(impl_->options, impl_->state, impl_->library, impl_->faults, impl_->log);
+  auto server = std::make_unique<Server>(impl_->options, impl_->state, impl_->library, impl_->mappings,
+                                         impl_->faults, impl_->log);
   if (std::optional<std::string> failure = server->start(impl_->options.port, impl_->options.aimdk_port))
     return failure;
   impl_->server = std::move(server);

@@ -38,6 +38,11 @@ struct Faults {
   std::string grid_fault;
   int map_latency_ms = 0;       // added to every answer about maps and static files
   bool map_list_error = false;  // 500 for /maps/
+  // Requests that change something (POST, PUT, PATCH, DELETE).
+  int write_latency_ms = 0;       // added to every answer
+  double write_error_rate = 0;    // 500, 502, 503 or an HTML page; nothing is changed
+  double drop_writes = 0;         // the connection is closed without an answer; nothing is changed
+  double lose_write_answers = 0;  // the connection is closed without an answer, and all is changed
 };
 
 /// How the robot behaves and what it offers.
@@ -56,7 +61,7 @@ struct Options {
   int points_per_scan = 720;      // of /scan_matched_points2 and its kin; 0..1,000,000
   double scan_hz = 5;             // how often they come; above 0, at most 100
   int costmap_cells = 200;        // edge of /maps/5cm/1hz; 20..4000
-  double pose_hz = 20;            // how often /tracked_pose comes; above 0, at most 100
+  double pose_hz = 10;            // how often /tracked_pose comes; above 0, at most 100
   Faults faults;
 };
 

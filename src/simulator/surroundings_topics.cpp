@@ -6,6 +6,7 @@
 #include "simulator/json_shapes.h"
 #include "simulator/json_text.h"
 #include "simulator/live_topics.h"
+#include "simulator/vitals.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -84,7 +85,7 @@ std::string autoDoors(const RobotState& state, const Drive& way) {
   constexpr std::array<const char*, 3> kNames{"Main door", "Lager <West>", ""};
   std::string out = openMessage("/nearby_auto_doors") + ",\"doors\":[";
   for (int i = 0; i < 3; ++i) {
-    const double t = std::fmod(state.time() + 7.0 * i, kDoorCycleS);
+    const double t = phaseOf(state.time() + 7.0 * i, kDoorCycleS);
     const char* now = t < 8 ? "closed" : t < 10 ? "opening" : t < 18 ? "open" : "closing";
     if (i > 0) out += ',';
     out += "{\"name\":";
@@ -109,12 +110,12 @@ std::string pallets(const RobotState& state, const Drive& way) {
   add("map", "P-1", way.at(way.length_m() * 0.1) * geometry::Pose2{0, 1.4, std::numbers::pi / 2});
   add("map", "P-2", way.at(way.length_m() * 0.1 + 2) * geometry::Pose2{0, 1.4, std::numbers::pi / 2});
   // One is seen for half of the time, and where it is in the robot's frame.
-  if (std::fmod(state.time(), 12) < 6) add("base_link", "", {2.0, 0.4, 0.2});
+  if (phaseOf(state.time(), 12) < 6) add("base_link", "", {2.0, 0.4, 0.2});
   return out + "]}";
 }
 
 std::string rack(const RobotState& state) {
-  const double t = std::fmod(state.time(), 30);
+  const double t = phaseOf(state.time(), 30);
   std::string out = openMessage("/detected_rack");
   if (t >= 20) return out + R"(,"rack_detected":false})";
   const bool in_map = t < 10;
@@ -164,7 +165,7 @@ std::string seenObjects(const RobotState& state) {
 
 std::string globalPositioning(const RobotState& state) {
   std::string out = openMessage("/global_positioning_state");
-  const double t = std::fmod(state.time(), 60);
+  const double t = phaseOf(state.time(), 60);
   if (t > 20 && t < 25)
     return out + R"(,"state":"running","score":0,"needs_confirmation":false,"message":""})";
   // The score is a text here, as these robots send it.
@@ -175,7 +176,7 @@ std::string globalPositioning(const RobotState& state) {
 
 std::string barcode(const RobotState& state) {
   std::string out = openMessage("/collected_barcode");
-  if (std::fmod(state.time(), 16) < 8) return out + R"(,"state":"no_result"})";
+  if (phaseOf(state.time(), 16) < 8) return out + R"(,"state":"no_result"})";
   const geometry::Pose2 relative{1.2, 0.1, std::numbers::pi};
   out += R"(,"state":"ok","barcode":{"id":"D2_125","pose":)";
   appendPose(out, state.robotPose() * relative);

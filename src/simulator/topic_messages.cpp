@@ -10,18 +10,6 @@
 namespace mapwright::simulator {
 namespace {
 
-std::string_view textOf(map::SlamState state) {
-  switch (state) {
-    case map::SlamState::Slam:
-      return "slam";
-    case map::SlamState::Positioning:
-      return "positioning";
-    case map::SlamState::Invalid:
-      break;
-  }
-  return "invalid";
-}
-
 ros_messages::slam::SlamState wireOf(map::SlamState state) {
   switch (state) {
     case map::SlamState::Slam:
@@ -34,36 +22,13 @@ ros_messages::slam::SlamState wireOf(map::SlamState state) {
   return ros_messages::slam::SLAM_STATE_INVALID;
 }
 
-std::string trackedPose(const geometry::Pose2& pose) {
-  std::string out = R"({"topic":"/tracked_pose","pos":[)";
-  appendJsonFixed(out, pose.x_m, 4);
-  out += ',';
-  appendJsonFixed(out, pose.y_m, 4);
-  out += R"(],"ori":)";
-  appendJsonFixed(out, pose.yaw_rad, 4);
-  out += '}';
-  return out;
-}
-
-std::string slamState(map::SlamState state) {
-  std::string out = R"({"topic":"/slam/state","state":)";
-  appendJsonText(out, textOf(state));
-  out += R"(,"reliable":true,"position_quality":10,"lidar_matching_score":0.87,"lidar_matched":true})";
-  return out;
-}
-
-constexpr std::string_view kRobotModel =
-    R"({"topic":"/robot_model","footprint":[[0.3,-0.2],[0.35,-0.12],[0.35,0.12],[0.3,0.2],[-0.25,0.27],[-0.32,0.2],)"
-    R"([-0.32,-0.2],[-0.25,-0.27]],"expanded_footprint":[[0.35,-0.25],[0.4,-0.13],[0.4,0.13],[0.35,0.25],)"
-    R"([-0.28,0.32],[-0.37,0.23],[-0.37,-0.23],[-0.28,-0.32]],"width":0.54})";
-
 }  // namespace
 
 std::string submapListJson(const map::SubmapList& list) {
   std::string out;
   out.reserve(200 + list.entries.size() * 300);
   out += R"({"topic":"/submap_list","slam_state":)";
-  appendJsonText(out, textOf(list.slam_state));
+  appendJsonText(out, nameOf(list.slam_state));
   out += R"(,"uuid":)";
   appendJsonText(out, list.uuid);
   out += R"(,"submap":[)";
@@ -172,10 +137,8 @@ Frame TopicMessages::listMessage(bool binary, bool bad_entries) {
 
 std::optional<Frame> TopicMessages::messageOf(std::string_view topic, bool binary, bool bad_entries) {
   if (topic == kSubmapListTopic) return listMessage(binary, bad_entries);
-  if (topic == kTrackedPoseTopic) return textFrame(trackedPose(state_.robotPose()));
-  if (topic == kRobotModelTopic) return textFrame(std::string(kRobotModel));
-  if (topic == kSlamStateTopic) return textFrame(slamState(state_.list().slam_state));
-  if (std::optional<std::string> own = ownTopic(topic, state_, library_)) return textFrame(std::move(*own));
+  if (std::optional<std::string> own = ownTopic(topic, state_, library_.current()))
+    return textFrame(std::move(*own));
   if (std::optional<std::string> around = surroundingsTopic(topic, state_))
     return textFrame(std::move(*around));
   if (std::optional<Frame> points = points_.messageOf(topic, binary)) return points;

@@ -47,8 +47,5 @@ class TopicMessages {
 };
 
 constexpr std::string_view kSubmapListTopic = "/submap_list";
-constexpr std::string_view kTrackedPoseTopic = "/tracked_pose";
-constexpr std::string_view kRobotModelTopic = "/robot_model";
-constexpr std::string_view kSlamStateTopic = "/slam/state";
 
 }  // namespace mapwright::simulator

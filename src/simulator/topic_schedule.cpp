@@ -14,7 +14,9 @@ struct Rhythm {
   std::string_view topic;
   double period_s;
 };
-constexpr std::array<Rhythm, 30> kRhythms{{{"/slam/state", 1},
+constexpr std::array<Rhythm, 32> kRhythms{{{"/slam/state", 1},
+                                           {"/map", 5},
+                                           {"/map_v2", 5},
                                            {"/path", 0.5},
                                            {"/local_path", 0.2},
                                            {"/trajectory", 1},
@@ -98,8 +100,18 @@ bool isSlow(std::string_view topic) {
 
 const std::vector<std::string_view>& mapTopics() {
   static const std::vector<std::string_view> topics{
-      "/map/info",       "/map",           "/map_v2",          "/map/costmap",
-      "/map/costmap_v2", "/env_match_map", "/env_symmetry_map"};
+      "/map", "/map_v2", "/map/costmap", "/map/costmap_v2", "/env_match_map", "/env_symmetry_map"};
+  return topics;
+}
+
+bool growsWhileMapping(std::string_view topic) { return topic == "/map" || topic == "/map_v2"; }
+
+std::vector<std::string_view> publishedTopics() {
+  std::vector<std::string_view> topics{"/tracked_pose"};
+  for (const Rhythm& rhythm : kRhythms) topics.push_back(rhythm.topic);
+  topics.insert(topics.end(), kLatched.begin(), kLatched.end());
+  std::sort(topics.begin(), topics.end());
+  topics.erase(std::unique(topics.begin(), topics.end()), topics.end());
   return topics;
 }
 

@@ -24,7 +24,11 @@ bool isLatched(std::string_view topic);
 bool mayBeLeftOut(std::string_view topic);
 /// Topics that take milliseconds to make: pictures and scans.
 bool isSlow(std::string_view topic);
-/// Topics to send when the robot's map changes.
+/// Topics to send when the robot works with another map or picture; /map/info is not among them.
 const std::vector<std::string_view>& mapTopics();
+/// Those of them that come again and again while the robot maps.
+bool growsWhileMapping(std::string_view topic);
+/// All that this robot has.
+std::vector<std::string_view> publishedTopics();
 
 }  // namespace mapwright::simulator

@@ -118,6 +118,15 @@ HttpReply get(int port, const std::string& target, const std::map<std::string, s
   return parseReply(exchange(port, request + "\r\n", 1));
 }
 
+HttpReply send(int port, const std::string& method, const std::string& target, const std::string& body,
+               std::map<std::string, std::string> headers) {
+  headers["Content-Length"] = std::to_string(body.size());
+  headers.try_emplace("Content-Type", "application/json");
+  std::string request = method + " " + target + " HTTP/1.1\r\nHost: 127.0.0.1\r\n";
+  for (const auto& [name, value] : headers) request += name + ": " + value + "\r\n";
+  return parseReply(exchange(port, request + "\r\n" + body, 1));
+}
+
 const Entry* List::find(int trajectory, int index) const {
   for (const Entry& entry : entries) {
     if (entry.trajectory == trajectory && entry.index == index) return &entry;

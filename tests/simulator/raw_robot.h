@@ -21,6 +21,9 @@ struct HttpReply {
 /// One request on a connection of its own.
 HttpReply get(int port, const std::string& target, const std::map<std::string, std::string>& headers = {},
               const std::string& method = "GET");
+/// Likewise with a body.
+HttpReply send(int port, const std::string& method, const std::string& target, const std::string& body,
+               std::map<std::string, std::string> headers = {});
 /// Sends `bytes` as they are and returns everything that comes until the connection ends or `answers` are
 /// there.
 std::string exchange(int port, const std::string& bytes, int answers);

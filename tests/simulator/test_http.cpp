@@ -113,8 +113,17 @@ class TestHttp : public QObject {
     row("map image at nan", "GET", "/ros/slam/map_image?resolution=nan", 400);
     row("map image of no trajectory", "GET", "/ros/slam/map_image?trajectory_id=77", 502);
     row("topics without upgrade", "GET", "/ws/v2/topics", 400);
-    row("post", "POST", "/maps/", 405);
-    row("delete", "DELETE", "/ros/slam/submaps/UUID/0/0", 405);
+    row("a list that cannot be overwritten", "PUT", "/maps/", 405);
+    row("a picture that cannot be changed", "PATCH", "/maps/1.png", 405);
+    row("a map that cannot be posted to", "POST", "/maps/1", 405);
+    row("a mapping that cannot be changed", "PATCH", "/mappings/48", 405);
+    row("a pose that cannot be read", "GET", "/chassis/pose", 405);
+    row("bags that cannot be made", "POST", "/bags/", 405);
+    row("device info that cannot be deleted", "DELETE", "/device/info", 405);
+    row("delete a submap", "DELETE", "/ros/slam/submaps/UUID/0/0", 405);
+    row("a method that nobody knows", "BREW", "/maps/", 405);
+    row("post nothing", "POST", "/maps/", 400);
+    row("nothing to finish", "PATCH", "/mappings/current", 400);
   }
   void errors() {
     QFETCH(QString, method);
@@ -126,6 +135,17 @@ class TestHttp : public QObject {
     const raw::HttpReply reply = raw::get(robot.port(), target.toStdString(), {}, method.toStdString());
     QCOMPARE(reply.status, status);
     QVERIFY(!object(reply.body)[QLatin1String("detail")].toString().isEmpty());
+    QCOMPARE(reply.headers.contains("allow"), status == 405);
+    if (status == 405) QVERIFY(reply.headers.at("allow").find(method.toStdString()) == std::string::npos);
+  }
+
+  void headIsGetWithoutABody() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const std::string request = "HEAD /maps/1.png HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n";
+    const std::string reply = raw::exchange(robot.port(), request, 1);
+    QVERIFY(reply.starts_with("HTTP/1.1 200") && reply.ends_with("\r\n\r\n"));
+    QVERIFY(reply.find("ETag: ") != std::string::npos);
   }
 
   void aWrongUuidIsAStatusInsideTheAnswer() {

@@ -9,6 +9,7 @@
 #include <QSet>
 #include <QTest>
 
+#include "listening.h"
 #include "raw_robot.h"
 #include "ros_messages/wrapper.pb.h"
 #include "simulator/simulator.h"
@@ -23,6 +24,7 @@ namespace {
 Options paused() {
   Options options;
   options.paused = true;
+  options.pose_hz = 50;     // tests wait for poses to come
   options.start_at_s = 33;  // everything that comes and goes is there, the incremental trajectory too
   return options;
 }
@@ -68,24 +70,6 @@ const char* const kAllTopics[] = {"/tracked_pose",
                                   "/vision_detected_objects",
                                   "/global_positioning_state",
                                   "/collected_barcode"};
-
-/// A robot with one client; `of` waits for a topic's first message.
-class Listening {
- public:
-  explicit Listening(const Options& options, const QString& query = {}) : robot(options) {
-    if (!robot.start()) client = std::make_unique<TopicSocket>(robot.port(), query);
-  }
-  QJsonObject of(const char* topic) { return object(text(topic)); }
-  QString text(const char* topic) {
-    if (!client || !QTest::qWaitFor([this] { return client->isOpen(); }, 20'000)) return {};
-    client->send(QByteArray("{\"enable_topic\":\"") + topic + "\"}");
-    if (!QTest::qWaitFor([&] { return !client->of(topic).isEmpty(); }, 20'000)) return {};
-    return client->of(topic).last();
-  }
-
-  Simulator robot;
-  std::unique_ptr<TopicSocket> client;
-};
 
 /// The picture of a grid topic, after checking what goes with it.
 QImage pictureOf(const QJsonObject& message, int port) {

@@ -19,6 +19,7 @@ namespace {
 Options paused() {
   Options options;
   options.paused = true;
+  options.pose_hz = 50;  // tests wait for poses to come
   return options;
 }
 

@@ -1,0 +1,177 @@
+#include "simulator/bag_routes.h"
+
+#include <cmath>
+
+#include "simulator/json_text.h"
+#include "simulator/request_fields.h"
+#include "simulator/whole_text.h"
+
+namespace mapwright::simulator {
+namespace {
+
+constexpr double kLongestRecordingS = 300, kUsualRecordingS = 120;
+constexpr std::size_t kLongestSuffix = 64;
+constexpr std::size_t kKeptRecordings = 4;
+
+/// The player reports its errors under another name than the rest of the robot.
+HttpAnswer playerError(std::string_view sentence) {
+  std::string body = "{\"error\":";
+  appendJsonText(body, sentence);
+  return jsonAnswer(400, body + "}");
+}
+
+HttpAnswer noSuchFile() { return jsonAnswer(404, jsonDetail("There is no such file.")); }
+
+void appendFile(std::string& out, BagFolder folder, const Bag& bag) {
+  const std::size_t bytes = bagBytes(bag).size();
+  out += "{\"filename\":";
+  appendJsonText(out, bag.name);
+  out += ",\"size\":";
+  appendJsonText(out, listedSize(bytes));
+  out += ",\"size_bytes\":" + std::to_string(bytes) + ",\"end\":";
+  appendJsonText(out, listedTime(bag.span.until_s));
+  appendOwnUrl(
+      out, "download_url",
+      (folder == BagFolder::Bags ? "/bags/" : "/recording/") + percentEncoded(bag.name) + "/download");
+  out += '}';
+}
+
+/// "90s", "2m".
+std::optional<double> secondsFrom(std::string_view duration) {
+  if (duration.size() < 2) return std::nullopt;
+  const std::optional<int> number = numberFrom<int>(duration.substr(0, duration.size() - 1));
+  const double unit_s = duration.back() == 'm' ? 60 : duration.back() == 's' ? 1 : 0;
+  if (!number || *number < 1 || unit_s == 0 || *number * unit_s > kLongestRecordingS) return std::nullopt;
+  return *number * unit_s;
+}
+
+bool isSuffix(std::string_view suffix) {
+  return suffix.size() <= kLongestSuffix && std::all_of(suffix.begin(), suffix.end(), [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
+                  c == '_';
+         });
+}
+
+}  // namespace
+
+std::optional<HttpAnswer> BagRoutes::answer(const HttpQuestion& question) {
+  const std::string_view path = pathOf(question.target);
+  for (const auto& [prefix, folder] :
+       {std::pair{std::string_view("/bags"), BagFolder::Bags}, {"/recording", BagFolder::Recordings}}) {
+    if (!path.starts_with(prefix)) continue;
+    const std::string_view rest = path.substr(prefix.size());
+    if (rest.empty() || rest == "/") return collection(folder, question);
+    if (rest.starts_with('/')) return file(folder, rest.substr(1), question);
+  }
+  return std::nullopt;
+}
+
+HttpAnswer BagRoutes::collection(BagFolder folder, const HttpQuestion& question) {
+  const bool takes_orders = folder == BagFolder::Recordings;
+  if (auto refused = refusedMethod(question, takes_orders ? "GET, POST, DELETE" : "GET, DELETE"))
+    return *refused;
+  if (question.method == "POST") return record(question);
+  if (question.method == "DELETE") {
+    store_.removeAll(folder);
+    return noContent();
+  }
+  std::string body = "[";
+  for (const Bag& bag : store_.list(folder)) {
+    if (body.size() > 1) body += ',';
+    appendFile(body, folder, bag);
+  }
+  return jsonAnswer(200, body + "]");
+}
+
+HttpAnswer BagRoutes::record(const HttpQuestion& question) {
+  const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
+  if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
+  const std::optional<std::string> suffix =
+      fields->has("filename_suffix") ? fields->text("filename_suffix") : std::string();
+  if (!suffix || !isSuffix(*suffix))
+    return jsonAnswer(400, jsonDetail("filename_suffix: must be at most 64 letters, digits, - and _."));
+  const std::optional<double> duration_s =
+      fields->has("duration") ? secondsFrom(fields->text("duration").value_or("")) : kUsualRecordingS;
+  if (!duration_s) return jsonAnswer(400, jsonDetail("duration: must be such as \"2m\", at most \"5m\"."));
+  if (fields->has("category") && fields->text("category") != "pos")
+    return jsonAnswer(400, jsonDetail("category: only \"pos\" is supported."));
+  std::string body;
+  appendFile(body, BagFolder::Recordings, store_.record(*suffix, *duration_s, fields->has("category")));
+  return jsonAnswer(201, std::move(body));
+}
+
+HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQuestion& question) {
+  const std::size_t slash = rest.find('/');
+  const std::string_view part = slash == std::string_view::npos ? std::string_view() : rest.substr(slash);
+  const std::optional<std::string> name = percentDecoded(rest.substr(0, slash));
+  const std::optional<Bag> bag = name ? store_.find(folder, *name) : std::nullopt;
+  if (part == "/player") {
+    if (auto refused = refusedMethod(question, "GET")) return *refused;
+    return player(bag, question);
+  }
+  if (!bag) return noSuchFile();
+  if (part == "/download") {
+    if (auto refused = refusedMethod(question, "GET")) return *refused;
+    HttpAnswer answer;
+    answer.content_type = "application/octet-stream";
+    answer.headers = {{"Content-Disposition", "attachment"}};
+    answer.body = std::make_shared<const std::string>(bagBytes(*bag));
+    return answer;
+  }
+  if (!part.empty() && part != "/") return notFound();
+  if (auto refused = refusedMethod(question, "GET, DELETE")) return *refused;
+  if (question.method == "GET") {
+    std::string body;
+    appendFile(body, folder, *bag);
+    return jsonAnswer(200, std::move(body));
+  }
+  switch (store_.remove(folder, bag->name)) {
+    case BagStore::Removal::Removed:
+      return noContent();
+    case BagStore::Removal::Recording:
+      return jsonAnswer(400, jsonDetail("This bag is still being recorded."));
+    case BagStore::Removal::Missing:
+      break;
+  }
+  return noSuchFile();
+}
+
+std::shared_ptr<const BagRecording> BagRoutes::recordingOf(const Bag& bag) {
+  const std::lock_guard lock(mutex_);
+  for (auto known = recordings_.begin(); known != recordings_.end(); ++known) {
+    if (known->first != bag.span) continue;
+    recordings_.splice(recordings_.begin(), recordings_, known);
+    return recordings_.front().second;
+  }
+  recordings_.emplace_front(
+      bag.span, std::make_shared<const BagRecording>(state_, library_.atFirst(), seed_, bag.span));
+  if (recordings_.size() > kKeptRecordings) recordings_.pop_back();
+  return recordings_.front().second;
+}
+
+HttpAnswer BagRoutes::player(const std::optional<Bag>& bag, const HttpQuestion& question) {
+  if (!bag) return playerError("The bag file was not found.");
+  if (bag->condition == BagCondition::Corrupt)
+    return playerError("The bag file is corrupted: its index is missing.");
+  if (bag->condition == BagCondition::Recording) return playerError("The bag file is still being recorded.");
+  const std::string_view start = queryValue(question.target, "start_time"),
+                         end = queryValue(question.target, "end_time");
+  const std::optional<double> from = numberFrom<double>(start), until = numberFrom<double>(end);
+  const bool whole = start.empty() && end.empty();
+  if (!whole) {
+    if (start.empty() || end.empty()) return playerError("start_time and end_time are both required.");
+    if (!from || !until || !std::isfinite(*from) || !std::isfinite(*until))
+      return playerError("start_time and end_time must be numbers.");
+    if (*until < *from) return playerError("end_time lies before start_time.");
+  }
+  const std::shared_ptr<const BagRecording> recording = recordingOf(*bag);
+  std::string body = "{\"total_messages\":" + std::to_string(recording->messages()) +
+                     ",\"start_time\":" + std::to_string(recording->startTime()) +
+                     ",\"end_time\":" + std::to_string(recording->endTime());
+  if (!whole) body += ",\"messages\":" + recording->messagesJson(*from, *until);
+  HttpAnswer answer = jsonAnswer(200, body + "}");
+  answer.headers = {{"Cache-Control", "public, max-age=2592000"}};
+  return answer;
+}
+
+}  // namespace mapwright::simulator

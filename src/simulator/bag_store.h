@@ -1,0 +1,58 @@
+// The files that the simulated robot records: bags all the time, recordings on demand.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "simulator/bag_recording.h"
+#include "simulator/robot_state.h"
+
+namespace mapwright::simulator {
+
+enum class BagFolder { Bags, Recordings };
+enum class BagCondition { Whole, Recording, Corrupt };
+
+struct Bag {
+  std::string name;
+  BagSpan span;
+  BagCondition condition = BagCondition::Whole;
+};
+
+/// "31-Oct-2023 14:36:17" of a simulated second.
+std::string listedTime(double time_s);
+/// "6.8KB".
+std::string listedSize(std::size_t bytes);
+/// A ROS bag without any messages; half of it when the bag is damaged.
+std::string bagBytes(const Bag& bag);
+
+/// Safe from any thread. Every ten minutes of simulated time are one bag; the newest dozen stay.
+class BagStore {
+ public:
+  explicit BagStore(const RobotState& state);
+
+  std::vector<Bag> list(BagFolder folder) const;  // oldest first
+  std::optional<Bag> find(BagFolder folder, std::string_view name) const;
+  /// Keeps what happened in the last seconds. A file of the same second and name is replaced.
+  Bag record(std::string_view suffix, double duration_s, bool every_scan);
+
+  enum class Removal { Removed, Missing, Recording };
+  Removal remove(BagFolder folder, std::string_view name);
+  /// The bag that is being recorded stays.
+  void removeAll(BagFolder folder);
+
+ private:
+  std::vector<Bag> bags() const;
+
+  const RobotState& state_;
+  mutable std::mutex mutex_;
+  std::set<std::string, std::less<>> removed_;  // bags
+  std::vector<Bag> recordings_;
+};
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,31 @@
+// How maps and their pictures are written into answers.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "simulator/fault_plan.h"
+#include "simulator/http_answer.h"
+#include "simulator/map_library.h"
+
+namespace mapwright::simulator {
+
+/// A map's PNG as the faults leave it.
+std::string faultyPng(const std::string& png, const Faults& faults);
+
+/// 404 when there is none, 304 when the client has it.
+HttpAnswer pictureAnswer(const MapPicturePtr& picture, const HttpQuestion& question, bool for_ever,
+                         const Faults& faults);
+/// Bytes that a client may keep by their tag.
+HttpAnswer bytesAnswer(std::shared_ptr<const std::string> bytes, const HttpQuestion& question);
+/// The binary map of a handed-in or drawn picture: what the robot would position itself by.
+std::shared_ptr<const std::string> pbstreamOf(const MapPicturePtr& picture);
+
+/// {"id":...,"uid":... with the brace left open.
+void appendMap(std::string& out, const StoredMap& map);
+/// ,"grid_origin_x":...; zeros without a picture.
+void appendGrid(std::string& out, const MapPicturePtr& picture);
+/// One row of the list of maps.
+void appendMapRow(std::string& out, const StoredMap& map);
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,21 @@
+// A map that a client hands in: its fields, its picture, its name (axbot.md, "Requests").
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "simulator/request_fields.h"
+#include "simulator/stored_map.h"
+
+namespace mapwright::simulator {
+
+/// The error is a sentence for the client.
+tl::expected<StoredMap, std::string> readMapUpload(const RequestFields& fields);
+
+/// nullopt for what is no base64. White space is skipped, a data-URL prefix too.
+std::optional<std::string> fromBase64(std::string_view text);
+
+}  // namespace mapwright::simulator

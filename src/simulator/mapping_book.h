@@ -1,0 +1,56 @@
+// The mapping tasks of the simulated robot: those of the past, and the one that runs.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulator/map_pictures.h"
+#include "simulator/robot_state.h"
+
+namespace mapwright::simulator {
+
+struct MappingTask {
+  int id = 0;
+  std::string state;  // running, finished, cancelled, failed
+  bool continues = false;
+  std::int64_t started_s = 0;
+  std::optional<std::int64_t> ended_s;
+  std::optional<PictureWish> wish;  // what it made
+};
+
+/// What a mapping has seen so far; `new_only` leaves out the map that it continues.
+PictureWish wishOf(const MappingSpan& span, bool new_only);
+
+/// Safe from any thread. While a task runs, the robot's SLAM session is that mapping.
+class MappingBook {
+ public:
+  explicit MappingBook(RobotState& state);
+
+  std::vector<MappingTask> tasks() const;  // newest first
+  std::optional<MappingTask> find(int id) const;
+  std::optional<MappingTask> running() const;
+
+  /// nullopt when one runs already.
+  std::optional<MappingTask> start(Mapping mapping);
+  enum class End { Finished, FinishedNewOnly, Cancelled };
+  /// nullopt when none runs.
+  std::optional<MappingTask> end(End how);
+
+  enum class Removal { Removed, Missing, Running };
+  Removal remove(int id);
+  /// Running, and nothing is removed, while one runs.
+  Removal removeAll();
+
+ private:
+  bool runs() const { return !tasks_.empty() && tasks_.front().state == "running"; }
+
+  RobotState& state_;
+  mutable std::mutex mutex_;
+  std::vector<MappingTask> tasks_;
+  int next_id_ = 1;
+};
+
+}  // namespace mapwright::simulator

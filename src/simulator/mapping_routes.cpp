@@ -1,0 +1,196 @@
+#include "simulator/mapping_routes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "simulator/json_shapes.h"
+#include "simulator/json_text.h"
+#include "simulator/map_answers.h"
+#include "simulator/request_fields.h"
+#include "simulator/whole_text.h"
+
+namespace mapwright::simulator {
+namespace {
+
+constexpr double kTrailStepM = 0.5;
+constexpr int kMostTrailPoints = 4000;
+
+/// The part of a drive that made a map.
+struct Way {
+  const Drive* drive = nullptr;
+  double from_m = 0, to_m = 0;
+  double length_m() const { return to_m - from_m; }
+};
+
+std::optional<Way> wayOf(const Scene& scene, const std::optional<PictureWish>& wish) {
+  for (const Trajectory& trajectory : scene.trajectories) {
+    if (!wish || trajectory.id != wish->trajectory) continue;
+    const double to_m =
+        wish->scans < 0 ? trajectory.drive.length_m() : wish->from_m + kScanStepM * wish->scans;
+    return Way{&trajectory.drive, wish->from_m, to_m};
+  }
+  return std::nullopt;
+}
+
+/// The way that made the map, in two parts as after a pause.
+std::string trajectoriesJson(const Way& way) {
+  const double length = way.length_m();
+  const double step = std::max(kTrailStepM, length / kMostTrailPoints);
+  std::string out = "[";
+  for (int part = 0; part < 2; ++part) {
+    if (part > 0) out += ',';
+    out += "{\"id\":" + std::to_string(part) + ",\"coordinates\":[";
+    const double from = part == 0 ? 0 : length * 0.6, to = part == 0 ? length * 0.6 : length;
+    for (double s = from; s <= to; s += step) {
+      if (s > from) out += ',';
+      const geometry::Pose2 pose = way.drive->at(way.from_m + s);
+      appendPoint(out, {pose.x_m, pose.y_m});
+    }
+    out += "]}";
+  }
+  return out + "]";
+}
+
+std::string landmarksJson(const Way& way) {
+  std::string out = "[";
+  for (int i = 0; i < 6; ++i) {
+    if (i > 0) out += ',';
+    out += "{\"id\":\"landmark_" + std::to_string(i + 1) + "\",\"pos\":";
+    const geometry::Pose2 by = way.drive->at(way.from_m + way.length_m() * (i + 0.5) / 6);
+    appendPoint(out, by.apply({0, i % 2 == 0 ? 1.1 : -1.1}));
+    out += i % 3 == 2 ? ",\"in_use\":false}" : ",\"in_use\":true}";
+  }
+  return out + "]";
+}
+
+HttpAnswer noSuchTask() { return jsonAnswer(404, jsonDetail("There is no such mapping task.")); }
+
+HttpAnswer removed(MappingBook::Removal removal) {
+  if (removal == MappingBook::Removal::Missing) return noSuchTask();
+  if (removal == MappingBook::Removal::Running)
+    return jsonAnswer(400, jsonDetail("A mapping task is running. Finish or cancel it first."));
+  return noContent();
+}
+
+}  // namespace
+
+std::optional<HttpAnswer> MappingRoutes::answer(const HttpQuestion& question) {
+  const std::string_view path = pathOf(question.target);
+  HttpAnswer answer;
+  if (path == "/mappings" || path == "/mappings/") {
+    answer = collection(question);
+  } else if (path == "/mappings/current" || path == "/mappings/current/") {
+    answer = current(question);
+  } else if (path.starts_with("/mappings/")) {
+    answer = task(path.substr(10), question);
+  } else {
+    return std::nullopt;
+  }
+  answer.delay_ms += faults_.faults().map_latency_ms;
+  return answer;
+}
+
+HttpAnswer MappingRoutes::collection(const HttpQuestion& question) {
+  if (auto refused = refusedMethod(question, "GET, POST, DELETE")) return *refused;
+  if (question.method == "POST") return start(question);
+  if (question.method == "DELETE") return removed(mappings_.removeAll());
+  std::string body = "[";
+  for (const MappingTask& task : mappings_.tasks()) {
+    if (body.size() > 1) body += ',';
+    append(body, task);
+  }
+  return jsonAnswer(200, body + "]");
+}
+
+HttpAnswer MappingRoutes::start(const HttpQuestion& question) {
+  const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
+  if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
+  const std::optional<bool> continues =
+      fields->has("continue_mapping") ? fields->flag("continue_mapping") : std::optional(false);
+  if (!continues) return jsonAnswer(400, jsonDetail("continue_mapping: must be true or false."));
+  const std::string from =
+      fields->has("start_pose_type") ? fields->text("start_pose_type").value_or("") : "zero";
+  if (from != "zero" && from != "current_pose")
+    return jsonAnswer(400, jsonDetail("start_pose_type: must be \"zero\" or \"current_pose\"."));
+  if (!state_.canMap()) return jsonAnswer(400, jsonDetail("This robot has nothing to map."));
+  if (*continues && !library_.current())
+    return jsonAnswer(400, jsonDetail("There is no current map that could be continued."));
+  const std::optional<MappingTask> task = mappings_.start(*continues ? Mapping::Continue : Mapping::New);
+  if (!task) return jsonAnswer(400, jsonDetail("A mapping task is running already."));
+  return shown(201, *task);
+}
+
+HttpAnswer MappingRoutes::current(const HttpQuestion& question) {
+  if (auto refused = refusedMethod(question, "GET, PATCH")) return *refused;
+  if (question.method == "GET") {
+    const std::optional<MappingTask> task = mappings_.running();
+    return task ? shown(200, *task) : jsonAnswer(404, jsonDetail("No mapping task is running."));
+  }
+  const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
+  if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
+  const std::string state = fields->text("state").value_or("");
+  if (state != "finished" && state != "cancelled")
+    return jsonAnswer(400, jsonDetail("state: must be \"finished\" or \"cancelled\"."));
+  const std::optional<bool> new_only =
+      fields->has("new_map_only") ? fields->flag("new_map_only") : std::optional(false);
+  if (!new_only) return jsonAnswer(400, jsonDetail("new_map_only: must be true or false."));
+  const std::optional<MappingTask> task = mappings_.end(state == "cancelled" ? MappingBook::End::Cancelled
+                                                        : *new_only ? MappingBook::End::FinishedNewOnly
+                                                                    : MappingBook::End::Finished);
+  return task ? shown(200, *task) : jsonAnswer(404, jsonDetail("No mapping task is running."));
+}
+
+HttpAnswer MappingRoutes::task(std::string_view rest, const HttpQuestion& question) {
+  const std::size_t end = rest.find_first_of("./");
+  const std::optional<int> id = numberFrom<int>(rest.substr(0, end));
+  const std::string_view part = end == std::string_view::npos ? std::string_view() : rest.substr(end);
+  const std::optional<MappingTask> task = id ? mappings_.find(*id) : std::nullopt;
+  if (!task) return noSuchTask();
+  if (part.empty() || part == "/") {
+    if (auto refused = refusedMethod(question, "GET, DELETE")) return *refused;
+    return question.method == "DELETE" ? removed(mappings_.remove(*id)) : shown(200, *task);
+  }
+  if (part != ".png" && part != "/thumbnail" && part != "/trajectories.json" && part != "/landmarks.json" &&
+      part != ".pbstream")
+    return notFound();
+  if (auto refused = refusedMethod(question, "GET")) return *refused;
+  const std::optional<Way> way = wayOf(library_.scene(), task->wish);
+  if (!way) return jsonAnswer(404, jsonDetail("This mapping task made no map."));
+  if (part == "/trajectories.json") return jsonAnswer(200, trajectoriesJson(*way));
+  if (part == "/landmarks.json") return jsonAnswer(200, landmarksJson(*way));
+  if (part == ".pbstream") return bytesAnswer(pbstreamOf(library_.pictures().picture(*task->wish)), question);
+  return pictureAnswer(
+      part == ".png" ? library_.pictures().picture(*task->wish) : library_.pictures().thumbnail(*task->wish),
+      question, false, faults_.faults());
+}
+
+HttpAnswer MappingRoutes::shown(int status, const MappingTask& task) {
+  std::string body;
+  append(body, task);
+  return jsonAnswer(status, std::move(body));
+}
+
+void MappingRoutes::append(std::string& out, const MappingTask& task) {
+  const MapPicturePtr picture = task.wish ? library_.pictures().picture(*task.wish) : nullptr;
+  const std::string path = "/mappings/" + std::to_string(task.id);
+  out += "{\"id\":" + std::to_string(task.id);
+  if (picture) {
+    appendOwnUrl(out, "thumbnail_url", path + "/thumbnail");
+    appendOwnUrl(out, "image_url", path + ".png");
+    appendOwnUrl(out, "trajectories_url", path + "/trajectories.json");
+    appendOwnUrl(out, "landmark_url", path + "/landmarks.json");
+    appendOwnUrl(out, "pbstream_url", path + ".pbstream");
+  } else {
+    out += R"(,"thumbnail_url":null,"image_url":null,"trajectories_url":null,"landmark_url":null)";
+  }
+  appendGrid(out, picture);
+  appendOwnUrl(out, "url", path);
+  out += task.continues ? ",\"continue_mapping\":true" : ",\"continue_mapping\":false";
+  out += ",\"start_time\":" + std::to_string(task.started_s) +
+         ",\"end_time\":" + (task.ended_s ? std::to_string(*task.ended_s) : std::string("null")) +
+         ",\"state\":";
+  appendJsonText(out, task.state);
+  out += R"(,"bag_id":null,"bag_url":null,"download_url":null})";
+}
+
+}  // namespace mapwright::simulator

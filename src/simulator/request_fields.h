@@ -1,0 +1,39 @@
+// What a client sends: the members of a JSON object, or the parts of a form.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace mapwright::simulator {
+
+class RequestFields {
+ public:
+  /// nullopt when the body is neither a JSON object nor, if its content type says so, a form.
+  static std::optional<RequestFields> read(std::string_view content_type, std::string_view body);
+
+  /// Present and not null.
+  bool has(std::string_view key) const;
+  std::optional<std::string> text(std::string_view key) const;
+  std::optional<double> number(std::string_view key) const;  // finite
+  std::optional<std::int64_t> integer(std::string_view key) const;
+  std::optional<bool> flag(std::string_view key) const;
+  std::optional<std::vector<double>> numbers(std::string_view key) const;  // a list of nothing else
+
+ private:
+  struct Other {};  // objects, mixed lists
+  using Value = std::variant<Other, std::string, double, std::int64_t, bool, std::vector<double>>;
+
+  static std::optional<RequestFields> readJson(std::string_view body);
+  static std::optional<RequestFields> readForm(std::string_view boundary, std::string_view body);
+  const Value* find(std::string_view key) const;
+
+  std::map<std::string, Value, std::less<>> values_;
+  bool is_form_ = false;  // where numbers are texts
+};
+
+}  // namespace mapwright::simulator

@@ -1,0 +1,299 @@
+// The bags of the simulated robot, its recordings, and the player that reads them in windows.
+#include <cmath>
+
+#include <QJsonArray>
+#include <QMap>
+#include <QSet>
+
+#include "listening.h"
+#include "raw_robot.h"
+
+using mapwright::simulator::Options;
+using mapwright::simulator::Simulator;
+
+namespace {
+
+Options paused() {
+  Options options;
+  options.paused = true;
+  options.start_at_s = 700;
+  return options;
+}
+
+QJsonObject object(const std::string& json) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+}
+QJsonArray array(const std::string& json) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(json)).array();
+}
+double stampOf(const QJsonValue& message) { return message[QLatin1String("__stamp")].toDouble(); }
+bool isLatched(const QJsonValue& message) { return message[QLatin1String("__latched")].toBool(); }
+QString topicOf(const QJsonValue& message) { return message[QLatin1String("topic")].toString(); }
+QByteArray compact(const QJsonValue& message) {
+  return QJsonDocument(message.toObject()).toJson(QJsonDocument::Compact);
+}
+
+const std::string kBag = "/bags/2024-06-03_09-00-00.bag";
+constexpr double kStart = 1717405200;
+
+raw::HttpReply window(const Simulator& robot, double from, double until, const std::string& bag = kBag) {
+  return raw::get(robot.port(),
+                  bag + "/player?start_time=" + std::to_string(from) + "&end_time=" + std::to_string(until));
+}
+QJsonArray messages(const Simulator& robot, double from, double until) {
+  return object(window(robot, from, until).body)[QLatin1String("messages")].toArray();
+}
+std::string encoded(const QString& name) { return QUrl::toPercentEncoding(name).toStdString(); }
+
+}  // namespace
+
+class TestBags : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void bagsAreListedAndCanBeFetched() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    for (const std::string folder : {"/bags", "/recording"}) {
+      const auto list = raw::get(robot.port(), folder + "/");
+      QCOMPARE(list.status, 200);
+      QCOMPARE(raw::get(robot.port(), folder).body, list.body);
+      const QJsonArray files = array(list.body);
+      QVERIFY(files.size() >= 2);
+      for (const QJsonValue& file : files) {
+        QVERIFY(file[QLatin1String("filename")].toString().endsWith(QLatin1String(".bag")));
+        QVERIFY(file[QLatin1String("size")].toString().endsWith(QLatin1String("KB")));
+        QVERIFY(file[QLatin1String("end")].toString().contains(QLatin1String("-2024 ")));
+        const QString url = file[QLatin1String("download_url")].toString();
+        QVERIFY(url.startsWith(QLatin1String("http://192.168.25.25:8090/")) &&
+                !url.contains(QLatin1Char(' ')));
+        const auto bag = raw::get(robot.port(), url.mid(25).toStdString());
+        QCOMPARE(bag.status, 200);
+        QCOMPARE(int(bag.body.size()), file[QLatin1String("size_bytes")].toInt());
+        QVERIFY(bag.body.starts_with("#ROSBAG V2.0\n"));
+      }
+    }
+  }
+
+  void aBagTellsHowMuchItHolds() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const auto reply = raw::get(robot.port(), kBag + "/player");
+    QCOMPARE(reply.status, 200);
+    QCOMPARE(reply.headers.at("cache-control"), std::string("public, max-age=2592000"));
+    const QJsonObject bag = object(reply.body);
+    QCOMPARE(bag[QLatin1String("start_time")].toDouble(), kStart);
+    QCOMPARE(bag[QLatin1String("end_time")].toDouble(), kStart + 599);
+    QVERIFY(bag[QLatin1String("total_messages")].toInt() > 6000);
+    QVERIFY(!bag.contains(QLatin1String("messages")));
+  }
+
+  void windowsPutTogetherAreTheWholeBag() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const QJsonObject whole = object(window(robot, 0, 1e12).body);
+    const QJsonArray all = whole[QLatin1String("messages")].toArray();
+    QCOMPARE(all.size(), whole[QLatin1String("total_messages")].toInt());
+    double last = 0;
+    for (const QJsonValue& message : all) {
+      QVERIFY(stampOf(message) >= last);
+      last = stampOf(message);
+    }
+    QVERIFY(last > whole[QLatin1String("end_time")].toDouble());  // metadata are whole seconds
+    qsizetype at = 0;
+    for (int i = 0; i < 12; ++i) {
+      const double from = kStart + 50 * i;
+      for (const QJsonValue& message : messages(robot, from, from + 49.9995)) {
+        if (stampOf(message) < from) continue;  // what was said before
+        QCOMPARE(compact(message), compact(all[at]));
+        ++at;
+      }
+    }
+    QCOMPARE(at, all.size());
+  }
+
+  void aWindowBeginsWithWhatWasSaidLastOnLatchedTopics() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const double from = kStart + 432.5;
+    QMap<QString, QByteArray> last;
+    for (const QJsonValue& message : messages(robot, 0, from - 0.0005)) {
+      if (isLatched(message)) last[topicOf(message)] = compact(message);
+    }
+    QMap<QString, QByteArray> filled;
+    double before = 0;
+    for (const QJsonValue& message : messages(robot, from, from + 5)) {
+      QVERIFY(stampOf(message) >= before && stampOf(message) <= from + 5);
+      before = stampOf(message);
+      if (stampOf(message) >= from) continue;
+      QVERIFY(isLatched(message) && !filled.contains(topicOf(message)));
+      filled[topicOf(message)] = compact(message);
+    }
+    QCOMPARE(filled, last);
+    for (const char* topic : {"/map/info", "/robot_model", "/alerts", "/sensor_manager_state", "/path",
+                              "/local_path", "/planning_state", "/nearby_robot_footprints"})
+      QVERIFY2(filled.contains(QLatin1String(topic)), topic);
+  }
+
+  void aWindowBesideTheBagIsEmptyOrWhatWasSaidLast() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    QCOMPARE(messages(robot, 10, 20).size(), 0);
+    const QJsonArray after = messages(robot, kStart + 5000, kStart + 5001);
+    QVERIFY(!after.isEmpty());
+    for (const QJsonValue& message : after) QVERIFY(isLatched(message));
+  }
+
+  void messagesAreTheRobotsOwnTopics() {
+    Listening robot(paused());
+    const QJsonArray window = messages(robot.robot, kStart + 100, kStart + 103);
+    QMap<QString, QJsonObject> first;
+    for (const QJsonValue& message : window) {
+      if (!first.contains(topicOf(message))) first[topicOf(message)] = message.toObject();
+    }
+    for (const char* topic : {"/tracked_pose", "/slam/state", "/path", "/planning_state", "/map/info",
+                              "/battery_state", "/scan_matched_points2", "/nearby_robots", "/alerts"}) {
+      const QJsonObject live = robot.of(topic), recorded = first.value(QLatin1String(topic));
+      QVERIFY2(!live.isEmpty() && !recorded.isEmpty(), topic);
+      for (const QString& key : live.keys()) QVERIFY2(recorded.contains(key), qPrintable(key));
+    }
+    // Half a metre and more per second, and no jumps.
+    QList<QPointF> poses;
+    for (const QJsonValue& message : window) {
+      if (topicOf(message) != QLatin1String("/tracked_pose")) continue;
+      const QJsonArray pos = message[QLatin1String("pos")].toArray();
+      poses << QPointF(pos[0].toDouble(), pos[1].toDouble());
+    }
+    QCOMPARE(poses.size(), 30);
+    for (int i = 1; i < poses.size(); ++i) {
+      const QPointF step = poses[i] - poses[i - 1];
+      QVERIFY(std::hypot(step.x(), step.y()) > 0.02 && std::hypot(step.x(), step.y()) < 0.12);
+    }
+  }
+
+  void thePastStaysAsItWas() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const std::string before = window(robot, kStart + 300, kStart + 302).body;
+    robot.closeLoop();
+    robot.restartSlam();
+    robot.publishMapChange();
+    QCOMPARE(raw::send(robot.port(), "PATCH", "/maps/1", R"({"map_name":"Another"})").status, 200);
+    QCOMPARE(raw::send(robot.port(), "POST", "/chassis/pose", R"({"position":[9,9,0],"ori":0})").status, 200);
+    QCOMPARE(
+        raw::send(robot.port(), "POST", "/services/wheel_control/set_emergency_stop", R"({"enable":true})")
+            .status,
+        200);
+    robot.advance(100);
+    QCOMPARE(window(robot, kStart + 300, kStart + 302).body, before);
+    Simulator again(paused());
+    QVERIFY(!again.start());
+    QCOMPARE(window(again, kStart + 300, kStart + 302).body, before);
+  }
+
+  void whatThePlayerCannotPlayIs400_data() {
+    QTest::addColumn<QByteArray>("target");
+    const QByteArray bag = QByteArray::fromStdString(kBag);
+    QTest::newRow("no such bag") << QByteArray("/bags/2020-01-01_00-00-00.bag/player");
+    QTest::newRow("a name that climbs") << QByteArray("/bags/..%2F..%2Fetc%2Fpasswd/player");
+    QTest::newRow("a name that is no text") << QByteArray("/bags/%zz/player");
+    QTest::newRow("a corrupt bag") << QByteArray("/bags/2024-06-02_23-00-00.bag/player");
+    QTest::newRow("a corrupt bag's window")
+        << QByteArray("/bags/2024-06-02_23-00-00.bag/player?start_time=1&end_time=2");
+    QTest::newRow("a corrupt recording")
+        << QByteArray("/recording/2024-06-02%2009%3A00%3A00_1008.bag/player");
+    QTest::newRow("a bag that is being recorded") << QByteArray("/bags/2024-06-03_09-10-00.bag/player");
+    QTest::newRow("only a start") << bag + "/player?start_time=1";
+    QTest::newRow("only an end") << bag + "/player?end_time=1";
+    QTest::newRow("no numbers") << bag + "/player?start_time=a&end_time=b";
+    QTest::newRow("not finite") << bag + "/player?start_time=nan&end_time=inf";
+    QTest::newRow("reversed") << bag + "/player?start_time=20&end_time=10";
+  }
+  void whatThePlayerCannotPlayIs400() {
+    QFETCH(QByteArray, target);
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const auto reply = raw::get(robot.port(), target.toStdString());
+    QCOMPARE(reply.status, 400);
+    QVERIFY(!object(reply.body)[QLatin1String("error")].toString().isEmpty());
+    QVERIFY(!reply.headers.contains("cache-control"));
+  }
+
+  void aBagIsWholeWhenItsTenMinutesAreOver() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const std::string next = "/bags/2024-06-03_09-10-00.bag/player";
+    QCOMPARE(raw::get(robot.port(), next).status, 400);
+    const qsizetype before = array(raw::get(robot.port(), "/bags/").body).size();
+    robot.advance(500);
+    QCOMPARE(raw::get(robot.port(), next).status, 200);
+    QCOMPARE(array(raw::get(robot.port(), "/bags/").body).size(), before + 1);
+    robot.advance(1e6);
+    QVERIFY(array(raw::get(robot.port(), "/bags/").body).size() < 20);  // old ones are purged
+    QCOMPARE(raw::get(robot.port(), kBag + "/player").status, 400);
+  }
+
+  void aRecordingKeepsTheLastMinutes() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const auto reply = raw::send(robot.port(), "POST", "/recording/",
+                                 R"({"filename_suffix":"lost","duration":"90s","category":"pos"})");
+    QCOMPARE(reply.status, 201);
+    const QString name = object(reply.body)[QLatin1String("filename")].toString();
+    QCOMPARE(name, QStringLiteral("2024-06-03 09:11:40_lost.bag"));
+    QCOMPARE(array(raw::get(robot.port(), "/recording/").body).last().toObject(), object(reply.body));
+    const std::string path = "/recording/" + encoded(name);
+    const QJsonObject bag = object(raw::get(robot.port(), path + "/player").body);
+    QCOMPARE(bag[QLatin1String("end_time")].toInt() - bag[QLatin1String("start_time")].toInt(), 89);
+    int scans = 0;
+    const double from = bag[QLatin1String("start_time")].toDouble() + 10;
+    for (const QJsonValue& message :
+         object(window(robot, from, from + 9.9995, path).body)[QLatin1String("messages")].toArray())
+      scans += topicOf(message) == QLatin1String("/scan_matched_points2") ? 1 : 0;
+    QCOMPARE(scans, 50);  // every scan, to find out about positioning
+    QCOMPARE(raw::send(robot.port(), "POST", "/recording/", "{}").status, 201);
+    QCOMPARE(raw::send(robot.port(), "DELETE", path, "").status, 204);
+    QCOMPARE(raw::get(robot.port(), path + "/player").status, 400);
+  }
+
+  void impossibleRecordingsAreRefused() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const qsizetype before = array(raw::get(robot.port(), "/recording/").body).size();
+    for (const char* body :
+         {"x", R"({"duration":"6m"})", R"({"duration":"0s"})", R"({"duration":120})", R"({"duration":"m"})",
+          R"({"category":"all"})", R"({"filename_suffix":"../x"})", R"({"filename_suffix":7})"}) {
+      const auto reply = raw::send(robot.port(), "POST", "/recording/", body);
+      QCOMPARE(reply.status, 400);
+      QVERIFY(!object(reply.body)[QLatin1String("detail")].toString().isEmpty());
+    }
+    QCOMPARE(array(raw::get(robot.port(), "/recording/").body).size(), before);
+  }
+
+  void bagsCanBeDeletedButNotTheOneThatIsBeingRecorded() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    QCOMPARE(raw::send(robot.port(), "DELETE", kBag, "").status, 204);
+    QCOMPARE(raw::get(robot.port(), kBag + "/player").status, 400);
+    QCOMPARE(raw::send(robot.port(), "DELETE", kBag, "").status, 404);
+    QCOMPARE(raw::send(robot.port(), "DELETE", "/bags/2024-06-03_09-10-00.bag", "").status, 400);
+    QCOMPARE(raw::send(robot.port(), "DELETE", "/bags/", "").status, 204);
+    QCOMPARE(array(raw::get(robot.port(), "/bags/").body).size(), 1);
+    QCOMPARE(raw::send(robot.port(), "DELETE", "/recording/", "").status, 204);
+    QCOMPARE(array(raw::get(robot.port(), "/recording/").body).size(), 0);
+  }
+
+  void anEmptyRobotRecordsHowItIs() {
+    Options options = paused();
+    options.scene = "empty";
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    QSet<QString> topics;
+    for (const QJsonValue& message : messages(robot, kStart, kStart + 10)) topics << topicOf(message);
+    QVERIFY(topics.contains(QStringLiteral("/tracked_pose")) &&
+            !topics.contains(QStringLiteral("/map/info")));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestBags)
+#include "test_bags.moc"
