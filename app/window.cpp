@@ -11,6 +11,7 @@
 #include "app/robot_factory.h"
 #include "app/secret.h"
 #include "app/snapshot.h"
+#include "robot/files/picture_yamls.h"
 #include "window/main_window.h"
 
 namespace mapwright::app {
@@ -34,7 +35,9 @@ int showWindow(const QString& address, const QByteArray& secret) {
                                   settings,
                                   address,
                                   {},
-                                  sessionOptions()});
+                                  sessionOptions(),
+                                  {},
+                                  robot::files::yamlsNaming});
   main_window.show();
   return QApplication::exec();
 }

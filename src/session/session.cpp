@@ -316,9 +316,7 @@ SubmapCounts Session::counts() const {
     counts.hidden += !row.visible;
     const SubmapStatus now_status = status(id);
     counts.updating += now_status == SubmapStatus::Updating;
-    const bool drawable =
-        row.pose_usable && std::size_t(slice_) < row.slices.size() && row.slices[std::size_t(slice_)].texture;
-    if (drawable) {
+    if (row.drawable(slice_)) {
       ++counts.shown;
       continue;
     }

@@ -56,6 +56,11 @@ std::size_t bytesOf(const std::vector<Slice>& slices) {
 
 }  // namespace
 
+bool SubmapRow::drawable(int slice) const {
+  return pose_usable && slice >= 0 && std::size_t(slice) < slices.size() &&
+         slices[std::size_t(slice)].texture;
+}
+
 std::string SubmapRow::corruptReason() const {
   std::string reason;
   for (std::size_t i = 0; i < slices.size(); ++i) {

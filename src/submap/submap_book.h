@@ -46,6 +46,8 @@ struct SubmapRow {
   bool visible = true;  // by the user's choice
 
   bool active() const { return !entry.is_frozen; }
+  /// It has a place and a picture of this slice: what is counted as shown, wherever it is counted.
+  bool drawable(int slice) const;
   /// Why some slice is not drawn; empty when all that came are fine.
   std::string corruptReason() const;
 };

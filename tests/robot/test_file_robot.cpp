@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <sys/stat.h>
 
 #include <QDir>
 #include <QFile>
@@ -7,6 +8,7 @@
 #include <QTest>
 
 #include "robot/files/file_robot.h"
+#include "robot/files/picture_yamls.h"
 #include "robot/files/read_map_yaml.h"
 
 using namespace mapwright;
@@ -161,6 +163,69 @@ class FileRobotTest : public QObject {
     QCOMPARE(map->reading.mode, map::CellReading::Mode::Picture);
     QVERIFY(map->notes.empty());
     QCOMPARE(fetch(*open(QStringLiteral("a.png")))->notes.size(), std::size_t(1));
+  }
+
+  void aPictureLiesWhereItsYamlSays_data() {
+    QTest::addColumn<QString>("yaml");
+    QTest::addColumn<QByteArray>("image");
+    QTest::newRow("of the same name") << QStringLiteral("office.yaml") << QByteArray("office.pgm");
+    QTest::newRow("of another name") << QStringLiteral("first floor.yml") << QByteArray("office.pgm");
+    QTest::newRow("the long way") << QStringLiteral("office.yaml") << QByteArray("./../{folder}/office.pgm");
+    QTest::newRow("absolute") << QStringLiteral("office.yaml") << QByteArray("{path}/office.pgm");
+  }
+  void aPictureLiesWhereItsYamlSays() {
+    QFETCH(QString, yaml);
+    QFETCH(QByteArray, image);
+    image.replace("{folder}", QFileInfo(folder_->path()).fileName().toUtf8());
+    image.replace("{path}", folder_->path().toUtf8());
+    write(QStringLiteral("office.pgm"), "P5 1 1 255 x");
+    write(yaml, QByteArray(kYaml).replace("office.pgm", image));
+    write(QStringLiteral("other.yaml"), QByteArray(kYaml).replace("office.pgm", "other.pgm"));
+    write(QStringLiteral("broken.yaml"), "[1, 2");
+    QCOMPARE(yamlsNaming(path(QStringLiteral("office.pgm"))), QStringList{path(yaml)});
+    for (const bool in_folder : {false, true}) {
+      const auto robot = open(in_folder ? QString() : QStringLiteral("office.pgm"));
+      const auto map = fetch(*robot, in_folder ? "office.pgm" : "");
+      QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+      QCOMPARE(map->grid, (map::GridReference{0, 0, 0.05, {-10, -7.5, 0.3}}));
+      QCOMPARE(map->reading.mode, map::CellReading::Mode::Trinary);
+      QCOMPARE(QFileInfo(QString::fromStdString(map->path)).canonicalFilePath(),
+               QFileInfo(path(QStringLiteral("office.pgm"))).canonicalFilePath());
+    }
+    // What the address says comes first.
+    const auto placed = fetch(*open(QStringLiteral("office.pgm"), {0.02, geometry::Pose2{1, 2, 0.5}}));
+    QCOMPARE(placed->grid, (map::GridReference{0, 0, 0.02, {1, 2, 0.5}}));
+  }
+
+  void aPictureOfSeveralYamlsIsLeftToPeople() {
+    write(QStringLiteral("office.pgm"), "P5 1 1 255 x");
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("older.yaml"), QByteArray(kYaml).replace("0.05", "0.10"));
+    const auto map = fetch(*open(QStringLiteral("office.pgm")));
+    QCOMPARE(map->reading.mode, map::CellReading::Mode::Picture);
+    const std::string notes = map->notes.at(0).sentence + map->notes.at(1).sentence;
+    QVERIFY2(notes.find("office.yaml, older.yaml") != std::string::npos, notes.c_str());
+  }
+
+  void aPictureFollowsItsYaml() {
+    write(QStringLiteral("office.pgm"), "P5 1 1 255 x");
+    const auto robot = open(QStringLiteral("office.pgm"));
+    QSignalSpy changed(robot.get(), &Robot::mapsChanged);
+    QCOMPARE(fetch(*robot)->grid.origin, geometry::Pose2{});
+    write(QStringLiteral("office.yaml"), kYaml);
+    QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), kPatienceMs);
+    QCOMPARE(fetch(*robot)->grid.origin, (geometry::Pose2{-10, -7.5, 0.3}));
+    const auto told = changed.size();
+    write(QStringLiteral("office.yaml"), QByteArray(kYaml).replace("-10.0", "-11.25"));
+    QTRY_VERIFY_WITH_TIMEOUT(changed.size() > told, kPatienceMs);
+    QCOMPARE(fetch(*robot)->grid.origin.x_m, -11.25);
+  }
+
+  void longAndSpecialFilesBesideAPictureAreLeftAlone() {
+    write(QStringLiteral("office.pgm"), "P5 1 1 255 x");
+    write(QStringLiteral("long.yaml"), kYaml + "# " + QByteArray(int(PictureYamls::kLongest), 'x'));
+    QCOMPARE(::mkfifo(path(QStringLiteral("pipe.yaml")).toLocal8Bit().constData(), 0600), 0);
+    QCOMPARE(yamlsNaming(path(QStringLiteral("office.pgm"))), QStringList());
   }
 
   void aFolderHoldsItsMapFiles() {

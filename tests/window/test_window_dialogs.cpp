@@ -1,5 +1,6 @@
 // Connect dialog, recent robots, command palette, shortcut sheet.
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 #include "window/actions.h"
 #include "window/dialogs/command_palette.h"
 #include "window/dialogs/connect_dialog.h"
+#include "window/dialogs/go_to_dialog.h"
 #include "window/dialogs/shortcut_sheet.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -139,6 +141,19 @@ class TestWindowDialogs : public QObject {
     QCOMPARE(got, QStringLiteral("axbot+http://192.0.2.1:8090"));
     QTest::mouseClick(list->findChild<QToolButton*>(), Qt::LeftButton);
     QTRY_VERIFY(bench.recents.list().isEmpty());
+  }
+
+  void goToShowsItsWholeError() {
+    GoToDialog dialog({0, 0});
+    dialog.show();
+    const QSize before = dialog.size();
+    dialog.field()->setText(QStringLiteral("here"));
+    QCoreApplication::processEvents();
+    const QLabel* error = dialog.errorLabel();
+    QVERIFY(!error->text().isEmpty());
+    QVERIFY2(error->height() >= error->heightForWidth(error->width()), qPrintable(error->text()));
+    QVERIFY(dialog.rect().contains(error->geometry()));
+    QCOMPARE(dialog.size(), before);  // it does not jump while one types
   }
 
   void paletteRunsTheBestCommand() {

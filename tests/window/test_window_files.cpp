@@ -5,10 +5,13 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSemaphore>
+#include <QThreadPool>
 #include <QtTest>
 
 #include "window/dialogs/export_dialog.h"
 #include "window/dialogs/picture_dialog.h"
+#include "window/files/folders.h"
 #include "window/files/map_files.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
@@ -90,6 +93,88 @@ class TestWindowFiles : public QObject {
     QCOMPARE(pathOfAddress(address), path);
   }
 
+  void opensAPictureByTheYamlThatNamesIt() {
+    Bench bench;
+    const QString yaml = touched(bench.folder, "office.yaml");
+    bench.yamls_naming = [&](const QString&) { return QStringList{yaml}; };
+    MainWindow& window = bench.open();
+    drop(window, {QUrl::fromLocalFile(touched(bench.folder, "office.pgm"))});
+    QTRY_VERIFY(window.session());
+    QCOMPARE(window.session()->robot().address(), QStringLiteral("file:") + yaml);
+    QVERIFY(!window.pictureDialog());
+  }
+
+  void asksWhereAPictureOfSeveralYamlsLies() {
+    Bench bench;
+    bench.yamls_naming = [](const QString&) {
+      return QStringList{QStringLiteral("/m/a.yaml"), QStringLiteral("/m/<b>.yaml")};
+    };
+    MainWindow& window = bench.open();
+    window.openPath(touched(bench.folder, "office.png"));
+    QTRY_VERIFY(window.pictureDialog());
+    QVERIFY(window.pictureDialog()->introText().contains(QLatin1String("a.yaml, <b>.yaml")));
+    QVERIFY(!window.session());
+  }
+
+  void asksWhereAPictureOfNoYamlLies() {
+    Bench bench;
+    bench.yamls_naming = [](const QString&) { return QStringList(); };
+    MainWindow& window = bench.open();
+    window.openPath(touched(bench.folder, "office.png"));
+    QTRY_VERIFY(window.pictureDialog());
+    QVERIFY(window.pictureDialog()->introText().contains(QLatin1String("without a map.yaml")));
+  }
+
+  void goesOnWithTheLastPictureOnly() {
+    Bench bench;
+    QSemaphore slow;
+    bench.yamls_naming = [&](const QString& picture) {
+      if (picture.endsWith(QLatin1String("slow.png"))) slow.acquire();
+      return QStringList{picture + QStringLiteral(".yaml")};
+    };
+    MainWindow& window = bench.open();
+    window.openPath(touched(bench.folder, "slow.png"));
+    window.openPath(touched(bench.folder, "fast.png"));
+    QTRY_VERIFY(window.session());
+    slow.release();
+    QThreadPool::globalInstance()->waitForDone();
+    QCoreApplication::processEvents();
+    QVERIFY(window.session()->robot().address().endsWith(QLatin1String("fast.png.yaml")));
+  }
+
+  void proposesFoldersThatExist() {
+    QTemporaryDir folder;
+    const QString there = folder.path(), gone = folder.filePath(QStringLiteral("gone")),
+                  file = touched(folder, "file");
+    QCOMPARE(folderToWriteInto({there}), there);
+    for (const QString& bad : {QString(), gone, file}) {
+      QCOMPARE(folderToWriteInto({bad, there}), there);
+      QCOMPARE(folderToReadFrom({bad, there}), there);
+      QVERIFY(QFileInfo(folderToWriteInto({bad})).isWritable());
+      QCOMPARE(folderToReadFrom({bad}), QString());
+    }
+  }
+
+  void proposesTheFolderOfTheLastExportUnlessItIsGone() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    const auto proposed = [&] {
+      bench.action("export")->trigger();
+      const QString folder = QFileInfo(window.exportDialog()->pathEdit()->text()).absolutePath();
+      return folder;
+    };
+    QVERIFY(QFileInfo(proposed()).isDir());
+    const QString folder = bench.folder.filePath(QStringLiteral("exports"));
+    QVERIFY(QDir().mkpath(folder));
+    window.exportDialog()->pathEdit()->setText(folder + QStringLiteral("/view.png"));
+    window.exportDialog()->start();
+    QTRY_VERIFY(!window.exportDialog() || !window.exportDialog()->isVisible());
+    QCOMPARE(proposed(), folder);
+    QVERIFY(QDir(folder).removeRecursively());
+    QVERIFY(QFileInfo(proposed()).isDir());
+  }
+
   void refusesPlacesThatAreNone_data() {
     QTest::addColumn<QString>("resolution");
     QTest::addColumn<QString>("x");
@@ -109,7 +194,7 @@ class TestWindowFiles : public QObject {
     QFETCH(QString, resolution);
     QFETCH(QString, x);
     QFETCH(bool, fine);
-    PictureDialog dialog(QStringLiteral("/maps/a.png"), QStringLiteral("Open"));
+    PictureDialog dialog(QStringLiteral("/maps/a.png"), {}, QStringLiteral("Open"));
     field(dialog, "resolution")->setText(resolution);
     field(dialog, "originX")->setText(x);
     QCOMPARE(dialog.placement().has_value(), fine);

@@ -10,7 +10,10 @@
 
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
+#include "window/docks/maps_dock.h"
+#include "window/docks/messages_dock.h"
 #include "window/docks/problems_dock.h"
+#include "window/docks/robot_dock.h"
 #include "window/main_window.h"
 #include "window/map/empty_state.h"
 #include "window/map/map_overlay.h"
@@ -153,6 +156,108 @@ class TestWindowMain : public QObject {
     QVERIFY(again.mapScene()->layerVisible(scene::Layer::Grid));
     QCOMPARE(again.mapScene()->colorMode(), render::ColorMode::Normal);
     bench.action("themeSystem")->trigger();
+  }
+
+  void remembersWhichTabsAreInFront_data() {
+    QTest::addColumn<bool>("others");
+    QTest::newRow("as at first") << false;
+    QTest::newRow("the other ones") << true;
+  }
+  void remembersWhichTabsAreInFront() {
+    QFETCH(bool, others);
+    Bench bench;
+    bench.offerMaps();
+    const auto in_front = [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); };
+    const auto front = [&](MainWindow& window) {
+      return std::vector<bool>{in_front(window.maps()),       in_front(window.layers()),
+                               in_front(window.robotPanel()), in_front(window.inspector()),
+                               in_front(window.messages()),   in_front(window.problems())};
+    };
+    const std::vector<bool> wanted = others ? std::vector<bool>{true, false, true, false, true, false}
+                                            : std::vector<bool>{false, true, false, true, false, true};
+    {
+      MainWindow& window = bench.open();
+      window.messages()->show();
+      window.problems()->show();
+      QTRY_VERIFY(in_front(window.inspector()) && in_front(window.layers()));
+      QDockWidget* const first[] = {window.maps(), window.robotPanel(), window.messages()};
+      QDockWidget* const second[] = {window.layers(), window.inspector(), window.problems()};
+      for (QDockWidget* dock : others ? first : second) dock->raise();
+      QTRY_COMPARE(front(window), wanted);
+      window.close();
+    }
+    // Neither the start nor a robot that has only whole maps brings another tab to the front.
+    MainWindow& again = bench.open();
+    QTRY_COMPARE(front(again), wanted);
+    bench.prepare = [](test::FakeRobot& robot) { robot.has_catalogue = true, robot.has_submaps = false; };
+    QVERIFY(!again.connectTo(QStringLiteral("file:/maps")));
+    QCoreApplication::processEvents();
+    QTRY_COMPARE(front(again), wanted);
+  }
+
+  void leavesTheProblemsAsTheyWereLeft_data() {
+    QTest::addColumn<bool>("open");
+    QTest::newRow("open") << true;
+    QTest::newRow("closed") << false;
+  }
+  void leavesTheProblemsAsTheyWereLeft() {
+    QFETCH(bool, open);
+    Bench bench;
+    const auto fail = [&] {
+      bench.robot->failing = {{0, 0}};
+      bench.robot->list({test::entry(0, 0, 1, 0, 0)});
+    };
+    {
+      MainWindow& window = bench.open();
+      QVERIFY(!window.connectTo(kAddress));
+      fail();
+      QTRY_VERIFY(window.problems()->isVisible());  // by itself, once for good
+      window.problems()->setVisible(open);
+      window.close();
+    }
+    MainWindow& again = bench.open();
+    QCOMPARE(again.problems()->isVisible(), open);
+    QVERIFY(!again.connectTo(kAddress));
+    fail();
+    QTRY_VERIFY(again.bar()->problemsButton()->isVisible());
+    QCOMPARE(again.problems()->isVisible(), open);
+  }
+
+  void givesTheMaximisedWindowBackFromTheFullScreen() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    window.showMaximized();
+    QTRY_VERIFY(window.isMaximized());
+    bench.key(Qt::Key_F11);
+    QVERIFY(window.isFullScreen());
+    QVERIFY(bench.action("fullScreen")->isChecked());
+    bench.key(Qt::Key_F11);
+    QVERIFY(!window.isFullScreen());
+    QVERIFY(window.isMaximized());
+    window.setWindowState(Qt::WindowFullScreen);  // by the desktop
+    QVERIFY(bench.action("fullScreen")->isChecked());
+    window.setWindowState(Qt::WindowNoState);
+    QVERIFY(!bench.action("fullScreen")->isChecked());
+  }
+
+  void comesUpAsLargeAsItWasLeft_data() {
+    QTest::addColumn<Qt::WindowStates>("state");
+    QTest::newRow("normal") << Qt::WindowStates(Qt::WindowNoState);
+    QTest::newRow("maximised") << Qt::WindowStates(Qt::WindowMaximized);
+    QTest::newRow("full screen over maximised") << (Qt::WindowMaximized | Qt::WindowFullScreen);
+  }
+  void comesUpAsLargeAsItWasLeft() {
+    QFETCH(Qt::WindowStates, state);
+    Bench bench;
+    {
+      MainWindow& window = bench.open();
+      window.setWindowState(state);
+      window.close();
+    }
+    MainWindow& again = bench.open();
+    constexpr auto kOfInterest = Qt::WindowMaximized | Qt::WindowFullScreen;
+    QCOMPARE(again.windowState() & kOfInterest, state);
+    QCOMPARE(bench.action("fullScreen")->isChecked(), state.testFlag(Qt::WindowFullScreen));
   }
 
   void opensTheProblemsWhenThereAreSome() {

@@ -1,6 +1,8 @@
 // The whole window on a fake robot: what is done with the map.
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QSlider>
 #include <QToolButton>
@@ -36,7 +38,7 @@ class TestWindowMap : public QObject {
     const QModelIndex row = bench.row({1, 0});
     tree->scrollTo(row);
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(row).center());
-    QCOMPARE(*window.mapScene()->highlighted(), (map::SubmapId{1, 0}));
+    QCOMPARE(window.mapScene()->highlighted(), (std::set<map::SubmapId>{{1, 0}}));
     QVERIFY(window.inspector()->detailsText().startsWith(QLatin1String("1-0 v3")));
     const QModelIndex locate = bench.row({1, 0}, SubmapTreeModel::LocateColumn);
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(locate).center());
@@ -46,7 +48,7 @@ class TestWindowMap : public QObject {
     Q_EMIT tree->doubleClicked(row);
     QVERIFY((window.mapScene()->view().center_m - Eigen::Vector2d(37.5, -2.5)).norm() < 1e-6);
     bench.key(Qt::Key_Escape);
-    QVERIFY(!window.mapScene()->highlighted());
+    QVERIFY(window.mapScene()->highlighted().empty());
   }
 
   void groupsCanBeSwitchedOffAndStayOff() {
@@ -101,6 +103,47 @@ class TestWindowMap : public QObject {
     QCOMPARE(filter->text(), QStringLiteral("fgnrm0-"));
     QCOMPARE(window.mapScene()->view(), camera);
     QCOMPARE(window.mapScene()->layerVisible(scene::Layer::Grid), !grid);
+  }
+
+  void singleKeysWorkWhereverTheFocusIs() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    const auto types = [](QWidget* widget) {
+      const auto* line = qobject_cast<QLineEdit*>(widget);
+      const auto* box = qobject_cast<QComboBox*>(widget);
+      return (line && !line->isReadOnly()) || qobject_cast<QAbstractSpinBox*>(widget) ||
+             (box && box->isEditable());
+    };
+    int fields = 0, others = 0;
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+      dock->show();
+      dock->raise();
+      QCoreApplication::processEvents();
+      for (auto* settings : dock->findChildren<QToolButton*>()) {
+        if (settings->objectName().startsWith(QLatin1String("settings-"))) settings->setChecked(true);
+      }
+      QCoreApplication::processEvents();
+      for (QWidget* widget : dock->findChildren<QWidget*>()) {
+        if (!widget->isVisible() || !widget->isEnabled() || !(widget->focusPolicy() & Qt::TabFocus)) continue;
+        widget->setFocus();
+        if (!widget->hasFocus()) continue;  // it hands the focus on to a widget that is looked at by itself
+        const QByteArray who = QByteArray(widget->metaObject()->className()) + ' ' +
+                               widget->objectName().toUtf8() + " in " + dock->objectName().toUtf8();
+        const bool grid = window.mapScene()->layerVisible(scene::Layer::Grid);
+        const double turn = window.mapScene()->view().rotation_rad;
+        QTest::keyClick(widget, Qt::Key_G);
+        QTest::keyClick(widget, Qt::Key_BracketLeft);
+        const bool free = !types(widget);
+        (free ? others : fields) += 1;
+        QVERIFY2((window.mapScene()->layerVisible(scene::Layer::Grid) != grid) == free, who);
+        QVERIFY2((window.mapScene()->view().rotation_rad != turn) == free, who);
+      }
+    }
+    QVERIFY2(fields >= 5, QByteArray::number(fields));
+    QVERIFY2(others >= 20, QByteArray::number(others));
   }
 
   void followsTheRobotUntilPanned() {

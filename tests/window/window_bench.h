@@ -36,6 +36,7 @@ struct Bench {
           return std::unique_ptr<robot::Robot>(std::move(made));
         },
         settings};
+    wanted.yamls_naming = yamls_naming;
     window = std::make_unique<MainWindow>(std::move(wanted));
     window->resize(size);
     window->show();
@@ -73,6 +74,7 @@ struct Bench {
   std::unique_ptr<MainWindow> window;
   FakeRobot* robot = nullptr;
   std::function<void(FakeRobot&)> prepare;
+  std::function<QStringList(const QString&)> yamls_naming;
 };
 
 }  // namespace mapwright::test

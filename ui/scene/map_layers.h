@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "map/submap.h"
@@ -49,12 +50,12 @@ struct Outline {
 };
 using Outlines = std::map<map::SubmapId, Outline>;
 
-/// Outlines of the submaps, or their ids, or only the highlighted one.
+/// Outlines of the submaps, or their ids, or only the highlighted ones.
 class OutlineLayer : public LayerItem {
  public:
   enum class What { Outlines, Ids, Highlight };
   OutlineLayer(const LayerContext& context, const Outlines& outlines,
-               const std::optional<map::SubmapId>& highlighted, What what);
+               const std::set<map::SubmapId>& highlighted, What what);
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
@@ -62,7 +63,7 @@ class OutlineLayer : public LayerItem {
   void paintIds(QPainter& painter) const;
   void paintHighlight(QPainter& painter) const;
   const Outlines& outlines_;
-  const std::optional<map::SubmapId>& highlighted_;
+  const std::set<map::SubmapId>& highlighted_;
   What what_;
   LineSheet sheet_;
 };

@@ -55,7 +55,7 @@ void MapScene::setSession(session::Session* session) {
   if (session == session_) return;
   if (session_) session_->disconnect(this);
   session_ = session;
-  impl_->highlighted.reset();
+  impl_->highlighted.clear();
   impl_->context.live = session_ ? &session_->live() : &impl_->nothing_live;
   impl_->has_compared = false;
   impl_->raster.setSession(session_);
@@ -72,7 +72,7 @@ void MapScene::setSession(session::Session* session) {
     connect(session_, &Session::sessionRestarted, this, [this] {
       renderer_->clear();
       impl_->outlines.clear();
-      impl_->highlighted.reset();
+      impl_->highlighted.clear();
       update();
     });
     connect(session_, &Session::sliceChanged, this, &MapScene::syncAll);
@@ -272,12 +272,19 @@ std::vector<render::PlacedTexture> MapScene::placedTextures() const {
 
 std::optional<render::PlacedGrid> MapScene::wholeMap() const { return impl_->raster.wholeMap(); }
 
-void MapScene::setHighlighted(std::optional<map::SubmapId> id) {
-  impl_->highlighted = id;
+void MapScene::setHighlighted(std::set<map::SubmapId> ids) {
+  impl_->highlighted = std::move(ids);
   impl_->highlight->update();
 }
 
-std::optional<map::SubmapId> MapScene::highlighted() const { return impl_->highlighted; }
+const std::set<map::SubmapId>& MapScene::highlighted() const { return impl_->highlighted; }
+
+bool MapScene::highlightedAt(const Eigen::Vector2d& world_m) const {
+  return std::any_of(impl_->highlighted.begin(), impl_->highlighted.end(), [&](map::SubmapId id) {
+    const auto it = impl_->outlines.find(id);
+    return it != impl_->outlines.end() && it->second.contains(world_m);
+  });
+}
 
 std::optional<map::SubmapId> MapScene::submapAt(const Eigen::Vector2d& world_m) const {
   for (auto it = impl_->outlines.rbegin(); it != impl_->outlines.rend(); ++it) {

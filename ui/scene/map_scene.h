@@ -62,9 +62,10 @@ class MapScene : public QGraphicsScene {
   double swipeAt() const;
   void setSwipeAt(double fraction);
 
-  /// A submap to point at (selected in the tree): outlined in the accent colour.
-  void setHighlighted(std::optional<map::SubmapId> id);
-  std::optional<map::SubmapId> highlighted() const;
+  /// The submaps to point at (selected in the tree): framed in the accent colour.
+  void setHighlighted(std::set<map::SubmapId> ids);
+  const std::set<map::SubmapId>& highlighted() const;
+  bool highlightedAt(const Eigen::Vector2d& world_m) const;
   /// The topmost visible submap whose slice covers the point.
   std::optional<map::SubmapId> submapAt(const Eigen::Vector2d& world_m) const;
 

@@ -20,7 +20,7 @@ bool Outline::contains(const Eigen::Vector2d& p) const {
 }
 
 OutlineLayer::OutlineLayer(const LayerContext& context, const Outlines& outlines,
-                           const std::optional<map::SubmapId>& highlighted, What what)
+                           const std::set<map::SubmapId>& highlighted, What what)
     : LayerItem(context), outlines_(outlines), highlighted_(highlighted), what_(what) {}
 
 void OutlineLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -95,21 +95,29 @@ void OutlineLayer::paintIds(QPainter& painter) const {
 }
 
 void OutlineLayer::paintHighlight(QPainter& painter) const {
-  if (!highlighted_) return;
-  const auto it = outlines_.find(*highlighted_);
-  if (it == outlines_.end()) return;
-  QPolygonF polygon;
-  for (const Eigen::Vector2d& corner : it->second.corners)
-    polygon << toPoint(context_.view.pixelFromWorld(corner));
+  constexpr std::size_t kMostLabels = 20;  // more would only cover each other
+  const geometry::WorldRect visible = context_.view.visibleWorld();
   QColor fill = context_.theme.accent;
   fill.setAlpha(28);
-  painter.setBrush(fill);
-  painter.setPen(QPen(context_.theme.text_halo, 4));
-  painter.drawPolygon(polygon);
-  painter.setPen(QPen(context_.theme.accent, 2));
-  painter.drawPolygon(polygon);
-  const QString text = QString::fromStdString(map::toText(it->first));
-  drawLabel(painter, polygon.boundingRect().center(), text, context_.theme, context_.theme.accent);
+  for (const map::SubmapId id : highlighted_) {
+    const auto it = outlines_.find(id);
+    if (it == outlines_.end()) continue;
+    geometry::WorldRect bounds;
+    QPolygonF polygon;
+    for (const Eigen::Vector2d& corner : it->second.corners) {
+      bounds.extend(corner);
+      polygon << toPoint(context_.view.pixelFromWorld(corner));
+    }
+    if (!bounds.intersects(visible)) continue;
+    painter.setBrush(fill);
+    painter.setPen(QPen(context_.theme.text_halo, 4));
+    painter.drawPolygon(polygon);
+    painter.setPen(QPen(context_.theme.accent, 2));
+    painter.drawPolygon(polygon);
+    if (highlighted_.size() > kMostLabels) continue;
+    drawLabel(painter, polygon.boundingRect().center(), QString::fromStdString(map::toText(id)),
+              context_.theme, context_.theme.accent);
+  }
 }
 
 }  // namespace mapwright::scene

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "scene/live_layers.h"
@@ -31,7 +32,7 @@ class SceneItems {
   LabelSpace labels;
   map::LiveState nothing_live;
   Outlines outlines;
-  std::optional<map::SubmapId> highlighted;
+  std::set<map::SubmapId> highlighted;
   std::vector<Eigen::Vector2d> measured;
   std::vector<map::OverlayFeature> overlays;
   std::vector<std::vector<Eigen::Vector2d>> trajectories;

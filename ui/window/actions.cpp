@@ -14,8 +14,8 @@ QAction* Actions::add(const QString& menu, const QString& id, const QString& tex
   action->setObjectName(id);
   if (!icon_name.isEmpty()) action->setIcon(themedIcon(icon_name));
   action->setShortcuts(shortcuts);
-  action->setShortcutContext(reach == Reach::Everywhere ? Qt::WindowShortcut
-                                                        : Qt::WidgetWithChildrenShortcut);
+  // Text fields claim the keys that they can type before any shortcut gets them (QEvent::ShortcutOverride).
+  action->setShortcutContext(reach == Reach::Map ? Qt::WidgetWithChildrenShortcut : Qt::WindowShortcut);
   const QString keys = shortcutsText(*action);
   action->setToolTip(plainToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys)));
   action->setStatusTip(QString());
@@ -39,20 +39,8 @@ QAction* Actions::find(const QString& id) const {
   return nullptr;
 }
 
-void Actions::attach(QWidget* window, QWidget* map, QWidget* tree) {
-  for (const Entry& entry : entries_) {
-    switch (entry.reach) {
-      case Reach::Everywhere:
-        window->addAction(entry.action);
-        break;
-      case Reach::MapAndTree:
-        tree->addAction(entry.action);
-        [[fallthrough]];
-      case Reach::Map:
-        map->addAction(entry.action);
-        break;
-    }
-  }
+void Actions::attach(QWidget* window, QWidget* map) {
+  for (const Entry& entry : entries_) (entry.reach == Reach::Map ? map : window)->addAction(entry.action);
 }
 
 QString plainActionText(const QAction& action) {

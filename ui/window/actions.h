@@ -15,9 +15,9 @@ namespace mapwright::window {
 
 /// Where a shortcut works.
 enum class Reach {
-  Everywhere,  // in the whole window (has Ctrl, Alt or is a function key)
-  Map,         // while the map has the focus
-  MapAndTree,  // while the map or the tree of submaps has it: single letters must not steal from text fields
+  Everywhere,   // in the whole window (has Ctrl, Alt or is a function key)
+  OutsideText,  // everywhere but where text is typed: a single key, which a text field takes for itself
+  Map,          // while the map has the focus: a key that means something else in other places
 };
 
 class Actions : public QObject {
@@ -41,8 +41,8 @@ class Actions : public QObject {
   const std::vector<Entry>& entries() const { return entries_; }
   QAction* find(const QString& id) const;  // null = none
 
-  /// Makes the shortcuts work: those of Reach::Map on `map`, MapAndTree on both, the rest on `window`.
-  void attach(QWidget* window, QWidget* map, QWidget* tree);
+  /// Makes the shortcuts work: those of Reach::Map on `map`, the rest on `window`.
+  void attach(QWidget* window, QWidget* map);
 
  private:
   std::vector<Entry> entries_;

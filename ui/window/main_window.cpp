@@ -66,13 +66,13 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   comparison_ = new CompareControl(scene_.get(), view_, overlay_->compareBar(), this);
   connect(comparison_, &CompareControl::fileWanted, this, [this] {
     const QString path =
-        QFileDialog::getOpenFileName(this, QStringLiteral("Compare with a map file"), {}, mapFileFilter());
+        QFileDialog::getOpenFileName(this, tr("Compare with a map file"), lastMapFolder(), mapFileFilter());
     if (!path.isEmpty()) compareFile(path);
   });
   createDocks();
   createMenus();
   createToolBar();
-  actions_.attach(this, view_, inspector_->tree());
+  actions_.attach(this, view_);
   wireMap();
   connect(bar_, &WindowStatusBar::problemsWanted, this, [this] {
     problems_->show();
@@ -146,7 +146,6 @@ void MainWindow::leaveRobot() {
   robot_panel_->setSession(nullptr);
   messages_->setSession(nullptr);
   scene_->setStale(false);
-  scene_->setHighlighted(std::nullopt);
   inspector_->setSession(nullptr);
   problems_->setSession(nullptr);
   bar_->setSession(nullptr);
@@ -316,6 +315,13 @@ void MainWindow::setTheme(ThemeChoice choice) {
     if (action->data().toInt() == int(choice)) action->setChecked(true);
   }
   dependencies_.settings.setValue(QStringLiteral("view/theme"), themeName(choice));
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  // The desktop may take it in and out of the full screen too.
+  if (event->type() != QEvent::WindowStateChange) return;
+  if (QAction* action = actions_.find(QStringLiteral("fullScreen"))) action->setChecked(isFullScreen());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -58,6 +58,9 @@ class MainWindow : public QMainWindow {
     QByteArray initial_secret = {};
     session::Session::Options session = {};
     render::TileRenderer::Options renderer = {};
+    /// The map.yaml files beside a picture that name it as theirs. Looks at the disk; called on any thread.
+    /// Null: pictures are always asked for their place.
+    std::function<QStringList(const QString& picture)> yamls_naming = {};
   };
 
   explicit MainWindow(Dependencies dependencies, QWidget* parent = nullptr);
@@ -104,6 +107,8 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -123,6 +128,7 @@ class MainWindow : public QMainWindow {
   // main_window_layout.cpp
   void createDocks();
   void arrangeDocks();
+  void placeDocks();
   void restoreSettings();
   void saveSettings();
   void syncLayerActions();
@@ -136,6 +142,7 @@ class MainWindow : public QMainWindow {
   void copyText(const QString& text, const QString& what);
   void copyCoordinates(const Eigen::Vector2d& world_m);
   void askAndSavePicture();
+  void escape();
   void showCursor();
   void fitAtFirst();
   // main_window_maps.cpp
@@ -153,7 +160,11 @@ class MainWindow : public QMainWindow {
   // main_window_files.cpp
   void createFileActions();
   void chooseFile();
-  void askPlacement(const QString& path, const QString& accept_text,
+  QString lastMapFolder() const;
+  /// Finds out where a picture lies, from the map.yaml beside it or by asking, and goes on with its address.
+  void placePicture(const QString& path, const QString& accept_text,
+                    const std::function<void(const QString& address)>& then);
+  void askPlacement(const QString& path, const QStringList& named_by, const QString& accept_text,
                     const std::function<void(const QString& address)>& then);
   void goToAddress(const QString& address);
   void exportMap();
@@ -190,6 +201,7 @@ class MainWindow : public QMainWindow {
   MessagesDock* messages_ = nullptr;
   CompareControl* comparison_ = nullptr;
   QPointer<PictureDialog> picture_dialog_;
+  quint64 pictures_asked_ = 0;  // only the last one that was wanted is gone on with
   QPointer<ExportDialog> export_dialog_;
   QActionGroup* theme_actions_ = nullptr;
   QActionGroup* mode_actions_ = nullptr;
@@ -198,7 +210,10 @@ class MainWindow : public QMainWindow {
   ThemeChoice theme_ = ThemeChoice::System;
   QTimer cursor_timer_;
   QString last_uuid_;
+  /// The problems have opened by themselves, once for good: whether they are open is the user's from then on.
   bool problems_shown_once_ = false;
+  /// Which tabs are in front was restored: nothing raises others by itself.
+  bool front_tabs_chosen_ = false;
   /// The camera is still ours: the first pictures may be fitted.
   bool may_fit_ = true;
   bool fitted_poses_ = false;

@@ -80,19 +80,19 @@ void MainWindow::createRobotActions() {
 void MainWindow::createMapActions() {
   const auto on = [this](QAction* action, auto&& what) { connect(action, &QAction::triggered, this, what); };
   on(actions_.add(kMap, QStringLiteral("zoomIn"), QStringLiteral("Zoom &in"), QStringLiteral("zoom-in"),
-                  {key("+"), key("=")}, Reach::Map, QStringLiteral("Zoom in")),
+                  {key("+"), key("=")}, Reach::OutsideText, QStringLiteral("Zoom in")),
      [this] { view_->zoomSteps(1); });
   on(actions_.add(kMap, QStringLiteral("zoomOut"), QStringLiteral("Zoom &out"), QStringLiteral("zoom-out"),
-                  {key("-")}, Reach::Map, QStringLiteral("Zoom out")),
+                  {key("-")}, Reach::OutsideText, QStringLiteral("Zoom out")),
      [this] { view_->zoomSteps(-1); });
   on(actions_.add(kMap, QStringLiteral("native"), QStringLiteral("&1:1"), QStringLiteral("native"),
-                  {key("0")}, Reach::Map, QStringLiteral("One cell of 5 cm on one pixel")),
+                  {key("0")}, Reach::OutsideText, QStringLiteral("One cell of 5 cm on one pixel")),
      [this] { view_->setScale(kNativeScaleMPerPx); });
   on(actions_.add(kMap, QStringLiteral("fit"), QStringLiteral("&Fit"), QStringLiteral("fit"), {key("F")},
-                  Reach::MapAndTree, QStringLiteral("Show the whole map")),
+                  Reach::OutsideText, QStringLiteral("Show the whole map")),
      [this] { fit(); });
   on(actions_.addToggle(kMap, QStringLiteral("follow"), QStringLiteral("Follow the &robot"),
-                        QStringLiteral("follow"), {key("R")}, Reach::MapAndTree,
+                        QStringLiteral("follow"), {key("R")}, Reach::OutsideText,
                         QStringLiteral("Keep the robot in the middle; panning ends it")),
      [this](bool follow) {
        view_->setFollowing(follow);
@@ -103,22 +103,22 @@ void MainWindow::createMapActions() {
        }
      });
   on(actions_.add(kMap, QStringLiteral("northUp"), QStringLiteral("&North up"), QStringLiteral("north"),
-                  {key("N")}, Reach::MapAndTree,
+                  {key("N")}, Reach::OutsideText,
                   QStringLiteral("Turn the view so that the map's y axis points up")),
      [this] { view_->setRotation(0); });
   on(actions_.add(kMap, QStringLiteral("robotTurn"), QStringLiteral("Turn as the robot shows i&t"),
-                  QStringLiteral("north"), {}, Reach::Map,
+                  QStringLiteral("north"), {}, Reach::OutsideText,
                   QStringLiteral("Turn the view as this map's robot shows it to people")),
      [this] {
        if (const auto rad = session_ ? session_->wholeMap().shown().display_rotation_rad : std::nullopt)
          view_->setRotation(*rad);
      });
   on(actions_.add(kMap, QStringLiteral("rotateLeft"), QStringLiteral("Turn &left"),
-                  QStringLiteral("rotate-left"), {key("[")}, Reach::Map,
+                  QStringLiteral("rotate-left"), {key("[")}, Reach::OutsideText,
                   QStringLiteral("Turn the view by 15° counter-clockwise")),
      [this] { view_->rotateBy(kTurn); });
   on(actions_.add(kMap, QStringLiteral("rotateRight"), QStringLiteral("Turn r&ight"),
-                  QStringLiteral("rotate-right"), {key("]")}, Reach::Map,
+                  QStringLiteral("rotate-right"), {key("]")}, Reach::OutsideText,
                   QStringLiteral("Turn the view by 15° clockwise")),
      [this] { view_->rotateBy(-kTurn); });
   on(actions_.add(kMap, QStringLiteral("goTo"), QStringLiteral("&Go to coordinates…"), QStringLiteral("goto"),
@@ -126,14 +126,14 @@ void MainWindow::createMapActions() {
      [this] { goTo(); });
   QAction* pan =
       actions_.addToggle(kMap, QStringLiteral("pan"), QStringLiteral("&Pan"), QStringLiteral("pan"),
-                         {key("P")}, Reach::MapAndTree, QStringLiteral("Drag the map"));
+                         {key("P")}, Reach::OutsideText, QStringLiteral("Drag the map"));
   on(pan, [this] { setMeasuring(false); });
   on(actions_.addToggle(kMap, QStringLiteral("measure"), QStringLiteral("&Measure"),
-                        QStringLiteral("measure"), {key("M")}, Reach::MapAndTree,
+                        QStringLiteral("measure"), {key("M")}, Reach::OutsideText,
                         QStringLiteral("Measure distances along clicked points")),
      [this](bool checked) { setMeasuring(checked); });
   on(actions_.add(kMap, QStringLiteral("copyCoordinates"), QStringLiteral("Copy &coordinates"),
-                  QStringLiteral("copy"), {key("C")}, Reach::Map,
+                  QStringLiteral("copy"), {key("C")}, Reach::OutsideText,
                   QStringLiteral("Copy the world coordinates under the cursor")),
      [this] { copyCoordinates(view_->cursorWorld().value_or(scene_->view().center_m)); });
   on(actions_.add(kMap, QStringLiteral("screenshotCopy"), QStringLiteral("Copy pict&ure"),
@@ -153,7 +153,7 @@ void MainWindow::createViewActions() {
   const auto layer = [this](const char* id, const QString& text, const char* icon_name,
                             const QList<QKeySequence>& keys, scene::Layer which, const QString& tip) {
     QAction* action = actions_.addToggle(kView, QLatin1String(id), text, QLatin1String(icon_name), keys,
-                                         Reach::MapAndTree, tip);
+                                         Reach::OutsideText, tip);
     connect(action, &QAction::triggered, this,
             [this, which](bool on) { scene_->setLayerVisible(which, on); });
   };
@@ -210,7 +210,8 @@ void MainWindow::createViewActions() {
   connect(actions_.addToggle(kView, QStringLiteral("fullScreen"), QStringLiteral("F&ull screen"),
                              QStringLiteral("expand"), {key("F11")}, Reach::Everywhere,
                              QStringLiteral("Use the whole screen")),
-          &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+          &QAction::triggered, this,
+          [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
   connect(actions_.add(kView, QStringLiteral("resetLayout"), QStringLiteral("&Reset layout"),
                        QStringLiteral("reset"), {}, Reach::Everywhere,
                        QStringLiteral("Docks, layers and colours as they were at first")),
@@ -227,7 +228,7 @@ void MainWindow::createHelpActions() {
         palette->open();
       });
   connect(actions_.add(kHelp, QStringLiteral("shortcuts"), QStringLiteral("&Keys and gestures"),
-                       QStringLiteral("keyboard"), {key("?"), key("F1")}, Reach::MapAndTree,
+                       QStringLiteral("keyboard"), {key("?"), key("F1")}, Reach::OutsideText,
                        QStringLiteral("All keys on one page")),
           &QAction::triggered, this, [this] { makeShortcutSheet(actions_, this)->open(); });
   connect(actions_.add(kHelp, QStringLiteral("about"), QStringLiteral("&About mapwright"),

@@ -2,17 +2,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFutureWatcher>
 #include <QMimeData>
+#include <QPromise>
 #include <QStandardPaths>
+#include <QThreadPool>
 
 #include "window/dialogs/export_dialog.h"
 #include "window/dialogs/picture_dialog.h"
+#include "window/files/folders.h"
 #include "window/files/map_files.h"
 #include "window/main_window.h"
 #include "window/map/map_overlay.h"
@@ -44,20 +49,25 @@ ExportDialog* MainWindow::exportDialog() const { return export_dialog_; }
 
 void MainWindow::createFileActions() {
   const auto on = [this](QAction* action, auto&& what) { connect(action, &QAction::triggered, this, what); };
-  on(actions_.add(QStringLiteral("Robot"), QStringLiteral("openFile"), QStringLiteral("&Open map file…"),
+  on(actions_.add(QStringLiteral("Robot"), QStringLiteral("openFile"), tr("&Open map file…"),
                   QStringLiteral("open"), {QKeySequence(QStringLiteral("Ctrl+Shift+O"))}, Reach::Everywhere,
-                  QStringLiteral("Open a map.yaml or a picture of a map from this computer")),
+                  tr("Open a map.yaml or a picture of a map from this computer")),
      [this] { chooseFile(); });
-  on(actions_.add(QStringLiteral("Map"), QStringLiteral("export"), QStringLiteral("E&xport…"),
-                  QStringLiteral("export"), {QKeySequence(QStringLiteral("Ctrl+E"))}, Reach::Everywhere,
-                  QStringLiteral("Write the map on screen into a file")),
+  on(actions_.add(QStringLiteral("Map"), QStringLiteral("export"), tr("E&xport…"), QStringLiteral("export"),
+                  {QKeySequence(QStringLiteral("Ctrl+E"))}, Reach::Everywhere,
+                  tr("Write the map on screen into a file")),
      [this] { exportMap(); });
+}
+
+QString MainWindow::lastMapFolder() const {
+  return folderToReadFrom({dependencies_.settings.value(kFolderKey).toString(),
+                           QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
+                           QDir::homePath()});
 }
 
 void MainWindow::chooseFile() {
   const QString path =
-      QFileDialog::getOpenFileName(this, QStringLiteral("Open a map file"),
-                                   dependencies_.settings.value(kFolderKey).toString(), mapFileFilter());
+      QFileDialog::getOpenFileName(this, tr("Open a map file"), lastMapFolder(), mapFileFilter());
   if (path.isEmpty()) return;
   dependencies_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
   openPath(path);
@@ -67,21 +77,43 @@ void MainWindow::openPath(const QString& path) {
   const QFileInfo info(path);
   const auto refuse = [this](const QString& sentence) { overlay_->toasts()->add(Mark::Bad, sentence); };
   if (!info.exists()) {
-    refuse(QStringLiteral("%1 is not there.").arg(QDir::toNativeSeparators(path)));
+    refuse(tr("%1 is not there.").arg(QDir::toNativeSeparators(path)));
   } else if (info.isDir() || isMapYaml(path)) {
     goToAddress(fileAddress(path));
   } else if (isBarePicture(path)) {
-    askPlacement(path, QStringLiteral("Open"), [this](const QString& address) { goToAddress(address); });
+    placePicture(path, tr("Open"), [this](const QString& address) { goToAddress(address); });
   } else {
-    refuse(QStringLiteral("%1 is no map: a map.yaml or a picture (PNG, PGM, BMP) is needed.")
+    refuse(tr("%1 is no map: a map.yaml or a picture (PNG, PGM, BMP) is needed.")
                .arg(info.fileName().left(120)));
   }
 }
 
-void MainWindow::askPlacement(const QString& path, const QString& accept_text,
+void MainWindow::placePicture(const QString& path, const QString& accept_text,
+                              const std::function<void(const QString&)>& then) {
+  const quint64 asked = ++pictures_asked_;
+  const auto know = [this, path, accept_text, then](const QStringList& yamls) {
+    yamls.size() == 1 ? then(fileAddress(yamls.front())) : askPlacement(path, yamls, accept_text, then);
+  };
+  if (!dependencies_.yamls_naming) return know({});
+  // A folder on a slow share must not hold the window.
+  auto* watcher = new QFutureWatcher<QStringList>(this);
+  connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, asked, know] {
+    watcher->deleteLater();
+    if (asked == pictures_asked_) know(watcher->result());
+  });
+  auto promise = std::make_shared<QPromise<QStringList>>();
+  watcher->setFuture(promise->future());
+  QThreadPool::globalInstance()->start([promise, path, look = dependencies_.yamls_naming] {
+    promise->start();
+    promise->addResult(look(path));
+    promise->finish();
+  });
+}
+
+void MainWindow::askPlacement(const QString& path, const QStringList& named_by, const QString& accept_text,
                               const std::function<void(const QString&)>& then) {
   delete picture_dialog_;
-  picture_dialog_ = new PictureDialog(path, accept_text, this);
+  picture_dialog_ = new PictureDialog(path, named_by, accept_text, this);
   picture_dialog_->setAttribute(Qt::WA_DeleteOnClose);
   connect(picture_dialog_, &QDialog::accepted, this, [this, path, then] {
     if (const auto placement = picture_dialog_->placement()) then(fileAddress(path, placement));
@@ -96,7 +128,7 @@ void MainWindow::goToAddress(const QString& address) {
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (droppedMap(event->mimeData()->urls()).isEmpty()) return;
   event->acceptProposedAction();
-  overlay_->setHint(QStringLiteral("Drop to open this map"));
+  overlay_->setHint(tr("Drop to open this map"));
 }
 
 void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { overlay_->setHint(view_->tool()->hint()); }
@@ -122,8 +154,8 @@ void MainWindow::exportMap() {
   if (slot.cells() && slot.cells()->complete() && slot.settled()) {
     offer.whole = WholeMapExport{slot.cells(), slot.reference()};
   } else {
-    offer.why_not_whole = slot.cells() ? QStringLiteral("The map is still being read.")
-                                       : QStringLiteral("No whole map is open, and no submaps are there.");
+    offer.why_not_whole = slot.cells() ? tr("The map is still being read.")
+                                       : tr("No whole map is open, and no submaps are there.");
   }
   offer.prefers_submaps = !offer.whole || !scene_->layerVisible(scene::Layer::WholeMap);
   offer.name = slot.cells() && !offer.prefers_submaps ? mapCalled(slot.name(), slot.key())
@@ -134,13 +166,13 @@ void MainWindow::exportMap() {
     return ViewExport{picture, referenceOf(scene_->view(), picture.size())};
   };
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  offer.folder = dependencies_.settings.value(kExportFolderKey, documents).toString();
+  offer.folder = folderToWriteInto({dependencies_.settings.value(kExportFolderKey).toString(), documents});
   delete export_dialog_;
   export_dialog_ = new ExportDialog(std::move(offer), this);
   export_dialog_->setAttribute(Qt::WA_DeleteOnClose);
   connect(export_dialog_, &ExportDialog::exported, this, [this](const QString& path) {
     dependencies_.settings.setValue(kExportFolderKey, QFileInfo(path).absolutePath());
-    overlay_->toasts()->add(Mark::Good, QStringLiteral("Exported to %1").arg(QDir::toNativeSeparators(path)));
+    overlay_->toasts()->add(Mark::Good, tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
   });
   export_dialog_->open();
 }

@@ -54,7 +54,7 @@ void MainWindow::createDocks() {
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  arrangeDocks();
+  placeDocks();
   connect(inspector_, &InspectorDock::locateWanted, this, &MainWindow::locate);
   connect(inspector_, &InspectorDock::colorModeWanted, this, &MainWindow::setColorMode);
   connect(inspector_, &InspectorDock::copyWanted, this, &MainWindow::copyText);
@@ -76,6 +76,18 @@ void MainWindow::createDocks() {
 }
 
 void MainWindow::arrangeDocks() {
+  placeDocks();
+  front_tabs_chosen_ = false;
+  // Which tab is in front is settled only when the window has been laid out.
+  QTimer::singleShot(0, this, [this] {
+    if (front_tabs_chosen_) return;
+    const bool catalogue_first = mode_before_ && session_ && session_->catalogue().offered();
+    (catalogue_first ? static_cast<QDockWidget*>(maps_) : layers_)->raise();
+    inspector_->raise();
+  });
+}
+
+void MainWindow::placeDocks() {
   for (QDockWidget* dock : docks()) {
     dock->setFloating(false);
     removeDockWidget(dock);
@@ -93,12 +105,6 @@ void MainWindow::arrangeDocks() {
     dock->show();
   problems_->hide();
   messages_->hide();
-  // Which tab is in front is settled only when the window has been laid out.
-  QTimer::singleShot(0, this, [this] {
-    const bool catalogue_first = mode_before_ && session_ && session_->catalogue().offered();
-    (catalogue_first ? static_cast<QDockWidget*>(maps_) : layers_)->raise();
-    inspector_->raise();
-  });
   resizeDocks({layers_, inspector_}, {kLeftPx, kRightPx}, Qt::Horizontal);
   resizeDocks({problems_}, {kBottomPx}, Qt::Vertical);
 }
@@ -121,7 +127,8 @@ void MainWindow::restoreSettings() {
     resize(qMin(1600, room.width() - kFramePx), qMin(1000, room.height() - kTitleBarPx));
   }
   if (restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion)) {
-    problems_->hide();  // it opens when there is something in it
+    front_tabs_chosen_ = true;
+    problems_shown_once_ = settings.value(QStringLiteral("window/problemsShown"), false).toBool();
   } else {
     arrangeDocks();
   }
@@ -144,6 +151,7 @@ void MainWindow::saveSettings() {
   QSettings& settings = dependencies_.settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
+  settings.setValue(QStringLiteral("window/problemsShown"), problems_shown_once_);
   settings.setValue(QStringLiteral("view/theme"), themeName(theme_));
   settings.setValue(QStringLiteral("view/colors"), colorModeName(scene_->colorMode()));
   settings.setValue(QStringLiteral("view/furniture"), overlay_->furnitureVisible());

@@ -7,6 +7,8 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QImageWriter>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
 #include <QSaveFile>
@@ -14,6 +16,7 @@
 
 #include "window/dialogs/go_to_dialog.h"
 #include "window/docks/inspector_dock.h"
+#include "window/files/folders.h"
 #include "window/look/icons.h"
 #include "window/main_window.h"
 #include "window/map/compare_control.h"
@@ -53,12 +56,30 @@ void MainWindow::wireMap() {
   connect(view_, &MapView::movedByHand, this, [this] { may_fit_ = false; });
   connect(view_, &MapView::menuRequested, this, &MainWindow::showMapMenu);
   connect(scene_.get(), &scene::MapScene::contentChanged, this, &MainWindow::fitNewMap);
-  connect(view_, &MapView::escaped, this,
-          [this] { comparison_->active() ? comparison_->end() : inspector_->clearSelection(); });
+  connect(view_, &MapView::escaped, this, &MainWindow::escape);
+  connect(static_cast<PanTool*>(pan_), &PanTool::clickedAt, this, [this](const Eigen::Vector2d& world) {
+    if (!scene_->highlightedAt(world)) inspector_->clearSelection();
+  });
+  connect(inspector_, &InspectorDock::counted, bar_, &WindowStatusBar::recount);
   connect(view_, &MapView::followingChanged, actions_.find(QStringLiteral("follow")), &QAction::setChecked);
   connect(measure_, &MapTool::hintChanged, this,
           [this] { overlay_->setHint(view_->tool() == measure_ ? measure_->hint() : QString()); });
   connect(measure_, &MapTool::finished, this, [this] { setMeasuring(false); });
+}
+
+void MainWindow::escape() { comparison_->active() ? comparison_->end() : inspector_->clearSelection(); }
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  // What no widget below wanted: Esc means the same wherever the focus is.
+  if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
+  auto* search = qobject_cast<QLineEdit*>(focusWidget());
+  if (search && search->isClearButtonEnabled() && !search->text().isEmpty()) {
+    search->clear();
+  } else {
+    view_->setFollowing(false);
+    escape();
+  }
+  event->accept();
 }
 
 void MainWindow::showCursor() {
@@ -99,7 +120,6 @@ void MainWindow::locate(map::SubmapId id) {
                                                .arg(QString::fromStdString(map::toText(id))));
     return;
   }
-  scene_->setHighlighted(id);
   geometry::ViewTransform to = view_->destination();
   to.center_m = bounds.center();
   const double smaller_px = std::min(to.width_px, to.height_px);
@@ -198,7 +218,8 @@ std::optional<QString> MainWindow::saveMapPicture(const QString& path) {
 void MainWindow::askAndSavePicture() {
   QSettings& settings = dependencies_.settings;
   const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QDir folder(settings.value(QStringLiteral("screenshot/folder"), pictures).toString());
+  const QDir folder(
+      folderToWriteInto({settings.value(QStringLiteral("screenshot/folder")).toString(), pictures}));
   const QString proposed =
       folder.filePath(QStringLiteral("mapwright-%1.png")
                           .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"))));

@@ -27,7 +27,7 @@ void MainWindow::createModeActions() {
                            ViewMode which, const char* tip) {
     QAction* action =
         actions_.addToggle(QStringLiteral("View"), QLatin1String(id), QLatin1String(text),
-                           QLatin1String(icon_name), {key(keys)}, Reach::Map, QLatin1String(tip));
+                           QLatin1String(icon_name), {key(keys)}, Reach::OutsideText, QLatin1String(tip));
     action->setData(int(which));
     action->setProperty("tip", action->toolTip());
     mode_actions_->addAction(action);
@@ -68,7 +68,7 @@ void MainWindow::beginMapMode() {
   if (!session_->robot().submapSource()) {
     if (!mode_before_) mode_before_ = viewMode(*scene_).value_or(ViewMode::Submaps);
     setMapMode(ViewMode::Whole);
-    if (session_->catalogue().offered()) maps_->raise();
+    if (session_->catalogue().offered() && !front_tabs_chosen_) maps_->raise();
   } else {
     endMapMode();
   }
@@ -139,8 +139,7 @@ void MainWindow::refreshMapActions() {
 
 void MainWindow::compareFile(const QString& path) {
   if (isBarePicture(path)) {
-    askPlacement(path, QStringLiteral("Compare"),
-                 [this](const QString& address) { compareWithAddress(address); });
+    placePicture(path, tr("Compare"), [this](const QString& address) { compareWithAddress(address); });
   } else {
     compareWithAddress(fileAddress(path));
   }

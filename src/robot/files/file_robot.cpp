@@ -66,10 +66,13 @@ void FileRobot::look() {
 
 QStringList FileRobot::watchAndStamp() {
   QStringList files, folders;
+  const PictureYamls beside(isFolder() ? options_.path : QFileInfo(options_.path).absolutePath());
   const auto add = [&](const QString& path) {
     files << path;
     folders << QFileInfo(path).absolutePath();
-    const auto whole = readLocalMap(path, options_.place);
+    // A picture alone lies where the map.yaml beside it says.
+    if (!isFolder()) files << beside.naming(path);
+    const auto whole = readLocalMap(path, options_.place, &beside);
     if (whole && whole->path != path.toStdString()) {
       files << QString::fromStdString(whole->path);
       folders << QFileInfo(files.last()).absolutePath();
@@ -132,9 +135,10 @@ void FileRobot::later(AnswerTo<T> reply, Answer<T> answer) {
 void FileRobot::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
   std::vector<map::CatalogueEntry> entries;
   if (isFolder()) {
+    const PictureYamls beside(options_.path);
     for (const QString& name : mapFilesIn(options_.path)) {
       entries.push_back(entryOf({map::MapKind::File, name.toStdString()},
-                                options_.path + QLatin1Char('/') + name, options_.place));
+                                options_.path + QLatin1Char('/') + name, options_.place, &beside));
       entries.back().index = int(entries.size()) - 1;
     }
   } else if (QFileInfo::exists(options_.path)) {

@@ -79,7 +79,16 @@ tl::expected<map::WholeMap, std::string> fromYaml(const QString& path) {
   return whole;
 }
 
-map::WholeMap fromPicture(const QString& path, const PicturePlace& place) {
+std::string namesOf(const QStringList& paths) {
+  constexpr qsizetype kMostNames = 3;
+  QStringList names;
+  for (const QString& path : paths.mid(0, kMostNames)) names << QFileInfo(path).fileName();
+  std::string text = names.join(QStringLiteral(", ")).toStdString();
+  if (paths.size() > kMostNames) text += " and " + std::to_string(paths.size() - kMostNames) + " more";
+  return text;
+}
+
+map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const QStringList& named_by) {
   map::WholeMap whole;
   whole.name = QFileInfo(path).fileName().toStdString();
   whole.path = path.toStdString();
@@ -94,19 +103,24 @@ map::WholeMap fromPicture(const QString& path, const PicturePlace& place) {
   const QString stem = QFileInfo(path).absolutePath() + QLatin1Char('/') + QFileInfo(path).completeBaseName();
   for (const char* suffix : {".yaml", ".yml"}) {
     const QString beside = stem + QLatin1String(suffix);
-    if (QFileInfo::exists(beside)) {
-      note(whole, map::Severity::Info,
-           QFileInfo(beside).fileName().toStdString() +
-               " beside it may say where it lies: open that instead.");
-      break;
-    }
+    if (!named_by.isEmpty() || place.resolution_m || !QFileInfo::exists(beside)) continue;
+    note(whole, map::Severity::Info,
+         QFileInfo(beside).fileName().toStdString() +
+             " beside it does not name it as its image, or cannot be read as a map.yaml.");
+    break;
+  }
+  if (!named_by.isEmpty()) {
+    note(whole, map::Severity::Warning,
+         "More than one map.yaml names this picture, so none is taken: " + namesOf(named_by) +
+             ". Open the right one.");
   }
   return whole;
 }
 
 }  // namespace
 
-bool isMapFile(const QString& path) { return hasSuffix(path, {".yaml", ".yml", ".png", ".pgm", ".bmp"}); }
+bool isPicture(const QString& path) { return hasSuffix(path, {".png", ".pgm", ".bmp"}); }
+bool isMapFile(const QString& path) { return isYaml(path) || isPicture(path); }
 
 QStringList mapFilesIn(const QString& folder) {
   QStringList names;
@@ -116,22 +130,30 @@ QStringList mapFilesIn(const QString& folder) {
   return names;
 }
 
-tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place) {
+tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place,
+                                                      const PictureYamls* beside) {
   if (auto why = whyUnreadable(path)) return refused(std::move(*why));
-  tl::expected<map::WholeMap, std::string> whole = isYaml(path) ? fromYaml(path) : fromPicture(path, place);
+  QStringList named_by;
+  if (!isYaml(path) && !place.resolution_m && !place.origin)
+    named_by = beside ? beside->naming(path) : yamlsNaming(path);
+  const bool described = named_by.size() == 1;
+  tl::expected<map::WholeMap, std::string> whole = isYaml(path) ? fromYaml(path)
+                                                   : described  ? fromYaml(named_by.front())
+                                                                : fromPicture(path, place, named_by);
   if (!whole) return whole;
   if (auto why = map::whyUnusable(whole->grid)) return refused(std::move(*why));
   whole->fingerprint = stampOf(QString::fromStdString(whole->path)) + "|" + readingText(whole->reading);
   return whole;
 }
 
-map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place) {
+map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place,
+                            const PictureYamls* beside) {
   map::CatalogueEntry entry;
   entry.key = key;
   entry.name = QFileInfo(path).fileName().toStdString();
   entry.modified_s = double(QFileInfo(path).lastModified().toMSecsSinceEpoch()) / 1000;
   entry.bytes = std::uint64_t(QFileInfo(path).size());
-  if (const auto whole = readLocalMap(path, place)) {
+  if (const auto whole = readLocalMap(path, place, beside)) {
     entry.grid = whole->grid;
     entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
   }

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "map/catalogue.h"
+#include "robot/files/picture_yamls.h"
 
 namespace mapwright::robot::files {
 
@@ -19,15 +20,20 @@ struct PicturePlace {
 };
 
 bool isMapFile(const QString& path);  // by its name: .yaml, .yml, .png, .pgm, .bmp
+bool isPicture(const QString& path);  // .png, .pgm, .bmp
 
 /// The names of the map files in a folder, in order; at most 10,000.
 QStringList mapFilesIn(const QString& folder);
 
-/// The map of a map.yaml or a picture, its picture not opened. `path` is absolute. The error is a sentence.
-tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place);
+/// The map of a map.yaml or a picture, its picture not opened. `path` is absolute. A picture whose place is
+/// not said lies where the one map.yaml beside it says that names it as its image; `beside` knows those of
+/// its folder (null: looked up). The error is a sentence.
+tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place,
+                                                      const PictureYamls* beside = nullptr);
 
 /// What a catalogue can tell of it.
-map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place);
+map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place,
+                            const PictureYamls* beside = nullptr);
 
 /// Path, size and time of a file as one text that changes whenever the file does.
 std::string stampOf(const QString& path);

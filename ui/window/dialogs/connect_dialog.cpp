@@ -159,8 +159,9 @@ void ConnectDialog::fillRecents() {
     remove->setToolTip(QStringLiteral("Forget this robot"));
     remove->setAccessibleName(QStringLiteral("Forget %1").arg(robot.address));
     address->setElideMode(Qt::ElideMiddle);
-    line->addWidget(address, 3);
-    line->addWidget(name, 1);
+    name->setMaximumWidth(200);
+    line->addWidget(address, 1);
+    line->addWidget(name);
     name->setVisible(!robot.name.isEmpty());
     line->addWidget(when);
     line->addWidget(remove);

@@ -37,25 +37,25 @@ QString fileNameFrom(const QString& name) {
 ExportDialog::ExportDialog(ExportOffer offer, QWidget* parent)
     : QDialog(parent),
       offer_(std::move(offer)),
-      map_picture_(new QRadioButton(QStringLiteral("&Picture of the whole map (PNG)"), this)),
-      map_server_(new QRadioButton(QStringLiteral("&ROS map (PGM and YAML, for map_server)"), this)),
-      view_picture_(new QRadioButton(QStringLiteral("Picture of the present &view (PNG)"), this)),
+      map_picture_(new QRadioButton(tr("&Picture of the whole map (PNG)"), this)),
+      map_server_(new QRadioButton(tr("&ROS map (PGM and YAML, for map_server)"), this)),
+      view_picture_(new QRadioButton(tr("Picture of the present &view (PNG)"), this)),
       source_(new QComboBox(this)),
       resolution_(new QDoubleSpinBox(this)),
-      world_file_(new QCheckBox(QStringLiteral("With a &world file (.pgw) that places the picture"), this)),
+      world_file_(new QCheckBox(tr("With a &world file (.pgw) that places the picture"), this)),
       path_(new QLineEdit(this)),
-      browse_(new QPushButton(QStringLiteral("&Browse…"), this)),
-      export_(new QPushButton(QStringLiteral("Export"), this)),
-      cancel_(new QPushButton(QStringLiteral("Cancel"), this)),
+      browse_(new QPushButton(tr("&Browse…"), this)),
+      export_(new QPushButton(tr("Export"), this)),
+      cancel_(new QPushButton(tr("Cancel"), this)),
       progress_(new QProgressBar(this)),
       error_(new QLabel(this)),
-      source_label_(new QLabel(QStringLiteral("&What"), this)),
-      resolution_label_(new QLabel(QStringLiteral("Metres per &cell"), this)) {
-  setWindowTitle(QStringLiteral("Export"));
+      source_label_(new QLabel(tr("&What"), this)),
+      resolution_label_(new QLabel(tr("Metres per &cell"), this)) {
+  setWindowTitle(tr("Export"));
   setMinimumWidth(520);
   source_->setObjectName(QStringLiteral("source"));
-  if (offer_.whole) source_->addItem(QStringLiteral("The whole map"), false);
-  if (!offer_.submaps.empty()) source_->addItem(QStringLiteral("The submaps, composed"), true);
+  if (offer_.whole) source_->addItem(tr("The whole map"), false);
+  if (!offer_.submaps.empty()) source_->addItem(tr("The submaps, composed"), true);
   source_->setCurrentIndex(qMax(0, source_->findData(offer_.prefers_submaps)));
   source_label_->setBuddy(source_);
   resolution_label_->setBuddy(resolution_);
@@ -92,7 +92,7 @@ ExportDialog::ExportDialog(ExportOffer offer, QWidget* parent)
   auto* path_row = new QHBoxLayout;
   path_row->addWidget(path_, 1);
   path_row->addWidget(browse_);
-  auto* path_label = new QLabel(QStringLiteral("&File"), this);
+  auto* path_label = new QLabel(tr("&File"), this);
   path_label->setBuddy(path_);
   form->addRow(path_label, path_row);
   auto* buttons = new QHBoxLayout;
@@ -169,9 +169,9 @@ void ExportDialog::sync() {
 }
 
 void ExportDialog::browse() {
-  const QString filter = format() == ExportFormat::MapServer ? QStringLiteral("ROS maps (*.yaml)")
-                                                             : QStringLiteral("PNG pictures (*.png)");
-  const QString path = QFileDialog::getSaveFileName(this, QStringLiteral("Export to"), path_->text(), filter);
+  const QString filter =
+      format() == ExportFormat::MapServer ? tr("ROS maps (*.yaml)") : tr("PNG pictures (*.png)");
+  const QString path = QFileDialog::getSaveFileName(this, tr("Export to"), path_->text(), filter);
   if (path.isEmpty()) return;
   path_->setText(path);
   sync();
@@ -183,8 +183,7 @@ void ExportDialog::start() {
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
   if (QFileInfo::exists(path) && !confirmed_) {
     confirmed_ = true;
-    error_->setText(
-        QStringLiteral("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
+    error_->setText(tr("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
     error_->show();
     return;
   }
@@ -225,7 +224,7 @@ void ExportDialog::setRunning(bool running) {
 void ExportDialog::take(const ExportResult& result) {
   setRunning(false);
   if (result.cancelled) {
-    error_->setText(QStringLiteral("Cancelled. Nothing was written."));
+    error_->setText(tr("Cancelled. Nothing was written."));
     error_->show();
   } else if (!result.error.isEmpty()) {
     error_->setText(result.error);

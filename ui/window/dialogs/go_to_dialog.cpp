@@ -32,20 +32,24 @@ GoToDialog::GoToDialog(const Eigen::Vector2d& present, QWidget* parent)
     : QDialog(parent),
       field_(new QLineEdit(this)),
       error_(new QLabel(this)),
-      go_(new QPushButton(QStringLiteral("Go"), this)) {
-  setWindowTitle(QStringLiteral("Go to coordinates"));
-  setMinimumWidth(360);
-  auto* label = new QLabel(QStringLiteral("&x, y in metres"), this);
+      go_(new QPushButton(tr("Go"), this)) {
+  setWindowTitle(tr("Go to coordinates"));
+  setMinimumWidth(440);
+  auto* label = new QLabel(tr("&x, y in metres"), this);
   label->setBuddy(field_);
   field_->setText(coordinatesForClipboard(present));
   field_->selectAll();
   error_->setTextFormat(Qt::PlainText);
+  error_->setWordWrap(true);
+  // Room for the sentence from the start: it comes and goes while typing, and the dialog must not jump.
+  error_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  error_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   QPalette red = error_->palette();
   red.setColor(QPalette::WindowText, appColors().error_text);
   error_->setPalette(red);
   go_->setObjectName(QStringLiteral("primary"));
   go_->setDefault(true);
-  auto* cancel = new QPushButton(QStringLiteral("Cancel"), this);
+  auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("secondary"));
   cancel->setAutoDefault(false);
   auto* buttons = new QHBoxLayout;
@@ -73,8 +77,7 @@ void GoToDialog::check() {
   const bool fine = point().has_value();
   go_->setEnabled(fine);
   const bool complain = !fine && !field_->text().trimmed().isEmpty();
-  error_->setText(complain ? QStringLiteral("Two numbers in metres are needed, for example 12.5, -3.2")
-                           : QStringLiteral(" "));
+  error_->setText(complain ? tr("Two numbers in metres are needed, for example 12.5, -3.2.") : QString());
 }
 
 }  // namespace mapwright::window

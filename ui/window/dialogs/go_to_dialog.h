@@ -22,6 +22,7 @@ class GoToDialog : public QDialog {
   explicit GoToDialog(const Eigen::Vector2d& present, QWidget* parent = nullptr);
   std::optional<Eigen::Vector2d> point() const;
   QLineEdit* field() const { return field_; }
+  QLabel* errorLabel() const { return error_; }
 
  private:
   void check();

@@ -37,11 +37,12 @@ std::optional<PicturePlacement> placementFrom(const QString& resolution, const Q
 QString whyNoPlacement(const QString& resolution, const QString& x, const QString& y,
                        const QString& yaw_deg) {
   const auto cell = numberIn(resolution);
-  if (!cell) return QStringLiteral("The resolution has to be a number of metres, for example 0.05.");
+  if (!cell) return PictureDialog::tr("The resolution has to be a number of metres, for example 0.05.");
   if (*cell <= 0)
-    return QStringLiteral("The resolution has to be greater than 0: it is the edge of a cell in metres.");
+    return PictureDialog::tr("The resolution has to be greater than 0: it is the edge of a cell in metres.");
   const auto placement = placementFrom(resolution, x, y, yaw_deg);
-  if (!placement) return QStringLiteral("The origin takes three numbers: x and y in metres, yaw in degrees.");
+  if (!placement)
+    return PictureDialog::tr("The origin takes three numbers: x and y in metres, yaw in degrees.");
   map::GridReference grid;
   grid.resolution_m = placement->resolution_m;
   grid.origin = placement->origin;
@@ -49,23 +50,40 @@ QString whyNoPlacement(const QString& resolution, const QString& x, const QStrin
   return problem ? QString::fromStdString(*problem) : QString();
 }
 
-PictureDialog::PictureDialog(const QString& path, const QString& accept_text, QWidget* parent)
+namespace {
+
+QString intro(const QString& picture, const QStringList& named_by) {
+  const QString question =
+      PictureDialog::tr("How large is a cell, and where in the world is its lower-left corner?");
+  if (named_by.isEmpty())
+    return PictureDialog::tr("%1 is a picture without a map.yaml. %2").arg(picture, question);
+  constexpr qsizetype kMostNames = 4;
+  QStringList names;
+  for (const QString& path : named_by.mid(0, kMostNames)) names << QFileInfo(path).fileName().left(60);
+  if (named_by.size() > kMostNames) names << QStringLiteral("…");
+  return PictureDialog::tr(
+             "%1 is named by more than one map.yaml: %2. Open the right one of them instead, or say it "
+             "here. %3")
+      .arg(picture, names.join(QStringLiteral(", ")), question);
+}
+
+}  // namespace
+
+PictureDialog::PictureDialog(const QString& path, const QStringList& named_by, const QString& accept_text,
+                             QWidget* parent)
     : QDialog(parent),
       resolution_(new QLineEdit(QStringLiteral("0.05"), this)),
       x_(new QLineEdit(QStringLiteral("0"), this)),
       y_(new QLineEdit(QStringLiteral("0"), this)),
       yaw_(new QLineEdit(QStringLiteral("0"), this)),
+      intro_(new QLabel(this)),
       error_(new QLabel(this)),
       open_(new QPushButton(accept_text, this)) {
-  setWindowTitle(QStringLiteral("Where the picture lies"));
+  setWindowTitle(tr("Where the picture lies"));
   setMinimumWidth(440);
-  auto* intro = new QLabel(this);
-  intro->setTextFormat(Qt::PlainText);
-  intro->setWordWrap(true);
-  intro->setText(
-      QStringLiteral("%1 is a picture without a map.yaml. How large is a cell, and where in the world "
-                     "is its lower-left corner?")
-          .arg(QFileInfo(path).fileName().left(120)));
+  intro_->setTextFormat(Qt::PlainText);
+  intro_->setWordWrap(true);
+  intro_->setText(intro(QFileInfo(path).fileName().left(120), named_by));
   resolution_->setObjectName(QStringLiteral("resolution"));
   x_->setObjectName(QStringLiteral("originX"));
   y_->setObjectName(QStringLiteral("originY"));
@@ -80,13 +98,13 @@ PictureDialog::PictureDialog(const QString& path, const QString& accept_text, QW
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(6);
-  form->addRow(QStringLiteral("&Resolution, metres per cell"), resolution_);
-  form->addRow(QStringLiteral("Origin &x, metres"), x_);
-  form->addRow(QStringLiteral("Origin &y, metres"), y_);
-  form->addRow(QStringLiteral("Origin ya&w, degrees"), yaw_);
+  form->addRow(tr("&Resolution, metres per cell"), resolution_);
+  form->addRow(tr("Origin &x, metres"), x_);
+  form->addRow(tr("Origin &y, metres"), y_);
+  form->addRow(tr("Origin ya&w, degrees"), yaw_);
   open_->setObjectName(QStringLiteral("primary"));
   open_->setDefault(true);
-  auto* cancel = new QPushButton(QStringLiteral("Cancel"), this);
+  auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("secondary"));
   cancel->setAutoDefault(false);
   auto* buttons = new QHBoxLayout;
@@ -97,7 +115,7 @@ PictureDialog::PictureDialog(const QString& path, const QString& accept_text, QW
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   column->setSpacing(10);
-  column->addWidget(intro);
+  column->addWidget(intro_);
   column->addLayout(form);
   column->addWidget(error_);
   column->addLayout(buttons);
@@ -113,6 +131,8 @@ std::optional<PicturePlacement> PictureDialog::placement() const {
   if (!errorText().isEmpty()) return std::nullopt;
   return placementFrom(resolution_->text(), x_->text(), y_->text(), yaw_->text());
 }
+
+QString PictureDialog::introText() const { return intro_->text(); }
 
 QString PictureDialog::errorText() const {
   return whyNoPlacement(resolution_->text(), x_->text(), y_->text(), yaw_->text());

@@ -16,16 +16,19 @@ namespace mapwright::window {
 class PictureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `accept_text`: what the button says, "Open".
-  PictureDialog(const QString& path, const QString& accept_text, QWidget* parent = nullptr);
+  /// `named_by`: the map.yaml files that name it as theirs, none or several. `accept_text`: what the button
+  /// says, "Open".
+  PictureDialog(const QString& path, const QStringList& named_by, const QString& accept_text,
+                QWidget* parent = nullptr);
   /// nullopt while a field holds nothing usable.
   std::optional<PicturePlacement> placement() const;
   QString errorText() const;
+  QString introText() const;
 
  private:
   void check();
   QLineEdit *resolution_, *x_, *y_, *yaw_;
-  QLabel* error_;
+  QLabel *intro_, *error_;
   QPushButton* open_;
 };
 

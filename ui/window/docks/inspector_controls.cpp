@@ -19,28 +19,26 @@ namespace mapwright::window {
 InspectorControls::InspectorControls(QAction* show_ids, QAction* show_outlines, QWidget* parent)
     : QWidget(parent),
       filter_(new QLineEdit(this)),
-      nearby_(addGroup(QStringLiteral("Nearby"), QStringLiteral("Show or hide the submaps of nearby maps"))),
-      incremental_(
-          addGroup(QStringLiteral("Incremental"), QStringLiteral("Show or hide the incremental submaps"))),
+      nearby_(addGroup(tr("Nearby"), tr("Show or hide the submaps of nearby maps"))),
+      incremental_(addGroup(tr("Incremental"), tr("Show or hide the incremental submaps"))),
       slice_(new QSpinBox(this)),
       colors_(new QComboBox(this)) {
-  filter_->setPlaceholderText(QStringLiteral("Filter: 12-3, v70, frozen, failed…"));
+  filter_->setPlaceholderText(tr("Filter: 12-3, v70, frozen, failed…"));
   filter_->setClearButtonEnabled(true);
   filter_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
-  filter_->setToolTip(QStringLiteral(
-      "Trajectory and index (12-3), index (592), version (v70), frozen, active, incremental, nearby, "
-      "hidden,\n"
-      "shown, updating, queued, fetching, missing, failed, corrupt. Several words must all fit."));
-  filter_->setAccessibleName(QStringLiteral("Filter submaps"));
-  colors_->addItem(QStringLiteral("Normal"));
-  colors_->addItem(QStringLiteral("Incremental"));
-  colors_->addItem(QStringLiteral("Active"));
-  colors_->setToolTip(
-      QStringLiteral("Colours: Incremental tints incremental submaps, Active dims what is frozen"));
-  colors_->setAccessibleName(QStringLiteral("Colours"));
+  filter_->setToolTip(
+      tr("Trajectory and index (12-3), index (592), version (v70), frozen, active, incremental, nearby, "
+         "hidden,\n"
+         "shown, updating, queued, fetching, missing, failed, corrupt. Several words must all fit."));
+  filter_->setAccessibleName(tr("Filter submaps"));
+  colors_->addItem(tr("Normal"));
+  colors_->addItem(tr("Incremental"));
+  colors_->addItem(tr("Active"));
+  colors_->setToolTip(tr("Colours: Incremental tints incremental submaps, Active dims what is frozen"));
+  colors_->setAccessibleName(tr("Colours"));
   slice_->setRange(0, 0);
-  slice_->setPrefix(QStringLiteral("Slice "));
-  slice_->setAccessibleName(QStringLiteral("Slice"));
+  slice_->setPrefix(tr("Slice "));
+  slice_->setAccessibleName(tr("Slice"));
 
   auto* first = new QHBoxLayout;
   first->setSpacing(4);
@@ -98,8 +96,8 @@ void InspectorControls::setGroups(Qt::CheckState nearby, int nearby_count, Qt::C
     box->setTristate(state == Qt::PartiallyChecked);
     box->setCheckState(count > 0 ? state : Qt::Checked);
   };
-  set(nearby_, QStringLiteral("Nearby"), nearby, nearby_count);
-  set(incremental_, QStringLiteral("Incremental"), incremental, incremental_count);
+  set(nearby_, tr("Nearby"), nearby, nearby_count);
+  set(incremental_, tr("Incremental"), incremental, incremental_count);
 }
 
 void InspectorControls::setSlices(int present, int how_many) {
@@ -108,9 +106,8 @@ void InspectorControls::setSlices(int present, int how_many) {
   slice_->setRange(0, last);
   slice_->setValue(present);
   slice_->setEnabled(last > 0);
-  slice_->setToolTip(how_many > 1
-                         ? QStringLiteral("Which slice of every submap is drawn: 0 to %1").arg(how_many - 1)
-                         : QStringLiteral("Which slice of every submap is drawn; these have one"));
+  slice_->setToolTip(how_many > 1 ? tr("Which slice of every submap is drawn: 0 to %1").arg(how_many - 1)
+                                  : tr("Which slice of every submap is drawn; these have one"));
 }
 
 void InspectorControls::setColorMode(render::ColorMode mode) {

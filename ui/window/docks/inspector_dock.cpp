@@ -1,7 +1,9 @@
 #include "window/docks/inspector_dock.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -20,7 +22,7 @@ namespace mapwright::window {
 
 InspectorDock::InspectorDock(scene::MapScene* scene, QAction* show_ids, QAction* show_outlines,
                              QWidget* parent)
-    : QDockWidget(QStringLiteral("SLAM inspector"), parent),
+    : QDockWidget(tr("SLAM inspector"), parent),
       scene_(scene),
       model_(new SubmapTreeModel(this)),
       filtered_(new SubmapFilterModel(model_, this)),
@@ -70,6 +72,8 @@ InspectorDock::~InspectorDock() {
   // The children go after this object's own part is gone: they must not report to it any more.
   tree_->selectionModel()->disconnect(this);
   tree_->disconnect(this);
+  tree_->viewport()->removeEventFilter(this);
+  controls_->filterEdit()->removeEventFilter(this);
 }
 
 void InspectorDock::buildTree() {
@@ -83,20 +87,14 @@ void InspectorDock::buildTree() {
   tree_->setMouseTracking(true);
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);
   tree_->setAllColumnsShowFocus(true);
-  tree_->setAccessibleName(QStringLiteral("Submaps"));
+  tree_->setAccessibleName(tr("Submaps"));
   QHeaderView* header = tree_->header();
   header->setMinimumSectionSize(20);
   header->setStretchLastSection(false);
   header->setSectionsMovable(false);
-  header->setSectionResizeMode(SubmapTreeModel::NameColumn, QHeaderView::Stretch);
-  for (const int column :
-       {SubmapTreeModel::BadgeColumn, SubmapTreeModel::StatusColumn, SubmapTreeModel::LocateColumn}) {
-    header->setSectionResizeMode(column, QHeaderView::Fixed);
-  }
-  header->resizeSection(SubmapTreeModel::BadgeColumn, 92);
-  header->resizeSection(SubmapTreeModel::StatusColumn,
-                        fontMetrics().horizontalAdvance(QStringLiteral("updating")) + 30);
-  header->resizeSection(SubmapTreeModel::LocateColumn, 22);
+  header->setSectionResizeMode(QHeaderView::Fixed);
+  tree_->viewport()->installEventFilter(this);
+  controls_->filterEdit()->installEventFilter(this);
   tree_->expand(filtered_->index(0, 0));
 
   connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
@@ -111,26 +109,34 @@ void InspectorDock::buildTree() {
     }
   });
   connect(static_cast<TreeView*>(tree_), &TreeView::enterPressed, this, [this] {
-    if (const auto id = selected()) Q_EMIT locateWanted(*id);
+    const QModelIndex current = tree_->currentIndex().siblingAtColumn(0);
+    if (const auto id = idAt(current)) {
+      Q_EMIT locateWanted(*id);
+    } else {
+      tree_->setExpanded(current, !tree_->isExpanded(current));
+    }
   });
   connect(tree_, &QTreeView::customContextMenuRequested, this, &InspectorDock::showMenu);
-  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
-    scene_->setHighlighted(selected());
-    refreshDetails();
-  });
+  // The selection and not the current row: that one moves by itself to a neighbour of a row that goes.
+  connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &InspectorDock::takeSelection);
 }
 
 void InspectorDock::setSession(session::Session* session) {
   if (session_) session_->disconnect(this);
   session_ = session;
   known_.clear();
+  clearSelection();
   nearby_off_ = incremental_off_ = false;
   model_->setSession(session);
   tree_->expand(filtered_->index(0, 0));
   if (session) {
     connect(session, &session::Session::listChanged, this, &InspectorDock::refresh);
     connect(session, &session::Session::rowsChanged, this, &InspectorDock::refresh);
-    connect(session, &session::Session::sessionRestarted, this, [this] { known_.clear(); });
+    connect(session, &session::Session::sessionRestarted, this, [this] {
+      known_.clear();
+      clearSelection();  // what has the same id now is another submap
+    });
   }
   refresh();
 }
@@ -138,6 +144,33 @@ void InspectorDock::setSession(session::Session* session) {
 void InspectorDock::showEvent(QShowEvent* event) {
   QDockWidget::showEvent(event);
   refresh();
+  Q_EMIT counted();
+}
+
+bool InspectorDock::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tree_->viewport() && event->type() == QEvent::Resize) fitColumns();
+  if (watched == controls_->filterEdit() && event->type() == QEvent::KeyPress &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down) {
+    tree_->setFocus();
+    return true;
+  }
+  return QDockWidget::eventFilter(watched, event);
+}
+
+void InspectorDock::changeEvent(QEvent* event) {
+  QDockWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitColumns();
+}
+
+void InspectorDock::fitColumns() {
+  const ColumnWidths widths = shareColumns(tree_->viewport()->width(), columnNeeds(*tree_, *model_));
+  QHeaderView* header = tree_->header();
+  for (const auto& [column, width] : {std::pair(SubmapTreeModel::NameColumn, widths.name),
+                                      {SubmapTreeModel::BadgeColumn, widths.badges},
+                                      {SubmapTreeModel::StatusColumn, widths.status},
+                                      {SubmapTreeModel::LocateColumn, widths.locate}}) {
+    if (header->sectionSize(column) != width) header->resizeSection(column, width);
+  }
 }
 
 void InspectorDock::refresh() {
@@ -146,6 +179,7 @@ void InspectorDock::refresh() {
   if (!isVisible()) return;
   const bool first_rows = model_->rowCount(model_->index(0, 0)) == 0;
   model_->sync();
+  fitColumns();
   const QModelIndex all = filtered_->index(0, 0);
   if (first_rows) {
     tree_->expand(all);
@@ -153,12 +187,22 @@ void InspectorDock::refresh() {
     if (filtered_->rowCount(all) == 1) tree_->expand(filtered_->index(0, 0, all));
   }
   summary_->refresh(session_);
+  refreshGroups();
+  controls_->setSlices(session_ ? session_->slice() : 0, session_ ? session_->book().maxSlices() : 1);
+  refreshDetails();
+}
+
+void InspectorDock::refreshGroups() {
   int nearby_count = 0, incremental_count = 0;
   const Qt::CheckState nearby = model_->visibilityWhere(&SubmapFacts::nearby, &nearby_count);
   const Qt::CheckState incremental = model_->visibilityWhere(&SubmapFacts::incremental, &incremental_count);
   controls_->setGroups(nearby, nearby_count, incremental, incremental_count);
-  controls_->setSlices(session_ ? session_->slice() : 0, session_ ? session_->book().maxSlices() : 1);
-  refreshDetails();
+}
+
+void InspectorDock::showSubmaps(const std::vector<map::SubmapId>& ids, bool visible) {
+  session_->setVisible(ids, visible);
+  model_->syncVisibility();
+  refreshGroups();
 }
 
 void InspectorDock::keepHiddenGroups() {
@@ -179,8 +223,7 @@ void InspectorDock::setGroupVisible(bool SubmapFacts::*flag, bool visible) {
   if (!session_) return;
   known_.clear();
   for (const auto& [id, row] : session_->book().rows()) known_.insert(id);
-  session_->setVisible(model_->submapsWhere(flag), visible);
-  refresh();
+  showSubmaps(model_->submapsWhere(flag), visible);
 }
 
 void InspectorDock::setColorMode(render::ColorMode mode) { controls_->setColorMode(mode); }
@@ -207,7 +250,23 @@ std::optional<map::SubmapId> InspectorDock::idAt(const QModelIndex& proxy_index)
   return facts ? std::optional(facts->id) : std::nullopt;
 }
 
-std::optional<map::SubmapId> InspectorDock::selected() const { return idAt(tree_->currentIndex()); }
+std::optional<map::SubmapId> InspectorDock::selected() const {
+  const std::set<map::SubmapId> leaves = selectedLeaves();
+  return leaves.size() == 1 ? std::optional(*leaves.begin()) : std::nullopt;
+}
+
+std::set<map::SubmapId> InspectorDock::selectedLeaves() const {
+  std::set<map::SubmapId> leaves;
+  for (const QModelIndex& row : tree_->selectionModel()->selectedRows()) {
+    if (const auto id = idAt(row)) leaves.insert(*id);
+  }
+  return leaves;
+}
+
+void InspectorDock::takeSelection() {
+  scene_->setHighlighted(selectedLeaves());
+  refreshDetails();
+}
 
 std::vector<map::SubmapId> InspectorDock::selectedIds() const {
   std::set<map::SubmapId> ids;
@@ -223,30 +282,24 @@ void InspectorDock::showMenu(const QPoint& at) {
   QMenu menu(this);
   const auto one = idAt(tree_->indexAt(at));
   if (one) {
-    menu.addAction(themedIcon(QStringLiteral("locate")), QStringLiteral("Locate on the map"), this,
+    menu.addAction(themedIcon(QStringLiteral("locate")), tr("Locate on the map"), this,
                    [this, one] { Q_EMIT locateWanted(*one); });
   }
-  menu.addAction(themedIcon(QStringLiteral("eye")), QStringLiteral("Show"), this, [this, ids] {
-    session_->setVisible(ids, true);
-    refresh();
-  });
-  menu.addAction(themedIcon(QStringLiteral("eye-off")), QStringLiteral("Hide"), this, [this, ids] {
-    session_->setVisible(ids, false);
-    refresh();
-  });
-  menu.addAction(QStringLiteral("Show only these"), this, [this, ids] {
+  menu.addAction(themedIcon(QStringLiteral("eye")), tr("Show"), this,
+                 [this, ids] { showSubmaps(ids, true); });
+  menu.addAction(themedIcon(QStringLiteral("eye-off")), tr("Hide"), this,
+                 [this, ids] { showSubmaps(ids, false); });
+  menu.addAction(tr("Show only these"), this, [this, ids] {
     session_->setVisible(model_->submapsBelow(model_->index(0, 0)), false);
-    session_->setVisible(ids, true);
-    refresh();
+    showSubmaps(ids, true);
   });
   menu.addSeparator();
   if (one) {
-    menu.addAction(themedIcon(QStringLiteral("copy")), QStringLiteral("Copy details"), this, [this, one] {
-      Q_EMIT copyWanted(submapDetails(*session_, *one), QStringLiteral("Details copied"));
-    });
+    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy details"), this,
+                   [this, one] { Q_EMIT copyWanted(submapDetails(*session_, *one), tr("Details copied")); });
   }
-  menu.addAction(QStringLiteral("Expand all"), tree_, &QTreeView::expandAll);
-  menu.addAction(QStringLiteral("Collapse all"), this, [this] {
+  menu.addAction(tr("Expand all"), tree_, &QTreeView::expandAll);
+  menu.addAction(tr("Collapse all"), this, [this] {
     tree_->collapseAll();
     tree_->expand(filtered_->index(0, 0));
   });
@@ -256,11 +309,15 @@ void InspectorDock::showMenu(const QPoint& at) {
 QString InspectorDock::detailsText() const { return details_->text(); }
 
 void InspectorDock::refreshDetails() {
-  const auto id = selected();
-  const QString text = session_ && id ? submapDetails(*session_, *id)
-                                      : QStringLiteral(
-                                            "Select a submap to see where it is and how it stands. "
-                                            "Double click shows it on the map.");
+  const std::set<map::SubmapId> leaves = selectedLeaves();
+  QString text;
+  if (session_ && leaves.size() == 1) {
+    text = submapDetails(*session_, *leaves.begin());
+  } else if (session_ && !leaves.empty()) {
+    text = tr("%1 submaps are selected.").arg(countText(qint64(leaves.size())));
+  } else {
+    text = tr("Select a submap to see where it is and how it stands. Double click shows it on the map.");
+  }
   if (const QString plain = words::plainText(text); plain != details_->text()) details_->setText(plain);
 }
 

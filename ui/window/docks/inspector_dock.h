@@ -29,10 +29,11 @@ class InspectorDock : public QDockWidget {
   /// Not owned; null = none.
   void setSession(session::Session* session);
   void setColorMode(render::ColorMode mode);
-  /// Selects a submap in the tree, as if clicked (without moving the map).
+  /// Selects a submap in the tree, as if clicked (without moving the map). What is selected is framed on the
+  /// map.
   void select(map::SubmapId id);
   void clearSelection();
-  std::optional<map::SubmapId> selected() const;
+  std::optional<map::SubmapId> selected() const;  // when it is one alone
 
   QTreeView* tree() const { return tree_; }
   SubmapTreeModel* model() const { return model_; }
@@ -44,19 +45,28 @@ class InspectorDock : public QDockWidget {
   void locateWanted(mapwright::map::SubmapId id);
   void colorModeWanted(mapwright::render::ColorMode mode);
   void copyWanted(const QString& text, const QString& what);
+  /// The submaps were counted outside of the session's own rhythm: whoever shows counts too counts with it.
+  void counted();
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void buildTree();
   void refresh();
   void refreshDetails();
+  void refreshGroups();
+  void fitColumns();
+  void takeSelection();
+  void showSubmaps(const std::vector<map::SubmapId>& ids, bool visible);
   void setGroupVisible(bool SubmapFacts::*flag, bool visible);
   void keepHiddenGroups();
   void showMenu(const QPoint& at);
   std::optional<map::SubmapId> idAt(const QModelIndex& proxy_index) const;
-  std::vector<map::SubmapId> selectedIds() const;
+  std::set<map::SubmapId> selectedLeaves() const;
+  std::vector<map::SubmapId> selectedIds() const;  // with those below selected groups
 
   scene::MapScene* scene_;
   QPointer<session::Session> session_;

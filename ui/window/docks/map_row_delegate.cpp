@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "window/docks/maps_model.h"
+#include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"
 
@@ -44,6 +45,8 @@ void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   row.text.clear();
   const QStyle* style = row.widget ? row.widget->style() : QApplication::style();
   style->drawControl(QStyle::CE_ItemViewItem, &row, painter, row.widget);
+  paintRowState(painter, option.rect, option.state.testFlag(QStyle::State_Selected),
+                option.state.testFlag(QStyle::State_HasFocus));
   const UiColors colors = appColors();
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);

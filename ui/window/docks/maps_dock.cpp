@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "window/docks/map_row_delegate.h"
+#include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
@@ -19,29 +20,29 @@
 namespace mapwright::window {
 
 MapsDock::MapsDock(QWidget* parent)
-    : QDockWidget(QStringLiteral("Maps"), parent),
+    : QDockWidget(tr("Maps"), parent),
       model_(new MapsModel(this)),
       search_(new QLineEdit(this)),
       refresh_(new QToolButton(this)),
-      list_(new QListView(this)),
+      list_(new QuietListView(this)),
       empty_(new QLabel(this)),
       status_(new QLabel(this)),
-      retry_(new QPushButton(QStringLiteral("Retry"), this)) {
+      retry_(new QPushButton(tr("Retry"), this)) {
   setObjectName(QStringLiteral("maps"));
-  search_->setPlaceholderText(QStringLiteral("Search maps"));
+  search_->setPlaceholderText(tr("Search maps"));
   search_->setClearButtonEnabled(true);
-  search_->setAccessibleName(QStringLiteral("Search maps"));
+  search_->setAccessibleName(tr("Search maps"));
   refresh_->setIcon(themedIcon(QStringLiteral("retry")));
   refresh_->setIconSize({16, 16});
-  refresh_->setToolTip(QStringLiteral("Ask the robot again which maps it keeps"));
-  refresh_->setAccessibleName(QStringLiteral("Refresh the list of maps"));
+  refresh_->setToolTip(tr("Ask the robot again which maps it keeps"));
+  refresh_->setAccessibleName(tr("Refresh the list of maps"));
   list_->setModel(model_);
   list_->setItemDelegate(new MapRowDelegate(list_));
   list_->setUniformItemSizes(false);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
-  list_->setAccessibleName(QStringLiteral("Maps"));
+  list_->setAccessibleName(tr("Maps"));
   list_->setMinimumWidth(180);
   for (QLabel* label : {empty_, status_}) {
     label->setTextFormat(Qt::PlainText);
@@ -126,11 +127,11 @@ void MapsDock::refresh() {
   status_->setPalette(palette);
   QString text;
   if (loading) {
-    text = QStringLiteral("Asking the robot…");
+    text = tr("Asking the robot…");
   } else if (!error.isEmpty()) {
     text = error;
   } else if (offered && session_->catalogue().asOf()) {
-    text = QStringLiteral("%1, as of %2")
+    text = tr("%1, as of %2")
                .arg(plural(model_->maps(), QStringLiteral("map")),
                     session_->catalogue().asOf()->toString(QStringLiteral("HH:mm:ss")));
   }
@@ -139,16 +140,14 @@ void MapsDock::refresh() {
 }
 
 QString MapsDock::emptyText() const {
-  if (!session_)
-    return QStringLiteral("Connect to a robot to see its maps, or open a map file (Ctrl+Shift+O).");
-  if (!session_->catalogue().offered())
-    return QStringLiteral("This robot does not tell which maps it keeps.");
+  if (!session_) return tr("Connect to a robot to see its maps, or open a map file (Ctrl+Shift+O).");
+  if (!session_->catalogue().offered()) return tr("This robot does not tell which maps it keeps.");
   if (session_->catalogue().loading() || !session_->catalogue().error().isEmpty()) return {};
   if (model_->maps() == 0) {
-    return session_->catalogue().asOf() ? QStringLiteral("The robot keeps no maps.")
-                                        : QStringLiteral("The list comes as soon as the robot is connected.");
+    return session_->catalogue().asOf() ? tr("The robot keeps no maps.")
+                                        : tr("The list comes as soon as the robot is connected.");
   }
-  return model_->found() == 0 ? QStringLiteral("No map matches the search.") : QString();
+  return model_->found() == 0 ? tr("No map matches the search.") : QString();
 }
 
 QString MapsDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
@@ -159,18 +158,18 @@ void MapsDock::showMenu(const QPoint& at) {
   if (!key || !session_) return;
   QMenu menu(this);
   menu.setToolTipsVisible(true);
-  QAction* open = menu.addAction(themedIcon(QStringLiteral("map")), QStringLiteral("Open"), this,
+  QAction* open = menu.addAction(themedIcon(QStringLiteral("map")), tr("Open"), this,
                                  [this, key] { Q_EMIT openWanted(*key); });
-  open->setToolTip(QStringLiteral("Shows it here. Nothing is loaded or changed on the robot."));
-  menu.addAction(themedIcon(QStringLiteral("compare")), QStringLiteral("Compare with the open map"), this,
+  open->setToolTip(tr("Shows it here. Nothing is loaded or changed on the robot."));
+  menu.addAction(themedIcon(QStringLiteral("compare")), tr("Compare with the open map"), this,
                  [this, key] { Q_EMIT compareWanted(*key); });
-  menu.addAction(themedIcon(QStringLiteral("export")), QStringLiteral("Export…"), this,
+  menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,
                  [this, key] { Q_EMIT exportWanted(*key); });
   if (!key->id.empty()) {
     menu.addSeparator();
-    menu.addAction(themedIcon(QStringLiteral("copy")), QStringLiteral("Copy id"), this, [this, key] {
+    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy id"), this, [this, key] {
       const QString id = QString::fromStdString(key->id);
-      Q_EMIT copyWanted(id, QStringLiteral("Copied %1").arg(id.left(80)));
+      Q_EMIT copyWanted(id, tr("Copied %1").arg(id.left(80)));
     });
   }
   menu.exec(list_->viewport()->mapToGlobal(at));

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "window/docks/pretty_json.h"
+#include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"
@@ -36,20 +37,20 @@ std::function<qint64()> elapsedClock() {
 }  // namespace
 
 MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
-    : QDockWidget(QStringLiteral("Messages"), parent),
+    : QDockWidget(tr("Messages"), parent),
       monotonic_(monotonic ? std::move(monotonic) : elapsedClock()),
       model_(new TopicsModel(this)),
       sorted_(new QSortFilterProxyModel(this)),
-      table_(new QTableView(this)),
+      table_(new QuietTableView(this)),
       message_(new QPlainTextEdit(this)),
       caption_(new PlainLabel(this)),
       filter_(new QLineEdit(this)),
       topic_(new QLineEdit(this)),
       known_(new QStringListModel(this)),
-      add_(new QPushButton(QStringLiteral("Listen"), this)),
-      pause_(new QPushButton(QStringLiteral("Pause"), this)),
-      clear_(new QPushButton(QStringLiteral("Clear"), this)),
-      copy_(new QPushButton(QStringLiteral("Copy"), this)) {
+      add_(new QPushButton(tr("Listen"), this)),
+      pause_(new QPushButton(tr("Pause"), this)),
+      clear_(new QPushButton(tr("Clear"), this)),
+      copy_(new QPushButton(tr("Copy"), this)) {
   setObjectName(QStringLiteral("messages"));
   buildTable();
   message_->setReadOnly(true);
@@ -57,7 +58,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   message_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   message_->setLineWrapMode(QPlainTextEdit::NoWrap);
   message_->setFrameShape(QFrame::NoFrame);
-  message_->setAccessibleName(QStringLiteral("Last message"));
+  message_->setAccessibleName(tr("Last message"));
   caption_->setSecondary(true);
   caption_->setSample(QStringLiteral("x"));
   caption_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -110,22 +111,22 @@ QWidget* MessagesDock::buildControls() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(6);
-  filter_->setPlaceholderText(QStringLiteral("Filter topics"));
+  filter_->setPlaceholderText(tr("Filter topics"));
   filter_->setClearButtonEnabled(true);
-  filter_->setAccessibleName(QStringLiteral("Filter topics"));
-  topic_->setPlaceholderText(QStringLiteral("/topic to listen to"));
-  topic_->setAccessibleName(QStringLiteral("Topic to listen to"));
+  filter_->setAccessibleName(tr("Filter topics"));
+  topic_->setPlaceholderText(tr("/topic to listen to"));
+  topic_->setAccessibleName(tr("Topic to listen to"));
   topic_->setMaxLength(300);
   auto* completer = new QCompleter(known_, topic_);
   completer->setFilterMode(Qt::MatchContains);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   topic_->setCompleter(completer);
-  add_->setToolTip(QStringLiteral("Ask the robot for this topic as long as this panel is open"));
+  add_->setToolTip(tr("Ask the robot for this topic as long as this panel is open"));
   pause_->setCheckable(true);
-  pause_->setToolTip(QStringLiteral("Keep what is shown; nothing is received meanwhile"));
+  pause_->setToolTip(tr("Keep what is shown; nothing is received meanwhile"));
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
   copy_->setIcon(themedIcon(QStringLiteral("copy")));
-  copy_->setToolTip(QStringLiteral("Copy the message as it came"));
+  copy_->setToolTip(tr("Copy the message as it came"));
   for (QPushButton* button : {add_, pause_, clear_, copy_}) button->setObjectName(QStringLiteral("compact"));
   row->addWidget(filter_, 2);
   row->addWidget(topic_, 2);
@@ -140,7 +141,7 @@ QWidget* MessagesDock::buildControls() {
           [this](const QString& text) { add_->setEnabled(session_ && !text.trimmed().isEmpty()); });
   connect(add_, &QPushButton::clicked, this, &MessagesDock::addTopic);
   connect(pause_, &QPushButton::toggled, this, [this](bool paused) {
-    pause_->setText(paused ? QStringLiteral("Resume") : QStringLiteral("Pause"));
+    pause_->setText(paused ? tr("Resume") : tr("Pause"));
     updateWatching();
     refresh();
   });
@@ -152,7 +153,7 @@ QWidget* MessagesDock::buildControls() {
   });
   connect(copy_, &QPushButton::clicked, this, [this] {
     if (const TopicTally* tally = log_.find(chosen_))
-      Q_EMIT copyWanted(QString::fromUtf8(tally->text), QStringLiteral("Message copied"));
+      Q_EMIT copyWanted(QString::fromUtf8(tally->text), tr("Message copied"));
   });
   return box;
 }
@@ -163,6 +164,7 @@ void MessagesDock::buildTable() {
   sorted_->setFilterKeyColumn(TopicsModel::TopicColumn);
   sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   table_->setModel(sorted_);
+  table_->setItemDelegate(new TableRowDelegate(table_));
   table_->setSortingEnabled(true);
   table_->sortByColumn(TopicsModel::TopicColumn, Qt::AscendingOrder);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -173,7 +175,7 @@ void MessagesDock::buildTable() {
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(22);
-  table_->setAccessibleName(QStringLiteral("Topics"));
+  table_->setAccessibleName(tr("Topics"));
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(40);
@@ -252,13 +254,13 @@ void MessagesDock::showMessage(bool force) {
     shown_count_ = 0;
     QString hint;
     if (!session_) {
-      hint = QStringLiteral("Connect to a robot to see its messages.");
+      hint = tr("Connect to a robot to see its messages.");
     } else if (!session_->robot().liveTopics()) {
-      hint = QStringLiteral("Nothing live comes from here.");
+      hint = tr("Nothing live comes from here.");
     } else if (tally) {
-      hint = QStringLiteral("Nothing has come on %1 yet.").arg(chosen_.left(100));
+      hint = tr("Nothing has come on %1 yet.").arg(chosen_.left(100));
     } else {
-      hint = QStringLiteral("Choose a topic to see its last message.");
+      hint = tr("Choose a topic to see its last message.");
     }
     caption_->setText(hint);
     return;
@@ -267,7 +269,7 @@ void MessagesDock::showMessage(bool force) {
   shown_count_ = tally->count;
   caption_->setText(QStringLiteral("%1  %2, %3%4")
                         .arg(chosen_.left(100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
-                             bytesText(tally->last_bytes), tally->cut ? QStringLiteral(", cut") : QString()));
+                             bytesText(tally->last_bytes), tally->cut ? tr(", cut") : QString()));
   const int down = message_->verticalScrollBar()->value();
   const int across = message_->horizontalScrollBar()->value();
   message_->setPlainText(prettyJson(tally->text));
@@ -307,10 +309,10 @@ void MessagesDock::showMenu(const QPoint& at) {
   const QString topic = index.isValid() ? model_->topicAt(sorted_->mapToSource(index).row()) : QString();
   if (topic.isEmpty()) return;
   QMenu menu(this);
-  menu.addAction(themedIcon(QStringLiteral("copy")), QStringLiteral("Copy topic"), this,
-                 [this, topic] { Q_EMIT copyWanted(topic, QStringLiteral("Topic copied")); });
+  menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy topic"), this,
+                 [this, topic] { Q_EMIT copyWanted(topic, tr("Topic copied")); });
   if (asked_.contains(topic))
-    menu.addAction(QStringLiteral("Stop listening to it"), this, [this, topic] { dropTopic(topic); });
+    menu.addAction(tr("Stop listening to it"), this, [this, topic] { dropTopic(topic); });
   menu.exec(table_->viewport()->mapToGlobal(at));
 }
 

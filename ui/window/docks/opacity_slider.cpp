@@ -12,7 +12,7 @@ OpacitySlider::OpacitySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) 
   setPageStep(10);
   setFixedSize(46, 18);
   setFocusPolicy(Qt::TabFocus);
-  setToolTip(QStringLiteral("Opacity"));
+  setToolTip(tr("Opacity"));
 }
 
 void OpacitySlider::paintEvent(QPaintEvent*) {
@@ -20,11 +20,11 @@ void OpacitySlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-  painter.setPen(hasFocus() ? colors.accent : colors.border);
+  painter.setPen(hasFocus() ? colors.focus : colors.border);
   painter.setBrush(isEnabled() ? colors.base : colors.window);
   painter.drawRoundedRect(box, 3, 3);
-  if (value() > 0) {
-    QColor fill = isEnabled() ? colors.accent : colors.neutral;
+  if (value() > 0 && isEnabled()) {
+    QColor fill = colors.accent;
     fill.setAlpha(colors.dark ? 110 : 60);
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);

@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"
@@ -15,16 +16,17 @@
 namespace mapwright::window {
 
 ProblemsDock::ProblemsDock(QWidget* parent)
-    : QDockWidget(QStringLiteral("Problems"), parent),
+    : QDockWidget(tr("Problems"), parent),
       model_(new ProblemsModel(this)),
-      table_(new QTableView(this)),
+      table_(new QuietTableView(this)),
       summary_(new PlainLabel(this)),
-      copy_selected_(new QPushButton(QStringLiteral("Copy selected"), this)),
-      copy_all_(new QPushButton(QStringLiteral("Copy all"), this)),
-      clear_(new QPushButton(QStringLiteral("Clear"), this)),
-      retry_(new QPushButton(QStringLiteral("Retry"), this)) {
+      copy_selected_(new QPushButton(tr("Copy selected"), this)),
+      copy_all_(new QPushButton(tr("Copy all"), this)),
+      clear_(new QPushButton(tr("Clear"), this)),
+      retry_(new QPushButton(tr("Retry"), this)) {
   setObjectName(QStringLiteral("problems"));
   table_->setModel(model_);
+  table_->setItemDelegate(new TableRowDelegate(table_));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setShowGrid(false);
@@ -32,7 +34,7 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   table_->setTabKeyNavigation(false);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(24);
-  table_->setAccessibleName(QStringLiteral("Problems"));
+  table_->setAccessibleName(tr("Problems"));
   table_->installEventFilter(this);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
@@ -54,7 +56,7 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   retry_->setIcon(themedIcon(QStringLiteral("retry")));
   copy_all_->setIcon(themedIcon(QStringLiteral("copy")));
   clear_->setIcon(themedIcon(QStringLiteral("trash")));
-  retry_->setToolTip(QStringLiteral("Ask again for everything that failed or was missing"));
+  retry_->setToolTip(tr("Ask again for everything that failed or was missing"));
   for (QPushButton* button : {retry_, copy_selected_, copy_all_, clear_}) {
     button->setObjectName(QStringLiteral("compact"));
     row->addWidget(button);
@@ -70,8 +72,7 @@ ProblemsDock::ProblemsDock(QWidget* parent)
   connect(copy_selected_, &QPushButton::clicked, this, &ProblemsDock::copySelected);
   connect(copy_all_, &QPushButton::clicked, this, [this] {
     if (session_)
-      Q_EMIT copyWanted(session_->problems().toText(QDateTime::currentDateTime()),
-                        QStringLiteral("All problems copied"));
+      Q_EMIT copyWanted(session_->problems().toText(QDateTime::currentDateTime()), tr("All problems copied"));
   });
   connect(clear_, &QPushButton::clicked, this, [this] {
     if (session_) session_->clearProblems();
@@ -102,12 +103,12 @@ void ProblemsDock::refresh() {
   model_->sync(session_ ? session_->problems().rows() : kNone);
   if (at_end) table_->scrollToBottom();
   const int rows = model_->rowCount();
-  QString text = QStringLiteral("No problems.");
+  QString text = tr("No problems.");
   if (rows > 0) {
-    text = QStringLiteral("%1, %2 unresolved")
+    text = tr("%1, %2 unresolved")
                .arg(plural(rows, QStringLiteral("problem")), countText(session_->problems().unresolved()));
     const std::size_t forgotten = session_->problems().forgotten();
-    if (forgotten > 0) text += QStringLiteral(", %1 older ones dropped").arg(countText(qint64(forgotten)));
+    if (forgotten > 0) text += tr(", %1 older ones dropped").arg(countText(qint64(forgotten)));
   }
   summary_->setText(text);
   copy_all_->setEnabled(rows > 0);
@@ -123,7 +124,7 @@ void ProblemsDock::copySelected() {
   for (const QModelIndex& row : rows) lines << problemLine(model_->problem(row.row()));
   if (lines.isEmpty()) return;
   Q_EMIT copyWanted(lines.join(QLatin1Char('\n')),
-                    QStringLiteral("%1 copied").arg(plural(lines.size(), QStringLiteral("problem"))));
+                    tr("%1 copied").arg(plural(lines.size(), QStringLiteral("problem"))));
 }
 
 bool ProblemsDock::eventFilter(QObject* watched, QEvent* event) {

@@ -14,7 +14,7 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
   QString name =
       QStringLiteral("%1 v%2").arg(QString::fromStdString(map::toText(id))).arg(row->entry.version);
   if (row->shown_version >= 0 && row->shown_version != row->entry.version) {
-    name += QStringLiteral(" (v%1 on screen)").arg(row->shown_version);
+    name += InspectorDock::tr(" (v%1 on screen)").arg(row->shown_version);
   }
   SubmapFacts facts;
   facts.frozen = row->entry.is_frozen;
@@ -22,7 +22,7 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
   facts.nearby = row->entry.is_nearby;
   QStringList lines{QStringLiteral("%1  %2").arg(name, badges(facts).join(QLatin1String(" ")).toLower())};
   const auto pose = geometry::toIsometry(row->entry.pose);
-  QString where = QStringLiteral("no usable pose");
+  QString where = InspectorDock::tr("no usable pose");
   if (pose && row->pose_usable) {
     const geometry::Pose2 flat = geometry::projectToPlane(*pose);
     where = QStringLiteral("x %1 y %2 m, %3")
@@ -32,7 +32,7 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
   }
   if (!row->slices.empty()) {
     where += QStringLiteral(", %1, %2")
-                 .arg(plural(qint64(row->slices.size()), QStringLiteral("slice")),
+                 .arg(plural(qint64(row->slices.size()), InspectorDock::tr("slice")),
                       bytesText(qint64(row->texture_bytes)));
   }
   lines << where;

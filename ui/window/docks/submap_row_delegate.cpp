@@ -1,12 +1,18 @@
 #include "window/docks/submap_row_delegate.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QApplication>
+#include <QHeaderView>
 #include <QPainter>
+#include <QTreeView>
 
 #include "window/docks/submap_tree_model.h"
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"
 #include "window/status/state_mark.h"
+#include "window/status/status_text.h"
 
 namespace mapwright::window {
 
@@ -19,7 +25,61 @@ QColor badgeColor(const QString& name, const UiColors& colors) {
   return colors.secondary_text;
 }
 
+constexpr int kPad = 2;           // left of what the delegate paints itself
+constexpr int kIconPx = 18;       // the mark of a status with its gap
+constexpr double kBadgeGap = 3;   // between two
+constexpr double kBadgeEdge = 8;  // around its word
+constexpr int kLocatePx = 22;
+
+QFont badgeFont(QFont font) {
+  font.setPointSizeF(font.pointSizeF() * 0.74);
+  font.setWeight(QFont::DemiBold);
+  return font;
+}
+
+double badgeWidth(const QFontMetricsF& metrics, const QString& name) {
+  return metrics.horizontalAdvance(name) + kBadgeEdge;
+}
+
+double badgesWidth(const QFont& font, const QStringList& names) {
+  const QFontMetricsF metrics(badgeFont(font));
+  double width = 0;
+  for (const QString& name : names) width += badgeWidth(metrics, name) + kBadgeGap;
+  return width;
+}
+
+int nameWidth(const QTreeView& tree, const QString& text, int depth) {
+  QStyleOptionViewItem option;
+  option.initFrom(&tree);
+  option.font = tree.font();
+  option.fontMetrics = QFontMetrics(tree.font());
+  option.features = QStyleOptionViewItem::HasDisplay | QStyleOptionViewItem::HasCheckIndicator;
+  option.text = text;
+  option.widget = &tree;
+  const QSize item = tree.style()->sizeFromContents(QStyle::CT_ItemViewItem, &option, QSize(), &tree);
+  return item.width() + tree.indentation() * (depth + (tree.rootIsDecorated() ? 1 : 0)) + 2;
+}
+
 }  // namespace
+
+ColumnNeeds columnNeeds(const QTreeView& tree, const SubmapTreeModel& model) {
+  const QFontMetrics metrics(tree.font());
+  ColumnNeeds needs;
+  needs.name = std::max(nameWidth(tree, model.widestLeaf(), 2), nameWidth(tree, model.widestGroup(), 1));
+  needs.total = metrics.horizontalAdvance(model.widestTotal()) + 2 * kPad + 4;
+  needs.locate = kLocatePx;
+  const auto heading = [&](SubmapTreeModel::Column column) { return tree.header()->sectionSizeHint(column); };
+  SubmapFacts all;
+  all.frozen = all.incremental = all.nearby = true;
+  needs.badges_least = heading(SubmapTreeModel::BadgeColumn);
+  needs.badges_wanted = kPad + int(std::ceil(badgesWidth(tree.font(), badges(all))));
+  needs.status_least = heading(SubmapTreeModel::StatusColumn);
+  for (int status = 0; status <= int(session::SubmapStatus::Unplaced); ++status) {
+    const int word = metrics.horizontalAdvance(statusWord(session::SubmapStatus(status)));
+    needs.status_wanted = std::max(needs.status_wanted, word + kIconPx + 3 * kPad);
+  }
+  return needs;
+}
 
 QSize SubmapRowDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   return {QStyledItemDelegate::sizeHint(option, index).width(), kRowPx};
@@ -50,11 +110,12 @@ void SubmapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
       paintBadges(painter, option, index.data(SubmapTreeModel::BadgesRole).toStringList());
       break;
     case SubmapTreeModel::StatusColumn:
-      paintStatus(painter, option, index);
+      if (index.data(SubmapTreeModel::StatusRole).isValid()) paintStatus(painter, option, index);
       break;
     case SubmapTreeModel::LocateColumn:
-      if (index.data(SubmapTreeModel::StatusRole).isValid() &&
-          (option.state & (QStyle::State_Selected | QStyle::State_MouseOver))) {
+      if (!index.data(SubmapTreeModel::StatusRole).isValid()) {
+        paintTotal(painter, option, index);
+      } else if (option.state & (QStyle::State_Selected | QStyle::State_MouseOver)) {
         paintIcon(painter, QRectF(option.rect).adjusted(2, 4, -2, -4), QStringLiteral("locate"),
                   colors.accent_text);
       }
@@ -67,17 +128,13 @@ void SubmapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
 
 void SubmapRowDelegate::paintBadges(QPainter* painter, const QStyleOptionViewItem& option,
                                     const QStringList& names) const {
-  constexpr double kGap = 3;
   const UiColors colors = appColors();
-  QFont font = option.font;
-  font.setPointSizeF(font.pointSizeF() * 0.74);
-  font.setWeight(QFont::DemiBold);
+  const QFont font = badgeFont(option.font);
   painter->setFont(font);
   const QFontMetricsF metrics(font);
-  const auto width = [&metrics](const QString& name) { return metrics.horizontalAdvance(name) + 8; };
-  double x = option.rect.left() + 2;
+  double x = option.rect.left() + kPad;
   const auto paint_one = [&](const QString& name, const QColor& color) {
-    const QRectF box(x, option.rect.center().y() - 6.5, width(name), 15);
+    const QRectF box(x, option.rect.center().y() - 6.5, badgeWidth(metrics, name), 15);
     QColor fill = color;
     fill.setAlpha(26);
     painter->setPen(Qt::NoPen);
@@ -85,16 +142,14 @@ void SubmapRowDelegate::paintBadges(QPainter* painter, const QStyleOptionViewIte
     painter->drawRoundedRect(box, 4, 4);
     painter->setPen(color);
     painter->drawText(box, Qt::AlignCenter, name);
-    x += box.width() + kGap;
+    x += box.width() + kBadgeGap;
   };
-  const double right = option.rect.right();
-  double needed = x;
-  for (const QString& name : names) needed += width(name) + kGap;
-  const bool all_fit = needed - kGap <= right;
+  const double right = option.rect.right() + 1;
+  const bool all_fit = x + badgesWidth(option.font, names) - kBadgeGap <= right;
   // What has no room becomes a count; the details below the tree name them all.
-  const double room = all_fit ? right : right - width(QStringLiteral("+9")) - kGap;
+  const double room = all_fit ? right : right - badgeWidth(metrics, QStringLiteral("+9")) - kBadgeGap;
   for (qsizetype i = 0; i < names.size(); ++i) {
-    if (x + width(names[i]) > room) {
+    if (x + badgeWidth(metrics, names[i]) > room) {
       paint_one(QStringLiteral("+%1").arg(names.size() - i), colors.secondary_text);
       return;
     }
@@ -105,23 +160,32 @@ void SubmapRowDelegate::paintBadges(QPainter* painter, const QStyleOptionViewIte
 void SubmapRowDelegate::paintStatus(QPainter* painter, const QStyleOptionViewItem& option,
                                     const QModelIndex& index) const {
   const UiColors colors = appColors();
-  const QVariant value = index.data(SubmapTreeModel::StatusRole);
-  QRect text = option.rect.adjusted(2, 0, -4, 0);
-  QColor color = colors.secondary_text;
-  if (value.isValid()) {
-    const auto status = session::SubmapStatus(value.toInt());
-    const Mark kind = statusMark(status);
-    const QColor mark = markTextColor(kind, colors);
-    paintIcon(painter, QRectF(text.left(), text.center().y() - 6.5, 14, 14), statusIcon(status), mark);
-    text.setLeft(text.left() + 18);
-    // A healthy row stays quiet; the word takes a colour only where it asks for attention.
-    if (kind == Mark::Warning || kind == Mark::Bad) color = mark;
-  }
-  painter->setPen(color);
-  const QFontMetrics metrics(option.font);
+  const auto status = session::SubmapStatus(index.data(SubmapTreeModel::StatusRole).toInt());
+  const Mark kind = statusMark(status);
+  const QColor mark = markTextColor(kind, colors);
+  QRect text = option.rect.adjusted(kPad, 0, -kPad, 0);
+  paintIcon(painter, QRectF(text.left(), text.center().y() - 6.5, 14, 14), statusIcon(status), mark);
+  text.setLeft(text.left() + kIconPx);
+  const QString word = index.data().toString();
+  // Half a word says less than the shape beside it; the tooltip has it whole.
+  if (QFontMetrics(option.font).horizontalAdvance(word) > text.width()) return;
   painter->setFont(option.font);
-  painter->drawText(text, int((value.isValid() ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter),
-                    metrics.elidedText(index.data().toString(), Qt::ElideRight, text.width()));
+  // A healthy row stays quiet; the word takes a colour only where it asks for attention.
+  painter->setPen(kind == Mark::Warning || kind == Mark::Bad ? mark : colors.secondary_text);
+  painter->drawText(text, int(Qt::AlignLeft | Qt::AlignVCenter), word);
+}
+
+void SubmapRowDelegate::paintTotal(QPainter* painter, const QStyleOptionViewItem& option,
+                                   const QModelIndex& index) const {
+  // Across the columns before, which are empty on a group's row: painted with the last one, over all of them.
+  const auto* tree = qobject_cast<const QTreeView*>(option.widget);
+  if (!tree) return;
+  const int left = tree->visualRect(index.siblingAtColumn(SubmapTreeModel::BadgeColumn)).left();
+  const QRect text(QPoint(left, option.rect.top()), QPoint(option.rect.left() - kPad, option.rect.bottom()));
+  painter->setFont(option.font);
+  painter->setPen(appColors().secondary_text);
+  painter->drawText(text, int(Qt::AlignRight | Qt::AlignVCenter),
+                    index.data(SubmapTreeModel::TotalRole).toString());
 }
 
 }  // namespace mapwright::window

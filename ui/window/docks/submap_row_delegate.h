@@ -3,9 +3,18 @@
 
 #include <QStyledItemDelegate>
 
+#include "window/docks/submap_columns.h"
+
+class QTreeView;
+
 namespace mapwright::window {
 
+class SubmapTreeModel;
+
 inline constexpr int kRowPx = 24;
+
+/// What the columns need so that nothing that counts is cut, in the font of the tree.
+ColumnNeeds columnNeeds(const QTreeView& tree, const SubmapTreeModel& model);
 
 class SubmapRowDelegate : public QStyledItemDelegate {
   Q_OBJECT
@@ -17,6 +26,7 @@ class SubmapRowDelegate : public QStyledItemDelegate {
  private:
   void paintBadges(QPainter* painter, const QStyleOptionViewItem& option, const QStringList& names) const;
   void paintStatus(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
+  void paintTotal(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
 };
 
 }  // namespace mapwright::window

@@ -5,51 +5,75 @@
 
 namespace mapwright::window {
 
+QString SubmapTreeModel::leafName(map::SubmapId id, std::int32_t version) {
+  return QStringLiteral("#%1 v%2").arg(id.index).arg(version);
+}
+QString SubmapTreeModel::groupName(std::int32_t trajectory) { return tr("Trajectory %1").arg(trajectory); }
+QString SubmapTreeModel::totalText(int shown, int total) {
+  return total > 0 ? tr("%1 of %2").arg(countText(shown), countText(total)) : QString();
+}
+
+QString SubmapTreeModel::widestGroup() const {
+  QString widest = groupName(0);
+  for (const Branch& branch : branches_) {
+    if (const QString name = groupName(branch.trajectory); name.size() > widest.size()) widest = name;
+  }
+  return widest;
+}
+
+QString SubmapTreeModel::widestTotal() const {
+  // A group never shows more than it has, nor has it more than all.
+  return totalText(total_, total_);
+}
+
 QVariant SubmapTreeModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   if (const auto leaf = facts(index)) return leafData(*leaf, index.column(), role);
   if (const auto number = trajectory(index)) {
     const Branch& branch = branches_[std::size_t(index.row())];
-    return groupData(QStringLiteral("Trajectory %1").arg(*number), branch.visible, branch.shown,
-                     int(branch.leaves.size()), index.column(), role);
+    return groupData(groupName(*number), branch.visible, branch.shown, int(branch.leaves.size()),
+                     index.column(), role);
   }
-  return groupData(QStringLiteral("All"), visible_, shown_, total_, index.column(), role);
+  return groupData(tr("All"), visible_, shown_, total_, index.column(), role);
 }
 
 QVariant SubmapTreeModel::groupData(const QString& name, int visible, int shown, int total, int column,
                                     int role) const {
-  if (column == NameColumn && role == Qt::DisplayRole) return name;
-  if (column == NameColumn && role == Qt::CheckStateRole) {
-    return int(visible == 0 ? Qt::Unchecked : visible == total ? Qt::Checked : Qt::PartiallyChecked);
+  switch (role) {
+    case Qt::DisplayRole:
+      if (column == NameColumn) return name;
+      return column == StatusColumn && total > 0 ? QVariant(totalText(shown, total)) : QVariant();
+    case Qt::CheckStateRole:
+      if (column != NameColumn) return {};
+      return int(visible == 0 ? Qt::Unchecked : visible == total ? Qt::Checked : Qt::PartiallyChecked);
+    case Qt::ToolTipRole:
+      return plainToolTip(
+          tr("%1: %2, %3 shown, %4 hidden")
+              .arg(name, plural(total, tr("submap")), countText(shown), countText(total - visible)));
+    case TotalRole:
+      return totalText(shown, total);
+    case HiddenRole:
+      return total > 0 && visible == 0;
+    default:
+      return {};
   }
-  if (column == StatusColumn && role == Qt::DisplayRole && total > 0) {
-    return QStringLiteral("%1 of %2").arg(countText(shown), countText(total));
-  }
-  if (role == Qt::ToolTipRole) {
-    return plainToolTip(QStringLiteral("%1: %2, %3 loaded, %4 hidden")
-                            .arg(name, plural(total, QStringLiteral("submap")), countText(shown),
-                                 countText(total - visible)));
-  }
-  if (role == HiddenRole) return total > 0 && visible == 0;
-  return {};
 }
 
 QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role) const {
   switch (role) {
     case Qt::DisplayRole:
-      if (column == NameColumn) return QStringLiteral("#%1 v%2").arg(leaf.id.index).arg(leaf.version);
+      if (column == NameColumn) return leafName(leaf.id, leaf.version);
       if (column == StatusColumn) return statusWord(leaf.status);
       return {};
     case Qt::CheckStateRole:
       if (column == NameColumn) return int(leaf.visible ? Qt::Checked : Qt::Unchecked);
       return {};
     case Qt::ToolTipRole: {
-      if (column == LocateColumn) return QStringLiteral("Show this submap in the middle of the map");
-      QStringList lines{QStringLiteral("Submap %1, version %2")
-                            .arg(QString::fromStdString(map::toText(leaf.id)))
-                            .arg(leaf.version)};
+      if (column == LocateColumn) return tr("Show this submap in the middle of the map");
+      QStringList lines{
+          tr("Submap %1, version %2").arg(QString::fromStdString(map::toText(leaf.id))).arg(leaf.version)};
       if (leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {
-        lines << QStringLiteral("Version %1 is on screen.").arg(leaf.shown_version);
+        lines << tr("Version %1 is on screen.").arg(leaf.shown_version);
       }
       const QString reason = session_ ? session_->reason(leaf.id) : QString();
       lines << (reason.isEmpty() ? statusWord(leaf.status)
@@ -71,11 +95,11 @@ QVariant SubmapTreeModel::headerData(int section, Qt::Orientation orientation, i
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   switch (section) {
     case NameColumn:
-      return QStringLiteral("Submap");
+      return tr("Submap");
     case BadgeColumn:
-      return QStringLiteral("Flags");
+      return tr("Flags");
     case StatusColumn:
-      return QStringLiteral("Status");
+      return tr("Status");
     default:
       return QString();
   }
@@ -92,7 +116,7 @@ Qt::ItemFlags SubmapTreeModel::flags(const QModelIndex& index) const {
 bool SubmapTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::CheckStateRole || index.column() != NameColumn || !session_) return false;
   session_->setVisible(submapsBelow(index), value.toInt() == Qt::Checked);
-  sync();  // the boxes follow at once, not with the next tick
+  syncVisibility();  // the boxes follow at once, not with the next tick
   return true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <QRegularExpression>
+
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"
 
@@ -28,6 +30,7 @@ SubmapFacts factsOf(const session::Session& session, map::SubmapId id, const sub
   facts.incremental = row.entry.is_incremental;
   facts.nearby = row.entry.is_nearby;
   facts.visible = row.visible;
+  facts.drawable = row.drawable(session.slice());
   facts.status = session.status(id);
   return facts;
 }
@@ -45,18 +48,45 @@ void SubmapTreeModel::setSession(session::Session* session) {
   session_ = session;
   branches_.clear();
   total_ = visible_ = shown_ = 0;
+  widest_leaf_.clear();
   endResetModel();
   sync();
 }
 
 void SubmapTreeModel::sync() {
-  std::vector<std::vector<SubmapFacts>> fresh;
+  Rows fresh;
+  std::int32_t longest_index = 0, longest_version = 0;
+  const auto longer = [](std::int32_t a, std::int32_t b) {
+    return QString::number(b).size() > QString::number(a).size() ? b : a;
+  };
   if (session_) {
     for (const auto& [id, row] : session_->book().rows()) {
       if (fresh.empty() || fresh.back().front().id.trajectory != id.trajectory) fresh.emplace_back();
       fresh.back().push_back(factsOf(*session_, id, row));
+      // Looked at by the number first: a text for each of ten thousand rows would be felt.
+      if (id.index > longest_index || id.index < 0) longest_index = longer(longest_index, id.index);
+      if (row.entry.version > longest_version || row.entry.version < 0)
+        longest_version = longer(longest_version, row.entry.version);
     }
   }
+  static const QRegularExpression digit(QStringLiteral("\\d"));
+  widest_leaf_ = leafName({0, longest_index}, longest_version).replace(digit, QStringLiteral("0"));
+  takeOver(fresh);
+}
+
+void SubmapTreeModel::syncVisibility() {
+  Rows fresh;
+  for (const Branch& branch : branches_) {
+    fresh.push_back(branch.leaves);
+    for (SubmapFacts& facts : fresh.back()) {
+      if (const submap::SubmapRow* row = session_ ? session_->book().find(facts.id) : nullptr)
+        facts.visible = row->visible;
+    }
+  }
+  takeOver(fresh);
+}
+
+void SubmapTreeModel::takeOver(const Rows& fresh) {
   syncBranches(fresh);
   bool changed = false;
   for (int row = 0; row < int(branches_.size()); ++row) {
@@ -80,7 +110,7 @@ void SubmapTreeModel::sync() {
   }
 }
 
-void SubmapTreeModel::syncBranches(const std::vector<std::vector<SubmapFacts>>& fresh) {
+void SubmapTreeModel::syncBranches(const Rows& fresh) {
   const auto listed = [&fresh](std::int32_t trajectory) {
     return std::any_of(fresh.begin(), fresh.end(), [trajectory](const auto& leaves) {
       return leaves.front().id.trajectory == trajectory;
@@ -149,7 +179,7 @@ bool SubmapTreeModel::recount(Branch& branch) {
   int visible = 0, shown = 0;
   for (const SubmapFacts& facts : branch.leaves) {
     visible += facts.visible;
-    shown += facts.shown_version >= 0;
+    shown += facts.drawable;
   }
   const bool changed = visible != branch.visible || shown != branch.shown;
   branch.visible = visible;

@@ -22,6 +22,7 @@ class SubmapTreeModel : public QAbstractItemModel {
     BadgesRole = Qt::UserRole,  // QStringList, leaves only
     StatusRole,                 // int(session::SubmapStatus), leaves only
     HiddenRole,                 // bool: hidden by the user
+    TotalRole,                  // "3 of 12": how many are shown, groups only
   };
 
   explicit SubmapTreeModel(QObject* parent = nullptr);
@@ -30,6 +31,9 @@ class SubmapTreeModel : public QAbstractItemModel {
   void setSession(session::Session* session);
   /// Takes over what changed. Cheap when nothing did. Call on listChanged() and rowsChanged().
   void sync();
+  /// Takes over who is hidden and nothing else: the boxes follow the hand at once, while the counts stay
+  /// those of the moment at which the status bar counted too.
+  void syncVisibility();
 
   std::optional<SubmapFacts> facts(const QModelIndex& index) const;
   std::optional<std::int32_t> trajectory(const QModelIndex& index) const;  // of a trajectory row only
@@ -37,6 +41,11 @@ class SubmapTreeModel : public QAbstractItemModel {
   /// Every submap at or below the index.
   std::vector<map::SubmapId> submapsBelow(const QModelIndex& index) const;
   std::vector<map::SubmapId> submapsWhere(bool SubmapFacts::*flag) const;
+  /// The longest name of a leaf and of a group, digits as zeros: room that holds them holds every row.
+  QString widestLeaf() const { return widest_leaf_; }
+  QString widestGroup() const;
+  /// The longest count of a group: "10,000 of 10,000".
+  QString widestTotal() const;
   /// Checked, unchecked or partly; of no submaps: unchecked.
   Qt::CheckState visibility(const std::vector<map::SubmapId>& ids) const;
   Qt::CheckState visibilityWhere(bool SubmapFacts::*flag, int* count = nullptr) const;
@@ -56,17 +65,23 @@ class SubmapTreeModel : public QAbstractItemModel {
     std::vector<SubmapFacts> leaves;  // by index
     int visible = 0, shown = 0;
   };
-  int branchRow(std::int32_t trajectory) const;  // -1 = none
-  void syncBranches(const std::vector<std::vector<SubmapFacts>>& fresh);
+  int branchRow(std::int32_t trajectory) const;        // -1 = none
+  using Rows = std::vector<std::vector<SubmapFacts>>;  // one list a trajectory, none of them empty
+  void takeOver(const Rows& fresh);
+  void syncBranches(const Rows& fresh);
   void syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh);
   bool recount(Branch& branch);
   QVariant groupData(const QString& name, int visible, int shown, int total, int column, int role) const;
+  static QString leafName(map::SubmapId id, std::int32_t version);
+  static QString groupName(std::int32_t trajectory);
+  static QString totalText(int shown, int total);
   QVariant leafData(const SubmapFacts& facts, int column, int role) const;
   QModelIndex allIndex() const { return createIndex(0, 0, quintptr(0)); }
 
   QPointer<session::Session> session_;
   std::vector<Branch> branches_;  // by trajectory
   int total_ = 0, visible_ = 0, shown_ = 0;
+  QString widest_leaf_;
 };
 
 }  // namespace mapwright::window

@@ -1,12 +1,32 @@
-// A tree view that tells when Enter is pressed on a row and leaves single letters to the shortcuts of the
-// map.
+// The lists of the docks: single letters are left to the shortcuts of the window, since every list has a
+// search field of its own, and a selected row is told by a bar at its edge and not by its tint alone.
 #pragma once
 
+#include <QHeaderView>
 #include <QKeyEvent>
+#include <QListView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QTableView>
 #include <QTreeView>
+
+#include "window/look/ui_colors.h"
 
 namespace mapwright::window {
 
+/// The bar of a selected row, or the frame of the current one that is not selected. `row` spans the view.
+inline void paintRowState(QPainter* painter, const QRect& row, bool selected, bool current) {
+  const UiColors colors = appColors();
+  if (selected) painter->fillRect(QRect(row.left(), row.top(), 3, row.height()), colors.focus);
+  if (!current || selected) return;
+  painter->save();
+  painter->setPen(colors.focus);
+  painter->setBrush(Qt::NoBrush);
+  painter->drawRect(row.adjusted(0, 0, -1, -1));
+  painter->restore();
+}
+
+/// A tree view that tells when Enter is pressed on a row and lets Esc through.
 class TreeView : public QTreeView {
   Q_OBJECT
  public:
@@ -22,10 +42,54 @@ class TreeView : public QTreeView {
       event->accept();
       return;
     }
+    if (event->key() == Qt::Key_Escape) {
+      event->ignore();
+      return;
+    }
     QTreeView::keyPressEvent(event);
   }
-  // Jumping to a row by typing is what the filter field is for.
   void keyboardSearch(const QString&) override {}
+  void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+    QTreeView::drawRow(painter, option, index);
+    const QModelIndex current = currentIndex();
+    paintRowState(painter, QRect(0, option.rect.top(), viewport()->width(), option.rect.height()),
+                  selectionModel()->isRowSelected(index.row(), index.parent()),
+                  hasFocus() && current.row() == index.row() && current.parent() == index.parent());
+  }
+};
+
+/// Of a list or a table.
+template <typename View>
+class QuietView : public View {
+ public:
+  using View::View;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->key() == Qt::Key_Escape) {
+      event->ignore();
+      return;
+    }
+    View::keyPressEvent(event);
+  }
+  void keyboardSearch(const QString&) override {}
+};
+using QuietListView = QuietView<QListView>;
+using QuietTableView = QuietView<QTableView>;
+
+/// Paints the bar of a table's row with its first column.
+class TableRowDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem quiet = option;
+    quiet.state.setFlag(QStyle::State_HasFocus, false);  // rows are chosen, not cells
+    QStyledItemDelegate::paint(painter, quiet, index);
+    const auto* table = qobject_cast<const QTableView*>(option.widget);
+    const bool first = table && table->horizontalHeader()->visualIndex(index.column()) == 0;
+    if (first) paintRowState(painter, option.rect, option.state.testFlag(QStyle::State_Selected), false);
+  }
 };
 
 }  // namespace mapwright::window

@@ -11,10 +11,13 @@ UiColors uiColors(bool dark) {
   UiColors c;
   c.dark = dark;
   c.accent = QColor(0x1f, 0x6f, 0xeb);
-  c.ok = QColor(0x2e, 0x9e, 0x5b);
-  c.warning = QColor(0xd9, 0x8c, 0x00);
-  c.error = QColor(0xd1, 0x38, 0x3d);
   if (dark) {
+    c.ok = QColor(0x3f, 0xb4, 0x72);
+    c.warning = QColor(0xd9, 0x8c, 0x00);
+    c.error = QColor(0xe8, 0x67, 0x6b);
+    c.focus = QColor(0x5b, 0x9b, 0xff);
+    c.outline = QColor(0x78, 0x83, 0x8f);
+    c.disabled = QColor(0x80, 0x8a, 0x96);
     c.accent_text = QColor(0x7a, 0xb0, 0xff);
     c.ok_text = QColor(0x5c, 0xc9, 0x8b);
     c.warning_text = QColor(0xf0, 0xb0, 0x40);
@@ -29,6 +32,12 @@ UiColors uiColors(bool dark) {
     c.selection = QColor(0x1d, 0x38, 0x61);
     c.neutral = QColor(0x8a, 0x94, 0xa1);
   } else {
+    c.ok = QColor(0x25, 0x8a, 0x4e);
+    c.warning = QColor(0xa8, 0x6a, 0x00);
+    c.error = QColor(0xd1, 0x38, 0x3d);
+    c.focus = c.accent;
+    c.outline = QColor(0x7a, 0x84, 0x8e);
+    c.disabled = QColor(0x77, 0x80, 0x8a);
     c.accent_text = QColor(0x17, 0x5c, 0xc8);
     c.ok_text = QColor(0x1c, 0x70, 0x3f);
     c.warning_text = QColor(0x85, 0x54, 0x00);
@@ -75,10 +84,9 @@ QPalette themePalette(const UiColors& c) {
   all(QPalette::HighlightedText, QColor(Qt::white));
   all(QPalette::Link, c.accent_text);
   all(QPalette::LinkVisited, c.accent_text);
-  const QColor disabled = c.dark ? QColor(0x6b, 0x75, 0x81) : QColor(0x98, 0xa0, 0xa9);
   for (const auto role :
        {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText}) {
-    p.setColor(QPalette::Disabled, role, disabled);
+    p.setColor(QPalette::Disabled, role, c.disabled);
   }
   p.setColor(QPalette::Disabled, QPalette::Highlight, c.border);
   return p;

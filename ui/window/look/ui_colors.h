@@ -6,14 +6,19 @@
 
 namespace mapwright::window {
 
-/// Semantic colours. The plain ones are for shapes (dots, icons, bars); the `_text` ones keep a contrast of
-/// at least 4.5:1 against the window and the base colour of their theme, so words may use them.
+/// Semantic colours. The plain ones are for shapes (dots, icons, bars, frames) and keep a contrast of at
+/// least 3:1 against the window, the base and a row that is selected or under the cursor; the `_text` ones
+/// keep 4.5:1, so words may use them. `accent` also lies under white words; `border` only parts areas and
+/// says nothing.
 struct UiColors {
   bool dark = false;
   QColor accent, ok, warning, error;
   QColor accent_text, ok_text, warning_text, error_text;
   QColor window, base, text, secondary_text, border, hover, tooltip, selection;
-  QColor neutral;  // shapes that say nothing special
+  QColor neutral;   // shapes that say nothing special
+  QColor focus;     // the frame of what has the keyboard, the bar of what is selected
+  QColor outline;   // the edge of what can be typed into, ticked or pressed
+  QColor disabled;  // words and marks of what cannot be used now
 };
 
 UiColors uiColors(bool dark);

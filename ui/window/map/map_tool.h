@@ -33,13 +33,17 @@ class MapTool : public QObject {
   void finished();  // the tool has nothing more to do: back to panning
 };
 
-/// The tool to start with: only drags.
+/// The tool to start with: only drags; what a click means is for others to say.
 class PanTool : public MapTool {
   Q_OBJECT
  public:
   using MapTool::MapTool;
   QString name() const override { return QStringLiteral("pan"); }
   QCursor cursor() const override { return Qt::ArrowCursor; }
+  void clicked(const Eigen::Vector2d& world_m) override { Q_EMIT clickedAt(world_m); }
+
+ Q_SIGNALS:
+  void clickedAt(const Eigen::Vector2d& world_m);
 };
 
 }  // namespace mapwright::window

@@ -10,7 +10,7 @@ QColor markColor(Mark mark, const UiColors& colors) {
     case Mark::Good:
       return colors.ok;
     case Mark::Busy:
-      return colors.accent;
+      return colors.focus;
     case Mark::Warning:
       return colors.warning;
     case Mark::Bad:

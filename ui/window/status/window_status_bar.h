@@ -58,6 +58,7 @@ class WindowStatusBar : public QStatusBar {
   explicit WindowStatusBar(QWidget* parent = nullptr);
 
   void setSession(session::Session* session);
+  void recount() { refreshRows(); }
   void showCursor(const QString& coordinates, const QString& occupancy);
   void showView(const geometry::ViewTransform& view);
 

@@ -1,0 +1,43 @@
+#include "robot/files/picture_yamls.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include "robot/files/local_maps.h"
+#include "robot/files/read_map_yaml.h"
+
+namespace mapwright::robot::files {
+namespace {
+
+/// One name for a file, however one gets there.
+QString trueName(const QString& path) {
+  const QString canonical = QFileInfo(path).canonicalFilePath();
+  return canonical.isEmpty() ? QDir::cleanPath(path) : canonical;
+}
+
+}  // namespace
+
+PictureYamls::PictureYamls(const QString& folder) {
+  const QDir dir(folder);
+  const QStringList names = dir.entryList({QStringLiteral("*.yaml"), QStringLiteral("*.yml")}, QDir::Files,
+                                          QDir::Name | QDir::IgnoreCase);
+  for (const QString& name : names.mid(0, kMostFiles)) {
+    const QString path = dir.absoluteFilePath(name);
+    QFile file(path);
+    // A pipe or a device would never end.
+    if (!QFileInfo(path).isFile() || file.size() > kLongest || !file.open(QIODevice::ReadOnly)) continue;
+    const auto yaml = parseMapYaml(file.read(kLongest).toStdString());
+    if (!yaml) continue;
+    yamls_[trueName(dir.absoluteFilePath(QString::fromStdString(yaml->image)))] << path;
+  }
+}
+
+QStringList PictureYamls::naming(const QString& picture) const { return yamls_.value(trueName(picture)); }
+
+QStringList yamlsNaming(const QString& picture) {
+  if (!isPicture(picture)) return {};
+  return PictureYamls(QFileInfo(picture).absolutePath()).naming(picture);
+}
+
+}  // namespace mapwright::robot::files

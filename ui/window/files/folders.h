@@ -1,0 +1,14 @@
+// Folders to propose in dialogs. Looks at the disk.
+#pragma once
+
+#include <QStringList>
+
+namespace mapwright::window {
+
+/// The first of the wishes that is a folder which can be written to; else the home folder, else that for
+/// temporary files. Empty wishes are passed over.
+QString folderToWriteInto(const QStringList& wishes);
+/// The first that is a folder which can be looked into; empty where there is none.
+QString folderToReadFrom(const QStringList& wishes);
+
+}  // namespace mapwright::window
