@@ -19,8 +19,6 @@ constexpr int kEdgeBits = 8;
 static_assert(1 << kEdgeBits == kEdge);
 constexpr int kMostTiles = 4096;  // of one window: far more than any view tile touches
 constexpr int kBlock = 16;        // pixels
-constexpr double kUpright = 1e-9;
-constexpr double kNoLarger = 1 + 1e-9;  // cells a pixel
 
 bool stopped(const std::atomic<bool>* cancelled) {
   return cancelled && cancelled->load(std::memory_order_relaxed);
@@ -42,7 +40,6 @@ class TileWindow {
     const int rows = last_y - first_y_ + 1;
     if (std::int64_t(columns_) * rows > kMostTiles) {
       columns_ = 0;
-      too_large_ = true;
       return;
     }
     tiles_.resize(std::size_t(columns_) * std::size_t(rows));
@@ -59,7 +56,6 @@ class TileWindow {
   }
 
   bool empty() const { return columns_ == 0; }
-  bool tooLarge() const { return too_large_; }
   int width() const { return width_; }
   int height() const { return height_; }
   /// nullptr where not read yet. Precondition: inside the level and the window.
@@ -72,7 +68,6 @@ class TileWindow {
  private:
   int width_, height_;
   int first_x_ = 0, first_y_ = 0, columns_ = 0;
-  bool too_large_ = false;
   std::vector<GridTile> tiles_;
   std::vector<const std::uint8_t*> data_;
 };
@@ -225,9 +220,8 @@ void sampleTouched(const PixelGrid& grid, const CellsOfPixels& to_cell, const Gr
   });
 }
 
-/// From a level of detail: what a pixel touches is rounded up to at most half a pixel, and a turned one
-/// counts as the upright square around it. False: the window is too large for that.
-bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Composition& pixels,
+/// From a level of detail: what a pixel touches is rounded up to at most half a pixel.
+void sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Composition& pixels,
                  const std::atomic<bool>* cancelled) {
   const GridPyramid& cells = *placed.cells;
   const CellsOfPixels to_cell(grid, placed.reference, level);
@@ -238,7 +232,7 @@ bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
   const double margin = to_cell.cells_per_pixel;
   const TileWindow window(cells, level, touched.min_x - margin, touched.min_y - margin,
                           touched.max_x + margin, touched.max_y + margin);
-  if (window.empty()) return !window.tooLarge();
+  if (window.empty()) return;
   const Reducer reduce(window, cells);
   // Half of the footprint's extent along each cell axis: the pixel's own bounding box when turned.
   const double half = to_cell.cells_per_pixel / 2;
@@ -247,7 +241,7 @@ bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
   const double reach = half * std::clamp(turn, 1.0, 1.5);
   std::size_t at = 0;
   for (int row = 0; row < grid.height_px; ++row) {
-    if (stopped(cancelled)) return true;
+    if (stopped(cancelled)) return;
     for (int column = 0; column < grid.width_px; ++column, ++at) {
       const Eigen::Vector2d centre = to_cell.at(column + 0.5, row + 0.5);
       Footprint print;
@@ -266,7 +260,6 @@ bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
       pixels.flags[at] = kObserved;
     }
   }
-  return true;
 }
 
 bool drawable(const PixelGrid& grid, const PlacedGrid& placed) {
@@ -285,19 +278,10 @@ int quickLevel(const PixelGrid& grid, const PlacedGrid& placed) {
   return std::clamp(int(std::floor(std::log2(zoom) + 1e-9)) - 1, 0, placed.cells->levels() - 1);
 }
 
-/// The sides of the pixels run along the cells.
-bool upright(const PixelGrid& grid, const PlacedGrid& placed) {
-  const CellsOfPixels to_cell(grid, placed.reference, 0);
-  const double across = std::abs(to_cell.per_column.x()), along = std::abs(to_cell.per_column.y());
-  return std::min(across, along) <= kUpright * std::max(across, along);
-}
-
 }  // namespace
 
 bool quickIsExact(const PixelGrid& grid, const PlacedGrid& placed) {
-  if (!drawable(grid, placed) || cellsPerPixel(grid, placed) <= kNoLarger) return true;
-  if (quickLevel(grid, placed) > 0) return false;
-  return placed.cells->reduction() == raster::Reduction::Average || upright(grid, placed);
+  return !drawable(grid, placed) || quickLevel(grid, placed) == 0;
 }
 
 Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
@@ -305,14 +289,12 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
   if (grid.width_px <= 0 || grid.height_px <= 0) return {};
   Composition pixels = emptyRaster(grid);
   if (!drawable(grid, placed)) return pixels;
-  const bool exactly = quickIsExact(grid, placed), larger = cellsPerPixel(grid, placed) > kNoLarger;
-  const bool average = placed.cells->reduction() == raster::Reduction::Average;
-  // Upright pixels of few cells touch what the quick look takes them to.
-  const bool by_level = larger && (sampling == Sampling::Quick ? !exactly || !average : exactly && !average);
-  if (!by_level || !sampleLevel(grid, placed, quickLevel(grid, placed), pixels, cancelled)) {
+  if (sampling == Sampling::Quick && !quickIsExact(grid, placed)) {
+    sampleLevel(grid, placed, quickLevel(grid, placed), pixels, cancelled);
+  } else {
     const CellsOfPixels to_cell(grid, placed.reference, 0);
     TileReach reach(*placed.cells);
-    if (larger) {
+    if (cellsPerPixel(grid, placed) > 1 + 1e-9) {
       sampleTouched(grid, to_cell, *placed.cells, reach, pixels, cancelled);
     } else {
       sampleNearest(grid, to_cell, reach, pixels, cancelled);
