@@ -133,6 +133,11 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
       if (picture && !picture->row(rgb)) return cannotWrite();
     }
   }
+  for (const render::PlacedGrid* const map : {&first, &second}) {
+    if (const std::string trouble = map->cells->trouble(); !trouble.empty()) {
+      return tl::make_unexpected(QString::fromStdString(trouble));
+    }
+  }
   if (picture && !picture->end()) return cannotWrite();
   return diff;
 }

@@ -307,6 +307,10 @@ void SnapshotRun::paint(bool settled) {
 void SnapshotRun::write() {
   if (done_) return;
   made_ = picture_->made();
+  if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt; grid && !grid->cells->trouble().empty()) {
+    complete_ = false;
+    notes_.prepend(QString::fromStdString(grid->cells->trouble()));
+  }
   if (const auto error = picture_->write(options_.output)) {
     fail(kUsage, *error);
   } else {

@@ -54,12 +54,26 @@ enum class ProblemCode {
   Odd,              // used, but something about it is strange
 };
 
+/// What kind of failure it is, for code that acts on it: sentences are for people alone.
+enum class FailureKind {
+  None,             // it did not fail, or it concerns no request
+  Unreachable,      // no connection, or it broke off
+  TimedOut,         // no answer in time
+  Refused,          // not without (the right) secret, or not for this user
+  RejectedByRobot,  // the robot answered with an error for this request
+  MalformedAnswer,  // it answered what cannot be read
+  NotARobot,        // what answers there is no robot of this kind
+  Certificate,      // its certificate is not trusted
+  Cancelled,        // nobody wants it any more
+};
+
 /// A problem as reported by whoever found it.
 struct Problem {
   Severity severity = Severity::Error;
   Subject subject;
   std::string sentence;  // "3,200 bytes where 51,200 were expected. Shown without it."
   ProblemCode code = ProblemCode::Unspecified;
+  FailureKind failure = FailureKind::None;
   bool operator==(const Problem&) const = default;
 };
 

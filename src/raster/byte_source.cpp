@@ -46,6 +46,13 @@ std::optional<ByteSource> ByteSource::open(const std::string& path) {
   return ByteSource(fd, std::uint64_t(about.st_size));
 }
 
+std::optional<ByteSource> ByteSource::again() const {
+  if (fd_ < 0) return ByteSource(bytes_);
+  const int fd = ::fcntl(fd_, F_DUPFD_CLOEXEC, 0);
+  if (fd < 0) return std::nullopt;
+  return ByteSource(fd, size_);
+}
+
 bool ByteSource::readAt(std::uint64_t offset, std::uint8_t* out, std::size_t count) const {
   if (offset > size_ || count > size_ - offset) return false;
   if (bytes_ != nullptr) {

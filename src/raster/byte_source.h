@@ -24,6 +24,10 @@ class ByteSource {
   ByteSource& operator=(const ByteSource&) = delete;
   ByteSource& operator=(ByteSource&&) = delete;
 
+  /// The same bytes for another reader: of the same file, even when another one has taken its name meanwhile.
+  /// nullopt when no more files can be opened.
+  std::optional<ByteSource> again() const;
+
   std::uint64_t size() const { return size_; }
   /// False when the bytes are not all there.
   bool readAt(std::uint64_t offset, std::uint8_t* out, std::size_t count) const;

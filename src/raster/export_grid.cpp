@@ -45,6 +45,7 @@ std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proce
     }
     if (!take(row.data())) return std::nullopt;
   }
+  if (auto trouble = grid.trouble(); !trouble.empty()) return trouble + " Nothing was written.";
   if (proceed) proceed(to);
   return std::nullopt;
 }
@@ -145,7 +146,8 @@ std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::stri
   const bool as_is = isGray(grid.code());
   const tl::expected<bool, std::string> trinary = as_is ? false : isTrinary(grid, proceed);
   if (!trinary) return trinary.error();
-  const bool has_alpha = !as_is && !*trinary;
+  // Grays that are all grays leave none to stand for what is not there.
+  const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
   AsideFile file(path);
   PngWriter png{file};
   bool good = png.begin(grid.width(), grid.height(), has_alpha);
@@ -156,7 +158,7 @@ std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::stri
   auto stopped = eachRow(grid, proceed, as_is ? 0 : 0.3, 1, [&](const std::uint8_t* row) {
     for (std::size_t u = 0; u < width; ++u) {
       if (has_alpha) {
-        out[2 * u] = meaning.intensity[row[u]];
+        out[2 * u] = as_is ? row[u] : meaning.intensity[row[u]];
         out[2 * u + 1] = meaning.known[row[u]] ? 255 : 0;
       } else {
         out[u] = as_is ? row[u] : shades[row[u]];

@@ -11,7 +11,8 @@
 
 namespace mapwright::raster {
 
-/// 8-bit PNG of level 0, row by row. Gray code: the bytes as they are. Occupancy code: the map_saver shades
+/// 8-bit PNG of level 0, row by row. Gray codes: the bytes as they are (ClearGray: 128
+/// transparent). Occupancy code: the map_saver shades
 /// (254 free, 0 occupied, 205 unknown) when the cells are only those, else gray+alpha (intensity; unknown =
 /// transparent). nullopt = written (aside, then moved into place), else a sentence.
 std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::string& path,

@@ -5,7 +5,7 @@ namespace mapwright::raster {
 std::uint8_t GridPyramid::at(int column, int row) const {
   const std::uint8_t unknown = unknownByte(code());
   if (column < 0 || row < 0 || column >= width() || row >= height()) return unknown;
-  const auto found = tile(0, column / kTileEdge, row / kTileEdge);
+  const auto found = tileAtHand(0, column / kTileEdge, row / kTileEdge);
   if (!found) return unknown;
   return found->cells.get()[(row % kTileEdge) * kTileEdge + column % kTileEdge];
 }

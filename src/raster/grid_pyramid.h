@@ -29,6 +29,13 @@ enum class Reduction : std::uint8_t {
 struct GridTile {
   std::shared_ptr<const std::uint8_t> cells;  // kTileEdge * kTileEdge bytes; never null
   bool uniform = false;
+  bool damaged = false;  // the file that it was kept in is: the cells are unknown
+};
+
+/// What became of a pyramid whose file turned out damaged.
+enum class GridDamage : std::uint8_t {
+  Mended,  // the picture was read again: everything is there
+  Lost,    // it cannot be read any more: GridPyramid::trouble()
 };
 
 /// Cells by tile and level. Level 0 is exact; level n is ceil(size / 2^n). Tiles appear from the top row
@@ -57,8 +64,18 @@ class GridPyramid {
   /// Memory held (without what the operating system caches of files).
   virtual std::size_t bytes() const = 0;
 
-  /// The cell (column, row from the top) of level 0; unknown outside and where not read yet.
+  /// Why not all that it shows is right; empty = all is.
+  virtual std::string trouble() const { return {}; }
+
+  /// The cell (column, row from the top) of level 0; unknown outside and where not read yet. Quick: for the
+  /// thread that draws the window, too.
   std::uint8_t at(int column, int row) const;
+
+ protected:
+  /// tile() without long work: what would need that is not there.
+  virtual std::optional<GridTile> tileAtHand(int level, int tile_x, int tile_y) const {
+    return tile(level, tile_x, tile_y);
+  }
 };
 
 /// Makes a pyramid row by row; the pyramid can be looked at from other threads meanwhile. One thread pushes.
@@ -84,13 +101,15 @@ struct GridError {
 struct GridOptions {
   map::CellReading reading;
   Reduction reduction = Reduction::OccupiedWins;
-  std::string sidecar_folder;  // where finished pyramids are kept; empty = nowhere
-  std::string fingerprint;     // names exactly this content; empty = no side-car
+  std::string sidecar_folder;               // where finished pyramids are kept; empty = nowhere
+  std::string fingerprint;                  // names exactly this content; empty = no side-car
+  std::int64_t sidecar_from_cells = 0;      // smaller pictures are read as quickly as a side-car
+  std::function<void(GridDamage)> damaged;  // called once, on any thread, when a side-car turns out so
 };
 
-/// A picture that is being read into a pyramid. open() reads the header only (or finds the finished side-car,
-/// and is then complete at once); read() does the work on the caller's thread, and says every so often that
-/// more rows are there.
+/// A picture that is being read into a pyramid. open() reads the header (or finds the finished side-car, and
+/// is then complete at once), and of a gray picture how often every gray occurs; read() does the work on the
+/// caller's thread, and says every so often that more rows are there.
 class GridReading {
  public:
   virtual ~GridReading() = default;

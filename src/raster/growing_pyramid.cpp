@@ -162,7 +162,7 @@ std::optional<GridTile> GrowingPyramid::liveTile(int level, int tile_x, int tile
   }
   std::memset(cells.get() + std::size_t(live.rows) * kEdge, store_.unknown(),
               std::size_t(kEdge - live.rows) * kEdge);
-  return GridTile{std::shared_ptr<const std::uint8_t>(cells, cells.get()), false};
+  return GridTile{std::shared_ptr<const std::uint8_t>(cells, cells.get()), false, false};
 }
 
 std::size_t GrowingPyramid::bytes() const {

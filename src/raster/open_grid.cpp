@@ -5,7 +5,9 @@
 
 #include "raster/band_builder.h"
 #include "raster/cell_sentences.h"
+#include "raster/gray_shades.h"
 #include "raster/grid_pyramid.h"
+#include "raster/kept_pyramid.h"
 #include "raster/picture_rows.h"
 #include "raster/row_cells.h"
 #include "raster/sidecar.h"
@@ -17,36 +19,68 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto kProgressEvery = std::chrono::milliseconds(50);
 
+std::unique_ptr<BandBuilder> builderOf(const PixelFormat& format, CellCode code, Reduction reduction) {
+  return std::make_unique<BandBuilder>(format.width, format.height, code, reduction,
+                                       GridReducer(code, reduction));
+}
+
+/// What reads the picture once more, all of it and into memory. Null: its bytes cannot be had twice.
+KeptPyramid::Again readAgain(const ByteSource& bytes, const map::CellReading& reading, CellCode code,
+                             Reduction reduction) {
+  auto again = bytes.again();
+  if (!again) return [] { return nullptr; };
+  return [source = std::make_shared<ByteSource>(std::move(*again)), reading, code,
+          reduction]() -> std::shared_ptr<const GridPyramid> {
+    auto rows = openPicture(std::move(*source));
+    if (!rows) return nullptr;
+    RowCells cells((*rows)->format(), reading);
+    const auto builder = builderOf((*rows)->format(), code, reduction);
+    for (int row = 0; row < (*rows)->format().height; ++row) {
+      const std::uint8_t* const pixels = (*rows)->next();
+      if (pixels == nullptr) return nullptr;
+      cells.convert(pixels, builder->nextRow());
+      builder->rowWritten();
+    }
+    (*rows)->checkEnd();
+    builder->finish();
+    return (*rows)->problem().empty() ? builder->pyramid() : nullptr;
+  };
+}
+
 class PictureReading final : public GridReading {
  public:
-  PictureReading(std::unique_ptr<PictureRows> rows, const GridOptions& options)
+  PictureReading(std::unique_ptr<PictureRows> rows, CellCode code, const ByteSource& bytes,
+                 const GridOptions& options)
       : rows_(std::move(rows)),
         cells_(rows_->format(), options.reading),
-        builder_(rows_->format().width, rows_->format().height, codeOf(options.reading), options.reduction,
-                 GridReducer(codeOf(options.reading), options.reduction)),
-        draft_(SidecarKey(options, rows_->format().width, rows_->format().height)) {
-    draft_.begin(builder_.store());
+        builder_(builderOf(rows_->format(), code, options.reduction)),
+        draft_(keyOf(options, rows_->format(), code)),
+        pyramid_(builder_->pyramid()) {
+    draft_.begin(builder_->store());
+    if (!draft_.begun()) return;
+    pyramid_ = std::make_shared<KeptPyramid>(builder_->pyramid(), draft_.path(),
+                                             readAgain(bytes, options.reading, code, options.reduction),
+                                             options.damaged);
   }
 
-  std::shared_ptr<const GridPyramid> pyramid() const override { return builder_.pyramid(); }
+  std::shared_ptr<const GridPyramid> pyramid() const override { return pyramid_; }
   bool complete() const override { return finished_; }
 
   std::optional<GridError> read(const std::atomic<bool>& cancelled,
                                 const std::function<void()>& progressed) override {
     if (finished_) return std::nullopt;
     const int height = rows_->format().height;
-    const auto pyramid = builder_.pyramid();
     rows_->stopWhen(cancelled);
     bool announced = false;
     auto last = Clock::now();
-    while (builder_.rowsPushed() < height) {
+    while (builder_->rowsPushed() < height) {
       if (cancelled.load(std::memory_order_relaxed)) return std::nullopt;
       const std::uint8_t* row = rows_->next();
       if (row == nullptr) break;
-      cells_.convert(row, builder_.nextRow());
-      builder_.rowWritten();
+      cells_.convert(row, builder_->nextRow());
+      builder_->rowWritten();
       if (!progressed) continue;
-      const bool first = !announced && pyramid->rowsReady() > 0;
+      const bool first = !announced && pyramid_->rowsReady() > 0;
       const auto now = Clock::now();
       if (first || (announced && now - last >= kProgressEvery)) {
         announced = true;
@@ -55,12 +89,12 @@ class PictureReading final : public GridReading {
       }
     }
     if (cancelled.load(std::memory_order_relaxed)) return std::nullopt;
-    const int came = builder_.rowsPushed();
+    const int came = builder_->rowsPushed();
     if (came == height) rows_->checkEnd();
-    builder_.finish();
+    builder_->finish();
     finished_ = true;
     auto problem = whatIsWrong(came);
-    if (!problem) draft_.keep(builder_.store());
+    if (!problem) draft_.keep(builder_->store());
     if (progressed) progressed();
     return problem;
   }
@@ -79,10 +113,17 @@ class PictureReading final : public GridReading {
                      (came == 1 ? " row" : " rows") + ". The rest is shown as unknown."};
   }
 
+  static SidecarKey keyOf(const GridOptions& options, const PixelFormat& format, CellCode code) {
+    SidecarKey key(options, format.width, format.height);
+    key.code = code;
+    return key;
+  }
+
   std::unique_ptr<PictureRows> rows_;
   RowCells cells_;
-  BandBuilder builder_;
+  std::unique_ptr<BandBuilder> builder_;
   SidecarDraft draft_;
+  std::shared_ptr<const GridPyramid> pyramid_;
   bool finished_ = false;
 };
 
@@ -103,13 +144,30 @@ class FinishedReading final : public GridReading {
 
 tl::expected<std::unique_ptr<GridReading>, GridError> openSource(ByteSource bytes,
                                                                  const GridOptions& options) {
-  auto rows = openPicture(std::move(bytes));
+  auto reader = bytes.again();
+  if (!reader)
+    return tl::unexpected(GridError{"It cannot be read: " + std::string(std::strerror(errno)) + "."});
+  auto rows = openPicture(std::move(*reader));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();
-  if (auto finished = openSidecar(SidecarKey(options, format.width, format.height))) {
-    return std::make_unique<FinishedReading>(std::move(finished));
+  const SidecarKey key(options, format.width, format.height);
+  if (auto finished = openSidecar(key)) {
+    const CellCode code = finished->code();
+    return std::make_unique<FinishedReading>(std::make_shared<KeptPyramid>(
+        std::move(finished), key.path(), readAgain(bytes, options.reading, code, options.reduction),
+        options.damaged));
   }
-  return std::make_unique<PictureReading>(std::move(*rows), options);
+  CellCode code = codeOf(options.reading);
+  if (isGray(code)) {
+    code = judgedCode(**rows, options.reading);
+    if (!(*rows)->rewind()) {
+      auto from_the_start = bytes.again();
+      if (!from_the_start) return tl::unexpected(GridError{"It cannot be read."});
+      rows = openPicture(std::move(*from_the_start));
+      if (!rows) return tl::unexpected(std::move(rows.error()));
+    }
+  }
+  return std::make_unique<PictureReading>(std::move(*rows), code, bytes, options);
 }
 
 }  // namespace

@@ -44,6 +44,8 @@ class PictureRows {
   /// The next row from the top, format().rowBytes() bytes, valid until the next call. Null: there is no more,
   /// because of problem() or because all came.
   virtual const std::uint8_t* next() = 0;
+  /// The first row is next again. False: it cannot be had once more without opening the picture again.
+  virtual bool rewind() { return false; }
   /// next() that has to read much before its first row gives up when `cancelled` becomes true.
   virtual void stopWhen(const std::atomic<bool>&) {}
   /// Called after the last row: what is wrong with the picture though all rows came.

@@ -32,6 +32,10 @@ class InterlacedRows final : public PictureRows {
     if (row_ >= whole_rows_) return nullptr;
     return rowAt(row_++);
   }
+  bool rewind() override {
+    row_ = 0;
+    return true;
+  }
   void stopWhen(const std::atomic<bool>& cancelled) override { cancelled_ = &cancelled; }
   void checkEnd() override {
     if (problem_.empty() && !stream_.checkEnd()) problem_ = stream_.problem();
@@ -97,6 +101,13 @@ tl::expected<std::unique_ptr<PictureRows>, GridError> openInterlacedPng(const Pn
     return tl::unexpected(GridError{"It says that it is " + dimensions(format.width, format.height) +
                                     " pixels, but its " + grouped(std::int64_t(bytes.size())) +
                                     " bytes cannot hold so many."});
+  }
+  const std::uint64_t unpacked = std::uint64_t(format.rowBytes()) * std::uint64_t(format.height);
+  if (unpacked > kMaxInterlacedBytes) {
+    return tl::unexpected(
+        GridError{"It is an interlaced picture of " + dimensions(format.width, format.height) +
+                  " pixels. Interlaced ones are read up to " + grouped(std::int64_t(kMaxInterlacedBytes)) +
+                  " bytes unpacked: save it without interlacing."});
   }
   auto picture = ScratchBytes::take(format.rowBytes() * std::size_t(format.height));
   if (!picture) {

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 // The file: this header, padded; the chunks of the tile store; the key; the index.
 constexpr std::array<char, 8> kMagic{'M', 'W', 'G', 'R', 'I', 'D', '\r', '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::int64_t kDataOffset = 4096;
 constexpr const char* kSuffix = ".grid";
 constexpr const char* kDraftMark = ".part-";
@@ -78,12 +78,11 @@ std::uint64_t hashOf(const std::string& text) {
 
 class SidecarPyramid final : public GridPyramid {
  public:
-  SidecarPyramid(const SidecarKey& key, std::string path)
-      : code_(key.code),
+  SidecarPyramid(const SidecarKey& key, CellCode code)
+      : code_(code),
         reduction_(key.reduction),
-        order_(GridReducer(key.code, key.reduction).order()),
-        path_(std::move(path)),
-        store_(key.width, key.height, key.code) {}
+        order_(GridReducer(code, key.reduction).order()),
+        store_(key.width, key.height, code) {}
 
   int width() const override { return store_.levels()[0].width; }
   int height() const override { return store_.levels()[0].height; }
@@ -94,10 +93,7 @@ class SidecarPyramid final : public GridPyramid {
   int rowsReady() const override { return height(); }
   std::size_t bytes() const override { return store_.bytes(); }
   std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override {
-    auto found = store_.get(level, tile_x, tile_y);
-    // Not again: the next time the picture itself is read.
-    if (store_.damaged() && !removed_.exchange(true)) ::unlink(path_.c_str());
-    return found;
+    return store_.get(level, tile_x, tile_y);
   }
   TileStore& store() { return store_; }
 
@@ -105,24 +101,22 @@ class SidecarPyramid final : public GridPyramid {
   CellCode code_;
   Reduction reduction_;
   std::array<std::uint8_t, 256> order_;
-  std::string path_;
   TileStore store_;
-  mutable std::atomic<bool> removed_{false};
 };
 
 /// Null when anything about the file is not as it was written. Takes `fd`.
-std::shared_ptr<const GridPyramid> restored(int fd, const SidecarKey& key, const std::string& path) {
-  auto pyramid = std::make_shared<SidecarPyramid>(key, path);
+std::shared_ptr<const GridPyramid> restored(int fd, const SidecarKey& key) {
   Header header;
   struct stat about {};
   bool good = readAll(fd, &header, sizeof(header), 0) && ::fstat(fd, &about) == 0;
   good = good && header.magic == kMagic && header.version == kVersion &&
          header.byte_order == Header{}.byte_order && header.sum == headerSum(header);
-  good = good && header.width == key.width && header.height == key.height &&
-         header.code == std::uint32_t(key.code) && header.reduction == std::uint32_t(key.reduction) &&
-         header.key_bytes == key.content.size();
-  const TileLevel& last = pyramid->store().levels().back();
-  good = good && header.index_entries == last.first + 1;
+  good = good && header.width == key.width && header.height == key.height && header.code < kCellCodes &&
+         isGray(CellCode(header.code)) == isGray(key.code) &&
+         header.reduction == std::uint32_t(key.reduction) && header.key_bytes == key.content.size();
+  const auto pyramid =
+      good ? std::make_shared<SidecarPyramid>(key, CellCode(header.code)) : std::shared_ptr<SidecarPyramid>();
+  good = good && header.index_entries == pyramid->store().levels().back().first + 1;
   const std::uint64_t size = good ? std::uint64_t(kDataOffset) + header.data_bytes + header.key_bytes +
                                         header.index_entries * sizeof(std::uint64_t)
                                   : 0;
@@ -136,7 +130,7 @@ std::shared_ptr<const GridPyramid> restored(int fd, const SidecarKey& key, const
            readAll(fd, index.data(), index_bytes, tail + std::int64_t(content.size())) &&
            header.tail_sum == sumOf(index.data(), index_bytes, sumOf(content.data(), content.size()));
   }
-  if (good && pyramid->store().restore(index, fd, kDataOffset, header.data_bytes)) return pyramid;
+  if (good && pyramid->store().restore(index, fd, kDataOffset, header.data_bytes, key.salt())) return pyramid;
   ::close(fd);
   return nullptr;
 }
@@ -150,6 +144,7 @@ SidecarKey::SidecarKey(const GridOptions& options, int picture_width, int pictur
       code(codeOf(options.reading)),
       reduction(options.reduction) {
   if (folder.empty() || options.fingerprint.empty() || options.fingerprint.size() > kLongestKey / 2) return;
+  if (std::int64_t(width) * height < options.sidecar_from_cells) return;
   const map::CellReading& reading = options.reading;
   std::array<char, 160> text;
   std::snprintf(text.data(), text.size(), "%dx%d mode %d negate %d occupied %a free %a reduction %d ", width,
@@ -164,13 +159,18 @@ std::string SidecarKey::path() const {
   return (fs::path(folder) / (std::string(name.data()) + kSuffix)).string();
 }
 
+std::uint32_t SidecarKey::salt() const {
+  const std::uint64_t hash = hashOf(content);
+  return std::uint32_t(hash ^ hash >> 32);
+}
+
 std::shared_ptr<const GridPyramid> openSidecar(const SidecarKey& key) {
   if (!key.wanted()) return nullptr;
   const std::string path = key.path();
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return nullptr;
   ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0);  // used now: the folder is kept by last use
-  auto pyramid = restored(fd, key, path);
+  auto pyramid = restored(fd, key);
   if (pyramid == nullptr) ::unlink(path.c_str());
   return pyramid;
 }
@@ -189,7 +189,8 @@ void SidecarDraft::begin(TileStore& store) {
   const int fd = ::mkostemp(name.data(), O_CLOEXEC);
   if (fd < 0) return;
   aside_ = name;
-  store.spillTo(fd, kDataOffset);
+  begun_ = true;
+  store.spillTo(fd, kDataOffset, key_.salt());
 }
 
 bool SidecarDraft::writeEnds(const TileStore& store) const {

@@ -18,17 +18,18 @@ struct SidecarKey {
   std::string folder;  // empty: no side-car
   std::string content;
   int width = 0, height = 0;
-  CellCode code = CellCode::Gray;
+  CellCode code = CellCode::Gray;  // of gray ones any: which, the file says
   Reduction reduction = Reduction::OccupiedWins;
 
   /// `content` is empty unless the options ask for a side-car.
   SidecarKey(const GridOptions& options, int picture_width, int picture_height);
   bool wanted() const { return !content.empty(); }
   std::string path() const;
+  std::uint32_t salt() const;
 };
 
 /// The finished pyramid, its tiles read when asked for; null: there is none. A file that is torn, foreign or
-/// of another version is removed.
+/// of another version is removed. A tile that is damaged says so.
 std::shared_ptr<const GridPyramid> openSidecar(const SidecarKey& key);
 
 /// A side-car while it is made: a file aside takes the tiles as they come. What goes wrong (a full disk, a
@@ -41,13 +42,17 @@ class SidecarDraft {
   SidecarDraft& operator=(const SidecarDraft&) = delete;
   /// Before the first tile is put.
   void begin(TileStore& store);
+  /// Tiles go into a file.
+  bool begun() const { return begun_; }
+  std::string path() const { return key_.path(); }
   /// After the last one: the file gets its name, and old ones go when the folder is too full.
   void keep(TileStore& store);
 
  private:
   bool writeEnds(const TileStore& store) const;
   SidecarKey key_;
-  std::string aside_;  // empty: there is no file
+  std::string aside_;  // empty: there is no file, or it has its name
+  bool begun_ = false;
 };
 
 /// Removes the side-cars that were used least recently until at most `most_bytes` are left, and drafts that

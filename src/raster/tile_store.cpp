@@ -25,10 +25,6 @@ Kind kindOf(std::uint64_t entry) { return Kind(entry >> (kOffsetBits + kSizeBits
 std::size_t sizeOf(std::uint64_t entry) { return entry >> kOffsetBits & ((1u << kSizeBits) - 1); }
 std::uint64_t offsetOf(std::uint64_t entry) { return entry & ((std::uint64_t(1) << kOffsetBits) - 1); }
 
-std::uint32_t checksum(const std::uint8_t* bytes, std::size_t size) {
-  return crc32_gzip_refl(0, bytes, size);
-}
-
 std::shared_ptr<std::uint8_t[]> uninitialised(std::size_t size) {
   return std::shared_ptr<std::uint8_t[]>(new std::uint8_t[size]);
 }
@@ -50,16 +46,17 @@ std::vector<TileLevel> tileLevels(int width, int height) {
 }
 
 TileStore::TileStore(int width, int height, CellCode code)
-    : levels_(tileLevels(width, height)),
-      unknown_(unknownByte(code)),
-      uniform_(256),
-      cache_(kCachedTiles) {
+    : levels_(tileLevels(width, height)), unknown_(unknownByte(code)), uniform_(256), cache_(kCachedTiles) {
   tile_count_ = levels_.back().first + 1;
   entries_ = std::make_unique<std::atomic<std::uint64_t>[]>(tile_count_);
 }
 
 TileStore::~TileStore() {
   if (fd_ >= 0) ::close(fd_);
+}
+
+std::uint32_t TileStore::checksum(std::size_t number, const std::uint8_t* bytes, std::size_t size) const {
+  return crc32_gzip_refl(salt_ ^ std::uint32_t(number * 0x9e3779b1u), bytes, size);
 }
 
 std::optional<std::size_t> TileStore::place(int level, int tile_x, int tile_y) const {
@@ -84,11 +81,12 @@ void TileStore::put(int level, int tile_x, int tile_y, const std::uint8_t* cells
   if (plain) size = kTileCells;
   std::uint64_t offset = 0;
   std::uint8_t* out = reserve(kChecksumBytes + size, offset);
-  const std::uint32_t sum = checksum(bytes, size);
+  const std::size_t number = *place(level, tile_x, tile_y);
+  const std::uint32_t sum = checksum(number, bytes, size);
   std::memcpy(out, &sum, kChecksumBytes);
   std::memcpy(out + kChecksumBytes, bytes, size);
-  entries_[*place(level, tile_x, tile_y)].store(entryOf(plain ? Kind::Plain : Kind::Packed, size, offset),
-                                                std::memory_order_release);
+  entries_[number].store(entryOf(plain ? Kind::Plain : Kind::Packed, size, offset),
+                         std::memory_order_release);
 }
 
 std::uint8_t* TileStore::reserve(std::size_t size, std::uint64_t& offset) {
@@ -129,7 +127,8 @@ bool TileStore::writeChunk(std::size_t number, const std::uint8_t* bytes, std::s
   return true;
 }
 
-void TileStore::spillTo(int fd, std::int64_t data_offset) {
+void TileStore::spillTo(int fd, std::int64_t data_offset, std::uint32_t salt) {
+  salt_ = salt;
   fd_ = fd;
   data_offset_ = data_offset;
   spilling_ = true;
@@ -152,7 +151,7 @@ std::vector<std::uint64_t> TileStore::index() const {
 }
 
 bool TileStore::restore(const std::vector<std::uint64_t>& index, int fd, std::int64_t data_offset,
-                        std::uint64_t data_bytes) {
+                        std::uint64_t data_bytes, std::uint32_t salt) {
   if (index.size() != tile_count_) return false;
   for (const std::uint64_t entry : index) {
     const Kind kind = kindOf(entry);
@@ -167,6 +166,7 @@ bool TileStore::restore(const std::vector<std::uint64_t>& index, int fd, std::in
   chunks_.assign(std::size_t((data_bytes + kChunk - 1) / kChunk), nullptr);
   fd_ = fd;
   data_offset_ = data_offset;
+  salt_ = salt;
   return true;
 }
 
@@ -176,8 +176,8 @@ std::optional<GridTile> TileStore::get(int level, int tile_x, int tile_y) const 
   const std::uint64_t entry = entries_[*number].load(std::memory_order_acquire);
   if (kindOf(entry) == Kind::Absent) return std::nullopt;
   if (kindOf(entry) == Kind::Uniform) return uniform(std::uint8_t(offsetOf(entry)));
-  if (auto cells = cache_.find(*number)) return GridTile{std::move(cells), false};
-  GridTile tile = unpack(entry);
+  if (auto cells = cache_.find(*number)) return GridTile{std::move(cells), false, false};
+  GridTile tile = unpack(*number, entry);
   if (!tile.uniform) cache_.insert(*number, tile.cells);
   return tile;
 }
@@ -191,7 +191,7 @@ GridTile TileStore::uniform(std::uint8_t value) const {
     cells = std::shared_ptr<const std::uint8_t>(fresh, fresh.get());
     ++uniform_count_;
   }
-  return GridTile{cells, true};
+  return GridTile{cells, true, false};
 }
 
 bool TileStore::readBlob(std::uint64_t offset, std::size_t size, std::uint8_t* out) const {
@@ -216,7 +216,7 @@ bool TileStore::readBlob(std::uint64_t offset, std::size_t size, std::uint8_t* o
   return true;
 }
 
-GridTile TileStore::unpack(std::uint64_t entry) const {
+GridTile TileStore::unpack(std::size_t number, std::uint64_t entry) const {
   std::array<std::uint8_t, kChecksumBytes + kTileCells> blob;
   const std::size_t size = sizeOf(entry);
   const std::uint8_t* packed = blob.data() + kChecksumBytes;
@@ -225,7 +225,7 @@ GridTile TileStore::unpack(std::uint64_t entry) const {
   bool good = readBlob(offsetOf(entry), kChecksumBytes + size, blob.data());
   if (good) {
     std::memcpy(&expected, blob.data(), kChecksumBytes);
-    good = checksum(packed, size) == expected;
+    good = checksum(number, packed, size) == expected;
   }
   if (good && kindOf(entry) == Kind::Plain) {
     std::memcpy(cells.get(), packed, kTileCells);
@@ -234,10 +234,11 @@ GridTile TileStore::unpack(std::uint64_t entry) const {
                                int(size), int(kTileCells)) == int(kTileCells);
   }
   if (!good) {
-    damaged_.store(true, std::memory_order_relaxed);
-    return uniform(unknown_);
+    GridTile nothing = uniform(unknown_);
+    nothing.damaged = true;
+    return nothing;
   }
-  return GridTile{std::shared_ptr<const std::uint8_t>(cells, cells.get()), false};
+  return GridTile{std::shared_ptr<const std::uint8_t>(cells, cells.get()), false, false};
 }
 
 std::size_t TileStore::bytes() const {

@@ -47,7 +47,8 @@ class TileStore {
   std::size_t bytes() const;
 
   /// Full chunks go to `fd` from `data_offset` on, and leave memory. The store owns `fd`. Call before put().
-  void spillTo(int fd, std::int64_t data_offset);
+  /// `salt` goes into the checksums with the place of each tile: what belongs elsewhere is damage.
+  void spillTo(int fd, std::int64_t data_offset, std::uint32_t salt);
   /// Writes the last chunk. False when the file could not take everything: the rest stays in memory.
   bool flush();
   int fd() const { return fd_; }
@@ -58,9 +59,7 @@ class TileStore {
   std::vector<std::uint64_t> index() const;
   /// False when an entry points outside `data_bytes`, or is none.
   bool restore(const std::vector<std::uint64_t>& index, int fd, std::int64_t data_offset,
-               std::uint64_t data_bytes);
-  /// Set once a tile in the file turns out damaged (it is then unknown).
-  bool damaged() const { return damaged_.load(std::memory_order_relaxed); }
+               std::uint64_t data_bytes, std::uint32_t salt);
 
  private:
   using Chunk = std::shared_ptr<std::uint8_t[]>;
@@ -68,7 +67,8 @@ class TileStore {
   std::uint8_t* reserve(std::size_t size, std::uint64_t& offset);
   void retireChunk();
   bool writeChunk(std::size_t number, const std::uint8_t* bytes, std::size_t size);
-  GridTile unpack(std::uint64_t entry) const;
+  GridTile unpack(std::size_t number, std::uint64_t entry) const;
+  std::uint32_t checksum(std::size_t number, const std::uint8_t* bytes, std::size_t size) const;
   bool readBlob(std::uint64_t offset, std::size_t size, std::uint8_t* out) const;
 
   std::vector<TileLevel> levels_;
@@ -82,8 +82,8 @@ class TileStore {
   std::size_t used_ = 0;       // of the last chunk
   int fd_ = -1;
   std::int64_t data_offset_ = 0;
+  std::uint32_t salt_ = 0;
   bool spilling_ = false;
-  mutable std::atomic<bool> damaged_{false};
 
   mutable std::mutex uniform_mutex_;
   mutable std::vector<std::shared_ptr<const std::uint8_t>> uniform_;

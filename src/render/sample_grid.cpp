@@ -19,6 +19,8 @@ constexpr int kEdgeBits = 8;
 static_assert(1 << kEdgeBits == kEdge);
 constexpr int kMostTiles = 4096;  // of one window: far more than any view tile touches
 constexpr int kBlock = 16;        // pixels
+constexpr double kUpright = 1e-9;
+constexpr double kNoLarger = 1 + 1e-9;  // cells a pixel
 
 bool stopped(const std::atomic<bool>* cancelled) {
   return cancelled && cancelled->load(std::memory_order_relaxed);
@@ -40,6 +42,7 @@ class TileWindow {
     const int rows = last_y - first_y_ + 1;
     if (std::int64_t(columns_) * rows > kMostTiles) {
       columns_ = 0;
+      too_large_ = true;
       return;
     }
     tiles_.resize(std::size_t(columns_) * std::size_t(rows));
@@ -56,6 +59,7 @@ class TileWindow {
   }
 
   bool empty() const { return columns_ == 0; }
+  bool tooLarge() const { return too_large_; }
   int width() const { return width_; }
   int height() const { return height_; }
   /// nullptr where not read yet. Precondition: inside the level and the window.
@@ -68,6 +72,7 @@ class TileWindow {
  private:
   int width_, height_;
   int first_x_ = 0, first_y_ = 0, columns_ = 0;
+  bool too_large_ = false;
   std::vector<GridTile> tiles_;
   std::vector<const std::uint8_t*> data_;
 };
@@ -220,8 +225,9 @@ void sampleTouched(const PixelGrid& grid, const CellsOfPixels& to_cell, const Gr
   });
 }
 
-/// From a level of detail: what a pixel touches is rounded up to at most half a pixel.
-void sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Composition& pixels,
+/// From a level of detail: what a pixel touches is rounded up to at most half a pixel, and a turned one
+/// counts as the upright square around it. False: the window is too large for that.
+bool sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Composition& pixels,
                  const std::atomic<bool>* cancelled) {
   const GridPyramid& cells = *placed.cells;
   const CellsOfPixels to_cell(grid, placed.reference, level);
@@ -232,7 +238,7 @@ void sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
   const double margin = to_cell.cells_per_pixel;
   const TileWindow window(cells, level, touched.min_x - margin, touched.min_y - margin,
                           touched.max_x + margin, touched.max_y + margin);
-  if (window.empty()) return;
+  if (window.empty()) return !window.tooLarge();
   const Reducer reduce(window, cells);
   // Half of the footprint's extent along each cell axis: the pixel's own bounding box when turned.
   const double half = to_cell.cells_per_pixel / 2;
@@ -241,7 +247,7 @@ void sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
   const double reach = half * std::clamp(turn, 1.0, 1.5);
   std::size_t at = 0;
   for (int row = 0; row < grid.height_px; ++row) {
-    if (stopped(cancelled)) return;
+    if (stopped(cancelled)) return true;
     for (int column = 0; column < grid.width_px; ++column, ++at) {
       const Eigen::Vector2d centre = to_cell.at(column + 0.5, row + 0.5);
       Footprint print;
@@ -260,6 +266,7 @@ void sampleLevel(const PixelGrid& grid, const PlacedGrid& placed, int level, Com
       pixels.flags[at] = kObserved;
     }
   }
+  return true;
 }
 
 bool drawable(const PixelGrid& grid, const PlacedGrid& placed) {
@@ -278,10 +285,19 @@ int quickLevel(const PixelGrid& grid, const PlacedGrid& placed) {
   return std::clamp(int(std::floor(std::log2(zoom) + 1e-9)) - 1, 0, placed.cells->levels() - 1);
 }
 
+/// The sides of the pixels run along the cells.
+bool upright(const PixelGrid& grid, const PlacedGrid& placed) {
+  const CellsOfPixels to_cell(grid, placed.reference, 0);
+  const double across = std::abs(to_cell.per_column.x()), along = std::abs(to_cell.per_column.y());
+  return std::min(across, along) <= kUpright * std::max(across, along);
+}
+
 }  // namespace
 
 bool quickIsExact(const PixelGrid& grid, const PlacedGrid& placed) {
-  return !drawable(grid, placed) || quickLevel(grid, placed) == 0;
+  if (!drawable(grid, placed) || cellsPerPixel(grid, placed) <= kNoLarger) return true;
+  if (quickLevel(grid, placed) > 0) return false;
+  return placed.cells->reduction() == raster::Reduction::Average || upright(grid, placed);
 }
 
 Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
@@ -289,12 +305,14 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
   if (grid.width_px <= 0 || grid.height_px <= 0) return {};
   Composition pixels = emptyRaster(grid);
   if (!drawable(grid, placed)) return pixels;
-  if (sampling == Sampling::Quick && !quickIsExact(grid, placed)) {
-    sampleLevel(grid, placed, quickLevel(grid, placed), pixels, cancelled);
-  } else {
+  const bool exactly = quickIsExact(grid, placed), larger = cellsPerPixel(grid, placed) > kNoLarger;
+  const bool average = placed.cells->reduction() == raster::Reduction::Average;
+  // Upright pixels of few cells touch what the quick look takes them to.
+  const bool by_level = larger && (sampling == Sampling::Quick ? !exactly || !average : exactly && !average);
+  if (!by_level || !sampleLevel(grid, placed, quickLevel(grid, placed), pixels, cancelled)) {
     const CellsOfPixels to_cell(grid, placed.reference, 0);
     TileReach reach(*placed.cells);
-    if (cellsPerPixel(grid, placed) > 1 + 1e-9) {
+    if (larger) {
       sampleTouched(grid, to_cell, *placed.cells, reach, pixels, cancelled);
     } else {
       sampleNearest(grid, to_cell, reach, pixels, cancelled);

@@ -39,7 +39,7 @@ inline constexpr std::uint8_t kKnownMean = 16;
 enum class Sampling { Quick, Exact };
 Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
                        Sampling sampling = Sampling::Exact);
-/// Both kinds of sampling give the same, as where a pixel is less than four cells wide.
+/// Both kinds of sampling give the same, as where an upright pixel is less than four cells wide.
 bool quickIsExact(const PixelGrid& grid, const PlacedGrid& placed);
 
 /// What a sampled pixel means.

@@ -42,6 +42,7 @@ struct ConnectionState {
   int attempt = 0;                   // tries since it was last online
   std::optional<int> retry_in_ms;    // while Interrupted: how long until the next try (as of now)
   std::optional<int> round_trip_ms;  // last measured ping
+  map::FailureKind failure = map::FailureKind::None;  // what kind of reason it is; None when online
   bool operator==(const ConnectionState&) const = default;
 };
 

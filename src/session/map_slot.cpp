@@ -1,6 +1,7 @@
 #include "session/map_slot.h"
 
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "raster/stand_back.h"
@@ -19,15 +20,27 @@ struct MapSlot::Opened {
   std::shared_ptr<const raster::GridPyramid> cells;
   std::optional<raster::GridError> error;  // instead of all the above
   std::vector<std::string> notes;
+  quint64 generation = 0;
+};
+
+/// Where pyramids say that their file is damaged, from any thread.
+struct MapSlot::Ear {
+  std::mutex mutex;
+  MapSlot* slot = nullptr;  // null: gone
 };
 
 MapSlot::MapSlot(QString sidecar_folder, QObject* parent)
-    : QObject(parent), sidecar_folder_(std::move(sidecar_folder)) {
+    : QObject(parent), sidecar_folder_(std::move(sidecar_folder)), ear_(std::make_shared<Ear>()) {
+  ear_->slot = this;
   // Two: a map that nobody wants any more may take a moment to notice.
   pool_.setMaxThreadCount(2);
 }
 
 MapSlot::~MapSlot() {
+  {
+    const std::lock_guard lock(ear_->mutex);
+    ear_->slot = nullptr;
+  }
   cancel();
   pool_.waitForDone();
 }
@@ -93,13 +106,24 @@ void MapSlot::start() {
   raster::GridOptions options;
   options.reading = source_->reading;
   options.reduction = reduction_;
-  options.sidecar_folder = sidecar_folder_.toStdString();
-  options.fingerprint = source_->fingerprint;
+  if (source_->key.kind != map::MapKind::Live) {
+    options.sidecar_folder = sidecar_folder_.toStdString();
+    options.fingerprint = source_->fingerprint;
+    options.sidecar_from_cells = kLargeCells;
+    options.damaged = [ear = ear_, generation = generation_](raster::GridDamage damage) {
+      const std::lock_guard lock(ear->mutex);
+      MapSlot* const slot = ear->slot;
+      if (!slot) return;
+      QMetaObject::invokeMethod(
+          slot, [slot, generation, damage] { slot->takeDamage(generation, damage); }, Qt::QueuedConnection);
+    };
+  }
   pool_.start([this, generation = generation_, cancelled = cancelled_, map = *source_, options] {
     raster::standBack();
     auto opened = std::make_shared<Opened>();
     opened->source = map;
     opened->map = map;
+    opened->generation = generation;
     auto reading = map.bytes ? raster::openGrid(map.bytes, options) : raster::openGridFile(map.path, options);
     opened->map.bytes.reset();
     if (!reading) {
@@ -157,6 +181,21 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
   shown_ = opened->map;
   shown_source_ = opened->source;
   shown_cells_ = opened->cells;
+  shown_generation_ = opened->generation;
+  Q_EMIT changed();
+}
+
+void MapSlot::takeDamage(quint64 generation, raster::GridDamage damage) {
+  if (damage == raster::GridDamage::Mended) {
+    Q_EMIT problemFound({map::Severity::Info, subject().toStdString(),
+                         "Its copy in the cache was damaged. The map was read again from its picture."});
+    return;
+  }
+  if (generation != shown_generation_ || !shown_cells_) return;
+  const std::string trouble = shown_cells_->trouble();
+  broken_ = true;
+  remark_ = QString::fromStdString(trouble);
+  Q_EMIT problemFound({map::Severity::Error, subject().toStdString(), trouble});
   Q_EMIT changed();
 }
 

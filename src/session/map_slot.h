@@ -21,7 +21,11 @@ class MapSlot : public QObject {
  public:
   enum class Phase { Empty, Fetching, Reading, Ready, Failed };
 
-  /// `sidecar_folder`: where finished pyramids of large pictures are kept; empty = nowhere.
+  /// Pictures of fewer cells are read as quickly as a side-car is opened.
+  static constexpr std::int64_t kLargeCells = 4'000'000;
+
+  /// `sidecar_folder`: where finished pyramids of large pictures are kept; empty = nowhere. Those of maps
+  /// that the robot sends are not: the next one replaces them, and would push out what is of use.
   explicit MapSlot(QString sidecar_folder, QObject* parent = nullptr);
   ~MapSlot() override;
 
@@ -44,7 +48,7 @@ class MapSlot : public QObject {
   /// Read to the end (or until it broke), or there is nothing to read.
   bool settled() const { return phase_ != Phase::Fetching && phase_ != Phase::Reading; }
   /// The picture broke off or could not be read to its end: what is shown is not all.
-  bool broken() const { return broken_; }
+  bool broken() const { return broken_ || (shown_cells_ && !shown_cells_->trouble().empty()); }
   double progress() const;  // 0..1 of the rows, while Reading
   /// What was asked for last, and what is on screen (they differ while the one makes way for the other).
   const map::MapKey& key() const { return key_; }
@@ -77,7 +81,9 @@ class MapSlot : public QObject {
 
  private:
   struct Opened;
+  struct Ear;
   void start();
+  void takeDamage(quint64 generation, raster::GridDamage damage);
   void takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
   void takeRows(quint64 generation);
   void takeEnd(quint64 generation, const std::optional<raster::GridError>& error);
@@ -100,6 +106,8 @@ class MapSlot : public QObject {
   std::shared_ptr<Opened> reading_;                    // opened, not on screen yet or still growing
   std::shared_ptr<std::atomic<bool>> cancelled_;
   quint64 generation_ = 0;
+  quint64 shown_generation_ = 0;  // of what is on screen
+  std::shared_ptr<Ear> ear_;      // pyramids may outlive the slot
   bool broken_ = false, waypoints_awaited_ = false;
   QThreadPool pool_;
 };

@@ -46,6 +46,22 @@ class TestColoredGrid : public QObject {
     QCOMPARE(colourAt(*grid, 0, 2, 0), 0xff010203u);
   }
 
+  void itsOrderIsThatOfItsColoursAndNotOfItsIndices() {
+    // Clear, light and dark come in an order that says nothing; whoever reduces it further has to know.
+    PngRecipe recipe{3, 1, 2, 3};
+    recipe.palette = std::string("\xff\xe0\xe0\x80\x00\x00\x00\x00\x00", 9);
+    recipe.transparency = std::string("\xff\xff\x00", 3);
+    for (const Samples& samples : {Samples{0, 1, 2}, Samples{1, 2, 0}, Samples{2, 0, 1}}) {
+      const auto grid = decodeColors(test::shared(test::png(recipe, samples)), 3);
+      QVERIFY(grid);
+      std::array<int, 3> place{};
+      for (int x = 0; x < 3; ++x) {
+        place[samples[std::size_t(x)]] = grid->indices->order()[grid->indices->at(x, 0)];
+      }
+      QVERIFY(place[1] > place[0] && place[0] > place[2]);
+    }
+  }
+
   void moreColoursAreNear() {
     Samples samples;
     for (int y = 0; y < 100; ++y) {

@@ -29,7 +29,8 @@ class TestGridCells : public QObject {
 
  private Q_SLOTS:
   void everyByteHasOneMeaning() {
-    for (const CellCode code : {CellCode::Gray, CellCode::Occupancy}) {
+    for (const CellCode code : {CellCode::Gray, CellCode::Occupancy, CellCode::ShadedGray,
+                                CellCode::ClearGray, CellCode::FullGray}) {
       const CellMeaning& meaning = meaningOf(code);
       for (std::size_t byte = 0; byte < 256; ++byte) {
         QCOMPARE(meaning.known[byte], meaning.occupancy[byte] >= 0);
@@ -53,6 +54,20 @@ class TestGridCells : public QObject {
       QVERIFY(gray_meaning.rank[level] < last);
       last = gray_meaning.rank[level];
     }
+  }
+
+  void whichGraysAreUnknownIsTheCodes() {
+    const auto unknown = [](CellCode code) {
+      int count = 0;
+      for (const bool known : meaningOf(code).known) count += !known;
+      return count;
+    };
+    QCOMPARE(unknown(CellCode::Gray), 33);
+    QCOMPARE(unknown(CellCode::ShadedGray), 32);
+    QVERIFY(meaningOf(CellCode::ShadedGray).known[205]);
+    QCOMPARE(unknown(CellCode::ClearGray), 1);
+    QVERIFY(!meaningOf(CellCode::ClearGray).known[kTransparentGray]);
+    QCOMPARE(unknown(CellCode::FullGray), 0);
   }
 
   void occupancyIsPercent() {

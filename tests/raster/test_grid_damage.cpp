@@ -129,6 +129,67 @@ class TestGridDamage : public QObject {
     QVERIFY2(says(read.opening, "cannot hold"), read.opening.c_str());
   }
 
+  void anInterlacedBombIsRefusedBeforeItTakesRoom_data() {
+    QTest::addColumn<int>("edge");
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("depth");
+    QTest::addColumn<bool>("read");
+    QTest::newRow("one bit a pixel") << 60'000 << 0 << 1 << false;
+    QTest::newRow("just too large") << 16'385 << 0 << 1 << false;
+    QTest::newRow("wide pixels") << 8'200 << 6 << 8 << false;
+    QTest::newRow("deep pixels") << 5'800 << 6 << 16 << false;
+    QTest::newRow("large") << 3'000 << 6 << 8 << true;
+  }
+  void anInterlacedBombIsRefusedBeforeItTakesRoom() {
+    QFETCH(int, edge);
+    QFETCH(int, type);
+    QFETCH(int, depth);
+    QFETCH(bool, read);
+    PngRecipe recipe{edge, edge, depth, type, true};
+    recipe.chunk = 1 << 20;
+    const std::size_t bits = std::size_t(test::pngChannels(type) * depth);
+    const std::size_t zeros = std::size_t(edge) * std::size_t(edge) * bits / 8 + 4 * std::size_t(edge) + 4096;
+    std::string bytes = test::pngHead(recipe);
+    if (read) {
+      bytes += test::pngTail(recipe, test::deflated(std::string(zeros, '\0'), 1));
+    } else {
+      // As long as the file would be that holds so many zeros.
+      bytes += test::pngTail(recipe, test::deflated(std::string(100'000, '\0'), 1)) +
+               std::string(zeros / 1000, 'x');
+    }
+    const Read got = readAll(bytes);
+    QCOMPARE(got.pyramid != nullptr, read);
+    if (!read) {
+      QVERIFY2(says(got.opening, "without interlacing"), got.opening.c_str());
+      QVERIFY2(says(got.opening, "268,435,456"), got.opening.c_str());
+    } else {
+      QCOMPARE(got.reading, std::string());
+    }
+  }
+
+  void headersThatPromiseMuchCostNothing() {
+    const std::string pgm = "P5 400000 85000 255\n" + std::string(400'000, '\x20');
+    const std::string plain = "P2 400000 85000 255\n7 7 7";
+    std::string bmp(14 + 40 + 1024 + 4000, '\0');
+    const auto put = [&bmp](std::size_t at, std::uint32_t number) {
+      for (std::size_t n = 0; n < 4; ++n) bmp[at + n] = char(number >> 8 * n & 0xff);
+    };
+    bmp[0] = 'B';
+    bmp[1] = 'M';
+    put(10, 14 + 40 + 1024);
+    put(14, 40);
+    put(18, 400'000);
+    put(22, std::uint32_t(-85'000));
+    bmp[26] = 1;
+    bmp[28] = 8;
+    for (const std::string& bytes : {pgm, plain, bmp}) {
+      const Read read = readAll(bytes);
+      QVERIFY2(read.pyramid, read.opening.c_str());
+      QVERIFY2(says(read.reading, "400,000 x 85,000"), read.reading.c_str());
+      QVERIFY2(read.pyramid->bytes() < 50'000'000, qPrintable(QString::number(read.pyramid->bytes())));
+    }
+  }
+
   void aBombIsReadUpToTheRowsItSays() {
     const Read read = readAll(uniformPng(8000, 8000, 30'000, 255));
     QCOMPARE(read.reading, std::string());

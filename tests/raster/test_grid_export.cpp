@@ -70,6 +70,8 @@ map::GridReference somewhere() {
 
 }  // namespace
 
+Q_DECLARE_METATYPE(CellCode)
+
 class TestGridExport : public QObject {
   Q_OBJECT
 
@@ -77,9 +79,19 @@ class TestGridExport : public QObject {
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
   void cleanup() { folder_.reset(); }
 
-  void grayPngsReadBack() {
-    const auto grid = gridOf(700, 601, CellCode::Gray, [](int x, int y) {
-      return std::uint8_t(test::noise(std::uint32_t(x * 997 + y)));
+  void grayPngsReadBackWithTheSameMeaning_data() {
+    QTest::addColumn<CellCode>("code");
+    QTest::newRow("three shades") << CellCode::Gray;
+    QTest::newRow("many shades and unknown ground") << CellCode::ShadedGray;
+    QTest::newRow("all shades") << CellCode::FullGray;
+    QTest::newRow("all shades and transparent ground") << CellCode::ClearGray;
+  }
+  void grayPngsReadBackWithTheSameMeaning() {
+    QFETCH(CellCode, code);
+    const auto grid = gridOf(700, 601, code, [code](int x, int y) {
+      const std::uint32_t dice = test::noise(std::uint32_t(x * 997 + y));
+      if (x < 200 && code != CellCode::FullGray) return std::uint8_t(code == CellCode::Gray ? 205 : 128);
+      return code == CellCode::Gray ? std::uint8_t(dice % 9 == 0 ? 0 : 254) : std::uint8_t(dice);
     });
     const QString path = folder_->filePath(QStringLiteral("gray.png"));
     double last = -1;

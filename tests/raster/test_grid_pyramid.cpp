@@ -22,10 +22,11 @@ struct Plain {
 };
 
 std::uint8_t unknownOf(CellCode code) {
-  return code == CellCode::Gray ? kTransparentGray : kUnknownOccupancy;
+  return code == CellCode::Occupancy ? kUnknownOccupancy : kTransparentGray;
 }
 
-std::uint8_t winner(const CellMeaning& meaning, const std::uint8_t (&four)[4]) {
+std::uint8_t winner(CellCode code, const CellMeaning& meaning, const std::uint8_t (&four)[4]) {
+  if (code == CellCode::FullGray) return *std::min_element(std::begin(four), std::end(four));
   std::uint8_t best = four[0];
   for (const std::uint8_t cell : four) {
     const bool higher = meaning.rank[cell] > meaning.rank[best];
@@ -38,12 +39,13 @@ std::uint8_t mean(CellCode code, const CellMeaning& meaning, const std::uint8_t 
   int sum = 0, known = 0;
   for (const std::uint8_t cell : four) {
     if (!meaning.known[cell]) continue;
-    sum += code == CellCode::Gray ? cell : meaning.occupancy[cell];
+    sum += code == CellCode::Occupancy ? meaning.occupancy[cell] : cell;
     ++known;
   }
   if (known < 2) return unknownOf(code);
   const int rounded = (2 * sum + known) / (2 * known);
   if (code == CellCode::Occupancy || meaning.known[std::size_t(rounded)]) return std::uint8_t(rounded);
+  if (code == CellCode::ClearGray) return 127;
   return rounded == 205 ? 204 : rounded < 128 ? 111 : 144;
 }
 
@@ -54,7 +56,7 @@ Plain reduced(const Plain& fine, CellCode code, Reduction reduction) {
     for (int x = 0; x < coarse.width; ++x) {
       const std::uint8_t four[4] = {fine.at(2 * x, 2 * y), fine.at(2 * x + 1, 2 * y),
                                     fine.at(2 * x, 2 * y + 1), fine.at(2 * x + 1, 2 * y + 1)};
-      coarse.cells.push_back(reduction == Reduction::OccupiedWins ? winner(meaning, four)
+      coarse.cells.push_back(reduction == Reduction::OccupiedWins ? winner(code, meaning, four)
                                                                   : mean(code, meaning, four));
     }
   }
@@ -134,7 +136,8 @@ class TestGridPyramid : public QObject {
   void everyLevelIsTheReducedOneBelow() {
     QFETCH(int, width);
     QFETCH(int, height);
-    for (const CellCode code : {CellCode::Gray, CellCode::Occupancy}) {
+    for (const CellCode code : {CellCode::Gray, CellCode::Occupancy, CellCode::ShadedGray,
+                                CellCode::ClearGray, CellCode::FullGray}) {
       const Plain plain = randomCells(width, height, code);
       for (const Reduction reduction : {Reduction::OccupiedWins, Reduction::Average}) {
         const auto builder = buildGrid(width, height, code, reduction);

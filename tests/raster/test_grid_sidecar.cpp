@@ -1,7 +1,11 @@
 // A finished pyramid is kept beside the cache and opened at once; whatever is wrong with it is a miss.
+#include <mutex>
+#include <thread>
+
 #include <QtTest>
 
 #include "picture_samples.h"
+#include "raster/export_grid.h"
 #include "raster/grid_pyramid.h"
 #include "raster/sidecar.h"
 
@@ -113,19 +117,153 @@ class TestGridSidecar : public QObject {
     }
   }
 
-  void aTileThatRottedIsUnknownAndTheFileGoes() {
-    const Opened first = open(options());
+  void whateverRotsTheCellsAreReadAgainAndItIsSaidOnce() {
+    open(options());
+    const auto memory = openGrid(picture(), {});
+    const std::atomic<bool> cancelled{false};
+    QVERIFY(!(*memory)->read(cancelled, {}));
     const QString path = files().first();
-    QByteArray bytes = contentOf(path);
-    bytes[4096 + 40] = char(bytes[4096 + 40] ^ 1);
-    write(path, bytes);
-    const Opened second = open(options());
-    QVERIFY(second.at_once);
-    const auto tile = second.pyramid->tile(0, 0, 0);
-    QVERIFY(tile && tile->uniform);
-    QCOMPARE(int(*tile->cells), int(kTransparentGray));
-    QVERIFY(second.pyramid->tile(0, 1, 1));
-    QVERIFY(!QFile::exists(path));
+    const QByteArray whole = contentOf(path);
+    const qsizetype data = 4096, step = (whole.size() - data) / 60;
+    for (qsizetype place = data; place < whole.size(); place += step) {
+      QByteArray bytes = whole;
+      bytes[place] = char(bytes[place] ^ 1 << place % 8);
+      write(path, bytes);
+      told_.clear();
+      const Opened second = open(options());
+      // In the index: a miss. In the tiles: found when they are asked for. Between them: of no use to
+      // anybody.
+      QVERIFY(same(*(*memory)->pyramid(), *second.pyramid));
+      QCOMPARE(second.pyramid->trouble(), std::string());
+      QVERIFY(told_.size() <= 1);
+      if (!told_.isEmpty()) {
+        QVERIFY(told_.first() == GridDamage::Mended);
+        QVERIFY(!QFile::exists(path));
+        mended_ = true;
+      }
+    }
+    QVERIFY(mended_);
+  }
+
+  void aFileThatIsSpoiltWhileItIsUsedIsNoticed_data() {
+    QTest::addColumn<int>("how");
+    QTest::newRow("cut short") << 0;
+    QTest::newRow("written over with nothing") << 1;
+    QTest::newRow("written over with another map's") << 2;
+    QTest::newRow("shifted by a page") << 3;
+    QTest::newRow("another file took its name") << 4;
+  }
+  void aFileThatIsSpoiltWhileItIsUsedIsNoticed() {
+    QFETCH(int, how);
+    for (const bool first_time : {false, true}) {
+      init();
+      const auto memory = openGrid(picture(), {});
+      const std::atomic<bool> cancelled{false};
+      QVERIFY(!(*memory)->read(cancelled, {}));
+      if (!first_time) open(options());
+      const Opened used = open(options());
+      QCOMPARE(used.at_once, !first_time);
+      const QString path = files().first();
+      const QByteArray whole = contentOf(path);
+      if (how == 0) {
+        QVERIFY(QFile::resize(path, 5000));
+      } else if (how == 1) {
+        writeInto(path, QByteArray(whole.size(), '\0'));
+      } else if (how == 2) {
+        GridOptions other = options();
+        other.fingerprint = "another map";
+        auto bytes = test::roomGrays(kWidth, kHeight);
+        for (auto& gray : bytes) gray = std::uint16_t(255 - gray);
+        auto opened = openGrid(test::shared(test::png({kWidth, kHeight}, bytes)), other);
+        QVERIFY(!(*opened)->read(cancelled, {}));
+        for (const QString& file : files()) {
+          if (file != path) writeInto(path, contentOf(file));
+        }
+      } else if (how == 3) {
+        writeInto(path, whole.left(4096) + QByteArray(4096, 'x') + whole.mid(4096));
+      } else {
+        QFile::remove(path);
+        write(path, "another");
+      }
+      told_.clear();
+      QVERIFY(same(*used.pyramid, *(*memory)->pyramid()));
+      QCOMPARE(int(told_.size()), how == 4 ? 0 : 1);
+    }
+  }
+
+  void aCellOfADamagedFileIsNotReadAgainForTheWindow() {
+    open(options());
+    const Opened used = open(options());
+    writeInto(files().first(), QByteArray(contentOf(files().first()).size(), '\0'));
+    told_.clear();
+    // Row 29 is a wall: reading the map for it could take long.
+    QCOMPARE(int(used.pyramid->at(0, 29)), int(kTransparentGray));
+    QVERIFY(told_.isEmpty());
+    QVERIFY(used.pyramid->tile(0, 0, 0));
+    QCOMPARE(int(used.pyramid->at(0, 29)), 0);
+  }
+
+  void manyThreadsReadItAgainOnce() {
+    open(options());
+    const Opened used = open(options());
+    writeInto(files().first(), QByteArray(contentOf(files().first()).size(), '\0'));
+    told_.clear();
+    std::vector<std::thread> threads;
+    std::atomic<int> right{0};
+    const auto memory = openGrid(picture(), {});
+    const std::atomic<bool> cancelled{false};
+    QVERIFY(!(*memory)->read(cancelled, {}));
+    for (int n = 0; n < 4; ++n) {
+      threads.emplace_back([&] { right += same(*used.pyramid, *(*memory)->pyramid()); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    QCOMPARE(right.load(), 4);
+    QCOMPARE(int(told_.size()), 1);
+  }
+
+  void aPictureThatIsGoneToo() {
+    const QString source = folder_->filePath(QStringLiteral("map.png"));
+    const std::string bytes = *picture();
+    write(source, QByteArray::fromStdString(bytes));
+    for (const bool renamed : {true, false}) {
+      openFile(source);
+      const Opened used = openFile(source);
+      QVERIFY(used.at_once);
+      const QString sidecar =
+          QDir(folder_->path()).entryInfoList({QStringLiteral("*.grid")}).first().filePath();
+      if (renamed) {
+        // The file that was opened is still there, under no name.
+        QFile::remove(source);
+        write(source, "something else");
+      } else {
+        QVERIFY(QFile::resize(source, 3000));
+      }
+      writeInto(sidecar, QByteArray(contentOf(sidecar).size(), '\0'));
+      told_.clear();
+      const auto tile = used.pyramid->tile(0, 0, 0);
+      QVERIFY(tile);
+      QCOMPARE(tile->damaged, !renamed);
+      QCOMPARE(used.pyramid->trouble().empty(), renamed);
+      QCOMPARE(int(told_.size()), 1);
+      QVERIFY(told_.first() == (renamed ? GridDamage::Mended : GridDamage::Lost));
+      const std::string out = folder_->filePath(QStringLiteral("out.png")).toStdString();
+      QCOMPARE(writeGridPng(*used.pyramid, out).has_value(), !renamed);
+      QCOMPARE(QFile::exists(QString::fromStdString(out)), renamed);
+      QFile::remove(QString::fromStdString(out));
+      write(source, QByteArray::fromStdString(bytes));
+    }
+  }
+
+  void smallPicturesEarnNone() {
+    GridOptions large = options();
+    large.sidecar_from_cells = kWidth * kHeight;
+    open(large);
+    QCOMPARE(files().size(), 1);
+    cleanup();
+    init();
+    large.sidecar_from_cells = kWidth * kHeight + 1;
+    open(large);
+    QVERIFY(files().isEmpty());
   }
 
   void aPictureThatBrokeOffIsNotKept() {
@@ -214,6 +352,10 @@ class TestGridSidecar : public QObject {
     GridOptions options;
     options.sidecar_folder = folder_->path().toStdString();
     options.fingerprint = "etag \"abc\"";
+    options.damaged = [this](GridDamage damage) {
+      const std::lock_guard lock(mutex_);
+      told_ << damage;
+    };
     return options;
   }
   std::shared_ptr<const std::string> picture() const {
@@ -221,6 +363,13 @@ class TestGridSidecar : public QObject {
   }
   Opened open(const GridOptions& options) const {
     auto opened = openGrid(picture(), options);
+    const bool at_once = (*opened)->complete();
+    const std::atomic<bool> cancelled{false};
+    if ((*opened)->read(cancelled, {})) return {};
+    return {(*opened)->pyramid(), at_once};
+  }
+  Opened openFile(const QString& path) const {
+    auto opened = openGridFile(path.toStdString(), options());
     const bool at_once = (*opened)->complete();
     const std::atomic<bool> cancelled{false};
     if ((*opened)->read(cancelled, {})) return {};
@@ -242,7 +391,15 @@ class TestGridSidecar : public QObject {
     QFile file(path);
     if (file.open(QIODevice::WriteOnly)) file.write(bytes);
   }
+  /// Into the file that is there, as whoever has it open sees it.
+  static void writeInto(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (file.open(QIODevice::ReadWrite)) file.write(bytes);
+  }
   std::unique_ptr<QTemporaryDir> folder_;
+  mutable std::mutex mutex_;
+  mutable QList<GridDamage> told_;
+  bool mended_ = false;
 };
 
 QTEST_GUILESS_MAIN(TestGridSidecar)

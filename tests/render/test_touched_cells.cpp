@@ -1,5 +1,6 @@
 // What a pixel larger than a cell shows, at every zoom and turn, against a slow reference: the pixel's square
 // is clipped by every cell around it.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -161,6 +162,8 @@ PixelGrid windowOn(const render::PlacedGrid& placed, double zoom, double rotatio
 
 }  // namespace
 
+Q_DECLARE_METATYPE(Reduction)
+
 class TouchedCellsTest : public QObject {
   Q_OBJECT
 
@@ -288,15 +291,47 @@ class TouchedCellsTest : public QObject {
     }
   }
 
+  void aQuickLookIsExactWhereItSaysSo_data() {
+    QTest::addColumn<Reduction>("reduction");
+    QTest::addColumn<double>("rotation");
+    QTest::addColumn<double>("exact_up_to");  // cells a pixel, excluded
+    QTest::newRow("upright") << Reduction::OccupiedWins << 0.0 << 4.0;
+    QTest::newRow("a quarter turn") << Reduction::OccupiedWins << M_PI / 2 << 4.0;
+    QTest::newRow("turned") << Reduction::OccupiedWins << 0.3 << 1.1;
+    QTest::newRow("turned, averaged") << Reduction::Average << 0.3 << 4.0;
+  }
   void aQuickLookIsExactWhereItSaysSo() {
-    const auto placed = gridOf(917, 641, 0.05, {1, 2, 0}, roomGray);
-    for (const double zoom : {0.5, 1.0, 3.9, 4.0, 20.0}) {
-      const PixelGrid pixels = windowOn(placed, zoom, 0.3, 40, 40, {0, 0});
+    QFETCH(Reduction, reduction);
+    QFETCH(double, rotation);
+    QFETCH(double, exact_up_to);
+    const auto placed = room(CellCode::Gray, reduction, 0);
+    for (const double zoom : {0.5, 1.0, 1.7, 3.9, 4.0, 20.0}) {
+      const PixelGrid pixels = windowOn(placed, zoom, rotation, 40, 40, {0.3, 0.2});
       const Composition quick = render::sampleGrid(pixels, placed, nullptr, render::Sampling::Quick);
       const Composition exact = render::sampleGrid(pixels, placed, nullptr);
       const bool same = quick.intensity == exact.intensity && quick.flags == exact.flags;
-      QCOMPARE(render::quickIsExact(pixels, placed), zoom < 4);
-      QCOMPARE(same, zoom < 4);
+      QCOMPARE(render::quickIsExact(pixels, placed), zoom < exact_up_to);
+      QCOMPARE(same, zoom < exact_up_to);
+    }
+  }
+
+  void aStripAcrossAHugeMapHasNoHoles() {
+    // Compared maps are walked over in strips, which touch more tiles than a view does.
+    constexpr int kEdge = 17'000;
+    const auto builder = raster::buildGrid(kEdge, kEdge, CellCode::Gray, Reduction::OccupiedWins);
+    const std::vector<std::uint8_t> row(kEdge, 255);
+    for (int v = 0; v < kEdge; ++v) builder->pushRow(row);
+    builder->finish();
+    const render::PlacedGrid placed{builder->pyramid(), {kEdge, kEdge, 0.05, {0, 0, 0}}};
+    for (const double zoom : {1.0, 1.5}) {
+      PixelGrid pixels;
+      pixels.scale_m_per_px = 0.05 * zoom;
+      pixels.rotation_rad = -M_PI / 4;
+      pixels.origin_m = placed.reference.worldFromCell({5, kEdge - 5});
+      pixels.width_px = int(23'900 / zoom);
+      pixels.height_px = 2;
+      const Composition made = render::sampleGrid(pixels, placed, nullptr);
+      QCOMPARE(int(std::count(made.flags.begin(), made.flags.end(), std::uint8_t(0))), 0);
     }
   }
 

@@ -1,5 +1,7 @@
 // One whole map on its way to the screen.
+#include <QDir>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "session/map_slot.h"
@@ -124,6 +126,119 @@ class MapSlotTest : public QObject {
     QTRY_VERIFY(slot_->phase() == Phase::Ready);
     slot_->setReduction(raster::Reduction::Average);
     QTRY_VERIFY(slot_->phase() == Phase::Ready && slot_->cells()->reduction() == raster::Reduction::Average);
+  }
+
+  void onlyLargeStoredMapsEarnASidecar_data() {
+    QTest::addColumn<map::MapKind>("kind");
+    QTest::addColumn<int>("edge");
+    QTest::addColumn<int>("files");
+    QTest::newRow("stored and large") << map::MapKind::Stored << 2100 << 1;
+    QTest::newRow("a result of mapping, large") << map::MapKind::Mapping << 2100 << 1;
+    QTest::newRow("a file, large") << map::MapKind::File << 2100 << 1;
+    QTest::newRow("stored and small") << map::MapKind::Stored << 500 << 0;
+    QTest::newRow("live and small") << map::MapKind::Live << 500 << 0;
+    QTest::newRow("live and large") << map::MapKind::Live << 2100 << 0;
+  }
+  void onlyLargeStoredMapsEarnASidecar() {
+    QFETCH(map::MapKind, kind);
+    QFETCH(int, edge);
+    QFETCH(int, files);
+    QTemporaryDir folder;
+    MapSlot slot(folder.path());
+    // As a robot whose map changes every second: what is in the folder must not be pushed out.
+    for (int version = 1; version <= 3; ++version) {
+      map::WholeMap map = mapOf("7", pgm(edge, edge, 100 + version));
+      map.key.kind = kind;
+      map.fingerprint = "content " + std::to_string(version);
+      slot.show(std::move(map));
+      QTRY_VERIFY(slot.phase() == Phase::Ready && slot.cells()->at(3, 3) == 100 + version);
+      QCOMPARE(int(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size()), files * version);
+    }
+  }
+
+  void aDamagedSidecarIsReadAgainAndSaidOnce() {
+    QTemporaryDir folder;
+    constexpr int kEdge = 2100;
+    std::string bytes = "P5\n2100 2100\n255\n";
+    for (int n = 0; n < kEdge * kEdge; ++n) bytes.push_back(char(n % 251 % 7 == 0 ? 0 : 254));
+    map::WholeMap map = mapOf("1", std::make_shared<const std::string>(std::move(bytes)));
+    map.fingerprint = "content";
+    for (const bool damaged : {false, true, false}) {
+      MapSlot slot(folder.path());
+      QStringList problems;
+      connect(&slot, &MapSlot::problemFound, this,
+              [&](const map::Problem& problem) { problems << QString::fromStdString(problem.sentence); });
+      if (damaged) {
+        const QString path = folder.filePath(QDir(folder.path()).entryList(QDir::Files).first());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        file.seek(4096);
+        file.write(QByteArray(20'000, 'x'));
+      }
+      slot.show(map);
+      QTRY_VERIFY(slot.phase() == Phase::Ready);
+      for (int tile_y = 0; tile_y < 9; ++tile_y) {
+        for (int tile_x = 0; tile_x < 9; ++tile_x) QVERIFY(slot.cells()->tile(0, tile_x, tile_y));
+      }
+      int wrong = 0;
+      for (int v = 0; v < kEdge; v += 13) {
+        for (int u = 0; u < kEdge; ++u) {
+          wrong += slot.cells()->at(u, v) != ((v * kEdge + u) % 251 % 7 == 0 ? 0 : 254);
+        }
+      }
+      QCOMPARE(wrong, 0);
+      QVERIFY(!slot.broken());
+      QTRY_COMPARE(int(problems.size()), damaged ? 1 : 0);
+      if (damaged) QVERIFY(problems.first().contains(QLatin1String("read again")));
+    }
+  }
+
+  void whatIsDamagedAndCannotBeReadAgainIsBroken() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("map.pgm"));
+    QFile picture(path);
+    QVERIFY(picture.open(QIODevice::WriteOnly));
+    QByteArray bytes = "P5\n2100 2100\n255\n";
+    for (int n = 0; n < 2100 * 2100; ++n) bytes.append(char(n % 251 % 7 == 0 ? 0 : 254));
+    picture.write(bytes);
+    picture.close();
+    map::WholeMap map = mapOf("1", nullptr);
+    map.key.kind = map::MapKind::File;
+    map.path = path.toStdString();
+    map.fingerprint = "content";
+    const QString cache = folder.filePath(QStringLiteral("cache"));
+    {
+      MapSlot first(cache);
+      first.show(map);
+      QTRY_VERIFY(first.phase() == Phase::Ready);
+    }
+    MapSlot slot(cache);
+    slot.show(map);
+    QTRY_VERIFY(slot.phase() == Phase::Ready);
+    QVERIFY(!slot.broken());
+    QVERIFY(QFile::resize(path, 1000));
+    QVERIFY(QFile::resize(QDir(cache).filePath(QDir(cache).entryList(QDir::Files).first()), 5000));
+    QVERIFY(slot.cells()->tile(0, 0, 0)->damaged);
+    QVERIFY(slot.broken());
+    QTRY_VERIFY(slot.remark().contains(QLatin1String("damaged")));
+  }
+
+  void aPyramidMayOutliveItsSlot() {
+    QTemporaryDir folder;
+    std::string bytes = *pgm(2100, 2100, 200);
+    for (std::size_t n = 100; n < bytes.size(); n += 7) bytes[n] = 0;
+    map::WholeMap map = mapOf("1", std::make_shared<const std::string>(std::move(bytes)));
+    map.fingerprint = "content";
+    std::shared_ptr<const raster::GridPyramid> cells;
+    {
+      MapSlot slot(folder.path());
+      slot.show(map);
+      QTRY_VERIFY(slot.phase() == Phase::Ready);
+      cells = slot.cells();
+    }
+    QVERIFY(QFile::resize(folder.filePath(QDir(folder.path()).entryList(QDir::Files).first()), 5000));
+    QVERIFY(!cells->tile(0, 3, 3)->damaged);
+    QCoreApplication::processEvents();
   }
 
   void aTurnThatIsNoNumberCountsAsNone() {

@@ -143,6 +143,20 @@ class TestWindowDialogs : public QObject {
     QTRY_VERIFY(bench.recents.list().isEmpty());
   }
 
+  void aSecretIsNotHandedToAnotherRobot() {
+    Bench bench;
+    const QDateTime now(QDate(2024, 5, 1), QTime(12, 0));
+    bench.recents.add(QStringLiteral("192.0.2.1"), now);
+    ConnectDialog dialog(bench.recents,
+                         [](const QString&, const QByteArray&) { return std::optional<QString>(); });
+    dialog.show();
+    dialog.askForSecret(QStringLiteral("axbot+http://192.0.2.7:8090"), {});
+    auto* secret = dialog.findChild<QLineEdit*>(QStringLiteral("secret"));
+    QTest::keyClicks(secret, QStringLiteral("hunter2"));
+    dialog.findChild<QListWidget*>(QStringLiteral("recents"))->setCurrentRow(0);
+    QVERIFY(secret->text().isEmpty());
+  }
+
   void goToShowsItsWholeError() {
     GoToDialog dialog({0, 0});
     dialog.show();

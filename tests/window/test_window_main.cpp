@@ -2,12 +2,14 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QTableView>
 #include <QToolButton>
 #include <QtTest>
 
+#include "window/dialogs/connect_dialog.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
 #include "window/docks/maps_dock.h"
@@ -94,6 +96,47 @@ class TestWindowMain : public QObject {
     session::Session* session = window.session();
     QCOMPARE(*window.connectTo(QStringLiteral("bad")), QStringLiteral("This is no address."));
     QCOMPARE(window.session(), session);
+  }
+
+  void asksForTheSecretThatWasRefused_data() {
+    QTest::addColumn<bool>("had_been_online");
+    QTest::newRow("by the card") << false;
+    QTest::newRow("by the notice") << true;
+  }
+  void asksForTheSecretThatWasRefused() {
+    QFETCH(bool, had_been_online);
+    Bench bench;
+    bench.prepare = [&](test::FakeRobot& robot) { robot.auto_online = had_been_online; };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    if (had_been_online) bench.load();
+    robot::ConnectionState refused;
+    refused.phase = robot::ConnectionPhase::Refused;
+    refused.reason = QStringLiteral("the robot refuses the connection");
+    const auto offer = [&]() -> QPushButton* {
+      for (QPushButton* button : window.findChildren<QPushButton*>()) {
+        if (button->isVisible() && button->text() == QLatin1String("Enter secret…")) return button;
+      }
+      return nullptr;
+    };
+    bench.robot->setState(refused);  // for another reason
+    QVERIFY(!offer());
+    refused.failure = map::FailureKind::Refused;
+    bench.robot->setState(refused);
+    QVERIFY(offer());
+    QTest::mouseClick(offer(), Qt::LeftButton);
+    ConnectDialog* dialog = window.secretDialog();
+    QVERIFY(dialog);
+    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    auto* secret = dialog->findChild<QLineEdit*>(QStringLiteral("secret"));
+    QCOMPARE(dialog->findChild<QLineEdit*>(QStringLiteral("address"))->text(), kAddress);
+    QCOMPARE(dialog->errorText(), QStringLiteral("The robot refuses the connection"));
+    QVERIFY(secret->hasFocus());
+    QTest::keyClicks(secret, QStringLiteral("hunter2"));
+    QVERIFY(dialog->errorText().isEmpty());
+    QTest::keyClick(secret, Qt::Key_Return);
+    QCOMPARE(bench.secret, QByteArray("hunter2"));
+    QCOMPARE(window.session()->robot().address(), kAddress);
   }
 
   void showsNamesOfRobotsAsTheyAre() {
@@ -193,6 +236,18 @@ class TestWindowMain : public QObject {
     QVERIFY(!again.connectTo(QStringLiteral("file:/maps")));
     QCoreApplication::processEvents();
     QTRY_COMPARE(front(again), wanted);
+  }
+
+  void bringsAPanelThatIsOpenedToTheFront() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    for (QDockWidget* dock :
+         {static_cast<QDockWidget*>(window.problems()), static_cast<QDockWidget*>(window.messages()),
+          static_cast<QDockWidget*>(window.problems())}) {
+      if (dock->toggleViewAction()->isChecked()) dock->toggleViewAction()->trigger();
+      dock->toggleViewAction()->trigger();
+      QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+    }
   }
 
   void leavesTheProblemsAsTheyWereLeft_data() {

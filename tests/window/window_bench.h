@@ -26,11 +26,12 @@ struct Bench {
     window.reset();
     MainWindow::Dependencies wanted{
         [this](const QString& address,
-               const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+               const QByteArray& typed) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
           if (address == QLatin1String("bad")) {
             return tl::unexpected(QStringLiteral("This is no address."));
           }
           auto made = std::make_unique<FakeRobot>(address);
+          secret = typed;
           robot = made.get();
           if (prepare) prepare(*made);
           return std::unique_ptr<robot::Robot>(std::move(made));
@@ -73,6 +74,7 @@ struct Bench {
   QSettings settings;
   std::unique_ptr<MainWindow> window;
   FakeRobot* robot = nullptr;
+  QByteArray secret;  // that of the last connection
   std::function<void(FakeRobot&)> prepare;
   std::function<QStringList(const QString&)> yamls_naming;
 };

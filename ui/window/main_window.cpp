@@ -79,6 +79,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
     problems_->raise();
   });
   connect(overlay_->card(), &EmptyStateCard::connectWanted, this, &MainWindow::openConnectDialog);
+  connect(overlay_->card(), &EmptyStateCard::secretWanted, this, &MainWindow::enterSecret);
   connect(overlay_->card(), &EmptyStateCard::demoWanted, actions_.find(QStringLiteral("demo")),
           &QAction::trigger);
   connect(overlay_->card(), &EmptyStateCard::retryWanted, actions_.find(QStringLiteral("retry")),
@@ -87,6 +88,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   connect(overlay_->card(), &EmptyStateCard::fileWanted, actions_.find(QStringLiteral("openFile")),
           &QAction::trigger);
   connect(overlay_->notice(), &NoticeBar::offerTaken, this, [this] {
+    if (session_ && wantsSecret(session_->connection())) return enterSecret();
     if (session_) {
       retry();
     } else {
@@ -207,6 +209,18 @@ void MainWindow::openConnectDialog() {
   dialog.exec();
 }
 
+void MainWindow::enterSecret() {
+  if (!session_ || secretDialog()) return;
+  auto* dialog = new ConnectDialog(
+      recents_,
+      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); }, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->askForSecret(address_, session_->connection().reason);
+  dialog->open();
+}
+
+ConnectDialog* MainWindow::secretDialog() const { return findChild<ConnectDialog*>(); }
+
 void MainWindow::refreshState() {
   const bool connected = session_ != nullptr;
   for (const char* id : {"retry", "disconnect", "follow"}) {
@@ -255,7 +269,8 @@ void MainWindow::refreshNotice() {
     QString sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
     if (refused && !session_->connection().reason.isEmpty())
       sentence += QLatin1Char(' ') + session_->connection().reason;
-    notice->setNotice(refused ? Mark::Bad : Mark::Warning, sentence, QStringLiteral("Retry now"));
+    notice->setNotice(refused ? Mark::Bad : Mark::Warning, sentence,
+                      wantsSecret(session_->connection()) ? tr("Enter secret…") : tr("Retry now"));
     return;
   }
   const bool whole_wanted = scene_->layerVisible(scene::Layer::WholeMap) || comparison_->active();

@@ -30,6 +30,7 @@ class QDockWidget;
 namespace mapwright::window {
 
 class CompareControl;
+class ConnectDialog;
 class ConnectionChip;
 class ExportDialog;
 class InspectorDock;
@@ -86,6 +87,7 @@ class MainWindow : public QMainWindow {
   CompareControl* comparison() const { return comparison_; }
   PictureDialog* pictureDialog() const;  // null: not open
   ExportDialog* exportDialog() const;    // null: not open
+  ConnectDialog* secretDialog() const;   // null: not open
   ProblemsDock* problems() const { return problems_; }
   WindowStatusBar* bar() const { return bar_; }
   MapOverlay* overlay() const { return overlay_; }
@@ -173,6 +175,7 @@ class MainWindow : public QMainWindow {
   void dismissNotice();
   void wireSession();
   void openConnectDialog();
+  void enterSecret();
   void refreshState();
   void refreshChip();
   void refreshNotice();

@@ -289,6 +289,11 @@ void MainWindow::createMenus() {
   for (QDockWidget* dock : docks()) {
     view->addAction(dock->toggleViewAction());
     actions_.list(kView, dock->toggleViewAction());
+    // Whoever opens a panel wants to see it, not the tab in front of it; Qt puts it there only once it is
+    // laid out.
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
+      if (on) QMetaObject::invokeMethod(dock, &QDockWidget::raise, Qt::QueuedConnection);
+    });
   }
   view->addSeparator();
   for (const char* id : {"filter", "focusMap", "fullScreen", "resetLayout"}) {

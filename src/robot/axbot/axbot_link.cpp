@@ -324,6 +324,8 @@ void AxbotLink::publishState() {
     case State::Closed:
       state.phase = wanted_ ? ConnectionPhase::Refused : ConnectionPhase::Offline;
       if (!wanted_) state.reason.clear();
+      if (wanted_ && (socket_->handshakeStatus() == 401 || socket_->handshakeStatus() == 403))
+        state.failure = map::FailureKind::Refused;
       break;
   }
   Q_EMIT stateChanged(state);

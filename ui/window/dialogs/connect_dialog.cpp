@@ -71,6 +71,7 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* pa
   column->addLayout(buttons);
 
   connect(address_, &QLineEdit::textChanged, this, &ConnectDialog::check);
+  connect(secret_, &QLineEdit::textEdited, this, &ConnectDialog::check);
   connect(connect_, &QPushButton::clicked, this,
           [this] { start(address_->text().trimmed(), secret_->text().toUtf8()); });
   connect(demo, &QPushButton::clicked, this, [this] { start(QStringLiteral("demo:"), {}); });
@@ -126,7 +127,9 @@ QWidget* ConnectDialog::buildRecents() {
   list_->setAccessibleName(QStringLiteral("Recent robots"));
   column->addWidget(list_, 1);
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-    if (item) address_->setText(item->data(Qt::UserRole).toString());
+    if (!item || item->data(Qt::UserRole).toString() == address_->text()) return;
+    address_->setText(item->data(Qt::UserRole).toString());
+    secret_->clear();  // it was typed for another robot
   });
   connect(list_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     if (item->data(Qt::UserRole).isValid())
@@ -182,6 +185,13 @@ void ConnectDialog::fillRecents() {
 void ConnectDialog::setAddress(const QString& address) {
   address_->setText(address);
   address_->selectAll();
+}
+
+void ConnectDialog::askForSecret(const QString& address, const QString& why) {
+  address_->setText(address);
+  setError(why.isEmpty() ? QString() : why.left(1).toUpper() + why.mid(1));
+  secret_->clear();
+  secret_->setFocus();
 }
 
 QString ConnectDialog::errorText() const { return error_->isHidden() ? QString() : error_->text(); }

@@ -25,6 +25,9 @@ class ConnectDialog : public QDialog {
   ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* parent = nullptr);
 
   void setAddress(const QString& address);
+  /// For a robot that refused: its address stands there, `why` beside it, the cursor is where the secret
+  /// goes.
+  void askForSecret(const QString& address, const QString& why);
   QString errorText() const;
 
  private:

@@ -1,5 +1,7 @@
 #include "window/dialogs/export_dialog.h"
 
+#include <iterator>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -110,6 +112,11 @@ ExportDialog::ExportDialog(ExportOffer offer, QWidget* parent)
   column->addWidget(error_);
   column->addWidget(progress_);
   column->addLayout(buttons);
+
+  // As they stand, and not as they were made.
+  QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, resolution_,
+                            path_,        browse_,     world_file_,   cancel_, export_};
+  for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
 
   const bool has_map = source_->count() > 0;
   for (QRadioButton* button : {map_picture_, map_server_}) {

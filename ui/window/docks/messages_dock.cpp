@@ -190,9 +190,9 @@ void MessagesDock::buildTable() {
   room(TopicsModel::TimeColumn, 7);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
-            const QString topic =
-                index.isValid() ? model_->topicAt(sorted_->mapToSource(index).row()) : QString();
-            if (topic.isEmpty() || topic == chosen_) return;
+            if (!index.isValid()) return;
+            const QString topic = model_->topicAt(sorted_->mapToSource(index).row());
+            if (topic == chosen_) return;
             chosen_ = topic;
             showMessage(true);
           });

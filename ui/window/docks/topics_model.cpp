@@ -66,11 +66,9 @@ QString TopicsModel::text(const Row& row, int column) const {
   const bool any = row.count > 0;
   switch (column) {
     case TopicColumn:
-      return words::plainName(row.topic.left(200));
+      return row.topic.isEmpty() ? tr("(without a topic)") : words::plainName(row.topic.left(200));
     case TypeColumn:
-      return !any         ? QStringLiteral("waiting")
-             : row.binary ? QStringLiteral("binary")
-                          : QStringLiteral("text");
+      return !any ? tr("waiting") : row.binary ? tr("binary") : tr("text");
     case CountColumn:
       return countText(qint64(row.count));
     case RateColumn:
@@ -123,23 +121,23 @@ QVariant TopicsModel::headerData(int section, Qt::Orientation orientation, int r
   if (role == Qt::TextAlignmentRole)
     return int((section >= CountColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role == Qt::ToolTipRole && (section == RateColumn || section == BytesRateColumn))
-    return QStringLiteral("Over the last 5 seconds");
+    return tr("Over the last 5 seconds");
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case TopicColumn:
-      return QStringLiteral("Topic");
+      return tr("Topic");
     case TypeColumn:
-      return QStringLiteral("Type");
+      return tr("Type");
     case CountColumn:
-      return QStringLiteral("Count");
+      return tr("Count");
     case RateColumn:
-      return QStringLiteral("Hz");
+      return tr("Hz");
     case BytesRateColumn:
-      return QStringLiteral("Bytes/s");
+      return tr("Bytes/s");
     case SizeColumn:
-      return QStringLiteral("Size");
+      return tr("Size");
     case TimeColumn:
-      return QStringLiteral("Last");
+      return tr("Last");
     default:
       return {};
   }

@@ -110,6 +110,7 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     case ConnectionPhase::Refused: {
       state.kind = EmptyState::Kind::Failed;
       state.icon = QStringLiteral("error");
+      state.offers_secret = wantsSecret(connection);
       state.title = connection.phase == ConnectionPhase::Refused ? QStringLiteral("The robot refused")
                                                                  : QStringLiteral("Cannot reach the robot");
       state.text =
@@ -157,6 +158,7 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
       icon_(new QLabel(this)),
       title_(new QLabel(this)),
       text_(new QLabel(this)),
+      secret_(new QPushButton(tr("Enter secret…"), this)),
       progress_(new QProgressBar(this)),
       connect_(new QPushButton(QStringLiteral("Connect…"), this)),
       demo_(new QPushButton(QStringLiteral("Try the demo robot"), this)),
@@ -191,6 +193,8 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   buttons->addStretch();
   for (QPushButton* button : {retry_, connect_, demo_, file_, cancel_}) buttons->addWidget(button);
   buttons->addStretch();
+  secret_->setObjectName(QStringLiteral("primary"));
+  buttons->insertWidget(1, secret_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(32, 24, 32, 24);
   column->setSpacing(8);
@@ -204,6 +208,7 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   setFixedWidth(460);
 
   connect(connect_, &QPushButton::clicked, this, &EmptyStateCard::connectWanted);
+  connect(secret_, &QPushButton::clicked, this, &EmptyStateCard::secretWanted);
   connect(demo_, &QPushButton::clicked, this, &EmptyStateCard::demoWanted);
   connect(file_, &QPushButton::clicked, this, &EmptyStateCard::fileWanted);
   connect(retry_, &QPushButton::clicked, this, &EmptyStateCard::retryWanted);
@@ -224,12 +229,9 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   progress_->setVisible(state->busy);
   connect_->setVisible(state->offers_connect);
   connect_->setText(state->offers_retry ? QStringLiteral("Other robot…") : QStringLiteral("Connect…"));
-  const QString role = state->offers_retry ? QStringLiteral("secondary") : QStringLiteral("primary");
-  if (connect_->objectName() != role) {
-    connect_->setObjectName(role);
-    connect_->style()->unpolish(connect_);
-    connect_->style()->polish(connect_);
-  }
+  secret_->setVisible(state->offers_secret);
+  setRole(connect_, !state->offers_retry);
+  setRole(retry_, !state->offers_secret);
   demo_->setVisible(state->offers_demo);
   file_->setVisible(state->offers_file);
   retry_->setVisible(state->offers_retry);
@@ -240,6 +242,14 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   }
   setVisible(true);
   adjustSize();
+}
+
+void EmptyStateCard::setRole(QPushButton* button, bool primary) {
+  const QString role = primary ? QStringLiteral("primary") : QStringLiteral("secondary");
+  if (button->objectName() == role) return;
+  button->setObjectName(role);
+  button->style()->unpolish(button);
+  button->style()->polish(button);
 }
 
 void EmptyStateCard::paintIcon() {

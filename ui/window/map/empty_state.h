@@ -31,6 +31,7 @@ struct EmptyState {
   Kind kind = Kind::NoRobot;
   QString icon, title, text;
   bool busy = false;
+  bool offers_secret = false;  // the robot refused for want of the right one
   bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
   bool offers_file = false;
   bool operator==(const EmptyState&) const = default;
@@ -59,6 +60,7 @@ class EmptyStateCard : public QFrame {
 
  Q_SIGNALS:
   void connectWanted();
+  void secretWanted();
   void demoWanted();
   void fileWanted();
   void retryWanted();
@@ -69,9 +71,11 @@ class EmptyStateCard : public QFrame {
 
  private:
   void paintIcon();
+  static void setRole(QPushButton* button, bool primary);
   QLabel* icon_;
   QLabel* title_;
   QLabel* text_;
+  QPushButton* secret_;
   QProgressBar* progress_;
   QPushButton* connect_;
   QPushButton* demo_;

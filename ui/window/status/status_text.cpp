@@ -41,6 +41,10 @@ QString connectionWord(ConnectionPhase phase) {
   return {};
 }
 
+bool wantsSecret(const robot::ConnectionState& state) {
+  return state.phase == ConnectionPhase::Refused && state.failure == map::FailureKind::Refused;
+}
+
 StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms) {
   const QString because = state.reason.isEmpty() ? QString() : QStringLiteral(": ") + state.reason;
   switch (state.phase) {

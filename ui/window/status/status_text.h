@@ -23,6 +23,8 @@ struct StateText {
 
 /// "connected 12 ms", "reconnecting in 3 s (attempt 2): connection refused". `waited_ms` is the time since
 /// `state` was read.
+/// The robot refused for want of the right secret, and waits for a better one.
+bool wantsSecret(const robot::ConnectionState& state);
 StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms = 0);
 /// One or two words of the same: "connected", "reconnecting".
 QString connectionWord(robot::ConnectionPhase phase);
