@@ -1,6 +1,8 @@
 // Exit codes of every subcommand (cli.md).
 #pragma once
 
+#include "map/problem.h"
+
 namespace mapwright::app {
 
 enum ExitCode : int {
@@ -10,5 +12,24 @@ enum ExitCode : int {
   kUnreachable = 3,  // the robot cannot be reached or refused
   kRobotError = 4,   // the robot answered with an error for this request
 };
+
+/// What a failed request ends in; `otherwise` where its kind was not told.
+constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRobotError) {
+  switch (failure) {
+    case map::FailureKind::Unreachable:
+    case map::FailureKind::TimedOut:
+    case map::FailureKind::Refused:
+    case map::FailureKind::NotARobot:
+    case map::FailureKind::Certificate:
+      return kUnreachable;
+    case map::FailureKind::RejectedByRobot:
+    case map::FailureKind::MalformedAnswer:
+      return kRobotError;
+    case map::FailureKind::None:
+    case map::FailureKind::Cancelled:
+      break;
+  }
+  return otherwise;
+}
 
 }  // namespace mapwright::app

@@ -20,7 +20,8 @@ namespace {
 using namespace mapwright;
 
 struct CommandLine {
-  std::string robot, secret_file, demo_query;
+  std::string robot, demo_query;
+  app::AccessWords access;
   app::SnapshotWords snapshot;
   app::MapsWords maps;
   app::SimulateWords simulate;
@@ -34,6 +35,19 @@ std::string layersHelp() {
          "; or all; or none (the map alone)";
 }
 
+void addAccess(CLI::App& command, app::AccessWords& words) {
+  command.add_option("--secret-file", words.secret_file,
+                     "File that holds the secret of the robot of --robot (or MAPWRIGHT_SECRET)");
+  command
+      .add_option("--secret-file-for", words.secret_files_for,
+                  "Address of another robot, and the file that holds its secret; may be repeated")
+      ->type_name("ADDRESS FILE")
+      ->allow_extra_args(false);
+  command.add_option("--ca-file", words.ca_file,
+                     "PEM file of certificate authorities (or self-signed certificates) to believe besides "
+                     "those of this computer");
+}
+
 void addSnapshot(CLI::App& cli, CommandLine& line) {
   CLI::App* command = cli.add_subcommand("snapshot", "Draw a robot's map into a PNG, without a window");
   app::SnapshotWords& words = line.snapshot;
@@ -41,8 +55,7 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
       ->add_option("--robot", words.robot,
                    "Robot address, for example axbot+http://192.168.25.25:8090 or demo:")
       ->envname("MAPWRIGHT_ROBOT");
-  command->add_option("--secret-file", words.secret_file,
-                      "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
+  addAccess(*command, words.access);
   command->add_option("-o,--output", words.output, "The PNG to write")->required();
   command->add_option("--mode", words.mode,
                       "submaps, or whole (grid: the same for robots and files that give "
@@ -84,8 +97,7 @@ void addMaps(CLI::App& cli, CommandLine& line) {
     CLI::App* command = maps->add_subcommand(name, what);
     command->add_option("--robot", words.robot, "Robot address, map.yaml, picture or folder")
         ->envname("MAPWRIGHT_ROBOT");
-    command->add_option("--secret-file", words.secret_file,
-                        "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
+    addAccess(*command, words.access);
     command->add_option("--timeout", words.timeout_s, "Give up waiting after this many seconds")
         ->capture_default_str();
     command->add_option(
@@ -216,8 +228,7 @@ int run(int argc, char** argv) {
   cli.add_option("--robot", line.robot,
                  "Connect the window to this robot, for example axbot+http://192.168.25.25:8090")
       ->envname("MAPWRIGHT_ROBOT");
-  cli.add_option("--secret-file", line.secret_file,
-                 "File that holds the robot's secret (or MAPWRIGHT_SECRET)");
+  addAccess(cli, line.access);
   CLI::App* demo = cli.add_subcommand("demo", "Open the window on a simulated robot");
   demo->add_option("query", line.demo_query, "Such as scene=warehouse&submaps=500&seed=3");
   addSimulate(cli, line);
@@ -240,12 +251,12 @@ int run(int argc, char** argv) {
   if (cli.got_subcommand("simulate")) return app::simulate(line.simulate);
   if (cli.got_subcommand("snapshot")) {
     if (line.snapshot.robot.empty()) line.snapshot.robot = line.robot;
-    if (line.snapshot.secret_file.empty()) line.snapshot.secret_file = line.secret_file;
+    line.snapshot.access = app::withOuter(line.snapshot.access, line.snapshot.robot, line.access, line.robot);
     return app::snapshot(line.snapshot, argc, argv);
   }
   if (cli.got_subcommand("maps")) {
     if (line.maps.robot.empty()) line.maps.robot = line.robot;
-    if (line.maps.secret_file.empty()) line.maps.secret_file = line.secret_file;
+    line.maps.access = app::withOuter(line.maps.access, line.maps.robot, line.access, line.robot);
     const CLI::App* maps = cli.get_subcommand("maps");
     if (maps->got_subcommand("list")) return app::mapsList(line.maps, argc, argv);
     if (maps->got_subcommand("current")) return app::mapsCurrent(line.maps, argc, argv);
@@ -255,8 +266,7 @@ int run(int argc, char** argv) {
   }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining(), argv[0]);
   if (cli.got_subcommand("demo")) return app::demo(QString::fromStdString(line.demo_query), argc, argv);
-  return app::window(QString::fromStdString(line.robot), QString::fromStdString(line.secret_file), argc,
-                     argv);
+  return app::window(QString::fromStdString(line.robot), line.access, argc, argv);
 }
 
 }  // namespace

@@ -63,14 +63,14 @@ CommandFailure MapReading::failure(int exit_code, const QString& sentence) const
   return {exit_code, QStringLiteral("%1: %2").arg(oneLine(address_, kLongestAddress), sentence)};
 }
 
-CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& address, const QByteArray& secret,
+CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& address, const Access& access,
                                                             CommandTime time, Purpose purpose) {
   if (address.isEmpty()) {
     return tl::make_unexpected(CommandFailure{
         kUsage,
         QStringLiteral("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
   }
-  auto robot = makeRobot(address, secret, DemoTime::Frozen);
+  auto robot = makeRobot(address, access, DemoTime::Frozen);
   if (!robot) return tl::make_unexpected(CommandFailure{kUsage, robot.error()});
   std::unique_ptr<MapReading> reading(new MapReading(std::move(*robot), address, time, purpose));
   session::Session& session = reading->session_;
@@ -83,9 +83,9 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   });
   if (phase() != robot::ConnectionPhase::Online) {
     const bool file = reading->local() && phase() == robot::ConnectionPhase::Refused;
-    const QString reason = session.connection().reason;
+    const QString reason = whyNotConnected(session.connection());
     return tl::make_unexpected(reading->failure(
-        file ? kUsage : kUnreachable,
+        file ? kUsage : exitCodeOf(session.connection().failure, kUnreachable),
         reason.isEmpty() ? QStringLiteral("no connection within %1 s.").arg(time.timeout_s) : reason));
   }
   reading->online_since_ = std::chrono::steady_clock::now();
@@ -101,10 +101,12 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
   if (!waitUntil(
           [&] { return !catalogue.loading() && (catalogue.asOf() || !catalogue.error().isEmpty()); })) {
     return tl::make_unexpected(
-        failure(kIncomplete, QStringLiteral("It did not answer within %1 s.").arg(time_.timeout_s)));
+        failure(exitCodeOf(map::FailureKind::TimedOut),
+                QStringLiteral("It did not answer within %1 s.").arg(time_.timeout_s)));
   }
   if (!catalogue.error().isEmpty()) {
-    return tl::make_unexpected(failure(local() ? kUsage : kRobotError, catalogue.error()));
+    return tl::make_unexpected(
+        failure(local() ? kUsage : exitCodeOf(catalogue.failure()), catalogue.error()));
   }
   // A part of the list that could not be had is a problem of its own.
   complete_ = complete_ && problems(map::Severity::Warning).isEmpty();
@@ -142,7 +144,8 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
       waitUntil([&] { return wish.look(secondsSince(online_since_)) != MapWish::State::Waiting; });
   if (!in) {
     return tl::make_unexpected(
-        failure(kIncomplete, QStringLiteral("The map had not arrived within %1 s.").arg(time_.timeout_s)));
+        failure(exitCodeOf(map::FailureKind::TimedOut),
+                QStringLiteral("The map had not arrived within %1 s.").arg(time_.timeout_s)));
   }
   if (wish.look(secondsSince(online_since_)) == MapWish::State::Failed) {
     return tl::make_unexpected(failure(wish.failure().exit_code, wish.failure().sentence));

@@ -11,6 +11,7 @@
 
 #include "app/command_failure.h"
 #include "app/deadline.h"
+#include "app/robot_access.h"
 #include "render/sample_grid.h"
 #include "session/session.h"
 
@@ -28,7 +29,7 @@ class MapReading {
   /// What is going to be asked for: nothing else is.
   enum class Purpose { Maps, Submaps };
   /// Connects.
-  static CommandResult<std::unique_ptr<MapReading>> open(const QString& address, const QByteArray& secret,
+  static CommandResult<std::unique_ptr<MapReading>> open(const QString& address, const Access& access,
                                                          CommandTime time, Purpose purpose);
 
   session::Session& session() { return session_; }

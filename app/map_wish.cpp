@@ -36,7 +36,7 @@ MapWish::State MapWish::look(double online_for_s) {
   if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && online_for_s > kLiveMapWithinS) {
     chooseInsteadOfLive();
   } else if (slot.key() == *key_ && slot.phase() == Phase::Failed && !shown()) {
-    fail(local() ? kUsage : kRobotError, slot.remark());
+    fail(local() ? kUsage : exitCodeOf(slot.failure()), slot.remark());
   }
   if (failed_) return State::Failed;
   const bool here = slot.settled() && shown() && !(with_points_ && slot.waypointsAwaited());
@@ -111,7 +111,7 @@ bool MapWish::catalogueIn() {
   if (!catalogue.asked()) catalogue.refresh();
   if (catalogue.loading()) return false;
   if (catalogue.error().isEmpty()) return catalogue.asOf().has_value();
-  fail(local() ? kUsage : kRobotError, catalogue.error());
+  fail(local() ? kUsage : exitCodeOf(catalogue.failure()), catalogue.error());
   return false;
 }
 

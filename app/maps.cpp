@@ -15,8 +15,8 @@
 #include "app/map_diff.h"
 #include "app/maps_command.h"
 #include "app/report.h"
+#include "app/robot_access.h"
 #include "app/robot_factory.h"
-#include "app/secret.h"
 #include "raster/export_grid.h"
 #include "robot/address.h"
 #include "words/qt_plain.h"
@@ -122,14 +122,15 @@ using Opened = CommandResult<MapReading*>;
 Opened openRobot(MapsCommand& command, const QString& address, const MapsWords& words,
                  MapReading::Purpose purpose = MapReading::Purpose::Maps) {
   if (const auto why = whyNoPlaceIn(words)) return tl::make_unexpected(CommandFailure{kUsage, *why});
-  const auto secret = readSecret(text(words.secret_file));
+  const auto access = RobotAccess::read(words.access, text(words.robot));
   if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
     return tl::make_unexpected(
         CommandFailure{kUsage, QStringLiteral("--resolution %1: give metres per cell, for example 0.05.")
                                    .arg(text(words.resolution))});
   }
-  if (!secret) return tl::make_unexpected(CommandFailure{kUsage, secret.error()});
-  return command.open(placedFile(address, words.resolution, words.origin), *secret, purpose);
+  if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
+  return command.open(placedFile(address, words.resolution, words.origin), access->forAddress(address),
+                      purpose);
 }
 
 MapReading::Purpose purposeOf(const std::string& id) {

@@ -3,11 +3,14 @@
 
 #include <string>
 
+#include "app/robot_access.h"
+
 namespace mapwright::app {
 
 /// The words as typed; empty = not given.
 struct MapsWords {
-  std::string robot, secret_file;
+  std::string robot;
+  AccessWords access;
   std::string id;             // show, export: a map (12, mapping:48, live, submaps)
   std::string first, second;  // diff: a map of the robot, or a file
   std::string output, format, diff_picture, report;

@@ -28,9 +28,9 @@ QJsonObject failed(const QString& sentence) {
 MapsCommand::MapsCommand(double timeout_s, QString report_path)
     : time_{std::chrono::steady_clock::now(), timeout_s}, report_path_(std::move(report_path)) {}
 
-CommandResult<MapReading*> MapsCommand::open(const QString& address, const QByteArray& secret,
+CommandResult<MapReading*> MapsCommand::open(const QString& address, const Access& access,
                                              MapReading::Purpose purpose) {
-  auto reading = MapReading::open(address, secret, time_, purpose);
+  auto reading = MapReading::open(address, access, time_, purpose);
   if (!reading) return tl::make_unexpected(reading.error());
   connected_->store(true);
   readings_.push_back(std::move(*reading));

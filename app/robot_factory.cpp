@@ -55,8 +55,8 @@ QString placedFile(const QString& address, const std::string& resolution, const 
   return QStringLiteral("file:") + parsed->path + QLatin1Char('?') + query.toString();
 }
 
-tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address,
-                                                               const QByteArray& secret, DemoTime demo_time) {
+tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const Access& access,
+                                                               DemoTime demo_time) {
   const auto parsed = robot::parseAddress(address);
   if (!parsed) return tl::make_unexpected(parsed.error());
   if (parsed->backend == robot::Backend::Demo) {
@@ -75,11 +75,13 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
     robot::aimdk::LinkOptions link;
     link.base = parsed->url;
     link.tf = parsed->tf;
+    link.trust = access.trust;
     return std::make_unique<robot::aimdk::AimdkRobot>(parsed->text, std::move(link));
   }
   robot::axbot::LinkOptions link;
   link.base = parsed->url;
-  link.secret = secret;
+  link.secret = access.secret;
+  link.trust = access.trust;
   link.cache_folder = httpCacheFolder();
   return std::make_unique<robot::axbot::AxbotRobot>(parsed->text, std::move(link));
 }

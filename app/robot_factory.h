@@ -5,18 +5,19 @@
 #include <optional>
 #include <string>
 
-#include <QByteArray>
 #include <QString>
 #include <tl/expected.hpp>
 
 #include "app/demo_robot.h"
+#include "app/robot_access.h"
 #include "robot/robot.h"
 
 namespace mapwright::app {
 
-/// Makes the robot that `address` names, not yet connected. The error is a sentence.
-tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address,
-                                                               const QByteArray& secret, DemoTime demo_time);
+/// Makes the robot that `address` names, not yet connected. `access` is for this address. The error is a
+/// sentence.
+tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const Access& access,
+                                                               DemoTime demo_time);
 
 /// The address of a bare picture with its resolution (metres per cell) and origin ("x,y" or "x,y,yaw") from
 /// the command line, which makeRobot() then checks; other addresses, and empty words, change nothing.

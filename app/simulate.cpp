@@ -5,7 +5,7 @@
 #include <pthread.h>
 
 #include "app/exit_code.h"
-#include "app/secret.h"
+#include "app/robot_access.h"
 #include "words/plain.h"
 
 namespace mapwright::app {

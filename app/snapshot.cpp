@@ -12,8 +12,8 @@
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/report.h"
+#include "app/robot_access.h"
 #include "app/robot_factory.h"
-#include "app/secret.h"
 #include "app/snapshot_run.h"
 #include "words/qt_plain.h"
 
@@ -89,9 +89,9 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   });
   chooseOffscreenPlatform();
   QApplication application(argc, argv);
-  const auto secret = readSecret(options->secret_file);
-  if (!secret) return refuse(kUsage, secret.error());
-  auto robot = makeRobot(options->robot, *secret, DemoTime::Frozen);
+  const auto access = RobotAccess::read(words.access, options->robot);
+  if (!access) return refuse(kUsage, access.error());
+  auto robot = makeRobot(options->robot, access->forAddress(options->robot), DemoTime::Frozen);
   if (!robot) return refuse(kUsage, robot.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0;

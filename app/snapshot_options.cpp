@@ -100,7 +100,6 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   const auto wrong = [](const QString& sentence) { return tl::make_unexpected(sentence); };
   SnapshotOptions options;
   options.robot = placedFile(text(words.robot), words.resolution, words.origin);
-  options.secret_file = text(words.secret_file);
   options.output = text(words.output);
   options.report = text(words.report);
   options.raw = words.raw;

@@ -10,6 +10,7 @@
 #include <QString>
 #include <tl/expected.hpp>
 
+#include "app/robot_access.h"
 #include "map/catalogue.h"
 #include "render/tile_renderer.h"
 #include "scene/map_scene.h"
@@ -18,20 +19,20 @@ namespace mapwright::app {
 
 /// The words as typed; empty = not given.
 struct SnapshotWords {
-  std::string robot, secret_file, output, mode, map, center,
-      size = "1280x800", layers, colors = "normal", theme = "light", settle = "complete", report, resolution,
-      origin;
+  std::string robot, output, mode, map, center, size = "1280x800", layers, colors = "normal", theme = "light",
+                                                settle = "complete", report, resolution, origin;
   std::optional<double> scale;
   double rotate_deg = 0, timeout_s = 60;
   int slice = 0;
   bool fit = false, raw = false, json = false, average = false;
+  AccessWords access;
 };
 
 /// What is drawn: the submaps, or a whole map. Automatic: submaps where the robot has them.
 enum class SnapshotMode { Automatic, Submaps, Whole };
 
 struct SnapshotOptions {
-  QString robot, secret_file, output, report;
+  QString robot, output, report;
   SnapshotMode mode = SnapshotMode::Automatic;
   std::optional<map::MapKey> map;           // nullopt = the live or the current one
   bool average = false;                     // zoomed out: average instead of "occupied wins"

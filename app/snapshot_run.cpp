@@ -52,6 +52,7 @@ struct SnapshotRun::Chosen {
   session::SubmapCounts counts;
   QStringList problems;
   std::optional<QJsonObject> map;
+  bool refused = false;  // something was: not without (the right) secret
 };
 
 void SnapshotRun::StandingBoard::put(Standing standing) {
@@ -150,13 +151,17 @@ bool SnapshotRun::connected() {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Refused) {
     // A file that cannot be read is no robot that cannot be reached.
-    fail(isLocal() ? kUsage : kUnreachable, QStringLiteral("%1: %2").arg(options_.robot, link.reason));
+    fail(isLocal() ? kUsage : kUnreachable,
+         QStringLiteral("%1: %2").arg(options_.robot, whyNotConnected(link)));
     return false;
   }
   if (link.phase != robot::ConnectionPhase::Online) {
     const bool gave_up = link.phase == robot::ConnectionPhase::Interrupted &&
                          (link.attempt >= kConnectAttempts || seconds() > kConnectWithinS);
-    if (gave_up) fail(kUnreachable, QStringLiteral("%1: %2").arg(options_.robot, link.reason));
+    if (gave_up) {
+      fail(exitCodeOf(link.failure, kUnreachable),
+           QStringLiteral("%1: %2").arg(options_.robot, whyNotConnected(link)));
+    }
     return false;
   }
   connected_s_ = seconds();
@@ -274,6 +279,17 @@ SnapshotContent SnapshotRun::chooseContent() const {
 
 void SnapshotRun::paint(bool settled) {
   if (done_ || chosen_) return;
+  if (options_.mode == SnapshotMode::Whole && !map_.grid()) {
+    const QString which =
+        options_.map ? QStringLiteral("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
+                     : QStringLiteral("its map");
+    fail(exitCodeOf(map::FailureKind::TimedOut),
+         QStringLiteral("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
+             .arg(options_.robot, which)
+             .arg(options_.settle_s.value_or(options_.timeout_s))
+             .arg(options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")));
+    return;
+  }
   poll_.stop();
   settle_.stop();
   // The picture takes a while to be made. What the robot sends meanwhile must change neither it nor what is
@@ -283,6 +299,11 @@ void SnapshotRun::paint(bool settled) {
   chosen_ = std::make_unique<Chosen>();
   chosen_->counts = session_.counts();
   chosen_->problems = problemLines(session_.problems());
+  chosen_->refused = std::any_of(session_.problems().rows().begin(), session_.problems().rows().end(),
+                                 [](const session::LoggedProblem& row) {
+                                   return !row.resolved && row.problem.severity == map::Severity::Error &&
+                                          row.problem.failure == map::FailureKind::Refused;
+                                 });
   if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt) {
     chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
   }
@@ -314,7 +335,7 @@ void SnapshotRun::write() {
   if (const auto error = picture_->write(options_.output)) {
     fail(kUsage, *error);
   } else {
-    finish(complete_ ? kDone : kIncomplete);
+    finish(complete_ ? kDone : chosen_->refused ? exitCodeOf(map::FailureKind::Refused) : kIncomplete);
   }
 }
 

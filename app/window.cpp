@@ -9,9 +9,10 @@
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/robot_factory.h"
-#include "app/secret.h"
 #include "app/snapshot.h"
+#include "robot/address.h"
 #include "robot/files/picture_yamls.h"
+#include "window/dialogs/trusted_certificates.h"
 #include "window/main_window.h"
 
 namespace mapwright::app {
@@ -23,18 +24,20 @@ session::Session::Options sessionOptions() {
   return options;
 }
 
-int showWindow(const QString& address, const QByteArray& secret) {
+int showWindow(const QString& address, const RobotAccess& known) {
   QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("mapwright"),
                      QStringLiteral("mapwright"));
-  // The secret of the command line or the environment belongs to the address given beside it and to no other.
   window::MainWindow main_window({[&](const QString& to, const QByteArray& typed_secret) {
-                                    const bool the_given_one = typed_secret.isEmpty() && to == address;
-                                    return makeRobot(to, the_given_one ? secret : typed_secret,
-                                                     DemoTime::Running);
+                                    Access access = known.forAddress(to);
+                                    if (!typed_secret.isEmpty()) access.secret = typed_secret;
+                                    if (const auto parsed = robot::parseAddress(to)) {
+                                      access.trust.pinned_sha256 = net::fingerprintFrom(
+                                          window::TrustedCertificates(settings).of(robot::hostOf(*parsed)));
+                                    }
+                                    return makeRobot(to, access, DemoTime::Running);
                                   },
                                   settings,
                                   address,
-                                  {},
                                   sessionOptions(),
                                   {},
                                   robot::files::yamlsNaming});
@@ -44,10 +47,10 @@ int showWindow(const QString& address, const QByteArray& secret) {
 
 }  // namespace
 
-int window(const QString& address, const QString& secret_file, int& argc, char** argv) {
-  const auto secret = readSecret(secret_file);
-  if (!secret) {
-    std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(secret.error())));
+int window(const QString& address, const AccessWords& words, int& argc, char** argv) {
+  const auto access = RobotAccess::read(words, address);
+  if (!access) {
+    std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(access.error())));
     return kUsage;
   }
   chooseWindowPlatform();
@@ -57,7 +60,7 @@ int window(const QString& address, const QString& secret_file, int& argc, char**
                  "There is no display to open the window on. mapwright snapshot works without one.\n");
     return kUsage;
   }
-  return showWindow(address, *secret);
+  return showWindow(address, *access);
 }
 
 int demo(const QString& query, int& argc, char** argv) {

@@ -3,10 +3,12 @@
 
 #include <QString>
 
+#include "app/robot_access.h"
+
 namespace mapwright::app {
 
 /// Opens the window; `address` empty = not connected. Returns the exit code.
-int window(const QString& address, const QString& secret_file, int& argc, char** argv);
+int window(const QString& address, const AccessWords& words, int& argc, char** argv);
 
 /// The window on the embedded simulator; without a display mapwright-demo.png of the same robot, its name on
 /// stdout.

@@ -83,6 +83,7 @@ struct SubmapAnswer {
   std::vector<RawSlice> slices;  // by slice id
   std::size_t bytes = 0;         // payload size
   bool from_cache = false;       // no body travelled: disk, or 304
+  FailureKind failure = FailureKind::None;
 };
 
 }  // namespace mapwright::map

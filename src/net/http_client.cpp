@@ -13,6 +13,7 @@
 #include "net/http_cache.h"
 #include "net/one_way_body.h"
 #include "net/plain_sentences.h"
+#include "net/secret.h"
 
 namespace mapwright::net {
 
@@ -41,9 +42,14 @@ QString unreachableSentence(QNetworkReply::NetworkError error, const QString& er
     case QNetworkReply::HostNotFoundError:
       return QStringLiteral("the host %1 is not known").arg(url.host());
     case QNetworkReply::RemoteHostClosedError:
+    case QNetworkReply::ContentReSendError:  // it was closed before an answer, and nothing is sent twice
       return QStringLiteral("the robot closed the connection");
     case QNetworkReply::SslHandshakeFailedError:
-      return QStringLiteral("no secure connection to %1 can be made").arg(hostAndPort(url));
+      return noSecureConnection(url, error_text);
+    case QNetworkReply::TimeoutError:
+      return QStringLiteral("%1 does not answer").arg(hostAndPort(url));
+    case QNetworkReply::UnknownNetworkError:
+      return QStringLiteral("the connection to %1 broke off").arg(hostAndPort(url));
     default:
       return QStringLiteral("%1 cannot be reached: %2").arg(hostAndPort(url), error_text);
   }
@@ -53,8 +59,8 @@ QString unreachableSentence(QNetworkReply::NetworkError error, const QString& er
 
 class HttpClient::Impl {
  public:
-  Impl(HttpClient* owner, QUrl origin, QByteArray secret, HttpCache* cache)
-      : owner_(owner), origin_(std::move(origin)), secret_(headerSafe(secret)), cache_(cache) {
+  Impl(HttpClient* owner, Secret secret, HttpCache* cache)
+      : owner_(owner), secret_(std::move(secret)), cache_(cache) {
     // Unpacked bodies are bounded here, request by request.
     network_.setAutoDeleteReplies(false);
   }
@@ -79,6 +85,12 @@ class HttpClient::Impl {
     if (jobs_.contains(id)) {
       finish(id, failure(HttpAnswer::Kind::Cancelled, QStringLiteral("cancelled")));
     }
+  }
+
+  void setTrust(const Trust& trust) {
+    trust_ = trust;
+    tls_ = configurationFor(trust);
+    network_.clearConnectionCache();
   }
 
   void cancelAll() {
@@ -159,8 +171,11 @@ class HttpClient::Impl {
     request.setAttribute(QNetworkRequest::Http2AllowedAttribute, false);
     request.setDecompressedSafetyCheckThreshold(-1);
     request.setRawHeader("Accept", headerSafe(job.request.accept));
-    if (!secret_.isEmpty() && sameOrigin(job.url, origin_)) {
-      request.setRawHeader("Secret", secret_);
+    if (const QByteArray secret = secret_.forUrl(job.url); !secret.isEmpty()) {
+      request.setRawHeader("Secret", secret);
+    }
+    if (job.url.scheme() == QLatin1String("https")) {
+      request.setSslConfiguration(tls_);
     }
     if (job.stored && !job.stored->etag.isEmpty()) {
       request.setRawHeader("If-None-Match", headerSafe(job.stored->etag));
@@ -181,6 +196,10 @@ class HttpClient::Impl {
                      [this, id] { checkHeaders(id); });
     QObject::connect(job.network_reply, &QNetworkReply::readyRead, owner_, [this, id] { takeBytes(id); });
     QObject::connect(job.network_reply, &QNetworkReply::finished, owner_, [this, id] { conclude(id); });
+    // Both are told before anything is sent, so a secret never reaches a server that is not trusted.
+    QObject::connect(job.network_reply, &QNetworkReply::sslErrors, owner_,
+                     [this, id](const QList<QSslError>& errors) { judge(id, errors); });
+    QObject::connect(job.network_reply, &QNetworkReply::encrypted, owner_, [this, id] { judge(id, {}); });
     if (job.silence == nullptr) {
       job.silence = std::make_unique<QTimer>();
       job.silence->setSingleShot(true);
@@ -194,6 +213,23 @@ class HttpClient::Impl {
       });
     }
     job.silence->start(job.request.timeout);
+  }
+
+  void judge(RequestId id, const QList<QSslError>& errors) {
+    Job* job = active(id);
+    if (job == nullptr || job->network_reply == nullptr) {
+      return;
+    }
+    const QSslCertificate leaf = job->network_reply->sslConfiguration().peerCertificate();
+    if (const auto fault = faultOf(trust_, leaf, errors, job->url)) {
+      HttpAnswer answer;
+      answer.kind = HttpAnswer::Kind::Certificate;
+      answer.sentence = sentenceOf(*fault);
+      answer.certificate = fault;
+      finish(id, std::move(answer));
+    } else if (!errors.isEmpty()) {
+      job->network_reply->ignoreSslErrors(errors);
+    }
   }
 
   void checkHeaders(RequestId id) {
@@ -383,8 +419,9 @@ class HttpClient::Impl {
   }
 
   HttpClient* owner_;
-  QUrl origin_;
-  QByteArray secret_;
+  Secret secret_;
+  Trust trust_;
+  QSslConfiguration tls_ = configurationFor({});
   HttpCache* cache_;
   QNetworkAccessManager network_;
   std::map<RequestId, Job> jobs_;
@@ -393,8 +430,8 @@ class HttpClient::Impl {
   RequestId last_id_ = 0;
 };
 
-HttpClient::HttpClient(QUrl origin, QByteArray secret, HttpCache* cache, QObject* parent)
-    : QObject(parent), impl_(std::make_unique<Impl>(this, std::move(origin), std::move(secret), cache)) {}
+HttpClient::HttpClient(const QUrl& origin, const QByteArray& secret, HttpCache* cache, QObject* parent)
+    : QObject(parent), impl_(std::make_unique<Impl>(this, Secret(origin, secret), cache)) {}
 
 HttpClient::~HttpClient() = default;
 
@@ -410,5 +447,7 @@ HttpClient::RequestId HttpClient::post(HttpRequest request, Reply reply) {
 void HttpClient::cancel(RequestId id) { impl_->cancel(id); }
 
 void HttpClient::cancelAll() { impl_->cancelAll(); }
+
+void HttpClient::setTrust(const Trust& trust) { impl_->setTrust(trust); }
 
 }  // namespace mapwright::net

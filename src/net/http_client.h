@@ -5,11 +5,14 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QByteArray>
 #include <QObject>
 #include <QString>
 #include <QUrl>
+
+#include "net/trust.h"
 
 namespace mapwright::net {
 
@@ -29,13 +32,14 @@ struct HttpRequest {
 };
 
 struct HttpAnswer {
-  enum class Kind { Answered, Unreachable, TimedOut, TooLarge, Refused, Cancelled };
+  enum class Kind { Answered, Unreachable, TimedOut, TooLarge, Refused, Certificate, Cancelled };
   Kind kind = Kind::Unreachable;
   int status = 0;  // HTTP status when Answered (304 is resolved to the stored 200)
   QByteArray body;
   QByteArray content_type;
   QString sentence;  // for people: why it is not a 2xx; plain text, at most 300 characters, never markup
-  bool from_cache = false;  // the body did not travel: fresh on disk, or 304
+  bool from_cache = false;                      // the body did not travel: fresh on disk, or 304
+  std::optional<CertificateFault> certificate;  // of Kind::Certificate
   bool ok() const { return kind == Kind::Answered && status >= 200 && status < 300; }
 };
 
@@ -51,7 +55,7 @@ class HttpClient : public QObject {
   /// `origin`: scheme, host, port that `secret` belongs to. The `Secret:` header goes to that origin only; a
   /// redirect to another origin is refused. `cache` may be null and outlives the client. No secret is ever
   /// logged or part of a sentence.
-  HttpClient(QUrl origin, QByteArray secret, HttpCache* cache, QObject* parent = nullptr);
+  HttpClient(const QUrl& origin, const QByteArray& secret, HttpCache* cache, QObject* parent = nullptr);
   ~HttpClient() override;
 
   using Reply = std::function<void(HttpAnswer)>;
@@ -62,6 +66,8 @@ class HttpClient : public QObject {
   RequestId post(HttpRequest request, Reply reply);
   void cancel(RequestId id);  // the reply comes with Kind::Cancelled; unknown ids are ignored
   void cancelAll();
+  /// Whom to believe from the next connection on; idle ones are dropped.
+  void setTrust(const Trust& trust);
 
  private:
   class Impl;

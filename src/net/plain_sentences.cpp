@@ -122,6 +122,11 @@ QString hostAndPort(const QUrl& url) {
   return plainText(QStringLiteral("%1:%2").arg(shown).arg(portOf(url)));
 }
 
+QString noSecureConnection(const QUrl& url, const QString& error_text) {
+  return QStringLiteral("no secure connection to %1 can be made; it may not be encrypted there (http): %2")
+      .arg(hostAndPort(url), error_text);
+}
+
 QString durationWords(qint64 ms) {
   return ms < 1000 ? QStringLiteral("%1 ms").arg(ms) : QStringLiteral("%1 s").arg(double(ms) / 1000);
 }

@@ -21,6 +21,8 @@ QString errorText(const QByteArray& body, const QByteArray& content_type);
 QString statusSentence(int status, const QByteArray& body, const QByteArray& content_type);
 /// "10.0.0.7:8090": where a URL leads, the default port of its scheme filled in.
 QString hostAndPort(const QUrl& url);
+/// Encryption could not even be agreed upon, for example because the server does not encrypt.
+QString noSecureConnection(const QUrl& url, const QString& error_text);
 /// "1.5 s", "250 ms".
 QString durationWords(qint64 ms);
 /// Scheme, host and port are the same.

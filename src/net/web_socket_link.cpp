@@ -6,11 +6,13 @@
 #include <QNetworkRequest>
 #include <QRandomGenerator>
 #include <QRegularExpression>
+#include <QSslSocket>
 #include <QTimer>
 #include <QWebSocket>
 
 #include "net/backoff.h"
 #include "net/plain_sentences.h"
+#include "net/secret.h"
 
 namespace mapwright::net {
 
@@ -36,14 +38,17 @@ int statusIn(const QString& error_text) {
 }
 
 /// Whether there was a connection, but what came over it was no handshake.
-bool isForeignAnswer(const QString& error_text) {
+bool isForeignAnswer(QAbstractSocket::SocketError error, const QString& error_text) {
+  if (error == QAbstractSocket::SslHandshakeFailedError) {
+    return false;  // that of the encryption
+  }
   return error_text.contains(QLatin1String("andshake")) ||
          error_text.contains(QLatin1String("protocol upgrade")) ||
          error_text.contains(QLatin1String("QWebSocket"));
 }
 
 QString connectSentence(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
-  if (isForeignAnswer(error_text)) {
+  if (isForeignAnswer(error, error_text)) {
     return QStringLiteral("%1 does not answer as a WebSocket").arg(hostAndPort(url));
   }
   switch (error) {
@@ -54,7 +59,11 @@ QString connectSentence(QAbstractSocket::SocketError error, const QString& error
     case QAbstractSocket::RemoteHostClosedError:
       return QStringLiteral("the robot closed the connection before it was open");
     case QAbstractSocket::SslHandshakeFailedError:
-      return QStringLiteral("no secure connection to %1 can be made").arg(hostAndPort(url));
+      return noSecureConnection(url, error_text);
+    case QAbstractSocket::SocketTimeoutError:
+      return QStringLiteral("%1 does not answer").arg(hostAndPort(url));
+    case QAbstractSocket::UnknownSocketError:
+      return QStringLiteral("the connection to %1 broke off before it was open").arg(hostAndPort(url));
     default:
       return QStringLiteral("%1 cannot be reached: %2").arg(hostAndPort(url), error_text);
   }
@@ -67,15 +76,20 @@ class WebSocketLink::Impl {
   Impl(WebSocketLink* owner, QList<QUrl> urls, const QByteArray& secret, const WebSocketLinkOptions& options)
       : owner_(owner),
         urls_(std::move(urls)),
-        secret_(headerSafe(secret)),
+        secret_(urls_.value(0), secret),
         options_(options),
         backoff_(options.backoff_first, options.backoff_limit, seedOf(options)) {
+    if (!options_.now) {
+      options_.now = [] {
+        return std::chrono::duration_cast<std::chrono::milliseconds>(
+            std::chrono::steady_clock::now().time_since_epoch());
+      };
+    }
     connect_limit_.setSingleShot(true);
-    silence_.setSingleShot(true);
     retry_.setSingleShot(true);
     QObject::connect(&connect_limit_, &QTimer::timeout, owner_,
-                     [this] { fail(noAnswer(options_.connect_timeout)); });
-    QObject::connect(&silence_, &QTimer::timeout, owner_, [this] { fail(noAnswer(options_.silent_after)); });
+                     [this] { fail(Fault::TimedOut, noAnswer(options_.connect_timeout)); });
+    QObject::connect(&look_, &QTimer::timeout, owner_, [this] { look(); });
     QObject::connect(&retry_, &QTimer::timeout, owner_, [this] { startAttempt(); });
     QObject::connect(&ping_, &QTimer::timeout, owner_, [this] {
       if (socket_ != nullptr) {
@@ -108,9 +122,13 @@ class WebSocketLink::Impl {
     }
     sayFarewell();
     reason_.clear();
+    fault_ = Fault::None;
+    certificate_.reset();
     status_ = 0;
     enter(State::Closed);
   }
+
+  void setTrust(const Trust& trust) { trust_ = trust; }
 
   void send(const QString& text) {
     if (state_ == State::Open) {
@@ -120,12 +138,15 @@ class WebSocketLink::Impl {
 
   State state() const { return state_; }
   QString reason() const { return reason_; }
+  Fault fault() const { return fault_; }
+  std::optional<CertificateFault> certificate() const { return certificate_; }
   int status() const { return status_; }
   int attempt() const { return attempt_; }
   std::optional<int> retryInMs() const {
     return state_ == State::Waiting ? std::optional(std::max(0, retry_.remainingTime())) : std::nullopt;
   }
   std::optional<int> roundTripMs() const { return round_trip_ms_; }
+  std::chrono::milliseconds silence() const { return options_.now() - heard_at_; }
 
  private:
   static QString noAnswer(std::chrono::milliseconds time) {
@@ -148,10 +169,7 @@ class WebSocketLink::Impl {
     QObject::connect(socket_, &QWebSocket::disconnected, owner_, [this] { loseConnection(); });
     QObject::connect(socket_, QOverload<QAbstractSocket::SocketError>::of(&QWebSocket::error), owner_,
                      [this](QAbstractSocket::SocketError error) { takeError(error); });
-    QObject::connect(socket_, &QWebSocket::textFrameReceived, owner_, [this] { hear(); });
-    QObject::connect(socket_, &QWebSocket::binaryFrameReceived, owner_, [this] { hear(); });
     QObject::connect(socket_, &QWebSocket::pong, owner_, [this](quint64 elapsed_ms) {
-      hear();
       round_trip_ms_ = int(elapsed_ms);
       Q_EMIT owner_->changed();
     });
@@ -161,10 +179,43 @@ class WebSocketLink::Impl {
                      [this](const QByteArray& bytes) { Q_EMIT owner_->binaryReceived(bytes); });
     connect_limit_.start(options_.connect_timeout);
     QNetworkRequest request(urls_.at(url_));
-    if (!secret_.isEmpty()) {
-      request.setRawHeader("Secret", secret_);
+    if (const QByteArray secret = secret_.forUrl(request.url()); !secret.isEmpty()) {
+      request.setRawHeader("Secret", secret);
+    }
+    certificate_.reset();
+    if (request.url().scheme() == QLatin1String("wss")) {
+      socket_->setSslConfiguration(configurationFor(trust_));
     }
     socket_->open(request);
+    watchTransport();
+  }
+
+  /// QWebSocket tells of whole frames only, and a large frame may take minutes over a slow link. What it
+  /// reads from is a child of it, and tells of every byte that arrives, decrypted.
+  void watchTransport() {
+    QTcpSocket* const transport =
+        socket_ == nullptr ? nullptr : socket_->findChild<QTcpSocket*>(QString(), Qt::FindDirectChildrenOnly);
+    if (transport == nullptr) {
+      return;  // it failed at once
+    }
+    QObject::connect(transport, &QIODevice::readyRead, owner_, [this] { hear(); });
+    if (auto* encrypted = qobject_cast<QSslSocket*>(transport)) {
+      // Both are told before the handshake, and with it the secret, is sent.
+      QObject::connect(encrypted, &QSslSocket::sslErrors, owner_,
+                       [this, encrypted](const QList<QSslError>& errors) { judge(*encrypted, errors); });
+      QObject::connect(encrypted, &QSslSocket::encrypted, owner_,
+                       [this, encrypted] { judge(*encrypted, {}); });
+    }
+  }
+
+  void judge(QSslSocket& encrypted, const QList<QSslError>& errors) {
+    certificate_ = faultOf(trust_, encrypted.peerCertificate(), errors, urls_.at(url_));
+    if (certificate_) {
+      status_ = 0;
+      refuse(Fault::Certificate, sentenceOf(*certificate_));
+    } else if (!errors.isEmpty()) {
+      encrypted.ignoreSslErrors(errors);
+    }
   }
 
   void becomeOpen() {
@@ -172,7 +223,9 @@ class WebSocketLink::Impl {
     attempt_ = 0;
     status_ = 0;
     reason_.clear();
-    silence_.start(options_.silent_after);
+    fault_ = Fault::None;
+    opened_at_ = heard_at_ = options_.now();
+    look_.start(options_.look_every);
     ping_.start(options_.ping_every);
     socket_->ping();
     state_ = State::Open;
@@ -182,11 +235,18 @@ class WebSocketLink::Impl {
     }
   }
 
-  void hear() {
-    silence_.start();
-    // A server that opens and closes at once must not be asked ever so often: only a sign of life counts as
-    // success.
-    backoff_.reset();
+  void hear() { heard_at_ = options_.now(); }
+
+  void look() {
+    const auto now = options_.now();
+    // Bytes are a sign of life; health, which forgets earlier losses, takes longer: a server that sends
+    // something and closes must not be asked ever so often.
+    if (now - opened_at_ >= options_.healthy_after) {
+      backoff_.reset();
+    }
+    if (now - heard_at_ > options_.silent_after) {
+      fail(Fault::TimedOut, noAnswer(options_.silent_after));
+    }
   }
 
   void takeError(QAbstractSocket::SocketError error) {
@@ -197,10 +257,9 @@ class WebSocketLink::Impl {
     const int status = statusIn(text);
     if (status == 401 || status == 403) {
       status_ = status;
-      reason_ = QStringLiteral("the robot refuses the connection: %1; the secret may be missing or wrong")
-                    .arg(statusWords(status));
-      dropSocket();
-      enter(State::Closed);
+      refuse(Fault::Refused,
+             QStringLiteral("the robot refuses the connection: %1; the secret may be missing or wrong")
+                 .arg(statusWords(status)));
       return;
     }
     status_ = status;
@@ -211,8 +270,13 @@ class WebSocketLink::Impl {
         return;
       }
     }
-    fail(status >= 400 ? QStringLiteral("the robot refused the connection: %1").arg(statusWords(status))
-                       : plainText(connectSentence(error, text, urls_.at(url_))));
+    if (status >= 400) {
+      fail(status < 500 ? Fault::NotAWebSocket : Fault::Unreachable,
+           QStringLiteral("the robot refused the connection: %1").arg(statusWords(status)));
+      return;
+    }
+    fail(isForeignAnswer(error, text) ? Fault::NotAWebSocket : Fault::Unreachable,
+         plainText(connectSentence(error, text, urls_.at(url_))));
   }
 
   void loseConnection() {
@@ -231,14 +295,25 @@ class WebSocketLink::Impl {
     const QWebSocketProtocol::CloseCode code = socket_->closeCode();
     const QString words = plainText(socket_->closeReason());
     if (code == QWebSocketProtocol::CloseCodeTooMuchData) {
-      fail(QStringLiteral("a message was longer than the %1 bytes allowed").arg(options_.max_message_bytes));
+      fail(Fault::Unreachable,
+           QStringLiteral("a message was longer than the %1 bytes allowed").arg(options_.max_message_bytes));
     } else {
-      fail(words.isEmpty() ? QStringLiteral("the robot closed the connection")
+      fail(Fault::Unreachable,
+           words.isEmpty() ? QStringLiteral("the robot closed the connection")
                            : plainText(QStringLiteral("the robot closed the connection: %1").arg(words)));
     }
   }
 
-  void fail(const QString& reason) {
+  /// Asking again by itself would not help.
+  void refuse(Fault fault, const QString& reason) {
+    fault_ = fault;
+    reason_ = reason;
+    dropSocket();
+    enter(State::Closed);
+  }
+
+  void fail(Fault fault, const QString& reason) {
+    fault_ = fault;
     reason_ = reason;
     dropSocket();
     retry_.start(backoff_.next());
@@ -255,7 +330,7 @@ class WebSocketLink::Impl {
 
   void stopTimers() {
     connect_limit_.stop();
-    silence_.stop();
+    look_.stop();
     ping_.stop();
     retry_.stop();
   }
@@ -286,13 +361,17 @@ class WebSocketLink::Impl {
 
   WebSocketLink* owner_;
   QList<QUrl> urls_;
-  QByteArray secret_;
+  Secret secret_;
+  Trust trust_;
   WebSocketLinkOptions options_;
   Backoff backoff_;
-  QTimer connect_limit_, silence_, ping_, retry_;
+  QTimer connect_limit_, look_, ping_, retry_;
+  std::chrono::milliseconds opened_at_{0}, heard_at_{0};
   QWebSocket* socket_ = nullptr;  // a child of the owner
   State state_ = State::Closed;
   QString reason_;
+  Fault fault_ = Fault::None;
+  std::optional<CertificateFault> certificate_;
   qsizetype url_ = 0;
   int refusals_ = 0;  // of this attempt, one for every URL tried
   int status_ = 0;
@@ -310,10 +389,14 @@ void WebSocketLink::open() { impl_->open(); }
 void WebSocketLink::close() { impl_->close(); }
 void WebSocketLink::sendText(const QString& text) { impl_->send(text); }
 WebSocketLink::State WebSocketLink::state() const { return impl_->state(); }
+void WebSocketLink::setTrust(const Trust& trust) { impl_->setTrust(trust); }
 QString WebSocketLink::reason() const { return impl_->reason(); }
+WebSocketLink::Fault WebSocketLink::fault() const { return impl_->fault(); }
+std::optional<CertificateFault> WebSocketLink::certificate() const { return impl_->certificate(); }
 int WebSocketLink::handshakeStatus() const { return impl_->status(); }
 int WebSocketLink::attempt() const { return impl_->attempt(); }
 std::optional<int> WebSocketLink::retryInMs() const { return impl_->retryInMs(); }
 std::optional<int> WebSocketLink::roundTripMs() const { return impl_->roundTripMs(); }
+std::chrono::milliseconds WebSocketLink::silence() const { return impl_->silence(); }
 
 }  // namespace mapwright::net

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -10,16 +11,22 @@
 #include <QString>
 #include <QUrl>
 
+#include "net/trust.h"
+
 namespace mapwright::net {
 
 struct WebSocketLinkOptions {
   std::chrono::milliseconds ping_every{5'000};
-  std::chrono::milliseconds silent_after{15'000};  // no frame and no pong for this long = the link is dead
+  std::chrono::milliseconds silent_after{15'000};   // not a byte for this long = the link is dead
+  std::chrono::milliseconds healthy_after{30'000};  // open for so long = the next loss is a first one
+  std::chrono::milliseconds look_every{1'000};      // for silence and health
   std::chrono::milliseconds connect_timeout{10'000};
   std::chrono::milliseconds backoff_first{500};
   std::chrono::milliseconds backoff_limit{30'000};
   quint64 max_message_bytes = quint64(256) << 20;
   quint32 jitter_seed = 0;  // 0 = random; tests fix it
+  std::function<std::chrono::milliseconds()> now =
+      {};  // a clock that only goes forward; empty = the usual one
 };
 
 /// Lives on the thread that made it. States are told by changed(); text and binary frames by signals.
@@ -27,22 +34,36 @@ class WebSocketLink : public QObject {
   Q_OBJECT
  public:
   enum class State { Closed, Connecting, Open, Waiting };
+  /// What kind of thing reason() tells of.
+  enum class Fault {
+    None,
+    Unreachable,    // no connection, or it broke off, or a server error (HTTP 5xx)
+    TimedOut,       // not a byte in time
+    Refused,        // 401, 403
+    NotAWebSocket,  // something answers there, but not as a WebSocket
+    Certificate,    // certificate() says more
+  };
 
   /// `urls` are tried in turn when the server refuses the handshake (HTTP 4xx), e.g. with and without a query
-  /// that old firmware does not know. `secret` goes as the `Secret:` header and into no log or sentence.
+  /// that old firmware does not know. `secret` belongs to the origin of the first, and goes there only, as
+  /// the `Secret:` header; into no log or sentence.
   WebSocketLink(QList<QUrl> urls, QByteArray secret, WebSocketLinkOptions options, QObject* parent = nullptr);
   ~WebSocketLink() override;
 
   void open();                         // also "now, do not wait"
   void close();                        // stays closed
   void sendText(const QString& text);  // dropped unless Open
+  void setTrust(const Trust& trust);   // for the next connection
 
   State state() const;
-  QString reason() const;                  // why it is not open, for people; plain text
-  int handshakeStatus() const;             // HTTP status of a refused handshake, else 0
-  int attempt() const;                     // tries since last open
-  std::optional<int> retryInMs() const;    // while Waiting
-  std::optional<int> roundTripMs() const;  // last ping
+  QString reason() const;  // why it is not open, for people; plain text
+  Fault fault() const;     // None while open
+  std::optional<CertificateFault> certificate() const;
+  int handshakeStatus() const;                // HTTP status of a refused handshake, else 0
+  int attempt() const;                        // tries since last open
+  std::optional<int> retryInMs() const;       // while Waiting
+  std::optional<int> roundTripMs() const;     // last ping
+  std::chrono::milliseconds silence() const;  // since the last byte, be it within a message; while Open
 
  Q_SIGNALS:
   void changed();

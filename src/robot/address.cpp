@@ -194,4 +194,12 @@ Parsed parseAddress(const QString& typed) {
   return axbot(text, text);
 }
 
+QString hostOf(const Address& address) {
+  if (address.backend != Backend::Axbot && address.backend != Backend::Aimdk) return {};
+  const QString host = address.url.host();
+  return QStringLiteral("%1:%2")
+      .arg(host.contains(QLatin1Char(':')) ? QLatin1Char('[') + host + QLatin1Char(']') : host)
+      .arg(address.url.port());
+}
+
 }  // namespace mapwright::robot

@@ -31,4 +31,7 @@ struct Address {
 /// rep130) are refused with a sentence that says so.
 tl::expected<Address, QString> parseAddress(const QString& text);
 
+/// "192.0.2.7:8090": which server on the network it is; empty for files and the demo.
+QString hostOf(const Address& address);
+
 }  // namespace mapwright::robot

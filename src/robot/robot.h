@@ -35,6 +35,18 @@ enum class ConnectionPhase {
   Refused,      // will not try again by itself (bad secret, not such a robot)
 };
 
+/// A certificate that is not accepted, for people to decide on. Names in it are untrusted plain text.
+struct UntrustedCertificate {
+  QString host;           // "10.0.0.7:8443"
+  QString why;            // "it is self-signed; it has expired on 2024-05-01"
+  QString sha256;         // "AB:CD:…"
+  QString pinned_sha256;  // of the one that was trusted so far; empty = none
+  QString subject, issuer;
+  QDateTime from, until;
+  bool trustable = false;  // it may be trusted all the same
+  bool operator==(const UntrustedCertificate&) const = default;
+};
+
 /// The state of the link, to be visible at all times.
 struct ConnectionState {
   ConnectionPhase phase = ConnectionPhase::Offline;
@@ -42,7 +54,8 @@ struct ConnectionState {
   int attempt = 0;                   // tries since it was last online
   std::optional<int> retry_in_ms;    // while Interrupted: how long until the next try (as of now)
   std::optional<int> round_trip_ms;  // last measured ping
-  map::FailureKind failure = map::FailureKind::None;  // what kind of reason it is; None when online
+  map::FailureKind failure = map::FailureKind::None;     // what kind of reason it is; None when online
+  std::optional<UntrustedCertificate> certificate = {};  // of FailureKind::Certificate
   bool operator==(const ConnectionState&) const = default;
 };
 
@@ -142,6 +155,9 @@ class Robot : public QObject {
   virtual QString address() const = 0;  // as the user may type it again; never holds a secret
   virtual void connectToRobot() = 0;    // also "retry now" while interrupted
   virtual void disconnectFromRobot() = 0;
+  /// From now on exactly the certificate with this SHA-256 ("AB:CD:…") is accepted, and no other; connects.
+  /// Robots without certificates ignore it.
+  virtual void trustCertificate(const QString& sha256);
   virtual ConnectionState connection() const = 0;
   virtual RobotIdentity identity() const = 0;
 

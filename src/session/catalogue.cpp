@@ -33,6 +33,7 @@ void Catalogue::take(robot::Answer<std::vector<map::CatalogueEntry>> answer) {
   loading_ = false;
   if (answer) {
     error_.clear();
+    failure_ = map::FailureKind::None;
     as_of_ = QDateTime::currentDateTime();
     const auto rank = [](const map::CatalogueEntry& row) {
       return std::tuple(int(row.key.kind), row.index.value_or(1 << 30), -row.created_s.value_or(0));
@@ -50,6 +51,7 @@ void Catalogue::take(robot::Answer<std::vector<map::CatalogueEntry>> answer) {
     entries_ = std::move(*answer);
   } else {
     error_ = QString::fromStdString(answer.error().sentence);
+    failure_ = answer.error().failure;
   }
   Q_EMIT changed();
   if (std::exchange(again_, false)) refresh();

@@ -233,6 +233,7 @@ void MapSlot::fail(map::Problem problem) {
   if (problem.code == map::ProblemCode::Unspecified) problem.code = map::ProblemCode::Unavailable;
   cancel();
   phase_ = Phase::Failed;
+  failure_ = problem.failure;
   remark_ = QString::fromStdString(problem.sentence);
   if (!(shown_.key == key_)) {
     shown_ = {};

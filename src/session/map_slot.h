@@ -55,6 +55,7 @@ class MapSlot : public QObject {
   QString name() const { return name_; }
   /// Why it Failed, or what is odd about a Ready one; empty = nothing.
   QString remark() const { return remark_; }
+  map::FailureKind failure() const { return failure_; }  // of a Failed one
 
   std::shared_ptr<const raster::GridPyramid> cells() const { return shown_cells_; }
   /// Width and height are the picture's own. Meaningful while cells() is not null.
@@ -96,6 +97,7 @@ class MapSlot : public QObject {
   Phase phase_ = Phase::Empty;
   map::MapKey key_;
   QString name_, remark_;
+  map::FailureKind failure_ = map::FailureKind::None;
   std::optional<map::WholeMap> source_;  // to read it again
   std::optional<map::WholeMap> next_;    // a newer state of the map that is being read
   map::WholeMap shown_;

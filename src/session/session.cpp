@@ -12,6 +12,7 @@ namespace mapwright::session {
 namespace {
 
 constexpr int kRowsEveryMs = 100;
+constexpr submap::Millis kListsStayFor{60'000};
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
@@ -105,7 +106,9 @@ void Session::noteConnection() {
     if (online) {
       if (problems_.resolveAll(map::SubjectKind::Robot, QDateTime::currentDateTime())) tellProblems();
       pump();
-      if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
+      // A short loss changes no list: over a bad link asking again and again would be a load of its own.
+      const bool wanted = maps_by_itself_ || catalogue_.asked();
+      if (wanted && (!listed_at_ || now() - *listed_at_ > kListsStayFor)) catalogue_.refresh();
       retryMaps();
     }
   }
@@ -206,7 +209,7 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
               "Version " + std::to_string(key.version) + ": " + reason +
                   (missing ? " It will be asked for again at the next version."
                            : " It will be asked for again."),
-              map::ProblemCode::Unavailable});
+              map::ProblemCode::Unavailable, answer.failure});
     }
     if (answer.outcome == Outcome::Ok) {
       failure_reasons_.erase(key.id);

@@ -196,6 +196,7 @@ class Session : public QObject {
   std::map<QString, QStringList> wants_;
   QStringList wanted_topics_;     // all of them together
   std::set<QString> waited_for_;  // topics that gave nothing in time: their older names are tried too
+  std::optional<submap::Millis> listed_at_;  // when the catalogue came last; nullopt when it failed since
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, overview_;
   LayerGrids layer_grids_;

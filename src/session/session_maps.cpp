@@ -67,7 +67,10 @@ void Session::wireMaps() {
     }
   });
   connect(&catalogue_, &Catalogue::changed, this, [this] {
-    if (!catalogue_.loading()) openFirstMap();
+    if (catalogue_.loading()) return;
+    const bool came = catalogue_.asOf() && catalogue_.error().isEmpty();
+    listed_at_ = came ? std::optional(now()) : std::nullopt;
+    openFirstMap();
   });
   connect(this, &Session::rowsChanged, this, [this] {
     if (overview_.phase() == MapSlot::Phase::Empty) return;

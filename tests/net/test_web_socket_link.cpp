@@ -6,6 +6,7 @@
 #include "net/backoff.h"
 #include "net/web_socket_link.h"
 #include "scripted_server.h"
+#include "secure_server.h"
 
 using namespace mapwright::net;
 using testing::ScriptedServer;
@@ -41,6 +42,7 @@ class EchoServer {
 WebSocketLinkOptions quick() {
   WebSocketLinkOptions options;
   options.ping_every = milliseconds(20);
+  options.look_every = milliseconds(5);
   options.silent_after = milliseconds(5'000);
   options.connect_timeout = milliseconds(5'000);
   options.backoff_first = milliseconds(5);
@@ -48,6 +50,55 @@ WebSocketLinkOptions quick() {
   options.jitter_seed = 1;
   return options;
 }
+
+/// A server that shakes hands and then sends what the test says, byte by byte; it answers nothing by itself.
+class RawWebSocketServer {
+ public:
+  RawWebSocketServer() {
+    server_.listen(QHostAddress::LocalHost);
+    QObject::connect(&server_, &QTcpServer::newConnection, &server_, [this] {
+      QTcpSocket* socket = server_.nextPendingConnection();
+      QObject::connect(socket, &QTcpSocket::readyRead, socket, [this, socket] {
+        const QByteArray request = socket->readAll();
+        const auto at = request.indexOf("Sec-WebSocket-Key: ");
+        if (at < 0) return;
+        const QByteArray key = request.mid(at + 19, request.indexOf('\r', at) - at - 19);
+        const QByteArray accept =
+            QCryptographicHash::hash(key + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11", QCryptographicHash::Sha1)
+                .toBase64();
+        socket->write(
+            "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+            "Sec-WebSocket-Accept: " +
+            accept + "\r\n\r\n");
+        ++handshakes;
+        peer = socket;
+        if (greeting.isEmpty()) return;
+        socket->write(greeting);
+        socket->disconnectFromHost();
+      });
+    });
+  }
+  QUrl url() const { return QUrl(QStringLiteral("ws://127.0.0.1:%1/").arg(server_.serverPort())); }
+
+  QByteArray greeting;  // sent after the handshake, then the connection is closed
+  int handshakes = 0;
+  QPointer<QTcpSocket> peer;
+
+ private:
+  QTcpServer server_;
+};
+
+/// A clock that stands until the test moves it, and tells how often it was looked at.
+struct StandingClock {
+  std::chrono::milliseconds time{1'000'000};
+  int looks = 0;
+  std::function<std::chrono::milliseconds()> reader() {
+    return [this] {
+      ++looks;
+      return time;
+    };
+  }
+};
 
 QUrl webSocketUrl(const ScriptedServer& server, const QString& path = QStringLiteral("/ws")) {
   QUrl url = server.url(path);
@@ -155,32 +206,10 @@ class TestWebSocketLink : public QObject {
   }
 
   void silenceIsNoticed() {
-    // A server that shakes hands and then says nothing any more, not even a pong.
-    QTcpServer mute;
-    QVERIFY(mute.listen(QHostAddress::LocalHost));
-    int handshakes = 0;
-    connect(&mute, &QTcpServer::newConnection, &mute, [&] {
-      QTcpSocket* socket = mute.nextPendingConnection();
-      connect(socket, &QTcpSocket::readyRead, socket, [socket, &handshakes] {
-        const QByteArray request = socket->readAll();
-        const auto at = request.indexOf("Sec-WebSocket-Key: ");
-        if (at < 0) {
-          return;
-        }
-        const QByteArray key = request.mid(at + 19, request.indexOf('\r', at) - at - 19);
-        const QByteArray accept =
-            QCryptographicHash::hash(key + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11", QCryptographicHash::Sha1)
-                .toBase64();
-        socket->write(
-            "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-            "Sec-WebSocket-Accept: " +
-            accept + "\r\n\r\n");
-        ++handshakes;
-      });
-    });
+    RawWebSocketServer mute;  // not even a pong
     WebSocketLinkOptions options = quick();
     options.silent_after = milliseconds(60);
-    WebSocketLink link({QUrl(QStringLiteral("ws://127.0.0.1:%1/").arg(mute.serverPort()))}, {}, options);
+    WebSocketLink link({mute.url()}, {}, options);
     QSignalSpy opened(&link, &WebSocketLink::opened);
     QStringList reasons;
     connect(&link, &WebSocketLink::changed, this, [&] {
@@ -191,7 +220,178 @@ class TestWebSocketLink : public QObject {
     link.open();
     QTRY_VERIFY(opened.size() >= 2);  // and it tries again
     QCOMPARE(reasons.value(0), QStringLiteral("no answer for 60 ms"));
-    QVERIFY(handshakes >= 2);
+    QVERIFY(mute.handshakes >= 2);
+  }
+
+  void everyByteIsASignOfLife() {
+    RawWebSocketServer server;
+    StandingClock clock;
+    WebSocketLinkOptions options = quick();
+    options.silent_after = milliseconds(15'000);
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    options.now = clock.reader();
+    WebSocketLink link({server.url()}, {}, options);
+    QSignalSpy binary(&link, &WebSocketLink::binaryReceived);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    QTRY_VERIFY(server.peer);
+    // One frame of 20 parts, each of which comes just in time: half a minute and more for the whole.
+    constexpr int kParts = 20, kPartBytes = 1000;
+    server.peer->write(QByteArray::fromHex("827e4e20"));  // binary, 20,000 bytes
+    for (int part = 0; part < kParts; ++part) {
+      clock.time += milliseconds(14'000);
+      server.peer->write(QByteArray(kPartBytes, 'x'));
+      QTRY_COMPARE(link.silence(), milliseconds(0));
+      const int before = clock.looks;
+      QTRY_VERIFY(clock.looks > before + 3);
+      QCOMPARE(link.state(), State::Open);
+    }
+    QTRY_COMPARE(binary.size(), 1);
+    QCOMPARE(binary[0][0].toByteArray().size(), kParts * kPartBytes);
+    // Half a frame and then nothing is a dead link.
+    server.peer->write(QByteArray::fromHex("827e4e20") + QByteArray(500, 'x'));
+    clock.time += milliseconds(14'000);
+    QTRY_COMPARE(link.silence(), milliseconds(0));
+    clock.time += milliseconds(15'001);
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QCOMPARE(link.reason(), QStringLiteral("no answer for 15 s"));
+    QCOMPARE(link.fault(), WebSocketLink::Fault::TimedOut);
+  }
+
+  void everyEncryptedByteIsASignOfLifeToo() {
+    testing::SecureServer server(QStringLiteral("self_signed"));
+    StandingClock clock;
+    WebSocketLinkOptions options = quick();
+    options.ping_every = std::chrono::hours(1);  // no pongs: bytes of the frame alone count here
+    options.now = clock.reader();
+    WebSocketLink link({server.url(QStringLiteral("wss"))}, {}, options);
+    Trust trust;
+    trust.pinned_sha256 = testing::sha256(QStringLiteral("self_signed"));
+    link.setTrust(trust);
+    QSignalSpy binary(&link, &WebSocketLink::binaryReceived);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    QTRY_VERIFY(link.roundTripMs().has_value());
+    QVERIFY(server.raw);
+    server.raw->write(QByteArray::fromHex("827e2710"));  // binary, 10,000 bytes
+    for (int part = 0; part < 10; ++part) {
+      clock.time += milliseconds(4'000);
+      server.raw->write(QByteArray(1000, 'x'));
+      QTRY_COMPARE(link.silence(), milliseconds(0));
+      QCOMPARE(link.state(), State::Open);
+    }
+    QTRY_COMPARE(binary.size(), 1);
+  }
+
+  void aServerThatSendsAndClosesIsAskedLessAndLess_data() {
+    QTest::addColumn<QByteArray>("greeting");
+    QTest::addRow("a message") << QByteArray::fromHex("8102") + "{}";
+    QTest::addRow("a pong") << QByteArray::fromHex("8a00");
+    QTest::addRow("half a frame") << QByteArray::fromHex("827e4e20") + "xx";
+    QTest::addRow("a close") << QByteArray::fromHex("880203e8");
+  }
+  void aServerThatSendsAndClosesIsAskedLessAndLess() {
+    QFETCH(QByteArray, greeting);
+    RawWebSocketServer server;
+    server.greeting = greeting;
+    StandingClock clock;
+    WebSocketLinkOptions options = quick();
+    options.backoff_limit = milliseconds(3'600'000);
+    options.now = clock.reader();
+    WebSocketLink link({server.url()}, {}, options);
+    QList<int> waits;
+    connect(&link, &WebSocketLink::changed, this, [&] {
+      if (link.state() == State::Waiting) waits << *link.retryInMs();
+    });
+    link.open();
+    QTRY_VERIFY(waits.size() >= 6);
+    Backoff expected(options.backoff_first, options.backoff_limit, options.jitter_seed);
+    for (int i = 0; i < 6; ++i) {
+      const auto wait = int(expected.next().count());
+      QVERIFY2(waits[i] <= wait * 11 / 10 + 2 && waits[i] > wait / 2, qPrintable(QString::number(waits[i])));
+    }
+    QVERIFY(server.handshakes >= 5);
+  }
+
+  void aTimeOfHealthForgetsEarlierLosses() {
+    RawWebSocketServer server;
+    server.greeting = QByteArray::fromHex("8102") + "{}";
+    StandingClock clock;
+    WebSocketLinkOptions options = quick();
+    options.silent_after = milliseconds(3'600'000);
+    options.healthy_after = milliseconds(30'000);
+    options.backoff_limit = milliseconds(3'600'000);
+    options.now = clock.reader();
+    WebSocketLink link({server.url()}, {}, options);
+    int last_wait = 0;
+    connect(&link, &WebSocketLink::changed, this, [&] {
+      if (link.state() == State::Waiting) last_wait = *link.retryInMs();
+    });
+    const auto lose = [&](milliseconds open_for) {
+      QTRY_COMPARE(link.state(), State::Open);
+      QTRY_VERIFY(server.peer);
+      clock.time += open_for;
+      const int before = clock.looks;
+      QTRY_VERIFY(clock.looks > before + 3);
+      server.peer->disconnectFromHost();
+      server.peer.clear();
+      QTRY_COMPARE(link.state(), State::Waiting);
+    };
+    link.open();
+    QTRY_VERIFY(server.handshakes >= 5);
+    server.greeting.clear();  // from now on it stays
+    lose(milliseconds(29'000));
+    QVERIFY2(last_wait > 40, qPrintable(QString::number(last_wait)));
+    lose(milliseconds(30'001));
+    QVERIFY2(last_wait <= 7, qPrintable(QString::number(last_wait)));
+  }
+
+  void whatKindOfFailureItWasIsTold_data() {
+    QTest::addColumn<QByteArray>("answer");
+    QTest::addColumn<int>("fault");
+    using Fault = WebSocketLink::Fault;
+    const auto row = [](const char* name, const QByteArray& answer, Fault fault) {
+      QTest::addRow("%s", name) << answer << int(fault);
+    };
+    row("401", ScriptedServer::reply(401, {}, {}), Fault::Refused);
+    row("403", ScriptedServer::reply(403, {}, {}), Fault::Refused);
+    row("a page", ScriptedServer::reply(200, "Content-Type: text/html\r\n", "<p>hello"),
+        Fault::NotAWebSocket);
+    row("404", ScriptedServer::reply(404, {}, {}), Fault::NotAWebSocket);
+    row("400", ScriptedServer::reply(400, {}, {}), Fault::NotAWebSocket);
+    row("redirect", ScriptedServer::reply(302, "Location: http://127.0.0.1:1/\r\n", {}),
+        Fault::NotAWebSocket);
+    row("no HTTP", "SSH-2.0-OpenSSH_9\r\n\r\n", Fault::NotAWebSocket);
+    row("500", ScriptedServer::reply(500, {}, {}), Fault::Unreachable);
+    row("503", ScriptedServer::reply(503, {}, {}), Fault::Unreachable);
+    row("hang up", ScriptedServer::kHangUp, Fault::Unreachable);
+  }
+  void whatKindOfFailureItWasIsTold() {
+    QFETCH(QByteArray, answer);
+    QFETCH(int, fault);
+    ScriptedServer server([answer](const SeenRequest&) { return answer; });
+    WebSocketLinkOptions options = quick();
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link({webSocketUrl(server)}, {}, options);
+    link.open();
+    QTRY_VERIFY(link.state() == State::Waiting || link.state() == State::Closed);
+    QCOMPARE(int(link.fault()), fault);
+    QVERIFY(!link.reason().isEmpty());
+    QVERIFY2(!link.reason().contains(QStringLiteral("nknown error")), qPrintable(link.reason()));
+  }
+
+  void theSecretGoesToTheFirstAddressesOriginOnly() {
+    ScriptedServer own([](const SeenRequest&) { return ScriptedServer::reply(404, {}, {}); });
+    ScriptedServer other([](const SeenRequest&) { return ScriptedServer::reply(404, {}, {}); });
+    WebSocketLinkOptions options = quick();
+    options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
+    WebSocketLink link({webSocketUrl(own), webSocketUrl(other)}, "hush", options);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QCOMPARE(own.seen.size(), 1);
+    QCOMPARE(own.seen[0].headers.value("secret"), QByteArray("hush"));
+    QCOMPARE(other.seen.size(), 1);
+    QVERIFY(!other.seen[0].headers.contains("secret"));
   }
 
   void pongsAloneKeepItOpen() {

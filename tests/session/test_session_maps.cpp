@@ -28,6 +28,7 @@ class SessionMapsTest : public QObject {
   Q_OBJECT
   FakeRobot* robot_ = nullptr;
   std::unique_ptr<Session> session_;
+  submap::Millis monotonic_{1'000'000};
 
   void make(bool maps, bool topics, bool submaps = true, bool overview = false,
             const Session::Options& options = {}) {
@@ -37,7 +38,7 @@ class SessionMapsTest : public QObject {
     robot_->has_topics = topics;
     robot_->has_submaps = submaps;
     robot_->offers_overview = overview;
-    session_ = std::make_unique<Session>(std::move(robot), options);
+    session_ = std::make_unique<Session>(std::move(robot), options, nullptr, [this] { return monotonic_; });
   }
   void goOnline() { robot_->setPhase(robot::ConnectionPhase::Online); }
   int shownGray() const {
@@ -544,6 +545,43 @@ class SessionMapsTest : public QObject {
     QCOMPARE(session_->catalogue().error(), QStringLiteral("The robot answered 500."));
     QCOMPARE(session_->catalogue().entries().size(), std::size_t(1));
     QCOMPARE(robot_->lists.size(), std::size_t(1));
+  }
+
+  void aShortLossAsksForNoListAgain() {
+    make(true, true);
+    goOnline();
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+    robot_->answerList({FakeRobot::entry("1", true)});
+    robot_->say(map::MapInfo{"Map 1", "u", 1, 1, {}});  // comes with every connection
+    QVERIFY(robot_->lists.empty());
+    for (int i = 0; i < 20; ++i) {
+      monotonic_ += submap::Millis(2'500);
+      robot_->setPhase(robot::ConnectionPhase::Interrupted);
+      goOnline();
+      robot_->say(map::MapInfo{"Map 1", "u", 1, 1, {}});
+    }
+    QVERIFY(robot_->lists.empty());
+    // After a while much may have changed, and what the robot says has changed is asked for at once.
+    monotonic_ += submap::Millis(60'000);
+    robot_->setPhase(robot::ConnectionPhase::Interrupted);
+    goOnline();
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+    robot_->answerList({FakeRobot::entry("1", true)});
+    Q_EMIT robot_->mapsChanged();
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+  }
+
+  void aListThatFailedIsAskedForAfterEveryLoss() {
+    make(true, true);
+    goOnline();
+    std::exchange(robot_->lists, {})[0](tl::make_unexpected(
+        map::Problem{map::Severity::Error, "Maps", "It broke off.", map::FailureKind::Unreachable}));
+    QCOMPARE(session_->catalogue().failure(), map::FailureKind::Unreachable);
+    robot_->setPhase(robot::ConnectionPhase::Interrupted);
+    goOnline();
+    QCOMPARE(robot_->lists.size(), std::size_t(1));
+    robot_->answerList({FakeRobot::entry("1", true)});
+    QCOMPARE(session_->catalogue().failure(), map::FailureKind::None);
   }
 };
 

@@ -114,6 +114,7 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
     if (auto_online) goOnline();
   }
   void disconnectFromRobot() override {}
+  void trustCertificate(const QString& sha256) override { trusted << sha256; }
   robot::ConnectionState connection() const override { return state; }
   robot::RobotIdentity identity() const override { return who; }
   robot::SubmapSource* submapSource() override { return has_submaps ? this : nullptr; }
@@ -213,7 +214,7 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
   bool has_submaps = true, has_catalogue = false, has_live = false;
   QString limits_text;
   FakeMaps maps;
-  QStringList wanted;
+  QStringList wanted, trusted;
   bool watching = false;
   int side = 100;
   int connects = 0, fetches = 0;

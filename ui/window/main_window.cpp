@@ -9,7 +9,9 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "window/dialogs/certificate_dialog.h"
 #include "window/dialogs/connect_dialog.h"
+#include "window/dialogs/trusted_certificates.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
 #include "window/docks/maps_dock.h"
@@ -84,12 +86,15 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
           &QAction::trigger);
   connect(overlay_->card(), &EmptyStateCard::retryWanted, actions_.find(QStringLiteral("retry")),
           &QAction::trigger);
+  connect(overlay_->card(), &EmptyStateCard::certificateWanted, this, &MainWindow::openCertificate);
   connect(overlay_->card(), &EmptyStateCard::cancelWanted, this, &MainWindow::leaveRobot);
   connect(overlay_->card(), &EmptyStateCard::fileWanted, actions_.find(QStringLiteral("openFile")),
           &QAction::trigger);
   connect(overlay_->notice(), &NoticeBar::offerTaken, this, [this] {
     if (session_ && wantsSecret(session_->connection())) return enterSecret();
-    if (session_) {
+    if (session_ && session_->connection().certificate) {
+      openCertificate();
+    } else if (session_) {
       retry();
     } else {
       openConnectDialog();
@@ -101,7 +106,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
   refreshState();
   view_->setFocus();
   if (!dependencies_.initial_address.isEmpty()) {
-    if (const auto error = connectTo(dependencies_.initial_address, dependencies_.initial_secret)) {
+    if (const auto error = connectTo(dependencies_.initial_address)) {
       overlay_->notice()->setNotice(Mark::Bad,
                                     QStringLiteral("%1: %2").arg(dependencies_.initial_address, *error),
                                     QStringLiteral("Connect…"));
@@ -123,7 +128,6 @@ std::optional<QString> MainWindow::connectTo(const QString& address, const QByte
   leaveRobot();
   session_ = std::make_unique<session::Session>(std::move(*robot), dependencies_.session);
   address_ = session_->robot().address();
-  secret_ = secret;
   may_fit_ = true;
   fitted_poses_ = false;
   fit_next_map_ = false;
@@ -221,6 +225,20 @@ void MainWindow::enterSecret() {
 
 ConnectDialog* MainWindow::secretDialog() const { return findChild<ConnectDialog*>(); }
 
+void MainWindow::openCertificate() {
+  const auto certificate = session_ ? session_->connection().certificate : std::nullopt;
+  if (!certificate || findChild<CertificateDialog*>()) return;
+  auto* dialog = new CertificateDialog(*certificate, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, decided = *certificate] {
+    // The robot may have been left meanwhile, or shows yet another one.
+    if (!session_ || session_->connection().certificate != decided) return;
+    TrustedCertificates(dependencies_.settings).trust(decided.host, decided.sha256);
+    session_->robot().trustCertificate(decided.sha256);
+  });
+  dialog->open();
+}
+
 void MainWindow::refreshState() {
   const bool connected = session_ != nullptr;
   for (const char* id : {"retry", "disconnect", "follow"}) {
@@ -270,7 +288,9 @@ void MainWindow::refreshNotice() {
     if (refused && !session_->connection().reason.isEmpty())
       sentence += QLatin1Char(' ') + session_->connection().reason;
     notice->setNotice(refused ? Mark::Bad : Mark::Warning, sentence,
-                      wantsSecret(session_->connection()) ? tr("Enter secret…") : tr("Retry now"));
+                      wantsSecret(session_->connection())  ? tr("Enter secret…")
+                      : session_->connection().certificate ? tr("Certificate…")
+                                                           : tr("Retry now"));
     return;
   }
   const bool whole_wanted = scene_->layerVisible(scene::Layer::WholeMap) || comparison_->active();

@@ -56,7 +56,6 @@ class MainWindow : public QMainWindow {
         connect;
     QSettings& settings;           // must outlive the window
     QString initial_address = {};  // connected to at once; empty = none
-    QByteArray initial_secret = {};
     session::Session::Options session = {};
     render::TileRenderer::Options renderer = {};
     /// The map.yaml files beside a picture that name it as theirs. Looks at the disk; called on any thread.
@@ -176,6 +175,7 @@ class MainWindow : public QMainWindow {
   void wireSession();
   void openConnectDialog();
   void enterSecret();
+  void openCertificate();
   void refreshState();
   void refreshChip();
   void refreshNotice();
@@ -188,7 +188,6 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<scene::MapScene> scene_;
   std::unique_ptr<session::Session> session_;
   QString address_;
-  QByteArray secret_;
 
   MapView* view_ = nullptr;
   MeasureTool* measure_ = nullptr;

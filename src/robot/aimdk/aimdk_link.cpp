@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "robot/wire/http_failure.h"
 #include "words/sentences.h"
 
 namespace mapwright::robot::aimdk {
@@ -19,10 +20,13 @@ std::string because(const char* what, const net::HttpAnswer& answer) {
   return words::because(what, answer.sentence.toStdString());
 }
 
+bool knowsNoSuchCall(int status) { return status == 404 || status == 405 || status == 501; }
+
 map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }
 
-map::Problem problem(map::Subject subject, std::string sentence) {
-  return {map::Severity::Error, std::move(subject), std::move(sentence), map::ProblemCode::Unavailable};
+map::Problem problem(map::Subject subject, std::string sentence, map::FailureKind failure) {
+  return {map::Severity::Error, std::move(subject), std::move(sentence), map::ProblemCode::Unavailable,
+          failure};
 }
 
 }  // namespace
@@ -37,8 +41,11 @@ void AimdkLink::start() {
   if (http_) return;
   // The interface knows no secret.
   http_ = std::make_unique<net::HttpClient>(options_.base, QByteArray(), nullptr);
+  http_->setTrust(options_.trust);
   timer_ = std::make_unique<QTimer>();
-  timer_->setSingleShot(true);
+  healthy_ = std::make_unique<QTimer>();
+  for (QTimer* timer : {timer_.get(), healthy_.get()}) timer->setSingleShot(true);
+  connect(healthy_.get(), &QTimer::timeout, this, [this] { backoff_.reset(); });
   connect(timer_.get(), &QTimer::timeout, this, [this] {
     if (phase_ == ConnectionPhase::Online) {
       poll();
@@ -67,10 +74,18 @@ void AimdkLink::open() {
   attempt();
 }
 
+void AimdkLink::trust(const QByteArray& pinned_sha256) {
+  start();
+  options_.trust.pinned_sha256 = pinned_sha256;
+  http_->setTrust(options_.trust);
+  open();
+}
+
 void AimdkLink::close() {
   wanted_ = false;
   if (http_) {
     timer_->stop();
+    healthy_->stop();
     http_->cancelAll();
   }
   asking_ = 0;
@@ -89,15 +104,28 @@ void AimdkLink::attempt() {
     const auto maps = parseMapNames(view(answer.body));
     if (answer.ok() && maps) {
       goOnline();
+    } else if (answer.ok()) {
+      // Something answers every question with success. JSON may come from a robot that has a trouble of its
+      // own.
+      const bool json = answer.body.trimmed().startsWith('{');
+      interrupt(QString::fromStdString(maps.error()),
+                json ? map::FailureKind::MalformedAnswer : map::FailureKind::NotARobot);
+    } else if (answer.kind == net::HttpAnswer::Kind::Answered && knowsNoSuchCall(answer.status)) {
+      interrupt(
+          tr("a web server answers there, but it knows no calls of Agibot robots (%1): check the address "
+             "and the port")
+              .arg(answer.sentence),
+          map::FailureKind::NotARobot);
     } else {
-      interrupt(answer.ok() ? QString::fromStdString(maps.error()) : answer.sentence);
+      interrupt(answer);
     }
   });
 }
 
 void AimdkLink::goOnline() {
   attempt_ = 0;
-  backoff_.reset();
+  // One answer is not health: a robot that answers and then fails must not be asked ever so often.
+  healthy_->start(options_.healthy_after);
   enter(ConnectionPhase::Online);
   poll();
 }
@@ -108,7 +136,7 @@ void AimdkLink::poll() {
     asking_ = 0;
     // An answer with an error is a sign of life: the robot may have no map in use.
     if (answer.kind != net::HttpAnswer::Kind::Answered) {
-      interrupt(answer.sentence);
+      interrupt(answer);
       return;
     }
     if (answer.ok()) noteCurrent(parseCurrentMap(view(answer.body)).value_or(std::string()));
@@ -122,18 +150,40 @@ void AimdkLink::noteCurrent(const std::string& id) {
   if (changed) Q_EMIT currentMapChanged();
 }
 
-void AimdkLink::interrupt(const QString& reason) {
-  if (!wanted_) return;
-  const auto wait = backoff_.next();
-  timer_->start(wait);
-  enter(ConnectionPhase::Interrupted, reason, int(wait.count()));
+void AimdkLink::interrupt(const net::HttpAnswer& answer) {
+  if (answer.certificate) certificate_ = wire::untrusted(*answer.certificate);
+  interrupt(answer.sentence, wire::failureOf(answer));
 }
 
-void AimdkLink::enter(ConnectionPhase phase, const QString& reason, std::optional<int> retry_in_ms) {
+void AimdkLink::interrupt(const QString& reason, map::FailureKind failure) {
+  if (!wanted_) return;
+  healthy_->stop();
+  if (failure != map::FailureKind::Certificate) certificate_.reset();
+  reason_ = reason;
+  failure_ = failure;
+  // A refusal does not go away by asking again.
+  if (failure == map::FailureKind::Refused || failure == map::FailureKind::Certificate) {
+    timer_->stop();
+    enter(ConnectionPhase::Refused);
+    return;
+  }
+  const auto wait = backoff_.next();
+  timer_->start(wait);
+  enter(ConnectionPhase::Interrupted, int(wait.count()));
+}
+
+void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   phase_ = phase;
+  if (phase == ConnectionPhase::Online || phase == ConnectionPhase::Offline) {
+    reason_.clear();
+    failure_ = map::FailureKind::None;
+    certificate_.reset();
+  }
   ConnectionState state;
   state.phase = phase;
-  state.reason = reason;
+  state.reason = reason_;  // while trying again: why the try before failed
+  state.failure = failure_;
+  state.certificate = certificate_;
   state.attempt = attempt_;
   state.retry_in_ms = retry_in_ms;
   Q_EMIT stateChanged(state);
@@ -142,22 +192,23 @@ void AimdkLink::enter(ConnectionPhase phase, const QString& reason, std::optiona
 void AimdkLink::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
   call(kMapNames, mapNamesRequest(), options_.patience, [this, reply](const net::HttpAnswer& answer) {
     if (!answer.ok()) {
-      reply(tl::make_unexpected(
-          problem(catalogueSubject("Maps"), because("The list cannot be had: ", answer))));
+      reply(tl::make_unexpected(problem(catalogueSubject("Maps"), because("The list cannot be had: ", answer),
+                                        wire::failureOf(answer))));
       return;
     }
     auto maps = parseMapNames(view(answer.body));
     if (!maps) {
-      reply(tl::make_unexpected(problem(catalogueSubject("Maps"), maps.error())));
+      reply(tl::make_unexpected(problem(catalogueSubject("Maps"), maps.error(), wire::unreadable(answer))));
       return;
     }
     call(kCurrentMap, currentMapRequest(), options_.patience,
          [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
            const auto id = parseCurrentMap(view(current.body));
            if (!current.ok() || !id) {
-             map::Problem found = problem(
-                 catalogueSubject("Current map"),
-                 current.ok() ? id.error() : because("Which map is in use cannot be told: ", current));
+             map::Problem found =
+                 problem(catalogueSubject("Current map"),
+                         current.ok() ? id.error() : because("Which map is in use cannot be told: ", current),
+                         current.ok() ? wire::unreadable(current) : wire::failureOf(current));
              found.severity = map::Severity::Warning;
              Q_EMIT problemFound(found);
            } else {
@@ -173,8 +224,8 @@ void AimdkLink::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
 
 void AimdkLink::fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply) {
   if (key.kind != map::MapKind::Stored || key.id.empty()) {
-    reply(
-        tl::make_unexpected(problem(map::subjectOf(key), "Only stored maps can be asked for, by their id.")));
+    reply(tl::make_unexpected(problem(map::subjectOf(key), "Only stored maps can be asked for, by their id.",
+                                      map::FailureKind::None)));
     return;
   }
   auto& waiting = fetching_[key];
@@ -183,14 +234,15 @@ void AimdkLink::fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply) {
   call(kWholeMap, wholeMapRequest(key.id), options_.map_patience, [this, key](const net::HttpAnswer& answer) {
     Answer<ParsedMap> result = tl::make_unexpected(map::Problem{});
     if (!answer.ok()) {
-      result = tl::make_unexpected(problem(map::subjectOf(key), because("It cannot be had: ", answer)));
+      result = tl::make_unexpected(
+          problem(map::subjectOf(key), because("It cannot be had: ", answer), wire::failureOf(answer)));
     } else if (auto parsed = parseWholeMap(view(answer.body), key)) {
       parsed->map.body_bytes = std::size_t(answer.body.size());
       result = std::move(*parsed);
       frame_ = *result;
       frame_->map.bytes.reset();
     } else {
-      result = tl::make_unexpected(problem(map::subjectOf(key), parsed.error()));
+      result = tl::make_unexpected(problem(map::subjectOf(key), parsed.error(), wire::unreadable(answer)));
     }
     const auto replies = std::move(fetching_.extract(key).mapped());
     for (const auto& waiting_reply : replies) waiting_reply(result);
@@ -210,8 +262,9 @@ void AimdkLink::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
 void AimdkLink::waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply) {
   const auto body = topologyRequest(key.id);
   if (!body || key.kind != map::MapKind::Stored) {
-    reply(tl::make_unexpected(
-        problem(map::placesOf(key), "Its points cannot be asked for: its id is not a whole number.")));
+    reply(tl::make_unexpected(problem(map::placesOf(key),
+                                      "Its points cannot be asked for: its id is not a whole number.",
+                                      map::FailureKind::None)));
     return;
   }
   if (frame_ && frame_->map.key == key) {
@@ -228,8 +281,8 @@ void AimdkLink::askPoints(const map::MapKey& key, const QByteArray& body, Answer
   call(kTopology, body, options_.patience,
        [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
          if (!answer.ok()) {
-           reply(tl::make_unexpected(
-               problem(map::placesOf(key), because("Its points cannot be had: ", answer))));
+           reply(tl::make_unexpected(problem(
+               map::placesOf(key), because("Its points cannot be had: ", answer), wire::failureOf(answer))));
            return;
          }
          const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
@@ -237,7 +290,7 @@ void AimdkLink::askPoints(const map::MapKey& key, const QByteArray& body, Answer
          if (points) {
            reply(std::move(*points));
          } else {
-           reply(tl::make_unexpected(problem(map::placesOf(key), points.error())));
+           reply(tl::make_unexpected(problem(map::placesOf(key), points.error(), wire::unreadable(answer))));
          }
        });
 }

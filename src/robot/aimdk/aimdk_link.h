@@ -21,12 +21,14 @@
 namespace mapwright::robot::aimdk {
 
 struct LinkOptions {
-  QUrl base;                                     // http(s)://host:port[/prefix]
-  QUrl tf;                                       // the rosbridge of the pose; empty = none
+  QUrl base;  // http(s)://host:port[/prefix]
+  QUrl tf;    // the rosbridge of the pose; empty = none
+  net::Trust trust;
   std::chrono::milliseconds poll_every{10'000};  // while online, so that a loss is noticed
   std::chrono::milliseconds patience{10'000};    // for the small questions
   std::chrono::milliseconds map_patience{60'000};
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
+  std::chrono::milliseconds healthy_after{30'000};  // online for so long = the next loss is a first one
   quint32 jitter_seed = 1;
 };
 
@@ -38,6 +40,7 @@ class AimdkLink : public QObject {
 
   void open();
   void close();
+  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
   void list(AnswerTo<std::vector<map::CatalogueEntry>> reply);
   void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply);
   void waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply);
@@ -56,20 +59,25 @@ class AimdkLink : public QObject {
   void attempt();
   void poll();
   void goOnline();
-  void interrupt(const QString& reason);
+  void interrupt(const net::HttpAnswer& answer);
+  void interrupt(const QString& reason, map::FailureKind failure);
   void noteCurrent(const std::string& id);
-  void enter(ConnectionPhase phase, const QString& reason = {}, std::optional<int> retry_in_ms = {});
+  void enter(ConnectionPhase phase, std::optional<int> retry_in_ms = {});
   void askPoints(const map::MapKey& key, const QByteArray& body, AnswerTo<map::WaypointList> reply);
   void fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply);
 
   LinkOptions options_;
   std::unique_ptr<net::HttpClient> http_;
-  std::unique_ptr<QTimer> timer_;  // until the next try, or the next poll
+  std::unique_ptr<QTimer> timer_;    // until the next try, or the next poll
+  std::unique_ptr<QTimer> healthy_;  // while online, until it counts as healthy
   net::Backoff backoff_;
   bool wanted_ = false;
   net::HttpClient::RequestId asking_ = 0;  // the connection's own question under way
   int attempt_ = 0;
   ConnectionPhase phase_ = ConnectionPhase::Offline;
+  QString reason_;  // why it is not online
+  std::optional<UntrustedCertificate> certificate_;
+  map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;
   std::map<map::MapKey, std::vector<AnswerTo<ParsedMap>>>
       fetching_;                    // one question for all who ask meanwhile

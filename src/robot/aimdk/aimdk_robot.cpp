@@ -36,6 +36,10 @@ AimdkRobot::~AimdkRobot() {
 
 void AimdkRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::open); }
 
+void AimdkRobot::trustCertificate(const QString& sha256) {
+  QMetaObject::invokeMethod(link_, [link = link_, pin = net::fingerprintFrom(sha256)] { link->trust(pin); });
+}
+
 void AimdkRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::close); }
 
 QString AimdkRobot::limits() const {

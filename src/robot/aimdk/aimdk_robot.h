@@ -18,6 +18,7 @@ class AimdkRobot : public Robot, private MapCatalogue, private WholeMapSource, p
   QString address() const override { return address_; }
   void connectToRobot() override;
   void disconnectFromRobot() override;
+  void trustCertificate(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
   RobotIdentity identity() const override { return identity_; }
   MapCatalogue* mapCatalogue() override { return this; }

@@ -9,6 +9,7 @@
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/robot_urls.h"
+#include "robot/wire/http_failure.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -39,6 +40,25 @@ QString memberText(const QJsonObject& object, std::initializer_list<const char*>
   return value.isString()   ? value.toString().left(200)
          : value.isDouble() ? value.toVariant().toString()
                             : QString();
+}
+
+map::FailureKind failureOf(net::WebSocketLink::Fault fault) {
+  using Fault = net::WebSocketLink::Fault;
+  switch (fault) {
+    case Fault::None:
+      break;
+    case Fault::Unreachable:
+      return map::FailureKind::Unreachable;
+    case Fault::TimedOut:
+      return map::FailureKind::TimedOut;
+    case Fault::Refused:
+      return map::FailureKind::Refused;
+    case Fault::NotAWebSocket:
+      return map::FailureKind::NotARobot;
+    case Fault::Certificate:
+      return map::FailureKind::Certificate;
+  }
+  return map::FailureKind::None;
 }
 
 QUrl socketUrl(const QUrl& base, bool binary) {
@@ -79,6 +99,8 @@ void AxbotLink::start() {
   socket_ = std::make_unique<net::WebSocketLink>(
       QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
       options_.socket);
+  http_->setTrust(options_.trust);
+  socket_->setTrust(options_.trust);
   list_timer_ = std::make_unique<QTimer>();
   subscribe_timer_ = std::make_unique<QTimer>();
   for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get()}) timer->setSingleShot(true);
@@ -287,6 +309,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
     answer.key = key;
     answer.bytes = std::size_t(http.body.size());
     answer.reason = http.sentence.toStdString();
+    answer.failure = wire::failureOf(http);
     answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
                      : http.status == 404                          ? Outcome::NotFound
                                                                    : Outcome::Failed;
@@ -303,10 +326,28 @@ void AxbotLink::cancelAll() {
   for (const auto& [key, id] : requests) http_->cancel(id);
 }
 
+QString AxbotLink::whyNot() const {
+  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return socket_->reason();
+  return tr("something answers at %1:%2, but not as an Autoxing robot: %3. Check the address and the port.")
+      .arg(options_.base.host())
+      .arg(options_.base.port())
+      .arg(socket_->reason());
+}
+
+void AxbotLink::trust(const QByteArray& pinned_sha256) {
+  start();
+  options_.trust.pinned_sha256 = pinned_sha256;
+  http_->setTrust(options_.trust);
+  socket_->setTrust(options_.trust);
+  open();
+}
+
 void AxbotLink::publishState() {
   using State = net::WebSocketLink::State;
   ConnectionState state;
-  state.reason = socket_->reason();
+  state.reason = whyNot();
+  state.failure = failureOf(socket_->fault());
+  if (const auto fault = socket_->certificate()) state.certificate = wire::untrusted(*fault);
   state.attempt = socket_->attempt();
   state.retry_in_ms = socket_->retryInMs();
   state.round_trip_ms = socket_->roundTripMs();
@@ -314,6 +355,7 @@ void AxbotLink::publishState() {
     case State::Open:
       state.phase = ConnectionPhase::Online;
       state.reason.clear();
+      state.failure = map::FailureKind::None;
       break;
     case State::Connecting:
       state.phase = state.attempt <= 1 ? ConnectionPhase::Connecting : ConnectionPhase::Interrupted;

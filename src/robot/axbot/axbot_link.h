@@ -31,6 +31,7 @@ namespace mapwright::robot::axbot {
 struct LinkOptions {
   QUrl base;  // http(s)://host:port[/prefix]
   QByteArray secret;
+  net::Trust trust;
   QString cache_folder;  // empty = nothing is kept on disk
   qint64 cache_budget_bytes = qint64(2) << 30;
   net::WebSocketLinkOptions socket;
@@ -47,6 +48,7 @@ class AxbotLink : public QObject {
 
   void open();
   void close();
+  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
   void fetch(quint64 ticket, const map::SubmapKey& key);
   void cancel(const map::SubmapKey& key);
   void cancelAll();  // the fetches of submaps
@@ -77,6 +79,7 @@ class AxbotLink : public QObject {
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
+  QString whyNot() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
   map::Problem problem(map::Severity severity, const QString& sentence) const;
 

@@ -52,6 +52,10 @@ AxbotRobot::~AxbotRobot() {
 
 void AxbotRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &AxbotLink::open); }
 
+void AxbotRobot::trustCertificate(const QString& sha256) {
+  QMetaObject::invokeMethod(link_, [link = link_, pin = net::fingerprintFrom(sha256)] { link->trust(pin); });
+}
+
 void AxbotRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AxbotLink::close); }
 
 void AxbotRobot::fetch(const map::SubmapKey& key, Reply reply) {

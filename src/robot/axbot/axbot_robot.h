@@ -24,6 +24,7 @@ class AxbotRobot : public Robot,
   QString address() const override { return address_; }
   void connectToRobot() override;
   void disconnectFromRobot() override;
+  void trustCertificate(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
   RobotIdentity identity() const override { return identity_; }
   SubmapSource* submapSource() override { return this; }

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "robot/axbot/robot_urls.h"
+#include "robot/wire/http_failure.h"
 #include "robot/wire/picture_facts.h"
 #include "words/sentences.h"
 
@@ -22,8 +23,9 @@ QString folderOf(map::MapKind kind) {
 QString pathOf(const map::MapKey& key) { return folderOf(key.kind) + pathSegment(key.id); }
 
 map::Problem problemOf(const map::MapKey& key, const std::string& sentence,
+                       map::FailureKind failure = map::FailureKind::None,
                        map::Severity severity = map::Severity::Error) {
-  return {severity, map::subjectOf(key), sentence, map::ProblemCode::Unavailable};
+  return {severity, map::subjectOf(key), sentence, map::ProblemCode::Unavailable, failure};
 }
 
 std::string because(const char* what, const net::HttpAnswer& answer) {
@@ -109,7 +111,7 @@ void MapRequests::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
     } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
       report_({map::Severity::Warning, subject,
                because("Which map is the current one cannot be told: ", answer),
-               map::ProblemCode::Unavailable});
+               map::ProblemCode::Unavailable, wire::failureOf(answer)});
     }
     finishPart(listing);
   });
@@ -120,14 +122,14 @@ void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::
   const map::Subject subject(map::SubjectKind::Catalogue, maps ? "Maps" : "Mappings");
   if (!answer.ok()) {
     listing.failures.push_back({map::Severity::Warning, subject, because("The list cannot be had: ", answer),
-                                map::ProblemCode::Unavailable});
+                                map::ProblemCode::Unavailable, wire::failureOf(answer)});
     return;
   }
   auto rows = parseMapRows(view(answer.body), kind);
   if (!rows) {
     listing.failures.push_back({map::Severity::Warning, subject,
                                 words::because("The list cannot be read", rows.error()),
-                                map::ProblemCode::Unreadable});
+                                map::ProblemCode::Unreadable, wire::unreadable(answer)});
     return;
   }
   recovered_({subject});
@@ -170,14 +172,16 @@ void MapRequests::detail(const map::MapKey& key, AnswerTo<MapDetail> reply) {
   }
   getJson(pathOf(key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
     if (!answer.ok()) {
-      reply(tl::make_unexpected(problemOf(key, because("It cannot be had: ", answer))));
+      reply(tl::make_unexpected(
+          problemOf(key, because("It cannot be had: ", answer), wire::failureOf(answer))));
       return;
     }
     auto detail = parseMapDetail(view(answer.body), key);
     if (detail) {
       reply(std::move(*detail));
     } else {
-      reply(tl::make_unexpected(problemOf(key, words::because("It cannot be read", detail.error()))));
+      reply(tl::make_unexpected(
+          problemOf(key, words::because("It cannot be read", detail.error()), wire::unreadable(answer))));
     }
   });
 }
@@ -199,10 +203,11 @@ void MapRequests::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply)
         if (answer.ok() && !answer.body.isEmpty()) {
           reply(answer.body.toStdString());
         } else if (answer.ok()) {
-          reply(tl::make_unexpected(problemOf(key, "Its small picture is empty.", map::Severity::Info)));
+          reply(tl::make_unexpected(problemOf(key, "Its small picture is empty.",
+                                              map::FailureKind::MalformedAnswer, map::Severity::Info)));
         } else {
-          reply(tl::make_unexpected(
-              problemOf(key, because("Its small picture cannot be had: ", answer), map::Severity::Info)));
+          reply(tl::make_unexpected(problemOf(key, because("Its small picture cannot be had: ", answer),
+                                              wire::failureOf(answer), map::Severity::Info)));
         }
       });
 }
@@ -215,7 +220,8 @@ void MapRequests::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
     if (!detail) {
       fetch->reply(tl::make_unexpected(detail.error()));
     } else if (const auto why = map::whyUnusable(detail->grid)) {
-      fetch->reply(tl::make_unexpected(problemOf(fetch->map.key, "It cannot be shown. " + *why)));
+      fetch->reply(tl::make_unexpected(
+          problemOf(fetch->map.key, "It cannot be shown. " + *why, map::FailureKind::MalformedAnswer)));
     } else {
       fetchParts(fetch, *detail);
     }
@@ -246,9 +252,10 @@ void MapRequests::fetchPicture(const std::shared_ptr<Fetch>& fetch, const QUrl& 
       return;
     }
     if (!answer.ok()) {
-      fetch->failure = problemOf(fetch->map.key, because("Its picture cannot be had: ", answer));
+      fetch->failure =
+          problemOf(fetch->map.key, because("Its picture cannot be had: ", answer), wire::failureOf(answer));
     } else if (answer.body.isEmpty()) {
-      fetch->failure = problemOf(fetch->map.key, "Its picture is empty.");
+      fetch->failure = problemOf(fetch->map.key, "Its picture is empty.", map::FailureKind::MalformedAnswer);
     } else {
       fetch->map.bytes = std::make_shared<const std::string>(answer.body.toStdString());
       fetch->map.fingerprint = wire::fingerprint(*fetch->map.bytes);
@@ -275,7 +282,7 @@ void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::str
       fetch->map.notes.push_back(
           problemOf(fetch->map.key,
                     words::because("Shown without " + file.toStdString(), answer.sentence.toStdString()),
-                    map::Severity::Info));
+                    wire::failureOf(answer), map::Severity::Info));
     }
     fetch->finishPart();
   });
@@ -288,14 +295,15 @@ void MapRequests::fetchOverview(double resolution_m, AnswerTo<map::WholeMap> rep
   request.accept = "application/x-protobuf";
   request.timeout = kOverviewPatience;
   http_.get(request, [resolution_m, reply = std::move(reply)](const net::HttpAnswer& answer) {
-    const auto fail = [&](std::string sentence) {
+    const auto fail = [&](std::string sentence, map::FailureKind failure) {
       reply(tl::make_unexpected(map::Problem{map::Severity::Warning,
                                              map::Subject(map::SubjectKind::Overview, {}),
-                                             std::move(sentence), map::ProblemCode::Unavailable}));
+                                             std::move(sentence), map::ProblemCode::Unavailable, failure}));
     };
-    if (!answer.ok()) return fail(because("The overview of the map cannot be had: ", answer));
+    if (!answer.ok())
+      return fail(because("The overview of the map cannot be had: ", answer), wire::failureOf(answer));
     auto overview = parseOverview(view(answer.body), resolution_m);
-    if (!overview) return fail(overview.error());
+    if (!overview) return fail(overview.error(), wire::unreadable(answer));
     overview->body_bytes = std::size_t(answer.body.size());
     reply(std::move(*overview));
   });

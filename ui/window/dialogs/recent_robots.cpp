@@ -5,6 +5,7 @@
 #include <QSettings>
 
 #include "robot/address.h"
+#include "window/dialogs/trusted_certificates.h"
 
 namespace mapwright::window {
 
@@ -55,6 +56,10 @@ void RecentRobots::remove(const QString& address) {
   QVector<RecentRobot> robots = list();
   robots.removeIf([&address](const RecentRobot& robot) { return robot.address == address; });
   save(robots);
+  // A robot that is forgotten is not trusted either.
+  if (const auto parsed = robot::parseAddress(address)) {
+    TrustedCertificates(settings_).forget(robot::hostOf(*parsed));
+  }
 }
 
 void RecentRobots::save(const QVector<RecentRobot>& robots) {

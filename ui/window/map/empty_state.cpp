@@ -116,6 +116,15 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
       state.text =
           connection.reason.isEmpty() ? address : QStringLiteral("%1\n%2").arg(address, connection.reason);
       state.offers_retry = state.offers_connect = true;
+      if (connection.certificate) {
+        // The fingerprint is in the dialog: it fits on no card.
+        const bool changed = !connection.certificate->pinned_sha256.isEmpty();
+        state.title = changed ? EmptyStateCard::tr("The certificate of the robot has changed")
+                              : EmptyStateCard::tr("The certificate of the robot is not trusted");
+        state.text = QStringLiteral("%1\n%2").arg(address, connection.certificate->why);
+        state.offers_certificate = true;
+        state.offers_retry = false;
+      }
       return state;
     }
     case ConnectionPhase::Online:
@@ -164,7 +173,8 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
       demo_(new QPushButton(QStringLiteral("Try the demo robot"), this)),
       file_(new QPushButton(QStringLiteral("Open a map file…"), this)),
       retry_(new QPushButton(QStringLiteral("Retry"), this)),
-      cancel_(new QPushButton(QStringLiteral("Cancel"), this)) {
+      cancel_(new QPushButton(QStringLiteral("Cancel"), this)),
+      certificate_(new QPushButton(tr("Certificate…"), this)) {
   setObjectName(QStringLiteral("card"));
   for (QLabel* label : {title_, text_}) {
     label->setTextFormat(Qt::PlainText);
@@ -187,11 +197,13 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   file_->setObjectName(QStringLiteral("secondary"));
   retry_->setObjectName(QStringLiteral("primary"));
   cancel_->setObjectName(QStringLiteral("secondary"));
+  certificate_->setObjectName(QStringLiteral("primary"));
 
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();
-  for (QPushButton* button : {retry_, connect_, demo_, file_, cancel_}) buttons->addWidget(button);
+  for (QPushButton* button : {certificate_, retry_, connect_, demo_, file_, cancel_})
+    buttons->addWidget(button);
   buttons->addStretch();
   secret_->setObjectName(QStringLiteral("primary"));
   buttons->insertWidget(1, secret_);
@@ -213,6 +225,7 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   connect(file_, &QPushButton::clicked, this, &EmptyStateCard::fileWanted);
   connect(retry_, &QPushButton::clicked, this, &EmptyStateCard::retryWanted);
   connect(cancel_, &QPushButton::clicked, this, &EmptyStateCard::cancelWanted);
+  connect(certificate_, &QPushButton::clicked, this, &EmptyStateCard::certificateWanted);
   hide();
 }
 
@@ -236,6 +249,7 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   file_->setVisible(state->offers_file);
   retry_->setVisible(state->offers_retry);
   cancel_->setVisible(state->offers_cancel);
+  certificate_->setVisible(state->offers_certificate);
   if (icon_name_ != state->icon) {
     icon_name_ = state->icon;
     paintIcon();

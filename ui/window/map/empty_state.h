@@ -33,7 +33,7 @@ struct EmptyState {
   bool busy = false;
   bool offers_secret = false;  // the robot refused for want of the right one
   bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
-  bool offers_file = false;
+  bool offers_file = false, offers_certificate = false;
   bool operator==(const EmptyState&) const = default;
 };
 
@@ -65,6 +65,7 @@ class EmptyStateCard : public QFrame {
   void fileWanted();
   void retryWanted();
   void cancelWanted();
+  void certificateWanted();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -82,6 +83,7 @@ class EmptyStateCard : public QFrame {
   QPushButton* file_;
   QPushButton* retry_;
   QPushButton* cancel_;
+  QPushButton* certificate_;
   QString icon_name_;
   std::optional<EmptyState> state_;
 };

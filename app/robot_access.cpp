@@ -1,0 +1,107 @@
+#include "app/robot_access.h"
+
+#include <QFile>
+
+#include "robot/address.h"
+
+namespace mapwright::app {
+namespace {
+
+constexpr qint64 kLongest = 4096;
+
+QString text(const std::string& word) { return QString::fromStdString(word); }
+
+tl::expected<QByteArray, QString> checked(const QByteArray& secret) {
+  if (secret.size() > kLongest || secret.contains('\n') || secret.contains('\r') || secret.contains('\0')) {
+    return tl::make_unexpected(QStringLiteral("The secret must be one line of at most 4096 bytes."));
+  }
+  return secret;
+}
+
+/// Where a robot is asked; empty for what is no robot on a network (files, the demo) or no address.
+QUrl originOf(const QString& address) {
+  const auto parsed = robot::parseAddress(address);
+  const bool remote =
+      parsed && (parsed->backend == robot::Backend::Axbot || parsed->backend == robot::Backend::Aimdk);
+  return remote ? parsed->url : QUrl();
+}
+
+}  // namespace
+
+tl::expected<QByteArray, QString> readSecret(const QString& file) {
+  QFile source(file);
+  if (!source.open(QIODevice::ReadOnly)) {
+    return tl::make_unexpected(
+        QStringLiteral("The secret file %1 cannot be read: %2.").arg(file, source.errorString()));
+  }
+  return checked(source.read(kLongest + 1).trimmed());
+}
+
+AccessWords withOuter(AccessWords words, const std::string& robot, const AccessWords& outer,
+                      const std::string& outer_robot) {
+  if (!outer.secret_file.empty()) {
+    if (!outer_robot.empty() && outer_robot != robot) {
+      words.secret_files_for.emplace_back(outer_robot, outer.secret_file);
+    } else if (words.secret_file.empty()) {
+      words.secret_file = outer.secret_file;
+    }
+  }
+  words.secret_files_for.insert(words.secret_files_for.end(), outer.secret_files_for.begin(),
+                                outer.secret_files_for.end());
+  if (words.ca_file.empty()) words.ca_file = outer.ca_file;
+  return words;
+}
+
+tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, const QString& robot) {
+  RobotAccess access;
+  for (const auto& [address, file] : words.secret_files_for) {
+    const QUrl origin = originOf(text(address));
+    if (origin.isEmpty()) {
+      return tl::make_unexpected(
+          QStringLiteral("--secret-file-for %1: give the address of a robot, then the file.")
+              .arg(text(address)));
+    }
+    const auto secret = readSecret(text(file));
+    if (!secret) return tl::make_unexpected(secret.error());
+    access.secrets_.emplace_back(origin, *secret);
+  }
+  if (!words.secret_file.empty()) {
+    const auto secret = readSecret(text(words.secret_file));
+    if (!secret) return tl::make_unexpected(secret.error());
+    if (robot.isEmpty()) {
+      return tl::make_unexpected(
+          QStringLiteral("--secret-file belongs to --robot, which is not given. For another robot give "
+                         "--secret-file-for ADDRESS FILE."));
+    }
+    access.secrets_.emplace_back(originOf(robot), *secret);
+  } else if (const QByteArray given = qgetenv("MAPWRIGHT_SECRET").trimmed(); !given.isEmpty()) {
+    const auto secret = checked(given);
+    if (!secret) return tl::make_unexpected(secret.error());
+    const QString owner = qEnvironmentVariable("MAPWRIGHT_ROBOT");
+    access.secrets_.emplace_back(originOf(owner.isEmpty() ? robot : owner), *secret);
+  }
+  if (!words.ca_file.empty()) {
+    const auto authorities = net::readAuthorities(text(words.ca_file));
+    if (!authorities) return tl::make_unexpected(authorities.error());
+    access.trust_.authorities = *authorities;
+  }
+  return access;
+}
+
+Access RobotAccess::forAddress(const QString& address) const {
+  Access access;
+  access.trust = trust_;
+  const QUrl origin = originOf(address);
+  for (const net::Secret& secret : secrets_) {
+    access.secret = secret.forUrl(origin);
+    if (!access.secret.isEmpty()) break;
+  }
+  return access;
+}
+
+QString whyNotConnected(const robot::ConnectionState& state) {
+  if (!state.certificate) return state.reason;
+  return state.reason + QStringLiteral(". Give the authority that vouches for it by --ca-file PEM.");
+}
+
+}  // namespace mapwright::app

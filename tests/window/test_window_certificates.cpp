@@ -1,0 +1,176 @@
+// A certificate that is not trusted, in the window: said, shown, decided on, remembered for that robot alone.
+#include <QLabel>
+#include <QPushButton>
+
+#include "window/dialogs/certificate_dialog.h"
+#include "window/dialogs/recent_robots.h"
+#include "window/dialogs/trusted_certificates.h"
+#include "window/map/empty_state.h"
+#include "window/map/map_overlay.h"
+#include "window/map/notice_bar.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::test;
+using window::CertificateDialog;
+using window::TrustedCertificates;
+
+namespace {
+
+const QString kFirst = QStringLiteral("AA:").repeated(31) + QStringLiteral("AA");
+const QString kSecond = QStringLiteral("BB:").repeated(31) + QStringLiteral("BB");
+const QString kHost = QStringLiteral("192.0.2.7:8090");
+
+robot::ConnectionState refused(const QString& sha256, const QString& pinned = {}) {
+  robot::ConnectionState state;
+  state.phase = robot::ConnectionPhase::Refused;
+  state.failure = map::FailureKind::Certificate;
+  state.reason = QStringLiteral("the certificate of 192.0.2.7:8090 is not trusted: it is self-signed");
+  robot::UntrustedCertificate certificate;
+  certificate.host = kHost;
+  certificate.why = QStringLiteral("it is self-signed");
+  certificate.sha256 = sha256;
+  certificate.pinned_sha256 = pinned;
+  certificate.subject = QStringLiteral("<b>Robot</b> 7");
+  certificate.trustable = true;
+  state.certificate = certificate;
+  return state;
+}
+
+QString textOf(const QWidget& widget) {
+  QString text;
+  for (const QLabel* label : widget.findChildren<QLabel*>()) text += label->text() + QLatin1Char('\n');
+  return text;
+}
+
+QPushButton* button(QWidget& widget, const QString& text) {
+  for (QPushButton* found : widget.findChildren<QPushButton*>()) {
+    if (found->text() == text && found->isVisibleTo(&widget)) return found;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+class WindowCertificatesTest : public QObject {
+  Q_OBJECT
+
+  /// A window whose robot shows a certificate in its first connection.
+  static void openOn(Bench& bench, const robot::ConnectionState& state) {
+    bench.prepare = [](FakeRobot& made) { made.auto_online = false; };
+    bench.open();
+    QVERIFY(!bench.window->connectTo(kAddress));
+    bench.robot->setState(state);
+  }
+  static CertificateDialog* look(Bench& bench) {
+    auto* card = bench.window->findChild<window::EmptyStateCard*>();
+    QPushButton* const offer = card ? button(*card, QStringLiteral("Certificate…")) : nullptr;
+    if (offer) offer->click();
+    return bench.window->findChild<CertificateDialog*>();
+  }
+
+ private Q_SLOTS:
+  void isSaidInTheMiddleOfTheMapAndShownInFull() {
+    Bench bench;
+    openOn(bench, refused(kFirst));
+    auto* card = bench.window->findChild<window::EmptyStateCard*>();
+    QVERIFY(card && card->isVisible());
+    QVERIFY(textOf(*card).contains(QStringLiteral("not trusted")));
+    QVERIFY(textOf(*card).contains(QStringLiteral("it is self-signed")));
+    CertificateDialog* const dialog = look(bench);
+    QVERIFY(dialog);
+    QTRY_VERIFY(dialog->isVisible());
+    const QString shown = textOf(*dialog).remove(QLatin1Char('\n'));
+    QVERIFY(shown.contains(kFirst));
+    QVERIFY2(shown.contains(QStringLiteral("<b>Robot</b> 7")), "names are plain text");
+    for (const QLabel* label : dialog->findChildren<QLabel*>()) {
+      if (label->text().contains(QStringLiteral("Robot"))) QCOMPARE(label->textFormat(), Qt::PlainText);
+    }
+    QVERIFY2(!dialog->trustButton()->isDefault(), "Return must not trust");
+  }
+
+  void isTrustedOnlyWhenTheUserSaysSo() {
+    Bench bench;
+    openOn(bench, refused(kFirst));
+    CertificateDialog* dialog = look(bench);
+    QVERIFY(dialog);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    QTRY_VERIFY(!bench.window->findChild<CertificateDialog*>());
+    QVERIFY(bench.robot->trusted.isEmpty());
+    QVERIFY(TrustedCertificates(bench.settings).of(kHost).isEmpty());
+
+    dialog = look(bench);
+    QVERIFY(dialog);
+    dialog->trustButton()->click();
+    QCOMPARE(bench.robot->trusted, QStringList{kFirst});
+    QCOMPARE(TrustedCertificates(bench.settings).of(kHost), kFirst);
+    QVERIFY2(TrustedCertificates(bench.settings).of(QStringLiteral("192.0.2.7:8091")).isEmpty(),
+             "for this robot alone");
+  }
+
+  void aChangedOneShowsBothFingerprints() {
+    Bench bench;
+    openOn(bench, refused(kSecond, kFirst));
+    CertificateDialog* const dialog = look(bench);
+    QVERIFY(dialog);
+    const QString shown = textOf(*dialog);
+    QVERIFY(shown.contains(QStringLiteral("has changed")));
+    const QString together = QString(shown).remove(QLatin1Char('\n'));
+    QVERIFY(together.contains(kFirst));
+    QVERIFY(together.contains(kSecond));
+    dialog->trustButton()->click();
+    QCOMPARE(TrustedCertificates(bench.settings).of(kHost), kSecond);
+  }
+
+  void aDecisionIsAboutTheCertificateThatWasShown() {
+    Bench bench;
+    openOn(bench, refused(kFirst));
+    CertificateDialog* const dialog = look(bench);
+    QVERIFY(dialog);
+    bench.robot->setState(refused(kSecond));  // meanwhile
+    dialog->trustButton()->click();
+    QVERIFY(bench.robot->trusted.isEmpty());
+    QVERIFY(TrustedCertificates(bench.settings).of(kHost).isEmpty());
+  }
+
+  void aWithdrawnOneCannotBeTrusted() {
+    Bench bench;
+    robot::ConnectionState state = refused(kFirst);
+    state.certificate->trustable = false;
+    openOn(bench, state);
+    CertificateDialog* const dialog = look(bench);
+    QVERIFY(dialog);
+    QVERIFY(!dialog->trustButton()->isEnabled());
+  }
+
+  void isOfferedAboveAMapThatIsOnScreen() {
+    Bench bench;
+    bench.open();
+    QVERIFY(!bench.window->connectTo(kAddress));
+    bench.load();
+    bench.robot->setState(refused(kSecond, kFirst));
+    auto* notice = bench.window->findChild<window::NoticeBar*>();
+    QVERIFY(notice);
+    QTRY_VERIFY(notice->isVisible());
+    QPushButton* const offer = button(*notice, QStringLiteral("Certificate…"));
+    QVERIFY(offer);
+    offer->click();
+    QVERIFY(bench.window->findChild<CertificateDialog*>());
+  }
+
+  void aForgottenRobotIsNotTrustedAnyMore() {
+    Bench bench;
+    TrustedCertificates trusted(bench.settings);
+    const QString address = QStringLiteral("axbot+https://192.0.2.7:8090");
+    window::RecentRobots recents(bench.settings);
+    recents.add(address, QDateTime::currentDateTime());
+    trusted.trust(kHost, kFirst);
+    trusted.trust(QStringLiteral("192.0.2.8:8090"), kSecond);
+    recents.remove(address);
+    QVERIFY(trusted.of(kHost).isEmpty());
+    QCOMPARE(trusted.of(QStringLiteral("192.0.2.8:8090")), kSecond);
+  }
+};
+
+QTEST_MAIN(WindowCertificatesTest)
+#include "test_window_certificates.moc"

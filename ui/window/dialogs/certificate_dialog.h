@@ -1,0 +1,28 @@
+// Asks whether a certificate that nobody vouches for is the robot's own.
+#pragma once
+
+#include <QDialog>
+
+#include "robot/robot.h"
+
+class QFormLayout;
+class QPushButton;
+
+namespace mapwright::window {
+
+/// Accepted: trust exactly this certificate, for this robot.
+class CertificateDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit CertificateDialog(const robot::UntrustedCertificate& certificate, QWidget* parent = nullptr);
+  const robot::UntrustedCertificate& certificate() const { return certificate_; }
+  QPushButton* trustButton() const { return trust_; }
+
+ private:
+  QWidget* buildFacts();
+
+  robot::UntrustedCertificate certificate_;
+  QPushButton* trust_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,24 @@
+// The certificates that the user decided to trust, one for a robot.
+#pragma once
+
+#include <QString>
+
+class QSettings;
+
+namespace mapwright::window {
+
+/// By "host:port", as SHA-256 ("AB:CD:…"): fingerprints are no secrets.
+class TrustedCertificates {
+ public:
+  /// The settings must outlive this.
+  explicit TrustedCertificates(QSettings& settings);
+  /// Empty: none.
+  QString of(const QString& host) const;
+  void trust(const QString& host, const QString& sha256);
+  void forget(const QString& host);
+
+ private:
+  QSettings& settings_;
+};
+
+}  // namespace mapwright::window
