@@ -66,6 +66,8 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
       "one");
   command->add_flag("--average", words.average,
                     "Zoomed out, whole maps show the average instead of letting the occupied win");
+  command->add_flag("--robot-anyway", words.robot_anyway,
+                    "Draw the robot, and what it sees, also on a map that it is not in");
   command->add_flag("--fit", words.fit, "Show everything (the default without --center)");
   command->add_option("--center", words.center, "World point in the middle: X,Y in metres");
   command->add_option("--scale", words.scale, "Metres per pixel");

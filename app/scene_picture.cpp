@@ -33,8 +33,31 @@ class ScenePicture : public SnapshotPicture {
     scene_.setLayerVisible(scene::Layer::WholeMap, content_.whole);
     scene_.setView(content_.view);
     scene_.setSession(&session_);
+    if (options_.robot_anyway) scene_.setRobotWanted(true);
     connect(&scene_, &scene::MapScene::tilesSettled, this, &ScenePicture::look);
     QTimer::singleShot(0, this, &ScenePicture::look);
+  }
+
+  QStringList notes() const override {
+    QStringList of_robot;
+    for (const scene::Layer layer : scene::allLayers()) {
+      if (scene_.layerVisible(layer) && scene::followsRobot(layer)) of_robot << scene::layerName(layer);
+    }
+    if (of_robot.isEmpty() || !session_.robot().liveTopics()) return {};
+    const scene::RobotPlace& place = scene_.robotPlace();
+    const QString names = of_robot.join(QStringLiteral(", "));
+    if (place.drawn == scene::ScreenPart::None) {
+      return {QStringLiteral("The robot is not in this map. Left out: %1. --robot-anyway draws them.")
+                  .arg(names)};
+    }
+    if (place.by_choice) {
+      return {QStringLiteral("The robot is not in this map. Drawn all the same: %1.").arg(names)};
+    }
+    if (place.where == map::Whereabouts::Unknown && session_.live().robot_pose) {
+      return {QStringLiteral("The robot does not say which map it is in. It may not be this one: %1.")
+                  .arg(names)};
+    }
+    return {};
   }
 
   double made() const override {

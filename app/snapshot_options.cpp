@@ -127,6 +127,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   }
   if (const auto why = whyNoPlace(text(words.robot), words.resolution, words.origin)) return wrong(*why);
   options.average = words.average;
+  options.robot_anyway = words.robot_anyway;
   const auto size = parseSize(text(words.size));
   if (!size) {
     return wrong(

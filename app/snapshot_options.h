@@ -24,7 +24,7 @@ struct SnapshotWords {
   std::optional<double> scale;
   double rotate_deg = 0, timeout_s = 60;
   int slice = 0;
-  bool fit = false, raw = false, json = false, average = false;
+  bool fit = false, raw = false, json = false, average = false, robot_anyway = false;
   AccessWords access;
 };
 
@@ -42,6 +42,7 @@ struct SnapshotOptions {
   double rotation_rad = 0;
   std::set<scene::Layer> layers;  // without Submaps and WholeMap: the mode says which, unless both are named
   bool without_submaps = false;   // layers were named, and the submaps are not among them
+  bool robot_anyway = false;      // draw the robot also on a map that it is not in
   int slice = 0;
   render::ColorMode colors = render::ColorMode::Normal;
   bool dark = false;

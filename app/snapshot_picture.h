@@ -8,6 +8,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include "app/snapshot_options.h"
 #include "geometry/view_transform.h"
@@ -29,6 +30,8 @@ class SnapshotPicture : public QObject {
   Q_OBJECT
  public:
   virtual void start() = 0;
+  /// What is to be said of the picture, known as soon as it is started.
+  virtual QStringList notes() const { return {}; }
   /// The share of the picture that is made, 0..1.
   virtual double made() const = 0;
   /// Writes what is made; the rest stays empty. The error is a sentence.

@@ -167,6 +167,11 @@ bool SnapshotRun::connected() {
   connected_s_ = seconds();
   live_layers_.ask(options_.layers,
                    wantsWhole() && (!options_.map || options_.map->kind == map::MapKind::Live));
+  // A robot is drawn on the maps that it is in: which one that is, its list of maps tells.
+  asks_where_ = !options_.raw && wantsWhole() && options_.map && options_.map->kind != map::MapKind::Live &&
+                session_.robot().liveTopics() &&
+                std::any_of(options_.layers.begin(), options_.layers.end(), scene::followsRobot);
+  if (asks_where_) session_.catalogue().refresh();
   if (options_.settle_s) settle_.start(milliseconds(*options_.settle_s));
   return true;
 }
@@ -226,6 +231,8 @@ bool SnapshotRun::topicsIn() const { return live_layers_.in() || seconds() - con
 
 bool SnapshotRun::everythingIn() const {
   if (wantsSubmaps() && !session_.settled(kTries)) return false;
+  if (asks_where_ && session_.catalogue().loading() && seconds() - connected_s_ < kTopicsWithinS)
+    return false;
   if (!wantsWhole()) return true;
   const bool points_in =
       !options_.layers.contains(scene::Layer::Waypoints) || !session_.wholeMap().waypointsAwaited();
@@ -323,6 +330,7 @@ void SnapshotRun::paint(bool settled) {
   picture_ = options_.raw ? makeRawPicture(content) : makeScenePicture(options_, session_, content);
   connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
   picture_->start();
+  notes_ += picture_->notes();
 }
 
 void SnapshotRun::write() {

@@ -89,6 +89,7 @@ class SnapshotRun : public QObject {
   double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1, noted_s_ = -1, note_took_s_ = 0;
   double made_ = 0;  // the share of the picture that was made
   bool done_ = false, complete_ = false;
+  bool asks_where_ = false;  // whether the robot is in the map that is drawn
   QString error_;
   QStringList notes_;
 };

@@ -72,6 +72,7 @@ struct CellReading {
 /// A whole map as it came: nothing in the picture is checked yet.
 struct WholeMap {
   MapKey key;
+  std::optional<MapKey> state_of;  // it is an earlier state of that map
   std::string name;
   GridReference grid;  // width and height as declared; the picture's own size wins
   CellReading reading;

@@ -1,6 +1,8 @@
 #include "map/live_state.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace mapwright::map {
@@ -12,13 +14,17 @@ void extendTrail(std::deque<Eigen::Vector2d>& trail, const Eigen::Vector2d& poin
   if (trail.size() > LiveState::kTrailPoints) trail.pop_front();
 }
 
-/// An alert that is still active keeps the time when it was first seen.
+/// An alert that is still active keeps the time when it was first seen, also when a number in its text moves.
 std::vector<Alert> withTimes(const std::vector<Alert>& before, std::vector<Alert> now, double at_s) {
+  const auto identity = [](const Alert& alert) {
+    return safetyIdentity({SafetyKind::Alert, Severity::Error, alert.code, alert.text, 0, 1, {}});
+  };
+  std::multimap<std::string, double> known;
+  for (const Alert& alert : before) known.emplace(identity(alert), alert.since_s);
   for (Alert& alert : now) {
-    const auto same = std::find_if(before.begin(), before.end(), [&](const Alert& known) {
-      return known.code == alert.code && known.text == alert.text;
-    });
-    alert.since_s = same == before.end() ? at_s : same->since_s;
+    const auto same = known.find(identity(alert));
+    alert.since_s = same == known.end() ? at_s : same->second;
+    if (same != known.end()) known.erase(same);
   }
   std::stable_sort(now.begin(), now.end(),
                    [](const Alert& a, const Alert& b) { return a.since_s < b.since_s; });
@@ -110,6 +116,10 @@ LiveState inNewFrame(LiveState state, bool map_stays) {
 
 LiveState reduce(LiveState state, const TopicMessage& message, double at_s) {
   std::visit(Reducer{state, at_s}, message);
+  const auto is = [&](auto one) { return std::holds_alternative<decltype(one)>(message); };
+  if (is(AlertsMessage{}) || is(WheelState{}) || is(SlamStatus{})) {
+    state.safety = continuedSafety(std::move(state.safety), state, at_s);
+  }
   return state;
 }
 

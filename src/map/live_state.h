@@ -13,6 +13,7 @@
 
 #include "geometry/pose.h"
 #include "map/live_topics.h"
+#include "map/safety.h"
 
 namespace mapwright::map {
 
@@ -51,6 +52,7 @@ struct LiveState {
   ConstraintsMessage constraints;
   std::optional<GlobalPositioning> global_positioning;
   std::optional<BarcodeMessage> barcode;
+  std::vector<SafetyCondition> safety;  // with times, and what ended a moment ago; read it by safetyOf()
 
   static constexpr double kTrailStepM = 0.05;
   static constexpr std::size_t kTrailPoints = 20'000;

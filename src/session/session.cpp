@@ -23,6 +23,7 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
     : QObject(parent),
       robot_(std::move(robot)),
       monotonic_(std::move(monotonic)),
+      safety_(live_, [] { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }),
       scheduler_(options.scheduler),
       overview_wanted_(options.overview),
       submaps_wanted_(options.basics.submaps),
@@ -56,6 +57,7 @@ Session::Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* 
   connect(robot_.get(), &robot::Robot::identityChanged, this, &Session::identityChanged);
   connect(robot_.get(), &robot::Robot::connectionChanged, this, &Session::noteConnection);
   wireMaps();
+  wireSafety(options.log_safety);
 }
 
 Session::~Session() {
@@ -95,6 +97,22 @@ void Session::retryNow() {
 void Session::clearProblems() {
   problems_.clear();
   Q_EMIT problemsChanged();
+}
+
+void Session::wireSafety(bool log) {
+  connect(this, &Session::liveChanged, &safety_, [this](int what) {
+    using map::topicIndex;
+    if (what == topicIndex<map::AlertsMessage>() || what == topicIndex<map::WheelState>() ||
+        what == topicIndex<map::SlamStatus>())
+      safety_.look();
+  });
+  if (!log) return;
+  connect(&safety_, &SafetyWatch::began, this,
+          [this](const map::SafetyCondition& condition) { report(map::problemOf(condition)); });
+  connect(&safety_, &SafetyWatch::ended, this, [this](const map::SafetyCondition& condition) {
+    problems_.resolve(map::problemOf(condition).subject);
+    if (!problems_timer_.isActive()) problems_timer_.start(kRowsEveryMs);
+  });
 }
 
 void Session::noteConnection() {

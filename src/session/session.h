@@ -24,6 +24,7 @@
 #include "session/layer_grids.h"
 #include "session/map_slot.h"
 #include "session/problem_log.h"
+#include "session/safety_watch.h"
 #include "submap/fetch_scheduler.h"
 #include "submap/submap_book.h"
 
@@ -73,7 +74,8 @@ class Session : public QObject {
     bool overview = true;         // ask for a picture of the whole SLAM map while submaps are still loading
     /// What the robot is asked for without a wish of anybody. Without `submaps` none is listed or fetched.
     robot::LiveTopics::Basics basics = {};
-    bool maps = true;  // the catalogue is asked for and the first whole map opened without being told
+    bool maps = true;         // the catalogue is asked for and the first whole map opened without being told
+    bool log_safety = false;  // what is wrong with the robot itself is a problem, too
   };
   /// Takes the robot over; connect with open(). `monotonic` is the clock of all waits.
   Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent = nullptr,
@@ -97,6 +99,8 @@ class Session : public QObject {
   /// Something went wrong, or is well again, `at` some time (now, where it is not given).
   void report(const map::Problem& problem, const QDateTime& at = {});
   void recover(const map::Recovery& recovery, const QDateTime& at = {});
+  /// What people near the robot must know at once.
+  const SafetyWatch& safety() const { return safety_; }
   /// When live messages stopped (link lost); nullopt while online or never online.
   std::optional<QDateTime> staleSince() const { return stale_since_; }
 
@@ -115,6 +119,7 @@ class Session : public QObject {
 
   // Whole maps (session_maps.cpp).
   Catalogue& catalogue() { return catalogue_; }
+  const Catalogue& catalogue() const { return catalogue_; }
   MapSlot& wholeMap() { return whole_map_; }
   const MapSlot& wholeMap() const { return whole_map_; }
   MapSlot& comparedMap() { return compared_map_; }
@@ -163,6 +168,7 @@ class Session : public QObject {
   void touchRows();
   void countFetch(std::size_t body_bytes, bool from_cache);
   void wireMaps();
+  void wireSafety(bool log);
   void takeGrid(const map::GridMessage& message);
   bool listensTo(const std::string& topic) const;
   void takeFrame();
@@ -177,6 +183,7 @@ class Session : public QObject {
   std::unique_ptr<robot::Robot> robot_;
   std::function<submap::Millis()> monotonic_;
   map::LiveState live_;
+  SafetyWatch safety_;
   submap::SubmapBook book_;
   submap::FetchScheduler scheduler_;
   ProblemLog problems_;

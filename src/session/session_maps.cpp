@@ -119,6 +119,7 @@ void Session::compareWith(std::optional<map::MapKey> key) {
 void Session::keepForComparing() {
   if (!whole_map_.source()) return;
   map::WholeMap kept = *whole_map_.source();
+  kept.state_of = kept.key;
   kept.key.id += kept.key.id.empty() ? "kept" : " (kept)";
   kept.notes.clear();
   compared_map_.show(std::move(kept));

@@ -62,6 +62,36 @@ class SnapshotRunTest : public QObject {
     QVERIFY(report[QLatin1String("warnings")].toArray().isEmpty());
   }
 
+  void theRobotIsLeftOutOfAMapThatItIsNotIn() {
+    const auto other = [&](const char* layers, const QString& name, bool anyway = false) {
+      app::SnapshotWords words;
+      words.robot = "demo:";
+      words.output = folder_.filePath(name).toStdString();
+      words.size = "320x240";
+      words.mode = "whole";
+      words.map = "2";
+      words.layers = layers;
+      words.robot_anyway = anyway;
+      return *app::parseSnapshotOptions(words);
+    };
+    const auto warnings = [](const QJsonObject& report) {
+      QStringList all;
+      for (const QJsonValue& each : report[QLatin1String("warnings")].toArray()) all << each.toString();
+      return all.join(QLatin1Char('\n'));
+    };
+    QJsonObject report;
+    QCOMPARE(take(other("grid,robot,trail,footprint", QStringLiteral("with.png")), frozen(), &report),
+             int(app::kDone));
+    QVERIFY2(warnings(report).contains(QLatin1String("Left out: trail, footprint, robot.")),
+             qPrintable(warnings(report)));
+    QCOMPARE(take(other("grid", QStringLiteral("without.png")), frozen(), &report), int(app::kDone));
+    QVERIFY2(warnings(report).isEmpty(), qPrintable(warnings(report)));
+    QCOMPARE(bytesOf(QStringLiteral("with.png")), bytesOf(QStringLiteral("without.png")));
+    QCOMPARE(take(other("grid,robot", QStringLiteral("anyway.png"), true), frozen(), &report),
+             int(app::kDone));
+    QVERIFY(warnings(report).contains(QLatin1String("Drawn all the same: robot.")));
+  }
+
   void theRawPictureHoldsIntensityAndObservation() {
     SnapshotOptions options = small(QStringLiteral("raw.png"));
     options.raw = true;

@@ -135,25 +135,23 @@ void BoxesLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   }
 }
 
-LandmarksLayer::LandmarksLayer(const LayerContext& context, const std::vector<map::Landmark>& of_map)
-    : LayerItem(context), of_map_(of_map) {}
+LandmarksLayer::LandmarksLayer(const LayerContext& context, Source landmarks)
+    : LayerItem(context), landmarks_(std::move(landmarks)) {}
 
 void LandmarksLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const QColor color = colorOr(context_.theme.constraint);
   painter->setRenderHint(QPainter::Antialiasing);
-  for (const auto* landmarks : {&of_map_, &context_.live->landmarks}) {
-    for (const map::Landmark& landmark : *landmarks) {
-      const QPointF at = toPoint(context_.view.pixelFromWorld(landmark.position_m));
-      if (!inView(context_.view, QRectF(at, QSizeF(1, 1)))) continue;
-      QPolygonF diamond{at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)};
-      painter->setPen(QPen(context_.theme.text_halo, 1.5));
-      // One that is not in use is hollow.
-      painter->setBrush(landmark.in_use.value_or(true) ? QBrush(color) : QBrush(Qt::NoBrush));
-      if (!landmark.in_use.value_or(true)) painter->setPen(QPen(color, 2));
-      painter->drawPolygon(diamond);
-      if (context_.view.scale_m_per_px <= kNameFromMPerPx) {
-        drawName(*painter, context_, diamond.boundingRect(), shortName(landmark.id), context_.theme.text);
-      }
+  for (const map::Landmark& landmark : landmarks_()) {
+    const QPointF at = toPoint(context_.view.pixelFromWorld(landmark.position_m));
+    if (!inView(context_.view, QRectF(at, QSizeF(1, 1)))) continue;
+    QPolygonF diamond{at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)};
+    painter->setPen(QPen(context_.theme.text_halo, 1.5));
+    // One that is not in use is hollow.
+    painter->setBrush(landmark.in_use.value_or(true) ? QBrush(color) : QBrush(Qt::NoBrush));
+    if (!landmark.in_use.value_or(true)) painter->setPen(QPen(color, 2));
+    painter->drawPolygon(diamond);
+    if (context_.view.scale_m_per_px <= kNameFromMPerPx) {
+      drawName(*painter, context_, diamond.boundingRect(), shortName(landmark.id), context_.theme.text);
     }
   }
 }

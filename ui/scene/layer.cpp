@@ -68,6 +68,19 @@ QStringList layerTopics(Layer layer) {
   return QString::fromLatin1(rowOf(layer).topics).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
+bool followsRobot(Layer layer) {
+  switch (layer) {
+    case Layer::WholeMap:
+    case Layer::Grid:
+    case Layer::Overlays:
+    case Layer::Waypoints:
+    case Layer::ScaleBar:
+      return false;
+    default:
+      return true;
+  }
+}
+
 bool orderFixed(Layer layer) { return layer == Layer::ScaleBar; }
 
 LayerTraits layerTraits(Layer layer) {

@@ -50,6 +50,9 @@ std::vector<Layer> allLayers();
 bool shownByDefault(Layer layer);
 /// The topics that a robot has to send for it; empty when it needs none beside those that are always on.
 QStringList layerTopics(Layer layer);
+/// True when it shows what the robot is, sees or plans: it means nothing on a map that the robot is not in.
+/// (The open map's own landmarks and trajectories stay.)
+bool followsRobot(Layer layer);
 /// True when its place in the order is fixed (the scale bar is always on top).
 bool orderFixed(Layer layer);
 

@@ -95,6 +95,12 @@ QRectF LayerItem::boundingRect() const {
   return {0, 0, qreal(context_.view.width_px), qreal(context_.view.height_px)};
 }
 
+QPainterPath LayerItem::shape() const {
+  QPainterPath path;
+  path.addRect(part_ ? *part_ & boundingRect() : boundingRect());
+  return path;
+}
+
 void LayerItem::setStyle(const LayerStyle& style) {
   if (style == style_) return;
   style_ = style;
@@ -103,7 +109,9 @@ void LayerItem::setStyle(const LayerStyle& style) {
 
 void LayerItem::setPart(std::optional<QRectF> part) {
   if (part == part_) return;
+  prepareGeometryChange();
   part_ = part;
+  setFlag(ItemClipsToShape, part_.has_value());
   update();
 }
 

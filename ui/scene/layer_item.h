@@ -46,18 +46,19 @@ class LayerItem : public QGraphicsItem {
  public:
   explicit LayerItem(const LayerContext& context);
   QRectF boundingRect() const override;
+  QPainterPath shape() const override;  // what it draws in, for clipping to a part
   void viewportResized() { prepareGeometryChange(); }
 
   const LayerStyle& style() const { return style_; }
   void setStyle(const LayerStyle& style);
   /// Draws only inside this part of the viewport; nullopt = everywhere.
   void setPart(std::optional<QRectF> part);
+  const std::optional<QRectF>& part() const { return part_; }
 
  protected:
   /// The style's colour, or `otherwise`; the same for the size.
   QColor colorOr(const QColor& otherwise) const { return style_.color.isValid() ? style_.color : otherwise; }
   double sizeOr(double otherwise) const { return style_.size > 0 ? style_.size : otherwise; }
-  const std::optional<QRectF>& part() const { return part_; }
 
   const LayerContext& context_;
 

@@ -114,14 +114,15 @@ class BoxesLayer : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
 
-/// Landmarks of the robot and of the open mapping.
+/// Landmarks that the robot sees, or those of an open mapping.
 class LandmarksLayer : public LayerItem {
  public:
-  LandmarksLayer(const LayerContext& context, const std::vector<map::Landmark>& of_map);
+  using Source = std::function<const std::vector<map::Landmark>&()>;
+  LandmarksLayer(const LayerContext& context, Source landmarks);
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  const std::vector<map::Landmark>& of_map_;
+  Source landmarks_;
 };
 
 /// Walls, regions and places, read only.

@@ -53,7 +53,12 @@ MapScene::~MapScene() {
 
 void MapScene::setSession(session::Session* session) {
   if (session == session_) return;
-  if (session_) session_->disconnect(this);
+  if (session_) {
+    session_->disconnect(this);
+    session_->catalogue().disconnect(this);
+    for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()})
+      slot->disconnect(this);
+  }
   session_ = session;
   impl_->highlighted.clear();
   impl_->context.live = session_ ? &session_->live() : &impl_->nothing_live;
@@ -81,17 +86,16 @@ void MapScene::setSession(session::Session* session) {
     for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
       connect(slot, &session::MapSlot::changed, this, [this] {
         impl_->has_compared = session_ && session_->comparedMap().cells() != nullptr;
-        impl_->applyVisibility();
-        syncFeatures();
+        syncPlace();
         noteSettled();
       });
     }
+    connect(&session_->catalogue(), &session::Catalogue::changed, this, &MapScene::syncPlace);
+    connect(session_, &Session::listChanged, this, &MapScene::syncPlace);
     session_->setView(view_.visibleWorld(), view_.center_m);
     sendWants();
   }
-  impl_->applyVisibility();
-  syncFeatures();
-  syncColors();
+  syncPlace();
   syncAll();
 }
 
@@ -187,7 +191,9 @@ void MapScene::syncColors() {
 void MapScene::takeLive(int what) {
   using map::topicIndex;
   Impl& impl = *impl_;
-  const auto touch = [&](Layer layer) { impl.items.at(layer)->update(); };
+  const auto touch = [&](Layer layer) {
+    for (LayerItem* item : impl.itemsOf(layer)) item->update();
+  };
   if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::RobotModel>()) {
     const std::array<LayerItem*, 3> moved{impl.robot, impl.items.at(Layer::Footprint),
                                           impl.items.at(Layer::ExpandedFootprint)};
@@ -201,7 +207,9 @@ void MapScene::takeLive(int what) {
   } else if (what == topicIndex<map::PointCloudMessage>()) {
     if (impl.cloud->isVisible()) impl.cloud->pointsArrived();
   } else if (what == topicIndex<map::MapInfo>()) {
-    syncFeatures();
+    syncPlace();
+  } else if (what == topicIndex<map::SlamStatus>()) {
+    if (impl.placeRobot(session_)) showPlaced();
   } else {
     static const std::map<int, Layer> kLayerOf{
         {topicIndex<map::PathMessage>(), Layer::Path},
@@ -231,7 +239,7 @@ void MapScene::takeFrame() {
 void MapScene::syncFeatures() {
   impl_->takeFeatures(session_);
   for (const Layer layer : {Layer::Overlays, Layer::Waypoints, Layer::Landmarks, Layer::Trajectory}) {
-    impl_->items.at(layer)->update();
+    for (LayerItem* item : impl_->itemsOf(layer)) item->update();
   }
 }
 
@@ -287,6 +295,7 @@ bool MapScene::highlightedAt(const Eigen::Vector2d& world_m) const {
 }
 
 std::optional<map::SubmapId> MapScene::submapAt(const Eigen::Vector2d& world_m) const {
+  if (impl_->place.drawn == ScreenPart::None) return std::nullopt;
   for (auto it = impl_->outlines.rbegin(); it != impl_->outlines.rend(); ++it) {
     if (it->second.visible && it->second.contains(world_m)) return it->first;
   }

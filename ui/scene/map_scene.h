@@ -16,6 +16,7 @@
 #include "render/tile_renderer.h"
 #include "scene/layer.h"
 #include "scene/map_theme.h"
+#include "scene/robot_place.h"
 #include "session/session.h"
 
 namespace mapwright::scene {
@@ -85,6 +86,11 @@ class MapScene : public QGraphicsScene {
   /// Bounds of all maps that are shown; empty when there is none.
   geometry::WorldRect contentBounds() const;
 
+  /// The robot, and all that belongs to it, is drawn only in the maps that it is in.
+  const RobotPlace& robotPlace() const;
+  /// Draws it all the same, or not, as long as this map is on screen; nullopt = as is known.
+  void setRobotWanted(std::optional<bool> wanted);
+
   /// "Drawn as of" greying while the link is lost.
   void setStale(bool stale);
 
@@ -92,6 +98,7 @@ class MapScene : public QGraphicsScene {
   void viewChanged();
   void layersChanged();
   void tilesSettled();
+  void robotPlaceChanged();
   void contentChanged();  // another whole map, or its end
 
  protected:
@@ -103,6 +110,8 @@ class MapScene : public QGraphicsScene {
   void takeFrame();
   void syncColors();
   void syncFeatures();
+  void syncPlace();
+  void showPlaced();
   void sendWants();
   void applyReduction();
   void noteSettled();

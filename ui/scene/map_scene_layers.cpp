@@ -9,9 +9,7 @@ bool MapScene::layerVisible(Layer layer) const { return impl_->shown.at(layer); 
 
 void MapScene::setLayerVisible(Layer layer, bool visible) {
   impl_->shown[layer] = visible;
-  impl_->applyVisibility();
-  syncColors();
-  syncFeatures();
+  syncPlace();
   sendWants();
   Q_EMIT layersChanged();
 }
@@ -19,7 +17,7 @@ void MapScene::setLayerVisible(Layer layer, bool visible) {
 double MapScene::layerOpacity(Layer layer) const { return impl_->items.at(layer)->opacity(); }
 
 void MapScene::setLayerOpacity(Layer layer, double opacity) {
-  impl_->items.at(layer)->setOpacity(std::clamp(opacity, 0.0, 1.0));
+  for (LayerItem* item : impl_->itemsOf(layer)) item->setOpacity(std::clamp(opacity, 0.0, 1.0));
   impl_->applyVisibility();
   Q_EMIT layersChanged();
 }
@@ -27,7 +25,7 @@ void MapScene::setLayerOpacity(Layer layer, double opacity) {
 const LayerStyle& MapScene::layerStyle(Layer layer) const { return impl_->items.at(layer)->style(); }
 
 void MapScene::setLayerStyle(Layer layer, const LayerStyle& style) {
-  impl_->items.at(layer)->setStyle(style);
+  for (LayerItem* item : impl_->itemsOf(layer)) item->setStyle(style);
   if (layer == Layer::WholeMap) applyReduction();
   Q_EMIT layersChanged();
 }
@@ -67,12 +65,35 @@ CompareMode MapScene::compareMode() const { return impl_->compare; }
 void MapScene::setCompareMode(CompareMode mode) {
   if (mode == impl_->compare) return;
   impl_->compare = mode;
-  impl_->applyVisibility();
-  syncColors();
-  syncFeatures();
+  syncPlace();
   sendWants();
   update();
   Q_EMIT layersChanged();
+}
+
+const RobotPlace& MapScene::robotPlace() const { return impl_->place; }
+
+void MapScene::setRobotWanted(std::optional<bool> wanted) {
+  impl_->robot_wanted = wanted;
+  syncPlace();
+}
+
+void MapScene::syncPlace() {
+  if (impl_->placeRobot(session_)) {
+    showPlaced();
+    return;
+  }
+  impl_->applyVisibility();
+  syncColors();
+  syncFeatures();
+}
+
+void MapScene::showPlaced() {
+  impl_->applyVisibility();
+  syncColors();
+  syncFeatures();
+  update();
+  Q_EMIT robotPlaceChanged();
 }
 
 double MapScene::swipeAt() const { return impl_->swipe_at; }

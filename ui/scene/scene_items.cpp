@@ -25,7 +25,8 @@ Item* SceneItems::add(QGraphicsScene& scene, Item* item) {
 }
 template <typename Item>
 Item* SceneItems::add(QGraphicsScene& scene, Layer layer, Item* item) {
-  items[layer] = item;
+  items.emplace(layer, item);
+  by_layer[layer].push_back(item);
   return add(scene, item);
 }
 
@@ -43,20 +44,17 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
   add(scene, Layer::Outlines, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Outlines));
   add(scene, Layer::Ids, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Ids));
   highlight = add(scene, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Highlight));
-  add(scene, Layer::Overlays, new OverlaysLayer(context, overlays));
-  add(scene, Layer::Waypoints, new WaypointsLayer(context, waypoints));
-  add(scene, Layer::Landmarks, new LandmarksLayer(context, landmarks));
+  for (MapFeatures* features : {&of_whole, &of_compared, &of_robot}) addFeatures(scene, *features);
+  of_robot.items.push_back(add(scene, Layer::Landmarks,
+                               new LandmarksLayer(
+                                   context, [this]() -> const auto& { return context.live->landmarks; })));
+  of_robot.items.push_back(add(
+      scene, Layer::Trajectory,
+      new LinesLayer(
+          context, [this](const auto& each) { each(context.live->trajectory); }, &MapTheme::trajectory, 2)));
   add(scene, Layer::Doors, new DoorsLayer(context));
   add(scene, Layer::Boxes, new BoxesLayer(context));
   add(scene, Layer::Constraints, new ConstraintsLayer(context));
-  add(scene, Layer::Trajectory,
-      new LinesLayer(
-          context,
-          [this](const auto& each) {
-            each(context.live->trajectory);
-            for (const auto& line : trajectories) each(line);
-          },
-          &MapTheme::trajectory, 2));
   add(scene, Layer::Path,
       new LinesLayer(
           context, [this](const auto& each) { each(context.live->path); }, &MapTheme::path, 3));
@@ -72,6 +70,12 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
   measure = add(scene, new MeasureLayer(context, measured));
   swipe = add(scene, new SwipeLayer(context));
   add(scene, Layer::ScaleBar, new ScaleBarLayer(context));
+  for (const Layer layer : allLayers()) {
+    // Submaps stand on their own side of a swipe; landmarks and trajectories may be an opened map's.
+    const bool apart = layer == Layer::Submaps || layer == Layer::Landmarks || layer == Layer::Trajectory;
+    if (followsRobot(layer) && !apart) robots_own.push_back(items.at(layer));
+  }
+  robots_own.insert(robots_own.end(), of_robot.items.begin(), of_robot.items.end());
   for (const Layer layer : allLayers()) shown[layer] = shownByDefault(layer);
   stale->setVisible(false);
   stack();
@@ -80,7 +84,10 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
 
 void SceneItems::stack() {
   int z = 10;
-  for (const Layer layer : order) items.at(layer)->setZValue(z += 10);
+  for (const Layer layer : order) {
+    z += 10;
+    for (LayerItem* item : itemsOf(layer)) item->setZValue(z);
+  }
   raster.overview()->setZValue(items.at(Layer::Submaps)->zValue() - 1);
   raster.compared()->setZValue(
       std::max(items.at(Layer::Submaps)->zValue(), items.at(Layer::WholeMap)->zValue()) + 1);
@@ -92,11 +99,40 @@ void SceneItems::stack() {
   }
 }
 
+void SceneItems::addFeatures(QGraphicsScene& scene, MapFeatures& features) {
+  features.items = {add(scene, Layer::Overlays, new OverlaysLayer(context, features.overlays)),
+                    add(scene, Layer::Waypoints, new WaypointsLayer(context, features.waypoints)),
+                    add(scene, Layer::Landmarks,
+                        new LandmarksLayer(
+                            context, [&features]() -> const auto& { return features.landmarks; })),
+                    add(scene, Layer::Trajectory,
+                        new LinesLayer(
+                            context,
+                            [&features](const auto& each) {
+                              for (const auto& line : features.trajectories) each(line);
+                            },
+                            &MapTheme::trajectory, 2))};
+}
+
+MapsOnScreen SceneItems::onScreen() const {
+  return {shown.at(Layer::WholeMap) || compare != CompareMode::Off,
+          has_compared && compare != CompareMode::Off, compare};
+}
+
+std::optional<QRectF> SceneItems::rectOf(ScreenPart part) const {
+  const double x = std::round(swipe_at * context.view.width_px);
+  if (part == ScreenPart::Left) return QRectF(0, 0, x, context.view.height_px);
+  if (part == ScreenPart::Right) return QRectF(x, 0, context.view.width_px - x, context.view.height_px);
+  return std::nullopt;
+}
+
 void SceneItems::applyVisibility() {
   const bool second = has_compared;
   const bool swiping = compare == CompareMode::Swipe;
   const bool difference = compare == CompareMode::Difference && second;
-  for (const auto& [layer, item] : items) item->setVisible(shown.at(layer));
+  for (const auto& [layer, of_layer] : by_layer) {
+    for (LayerItem* item : of_layer) item->setVisible(shown.at(layer));
+  }
   if (swiping) items.at(Layer::WholeMap)->setVisible(true);
   if (swiping && !second) items.at(Layer::Submaps)->setVisible(true);
   if (difference) {
@@ -105,39 +141,71 @@ void SceneItems::applyVisibility() {
   }
   raster.compared()->setVisible(swiping && second);
   raster.difference()->setVisible(difference);
-  raster.overview()->setVisible(items.at(Layer::Submaps)->isVisible());
-  raster.overview()->setOpacity(items.at(Layer::Submaps)->opacity());
+  const auto part = [&](ScreenPart which) { return swiping ? rectOf(which) : std::nullopt; };
+  tiles->setPart(part(ScreenPart::Left));
+  items.at(Layer::WholeMap)->setPart(part(second ? ScreenPart::Left : ScreenPart::Right));
+  raster.compared()->setPart(part(ScreenPart::Right));
+  for (LayerItem* item : of_whole.items) item->setPart(part(second ? ScreenPart::Left : ScreenPart::Right));
+  for (LayerItem* item : of_compared.items) {
+    item->setPart(part(ScreenPart::Right));
+    item->setVisible(item->isVisible() && second && swiping);
+  }
+  // What belongs to the robot goes where the robot does.
+  for (LayerItem* item : robots_own) item->setPart(rectOf(place.drawn));
+  if (place.drawn == ScreenPart::None) {
+    for (LayerItem* item : robots_own) item->setVisible(false);
+    items.at(Layer::Submaps)->setVisible(false);
+  }
+  raster.overview()->setPart(tiles->part());
+  raster.overview()->setVisible(tiles->isVisible());
+  raster.overview()->setOpacity(tiles->opacity());
+  highlight->setVisible(place.drawn != ScreenPart::None);
   swipe->setVisible(swiping);
   swipe->setAt(swipe_at);
-  const double x = std::round(swipe_at * context.view.width_px);
-  const QRectF left(0, 0, x, context.view.height_px);
-  const QRectF right(x, 0, context.view.width_px - x, context.view.height_px);
-  const auto part = [&](const QRectF& rect) { return swiping ? std::optional(rect) : std::nullopt; };
-  tiles->setPart(part(left));
-  raster.overview()->setPart(part(left));
-  items.at(Layer::WholeMap)->setPart(part(second ? left : right));
-  raster.compared()->setPart(part(right));
   raster.syncActive();
 }
 
-void SceneItems::takeFeatures(const session::Session* session) {
-  overlays.clear();
-  trajectories.clear();
-  landmarks.clear();
-  waypoints = {};
-  if (!session) return;
-  const session::MapSlot& whole = session->wholeMap();
-  const bool opened = whole.cells() && whole.shown().key.kind != map::MapKind::Live;
-  if (opened && items.at(Layer::WholeMap)->isVisible()) {
-    overlays = whole.shown().overlays;
-    trajectories = whole.shown().trajectories;
-    for (const auto& landmark : whole.shown().landmarks) {
-      landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
-    }
-    waypoints = whole.waypoints();
-  } else if (context.live->map_info) {
-    overlays = context.live->map_info->overlays;
+bool SceneItems::placeRobot(const session::Session* session) {
+  const RobotPlace before = place;
+  place = {};
+  if (!session) {
+    robot_wanted.reset();
+  } else {
+    // A choice is about one map.
+    const session::MapSlot& whole = session->wholeMap();
+    const std::optional<map::MapKey> shown_key =
+        whole.cells() ? std::optional(whole.shown().key) : std::nullopt;
+    if (wanted_on != shown_key) robot_wanted.reset();
+    wanted_on = shown_key;
+    place = robotPlace(*session, onScreen(), robot_wanted);
   }
+  return !(place == before);
+}
+
+void SceneItems::takeFeatures(const session::Session* session) {
+  for (MapFeatures* features : {&of_whole, &of_compared, &of_robot}) {
+    features->overlays.clear();
+    features->trajectories.clear();
+    features->landmarks.clear();
+    features->waypoints = {};
+  }
+  if (!session) return;
+  const MapsOnScreen on_screen = onScreen();
+  const auto take = [](const session::MapSlot& slot, MapFeatures& features) {
+    if (!slot.cells() || slot.shown().key.kind == map::MapKind::Live) return false;
+    features.overlays = slot.shown().overlays;
+    features.trajectories = slot.shown().trajectories;
+    for (const auto& landmark : slot.shown().landmarks)
+      features.landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
+    features.waypoints = slot.waypoints();
+    return true;
+  };
+  const bool opened = on_screen.whole && take(session->wholeMap(), of_whole);
+  if (on_screen.compared) take(session->comparedMap(), of_compared);
+  // Beside an opened map the robot's own overlays have a place only on the half of the submaps.
+  const bool beside = compare == CompareMode::Swipe && !on_screen.compared && place.drawn == ScreenPart::Left;
+  if (place.overlays_fit && context.live->map_info && (!opened || beside))
+    of_robot.overlays = context.live->map_info->overlays;
 }
 
 }  // namespace mapwright::scene

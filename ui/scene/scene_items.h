@@ -10,10 +10,20 @@
 #include "scene/live_layers.h"
 #include "scene/map_layers.h"
 #include "scene/raster_stack.h"
+#include "scene/robot_place.h"
 
 class QGraphicsScene;
 
 namespace mapwright::scene {
+
+/// What lies on a map because of that map, with the items that draw it.
+struct MapFeatures {
+  std::vector<map::OverlayFeature> overlays;
+  std::vector<std::vector<Eigen::Vector2d>> trajectories;
+  std::vector<map::Landmark> landmarks;
+  map::WaypointList waypoints;
+  std::vector<LayerItem*> items;
+};
 
 class SceneItems {
  public:
@@ -25,8 +35,12 @@ class SceneItems {
   void stack();
   /// What the user wants to see (`shown`), changed by what a comparison needs.
   void applyVisibility();
-  /// What lies on the map by the map that is shown, not by what the robot sends.
+  /// What lies on the maps that are shown, by what is known of them and by what the robot sends.
   void takeFeatures(const session::Session* session);
+  /// Finds out where the robot belongs; true when that has changed.
+  bool placeRobot(const session::Session* session);
+  /// All items of a layer: some layers show things of several maps.
+  const std::vector<LayerItem*>& itemsOf(Layer layer) const { return by_layer.at(layer); }
 
   LayerContext context;
   LabelSpace labels;
@@ -34,10 +48,10 @@ class SceneItems {
   Outlines outlines;
   std::set<map::SubmapId> highlighted;
   std::vector<Eigen::Vector2d> measured;
-  std::vector<map::OverlayFeature> overlays;
-  std::vector<std::vector<Eigen::Vector2d>> trajectories;
-  std::vector<map::Landmark> landmarks;
-  map::WaypointList waypoints;
+  MapFeatures of_whole, of_compared, of_robot;
+  RobotPlace place;
+  std::optional<bool> robot_wanted;  // the user's choice for the map on screen
+  std::optional<map::MapKey> wanted_on;
   QRectF robot_rect;
   std::size_t trail_length = 0;
   std::map<Layer, bool> shown;
@@ -46,8 +60,10 @@ class SceneItems {
   bool has_compared = false;
   double swipe_at = 0.5;
   RasterStack raster;
-  std::map<Layer, LayerItem*> items;
+  std::map<Layer, LayerItem*> items;  // the first of each layer
+  std::map<Layer, std::vector<LayerItem*>> by_layer;
   std::vector<LayerItem*> all;
+  std::vector<LayerItem*> robots_own;  // all that mean something only where the robot is; not the submaps
   TileLayer* tiles = nullptr;
   OutlineLayer* highlight = nullptr;
   CloudLayer* cloud = nullptr;
@@ -61,6 +77,9 @@ class SceneItems {
   Item* add(QGraphicsScene& scene, Item* item);
   template <typename Item>
   Item* add(QGraphicsScene& scene, Layer layer, Item* item);
+  void addFeatures(QGraphicsScene& scene, MapFeatures& features);
+  MapsOnScreen onScreen() const;
+  std::optional<QRectF> rectOf(ScreenPart part) const;
 };
 
 }  // namespace mapwright::scene

@@ -101,6 +101,7 @@ MainWindow::MainWindow(Dependencies dependencies, QWidget* parent)
     }
   });
   connect(overlay_->notice(), &NoticeBar::closed, this, &MainWindow::dismissNotice);
+  wireSafety();
 
   restoreSettings();
   refreshState();
@@ -126,7 +127,9 @@ std::optional<QString> MainWindow::connectTo(const QString& address, const QByte
   if (!robot) return robot.error();
   if (!*robot) return QStringLiteral("This address gives no robot.");
   leaveRobot();
-  session_ = std::make_unique<session::Session>(std::move(*robot), dependencies_.session);
+  session::Session::Options options = dependencies_.session;
+  options.log_safety = true;
+  session_ = std::make_unique<session::Session>(std::move(*robot), options);
   address_ = session_->robot().address();
   may_fit_ = true;
   fitted_poses_ = false;
@@ -184,6 +187,10 @@ void MainWindow::wireSession() {
   });
   connect(session, &session::Session::sessionRestarted, this, &MainWindow::noteRestart);
   connect(session, &session::Session::problemsChanged, this, &MainWindow::noteProblems);
+  connect(session, &session::Session::liveChanged, this, [this](int what) {
+    if (what == map::topicIndex<map::MapInfo>()) refreshState();
+  });
+  connect(&session->safety(), &session::SafetyWatch::changed, this, &MainWindow::refreshSafety);
   wireMapsOf(session);
   scene_->setSession(session);
   inspector_->setSession(session);
@@ -249,8 +256,12 @@ void MainWindow::refreshState() {
                      scene_->layerVisible(scene::Layer::WholeMap)};
   if (comparison_->active()) in_view.whole = true;
   overlay_->card()->setState(emptyState(session_.get(), in_view));
+  const bool submaps_left_out = scene_->robotPlace().drawn == scene::ScreenPart::None;
+  bar_->setInView(in_view.submaps && !submaps_left_out, in_view.whole);
   scene_->setStale(session_ && session_->staleSince().has_value());
   refreshChip();
+  refreshSafety();
+  refreshPlace();
   refreshNotice();
 }
 
@@ -273,7 +284,7 @@ void MainWindow::refreshChip() {
   const StateText state = connectionText(connection);
   detail << state.text;
   chip_->setRobot(name, state.mark, connectionWord(connection.phase), detail.join(QLatin1Char('\n')));
-  setWindowTitle(QStringLiteral("%1 – mapwright").arg(name.left(80)));
+  setWindowTitle(titleOf(name));
 }
 
 void MainWindow::refreshNotice() {
@@ -331,9 +342,16 @@ void MainWindow::noteRestart() {
 void MainWindow::noteProblems() {
   // Once, so that nobody overlooks the first error; after that the count in the status bar is enough.
   if (problems_shown_once_) return;
+  // What is wrong with the robot itself has its notice.
+  const auto ofRobot = [&](const session::LoggedProblem& row) {
+    const auto& safety = session_->safety().conditions();
+    return std::any_of(safety.begin(), safety.end(), [&](const map::SafetyCondition& condition) {
+      return map::problemOf(condition).subject == row.problem.subject;
+    });
+  };
   const auto& rows = session_->problems().rows();
-  if (std::none_of(rows.begin(), rows.end(), [](const session::LoggedProblem& row) {
-        return !row.resolved && row.problem.severity == map::Severity::Error;
+  if (std::none_of(rows.begin(), rows.end(), [&](const session::LoggedProblem& row) {
+        return !row.resolved && row.problem.severity == map::Severity::Error && !ofRobot(row);
       })) {
     return;
   }

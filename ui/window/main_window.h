@@ -169,6 +169,12 @@ class MainWindow : public QMainWindow {
                     const std::function<void(const QString& address)>& then);
   void goToAddress(const QString& address);
   void exportMap();
+  // main_window_safety.cpp
+  void wireSafety();
+  void refreshSafety();
+  void refreshPlace();
+  void changeRobotPlace();
+  QString titleOf(const QString& robot) const;
   // main_window.cpp
   void retry();
   void dismissNotice();

@@ -96,6 +96,12 @@ void MainWindow::createMapActions() {
                         QStringLiteral("Keep the robot in the middle; panning ends it")),
      [this](bool follow) {
        view_->setFollowing(follow);
+       if (follow && scene_->robotPlace().drawn == scene::ScreenPart::None) {
+         overlay_->toasts()->add(
+             Mark::Warning,
+             tr("The robot is not in this map. It is followed again in the map that it is in."));
+         return;
+       }
        if (follow && session_ && !session_->live().robot_pose) {
          overlay_->toasts()->add(
              Mark::Neutral,

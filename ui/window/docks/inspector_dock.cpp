@@ -133,6 +133,7 @@ void InspectorDock::setSession(session::Session* session) {
   if (session) {
     connect(session, &session::Session::listChanged, this, &InspectorDock::refresh);
     connect(session, &session::Session::rowsChanged, this, &InspectorDock::refresh);
+    connect(session, &session::Session::connectionChanged, this, [this] { summary_->refresh(session_); });
     connect(session, &session::Session::sessionRestarted, this, [this] {
       known_.clear();
       clearSelection();  // what has the same id now is another submap

@@ -1,6 +1,7 @@
 #include "window/docks/inspector_summary.h"
 
 #include <QGridLayout>
+#include <QLocale>
 #include <QToolButton>
 
 #include "window/look/icons.h"
@@ -75,11 +76,19 @@ void InspectorSummary::refresh(const session::Session* session) {
   const QString none = QStringLiteral("–");
   copy_->setEnabled(session && !session->book().uuid().empty());
   if (!session) {
+    state_->setEnabled(true);
     for (PlainLabel* label : {state_, uuid_, submaps_, cache_, fetches_, transferred_}) label->setText(none);
     return;
   }
   const session::SubmapCounts counts = session->counts();
   state_->setText(slamStateText(*session));
+  // What the robot said last is not what it says now.
+  const auto stale = session->staleSince();
+  if (stale) {
+    state_->setText(
+        tr("%1 (as of %2)").arg(state_->text(), QLocale::c().toString(*stale, QStringLiteral("HH:mm:ss"))));
+  }
+  state_->setEnabled(!stale);
   const QString uuid = QString::fromStdString(session->book().uuid());
   uuid_->setText(uuid.isEmpty() ? none : uuid);
   QString submaps =

@@ -11,9 +11,9 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr qsizetype kLongestValue = 200;
+constexpr int kLongestValue = 200;
 
-QString plain(const std::string& text) { return words::plainName(text).left(kLongestValue); }
+QString plain(const std::string& text) { return plainWords(text, kLongestValue); }
 
 QString number(double value, int decimals, const char* unit) {
   if (!std::isfinite(value)) return QStringLiteral("?");

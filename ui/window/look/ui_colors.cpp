@@ -61,6 +61,13 @@ UiColors uiColors(const QPalette& palette) {
 
 UiColors appColors() { return uiColors(QGuiApplication::palette()); }
 
+UiColors greyed(UiColors colors) {
+  for (QColor* color : {&colors.error, &colors.warning, &colors.ok, &colors.accent}) *color = colors.neutral;
+  for (QColor* color : {&colors.error_text, &colors.warning_text, &colors.ok_text, &colors.accent_text})
+    *color = colors.secondary_text;
+  return colors;
+}
+
 QPalette themePalette(const UiColors& c) {
   QPalette p;
   const auto all = [&p](QPalette::ColorRole role, const QColor& color) { p.setColor(role, color); };

@@ -31,6 +31,9 @@ QPalette themePalette(const UiColors& colors);
 /// The same with a soft selection: in lists, marks and words keep their own colours on a selected row.
 QPalette listPalette(const QPalette& theme, const UiColors& colors);
 
+/// The same for what is no longer live: shapes and words keep their forms, not their colours.
+UiColors greyed(UiColors colors);
+
 /// Contrast ratio of WCAG 2, 1..21.
 double contrastRatio(const QColor& a, const QColor& b);
 

@@ -1,6 +1,7 @@
 #include "window/map/map_overlay.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -25,7 +26,9 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
       view_(view),
       furniture_(furniture),
       card_(new EmptyStateCard(view)),
+      safety_notice_(new NoticeBar(view)),
       notice_(new NoticeBar(view)),
+      place_notice_(new NoticeBar(view)),
       compare_bar_(new CompareBar(view)),
       toasts_(new ToastStack(view)),
       hint_frame_(new QFrame(view)),
@@ -39,8 +42,8 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
   hint_frame_->hide();
   // The map goes on working under the hint.
   hint_frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  for (QWidget* widget : {static_cast<QWidget*>(view_), static_cast<QWidget*>(card_),
-                          static_cast<QWidget*>(notice_), static_cast<QWidget*>(compare_bar_)}) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{view_, card_, safety_notice_, notice_, place_notice_, compare_bar_}) {
     widget->installEventFilter(this);
   }
   connect(toasts_, &ToastStack::changed, this, &MapOverlay::place);
@@ -61,7 +64,10 @@ void MapOverlay::setFurnitureVisible(bool visible) {
 }
 
 bool MapOverlay::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize || event->type() == QEvent::Show || event->type() == QEvent::Hide ||
+  // A strip's own resize is no reason: it comes from here, or, the first time, while the strip is about to be
+  // shown. A geometry that is set then is never told to its layout, and its text has no room.
+  const bool resized = event->type() == QEvent::Resize && watched == view_;
+  if (resized || event->type() == QEvent::Show || event->type() == QEvent::Hide ||
       event->type() == QEvent::LayoutRequest) {
     place();
   }
@@ -71,13 +77,11 @@ bool MapOverlay::eventFilter(QObject* watched, QEvent* event) {
 void MapOverlay::place() {
   const QSize area = view_->size();
   int top = 0;
-  if (!notice_->isHidden()) {
-    notice_->setGeometry(0, 0, area.width(), notice_->sizeHint().height());
-    top = notice_->height();
-  }
-  if (!compare_bar_->isHidden()) {
-    compare_bar_->setGeometry(0, top, area.width(), compare_bar_->sizeHint().height());
-    top += compare_bar_->height();
+  for (QWidget* strip :
+       std::initializer_list<QWidget*>{safety_notice_, notice_, place_notice_, compare_bar_}) {
+    if (strip->isHidden()) continue;
+    strip->setGeometry(0, top, area.width(), strip->sizeHint().height());
+    top += strip->height();
   }
   const QSize furniture = furniture_->sizeHint();
   furniture_->setGeometry(area.width() - furniture.width() - kMargin, top + kMargin, furniture.width(),

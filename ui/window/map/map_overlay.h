@@ -23,6 +23,10 @@ class MapOverlay : public QObject {
   EmptyStateCard* card() const { return card_; }
   CompareBar* compareBar() const { return compare_bar_; }
   NoticeBar* notice() const { return notice_; }
+  /// What is dangerous or wrong with the robot: above all other notices.
+  NoticeBar* safetyNotice() const { return safety_notice_; }
+  /// Where the robot is, when it is not in the map on screen.
+  NoticeBar* placeNotice() const { return place_notice_; }
   ToastStack* toasts() const { return toasts_; }
   MapFurniture* furniture() const { return furniture_; }
 
@@ -40,7 +44,7 @@ class MapOverlay : public QObject {
   MapView* view_;
   MapFurniture* furniture_;
   EmptyStateCard* card_;
-  NoticeBar* notice_;
+  NoticeBar *safety_notice_, *notice_, *place_notice_;
   CompareBar* compare_bar_;
   ToastStack* toasts_;
   QFrame* hint_frame_;

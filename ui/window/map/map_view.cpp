@@ -159,7 +159,7 @@ void MapView::setFollowing(bool following) {
   if (session::Session* session = scene_->session()) {
     if (following) {
       connect(session, &session::Session::liveChanged, this, &MapView::centreOnRobot, Qt::UniqueConnection);
-      if (session->live().robot_pose) {
+      if (session->live().robot_pose && scene_->robotPlace().drawn != scene::ScreenPart::None) {
         geometry::ViewTransform to = destination();
         to.center_m = {session->live().robot_pose->x_m, session->live().robot_pose->y_m};
         moveTo(to, true);
@@ -174,6 +174,8 @@ void MapView::setFollowing(bool following) {
 void MapView::centreOnRobot() {
   const session::Session* session = scene_->session();
   if (!following_ || !session || !session->live().robot_pose) return;
+  // Where it is not drawn there is nothing to follow.
+  if (scene_->robotPlace().drawn == scene::ScreenPart::None) return;
   const Eigen::Vector2d robot(session->live().robot_pose->x_m, session->live().robot_pose->y_m);
   if (motion_) {
     motion_->to.center_m = robot;

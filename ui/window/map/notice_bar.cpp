@@ -37,8 +37,11 @@ NoticeBar::NoticeBar(QWidget* parent)
   hide();
 }
 
-void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable) {
+void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable,
+                          bool greyed) {
   mark_ = mark;
+  greyed_ = greyed;
+  label_->setSecondary(greyed);
   label_->setText(words::plainText(sentence));
   button_->setText(offer);
   button_->setVisible(!offer.isEmpty());
@@ -50,7 +53,7 @@ void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& off
 QString NoticeBar::sentence() const { return label_->text(); }
 
 void NoticeBar::paintEvent(QPaintEvent*) {
-  const UiColors colors = appColors();
+  const UiColors colors = greyed_ ? window::greyed(appColors()) : appColors();
   QPainter painter(this);
   painter.fillRect(rect(), colors.window);
   QColor tint = markColor(mark_, colors);

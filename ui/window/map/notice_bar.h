@@ -20,8 +20,13 @@ class NoticeBar : public QFrame {
   explicit NoticeBar(QWidget* parent = nullptr);
   /// Shows the sentence (plain text) with an offer; an empty sentence hides the bar. A closable one can be
   /// sent away by the user: closed().
-  void setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable = false);
+  /// `greyed`: what it tells of is no longer live.
+  void setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable = false,
+                 bool greyed = false);
   QString sentence() const;
+  Mark mark() const { return mark_; }
+  bool greyed() const { return greyed_; }
+  QPushButton* offerButton() const { return button_; }
   QToolButton* closeButton() const { return close_; }
 
  Q_SIGNALS:
@@ -33,6 +38,7 @@ class NoticeBar : public QFrame {
 
  private:
   Mark mark_ = Mark::None;
+  bool greyed_ = false;
   PlainLabel* label_;
   QPushButton* button_;
   QToolButton* close_;

@@ -4,12 +4,13 @@
 
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
+#include "window/status/safety_badge.h"
 #include "window/status/state_mark.h"
 
 namespace mapwright::window {
 
 namespace {
-constexpr int kNameLimitPx = 200;
+constexpr int kNameLimitPx = 200, kSafetyGapPx = 8;
 }
 
 ConnectionChip::ConnectionChip(QWidget* parent) : QToolButton(parent) {
@@ -19,14 +20,36 @@ ConnectionChip::ConnectionChip(QWidget* parent) : QToolButton(parent) {
 }
 
 void ConnectionChip::setRobot(const QString& name, Mark mark, const QString& word, const QString& detail) {
-  setToolTip(plainToolTip(detail));
-  setAccessibleName(QStringLiteral("Robot %1, %2").arg(name, word));
-  if (name == name_ && mark == mark_ && word == word_) return;
+  const bool same = name == name_ && mark == mark_ && word == word_;
+  detail_ = detail;
   name_ = name;
   mark_ = mark;
   word_ = word;
+  describe();
+  if (same) return;
   updateGeometry();
   update();
+}
+
+void ConnectionChip::setSafety(const SafetyText& text) {
+  if (text == safety_) return;
+  safety_ = text;
+  describe();
+  updateGeometry();
+  update();
+}
+
+void ConnectionChip::describe() {
+  const QString tip = safety_.detail.isEmpty() ? detail_ : safety_.detail + QStringLiteral("\n\n") + detail_;
+  setToolTip(plainToolTip(tip));
+  QString called = tr("Robot %1, %2").arg(name_, word_);
+  if (!safety_.badge.isEmpty()) called += QStringLiteral(", ") + safety_.badge;
+  setAccessibleName(called);
+}
+
+int ConnectionChip::safetyRoom() const {
+  const int width = safetyWidth(safety_, font());
+  return width == 0 ? 0 : width + kSafetyGapPx;
 }
 
 QSize ConnectionChip::sizeHint() const {
@@ -34,7 +57,7 @@ QSize ConnectionChip::sizeHint() const {
   const int name = qMin(metrics.horizontalAdvance(name_), kNameLimitPx);
   // As wide as the longest word, so that the tool bar does not jump with the link.
   const int word = word_.isEmpty() ? 0 : metrics.horizontalAdvance(QStringLiteral("reconnecting")) + 8;
-  return {10 + 12 + 8 + name + word + 8 + 16 + 6, 30};
+  return {10 + 12 + 8 + name + word + safetyRoom() + 8 + 16 + 6, 30};
 }
 
 void ConnectionChip::paintEvent(QPaintEvent*) {
@@ -46,9 +69,12 @@ void ConnectionChip::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
   paintMark(&painter, QRectF(10, height() / 2.0 - 6, 12, 12), mark_, colors);
   const QFontMetrics metrics = fontMetrics();
-  QRect area = rect().adjusted(30, 0, -26, 0);
+  const int safety_room = safetyRoom();
+  const QRect area = rect().adjusted(30, 0, -26 - safety_room, 0);
+  paintSafety(&painter, QRect(area.right() + 1 + kSafetyGapPx, 4, safety_room - kSafetyGapPx, height() - 8),
+              safety_, colors);
   const int word_width = word_.isEmpty() ? 0 : metrics.horizontalAdvance(QStringLiteral("reconnecting")) + 8;
-  QRect name = area.adjusted(0, 0, -word_width, 0);
+  const QRect name = area.adjusted(0, 0, -word_width, 0);
   painter.setPen(colors.text);
   painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                    metrics.elidedText(name_, Qt::ElideMiddle, name.width()));

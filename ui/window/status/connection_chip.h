@@ -3,6 +3,7 @@
 
 #include <QToolButton>
 
+#include "window/status/safety_text.h"
 #include "window/status/status_text.h"
 
 namespace mapwright::window {
@@ -13,6 +14,9 @@ class ConnectionChip : public QToolButton {
   explicit ConnectionChip(QWidget* parent = nullptr);
   /// `name` may come from a robot: plain text. `detail` is for the tooltip.
   void setRobot(const QString& name, Mark mark, const QString& word, const QString& detail);
+  /// Shown beside the name until it is over; `text` with Mark::None shows nothing.
+  void setSafety(const SafetyText& text);
+  const SafetyText& safety() const { return safety_; }
   QString name() const { return name_; }
   QString word() const { return word_; }
   QSize sizeHint() const override;
@@ -21,7 +25,11 @@ class ConnectionChip : public QToolButton {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QString name_, word_;
+  void describe();
+  int safetyRoom() const;
+
+  QString name_, word_, detail_;
+  SafetyText safety_;
   Mark mark_ = Mark::Neutral;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 
@@ -93,8 +94,19 @@ QString trafficText(const session::SubmapCounts& counts) {
   return parts.join(QStringLiteral(", "));
 }
 
+QString plainWords(const std::string& words, int limit) {
+  // Only the beginning is looked at: a robot may send megabytes.
+  QString line =
+      QString::fromUtf8(words.data(), qsizetype(std::min<std::size_t>(words.size(), 8 * std::size_t(limit))));
+  line = words::plainName(line);
+  if (line.size() <= limit) return line;
+  line.truncate(limit - 1);
+  if (line.back().isHighSurrogate()) line.chop(1);
+  return line + QChar(0x2026);
+}
+
 QString mapCalled(const QString& name, const map::MapKey& key, int limit) {
-  QString called = words::plainName(name);
+  QString called = plainWords(name.toStdString(), limit);
   if (called.isEmpty()) {
     switch (key.kind) {
       case map::MapKind::Live:
@@ -104,10 +116,10 @@ QString mapCalled(const QString& name, const map::MapKey& key, int limit) {
         called = QStringLiteral("the file");
         break;
       default:
-        called = QStringLiteral("map %1").arg(words::plainName(map::toText(key)));
+        called = plainWords("map " + map::toText(key), limit);
     }
   }
-  return called.size() > limit ? called.left(limit - 1) + QChar(0x2026) : called;
+  return called;
 }
 
 QString mapProgressText(const session::MapSlot& slot) {
@@ -125,6 +137,20 @@ QString mapProgressText(const session::MapSlot& slot) {
       break;
   }
   return {};
+}
+
+QString mapOnScreen(const session::MapSlot& slot, int limit) {
+  const map::WholeMap& shown = slot.shown();
+  const bool other = slot.cells() && !(shown.key == slot.key());
+  return other ? mapCalled(QString::fromStdString(shown.name), shown.key, limit)
+               : mapCalled(slot.name(), slot.key(), limit);
+}
+
+QString mapShownText(const session::MapSlot& slot) {
+  const QString progress = mapProgressText(slot);
+  if (!progress.isEmpty() || !slot.cells()) return progress;
+  return QCoreApplication::translate("mapwright::window::StatusText", "%1, %2 x %3 cells")
+      .arg(mapOnScreen(slot, 40), countText(slot.reference().width), countText(slot.reference().height));
 }
 
 QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <QDateTime>
 #include <QString>
@@ -34,6 +35,10 @@ QString loadingText(const session::SubmapCounts& counts);
 /// "4 in flight, 18 queued"; empty when nothing is under way.
 QString trafficText(const session::SubmapCounts& counts);
 
+/// What the map on screen is called; one that is still on its way while nothing is on screen.
+QString mapOnScreen(const session::MapSlot& slot, int limit = 60);
+/// "Ground floor, 1,240 x 980 cells" once it is read, mapProgressText() until then.
+QString mapShownText(const session::MapSlot& slot);
 /// "Fetching Ground floor", "Reading Ground floor 42 %"; empty when there is nothing to wait for.
 QString mapProgressText(const session::MapSlot& slot);
 /// What a map is called: its name, or its id where it has none. One line, not longer than `limit`.
@@ -50,6 +55,10 @@ QString occupancyText(std::optional<int> occupied_percent);
 QString scaleText(double scale_m_per_px, double dots_per_inch);
 /// "38°", -180 < degrees <= 180.
 QString rotationText(double rotation_rad);
+
+/// A robot's words as one line: no control or invisible characters (some turn the writing direction of what
+/// follows), not longer than `limit`.
+QString plainWords(const std::string& words, int limit);
 
 /// "1.5 KB", "42.1 MB".
 QString bytesText(qint64 bytes);

@@ -8,6 +8,7 @@
 
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
+#include "window/status/safety_badge.h"
 #include "window/status/state_mark.h"
 
 namespace mapwright::window {
@@ -21,7 +22,7 @@ void ThinBar::setFraction(double fraction) {
 }
 
 void ThinBar::paintEvent(QPaintEvent*) {
-  const UiColors colors = appColors();
+  const UiColors colors = isEnabled() ? appColors() : greyed(appColors());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
@@ -60,11 +61,12 @@ QSize StateLabel::sizeHint() const { return {fontMetrics().horizontalAdvance(sta
 QSize StateLabel::minimumSizeHint() const { return {qMin(sizeHint().width(), 120), 20}; }
 
 void StateLabel::paintEvent(QPaintEvent*) {
-  const UiColors colors = appColors();
+  const UiColors colors = isEnabled() ? appColors() : greyed(appColors());
   QPainter painter(this);
-  if (!isEnabled()) painter.setOpacity(0.55);
   paintMark(&painter, QRectF(2, height() / 2.0 - 6, 12, 12), state_.mark, colors);
-  painter.setPen(strong_ ? markTextColor(state_.mark, colors) : colors.text);
+  painter.setPen(strong_       ? markTextColor(state_.mark, colors)
+                 : isEnabled() ? colors.text
+                               : colors.secondary_text);
   const QRect area = rect().adjusted(20, 0, 0, 0);
   painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                    fontMetrics().elidedText(state_.text, Qt::ElideRight, area.width()));
@@ -81,6 +83,7 @@ bool StateLabel::event(QEvent* event) {
 WindowStatusBar::WindowStatusBar(QWidget* parent)
     : QStatusBar(parent),
       connection_(new StateLabel(this)),
+      safety_(new SafetyBadge(this)),
       loading_(new PlainLabel(this)),
       bar_(new ThinBar(this)),
       traffic_(new PlainLabel(this)),
@@ -118,6 +121,7 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(8, 0, 8, 0);
   line->setSpacing(12);
+  line->addWidget(safety_, 0);
   line->addWidget(connection_, 0);
   line->addWidget(loading_, 0);
   line->addWidget(bar_, 0);
@@ -134,6 +138,7 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
 
   countdown_.setInterval(250);
   connect(&countdown_, &QTimer::timeout, this, &WindowStatusBar::refreshCountdown);
+  connect(safety_, &SafetyBadge::clicked, this, &WindowStatusBar::safetyWanted);
   connect(problems_, &QToolButton::clicked, this, &WindowStatusBar::problemsWanted);
   setSession(nullptr);
 }
@@ -158,6 +163,14 @@ void WindowStatusBar::setSession(session::Session* session) {
   refreshProblems();
 }
 
+void WindowStatusBar::setInView(bool submaps, bool whole) {
+  if (submaps == submaps_in_view_ && whole == whole_in_view_) return;
+  submaps_in_view_ = submaps;
+  whole_in_view_ = whole;
+  refreshRows();
+  refreshMap();
+}
+
 void WindowStatusBar::refreshConnection() {
   if (!session_) {
     countdown_.stop();
@@ -178,16 +191,20 @@ void WindowStatusBar::refreshCountdown() {
 
 void WindowStatusBar::refreshRows() {
   const session::SubmapCounts counts = session_ ? session_->counts() : session::SubmapCounts{};
-  loading_->setText(session_ ? loadingText(counts) : QString());
+  loading_->setText(session_ && submaps_in_view_ ? loadingText(counts) : QString());
+  loading_->setHidden(loading_->text().isEmpty());
   traffic_->setText(trafficText(counts));
+  traffic_->setHidden(traffic_->text().isEmpty());
   // The bar is there only while there is something to wait for.
-  const bool loading = counts.listed > 0 && counts.pending + counts.updating > 0;
+  const bool loading = submaps_in_view_ && counts.listed > 0 && counts.pending + counts.updating > 0;
   if (bar_->isHidden() == loading) bar_->setVisible(loading);
   if (loading) bar_->setFraction(1.0 - double(counts.pending + counts.updating) / double(counts.listed));
 }
 
 void WindowStatusBar::refreshMap() {
-  const QString text = session_ ? mapProgressText(session_->wholeMap()) : QString();
+  const QString text = !session_        ? QString()
+                       : whole_in_view_ ? mapShownText(session_->wholeMap())
+                                        : mapProgressText(session_->wholeMap());
   map_->setText(text);
   if (map_->isHidden() != text.isEmpty()) map_->setVisible(!text.isEmpty());
   const bool reading = session_ && session_->wholeMap().phase() == session::MapSlot::Phase::Reading;

@@ -14,6 +14,7 @@ class QToolButton;
 namespace mapwright::window {
 
 class PlainLabel;
+class SafetyBadge;
 
 /// A bar of 4 px: how much of something is there.
 class ThinBar : public QWidget {
@@ -59,6 +60,8 @@ class WindowStatusBar : public QStatusBar {
 
   void setSession(session::Session* session);
   void recount() { refreshRows(); }
+  /// Only what is on screen is counted.
+  void setInView(bool submaps, bool whole);
   void showCursor(const QString& coordinates, const QString& occupancy);
   void showView(const geometry::ViewTransform& view);
 
@@ -69,10 +72,12 @@ class WindowStatusBar : public QStatusBar {
   QString occupancyShown() const;
   QString scaleShown() const;
   QString rotationShown() const;
+  SafetyBadge* safety() const { return safety_; }
   QToolButton* problemsButton() const { return problems_; }
 
  Q_SIGNALS:
   void problemsWanted();
+  void safetyWanted();
 
  private:
   void refreshConnection();
@@ -82,10 +87,12 @@ class WindowStatusBar : public QStatusBar {
   void refreshProblems();
 
   QPointer<session::Session> session_;
+  bool submaps_in_view_ = true, whole_in_view_ = false;
   robot::ConnectionState read_;  // as of `read_clock_`
   QElapsedTimer read_clock_;
   QTimer countdown_;
   StateLabel* connection_;
+  SafetyBadge* safety_;
   PlainLabel* loading_;
   ThinBar* bar_;
   PlainLabel* traffic_;

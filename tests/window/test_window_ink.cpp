@@ -1,0 +1,151 @@
+// That what is said is also painted, the very first time: notices, cards, toasts, chips, badges.
+#include <QLabel>
+#include <QPushButton>
+#include <QtTest>
+
+#include "ink.h"
+#include "window/look/plain_label.h"
+#include "window/map/empty_state.h"
+#include "window/map/map_overlay.h"
+#include "window/map/notice_bar.h"
+#include "window/map/toast_stack.h"
+#include "window/status/connection_chip.h"
+#include "window/status/safety_badge.h"
+#include "window/status/window_status_bar.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::Bench;
+using test::ink;
+using test::kAddress;
+
+namespace {
+
+constexpr double kSomeInk = 0.02;
+
+/// The words of a label are on screen: where it lies in its window there is ink.
+void verifyPainted(QWidget* label) {
+  QVERIFY(label->isVisible());
+  QVERIFY2(label->width() > 100, qPrintable(QString::number(label->width())));
+  QWidget* const window = label->window();
+  const QRect area(label->mapTo(window, QPoint()), label->size());
+  QVERIFY2(ink(window, area) > kSomeInk, qPrintable(QString::number(ink(window, area))));
+}
+
+}  // namespace
+
+class TestWindowInk : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theFirstNoticeOfALostConnection() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    bench.robot->goAway(QStringLiteral("connection refused"));
+    verifyPainted(window.overlay()->notice()->findChild<PlainLabel*>());
+  }
+
+  void theFirstNoticeOfAllKinds_data() {
+    QTest::addColumn<int>("which");
+    QTest::addColumn<QString>("offer");
+    QTest::addColumn<bool>("closable");
+    for (int which = 0; which < 3; ++which) {
+      QTest::addRow("plain %d", which) << which << QString() << false;
+      QTest::addRow("with offer %d", which) << which << QStringLiteral("Retry now") << false;
+      QTest::addRow("closable %d", which) << which << QString() << true;
+    }
+  }
+  void theFirstNoticeOfAllKinds() {
+    QFETCH(int, which);
+    QFETCH(QString, offer);
+    QFETCH(bool, closable);
+    Bench bench;
+    MainWindow& window = bench.open();
+    MapOverlay& overlay = *window.overlay();
+    NoticeBar* const notice = which == 0   ? overlay.notice()
+                              : which == 1 ? overlay.safetyNotice()
+                                           : overlay.placeNotice();
+    notice->setNotice(Mark::Warning, QStringLiteral("Something lasts until it is over, and is said here."),
+                      offer, closable);
+    verifyPainted(notice->findChild<PlainLabel*>());
+    QVERIFY(test::inkReach(notice->findChild<PlainLabel*>()) > 200);
+  }
+
+  void aNoticeFromBeforeTheWindowIsShown() {
+    Bench bench;
+    bench.settings.sync();
+    MainWindow::Dependencies wanted{
+        [](const QString&, const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          return tl::unexpected(QStringLiteral("This is no address of a robot."));
+        },
+        bench.settings, QStringLiteral("nonsense")};
+    MainWindow window(std::move(wanted));
+    window.resize(1366, 768);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    verifyPainted(window.overlay()->notice()->findChild<PlainLabel*>());
+  }
+
+  void theLimitsOfARobotAndTheRemarksOfAMap() {
+    Bench bench;
+    bench.prepare = [](test::FakeRobot& robot) {
+      robot.has_submaps = false;
+      robot.has_catalogue = true;
+      robot.maps.entries = {test::catalogued("1", "Ground floor")};
+      robot.limits_text = QStringLiteral("This robot's maps can only be looked at.");
+    };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_VERIFY(window.session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    verifyPainted(window.overlay()->notice()->findChild<PlainLabel*>());
+  }
+
+  void theCardOfEveryState() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    const auto verify = [&] {
+      for (QLabel* label : window.overlay()->card()->findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->text().isEmpty()) continue;
+        const QRect area(label->mapTo(&window, QPoint()), label->size());
+        QVERIFY2(ink(&window, area) > kSomeInk, qPrintable(label->text()));
+      }
+    };
+    verify();
+    bench.prepare = [](test::FakeRobot& robot) { robot.auto_online = false; };
+    QVERIFY(!window.connectTo(kAddress));
+    robot::ConnectionState connecting;
+    connecting.phase = robot::ConnectionPhase::Connecting;
+    bench.robot->setState(connecting);
+    verify();
+    bench.robot->goAway(QStringLiteral("connection refused"));
+    verify();
+  }
+
+  void theFirstToast() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    window.overlay()->toasts()->add(Mark::Good, QStringLiteral("Copied 1.000, 2.000"));
+    auto* const text = window.overlay()->toasts()->findChild<QLabel*>(QStringLiteral("toastText"));
+    verifyPainted(text);
+  }
+
+  void chipAndBadges() {
+    Bench bench;
+    bench.prepare = [](test::FakeRobot& robot) { robot.has_live = true; };
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    const QSize before = window.chip()->size();
+    map::WheelState wheels;
+    wheels.emergency_stop = true;
+    bench.robot->say(wheels);
+    QTRY_VERIFY(window.chip()->width() > before.width() + 80);
+    QVERIFY(ink(window.chip()) > kSomeInk);
+    verifyPainted(window.bar()->safety());
+    verifyPainted(window.overlay()->safetyNotice()->findChild<PlainLabel*>());
+  }
+};
+
+QTEST_MAIN(TestWindowInk)
+#include "test_window_ink.moc"

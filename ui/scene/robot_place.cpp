@@ -1,0 +1,61 @@
+#include "scene/robot_place.h"
+
+#include <algorithm>
+
+#include "session/session.h"
+
+namespace mapwright::scene {
+namespace {
+
+using map::Whereabouts;
+
+/// Whether the submaps come from a stored map; nullopt while there are none.
+std::optional<bool> ofStoredMap(const submap::SubmapBook& book) {
+  if (!book.listReceived() || book.rows().empty()) return std::nullopt;
+  return std::any_of(book.rows().begin(), book.rows().end(),
+                     [](const auto& row) { return row.second.entry.is_frozen; });
+}
+
+ScreenPart partOf(bool left, bool right) {
+  if (left && right) return ScreenPart::All;
+  return left ? ScreenPart::Left : right ? ScreenPart::Right : ScreenPart::None;
+}
+
+}  // namespace
+
+RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_screen,
+                      std::optional<bool> choice) {
+  const map::LiveState& live = session.live();
+  const bool afresh = map::mapsAfresh(live, ofStoredMap(session.book()));
+  const auto in = [&](const session::MapSlot& slot) {
+    if (!slot.cells()) return Whereabouts::Here;  // nothing that it could be drawn on wrongly
+    const map::WholeMap& shown = slot.shown();
+    return map::whereabouts(shown.state_of.value_or(shown.key), shown.name, live,
+                            session.catalogue().entries(), afresh);
+  };
+  RobotPlace place;
+  place.overlays_fit = !afresh;
+  if (on_screen.whole) {
+    const Whereabouts left = in(session.wholeMap());
+    const Whereabouts right = on_screen.compared ? in(session.comparedMap()) : Whereabouts::Elsewhere;
+    const bool in_left = left != Whereabouts::Elsewhere, in_right = right != Whereabouts::Elsewhere;
+    if (on_screen.mode == CompareMode::Swipe && !on_screen.compared) {
+      // The submaps are the robot's own; they stand at the left of the whole map.
+      place.drawn = partOf(true, in_left);
+    } else if (on_screen.mode == CompareMode::Swipe) {
+      place.drawn = partOf(in_left, in_right);
+      place.where = in_left ? left : right;
+    } else {
+      place.drawn = partOf(in_left || in_right, in_left || in_right);
+      place.where = in_left ? left : right;
+    }
+  }
+  if (choice && *choice != (place.drawn == ScreenPart::All && place.overlays_fit)) {
+    place.by_choice = true;
+    place.drawn = *choice ? ScreenPart::All : ScreenPart::None;
+    place.overlays_fit = place.overlays_fit || *choice;
+  }
+  return place;
+}
+
+}  // namespace mapwright::scene
