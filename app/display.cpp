@@ -1,13 +1,11 @@
 #include "app/display.h"
 
 #include <cstdio>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <QByteArray>
-#include <QDir>
-#include <QFile>
 #include <QGuiApplication>
-#include <QSaveFile>
-#include <QStandardPaths>
 
 namespace mapwright::app {
 namespace {
@@ -29,18 +27,13 @@ constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
 </fontconfig>
 )";
 
-/// Snapshots must not follow the user's font settings.
+/// Snapshots must not follow the user's font settings. Held in memory for as long as the program runs, so
+/// that neither a full disk nor a folder that cannot be written changes a picture.
 void pinFonts() {
-  const QString folder =
-      QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/mapwright");
-  const QString path = folder + QStringLiteral("/snapshot-fonts.conf");
-  QFile present(path);
-  if (!present.open(QIODevice::ReadOnly) || present.readAll() != kFontConfig) {
-    QDir().mkpath(folder);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(kFontConfig) < 0 || !file.commit()) return;
-  }
-  qputenv("FONTCONFIG_FILE", QFile::encodeName(path));
+  const int fd = ::memfd_create("mapwright fonts", 0);
+  const QByteArray text(kFontConfig);
+  if (fd < 0 || ::write(fd, text.constData(), std::size_t(text.size())) != text.size()) return;
+  qputenv("FONTCONFIG_FILE", "/proc/self/fd/" + QByteArray::number(fd));
 }
 
 /// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.

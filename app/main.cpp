@@ -1,4 +1,5 @@
 // mapwright: one binary for the window and its headless twin (cli.md).
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -9,9 +10,11 @@
 #include "app/exit_code.h"
 #include "app/maps.h"
 #include "app/option_words.h"
+#include "app/output_paths.h"
 #include "app/simulate.h"
 #include "app/snapshot.h"
 #include "app/window.h"
+#include "app/xdg.h"
 #include "scene/layer.h"
 #include "words/plain.h"
 
@@ -56,7 +59,8 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
                    "Robot address, for example axbot+http://192.168.25.25:8090 or demo:")
       ->envname("MAPWRIGHT_ROBOT");
   addAccess(*command, words.access);
-  command->add_option("-o,--output", words.output, "The PNG to write")->required();
+  command->add_option("-o,--output", words.output, "The PNG to write; - is the standard output")->required();
+  command->add_flag("--force", words.force, "Write even over a file that the map is read from");
   command->add_option("--mode", words.mode,
                       "submaps, or whole (grid: the same for robots and files that give "
                       "their occupancy grid as a whole map). Without it: submaps where there are some");
@@ -86,7 +90,7 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
       ->capture_default_str();
   command->add_option("--timeout", words.timeout_s, "Give up waiting after this many seconds")
       ->capture_default_str();
-  command->add_option("--report", words.report, "Write what was done as JSON");
+  command->add_option("--report", words.report, "Write what was done as JSON; - is the standard output");
   command->add_flag("--json", words.json, "Print the report on standard output");
 }
 
@@ -120,8 +124,12 @@ void addMaps(CLI::App& cli, CommandLine& line) {
   show->add_flag("--json", words.json, "Machine-readable");
   CLI::App* exported = add("export", "Write a map as PNG, or as PGM and YAML for map_server");
   exported->add_option("id", words.id, which);
-  exported->add_option("-o,--output", words.output, "What to write: NAME.png, or NAME.yaml / NAME.pgm (both)")
+  exported
+      ->add_option(
+          "-o,--output", words.output,
+          "What to write: NAME.png, or NAME.yaml / NAME.pgm (both); - is a PNG on the standard output")
       ->required();
+  exported->add_flag("--force", words.force, "Write even over a file that the map is read from");
   exported->add_option("--format", words.format, "png or pgm, when the name does not tell");
   exported->add_flag("--world-file", words.world_file, "Write NAME.pgw (world file) beside it");
   CLI::App* diff = add("diff", "Compare two maps cell by cell; exit code 1 when they differ");
@@ -129,7 +137,8 @@ void addMaps(CLI::App& cli, CommandLine& line) {
                    "A map of --robot (id, mapping:ID, live, submaps), or a file or address")
       ->required();
   diff->add_option("second", words.second, "Likewise")->required();
-  diff->add_option("--diff", words.diff_picture, "Write the difference as a PNG");
+  diff->add_option("--diff", words.diff_picture, "Write the difference as a PNG; - is the standard output");
+  diff->add_flag("--force", words.force, "Write even over a file that a map is read from");
   diff->add_flag("--json", words.json, "Machine-readable");
 }
 
@@ -274,8 +283,12 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // What cannot be written is an error with a sentence, not the end of the program.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  app::ignoreRelativeFolders();
   try {
-    return run(argc, argv);
+    return app::concludeStandardOutput(run(argc, argv));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "mapwright had to stop: %s\n",
                  words::plainLine(std::string_view(error.what())).c_str());

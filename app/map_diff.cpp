@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
-#include <QFile>
-#include <QSaveFile>
 #include <spng.h>
 
+#include "disk/written_file.h"
 #include "render/grid_palettes.h"
 
 namespace mapwright::app {
@@ -18,45 +18,41 @@ namespace {
 constexpr int kStrip = 256;  // rows
 constexpr double kMostCells = double(std::int64_t(1) << 34);
 
-/// Writes RGB rows into a PNG, aside, then moved into place.
+/// Writes RGB rows into a PNG.
 class RgbPng {
  public:
-  explicit RgbPng(const QString& path) : path_(path), part_(path + QStringLiteral(".part")) {}
-  ~RgbPng() {
-    encoder_.reset();
-    if (file_) std::fclose(file_);
-    if (!part_.isEmpty()) QFile::remove(part_);
-  }
-  bool begin(int width, int height) {
-    file_ = std::fopen(QFile::encodeName(part_).constData(), "wb");
-    encoder_.reset(spng_ctx_new(SPNG_CTX_ENCODER));
+  RgbPng(const QString& path, int width, int height)
+      : file_(path.toStdString()), encoder_(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free) {
     spng_ihdr header{};
     header.width = std::uint32_t(width);
     header.height = std::uint32_t(height);
     header.bit_depth = 8;
     header.color_type = SPNG_COLOR_TYPE_TRUECOLOR;
-    return file_ && encoder_ && spng_set_png_file(encoder_.get(), file_) == 0 &&
-           spng_set_ihdr(encoder_.get(), &header) == 0 &&
-           spng_encode_image(encoder_.get(), nullptr, 0, SPNG_FMT_PNG,
-                             SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE) == 0;
+    good_ = encoder_ && spng_set_png_stream(encoder_.get(), &RgbPng::take, &file_) == 0 &&
+            spng_set_ihdr(encoder_.get(), &header) == 0 &&
+            spng_encode_image(encoder_.get(), nullptr, 0, SPNG_FMT_PNG,
+                              SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE) == 0;
   }
   bool row(const std::vector<std::uint8_t>& rgb) {
-    const int result = spng_encode_row(encoder_.get(), rgb.data(), rgb.size());
-    return result == 0 || result == SPNG_EOI;
+    const int result = good_ ? spng_encode_row(encoder_.get(), rgb.data(), rgb.size()) : SPNG_IO_ERROR;
+    return good_ = result == 0 || result == SPNG_EOI;
   }
-  bool end() {
-    encoder_.reset();
-    const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
-    const bool moved = closed && std::rename(QFile::encodeName(part_).constData(),
-                                             QFile::encodeName(path_).constData()) == 0;
-    if (moved) part_.clear();
-    return moved;
+  /// nullopt = the picture is in its place.
+  std::optional<QString> end() {
+    if (!good_ && file_.good()) return QStringLiteral("The picture of the difference cannot be encoded.");
+    const auto problem = file_.place();
+    return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
   }
 
  private:
-  QString path_, part_;
-  std::FILE* file_ = nullptr;
-  std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder_{nullptr, &spng_ctx_free};
+  static int take(spng_ctx*, void* file, void* bytes, std::size_t count) {
+    auto& out = *static_cast<disk::WrittenFile*>(file);
+    out.write(bytes, count);
+    return out.good() ? 0 : int(SPNG_IO_ERROR);
+  }
+  disk::WrittenFile file_;
+  std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder_;
+  bool good_ = false;
 };
 
 }  // namespace
@@ -103,13 +99,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   const render::GridPalette palette = render::differencePalette(false);
   std::vector<std::uint8_t> rgb(std::size_t(diff.width) * 3);
   std::unique_ptr<RgbPng> picture;
-  const auto cannotWrite = [&] {
-    return tl::make_unexpected(QStringLiteral("%1 cannot be written.").arg(picture_path));
-  };
-  if (!picture_path.isEmpty()) {
-    picture = std::make_unique<RgbPng>(picture_path);
-    if (!picture->begin(diff.width, diff.height)) return cannotWrite();
-  }
+  if (!picture_path.isEmpty()) picture = std::make_unique<RgbPng>(picture_path, diff.width, diff.height);
   for (int row = 0; row < diff.height; row += kStrip) {
     strip.first_row = row;
     strip.height_px = std::min(kStrip, diff.height - row);
@@ -130,7 +120,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
         rgb[std::size_t(x) * 3 + 1] = std::uint8_t(color >> 8);
         rgb[std::size_t(x) * 3 + 2] = std::uint8_t(color);
       }
-      if (picture && !picture->row(rgb)) return cannotWrite();
+      if (picture && !picture->row(rgb)) return tl::make_unexpected(*picture->end());
     }
   }
   for (const render::PlacedGrid* const map : {&first, &second}) {
@@ -138,7 +128,9 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
       return tl::make_unexpected(QString::fromStdString(trouble));
     }
   }
-  if (picture && !picture->end()) return cannotWrite();
+  if (picture) {
+    if (auto problem = picture->end()) return tl::make_unexpected(std::move(*problem));
+  }
   return diff;
 }
 

@@ -11,6 +11,7 @@
 #include "app/report.h"
 #include "app/robot_factory.h"
 #include "render/compose_grid.h"
+#include "robot/address.h"
 #include "scene/layer.h"
 
 namespace mapwright::app {
@@ -58,6 +59,11 @@ bool MapReading::waitUntil(const std::function<bool()>& done) {
 }
 
 bool MapReading::local() const { return session_.robot().address().startsWith(QLatin1String("file:")); }
+
+std::vector<std::string> MapReading::sourceFiles() const {
+  const session::MapSlot& slot = session_.wholeMap();
+  return sourceFilesOf(address_, slot.key().id, slot.shown().path);
+}
 
 CommandFailure MapReading::failure(int exit_code, const QString& sentence) const {
   return {exit_code, QStringLiteral("%1: %2").arg(oneLine(address_, kLongestAddress), sentence)};

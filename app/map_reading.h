@@ -40,6 +40,8 @@ class MapReading {
   /// `resolution_m`. From then on nothing of the session changes any more.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
   QString nameOfMap() const { return name_; }
+  /// The local files that the map was read from.
+  std::vector<std::string> sourceFiles() const;
   /// False when something that was asked for could not be had: warnings() say what.
   bool complete() const { return complete_; }
   /// What is odd, a line each.

@@ -9,14 +9,15 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 #include "app/exit_code.h"
 #include "app/map_diff.h"
 #include "app/maps_command.h"
+#include "app/output_paths.h"
 #include "app/report.h"
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
+#include "disk/written_file.h"
 #include "raster/export_grid.h"
 #include "robot/address.h"
 #include "words/qt_plain.h"
@@ -267,7 +268,8 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     };
     const QString output = text(words.output);
     const QString suffix = QFileInfo(output).suffix().toLower();
-    QString format = words.format.empty() ? suffix : text(words.format);
+    const bool printed = isStandardOutput(output);
+    QString format = !words.format.empty() ? text(words.format) : printed ? QStringLiteral("png") : suffix;
     if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
     if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
       return wrong(
@@ -281,40 +283,51 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
       return wrong(QStringLiteral("--output %1 and --format %2 contradict each other.")
                        .arg(output, text(words.format)));
     }
-    const QFileInfo folder(QFileInfo(output).absolutePath());
-    if (!folder.isDir() || !folder.isWritable()) {
-      return wrong(QStringLiteral("%1 cannot be written: there is no writable folder %2.")
-                       .arg(output, folder.filePath()));
+    if (printed && (format != QLatin1String("png") || words.world_file)) {
+      return wrong(
+          QStringLiteral("Only one PNG can be written to the standard output (--output %1).").arg(output));
     }
+    if (const auto why = whyNotWritable(output)) return wrong(*why);
+    if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
     const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
-    const auto error = format == QLatin1String("png")
-                           ? raster::writeGridPng(*placed->cells, words.output)
+    const bool png = format == QLatin1String("png");
+    const raster::MapServerFiles pair = raster::mapServerFiles(words.output);
+    QStringList outputs = png ? QStringList{output} : QStringList{text(pair.pgm), text(pair.yaml)};
+    const QString world_file = QFileInfo(output).absolutePath() + QLatin1Char('/') +
+                               QFileInfo(output).completeBaseName() + QStringLiteral(".pgw");
+    if (words.world_file) outputs << world_file;
+    const auto sources = (*robot)->sourceFiles();
+    if (const auto why = overOwnSource(outputs, sources); why && !words.force) return wrong(*why);
+    std::optional<disk::WrittenFile> placing;
+    if (words.world_file) {
+      placing.emplace(world_file.toStdString());
+      placing->write(raster::worldFileText(placed->reference));
+      if (!placing->finish()) return wrong(text(*placing->place()));
+    }
+    const auto error = png ? raster::writeGridPng(*placed->cells, words.output)
                            : raster::writeMapServer(*placed->cells, placed->reference, words.output);
     if (error) return wrong(text(*error));
-    if (words.world_file) {
-      const QString path = folder.filePath() + QLatin1Char('/') + QFileInfo(output).completeBaseName() +
-                           QStringLiteral(".pgw");
-      QSaveFile file(path);
-      const std::string lines = raster::worldFileText(placed->reference);
-      if (!file.open(QIODevice::WriteOnly) || file.write(lines.data(), qint64(lines.size())) < 0 ||
-          !file.commit()) {
-        return wrong(QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString()));
-      }
+    if (placing) {
+      if (const auto problem = placing->place()) return wrong(text(*problem));
     }
-    std::printf(
-        "%s: %d x %d cells of %g m
-        ", qUtf8Printable(oneLine(output)), placed->reference.width,
-        placed->reference.height,
-        placed->reference.resolution_m);
+    if (!printed && !isStandardOutput(text(words.report))) {
+      std::printf("%s: %d x %d cells of %g m\n", qUtf8Printable(oneLine(output)), placed->reference.width,
+                  placed->reference.height, placed->reference.resolution_m);
+    }
     return kDone;
   });
 }
 
 int mapsDiff(const MapsWords& words, int& argc, char** argv) {
   return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const QString printed = words.json ? QStringLiteral("-") : QString();
+    auto why_not = words.diff_picture.empty() ? std::nullopt : whyNotWritable(text(words.diff_picture));
+    if (!why_not) why_not = whyNotTogether({text(words.diff_picture), text(words.report), printed});
+    if (why_not) return tl::make_unexpected(CommandFailure{kUsage, *why_not});
+    std::vector<std::string> sources;
     std::vector<render::PlacedGrid> maps;
     for (const std::string& word : {words.first, words.second}) {
       const QString operand = text(word);
@@ -325,9 +338,16 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
       const auto placed = (*robot)->map(alone ? QString() : operand, resolutionOf(words));
       if (!placed) return tl::make_unexpected(placed.error());
       maps.push_back(*placed);
+      for (std::string& file : (*robot)->sourceFiles()) sources.push_back(std::move(file));
     }
-    const auto diff = diffMaps(maps[0], maps[1], text(words.diff_picture));
+    const QString picture = text(words.diff_picture);
+    if (const auto why = overOwnSource({picture}, sources); why && !words.force) {
+      return tl::make_unexpected(CommandFailure{kUsage, *why});
+    }
+    const auto diff = diffMaps(maps[0], maps[1], picture);
     if (!diff) return tl::make_unexpected(CommandFailure{kUsage, diff.error()});
+    if (isStandardOutput(picture) || isStandardOutput(text(words.report)))
+      return diff->same() ? kDone : kIncomplete;
     using render::Difference;
     const auto cells = [&](Difference what) { return qint64(diff->cells[std::size_t(what)]); };
     const std::vector<std::pair<const char*, Difference>> kinds{

@@ -17,6 +17,7 @@ struct MapsWords {
   std::string resolution, origin;  // of a bare picture file; of exported submaps: the resolution
   double timeout_s = 60;
   bool json = false, world_file = false;
+  bool force = false;  // also over a file that is read
 };
 
 /// The exit code (cli.md).

@@ -85,8 +85,8 @@ int MapsCommand::end(const CommandResult<int>& result) const {
     report[QStringLiteral("complete")] = complete();
     report[QStringLiteral("warnings")] = QJsonArray::fromStringList(warnings);
   }
-  if (!report_path_.isEmpty() && !writeReport(report_path_, report)) {
-    return say(QStringLiteral("%1 cannot be written.").arg(report_path_), kUsage);
+  if (!report_path_.isEmpty()) {
+    if (const auto problem = writeReport(report_path_, report)) return say(*problem, kUsage);
   }
   if (!result) return say(result.error().sentence, result.error().exit_code);
   if (!complete()) {

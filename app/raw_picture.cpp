@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include <QSaveFile>
 #include <QThreadPool>
 #include <spng.h>
 
 #include "app/snapshot_picture.h"
+#include "disk/written_file.h"
 
 namespace mapwright::app {
 namespace {
@@ -34,12 +34,9 @@ std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
       failure ? nullptr : spng_get_png_buffer(encoder.get(), &bytes, &failure), &std::free);
   if (!png)
     return QStringLiteral("The picture cannot be encoded: %1.").arg(QLatin1String(spng_strerror(failure)));
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly) ||
-      file.write(static_cast<const char*>(png.get()), qint64(bytes)) < 0 || !file.commit()) {
-    return QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString());
-  }
-  return std::nullopt;
+  const auto problem =
+      disk::writeFile(path.toStdString(), std::string_view(static_cast<const char*>(png.get()), bytes));
+  return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
 }
 
 class RawPicture : public SnapshotPicture {

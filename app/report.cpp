@@ -3,8 +3,8 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 
+#include "disk/written_file.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -60,10 +60,10 @@ QString firstOf(const QStringList& lines) {
   return QStringLiteral("%1 (and %2 more; --report lists them)").arg(lines.first()).arg(lines.size() - 1);
 }
 
-bool writeReport(const QString& path, const QJsonObject& report) {
-  QSaveFile file(path);
-  const QByteArray json = words::escapedJson(QJsonDocument(report).toJson());
-  return file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.commit();
+std::optional<QString> writeReport(const QString& path, const QJsonObject& report) {
+  const auto problem =
+      disk::writeFile(path.toStdString(), words::escapedJson(QJsonDocument(report).toJson()).toStdString());
+  return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
 }
 
 qint64 peakMemoryBytes() {

@@ -1,6 +1,8 @@
 // What a command says of its work, as JSON and in words. Pure, but for the memory.
 #pragma once
 
+#include <optional>
+
 #include <QJsonObject>
 #include <QString>
 #include <QStringList>
@@ -29,8 +31,8 @@ QStringList problemLines(const session::ProblemLog& log);
 /// The first and how many more there are; "" when there is none.
 QString firstOf(const QStringList& lines);
 
-/// False when it could not be written.
-bool writeReport(const QString& path, const QJsonObject& report);
+/// nullopt = written, else a sentence. "-" is the standard output.
+std::optional<QString> writeReport(const QString& path, const QJsonObject& report);
 
 /// The most memory this program has held.
 qint64 peakMemoryBytes();

@@ -7,6 +7,7 @@
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/files/file_robot.h"
+#include "robot/files/picture_yamls.h"
 
 namespace mapwright::app {
 
@@ -41,6 +42,15 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
         .arg(options, QFileInfo(parsed->path).fileName());
   }
   return std::nullopt;
+}
+
+std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
+                                       const std::string& picture) {
+  std::vector<std::string> files = robot::localFiles(address, id, picture);
+  if (files.empty() || picture.empty()) return files;
+  for (const QString& yaml : robot::files::yamlsNaming(QString::fromStdString(picture)))
+    files.push_back(yaml.toStdString());
+  return files;
 }
 
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin) {

@@ -19,6 +19,10 @@ namespace mapwright::app {
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const Access& access,
                                                                DemoTime demo_time);
 
+/// The local files that a map is read from, the map.yaml beside a picture included; none of a robot.
+std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
+                                       const std::string& picture);
+
 /// The address of a bare picture with its resolution (metres per cell) and origin ("x,y" or "x,y,yaw") from
 /// the command line, which makeRobot() then checks; other addresses, and empty words, change nothing.
 /// Why --resolution and --origin make no sense for this address; nullopt when they do, or are not given.

@@ -1,13 +1,12 @@
 #include <algorithm>
 
 #include <QImage>
-#include <QImageWriter>
 #include <QPainter>
-#include <QSaveFile>
 #include <QTimer>
 
 #include "app/snapshot_picture.h"
 #include "scene/map_scene.h"
+#include "scene/write_picture.h"
 
 namespace mapwright::app {
 namespace {
@@ -78,13 +77,7 @@ class ScenePicture : public SnapshotPicture {
     const QRectF whole(QPointF(0, 0), QSizeF(options_.size_px));
     scene_.render(&painter, whole, whole);
     painter.end();
-    QSaveFile file(path);
-    const bool opened = file.open(QIODevice::WriteOnly);
-    QImageWriter writer(&file, "png");
-    if (!opened || !writer.write(image) || !file.commit()) {
-      return QStringLiteral("%1 cannot be written: %2.").arg(path, file.errorString());
-    }
-    return std::nullopt;
+    return scene::writePicture(image, path);
   }
 
  private:

@@ -11,6 +11,7 @@
 #include "app/display.h"
 #include "app/exit_code.h"
 #include "app/one_line.h"
+#include "app/output_paths.h"
 #include "app/report.h"
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
@@ -28,7 +29,7 @@ int refuse(int exit_code, const QString& sentence) {
 /// What the deadline does when the run is not over in time: it says so, also in the report.
 int giveUp(const SnapshotOptions& options, const SnapshotRun::Standing& standing) {
   if (!options.report.isEmpty()) writeReport(options.report, standing.report);
-  if (options.json) {
+  if (options.json && !isStandardOutput(options.report)) {
     const QByteArray json = words::escapedJson(QJsonDocument(standing.report).toJson());
     if (write(STDOUT_FILENO, json.constData(), std::size_t(json.size())) < 0) return kIncomplete;
   }
@@ -66,12 +67,15 @@ QString summaryOf(const SnapshotRun& run) {
 /// The report, and what goes to the terminal; the exit code.
 int sayWhatCame(const SnapshotRun& run, int exit_code) {
   const QJsonObject report = run.report();
-  if (!run.options().report.isEmpty() && !writeReport(run.options().report, report)) {
-    return refuse(kUsage, QStringLiteral("%1 cannot be written.").arg(run.options().report));
+  const QString& report_path = run.options().report;
+  if (!report_path.isEmpty() && !run.overItsSource()) {
+    if (const auto problem = writeReport(report_path, report)) return refuse(kUsage, *problem);
   }
-  if (run.options().json) std::printf("%s", words::escapedJson(QJsonDocument(report).toJson()).constData());
+  const bool printed = isStandardOutput(report_path) || isStandardOutput(run.options().output);
+  if (run.options().json && !isStandardOutput(report_path))
+    std::printf("%s", words::escapedJson(QJsonDocument(report).toJson()).constData());
   if (!run.error().isEmpty()) return refuse(exit_code, run.error());
-  if (!run.options().json) std::printf("%s\n", qUtf8Printable(summaryOf(run)));
+  if (!run.options().json && !printed) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
   if (exit_code == kDone) return kDone;
   return refuse(exit_code, QStringLiteral("Not complete. %1").arg(firstOf(run.warnings())));
 }

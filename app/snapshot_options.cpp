@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include <QFileInfo>
 #include <QStringList>
 
+#include "app/output_paths.h"
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
 #include "geometry/view_transform.h"
@@ -104,6 +104,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   options.report = text(words.report);
   options.raw = words.raw;
   options.json = words.json;
+  options.force = words.force;
   if (options.robot.isEmpty()) {
     return wrong(QStringLiteral(
         "Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
@@ -201,12 +202,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   if (const auto why = whyWithoutEffect(words, options)) return wrong(*why);
   for (const QString& path : {options.output, options.report}) {
     if (path.isEmpty()) continue;
-    const QFileInfo folder(QFileInfo(path).absolutePath());
-    if (!folder.isDir() || !folder.isWritable()) {
-      return wrong(QStringLiteral("%1 cannot be written: there is no writable folder %2.")
-                       .arg(path, folder.filePath()));
-    }
+    if (const auto why = whyNotWritable(path)) return wrong(*why);
   }
+  const QString printed = options.json && !isStandardOutput(options.report) ? QStringLiteral("-") : QString();
+  if (const auto why = whyNotTogether({options.output, options.report, printed})) return wrong(*why);
   return options;
 }
 

@@ -24,7 +24,7 @@ struct SnapshotWords {
   std::optional<double> scale;
   double rotate_deg = 0, timeout_s = 60;
   int slice = 0;
-  bool fit = false, raw = false, json = false, average = false, robot_anyway = false;
+  bool fit = false, raw = false, json = false, average = false, robot_anyway = false, force = false;
   AccessWords access;
 };
 
@@ -48,6 +48,7 @@ struct SnapshotOptions {
   bool dark = false;
   bool raw = false;
   bool json = false;
+  bool force = false;              // also over a file that the map is read from
   std::optional<double> settle_s;  // nullopt = complete
   double timeout_s = 60;
 };

@@ -8,8 +8,11 @@
 #include <QMetaMethod>
 
 #include "app/exit_code.h"
+#include "app/output_paths.h"
 #include "app/report.h"
 #include "app/robot_factory.h"
+#include "robot/address.h"
+#include "scene/write_picture.h"
 
 namespace mapwright::app {
 namespace {
@@ -340,11 +343,20 @@ void SnapshotRun::write() {
     complete_ = false;
     notes_.prepend(QString::fromStdString(grid->cells->trouble()));
   }
-  if (const auto error = picture_->write(options_.output)) {
+  if (const auto why = overItsSource()) {
+    fail(kUsage, *why);
+  } else if (const auto error = picture_->write(options_.output)) {
     fail(kUsage, *error);
   } else {
     finish(complete_ ? kDone : chosen_->refused ? exitCodeOf(map::FailureKind::Refused) : kIncomplete);
   }
+}
+
+std::optional<QString> SnapshotRun::overItsSource() const {
+  if (options_.force) return std::nullopt;
+  const session::MapSlot& slot = session_.wholeMap();
+  return overOwnSource({options_.output, options_.report},
+                       sourceFilesOf(options_.robot, slot.key().id, slot.shown().path));
 }
 
 void SnapshotRun::fail(int exit_code, const QString& sentence) {

@@ -31,6 +31,8 @@ class SnapshotRun : public QObject {
   QString error() const { return error_; }  // the sentence when nothing could be made
   QStringList warnings() const;
   const SnapshotOptions& options() const { return options_; }
+  /// A sentence when the picture or the report would replace a file that the map is read from.
+  std::optional<QString> overItsSource() const;
 
   /// How things stood a short while ago, for whoever ends the run from another thread.
   struct Standing {

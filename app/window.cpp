@@ -3,12 +3,12 @@
 #include <cstdio>
 
 #include <QApplication>
-#include <QSettings>
 
 #include "app/display.h"
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/robot_factory.h"
+#include "app/settings_file.h"
 #include "app/snapshot.h"
 #include "robot/address.h"
 #include "robot/files/picture_yamls.h"
@@ -25,24 +25,29 @@ session::Session::Options sessionOptions() {
 }
 
 int showWindow(const QString& address, const RobotAccess& known) {
-  QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("mapwright"),
-                     QStringLiteral("mapwright"));
+  const std::unique_ptr<QSettings> settings = openSettings();
   window::MainWindow main_window({[&](const QString& to, const QByteArray& typed_secret) {
                                     Access access = known.forAddress(to);
                                     if (!typed_secret.isEmpty()) access.secret = typed_secret;
                                     if (const auto parsed = robot::parseAddress(to)) {
                                       access.trust.pinned_sha256 = net::fingerprintFrom(
-                                          window::TrustedCertificates(settings).of(robot::hostOf(*parsed)));
+                                          window::TrustedCertificates(*settings).of(robot::hostOf(*parsed)));
                                     }
                                     return makeRobot(to, access, DemoTime::Running);
                                   },
-                                  settings,
+                                  *settings,
                                   address,
                                   sessionOptions(),
                                   {},
                                   robot::files::yamlsNaming});
   main_window.show();
-  return QApplication::exec();
+  const int exit_code = QApplication::exec();
+  settings->sync();
+  if (settings->status() != QSettings::NoError) {
+    std::fprintf(stderr, "The window's layout cannot be kept: %s cannot be written.\n",
+                 qUtf8Printable(settings->fileName()));
+  }
+  return exit_code;
 }
 
 }  // namespace

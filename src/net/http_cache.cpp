@@ -1,8 +1,12 @@
 #include "net/http_cache.h"
 
 #include <algorithm>
+#include <array>
+#include <fcntl.h>
 #include <filesystem>
+#include <sys/stat.h>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <QCryptographicHash>
@@ -13,6 +17,7 @@
 #include <QFileInfo>
 #include <QTemporaryFile>
 
+#include "disk/read_file.h"
 #include "net/cache_control.h"
 
 namespace mapwright::net {
@@ -32,6 +37,17 @@ constexpr QFileDevice::Permissions kPrivateFolder = kPrivateFile | QFileDevice::
 const QLatin1String kSuffix(".answer");
 
 QByteArray keyOf(const QUrl& url) { return url.toEncoded(QUrl::RemoveFragment | QUrl::RemoveUserInfo); }
+
+/// The time of last use is the file's own, so that it outlives the program. It is not written at every use.
+void touch(const std::string& path, qint64 now_ms) {
+  struct stat about {};
+  if (::lstat(path.c_str(), &about) != 0) return;
+  const qint64 before_ms = qint64(about.st_mtim.tv_sec) * 1000 + about.st_mtim.tv_nsec / 1'000'000;
+  if (qAbs(now_ms - before_ms) <= kTouchEveryMs) return;
+  const timespec now{time_t(now_ms / 1000), long(now_ms % 1000) * 1'000'000};
+  const std::array<timespec, 2> times{now, now};
+  ::utimensat(AT_FDCWD, path.c_str(), times.data(), AT_SYMLINK_NOFOLLOW);
+}
 
 QByteArray nameOf(const QUrl& url) {
   return QCryptographicHash::hash(keyOf(url), QCryptographicHash::Sha1).toHex();
@@ -57,12 +73,15 @@ QString HttpCache::pathOf(const QByteArray& name) const {
 }
 
 std::optional<HttpCache::Record> HttpCache::read(const QByteArray& name, const QUrl& url) {
-  QFile file(pathOf(name));
-  if (!file.open(QIODevice::ReadOnly)) {
+  const QString path = pathOf(name);
+  if (!QFileInfo::exists(path)) {
     return std::nullopt;
   }
-  const bool plausible = file.size() <= budget_bytes_ && file.size() >= kMagicBytes + kChecksumBytes;
-  const QByteArray bytes = plausible ? file.readAll() : QByteArray();
+  // Whatever lies there: a named pipe is no answer, and is not waited for.
+  const auto read = disk::readFile(path.toStdString(), std::size_t(std::max<qint64>(budget_bytes_, 0)) + 1);
+  const bool plausible =
+      read && qint64(read->size()) <= budget_bytes_ && qint64(read->size()) >= kMagicBytes + kChecksumBytes;
+  const QByteArray bytes = plausible ? QByteArray::fromStdString(*read) : QByteArray();
   const QByteArray content = bytes.mid(kMagicBytes + kChecksumBytes);
   const bool whole =
       bytes.startsWith(kMagic) &&
@@ -75,17 +94,13 @@ std::optional<HttpCache::Record> HttpCache::read(const QByteArray& name, const Q
         record.body;
     if (stream.status() == QDataStream::Ok && record.url == keyOf(url)) {
       const qint64 now_ms = now_().toMSecsSinceEpoch();
-      if (qAbs(now_ms - file.fileTime(QFileDevice::FileModificationTime).toMSecsSinceEpoch()) >
-          kTouchEveryMs) {
-        file.setFileTime(now_(), QFileDevice::FileModificationTime);
-      }
+      touch(path.toStdString(), now_ms);
       if (const auto entry = index_.find(name); entry != index_.end()) {
         entry->last_use_ms = now_ms;
       }
       return record;
     }
   }
-  file.close();
   forget(name);
   return std::nullopt;
 }
@@ -160,7 +175,7 @@ void HttpCache::remove(const QUrl& url) { forget(nameOf(url)); }
 void HttpCache::forget(const QByteArray& name) {
   QFile file(pathOf(name));
   if (file.exists() && !file.remove()) {
-    last_error_ = QStringLiteral("%1 cannot be removed: %2").arg(file.fileName(), file.errorString());
+    fail(QStringLiteral("%1 cannot be removed: %2").arg(file.fileName(), file.errorString()));
     return;
   }
   if (const auto entry = index_.find(name); entry != index_.end()) {
@@ -174,7 +189,7 @@ bool HttpCache::makeFolder(const QString& path) {
     return true;
   }
   if (!QDir().mkpath(path) || !QFile::setPermissions(path, kPrivateFolder)) {
-    last_error_ = QStringLiteral("the folder %1 cannot be made").arg(path);
+    fail(QStringLiteral("the folder %1 cannot be made").arg(path));
     return false;
   }
   return true;
@@ -220,7 +235,7 @@ void HttpCache::write(const QByteArray& name, const Record& record) {
       why = QString::fromStdString(failure.message());
   }
   if (!written) {
-    last_error_ = QStringLiteral("%1 cannot be written: %2").arg(path, why);
+    fail(QStringLiteral("%1 cannot be written: %2").arg(path, why));
     return;
   }
   Entry& entry = index_[name];
@@ -278,6 +293,14 @@ qint64 HttpCache::bytes() const {
     scan();
   }
   return bytes_;
+}
+
+void HttpCache::fail(const QString& what) {
+  last_error_ = what;
+  if (const Trouble tell = std::exchange(trouble_, nullptr)) {
+    tell(QStringLiteral("What the robot answers cannot be kept on disk: %1. It is asked for again each time.")
+             .arg(what));
+  }
 }
 
 QString HttpCache::lastError() const { return last_error_; }

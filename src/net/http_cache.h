@@ -26,6 +26,7 @@ struct CachedAnswer {
 class HttpCache {
  public:
   using Now = std::function<QDateTime()>;
+  using Trouble = std::function<void(const QString& sentence)>;
   /// `budget_bytes` bounds the folder; the files used longest ago are removed first.
   HttpCache(QString folder, qint64 budget_bytes, Now now = &QDateTime::currentDateTimeUtc);
 
@@ -43,6 +44,8 @@ class HttpCache {
 
   qint64 bytes() const;
   QString lastError() const;
+  /// Told once, the first time that something cannot be kept or removed.
+  void setTrouble(Trouble trouble) { trouble_ = std::move(trouble); }
   QString folder() const { return folder_; }
 
  private:
@@ -59,6 +62,7 @@ class HttpCache {
   void scan() const;
   void evict(const QByteArray& keep);
   bool makeFolder(const QString& path);
+  void fail(const QString& what);
 
   QString folder_;
   qint64 budget_bytes_;
@@ -69,6 +73,7 @@ class HttpCache {
   mutable qint64 bytes_ = -1;  // -1 = not read yet
   mutable int stores_since_scan_ = 0;
   QString last_error_;
+  Trouble trouble_;
 };
 
 }  // namespace mapwright::net

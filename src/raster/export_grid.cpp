@@ -11,7 +11,7 @@
 
 #include <spng.h>
 
-#include "raster/aside_file.h"
+#include "disk/written_file.h"
 
 namespace mapwright::raster {
 
@@ -82,11 +82,11 @@ std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
 }
 
 struct PngWriter {
-  AsideFile& file;
+  disk::WrittenFile& file;
   std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context{spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free};
 
   static int write(spng_ctx*, void* user, void* bytes, std::size_t count) {
-    AsideFile& out = *static_cast<AsideFile*>(user);
+    auto& out = *static_cast<disk::WrittenFile*>(user);
     out.write(bytes, count);
     return out.good() ? 0 : int(SPNG_IO_ERROR);
   }
@@ -148,7 +148,7 @@ std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::stri
   if (!trinary) return trinary.error();
   // Grays that are all grays leave none to stand for what is not there.
   const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
-  AsideFile file(path);
+  disk::WrittenFile file(path);
   PngWriter png{file};
   bool good = png.begin(grid.width(), grid.height(), has_alpha);
   const CellMeaning& meaning = meaningOf(grid.code());
@@ -172,17 +172,21 @@ std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::stri
   return file.place();
 }
 
-std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
-                                          const std::string& path, const Proceed& proceed) {
+MapServerFiles mapServerFiles(const std::string& path) {
   std::filesystem::path base(path);
   if (base.extension() == ".pgm" || base.extension() == ".yaml" || base.extension() == ".yml") {
     base.replace_extension();
   }
-  const std::string pgm_path = base.string() + ".pgm";
+  return {base.string() + ".pgm", base.string() + ".yaml"};
+}
+
+std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+                                          const std::string& path, const Proceed& proceed) {
+  const MapServerFiles paths = mapServerFiles(path);
   const auto trinary = isTrinary(grid, proceed);
   if (!trinary) return trinary.error();
   const std::array<std::uint8_t, 256> shades = shadesOf(grid.code(), *trinary);
-  AsideFile pgm(pgm_path), yaml(base.string() + ".yaml");
+  disk::WrittenFile pgm(paths.pgm), yaml(paths.yaml);
   pgm.write("P5\n" + std::to_string(grid.width()) + " " + std::to_string(grid.height()) + "\n255\n");
   const std::size_t width = std::size_t(grid.width());
   std::vector<std::uint8_t> out(width);
@@ -192,7 +196,9 @@ std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::Gr
     return pgm.good();
   });
   if (stopped) return stopped;
-  yaml.write(mapYamlText(reference, std::filesystem::path(pgm_path).filename().string(), !*trinary));
+  yaml.write(mapYamlText(reference, std::filesystem::path(paths.pgm).filename().string(), !*trinary));
+  yaml.finish();  // both are whole before the first is in its place
+  if (!yaml.good()) return yaml.place();
   if (auto problem = pgm.place()) return problem;
   return yaml.place();
 }

@@ -202,4 +202,16 @@ QString hostOf(const Address& address) {
       .arg(address.url.port());
 }
 
+std::vector<std::string> localFiles(const QString& address, const std::string& id,
+                                    const std::string& picture) {
+  std::vector<std::string> files;
+  const auto parsed = parseAddress(address);
+  if (!parsed || parsed->backend != Backend::File) return files;
+  const std::string path = parsed->path.toStdString();
+  files.push_back(path);
+  if (!id.empty()) files.push_back(path + '/' + id);
+  if (!picture.empty()) files.push_back(picture);
+  return files;
+}
+
 }  // namespace mapwright::robot

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <QString>
 #include <QUrl>
@@ -33,5 +35,10 @@ tl::expected<Address, QString> parseAddress(const QString& text);
 
 /// "192.0.2.7:8090": which server on the network it is; empty for files and the demo.
 QString hostOf(const Address& address);
+
+/// The files that a map is read from at `address`: the one that it names, or `id` in the folder that it
+/// names, and the map's picture (each where there is one). None of a robot.
+std::vector<std::string> localFiles(const QString& address, const std::string& id,
+                                    const std::string& picture);
 
 }  // namespace mapwright::robot

@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <QDir>
 #include <QDirIterator>
 #include <QTemporaryDir>
@@ -243,6 +245,37 @@ class TestHttpCache : public QObject {
     cache.store(kUrl, "body", {}, "immutable", {}, true);
     QVERIFY(!cache.find(kUrl));
     QVERIFY(!cache.lastError().isEmpty());
+  }
+
+  void whatGoesWrongIsToldOnce() {
+    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+    QStringList told;
+    cache.setTrouble([&](const QString& sentence) { told << sentence; });
+    for (int i = 0; i < 5; ++i) cache.store(numbered(i), "body", {}, "immutable", {}, true);
+    QCOMPARE(told.size(), qsizetype(1));
+    QVERIFY2(told.first().contains(in_the_way.fileName()), qPrintable(told.first()));
+  }
+
+  void whatIsNoFileReadsAsAMissAndHoldsNobodyUp_data() {
+    QTest::addColumn<bool>("pipe");
+    QTest::newRow("a named pipe") << true;
+    QTest::newRow("a folder") << false;
+  }
+  void whatIsNoFileReadsAsAMissAndHoldsNobodyUp() {
+    QFETCH(bool, pipe);
+    HttpCache cache = open();
+    cache.store(kUrl, "body", {}, "immutable", {}, true);
+    const QString path = filesIn(folder_->path()).value(0);
+    QVERIFY(QFile::remove(path));
+    QVERIFY(pipe ? ::mkfifo(QFile::encodeName(path).constData(), 0600) == 0 : QDir().mkdir(path));
+    QVERIFY(!cache.find(kUrl));
+    cache.refresh(kUrl, "immutable", {});
+    cache.copy(kUrl, numbered(1));
+    QVERIFY(!cache.find(numbered(1)));
+    cache.store(kUrl, "body", {}, "immutable", {}, true);
+    QCOMPARE(cache.find(kUrl).has_value(), pipe);  // a folder stays in the way
   }
 
   void onlyTheUserMayLookInside() {

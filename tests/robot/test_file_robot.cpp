@@ -10,6 +10,7 @@
 #include "robot/files/file_robot.h"
 #include "robot/files/picture_yamls.h"
 #include "robot/files/read_map_yaml.h"
+#include "robot/files/yaml_shelf.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -52,7 +53,10 @@ class FileRobotTest : public QObject {
     options.settle = std::chrono::milliseconds(1);
     auto robot = std::make_unique<FileRobot>(QStringLiteral("file:test"), options);
     robot->connectToRobot();
-    return robot;
+    // Connecting takes as long as the disk does, but never on this thread.
+    if (robot->connection().phase != ConnectionPhase::Connecting) return nullptr;
+    const auto looked = [&] { return robot->connection().phase != ConnectionPhase::Connecting; };
+    return QTest::qWaitFor(looked, kPatienceMs) ? std::move(robot) : nullptr;
   }
   static Answer<map::WholeMap> fetch(FileRobot& robot, const std::string& id = {}) {
     return answerTo<map::WholeMap>([&](auto reply) {
@@ -240,6 +244,79 @@ class FileRobotTest : public QObject {
     QVERIFY(fetch(*robot, "office.yaml").has_value());
     for (const char* id : {"", "notes.txt", "../office.yaml", "/etc/passwd"})
       QVERIFY2(!fetch(*robot, id), id);
+  }
+
+  void aNamedPipeIsRefusedAndHoldsNobodyUp() {
+    for (const char* name : {"pipe.yaml", "pipe.png", "pipe.pgm"}) {
+      QCOMPARE(::mkfifo(QFile::encodeName(path(QLatin1String(name))).constData(), 0600), 0);
+      const auto robot = open(QLatin1String(name));
+      QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
+      QVERIFY(robot->connection().reason.contains(QLatin1String(name)));
+      QVERIFY(!fetch(*robot));
+    }
+    write(QStringLiteral("office.yaml"), QByteArray(kYaml).replace("office.pgm", "pipe.pgm"));
+    QCOMPARE(open(QStringLiteral("office.yaml"))->connection().phase, ConnectionPhase::Refused);
+    const auto folder = open({});
+    const auto list =
+        answerTo<std::vector<map::CatalogueEntry>>([&](auto reply) { folder->mapCatalogue()->list(reply); });
+    QCOMPARE(list->size(), std::size_t(1));  // office.yaml
+    QVERIFY(!fetch(*folder, "pipe.yaml"));
+    QVERIFY(!YamlShelf().read(path(QStringLiteral("pipe.yaml")).toStdString()));
+  }
+
+  void onlyWhatChangedIsReadAgain() {
+    std::int64_t later_ns = 0;
+    timespec now{};
+    YamlShelf shelf([&] {
+      ::clock_gettime(CLOCK_REALTIME, &now);
+      return std::int64_t(now.tv_sec) * 1'000'000'000 + now.tv_nsec + later_ns;
+    });
+    write(QStringLiteral("a.yaml"), kYaml);
+    const std::string a = path(QStringLiteral("a.yaml")).toStdString();
+    for (int times = 1; times <= 2; ++times) {
+      QVERIFY(shelf.read(a).has_value());
+      QCOMPARE(shelf.reads(), times);  // so fresh that another change might bear the same time
+    }
+    later_ns = std::int64_t(60) * 1'000'000'000;
+    for (int times = 0; times < 3; ++times) QVERIFY(shelf.read(a).has_value());
+    QCOMPARE(shelf.reads(), 3);
+    write(QStringLiteral("b.yaml"), QByteArray(kYaml).replace("0.05", "0.10"));
+    QCOMPARE(::rename(QFile::encodeName(path(QStringLiteral("b.yaml"))).constData(), a.c_str()), 0);
+    QCOMPARE(shelf.read(a)->grid.resolution_m, 0.10);
+    QVERIFY(QFile::remove(path(QStringLiteral("a.yaml"))));
+    QVERIFY(!shelf.read(a));
+  }
+
+  void manyQuestionsAreAnsweredOnceEachAndNoneAfterTheRobotIsGone() {
+    for (int i = 0; i < 300; ++i) write(QStringLiteral("%1.yaml").arg(i), kYaml);
+    auto robot = open({});
+    std::vector<int> answered(20);
+    for (std::size_t i = 0; i < answered.size(); ++i) {
+      robot->mapCatalogue()->list([&, i](const Answer<std::vector<map::CatalogueEntry>>& list) {
+        answered[i] += list && list->size() == 300 ? 1 : 1000;
+      });
+    }
+    QVERIFY(answered == std::vector<int>(20));  // later, never from within
+    QTRY_VERIFY_WITH_TIMEOUT(answered.back() > 0, kPatienceMs);
+    QVERIFY(answered == std::vector<int>(20, 1));
+    for (int i = 0; i < 20; ++i) {
+      robot->mapCatalogue()->list([&](const auto&) { answered.clear(); });
+      robot->wholeMapSource()->fetch({map::MapKind::File, "1.yaml"}, [&](const auto&) { answered.clear(); });
+    }
+    robot.reset();
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents();
+    QVERIFY(answered == std::vector<int>(20, 1));
+  }
+
+  void aRobotThatWasLeftStaysOffline() {
+    write(QStringLiteral("office.yaml"), kYaml);
+    write(QStringLiteral("office.pgm"), "P5");
+    const auto robot = open(QStringLiteral("office.yaml"));
+    robot->connectToRobot();
+    robot->disconnectFromRobot();
+    QVERIFY(fetch(*robot).has_value());  // asked after the look that was under way
+    QCOMPARE(robot->connection().phase, ConnectionPhase::Offline);
   }
 
   void changesAreTold() {

@@ -136,6 +136,7 @@ std::optional<QString> MainWindow::connectTo(const QString& address, const QByte
   fit_next_map_ = false;
   fitted_map_.reset();
   recents_.add(address, QDateTime::currentDateTime());
+  noteSettings();
   wireSession();
   session_->open();
   refreshState();

@@ -132,6 +132,7 @@ class MainWindow : public QMainWindow {
   void placeDocks();
   void restoreSettings();
   void saveSettings();
+  void noteSettings();
   void syncLayerActions();
   // main_window_map.cpp
   void wireMap();
@@ -175,6 +176,8 @@ class MainWindow : public QMainWindow {
   void refreshPlace();
   void changeRobotPlace();
   QString titleOf(const QString& robot) const;
+  /// The local files that the map on screen was read from.
+  std::vector<std::string> sourceFiles() const;
   // main_window.cpp
   void retry();
   void dismissNotice();
@@ -222,6 +225,7 @@ class MainWindow : public QMainWindow {
   bool problems_shown_once_ = false;
   /// Which tabs are in front was restored: nothing raises others by itself.
   bool front_tabs_chosen_ = false;
+  bool settings_told_ = false;  // that they cannot be kept
   /// The camera is still ours: the first pictures may be fitted.
   bool may_fit_ = true;
   bool fitted_poses_ = false;

@@ -15,6 +15,7 @@
 #include <QStandardPaths>
 #include <QThreadPool>
 
+#include "robot/address.h"
 #include "window/dialogs/export_dialog.h"
 #include "window/dialogs/picture_dialog.h"
 #include "window/files/folders.h"
@@ -141,6 +142,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
   openPath(path);
 }
 
+std::vector<std::string> MainWindow::sourceFiles() const {
+  if (!session_) return {};
+  const session::MapSlot& slot = session_->wholeMap();
+  return robot::localFiles(session_->robot().address(), slot.key().id, slot.shown().path);
+}
+
 void MainWindow::exportMap() {
   if (!session_) return;
   const session::MapSlot& slot = session_->wholeMap();
@@ -165,6 +172,7 @@ void MainWindow::exportMap() {
     const QImage picture = mapPicture();
     return ViewExport{picture, referenceOf(scene_->view(), picture.size())};
   };
+  offer.sources = sourceFiles();
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   offer.folder = folderToWriteInto({dependencies_.settings.value(kExportFolderKey).toString(), documents});
   delete export_dialog_;

@@ -1,5 +1,8 @@
 // MainWindow: docks, and what is remembered of the layout.
+#include <utility>
+
 #include <QActionGroup>
+#include <QDir>
 #include <QGuiApplication>
 #include <QScreen>
 
@@ -15,6 +18,7 @@
 #include "window/map/compare_control.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
 
 namespace mapwright::window {
 
@@ -161,6 +165,16 @@ void MainWindow::saveSettings() {
   if (before) endMapMode();
   saveLayers(*scene_, settings);
   if (before && session_) beginMapMode();
+}
+
+void MainWindow::noteSettings() {
+  QSettings& settings = dependencies_.settings;
+  settings.sync();
+  if (settings.status() == QSettings::NoError || std::exchange(settings_told_, true)) return;
+  overlay_->toasts()->add(
+      Mark::Warning,
+      tr("The layout and the recent robots cannot be kept: %1 cannot be written. Is the disk full?")
+          .arg(QDir::toNativeSeparators(settings.fileName())));
 }
 
 void MainWindow::setColorMode(render::ColorMode mode) {

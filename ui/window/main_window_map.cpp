@@ -6,16 +6,16 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
-#include <QImageWriter>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
-#include <QSaveFile>
 #include <QStandardPaths>
 
+#include "scene/write_picture.h"
 #include "window/dialogs/go_to_dialog.h"
 #include "window/docks/inspector_dock.h"
+#include "window/files/export_map.h"
 #include "window/files/folders.h"
 #include "window/look/icons.h"
 #include "window/main_window.h"
@@ -204,15 +204,11 @@ QImage MainWindow::mapPicture() const {
 }
 
 std::optional<QString> MainWindow::saveMapPicture(const QString& path) {
-  // Written aside and moved into place: a full disk never leaves half a picture under that name.
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly))
-    return QStringLiteral("Cannot write %1: %2").arg(path, file.errorString());
-  QImageWriter writer(&file, "png");
-  if (!writer.write(mapPicture()))
-    return QStringLiteral("Cannot write %1: %2").arg(path, writer.errorString());
-  if (!file.commit()) return QStringLiteral("Cannot write %1: %2").arg(path, file.errorString());
-  return std::nullopt;
+  if (!firstOwnSource({path}, sourceFiles()).isEmpty()) {
+    return tr("%1 is a file that this map is read from. Choose another name.")
+        .arg(QDir::toNativeSeparators(path));
+  }
+  return scene::writePicture(mapPicture(), path);
 }
 
 void MainWindow::askAndSavePicture() {

@@ -85,6 +85,9 @@ void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
+    cache_->setTrouble([this](const QString& sentence) {
+      Q_EMIT problemFound({map::Severity::Warning, "Disk cache", sentence.toStdString()});
+    });
   }
   http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
   maps_ = std::make_unique<MapRequests>(

@@ -1,28 +1,21 @@
 // A map file, or a folder of them, behind the port.
 #pragma once
 
-#include <chrono>
+#include <QThread>
 
-#include <QFileSystemWatcher>
-#include <QTimer>
-
-#include "robot/files/local_maps.h"
+#include "robot/files/map_files.h"
 #include "robot/robot.h"
+#include "robot/wire/pending_answers.h"
 
 namespace mapwright::robot::files {
 
-struct FileOptions {
-  QString path;  // absolute; a file or a folder
-  PicturePlace place;
-  std::chrono::milliseconds settle{200};  // a change is told when this long nothing more has changed
-};
-
-/// One file is the map with the key {File, ""}; in a folder each map file is one, its name the id. Nothing
-/// here opens pictures. Works on the thread that made it.
+/// Nothing here touches the disk: MapFiles does, on a thread of its own.
 class FileRobot : public Robot, private MapCatalogue, private WholeMapSource {
   Q_OBJECT
  public:
   FileRobot(QString address, FileOptions options, QObject* parent = nullptr);
+  /// Waits for at most one look at one file.
+  ~FileRobot() override;
 
   QString address() const override { return address_; }
   void connectToRobot() override;
@@ -38,25 +31,17 @@ class FileRobot : public Robot, private MapCatalogue, private WholeMapSource {
   void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) override;
   void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) override;
   void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) override;
-
-  template <typename T>
-  void later(AnswerTo<T> reply, Answer<T> answer);
-  bool isFolder() const;
-  /// The file of a key; empty when there is none.
-  QString pathOf(const map::MapKey& key) const;
-  map::Problem problem(const map::MapKey& key, std::string sentence, map::Severity severity) const;
-  /// Watches what the maps are made of, and says what it is like now.
-  QStringList watchAndStamp();
   void enter(ConnectionPhase phase, const QString& reason = {});
-  void look();
-  void tellChange();
 
-  QString address_;
-  FileOptions options_;
+  QString address_, path_;
+  bool folder_;          // as far as is known
+  bool wanted_ = false;  // connected, or about to be
   ConnectionState state_;
-  QFileSystemWatcher watcher_;
-  QTimer settle_;
-  QStringList stamps_;
+  QThread thread_;
+  MapFiles* files_;  // lives on thread_, deleted when it ends
+  wire::PendingAnswers<std::vector<map::CatalogueEntry>> lists_;
+  wire::PendingAnswers<map::CatalogueEntry> descriptions_;
+  wire::PendingAnswers<map::WholeMap> whole_maps_;
 };
 
 }  // namespace mapwright::robot::files

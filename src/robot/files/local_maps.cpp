@@ -1,13 +1,12 @@
 #include "robot/files/local_maps.h"
 
-#include <filesystem>
+#include <sys/stat.h>
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 
-#include "robot/files/read_map_yaml.h"
-#include "words/sentences.h"
+#include "robot/files/picture_yamls.h"
+#include "robot/files/yaml_shelf.h"
 
 namespace mapwright::robot::files {
 namespace {
@@ -56,13 +55,8 @@ std::optional<std::string> whyUnreadable(const QString& path) {
   return std::nullopt;
 }
 
-tl::expected<map::WholeMap, std::string> fromYaml(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) {
-    return refused(
-        words::because(path.toStdString() + " cannot be opened", file.errorString().toStdString()));
-  }
-  auto yaml = parseMapYaml(file.read(qint64(kMaxYamlBytes) + 1).toStdString());
+tl::expected<map::WholeMap, std::string> fromYaml(const QString& path, YamlShelf& yamls) {
+  auto yaml = yamls.read(path.toStdString());
   if (!yaml) return refused(yaml.error());
   map::WholeMap whole;
   whole.name = QFileInfo(path).fileName().toStdString();
@@ -131,14 +125,14 @@ QStringList mapFilesIn(const QString& folder) {
 }
 
 tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place,
-                                                      const PictureYamls* beside) {
+                                                      YamlShelf& yamls, const PictureYamls* beside) {
   if (auto why = whyUnreadable(path)) return refused(std::move(*why));
   QStringList named_by;
   if (!isYaml(path) && !place.resolution_m && !place.origin)
     named_by = beside ? beside->naming(path) : yamlsNaming(path);
   const bool described = named_by.size() == 1;
-  tl::expected<map::WholeMap, std::string> whole = isYaml(path) ? fromYaml(path)
-                                                   : described  ? fromYaml(named_by.front())
+  tl::expected<map::WholeMap, std::string> whole = isYaml(path) ? fromYaml(path, yamls)
+                                                   : described  ? fromYaml(named_by.front(), yamls)
                                                                 : fromPicture(path, place, named_by);
   if (!whole) return whole;
   if (auto why = map::whyUnusable(whole->grid)) return refused(std::move(*why));
@@ -147,13 +141,13 @@ tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const
 }
 
 map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place,
-                            const PictureYamls* beside) {
+                            YamlShelf& yamls, const PictureYamls* beside) {
   map::CatalogueEntry entry;
   entry.key = key;
   entry.name = QFileInfo(path).fileName().toStdString();
   entry.modified_s = double(QFileInfo(path).lastModified().toMSecsSinceEpoch()) / 1000;
   entry.bytes = std::uint64_t(QFileInfo(path).size());
-  if (const auto whole = readLocalMap(path, place, beside)) {
+  if (const auto whole = readLocalMap(path, place, yamls, beside)) {
     entry.grid = whole->grid;
     entry.bytes = std::uint64_t(QFileInfo(QString::fromStdString(whole->path)).size());
   }
@@ -161,13 +155,11 @@ map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const P
 }
 
 std::string stampOf(const QString& path) {
-  const std::filesystem::path file(path.toStdString());
-  std::error_code gone;
-  const auto size = std::filesystem::file_size(file, gone);
-  if (gone) return path.toStdString() + "|gone";
-  const auto time = std::filesystem::last_write_time(file, gone);
-  return path.toStdString() + "|" + std::to_string(size) + "|" +
-         std::to_string(gone ? 0 : time.time_since_epoch().count());
+  const std::string name = path.toStdString();
+  struct stat about {};
+  if (::stat(name.c_str(), &about) != 0) return name + "|gone";
+  return name + "|" + std::to_string(about.st_size) + "|" + std::to_string(about.st_mtim.tv_sec) + "." +
+         std::to_string(about.st_mtim.tv_nsec) + "|" + std::to_string(about.st_ino);
 }
 
 }  // namespace mapwright::robot::files

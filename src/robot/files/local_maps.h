@@ -10,6 +10,7 @@
 
 #include "map/catalogue.h"
 #include "robot/files/picture_yamls.h"
+#include "robot/files/yaml_shelf.h"
 
 namespace mapwright::robot::files {
 
@@ -29,13 +30,13 @@ QStringList mapFilesIn(const QString& folder);
 /// not said lies where the one map.yaml beside it says that names it as its image; `beside` knows those of
 /// its folder (null: looked up). The error is a sentence.
 tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place,
-                                                      const PictureYamls* beside = nullptr);
+                                                      YamlShelf& yamls, const PictureYamls* beside = nullptr);
 
 /// What a catalogue can tell of it.
 map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place,
-                            const PictureYamls* beside = nullptr);
+                            YamlShelf& yamls, const PictureYamls* beside = nullptr);
 
-/// Path, size and time of a file as one text that changes whenever the file does.
+/// Path, size, time and inode of a file as one text that changes whenever the file does.
 std::string stampOf(const QString& path);
 
 }  // namespace mapwright::robot::files

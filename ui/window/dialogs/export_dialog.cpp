@@ -1,5 +1,6 @@
 #include "window/dialogs/export_dialog.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include <QCheckBox>
@@ -129,7 +130,7 @@ ExportDialog::ExportDialog(ExportOffer offer, QWidget* parent)
     connect(button, &QRadioButton::toggled, this, &ExportDialog::sync);
   connect(source_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);
   connect(path_, &QLineEdit::textEdited, this, [this] {
-    confirmed_ = false;
+    confirmed_ = source_confirmed_ = false;
     error_->hide();
     export_->setEnabled(!path_->text().trimmed().isEmpty());
   });
@@ -171,7 +172,7 @@ void ExportDialog::sync() {
     }
   }
   path_->setText(path + QLatin1Char('.') + exportSuffix(format()));
-  confirmed_ = false;
+  confirmed_ = source_confirmed_ = false;
   error_->hide();
 }
 
@@ -188,16 +189,30 @@ void ExportDialog::browse() {
 void ExportDialog::start() {
   if (job_.running()) return;
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
-  if (QFileInfo::exists(path) && !confirmed_) {
-    confirmed_ = true;
-    error_->setText(tr("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
+  const bool with_world_file = world_file_->isChecked() && world_file_->isEnabled();
+  const QStringList files = exportedFiles(path, format(), with_world_file);
+  const auto askAgain = [this](const QString& sentence) {
+    error_->setText(sentence);
     error_->show();
+  };
+  if (const QString own = firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
+    confirmed_ = source_confirmed_ = true;
+    askAgain(tr("%1 is a file that this map is read from. Press Export again to replace it, or choose "
+                "another name.")
+                 .arg(QDir::toNativeSeparators(own)));
+    return;
+  }
+  const auto present =
+      std::find_if(files.begin(), files.end(), [](const QString& file) { return QFileInfo::exists(file); });
+  if (present != files.end() && !confirmed_) {
+    confirmed_ = true;
+    askAgain(tr("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(*present)));
     return;
   }
   ExportRequest request;
   request.path = path;
   request.format = format();
-  request.world_file = world_file_->isChecked() && world_file_->isEnabled();
+  request.world_file = with_world_file;
   if (request.format == ExportFormat::ViewPicture) {
     request.source = offer_.view();
   } else if (fromSubmaps()) {

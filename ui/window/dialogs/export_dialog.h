@@ -27,6 +27,7 @@ struct ExportOffer {
   double submap_resolution_m = 0.05;  // of the finest one
   bool prefers_submaps = false;       // they are what is on screen
   std::function<ViewExport()> view;
+  std::vector<std::string> sources;  // the files that what is on screen was read from
   QString folder;
 };
 
@@ -67,7 +68,8 @@ class ExportDialog : public QDialog {
   QPushButton *browse_, *export_, *cancel_;
   QProgressBar* progress_;
   QLabel *error_, *source_label_, *resolution_label_;
-  bool confirmed_ = false;  // overwriting
+  bool confirmed_ = false;         // overwriting
+  bool source_confirmed_ = false;  // overwriting what the map is read from
 };
 
 }  // namespace mapwright::window

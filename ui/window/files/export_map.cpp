@@ -5,11 +5,12 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
-#include <QImageWriter>
-#include <QSaveFile>
 
+#include "disk/read_file.h"
+#include "disk/written_file.h"
 #include "raster/export_grid.h"
 #include "render/compose_grid.h"
+#include "scene/write_picture.h"
 
 namespace mapwright::window {
 
@@ -22,25 +23,6 @@ constexpr double kComposePart = 0.7;  // of the work, when submaps have to be co
 
 Problem fromText(const std::optional<std::string>& problem) {
   return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
-}
-
-Problem cannotWrite(const QString& path, const QString& why) {
-  return QStringLiteral("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), why);
-}
-
-Problem writeText(const QString& path, const std::string& text) {
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
-  file.write(text.data(), qint64(text.size()));
-  return file.commit() ? Problem() : cannotWrite(path, file.errorString());
-}
-
-Problem writeView(const ViewExport& view, const QString& path) {
-  QSaveFile file(path);
-  if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
-  QImageWriter writer(&file, "png");
-  if (!writer.write(view.picture)) return cannotWrite(path, writer.errorString());
-  return file.commit() ? Problem() : cannotWrite(path, file.errorString());
 }
 
 Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed) {
@@ -58,6 +40,23 @@ QString worldFilePath(const QString& picture_path) {
   return info.dir().filePath(info.completeBaseName() + QStringLiteral(".pgw"));
 }
 
+QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file) {
+  if (format == ExportFormat::MapServer) {
+    const raster::MapServerFiles files = raster::mapServerFiles(path.toStdString());
+    return {QString::fromStdString(files.yaml), QString::fromStdString(files.pgm)};
+  }
+  return with_world_file ? QStringList{path, worldFilePath(path)} : QStringList{path};
+}
+
+QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources) {
+  for (const QString& file : files) {
+    for (const std::string& source : sources) {
+      if (disk::sameFile(file.toStdString(), source)) return file;
+    }
+  }
+  return {};
+}
+
 QString exportSuffix(ExportFormat format) {
   return format == ExportFormat::MapServer ? QStringLiteral("yaml") : QStringLiteral("png");
 }
@@ -70,12 +69,21 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed) {
   };
   Problem problem;
   map::GridReference reference;
+  // Written before the picture, and put in its place after it: both are there, or neither.
+  std::optional<disk::WrittenFile> world_file;
+  const auto writeWorldFile = [&] {
+    if (!request.world_file || request.format == ExportFormat::MapServer) return true;
+    world_file.emplace(worldFilePath(request.path).toStdString());
+    world_file->write(raster::worldFileText(reference));
+    if (!world_file->finish()) problem = fromText(world_file->place());
+    return !problem;
+  };
   if (const auto* view = std::get_if<ViewExport>(&request.source)) {
     reference = view->reference;
-    problem = writeView(*view, request.path);
+    if (writeWorldFile()) problem = scene::writePicture(view->picture, request.path);
   } else if (const auto* whole = std::get_if<WholeMapExport>(&request.source)) {
     reference = whole->reference;
-    problem = writeGrid(*whole, request, watched);
+    if (writeWorldFile()) problem = writeGrid(*whole, request, watched);
   } else {
     const auto& submaps = std::get<SubmapsExport>(request.source);
     render::DenseCache cache;
@@ -83,15 +91,15 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed) {
                                               [&](double done) { return watched(done * kComposePart); });
     if (composed) {
       reference = composed->reference;
-      problem = writeGrid({composed->cells, composed->reference}, request,
-                          [&](double done) { return watched(kComposePart + done * (1 - kComposePart)); });
+      if (writeWorldFile()) {
+        problem = writeGrid({composed->cells, composed->reference}, request,
+                            [&](double done) { return watched(kComposePart + done * (1 - kComposePart)); });
+      }
     } else {
       problem = QString::fromStdString(composed.error());
     }
   }
-  if (!problem && !result.cancelled && request.world_file && request.format != ExportFormat::MapServer) {
-    problem = writeText(worldFilePath(request.path), raster::worldFileText(reference));
-  }
+  if (!problem && !result.cancelled && world_file) problem = fromText(world_file->place());
   if (problem && !result.cancelled) result.error = *problem;
   return result;
 }

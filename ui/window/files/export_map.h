@@ -11,6 +11,7 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QThreadPool>
 
 #include "map/grid_reference.h"
@@ -56,6 +57,10 @@ struct ExportResult {
 ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed);
 /// "/maps/a.png" -> "/maps/a.pgw".
 QString worldFilePath(const QString& picture_path);
+/// What will be written.
+QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file);
+/// The first of `files` that is one of `sources`, whatever links lead to it; empty = none.
+QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources);
 /// The extension that the format takes: "png", "yaml".
 QString exportSuffix(ExportFormat format);
 

@@ -1,0 +1,76 @@
+#include "app/output_paths.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <unistd.h>
+
+#include <QFileInfo>
+
+#include "app/exit_code.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
+
+namespace mapwright::app {
+namespace {
+
+/// A pipe or a device: bytes go into it, nothing is replaced.
+bool takesBytes(const QString& path) {
+  const QFileInfo info(path);
+  return info.exists() && !info.isFile() && !info.isDir();
+}
+
+}  // namespace
+
+bool isStandardOutput(const QString& path) { return disk::isStandardOutput(path.toStdString()); }
+
+std::optional<QString> whyNotWritable(const QString& path) {
+  if (isStandardOutput(path)) {
+    if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
+    return QStringLiteral("%1: the standard output is a terminal. Send it into a file or another program.")
+        .arg(path);
+  }
+  // Where a link leads is found out when it is written.
+  if (takesBytes(path) || QFileInfo(path).isSymLink()) return std::nullopt;
+  const QFileInfo folder(QFileInfo(path).absolutePath());
+  if (folder.isDir() && folder.isWritable()) return std::nullopt;
+  return QStringLiteral("%1 cannot be written: there is no writable folder %2.").arg(path, folder.filePath());
+}
+
+std::optional<QString> whyNotTogether(const QStringList& outputs) {
+  for (qsizetype i = 0; i < outputs.size(); ++i) {
+    for (qsizetype j = i + 1; j < outputs.size(); ++j) {
+      const QString &one = outputs[i], &other = outputs[j];
+      if (one.isEmpty() || other.isEmpty()) continue;
+      if (isStandardOutput(one) && isStandardOutput(other)) {
+        return QStringLiteral("Only one thing can be written to the standard output.");
+      }
+      if (isStandardOutput(one) || isStandardOutput(other) || takesBytes(one)) continue;
+      const bool same = QFileInfo(one).absoluteFilePath() == QFileInfo(other).absoluteFilePath() ||
+                        disk::sameFile(one.toStdString(), other.toStdString());
+      if (same) return QStringLiteral("%1 and %2 are the same file. Name two.").arg(one, other);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources) {
+  for (const QString& output : outputs) {
+    for (const std::string& source : sources) {
+      if (output.isEmpty() || isStandardOutput(output) || takesBytes(output)) continue;
+      if (disk::sameFile(output.toStdString(), source)) {
+        return QStringLiteral("%1 is a file that the map is read from. Give --force to replace it.")
+            .arg(output);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+int concludeStandardOutput(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  std::fprintf(stderr, "The standard output cannot be written: %s.\n", std::strerror(errno));
+  return kUsage;
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,71 @@
+#include "app/settings_file.h"
+
+#include <QDateTime>
+#include <QFileDevice>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+
+namespace mapwright::app {
+namespace {
+
+const QString kBytes = QStringLiteral("base64");
+
+QJsonValue jsonFrom(const QVariant& value) {
+  if (value.typeId() == QMetaType::QByteArray) {
+    return QJsonObject{{kBytes, QString::fromLatin1(value.toByteArray().toBase64())}};
+  }
+  if (value.typeId() == QMetaType::QDateTime) return value.toDateTime().toString(Qt::ISODateWithMs);
+  return QJsonValue::fromVariant(value);
+}
+
+QVariant variantFrom(const QJsonValue& value) {
+  const QJsonObject object = value.toObject();
+  if (object.contains(kBytes)) return QByteArray::fromBase64(object[kBytes].toString().toLatin1());
+  return value.toVariant();
+}
+
+bool read(QIODevice& device, QSettings::SettingsMap& map) {
+  const QByteArray text = device.readAll();
+  if (text.isEmpty()) return true;
+  const QJsonDocument json = QJsonDocument::fromJson(text);
+  const QJsonObject object = json.object();
+  for (auto at = object.begin(); at != object.end(); ++at) map.insert(at.key(), variantFrom(at.value()));
+  return json.isObject();
+}
+
+bool write(QIODevice& device, const QSettings::SettingsMap& map) {
+  QJsonObject object;
+  for (auto at = map.begin(); at != map.end(); ++at) object.insert(at.key(), jsonFrom(at.value()));
+  const QByteArray text = QJsonDocument(object).toJson();
+  // QSettings and QSaveFile of Qt 6.4 look at no result of writing out the buffer: a file that does not fit
+  // is put in place empty. Here nothing is, unless all of it has been written.
+  auto* const file = qobject_cast<QFileDevice*>(&device);
+  return device.write(text) == text.size() && file != nullptr && file->flush();
+}
+
+}  // namespace
+
+std::unique_ptr<QSettings> openSettings() {
+  return openSettingsIn(QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+                        QStringLiteral("/mapwright"));
+}
+
+std::unique_ptr<QSettings> openSettingsIn(const QString& folder) {
+  const QSettings::Format format = QSettings::registerFormat(QStringLiteral("json"), &read, &write);
+  const QFileInfo file(folder + QStringLiteral("/mapwright.json"));
+  const QFileInfo older(folder + QStringLiteral("/mapwright.ini"));
+  // A named pipe would be waited for; nothing can be kept below a device.
+  const bool in_the_way = file.exists() && !file.isFile();
+  auto settings = std::make_unique<QSettings>(
+      in_the_way ? QStringLiteral("/dev/null/mapwright.json") : file.filePath(), format);
+  if (!file.exists() && older.isFile()) {
+    const QSettings before(older.filePath(), QSettings::IniFormat);
+    for (const QString& key : before.allKeys()) settings->setValue(key, before.value(key));
+  }
+  return settings;
+}
+
+}  // namespace mapwright::app

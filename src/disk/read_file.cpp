@@ -1,0 +1,54 @@
+#include "disk/read_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mapwright::disk {
+
+int openToRead(const std::string& path) {
+  // Opening a pipe waits for whoever writes into it, unless told not to.
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (fd < 0) return -1;
+  struct stat about {};
+  if (::fstat(fd, &about) == 0 && S_ISREG(about.st_mode)) return fd;
+  const int why = S_ISDIR(about.st_mode) ? EISDIR : EINVAL;
+  ::close(fd);
+  errno = why;
+  return -1;
+}
+
+tl::expected<std::string, std::string> readFile(const std::string& path, std::size_t most) {
+  const int fd = openToRead(path);
+  if (fd < 0) {
+    return tl::make_unexpected(errno == EINVAL ? std::string("it is not a regular file")
+                                               : std::string(std::strerror(errno)));
+  }
+  constexpr std::size_t kPiece = std::size_t(1) << 20;
+  std::string bytes;
+  ssize_t got = 1;
+  while (got > 0 && bytes.size() < most) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + std::min(kPiece, most - before));
+    do {
+      got = ::read(fd, bytes.data() + before, bytes.size() - before);
+    } while (got < 0 && errno == EINTR);
+    bytes.resize(before + std::size_t(std::max<ssize_t>(got, 0)));
+  }
+  const int why = errno;
+  ::close(fd);
+  if (got < 0) return tl::make_unexpected(std::string(std::strerror(why)));
+  return bytes;
+}
+
+bool sameFile(const std::string& one, const std::string& other) {
+  struct stat a {
+  }, b{};
+  return ::stat(one.c_str(), &a) == 0 && ::stat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev &&
+         a.st_ino == b.st_ino;
+}
+
+}  // namespace mapwright::disk

@@ -1,0 +1,211 @@
+#include "disk/written_file.h"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <random>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+
+#include <climits>
+
+namespace mapwright::disk {
+
+namespace {
+
+constexpr std::size_t kBuffer = std::size_t(1) << 18;
+constexpr int kMostLinks = 40;
+constexpr auto kReaderComesWithin = std::chrono::seconds(5);  // at the other end of a named pipe
+constexpr auto kLookForReaderEvery = std::chrono::milliseconds(10);
+constexpr int kReaderSilentMs = 60'000;
+
+std::string folderOf(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+/// Where the links lead, also when nothing is there yet; empty: they lead round in a circle.
+std::string followed(std::string path) {
+  for (int links = 0; links < kMostLinks; ++links) {
+    std::array<char, PATH_MAX> to;
+    const ssize_t size = ::readlink(path.c_str(), to.data(), to.size());
+    if (size < 0) return path;
+    const std::string next(to.data(), std::size_t(size));
+    path = next.starts_with('/') ? next : folderOf(path) + '/' + next;
+  }
+  return {};
+}
+
+bool isNowhereToKeep(int error) { return error == EINVAL || error == ENOSYS || error == ENOTSUP; }
+
+/// False when the disk says that it is not all there. Some file systems cannot tell.
+bool synced(int fd) {
+  int done = 0;
+  do {
+    done = ::fsync(fd);
+  } while (done != 0 && errno == EINTR);
+  return done == 0 || isNowhereToKeep(errno);
+}
+
+}  // namespace
+
+bool isStandardOutput(const std::string& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+WrittenFile::WrittenFile(std::string path) : path_(std::move(path)) {
+  buffer_.reserve(kBuffer);
+  if (isStandardOutput(path_)) {
+    way_ = Way::Through;
+    patient_ = true;
+    fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (fd_ < 0) fail(errno);
+    return;
+  }
+  struct stat about {};
+  const bool present = ::stat(path_.c_str(), &about) == 0;
+  if (!present || S_ISREG(about.st_mode)) {
+    openAside();
+  } else if (S_ISDIR(about.st_mode)) {
+    fail("it is a folder");
+  } else if (S_ISCHR(about.st_mode) || S_ISFIFO(about.st_mode)) {
+    openThrough(S_ISFIFO(about.st_mode));
+  } else {
+    fail(S_ISBLK(about.st_mode) ? "it is a disk, not a file" : "it is a socket, not a file");
+  }
+}
+
+WrittenFile::~WrittenFile() {
+  if (fd_ >= 0) ::close(fd_);
+  if (!aside_.empty()) ::unlink(aside_.c_str());
+}
+
+void WrittenFile::openAside() {
+  target_ = followed(path_);
+  if (target_.empty()) return fail(ELOOP);
+  struct stat before {};
+  const bool replaces = ::stat(target_.c_str(), &before) == 0;
+  if (replaces && !S_ISREG(before.st_mode)) return fail(EINVAL);  // it has become something else
+  // Moving a file into place asks for the folder's permission only.
+  if (replaces && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) return fail(errno);
+  const mode_t mode = replaces ? before.st_mode & 0777 : 0666;
+  std::random_device random;
+  for (int tries = 0; tries < 100 && fd_ < 0; ++tries) {
+    aside_ = folderOf(target_) + "/.mapwright-" + std::to_string(random()) + ".part";
+    fd_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (fd_ < 0 && errno != EEXIST) break;
+  }
+  if (fd_ < 0) {
+    const int why = errno;
+    aside_.clear();
+    return fail(why == EACCES || why == EROFS
+                    ? "no file can be made in " + folderOf(target_) + " (" + std::strerror(why) + ")"
+                    : std::string(std::strerror(why)));
+  }
+  if (!replaces) return;
+  // Whose it was it stays, where that may be given away.
+  if (before.st_uid != ::geteuid() || before.st_gid != ::getegid()) {
+    if (::fchown(fd_, before.st_uid, before.st_gid) != 0 && ::fchown(fd_, uid_t(-1), before.st_gid) != 0) {
+      // Then it is its writer's, like a new one.
+    }
+  }
+  if (::fchmod(fd_, mode) != 0 && errno != EPERM) fail(errno);
+}
+
+void WrittenFile::openThrough(bool pipe) {
+  way_ = Way::Through;
+  const auto until = std::chrono::steady_clock::now() + kReaderComesWithin;
+  for (;;) {
+    // A pipe that nobody reads would hold up the program for good.
+    fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (fd_ >= 0) return;
+    if (!pipe || errno != ENXIO) return fail(errno);
+    if (std::chrono::steady_clock::now() > until) return fail("nobody reads from this pipe");
+    std::this_thread::sleep_for(kLookForReaderEvery);
+  }
+}
+
+void WrittenFile::fail(const std::string& why) {
+  if (!problem_.empty()) return;
+  problem_ = (isStandardOutput(path_) ? "The standard output" : path_) + " cannot be written: " + why + ".";
+}
+
+void WrittenFile::fail(int error) { fail(std::string(std::strerror(error))); }
+
+void WrittenFile::write(const void* bytes, std::size_t count) {
+  const char* const from = static_cast<const char*>(bytes);
+  std::size_t taken = 0;
+  while (good() && taken < count) {
+    const std::size_t part = std::min(count - taken, kBuffer - buffer_.size());
+    buffer_.insert(buffer_.end(), from + taken, from + taken + part);
+    taken += part;
+    if (buffer_.size() == kBuffer) flush();
+  }
+}
+
+bool WrittenFile::waitForRoom() {
+  pollfd room{fd_, POLLOUT, 0};
+  const int ready = ::poll(&room, 1, patient_ ? -1 : kReaderSilentMs);
+  if (ready > 0 || (ready < 0 && errno == EINTR)) return true;
+  ready == 0 ? fail("whoever reads from it takes nothing") : fail(errno);
+  return false;
+}
+
+void WrittenFile::flush() {
+  std::size_t written = 0;
+  while (good() && written < buffer_.size()) {
+    const ssize_t some = ::write(fd_, buffer_.data() + written, buffer_.size() - written);
+    if (some >= 0) {
+      written += std::size_t(some);
+    } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+      waitForRoom();
+    } else if (errno != EINTR) {
+      fail(errno);
+    }
+  }
+  buffer_.clear();
+}
+
+bool WrittenFile::finish() {
+  if (std::exchange(finished_, true)) return good();
+  flush();
+  if (fd_ < 0) return good();
+  if (good() && way_ == Way::Aside && !synced(fd_)) fail(errno);
+  // The last word of a network file system, or of a quota.
+  if (::close(std::exchange(fd_, -1)) != 0 && errno != EINTR) fail(errno);
+  return good();
+}
+
+std::optional<std::string> WrittenFile::place() {
+  finish();
+  if (good() && !std::exchange(placed_, true) && way_ == Way::Aside) {
+    if (::rename(aside_.c_str(), target_.c_str()) != 0) {
+      fail(errno);
+    } else {
+      aside_.clear();
+      // So that the new name, too, outlives a power cut; a folder that cannot be told so keeps it all the
+      // same.
+      const int folder = ::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (folder >= 0) {
+        synced(folder);
+        ::close(folder);
+      }
+    }
+  }
+  if (good()) return std::nullopt;
+  return problem_;
+}
+
+std::optional<std::string> writeFile(const std::string& path, std::string_view bytes) {
+  WrittenFile file(path);
+  file.write(bytes);
+  return file.place();
+}
+
+}  // namespace mapwright::disk

@@ -1,0 +1,57 @@
+// Looks at map files, and after them. Lives on a thread of its own: folders may be large and shares slow.
+#pragma once
+
+#include <chrono>
+
+#include <QFileSystemWatcher>
+#include <QTimer>
+
+#include "robot/files/local_maps.h"
+#include "robot/robot.h"
+
+namespace mapwright::robot::files {
+
+struct FileOptions {
+  QString path;  // absolute; a file or a folder
+  PicturePlace place;
+  std::chrono::milliseconds settle{200};  // a change is told when this long nothing more has changed
+};
+
+/// One file is the map with the key {File, ""}; in a folder each map file is one, its name the id. Nothing
+/// here opens pictures. What takes long ends early when its thread is asked to stop.
+class MapFiles : public QObject {
+  Q_OBJECT
+ public:
+  explicit MapFiles(FileOptions options);
+
+  void watch();  // looks, and tells of every change from now on
+  void leave();
+
+  Answer<std::vector<map::CatalogueEntry>> list();
+  Answer<map::CatalogueEntry> describe(const map::MapKey& key);
+  Answer<map::WholeMap> fetch(const map::MapKey& key);
+
+ Q_SIGNALS:
+  /// `trouble` is empty when there is something to show, else the sentence.
+  void looked(bool folder, const QString& trouble);
+  void changed();
+
+ private:
+  void start();
+  bool isFolder() const;
+  /// The file of a key; empty when there is none.
+  QString pathOf(const map::MapKey& key) const;
+  map::Problem problem(const map::MapKey& key, std::string sentence) const;
+  /// Watches what the maps are made of, and says what it is like now.
+  QStringList watchAndStamp();
+  void look();
+  void tellChange();
+
+  FileOptions options_;
+  YamlShelf yamls_;
+  std::unique_ptr<QFileSystemWatcher> watcher_;
+  std::unique_ptr<QTimer> settle_;
+  QStringList stamps_;
+};
+
+}  // namespace mapwright::robot::files

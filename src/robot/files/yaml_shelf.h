@@ -1,0 +1,43 @@
+// Map.yaml files as they were when they were read last. One thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include <tl/expected.hpp>
+
+#include "robot/files/read_map_yaml.h"
+
+namespace mapwright::robot::files {
+
+/// Reads a file again only when it has changed: another inode, size or time. What changed so lately that a
+/// second change might bear the same time is not trusted.
+class YamlShelf {
+ public:
+  /// `now_ns`: the time of day, by the clock that files are dated by.
+  explicit YamlShelf(std::function<std::int64_t()> now_ns = &timeOfDayNs) : now_ns_(std::move(now_ns)) {}
+  /// The error is a sentence. Never waits for a named pipe.
+  tl::expected<MapYaml, std::string> read(const std::string& path);
+  /// How often a file was really read, for tests.
+  int reads() const { return reads_; }
+
+ private:
+  struct Stamp {
+    std::uint64_t device = 0, inode = 0, size = 0;
+    std::int64_t modified_ns = 0, changed_ns = 0;
+    bool operator==(const Stamp&) const = default;
+  };
+  struct Kept {
+    Stamp stamp;
+    tl::expected<MapYaml, std::string> yaml;
+  };
+  static std::int64_t timeOfDayNs();
+  std::function<std::int64_t()> now_ns_;
+  std::unordered_map<std::string, Kept> kept_;
+  int reads_ = 0;
+};
+
+}  // namespace mapwright::robot::files

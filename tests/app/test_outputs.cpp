@@ -1,0 +1,247 @@
+// What the program writes: whole or not at all, never over what it reads, into devices and pipes as they are.
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QByteArray out, err;
+};
+
+QByteArray read(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QStringList words(const char* line) { return QString::fromLatin1(line).split(QLatin1Char(' ')); }
+
+bool isPng(const QByteArray& bytes) { return bytes.startsWith("\x89PNG") && bytes.contains("IEND"); }
+
+}  // namespace
+
+class OutputsTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<QTemporaryDir> folder_;
+
+  QString at(const char* name) const { return folder_->filePath(QLatin1String(name)); }
+  void put(const char* name, const QByteArray& bytes) {
+    QFile file(at(name));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+  }
+  /// `most_bytes`: no file may become longer. `output`: where the standard output goes.
+  Outcome run(const QStringList& arguments, rlim_t most_bytes = RLIM_INFINITY, const QString& output = {},
+              const QString& cache = {}) const {
+    QProcess process;
+    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
+      env.remove(QLatin1String(name));
+    env.insert(QStringLiteral("XDG_CACHE_HOME"),
+               cache.isEmpty() ? folder_->filePath(QStringLiteral("cache")) : cache);
+    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_->filePath(QStringLiteral("config")));
+    process.setProcessEnvironment(env);
+    process.setWorkingDirectory(folder_->path());
+    if (!output.isEmpty()) process.setStandardOutputFile(output);
+    process.setChildProcessModifier([most_bytes] {
+      const rlimit limit{most_bytes, most_bytes};
+      if (most_bytes != RLIM_INFINITY) ::setrlimit(RLIMIT_FSIZE, &limit);
+    });
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
+    if (!process.waitForFinished(120'000)) {
+      process.kill();
+      process.waitForFinished();
+      return {};
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+  }
+
+ private Q_SLOTS:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    QByteArray cells(64 * 64, '\xfe');
+    for (int i = 0; i < cells.size(); i += 7) cells[i] = char(0);
+    put("map.pgm", "P5\n64 64\n255\n" + cells);
+    put("map.yaml",
+        "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+        "free_thresh: 0.25\n");
+  }
+
+  void aFullDiskLeavesWhatWasThereAndIsExitCodeTwo_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QStringList>("files");
+    const auto row = [](const char* line, const QStringList& files) {
+      QTest::newRow(line) << QString::fromLatin1(line) << files;
+    };
+    const QString png = QStringLiteral("out.png");
+    row("snapshot --robot map.yaml --size 64x64 -o out.png", {png});
+    row("snapshot --robot map.yaml --size 64x64 --raw -o out.png", {png});
+    row("snapshot --robot map.yaml --size 64x64 -o /dev/null --report out.json",
+        {QStringLiteral("out.json")});
+    row("maps export --robot map.yaml -o out.png", {png});
+    row("maps export --robot map.yaml -o out.yaml", {QStringLiteral("out.yaml"), QStringLiteral("out.pgm")});
+    row("maps export --robot map.yaml -o out.png --world-file", {png, QStringLiteral("out.pgw")});
+    row("maps diff map.yaml map.yaml --diff out.png", {png});
+  }
+  void aFullDiskLeavesWhatWasThereAndIsExitCodeTwo() {
+    QFETCH(QString, line);
+    QFETCH(QStringList, files);
+    for (const QString& file : files) put(file.toLatin1().constData(), "what was there");
+    const Outcome full = run(line.split(QLatin1Char(' ')), 16);
+    QCOMPARE(full.code, 2);
+    QVERIFY2(full.err.contains("cannot be written"), full.err.constData());
+    for (const QString& file : files) QCOMPARE(read(folder_->filePath(file)), QByteArray("what was there"));
+    const Outcome roomy = run(line.split(QLatin1Char(' ')));
+    QVERIFY2(roomy.code == 0, roomy.err.constData());
+    for (const QString& file : files) QVERIFY(read(folder_->filePath(file)) != "what was there");
+    const QStringList left =
+        QDir(folder_->path()).entryList({QStringLiteral(".*part*")}, QDir::Files | QDir::Hidden);
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(' '))));
+  }
+
+  void aStandardOutputThatIsFullIsExitCodeTwo_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"maps list --robot map.yaml", "maps list --robot map.yaml --json", "maps show --robot map.yaml",
+          "snapshot --robot map.yaml --size 64x64 -o -", "snapshot --robot map.yaml --size 64x64 -o out.png",
+          "snapshot --robot map.yaml --size 64x64 -o out.png --report -", "maps export --robot map.yaml -o -",
+          "maps diff map.yaml map.yaml --diff -", "--help"}) {
+      QTest::newRow(line) << QString::fromLatin1(line);
+    }
+  }
+  void aStandardOutputThatIsFullIsExitCodeTwo() {
+    QFETCH(QString, line);
+    const Outcome outcome = run(line.split(QLatin1Char(' ')), RLIM_INFINITY, QStringLiteral("/dev/full"));
+    QCOMPARE(outcome.code, 2);
+    QVERIFY2(outcome.err.contains("standard output cannot be written"), outcome.err.constData());
+  }
+
+  void devicesAndPipesAreWrittenInto_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"snapshot --robot map.yaml --size 64x64 -o %1",
+          "snapshot --robot map.yaml --size 64x64 --raw -o %1",
+          "snapshot --robot map.yaml --size 64x64 -o out.png --report %1",
+          "maps export --robot map.yaml --format png -o %1", "maps diff map.yaml map.yaml --diff %1"}) {
+      QTest::newRow(line) << QString::fromLatin1(line);
+    }
+  }
+  void devicesAndPipesAreWrittenInto() {
+    QFETCH(QString, line);
+    QCOMPARE(run(line.arg(QStringLiteral("/dev/null")).split(QLatin1Char(' '))).code, 0);
+    struct stat about {};
+    QVERIFY(::stat("/dev/null", &about) == 0 && S_ISCHR(about.st_mode));
+    const Outcome full = run(line.arg(QStringLiteral("/dev/full")).split(QLatin1Char(' ')));
+    QCOMPARE(full.code, 2);
+    QVERIFY(::stat("/dev/full", &about) == 0 && S_ISCHR(about.st_mode));
+
+    QVERIFY(::mkfifo(QFile::encodeName(at("pipe")).constData(), 0600) == 0);
+    QProcess reader;
+    reader.start(QStringLiteral("cat"), {at("pipe")});
+    const Outcome piped = run(line.arg(at("pipe")).split(QLatin1Char(' ')));
+    QVERIFY(reader.waitForFinished(30'000));
+    const QByteArray came = reader.readAllStandardOutput();
+    QVERIFY2(piped.code == 0, piped.err.constData());
+    QVERIFY(line.contains(QStringLiteral("--report")) ? QJsonDocument::fromJson(came).isObject()
+                                                      : isPng(came));
+    QVERIFY(::stat(QFile::encodeName(at("pipe")).constData(), &about) == 0 && S_ISFIFO(about.st_mode));
+  }
+
+  void minusIsTheStandardOutputAndNothingElseGoesThere() {
+    for (const char* line : {"snapshot --robot map.yaml --size 64x64 -o -",
+                             "snapshot --robot map.yaml --raw --size 64x64 -o /dev/stdout",
+                             "maps export --robot map.yaml -o -", "maps diff map.yaml map.yaml --diff -"}) {
+      const Outcome outcome = run(words(line));
+      QVERIFY2(outcome.code == 0, outcome.err.constData());
+      QVERIFY2(
+          isPng(outcome.out) && outcome.out.startsWith("\x89PNG") && outcome.out.endsWith("\xae\x42\x60\x82"),
+          line);
+      QVERIFY2(outcome.err.isEmpty(), outcome.err.constData());
+    }
+    const Outcome report = run(words("snapshot --robot map.yaml --size 64x64 -o out.png --report -"));
+    QVERIFY(QJsonDocument::fromJson(report.out).object().contains(QStringLiteral("complete")));
+    QVERIFY(!QFile::exists(at("-")));
+  }
+
+  void twoThingsInOnePlaceAreRefused() {
+    for (const char* line :
+         {"snapshot --robot map.yaml -o - --json", "snapshot --robot map.yaml -o - --report -",
+          "snapshot --robot map.yaml -o a.png --report a.png",
+          "snapshot --robot map.yaml -o a.png --report ./a.png",
+          "maps export --robot map.yaml -o - --format pgm", "maps export --robot map.yaml -o - --world-file",
+          "maps diff map.yaml map.yaml --diff - --json"}) {
+      const Outcome outcome = run(words(line));
+      QVERIFY2(outcome.code == 2, line);
+      QCOMPARE(outcome.err.count('\n'), 1);
+      QVERIFY2(outcome.out.isEmpty(), line);
+    }
+    QVERIFY(!QFile::exists(at("a.png")));
+  }
+
+  void whatTheMapIsReadFromIsReplacedOnlyByForce_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"maps export --robot map.yaml -o map.yaml", "maps export --robot map.yaml -o map.pgm",
+          "maps export --robot map.yaml -o link.yaml", "maps export --robot map.yaml -o hard.pgm",
+          "maps export --robot map.pgm --resolution 0.05 -o map.pgm",
+          "maps export map.yaml --robot . -o map.yaml",
+          "maps export --robot map.yaml --format png -o link.yaml",
+          "snapshot --robot map.yaml --size 64x64 -o map.pgm",
+          "snapshot --robot map.yaml --size 64x64 --raw -o hard.pgm",
+          "snapshot --robot map.yaml --size 64x64 -o out.png --report link.yaml",
+          "maps diff map.yaml other.yaml --diff other.pgm",
+          "maps diff map.yaml other.yaml --diff map.yaml"}) {
+      QTest::newRow(line) << QString::fromLatin1(line);
+    }
+  }
+  void whatTheMapIsReadFromIsReplacedOnlyByForce() {
+    QFETCH(QString, line);
+    put("other.pgm", read(at("map.pgm")));
+    put("other.yaml", read(at("map.yaml")).replace("map.pgm", "other.pgm"));
+    QVERIFY(QFile::link(at("map.yaml"), at("link.yaml")));
+    QVERIFY(::link(QFile::encodeName(at("map.pgm")).constData(),
+                   QFile::encodeName(at("hard.pgm")).constData()) == 0);
+    const QByteArray yaml = read(at("map.yaml")), pgm = read(at("map.pgm"));
+    const Outcome refused = run(line.split(QLatin1Char(' ')));
+    QCOMPARE(refused.code, 2);
+    QCOMPARE(refused.err.count('\n'), 1);
+    QVERIFY2(refused.err.contains("--force"), refused.err.constData());
+    QCOMPARE(read(at("map.yaml")), yaml);
+    QCOMPARE(read(at("map.pgm")), pgm);
+    QCOMPARE(read(at("other.pgm")), pgm);
+    const Outcome forced = run(line.split(QLatin1Char(' ')) << QStringLiteral("--force"));
+    QVERIFY2(forced.code == 0, forced.err.constData());
+  }
+
+  void aBrokenSourceIsNotReplacedByTheReport() {
+    put("broken.yaml", "nothing of use");
+    QCOMPARE(run(words("snapshot --robot broken.yaml -o out.png --report broken.yaml")).code, 2);
+    QCOMPARE(read(at("broken.yaml")), QByteArray("nothing of use"));
+  }
+
+  void aCacheThatCannotBeWrittenChangesNoPicture() {
+    const Outcome kept = run(words("snapshot --robot demo: --size 200x150 -o kept.png --report kept.json"));
+    QVERIFY2(kept.code == 0, kept.err.constData());
+    for (const char* cache : {"/proc/none", "/dev/null"}) {
+      const Outcome outcome = run(words("snapshot --robot demo: --size 200x150 -o out.png --report out.json"),
+                                  RLIM_INFINITY, {}, QString::fromLatin1(cache));
+      QVERIFY2(outcome.code == 0, outcome.err.constData());
+      QCOMPARE(read(at("out.png")), read(at("kept.png")));
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(OutputsTest)
+#include "test_outputs.moc"

@@ -1,0 +1,14 @@
+// A painted picture as a PNG file.
+#pragma once
+
+#include <optional>
+
+#include <QImage>
+#include <QString>
+
+namespace mapwright::scene {
+
+/// Whole or not at all; what a path may be says disk::WrittenFile. nullopt = written, else a sentence.
+std::optional<QString> writePicture(const QImage& picture, const QString& path);
+
+}  // namespace mapwright::scene
