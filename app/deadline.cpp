@@ -1,10 +1,36 @@
 #include "app/deadline.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <sstream>
 #include <unistd.h>
 #include <utility>
 
 namespace mapwright::app {
+
+Grace graceAfter(double before_s) {
+  // A process that another one became may be of any age.
+  const double end_s = std::clamp(0.65 - before_s, 0.15, 0.5);
+  return {end_s * 0.4, end_s};
+}
+
+double processAge() {
+  std::ifstream stat("/proc/self/stat");
+  std::string line;
+  std::getline(stat, line);
+  // The name, in parentheses, may hold anything; the start is the 20th word after it, in ticks since boot.
+  const std::size_t name_end = line.rfind(')');
+  if (name_end == std::string::npos) return 0;
+  std::istringstream words(line.substr(name_end + 1));
+  std::string word;
+  for (int i = 0; i < 20; ++i) words >> word;
+  const double started_s = std::strtod(word.c_str(), nullptr) / double(sysconf(_SC_CLK_TCK));
+  timespec now{};
+  if (!words || clock_gettime(CLOCK_BOOTTIME, &now) != 0) return 0;
+  return std::max(0.0, double(now.tv_sec) + double(now.tv_nsec) / 1e9 - started_s);
+}
 
 SteadyTime later(SteadyTime start, double seconds) {
   return start + std::chrono::duration_cast<SteadyTime::duration>(std::chrono::duration<double>(seconds));

@@ -6,16 +6,20 @@
 #include <functional>
 #include <mutex>
 #include <string>
-#include <thread>
 
 namespace mapwright::app {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-/// Seconds after the time-out (--timeout): so long what has come may still be drawn, and then the process
-/// ends, whatever it is doing.
-inline constexpr double kDrawOnS = 0.3;
-inline constexpr double kEndAfterS = 0.7;
+/// After the time-out (--timeout), in seconds: so long what has come may still be drawn, and then the process
+/// ends, whatever it is doing. Together with what passed before main() it is less than a second.
+struct Grace {
+  double draw_s = 0, end_s = 0;
+};
+/// `before_s`: how old the process was when its command began.
+Grace graceAfter(double before_s);
+/// Seconds since the process was made; 0 where that is not known.
+double processAge();
 
 /// `seconds` after `start`.
 SteadyTime later(SteadyTime start, double seconds);

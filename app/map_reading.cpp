@@ -200,7 +200,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   render::DenseCache cache(std::size_t(256) << 20);
   bool in_time = true;
   auto made = render::composeGrid(textures, resolution_m, cache, [&](double) {
-    in_time = !time_.over(kDrawOnS);
+    in_time = !time_.over(time_.grace.draw_s);
     return in_time;
   });
   if (!in_time) {

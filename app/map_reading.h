@@ -21,6 +21,7 @@ namespace mapwright::app {
 struct CommandTime {
   SteadyTime begun;
   double timeout_s = 0;
+  Grace grace = {};
   bool over(double grace_s = 0) const;
 };
 

@@ -295,7 +295,8 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (!placed) return tl::make_unexpected(placed.error());
     const bool png = format == QLatin1String("png");
     const raster::MapServerFiles pair = raster::mapServerFiles(words.output);
-    QStringList outputs = png ? QStringList{output} : QStringList{text(pair.pgm), text(pair.yaml)};
+    QStringList outputs{png ? output : text(pair.pgm)};
+    if (!png) outputs << text(pair.yaml);
     const QString world_file = QFileInfo(output).absolutePath() + QLatin1Char('/') +
                                QFileInfo(output).completeBaseName() + QStringLiteral(".pgw");
     if (words.world_file) outputs << world_file;

@@ -1,6 +1,10 @@
 #include "app/report.h"
 
+#include <cstdio>
+#include <unistd.h>
+
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -64,6 +68,23 @@ std::optional<QString> writeReport(const QString& path, const QJsonObject& repor
   const auto problem =
       disk::writeFile(path.toStdString(), words::escapedJson(QJsonDocument(report).toJson()).toStdString());
   return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
+}
+
+bool writeReportInHaste(const QString& path, const QJsonObject& report) {
+  const QByteArray json = words::escapedJson(QJsonDocument(report).toJson());
+  if (disk::isStandardOutput(path.toStdString())) {
+    return ::write(STDOUT_FILENO, json.constData(), std::size_t(json.size())) == json.size();
+  }
+  const QFileInfo target(path);
+  const bool aside = !target.exists() || target.isFile();  // not into the place of a device
+  QFile file(aside ? path + QStringLiteral(".part") : path);
+  const bool written = file.open(QIODevice::WriteOnly) && file.write(json) == json.size() && file.flush();
+  file.close();
+  if (!aside) return written;
+  const bool moved = written && std::rename(QFile::encodeName(file.fileName()).constData(),
+                                            QFile::encodeName(path).constData()) == 0;
+  if (!moved) file.remove();
+  return moved;
 }
 
 qint64 peakMemoryBytes() {

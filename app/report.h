@@ -34,6 +34,9 @@ QString firstOf(const QStringList& lines);
 /// nullopt = written, else a sentence. "-" is the standard output.
 std::optional<QString> writeReport(const QString& path, const QJsonObject& report);
 
+/// The same when the time is over: a disk that takes long to confirm is not waited for.
+bool writeReportInHaste(const QString& path, const QJsonObject& report);
+
 /// The most memory this program has held.
 qint64 peakMemoryBytes();
 

@@ -28,7 +28,7 @@ int refuse(int exit_code, const QString& sentence) {
 
 /// What the deadline does when the run is not over in time: it says so, also in the report.
 int giveUp(const SnapshotOptions& options, const SnapshotRun::Standing& standing) {
-  if (!options.report.isEmpty()) writeReport(options.report, standing.report);
+  if (!options.report.isEmpty()) writeReportInHaste(options.report, standing.report);
   if (options.json && !isStandardOutput(options.report)) {
     const QByteArray json = words::escapedJson(QJsonDocument(standing.report).toJson());
     if (write(STDOUT_FILENO, json.constData(), std::size_t(json.size())) < 0) return kIncomplete;
@@ -84,10 +84,11 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
 
 int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   const SteadyTime begun = std::chrono::steady_clock::now();
+  const Grace grace = graceAfter(processAge());
   auto options = parseSnapshotOptions(words);
   if (!options) return refuse(kUsage, options.error());
   // Outlives all that may take its time, also in going away.
-  Deadline deadline(app::later(begun, options->timeout_s + kEndAfterS), [robot = options->robot] {
+  Deadline deadline(app::later(begun, options->timeout_s + grace.end_s), [robot = options->robot] {
     sayAtTheEnd(oneLine(robot).toStdString() + ": it could not be connected to in time.");
     return int(kUnreachable);
   });
@@ -99,7 +100,7 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!robot) return refuse(kUsage, robot.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  SnapshotRun run(std::move(*options), std::move(*robot), begun);
+  SnapshotRun run(std::move(*options), std::move(*robot), begun, grace);
   deadline.setLastWords(
       [options = run.options(), standing = run.standing()] { return giveUp(options, standing->take()); });
   int exit_code = kDone;

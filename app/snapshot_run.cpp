@@ -68,13 +68,15 @@ SnapshotRun::Standing SnapshotRun::StandingBoard::take() const {
   return standing_;
 }
 
-SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, SteadyTime begun)
+SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, SteadyTime begun,
+                         Grace grace)
     : options_(decided(std::move(options), *robot)),
       session_(std::move(robot), sessionOptions(options_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
       live_layers_(session_),
-      begun_(begun) {
+      begun_(begun),
+      grace_(grace) {
   session_.setSlice(options_.slice);
   for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
     timer->setSingleShot(true);
@@ -249,7 +251,7 @@ void SnapshotRun::timeOut() {
     return;
   }
   // What has come is drawn, as far as that takes no longer than a moment.
-  cut_off_.start(milliseconds(options_.timeout_s + kDrawOnS - seconds()));
+  cut_off_.start(milliseconds(options_.timeout_s + grace_.draw_s - seconds()));
   if (chosen_) return;
   const bool no_list = wantsSubmaps() && !session_.book().listReceived();
   notes_

@@ -124,24 +124,28 @@ std::optional<double> safetyChangesAt(const LiveState& live, double now_s) {
 
 Problem problemOf(const SafetyCondition& condition) {
   const Severity severity = condition.severity;
+  const auto about = [](std::string name) { return Subject(SubjectKind::Condition, std::move(name)); };
   switch (condition.kind) {
     case SafetyKind::EmergencyStop:
-      return {severity, "Emergency stop", "It is pressed: the robot does not drive until it is released."};
+      return {severity, about("Emergency stop"),
+              "It is pressed: the robot does not drive until it is released."};
     case SafetyKind::PositionLost:
-      return {severity, "Position", "It is lost: where the robot stands on the map may be wrong."};
+      return {severity, about("Position"), "It is lost: where the robot stands on the map may be wrong."};
     case SafetyKind::WheelsReleased:
-      return {severity, "Wheels", "They are released: the robot can be pushed, and rolls on a slope."};
+      return {severity, about("Wheels"), "They are released: the robot can be pushed, and rolls on a slope."};
     case SafetyKind::ManualControl:
-      return {severity, "Control", "The robot is under manual control."};
+      return {severity, about("Control"), "The robot is under manual control."};
     case SafetyKind::PositionUncertain:
-      return {severity, "Position", "It is uncertain: the robot may stand beside its place on the map."};
+      return {severity, about("Position"),
+              "It is uncertain: the robot may stand beside its place on the map."};
     case SafetyKind::WheelsSlipping:
-      return {severity, "Wheels", "They slip."};
+      return {severity, about("Wheels"), "They slip."};
     case SafetyKind::Alert:
       break;
   }
   const std::string called = condition.code == 0 ? "Alert" : "Alert " + std::to_string(condition.code);
-  return {severity, called, condition.text.empty() ? "The robot gives no text with it." : condition.text};
+  return {severity, about(called),
+          condition.text.empty() ? "The robot gives no text with it." : condition.text};
 }
 
 }  // namespace mapwright::map

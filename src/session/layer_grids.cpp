@@ -79,20 +79,22 @@ void LayerGrids::drop(map::GridKind kind) {
   row.dropped = row.busy;
   row.broken = false;
   if (std::exchange(row.shown, std::nullopt)) Q_EMIT changed(kind);
-  bool LayerGrids::busy() const {
-    return std::any_of(rows_.begin(), rows_.end(), [](const auto& entry) { return entry.second.busy; });
-  }
+}
 
-  void LayerGrids::standStill() {
-    ++generation_;
-    pool_.clear();
-  }
+bool LayerGrids::busy() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const auto& entry) { return entry.second.busy; });
+}
 
-  void LayerGrids::clear() {
-    ++generation_;
-    pool_.clear();
-    const auto rows = std::exchange(rows_, {});
-    for (const auto& [kind, row] : rows) Q_EMIT changed(kind);
-  }
+void LayerGrids::standStill() {
+  ++generation_;
+  pool_.clear();
+}
+
+void LayerGrids::clear() {
+  ++generation_;
+  pool_.clear();
+  const auto rows = std::exchange(rows_, {});
+  for (const auto& [kind, row] : rows) Q_EMIT changed(kind);
+}
 
 }  // namespace mapwright::session

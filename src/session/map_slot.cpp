@@ -187,15 +187,16 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
 
 void MapSlot::takeDamage(quint64 generation, raster::GridDamage damage) {
   if (damage == raster::GridDamage::Mended) {
-    Q_EMIT problemFound({map::Severity::Info, subject().toStdString(),
-                         "Its copy in the cache was damaged. The map was read again from its picture."});
+    Q_EMIT problemFound({map::Severity::Info, subject(),
+                         "Its copy in the cache was damaged. The map was read again from its picture.",
+                         map::ProblemCode::Odd});
     return;
   }
   if (generation != shown_generation_ || !shown_cells_) return;
   const std::string trouble = shown_cells_->trouble();
   broken_ = true;
   remark_ = QString::fromStdString(trouble);
-  Q_EMIT problemFound({map::Severity::Error, subject().toStdString(), trouble});
+  Q_EMIT problemFound({map::Severity::Error, subject(), trouble, map::ProblemCode::Unreadable});
   Q_EMIT changed();
 }
 

@@ -31,10 +31,10 @@ void SafetyWatch::look() {
     if (same != known.end()) known.erase(same);
     if (fresh && !each.ended_s) Q_EMIT began(each);
   }
-  std::set<std::string> still;
-  for (const map::SafetyCondition& each : conditions_) still.insert(map::problemOf(each).subject);
+  std::set<std::string> still;  // by the names of what they are about
+  for (const map::SafetyCondition& each : conditions_) still.insert(map::problemOf(each).subject.id);
   for (const auto& [identity, gone] : known) {
-    if (!still.contains(map::problemOf(*gone).subject)) Q_EMIT ended(*gone);
+    if (!still.contains(map::problemOf(*gone).subject.id)) Q_EMIT ended(*gone);
   }
   Q_EMIT changed();
 }

@@ -109,10 +109,8 @@ void Session::wireSafety(bool log) {
   if (!log) return;
   connect(&safety_, &SafetyWatch::began, this,
           [this](const map::SafetyCondition& condition) { report(map::problemOf(condition)); });
-  connect(&safety_, &SafetyWatch::ended, this, [this](const map::SafetyCondition& condition) {
-    problems_.resolve(map::problemOf(condition).subject);
-    if (!problems_timer_.isActive()) problems_timer_.start(kRowsEveryMs);
-  });
+  connect(&safety_, &SafetyWatch::ended, this,
+          [this](const map::SafetyCondition& condition) { recover({map::problemOf(condition).subject}); });
 }
 
 void Session::noteConnection() {

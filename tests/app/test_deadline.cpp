@@ -36,6 +36,22 @@ class DeadlineTest : public QObject {
     }
   }
 
+  void startAndGraceTogetherAreLessThanASecond_data() {
+    QTest::addColumn<double>("before_s");
+    for (const double before_s : {0.0, 0.1, 0.3, 0.5}) QTest::addRow("%g s", before_s) << before_s;
+  }
+  void startAndGraceTogetherAreLessThanASecond() {
+    QFETCH(double, before_s);
+    const app::Grace grace = app::graceAfter(before_s);
+    QVERIFY(before_s + grace.end_s < 0.7);  // the rest is for the system to end the process
+    QVERIFY(grace.draw_s > 0.05 && grace.draw_s < grace.end_s);
+  }
+  void aProcessKnowsItsAge() {
+    const double before = app::processAge();
+    QVERIFY(before >= 0 && before < 3600);
+    QTRY_VERIFY(app::processAge() > before);
+  }
+
   void whatIsInTimeIsLeftAlone() {
     std::atomic<int> ended = 0;
     {

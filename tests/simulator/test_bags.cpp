@@ -88,7 +88,7 @@ class TestBags : public QObject {
     QVERIFY(!bag.contains(QLatin1String("messages")));
   }
 
-  void windowsPutTogetherAreTheWholeBag() {
+  void allOfABagComesInOrder() {
     Simulator robot(paused());
     QVERIFY(!robot.start());
     const QJsonObject whole = object(window(robot, 0, 1e12).body);
@@ -100,11 +100,18 @@ class TestBags : public QObject {
       last = stampOf(message);
     }
     QVERIFY(last > whole[QLatin1String("end_time")].toDouble());  // metadata are whole seconds
+  }
+
+  void windowsPutTogetherAreTheLargeWindow() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const QJsonArray all = messages(robot, kStart, kStart + 59.9995);
     qsizetype at = 0;
-    for (int i = 0; i < 12; ++i) {
-      const double from = kStart + 50 * i;
-      for (const QJsonValue& message : messages(robot, from, from + 49.9995)) {
+    for (int i = 0; i < 6; ++i) {
+      const double from = kStart + 10 * i;
+      for (const QJsonValue& message : messages(robot, from, from + 9.9995)) {
         if (stampOf(message) < from) continue;  // what was said before
+        QVERIFY(at < all.size());
         QCOMPARE(compact(message), compact(all[at]));
         ++at;
       }
@@ -115,7 +122,7 @@ class TestBags : public QObject {
   void aWindowBeginsWithWhatWasSaidLastOnLatchedTopics() {
     Simulator robot(paused());
     QVERIFY(!robot.start());
-    const double from = kStart + 432.5;
+    const double from = kStart + 62.5;
     QMap<QString, QByteArray> last;
     for (const QJsonValue& message : messages(robot, 0, from - 0.0005)) {
       if (isLatched(message)) last[topicOf(message)] = compact(message);

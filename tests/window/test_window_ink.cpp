@@ -70,7 +70,7 @@ class TestWindowInk : public QObject {
     notice->setNotice(Mark::Warning, QStringLiteral("Something lasts until it is over, and is said here."),
                       offer, closable);
     verifyPainted(notice->findChild<PlainLabel*>());
-    QVERIFY(test::inkReach(notice->findChild<PlainLabel*>()) > 200);
+    QVERIFY(test::Ink(notice->findChild<PlainLabel*>()).reach() > 200);
   }
 
   void aNoticeFromBeforeTheWindowIsShown() {

@@ -145,7 +145,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
 std::vector<std::string> MainWindow::sourceFiles() const {
   if (!session_) return {};
   const session::MapSlot& slot = session_->wholeMap();
-  return robot::localFiles(session_->robot().address(), slot.key().id, slot.shown().path);
+  std::vector<std::string> files =
+      robot::localFiles(session_->robot().address(), slot.key().id, slot.shown().path);
+  if (files.empty() || slot.shown().path.empty() || !dependencies_.yamls_naming) return files;
+  for (const QString& yaml : dependencies_.yamls_naming(QString::fromStdString(slot.shown().path)))
+    files.push_back(yaml.toStdString());
+  return files;
 }
 
 void MainWindow::exportMap() {

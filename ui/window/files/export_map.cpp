@@ -45,7 +45,9 @@ QStringList exportedFiles(const QString& path, ExportFormat format, bool with_wo
     const raster::MapServerFiles files = raster::mapServerFiles(path.toStdString());
     return {QString::fromStdString(files.yaml), QString::fromStdString(files.pgm)};
   }
-  return with_world_file ? QStringList{path, worldFilePath(path)} : QStringList{path};
+  QStringList files(path);
+  if (with_world_file) files << worldFilePath(path);
+  return files;
 }
 
 QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources) {
