@@ -10,10 +10,10 @@
 
 namespace mapwright::app {
 
-Grace graceAfter(double before_s) {
-  // A process that another one became may be of any age.
-  const double end_s = std::clamp(0.65 - before_s, 0.15, 0.5);
-  return {end_s * 0.4, end_s};
+CommandStart commandStart(double timeout_s, double age_s, SteadyTime now) {
+  constexpr double kLongestLoading = 2, kMostOfTheTime = 0.25;
+  if (age_s <= std::min(kLongestLoading, kMostOfTheTime * timeout_s)) return {later(now, -age_s), {}};
+  return {now, {0.08, 0.2}};
 }
 
 double processAge() {

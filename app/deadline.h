@@ -12,12 +12,19 @@ namespace mapwright::app {
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 /// After the time-out (--timeout), in seconds: so long what has come may still be drawn, and then the process
-/// ends, whatever it is doing. Together with what passed before main() it is less than a second.
+/// ends, whatever it is doing.
 struct Grace {
-  double draw_s = 0, end_s = 0;
+  double draw_s = 0.15, end_s = 0.4;
 };
-/// `before_s`: how old the process was when its command began.
-Grace graceAfter(double before_s);
+/// When a command's time began, and what it has after it.
+struct CommandStart {
+  SteadyTime begun;
+  Grace grace;
+};
+/// The time counts from the start of the process, which is `age_s` ago: on a busy machine a program takes
+/// long to be loaded. A process that another one became may be of any age: such an age does not count, but
+/// the grace is short then.
+CommandStart commandStart(double timeout_s, double age_s, SteadyTime now = std::chrono::steady_clock::now());
 /// Seconds since the process was made; 0 where that is not known.
 double processAge();
 

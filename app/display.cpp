@@ -1,11 +1,16 @@
 #include "app/display.h"
 
 #include <cstdio>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <QByteArray>
+#include <QDir>
+#include <QFile>
 #include <QGuiApplication>
+#include <QStandardPaths>
+
+#include "disk/read_file.h"
+#include "disk/written_file.h"
 
 namespace mapwright::app {
 namespace {
@@ -27,13 +32,22 @@ constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
 </fontconfig>
 )";
 
-/// Snapshots must not follow the user's font settings. Held in memory for as long as the program runs, so
-/// that neither a full disk nor a folder that cannot be written changes a picture.
+/// Snapshots must not follow the user's font settings. Neither a full disk nor a cache that cannot be written
+/// may change a picture: then the file goes where there is room. (Fontconfig wants a file with a path.)
 void pinFonts() {
-  const int fd = ::memfd_create("mapwright fonts", 0);
-  const QByteArray text(kFontConfig);
-  if (fd < 0 || ::write(fd, text.constData(), std::size_t(text.size())) != text.size()) return;
-  qputenv("FONTCONFIG_FILE", "/proc/self/fd/" + QByteArray::number(fd));
+  const QString user = QString::number(::getuid());
+  for (const QString& folder :
+       {QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/mapwright"),
+        QStringLiteral("/dev/shm/mapwright-") + user,
+        QDir::tempPath() + QStringLiteral("/mapwright-") + user}) {
+    const QString path = folder + QStringLiteral("/snapshot-fonts.conf");
+    const auto present = disk::readFile(path.toStdString(), sizeof(kFontConfig));
+    const bool there = present && *present == kFontConfig;
+    if (!there && (!QDir().mkpath(folder) || disk::writeFile(path.toStdString(), kFontConfig))) continue;
+    qputenv("FONTCONFIG_FILE", QFile::encodeName(path));
+    return;
+  }
+  std::fprintf(stderr, "Fonts cannot be pinned: no folder can be written. Labels may look different.\n");
 }
 
 /// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.

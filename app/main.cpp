@@ -101,8 +101,10 @@ void addMaps(CLI::App& cli, CommandLine& line) {
   app::MapsWords& words = line.maps;
   const auto add = [&](const char* name, const char* what) {
     CLI::App* command = maps->add_subcommand(name, what);
-    command->add_option("--robot", words.robot, "Robot address, map.yaml, picture or folder")
-        ->envname("MAPWRIGHT_ROBOT");
+    // No envname(): the subcommands share the word, and the variable would be read for those that were not
+    // given, over what was typed. It comes from the option before the subcommand.
+    command->add_option("--robot", words.robot,
+                        "Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)");
     addAccess(*command, words.access);
     command->add_option("--timeout", words.timeout_s, "Give up waiting after this many seconds")
         ->capture_default_str();

@@ -38,7 +38,7 @@ session::Session::Options quietOptions(MapReading::Purpose purpose) {
 
 }  // namespace
 
-bool CommandTime::over(double grace_s) const { return secondsSince(begun) > timeout_s + grace_s; }
+bool CommandTime::over(double grace_s) const { return secondsSince(start.begun) > timeout_s + grace_s; }
 
 MapReading::MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time,
                        Purpose purpose)
@@ -85,7 +85,8 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   reading->waitUntil([&] {
     return phase() == robot::ConnectionPhase::Online || phase() == robot::ConnectionPhase::Refused ||
            (phase() == robot::ConnectionPhase::Interrupted &&
-            session.connection().attempt >= kConnectAttempts);
+            (session.connection().attempt >= kConnectAttempts ||
+             session.connection().failure == map::FailureKind::NotARobot));
   });
   if (phase() != robot::ConnectionPhase::Online) {
     const bool file = reading->local() && phase() == robot::ConnectionPhase::Refused;
@@ -200,7 +201,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   render::DenseCache cache(std::size_t(256) << 20);
   bool in_time = true;
   auto made = render::composeGrid(textures, resolution_m, cache, [&](double) {
-    in_time = !time_.over(time_.grace.draw_s);
+    in_time = !time_.over(time_.start.grace.draw_s);
     return in_time;
   });
   if (!in_time) {

@@ -19,9 +19,8 @@ namespace mapwright::app {
 
 /// How long a command may take, and since when.
 struct CommandTime {
-  SteadyTime begun;
+  CommandStart start;
   double timeout_s = 0;
-  Grace grace = {};
   bool over(double grace_s = 0) const;
 };
 

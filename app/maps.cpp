@@ -13,6 +13,7 @@
 #include "app/exit_code.h"
 #include "app/map_diff.h"
 #include "app/maps_command.h"
+#include "app/one_line.h"
 #include "app/output_paths.h"
 #include "app/report.h"
 #include "app/robot_access.h"

@@ -26,8 +26,7 @@ QJsonObject failed(const QString& sentence) {
 }  // namespace
 
 MapsCommand::MapsCommand(double timeout_s, QString report_path)
-    : time_{std::chrono::steady_clock::now(), timeout_s, graceAfter(processAge())},
-      report_path_(std::move(report_path)) {}
+    : time_{commandStart(timeout_s, processAge()), timeout_s}, report_path_(std::move(report_path)) {}
 
 CommandResult<MapReading*> MapsCommand::open(const QString& address, const Access& access,
                                              MapReading::Purpose purpose) {
@@ -50,7 +49,7 @@ int MapsCommand::run(int& argc, char** argv, const std::function<CommandResult<i
     return say(QStringLiteral("--timeout must be more than 0 and at most 86400 seconds."), kUsage);
   }
   Deadline deadline(
-      later(time_.begun, time_.timeout_s + time_.grace.end_s),
+      later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
       [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
         const QString sentence =
             (*connected

@@ -16,8 +16,7 @@ class MapsCommand {
   MapsCommand(double timeout_s, QString report_path);
 
   /// Connects; the reading lives as long as this.
-  CommandResult<MapReading*> open(const QString& address, const Access& access,
-                                  MapReading::Purpose purpose);
+  CommandResult<MapReading*> open(const QString& address, const Access& access, MapReading::Purpose purpose);
   /// True when everything that was asked for could be had.
   bool complete() const;
 

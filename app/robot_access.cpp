@@ -83,7 +83,7 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
   if (!words.ca_file.empty()) {
     const auto authorities = net::readAuthorities(text(words.ca_file));
     if (!authorities) return tl::make_unexpected(authorities.error());
-    access.trust_.authorities = *authorities;
+    access.trust_.authorities = QSslConfiguration::systemCaCertificates() + *authorities;
   }
   return access;
 }
@@ -101,7 +101,8 @@ Access RobotAccess::forAddress(const QString& address) const {
 
 QString whyNotConnected(const robot::ConnectionState& state) {
   if (!state.certificate) return state.reason;
-  return state.reason + QStringLiteral(". Give the authority that vouches for it by --ca-file PEM.");
+  return state.reason +
+         QStringLiteral(". If an authority of your own vouches for it, give it by --ca-file PEM.");
 }
 
 }  // namespace mapwright::app

@@ -83,15 +83,15 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
 }  // namespace
 
 int snapshot(const SnapshotWords& words, int& argc, char** argv) {
-  const SteadyTime begun = std::chrono::steady_clock::now();
-  const Grace grace = graceAfter(processAge());
+  const CommandStart start = commandStart(words.timeout_s, processAge());
   auto options = parseSnapshotOptions(words);
   if (!options) return refuse(kUsage, options.error());
   // Outlives all that may take its time, also in going away.
-  Deadline deadline(app::later(begun, options->timeout_s + grace.end_s), [robot = options->robot] {
-    sayAtTheEnd(oneLine(robot).toStdString() + ": it could not be connected to in time.");
-    return int(kUnreachable);
-  });
+  Deadline deadline(app::later(start.begun, options->timeout_s + start.grace.end_s),
+                    [robot = options->robot] {
+                      sayAtTheEnd(oneLine(robot).toStdString() + ": it could not be connected to in time.");
+                      return int(kUnreachable);
+                    });
   chooseOffscreenPlatform();
   QApplication application(argc, argv);
   const auto access = RobotAccess::read(words.access, options->robot);
@@ -100,7 +100,7 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!robot) return refuse(kUsage, robot.error());
 
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  SnapshotRun run(std::move(*options), std::move(*robot), begun, grace);
+  SnapshotRun run(std::move(*options), std::move(*robot), start);
   deadline.setLastWords(
       [options = run.options(), standing = run.standing()] { return giveUp(options, standing->take()); });
   int exit_code = kDone;

@@ -68,15 +68,13 @@ SnapshotRun::Standing SnapshotRun::StandingBoard::take() const {
   return standing_;
 }
 
-SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, SteadyTime begun,
-                         Grace grace)
+SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start)
     : options_(decided(std::move(options), *robot)),
       session_(std::move(robot), sessionOptions(options_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
       live_layers_(session_),
-      begun_(begun),
-      grace_(grace) {
+      start_(start) {
   session_.setSlice(options_.slice);
   for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
     timer->setSingleShot(true);
@@ -106,7 +104,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
 SnapshotRun::~SnapshotRun() = default;
 
 double SnapshotRun::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_.begun).count();
 }
 
 void SnapshotRun::start() {
@@ -162,7 +160,8 @@ bool SnapshotRun::connected() {
   }
   if (link.phase != robot::ConnectionPhase::Online) {
     const bool gave_up = link.phase == robot::ConnectionPhase::Interrupted &&
-                         (link.attempt >= kConnectAttempts || seconds() > kConnectWithinS);
+                         (link.attempt >= kConnectAttempts || seconds() > kConnectWithinS ||
+                          link.failure == map::FailureKind::NotARobot);
     if (gave_up) {
       fail(exitCodeOf(link.failure, kUnreachable),
            QStringLiteral("%1: %2").arg(options_.robot, whyNotConnected(link)));
@@ -251,7 +250,7 @@ void SnapshotRun::timeOut() {
     return;
   }
   // What has come is drawn, as far as that takes no longer than a moment.
-  cut_off_.start(milliseconds(options_.timeout_s + grace_.draw_s - seconds()));
+  cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
   const bool no_list = wantsSubmaps() && !session_.book().listReceived();
   notes_

@@ -21,9 +21,9 @@ namespace mapwright::app {
 class SnapshotRun : public QObject {
   Q_OBJECT
  public:
-  /// `begun`: from then on --timeout counts. `grace`: for the drawing after it.
+  /// `start`: from then on --timeout counts.
   SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot,
-              SteadyTime begun = std::chrono::steady_clock::now(), Grace grace = graceAfter(0));
+              CommandStart start = {std::chrono::steady_clock::now(), {}});
   ~SnapshotRun() override;
 
   void start();
@@ -85,8 +85,7 @@ class SnapshotRun : public QObject {
   std::unique_ptr<Chosen> chosen_;
   std::unique_ptr<SnapshotPicture> picture_;
   std::shared_ptr<StandingBoard> board_ = std::make_shared<StandingBoard>();
-  SteadyTime begun_;
-  Grace grace_;
+  CommandStart start_;
   QTimer timeout_, cut_off_, settle_, poll_;
   geometry::ViewTransform view_;
   double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1, noted_s_ = -1, note_took_s_ = 0;

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include <QApplication>
+#include <QLoggingCategory>
 
 #include "app/display.h"
 #include "app/exit_code.h"
@@ -53,7 +54,10 @@ int showWindow(const QString& address, const RobotAccess& known) {
 }  // namespace
 
 int window(const QString& address, const AccessWords& words, int& argc, char** argv) {
+  // Reading certificates before there is an application makes Qt remark on itself.
+  QLoggingCategory::setFilterRules(QStringLiteral("qt.core.qobject.connect=false"));
   const auto access = RobotAccess::read(words, address);
+  QLoggingCategory::setFilterRules({});
   if (!access) {
     std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(access.error())));
     return kUsage;

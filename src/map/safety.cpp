@@ -130,16 +130,15 @@ Problem problemOf(const SafetyCondition& condition) {
       return {severity, about("Emergency stop"),
               "It is pressed: the robot does not drive until it is released."};
     case SafetyKind::PositionLost:
-      return {severity, about("Position"), "It is lost: where the robot stands on the map may be wrong."};
+      return {severity, about("Lost position"), "Where the robot stands on the map may be wrong."};
     case SafetyKind::WheelsReleased:
-      return {severity, about("Wheels"), "They are released: the robot can be pushed, and rolls on a slope."};
+      return {severity, about("Released wheels"), "The robot can be pushed, and rolls on a slope."};
     case SafetyKind::ManualControl:
-      return {severity, about("Control"), "The robot is under manual control."};
+      return {severity, about("Manual control"), "The robot does not drive by itself."};
     case SafetyKind::PositionUncertain:
-      return {severity, about("Position"),
-              "It is uncertain: the robot may stand beside its place on the map."};
+      return {severity, about("Uncertain position"), "The robot may stand beside its place on the map."};
     case SafetyKind::WheelsSlipping:
-      return {severity, about("Wheels"), "They slip."};
+      return {severity, about("Slipping wheels"), "The robot may not be where its wheels say."};
     case SafetyKind::Alert:
       break;
   }

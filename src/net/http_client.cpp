@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QNetworkAccessManager>
 #include <QNetworkReply>
+#include <QSet>
 #include <QTimer>
 
 #include "net/http_cache.h"
@@ -20,6 +21,7 @@ namespace mapwright::net {
 namespace {
 
 constexpr int kMaxRedirects = 5;
+constexpr qsizetype kMostUnusable = 100'000;
 constexpr qint64 kReadAhead = qint64(1) << 20;  // what Qt may hold back that was not counted yet
 
 bool isRedirect(int status) {
@@ -93,6 +95,13 @@ class HttpClient::Impl {
     network_.clearConnectionCache();
   }
 
+  void discard(const QUrl& url) {
+    if (cache_ == nullptr) return;
+    cache_->remove(url);
+    // A file that cannot be removed, or that another process writes again, is not believed either.
+    if (unusable_.size() < kMostUnusable) unusable_.insert(url.toEncoded());
+  }
+
   void cancelAll() {
     std::vector<RequestId> ids;
     for (const auto& [id, job] : jobs_) {
@@ -139,7 +148,8 @@ class HttpClient::Impl {
              failure(HttpAnswer::Kind::Refused, QStringLiteral("the address is not one of a web server")));
       return;
     }
-    if (job->request.cacheable && !job->request.post && cache_ != nullptr) {
+    const bool unusable = unusable_.remove(job->url.toEncoded());
+    if (job->request.cacheable && !job->request.post && cache_ != nullptr && !unusable) {
       job->stored = cache_->find(job->url);
       if (job->stored && job->stored->fresh) {
         finish(id, storedAnswer(*job));
@@ -425,6 +435,7 @@ class HttpClient::Impl {
   HttpCache* cache_;
   QNetworkAccessManager network_;
   std::map<RequestId, Job> jobs_;
+  QSet<QByteArray> unusable_;  // addresses whose last answer was discarded
   std::deque<RequestId> waiting_;
   int in_flight_ = 0;
   RequestId last_id_ = 0;
@@ -449,5 +460,7 @@ void HttpClient::cancel(RequestId id) { impl_->cancel(id); }
 void HttpClient::cancelAll() { impl_->cancelAll(); }
 
 void HttpClient::setTrust(const Trust& trust) { impl_->setTrust(trust); }
+
+void HttpClient::discard(const QUrl& url) { impl_->discard(url); }
 
 }  // namespace mapwright::net

@@ -68,6 +68,9 @@ class HttpClient : public QObject {
   void cancelAll();
   /// Whom to believe from the next connection on; idle ones are dropped.
   void setTrust(const Trust& trust);
+  /// What came from `url` is of no use: it is not kept, and the next request for it asks the robot itself,
+  /// whatever is on disk and without the ETag of what was there.
+  void discard(const QUrl& url);
 
  private:
   class Impl;

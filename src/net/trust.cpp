@@ -123,7 +123,7 @@ QSslConfiguration configurationFor(const Trust& trust) {
   if (!trust.pinned_sha256.isEmpty()) {
     configuration.setCaCertificates({});
   } else if (!trust.authorities.isEmpty()) {
-    configuration.setCaCertificates(QSslConfiguration::systemCaCertificates() + trust.authorities);
+    configuration.setCaCertificates(trust.authorities);
   }
   return configuration;
 }

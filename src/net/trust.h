@@ -15,9 +15,9 @@
 
 namespace mapwright::net {
 
-/// Whom to believe besides the authorities that this computer knows. Holds for one origin.
+/// Whom to believe. Holds for one origin.
 struct Trust {
-  QList<QSslCertificate> authorities;
+  QList<QSslCertificate> authorities;  // empty: those that this computer knows
   /// SHA-256 of the robot's own certificate (32 bytes). When set, exactly this one is accepted, whatever else
   /// would be held against it, and no other, whoever vouches for it.
   QByteArray pinned_sha256;

@@ -271,7 +271,7 @@ class WebSocketLink::Impl {
       }
     }
     if (status >= 400) {
-      fail(status < 500 ? Fault::NotAWebSocket : Fault::Unreachable,
+      fail(status < 500 || status == 501 ? Fault::NotAWebSocket : Fault::Unreachable,
            QStringLiteral("the robot refused the connection: %1").arg(statusWords(status)));
       return;
     }

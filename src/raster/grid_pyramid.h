@@ -120,6 +120,8 @@ class GridReading {
   /// second.
   virtual std::optional<GridError> read(const std::atomic<bool>& cancelled,
                                         const std::function<void()>& progressed) = 0;
+  /// After read(): why no side-car could be kept, as a sentence; empty = it is kept, or was not to be.
+  virtual std::string notKept() const { return {}; }
 };
 /// PNG (all types, interlaced too), PGM (P2, P5), BMP, by signature. `bytes` stays alive as long as needed.
 tl::expected<std::unique_ptr<GridReading>, GridError> openGrid(std::shared_ptr<const std::string> bytes,

@@ -65,6 +65,7 @@ class PictureReading final : public GridReading {
 
   std::shared_ptr<const GridPyramid> pyramid() const override { return pyramid_; }
   bool complete() const override { return finished_; }
+  std::string notKept() const override { return draft_.trouble(); }
 
   std::optional<GridError> read(const std::atomic<bool>& cancelled,
                                 const std::function<void()>& progressed) override {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -74,6 +75,11 @@ std::uint64_t hashOf(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char letter : text) hash = (hash ^ std::uint8_t(letter)) * 0x100000001b3u;
   return hash;
+}
+
+std::string notKept(const std::string& folder, const std::string& why) {
+  return "What was made of large maps cannot be kept in " + folder + ": " + why +
+         ". They are read anew each time.";
 }
 
 class SidecarPyramid final : public GridPyramid {
@@ -187,7 +193,10 @@ void SidecarDraft::begin(TileStore& store) {
   fs::create_directories(key_.folder, failed);
   std::string name = key_.path() + kDraftMark + "XXXXXX";
   const int fd = ::mkostemp(name.data(), O_CLOEXEC);
-  if (fd < 0) return;
+  if (fd < 0) {
+    trouble_ = notKept(key_.folder, failed ? failed.message() : std::strerror(errno));
+    return;
+  }
   aside_ = name;
   begun_ = true;
   store.spillTo(fd, kDataOffset, key_.salt());
@@ -217,6 +226,8 @@ void SidecarDraft::keep(TileStore& store) {
   if (store.flush() && writeEnds(store) && ::rename(aside_.c_str(), key_.path().c_str()) == 0) {
     aside_.clear();
     pruneSidecars(key_.folder, kSidecarBudget);
+  } else {
+    trouble_ = notKept(key_.folder, "the disk may be full");
   }
 }
 

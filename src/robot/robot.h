@@ -75,6 +75,9 @@ class SubmapSource {
   /// Aborts the fetches of all keys of `uuid`, or of one key; their replies come with Outcome::Cancelled.
   virtual void cancelAll() = 0;
   virtual void cancel(const map::SubmapKey& key) = 0;
+  /// The answer for `key`, which said that it was of `answered_version`, cannot be decoded: it is kept
+  /// nowhere, and the next fetch of the key asks the robot itself.
+  virtual void discard(const map::SubmapKey& /*key*/, std::int32_t /*answered_version*/) {}
 };
 
 /// What an asynchronous question ended in: the answer, or what went wrong with whom.
@@ -95,6 +98,8 @@ class MapCatalogue {
   virtual void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) = 0;
   /// A small picture of it (PNG).
   virtual void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) = 0;
+  /// That picture cannot be decoded: it is kept nowhere.
+  virtual void discardThumbnail(const map::MapKey& /*key*/) {}
 };
 
 /// Capability: whole maps as pictures.
@@ -106,6 +111,9 @@ class WholeMapSource {
   /// The present SLAM map as one picture at a resolution of the asker's choice, where offered.
   virtual bool offersOverview() const { return false; }
   virtual void fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply);
+  /// The picture of this fingerprint, of a map or of a topic, cannot be read to its end: it is kept nowhere,
+  /// and the robot itself is asked the next time.
+  virtual void discardPicture(const std::string& /*fingerprint*/) {}
 };
 
 /// Capability: the named places of a map (read only).

@@ -85,6 +85,10 @@ QByteArray Catalogue::thumbnail(const map::MapKey& key) {
   return {};
 }
 
+void Catalogue::discardThumbnail(const map::MapKey& key) {
+  if (source_ && thumbnails_.erase(key) > 0) source_->discardThumbnail(key);
+}
+
 void Catalogue::askForThumbnails() {
   while (!wanted_.empty() && thumbnails_under_way_ < kThumbnailsAtOnce) {
     const map::MapKey key = wanted_.front();

@@ -42,6 +42,8 @@ class Catalogue : public QObject {
   /// The thumbnail (PNG bytes), or empty: then it is asked for, and thumbnailArrived() tells. A failed one is
   /// not asked for again until its row changes.
   QByteArray thumbnail(const map::MapKey& key);
+  /// It cannot be decoded: it is kept nowhere.
+  void discardThumbnail(const map::MapKey& key);
 
  Q_SIGNALS:
   void changed();

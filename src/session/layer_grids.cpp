@@ -43,8 +43,10 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
     }
     QMetaObject::invokeMethod(
         this,
-        [this, kind, generation, grid, topic = message.topic] {
+        [this, kind, generation, grid, topic = message.topic,
+         broken = message.png && !colors ? message.fingerprint : std::string()] {
           if (generation != generation_) return;
+          if (!broken.empty()) Q_EMIT unreadable(broken);
           Row& row = rows_[kind];
           row.busy = false;
           const bool dropped = std::exchange(row.dropped, false);

@@ -42,6 +42,8 @@ class LayerGrids : public QObject {
   void changed(mapwright::map::GridKind kind);
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
+  /// Its picture cannot be decoded.
+  void unreadable(const std::string& fingerprint);
 
  private:
   struct Row {

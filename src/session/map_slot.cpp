@@ -162,6 +162,7 @@ void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& open
   if (generation != generation_) return;
   if (opened->error) {
     auto next = std::exchange(next_, std::nullopt);
+    if (!opened->map.fingerprint.empty()) Q_EMIT unreadable(opened->map.fingerprint);
     fail({map::Severity::Error, subject(), opened->error->sentence, map::ProblemCode::Unreadable});
     if (next) show(std::move(*next));
     return;
@@ -208,10 +209,15 @@ void MapSlot::takeRows(quint64 generation) {
 void MapSlot::takeEnd(quint64 generation, const std::optional<raster::GridError>& error) {
   if (generation != generation_ || !reading_) return;
   const auto opened = std::exchange(reading_, nullptr);
+  if (const std::string trouble = opened->reading->notKept(); !trouble.empty() && !cache_told_) {
+    cache_told_ = true;
+    Q_EMIT problemFound({map::Severity::Warning, "Disk cache", trouble});
+  }
   phase_ = Phase::Ready;
   broken_ = error.has_value();
   if (error) {
     remark_ = QString::fromStdString(error->sentence);
+    if (!opened->map.fingerprint.empty()) Q_EMIT unreadable(opened->map.fingerprint);
     Q_EMIT problemFound({map::Severity::Error, subject(), error->sentence, map::ProblemCode::Unreadable});
   } else if (remark_.isEmpty()) {
     Q_EMIT recovered({subject()});

@@ -79,6 +79,8 @@ class MapSlot : public QObject {
   void rowsArrived();  // more of cells()
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
+  /// Its picture cannot be read to its end.
+  void unreadable(const std::string& fingerprint);
 
  private:
   struct Opened;
@@ -111,6 +113,7 @@ class MapSlot : public QObject {
   quint64 shown_generation_ = 0;  // of what is on screen
   std::shared_ptr<Ear> ear_;      // pyramids may outlive the slot
   bool broken_ = false, waypoints_awaited_ = false;
+  bool cache_told_ = false;  // that nothing can be kept on disk
   QThreadPool pool_;
 };
 

@@ -153,7 +153,6 @@ void Session::takeTopic(const map::TopicMessage& message) {
     return;
   }
   if (const auto* grid = std::get_if<map::GridMessage>(&message)) takeGrid(*grid);
-  if (maps_by_itself_ && std::holds_alternative<map::MapInfo>(message)) catalogue_.refresh();
   Q_EMIT liveChanged(int(message.index()));
 }
 
@@ -167,6 +166,7 @@ void Session::takeList(const map::SubmapList& list) {
     failure_reasons_.clear();
     decoding_.clear();
     if (problems_.resolveAll(map::SubjectKind::Submap, QDateTime::currentDateTime())) tellProblems();
+    asked_again_.clear();
   }
   scheduler_.listArrived();
   for (const map::SubmapId id : change.removed) {
@@ -233,11 +233,12 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
       ++decoding_[key.id];
       decode_pool_.start([this, generation = generation_, held = std::move(answer)]() mutable {
         raster::standBack();
+        const bool from_cache = held.from_cache;
         auto decoded = submap::decode(held);
         QMetaObject::invokeMethod(
             this,
-            [this, generation, done = std::move(decoded)]() mutable {
-              if (generation == generation_) takeDecoded(std::move(done));
+            [this, generation, from_cache, done = std::move(decoded)]() mutable {
+              if (generation == generation_) takeDecoded(std::move(done), from_cache);
             },
             Qt::QueuedConnection);
       });
@@ -247,11 +248,26 @@ void Session::takeAnswer(map::SubmapAnswer answer) {
   pump();
 }
 
-void Session::takeDecoded(submap::DecodedSubmap decoded) {
+void Session::takeDecoded(submap::DecodedSubmap decoded, bool from_cache) {
   const map::SubmapId id = decoded.key.id;
   if (const auto it = decoding_.find(id); it != decoding_.end() && --it->second <= 0) decoding_.erase(it);
+  const bool corrupt = std::any_of(decoded.slices.begin(), decoded.slices.end(),
+                                   [](const submap::Slice& slice) { return !slice.corrupt.empty(); });
+  if (corrupt) discard(decoded.key, decoded.version, from_cache);
   publish(book_.commit(std::move(decoded)));
   touchRows();
+  if (corrupt) pump();
+}
+
+void Session::discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache) {
+  if (!robot_->submapSource()) return;
+  robot_->submapSource()->discard(key, answered_version);
+  // What lay on the disk may be broken where the robot's own answer is whole. That one is asked for once.
+  if (!from_cache) return;
+  const auto [asked, first] = asked_again_.try_emplace(key.id, key.version);
+  if (!first && asked->second == key.version) return;
+  asked->second = key.version;
+  scheduler_.again(key);
 }
 
 void Session::report(const map::Problem& problem, const QDateTime& at) {

@@ -13,6 +13,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QSet>
 #include <QString>
 #include <QThreadPool>
 #include <QTimer>
@@ -159,7 +160,9 @@ class Session : public QObject {
   void takeTopic(const map::TopicMessage& message);
   void takeList(const map::SubmapList& list);
   void takeAnswer(map::SubmapAnswer answer);
-  void takeDecoded(submap::DecodedSubmap decoded);
+  void takeDecoded(submap::DecodedSubmap decoded, bool from_cache);
+  /// It cannot be decoded.
+  void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
   void tellProblems();
   void publish(const submap::BookChange& change);
   void pump();
@@ -169,6 +172,7 @@ class Session : public QObject {
   void countFetch(std::size_t body_bytes, bool from_cache);
   void wireMaps();
   void wireSafety(bool log);
+  void discardPicture(const std::string& fingerprint);
   void takeGrid(const map::GridMessage& message);
   bool listensTo(const std::string& topic) const;
   void takeFrame();
@@ -189,6 +193,7 @@ class Session : public QObject {
   ProblemLog problems_;
   std::unordered_map<map::SubmapId, std::string> failure_reasons_;
   std::unordered_map<map::SubmapId, int> decoding_;
+  std::unordered_map<map::SubmapId, std::int32_t> asked_again_;  // the version, after it could not be decoded
   std::optional<QDateTime> stale_since_;
   bool was_online_ = false;
   int slice_ = 0;
@@ -201,6 +206,7 @@ class Session : public QObject {
   bool live_wanted_ = true;  // the whole map on screen is the one that the robot sends
   bool map_chosen_ = false;  // by the user
   std::map<QString, QStringList> wants_;
+  QSet<QString> retired_topics_;  // wanted once and no more: what still comes of them is not taken
   QStringList wanted_topics_;     // all of them together
   std::set<QString> waited_for_;  // topics that gave nothing in time: their older names are tried too
   std::optional<submap::Millis> listed_at_;  // when the catalogue came last; nullopt when it failed since

@@ -46,6 +46,8 @@ void Session::wireMaps() {
     connect(slot, &MapSlot::problemFound, this, note);
     connect(slot, &MapSlot::recovered, this, forget);
   }
+  for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_})
+    connect(slot, &MapSlot::unreadable, this, &Session::discardPicture);
   const map::Subject overview(map::SubjectKind::Overview, {});
   connect(&overview_, &MapSlot::problemFound, this, [this, overview](map::Problem problem) {
     problem.subject = overview;
@@ -60,6 +62,7 @@ void Session::wireMaps() {
   });
   connect(&layer_grids_, &LayerGrids::problemFound, this, note);
   connect(&layer_grids_, &LayerGrids::recovered, this, forget);
+  connect(&layer_grids_, &LayerGrids::unreadable, this, &Session::discardPicture);
   connect(robot_.get(), &robot::Robot::mapsChanged, this, [this] {
     if (maps_by_itself_ || catalogue_.asked()) catalogue_.refresh();
     if (whole_map_.key().kind == map::MapKind::File && whole_map_.settled()) {
@@ -92,6 +95,10 @@ void Session::wireMaps() {
     if (map_chosen_ || !maps_by_itself_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
     openInto(whole_map_, current->key);
   });
+}
+
+void Session::discardPicture(const std::string& fingerprint) {
+  if (robot_->wholeMapSource()) robot_->wholeMapSource()->discardPicture(fingerprint);
 }
 
 void Session::openFirstMap() {
@@ -213,7 +220,7 @@ void Session::askForOverview() {
 }
 
 bool Session::listensTo(const std::string& topic) const {
-  return !robot_->liveTopics() || wanted_topics_.contains(QString::fromStdString(topic));
+  return !retired_topics_.contains(QString::fromStdString(topic));
 }
 
 void Session::takeFrame() {
@@ -273,8 +280,11 @@ void Session::sendWants() {
   all.removeDuplicates();
   for (const QString& topic : std::as_const(wanted_topics_)) {
     // Nobody listens to it any more: whether it is readable again will never be known.
-    if (!all.contains(topic)) recover({map::Subject(map::SubjectKind::Topic, topic.toStdString())});
+    if (all.contains(topic)) continue;
+    recover({map::Subject(map::SubjectKind::Topic, topic.toStdString())});
+    retired_topics_.insert(topic);
   }
+  for (const QString& topic : std::as_const(all)) retired_topics_.remove(topic);
   wanted_topics_ = all;
   live->setWanted(all);
   forgetUnwanted();

@@ -35,6 +35,14 @@ void FetchScheduler::unwant(map::SubmapId id) {
   if (wishes_.erase(id) > 0) queue_stale_ = true;
 }
 
+void FetchScheduler::again(const map::SubmapKey& key) {
+  const auto it = wishes_.find(key.id);
+  if (key.uuid != uuid_ || it == wishes_.end() || it->second.wanted != key.version) return;
+  it->second.any_answer = false;
+  it->second.satisfied = -1;
+  queue_stale_ = true;
+}
+
 void FetchScheduler::retryNow() {
   for (auto& [id, wish] : wishes_) {
     wish.not_found.clear();

@@ -52,6 +52,8 @@ class FetchScheduler {
   void want(map::SubmapId id, std::int32_t version);
   /// The submap left the list.
   void unwant(map::SubmapId id);
+  /// The answer for this key was of no use: it is asked for once more, if it is still the one that is wanted.
+  void again(const map::SubmapKey& key);
   /// Forgets waits and remembered 404s, so that everything not yet satisfied is tried at once.
   void retryNow();
 

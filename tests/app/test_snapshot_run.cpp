@@ -63,13 +63,13 @@ class SnapshotRunTest : public QObject {
   }
 
   void theRobotIsLeftOutOfAMapThatItIsNotIn() {
-    const auto other = [&](const char* layers, const QString& name, bool anyway = false) {
+    const auto other = [&](const std::string& layers, const QString& name, bool anyway = false) {
       app::SnapshotWords words;
       words.robot = "demo:";
       words.output = folder_.filePath(name).toStdString();
       words.size = "320x240";
-      words.mode = "whole";
-      words.map = "2";
+      words.mode = std::string("whole");
+      words.map = std::string("2");
       words.layers = layers;
       words.robot_anyway = anyway;
       return *app::parseSnapshotOptions(words);

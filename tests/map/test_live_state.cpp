@@ -105,10 +105,10 @@ class LiveStateTest : public QObject {
     constraints.by_name["x"] = {{{0, 0}, {1, 1}}};
     GlobalPositioning global;
     global.state = "succeeded";
-    global.pose = geometry::Pose2{1, 2, 3};
+    global.pose = mapwright::geometry::Pose2{1, 2, 3};
     BarcodeMessage barcode;
     barcode.id = "D1";
-    barcode.pose = geometry::Pose2{1, 2, 3};
+    barcode.pose = mapwright::geometry::Pose2{1, 2, 3};
     LiveState state;
     for (const TopicMessage& message :
          std::vector<TopicMessage>{list,

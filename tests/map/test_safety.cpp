@@ -171,10 +171,11 @@ class SafetyTest : public QObject {
     for (int kind = 0; kind <= int(SafetyKind::WheelsSlipping); ++kind) {
       SafetyCondition condition;
       condition.kind = SafetyKind(kind);
-      QVERIFY(!problemOf(condition).subject.empty());
+      QVERIFY(!toText(problemOf(condition).subject).empty());
+      QCOMPARE(problemOf(condition).subject.kind, SubjectKind::Condition);
       QVERIFY(!problemOf(condition).sentence.empty());
     }
-    QCOMPARE(problemOf({SafetyKind::Alert, Severity::Error, 6004, "hot", 0, 1, {}}).subject,
+    QCOMPARE(toText(problemOf({SafetyKind::Alert, Severity::Error, 6004, "hot", 0, 1, {}}).subject),
              std::string("Alert 6004"));
   }
 };

@@ -362,6 +362,7 @@ class TestWebSocketLink : public QObject {
     row("redirect", ScriptedServer::reply(302, "Location: http://127.0.0.1:1/\r\n", {}),
         Fault::NotAWebSocket);
     row("no HTTP", "SSH-2.0-OpenSSH_9\r\n\r\n", Fault::NotAWebSocket);
+    row("501", ScriptedServer::reply(501, {}, {}), Fault::NotAWebSocket);
     row("500", ScriptedServer::reply(500, {}, {}), Fault::Unreachable);
     row("503", ScriptedServer::reply(503, {}, {}), Fault::Unreachable);
     row("hang up", ScriptedServer::kHangUp, Fault::Unreachable);

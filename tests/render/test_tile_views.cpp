@@ -110,6 +110,8 @@ void TestTileViews::standInsAreBounded() {
   TileRenderer renderer({.threads = 1});
   renderer.upsert(field(200, 60));
   auto view = viewAt(0, 0, 0.02, 900, 700);
+  renderer.setView(view);
+  WAIT_UNTIL_SETTLED(renderer);
   std::size_t most = 0;
   for (int step = 0; step < 40; ++step) {
     view = view.zoomedAt({450, 350}, step % 2 == 0 ? 0.97 : 1.05);

@@ -37,6 +37,7 @@ class ScriptedRobot {
       while (QWebSocket* peer = sockets_.nextPendingConnection()) {
         peer->setParent(&sockets_);
         peers.append(peer);
+        if (!greeting.isEmpty()) peer->sendTextMessage(QString::fromUtf8(greeting));
         QObject::connect(peer, &QWebSocket::textMessageReceived, peer,
                          [this](const QString& text) { texts.append(text.toUtf8()); });
       }
@@ -85,6 +86,7 @@ class ScriptedRobot {
   QList<Asked> asked;
   QList<QWebSocket*> peers;
   QList<QByteArray> texts;  // what came over WebSockets
+  QByteArray greeting;      // said to every new one
 
  private:
   void read(QTcpSocket* socket) {

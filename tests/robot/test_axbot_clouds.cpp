@@ -154,7 +154,9 @@ class AxbotCloudsTest : public QObject {
   void onlyKnownTopicsAreClouds_data() {
     QTest::addColumn<QString>("topic");
     QTest::addColumn<bool>("known");
-    const auto row = [](const char* topic, bool known) { QTest::newRow(topic) << QString(topic) << known; };
+    const auto row = [](const char* topic, bool known) {
+      QTest::newRow(topic) << QString::fromLatin1(topic) << known;
+    };
     row("/scan_matched_points2", true);
     row("/semantic_points", true);
     row("/left_laser_2d/matched", true);

@@ -31,6 +31,15 @@ QByteArray png() {
   return QByteArray::fromHex("89504e470d0a1a0a0000000d49484452000000030000000208000000") + "rest";
 }
 
+/// A submap's answer without pictures.
+QByteArray submap(int version) {
+  ros_messages::slam::SubmapQueryV2Response response;
+  response.mutable_status()->set_code(ros_messages::slam::OK);
+  response.set_submap_version(version);
+  response.add_textures()->set_resolution(0.05);
+  return QByteArray::fromStdString(response.SerializeAsString());
+}
+
 }  // namespace
 
 class AxbotRobotTest : public QObject {
@@ -43,12 +52,12 @@ class AxbotRobotTest : public QObject {
   std::vector<map::Recovery> recoveries_;
   std::vector<map::TopicMessage> messages_;
 
-  void makeRobot(const QString& prefix = {}) {
+  void makeRobot(const QString& prefix = {}, const QString& cache_folder = {}) {
     axbot::LinkOptions options;
     options.base = server_->url();
     options.base.setPath(prefix);
     options.secret = "hush";
-    options.cache_folder = cache_->path();
+    options.cache_folder = cache_folder.isEmpty() ? cache_->path() : cache_folder;
     options.socket.backoff_first = std::chrono::milliseconds(5);
     options.socket.backoff_limit = std::chrono::milliseconds(20);
     robot_ = std::make_unique<AxbotRobot>(QStringLiteral("axbot+test"), options);
@@ -86,6 +95,12 @@ class AxbotRobotTest : public QObject {
   Answer<std::vector<map::CatalogueEntry>> list() {
     return answerTo<std::vector<map::CatalogueEntry>>(
         [&](auto reply) { robot_->mapCatalogue()->list(reply); });
+  }
+  map::SubmapAnswer fetchSubmap(const map::SubmapKey& key) {
+    std::optional<map::SubmapAnswer> answer;
+    robot_->submapSource()->fetch(key, [&](map::SubmapAnswer given) { answer = std::move(given); });
+    if (!QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) return {};
+    return *answer;
   }
   Answer<map::WholeMap> fetch(const map::MapKey& key) {
     return answerTo<map::WholeMap>([&](auto reply) { robot_->wholeMapSource()->fetch(key, reply); });
@@ -243,6 +258,101 @@ class AxbotRobotTest : public QObject {
                         QByteArray::fromStdString(wrapper.SerializeAsString()));
     QTRY_VERIFY_WITH_TIMEOUT(raw.last().first().value<RawMessage>().binary, kPatienceMs);
     QVERIFY(raw.last().first().value<RawMessage>().text.contains("77"));
+  }
+
+  // What cannot be read does not stay on disk.
+  void aSubmapThatLiesBrokenOnTheDiskIsAskedOfTheRobot_data() {
+    QTest::addColumn<QByteArray>("body");
+    QTest::newRow("not a submap") << QByteArray("\xff\xff not protobuf");
+    QTest::newRow("cut off") << submap(7).chopped(3);
+    QTest::newRow("empty") << QByteArray();
+    ros_messages::slam::SubmapQueryV2Response refused;
+    refused.mutable_status()->set_code(ros_messages::slam::NOT_FOUND);
+    QTest::newRow("a refusal") << QByteArray::fromStdString(refused.SerializeAsString());
+  }
+  void aSubmapThatLiesBrokenOnTheDiskIsAskedOfTheRobot() {
+    QFETCH(QByteArray, body);
+    const map::SubmapKey key{"u", {0, 1}, 7};
+    QUrl url = server_->url();
+    url.setPath(QStringLiteral("/ros/slam/submaps/u/0/1"));
+    url.setQuery(QStringLiteral("ver=7"));
+    net::HttpCache(cache_->path(), 1 << 20)
+        .store(url, body, {}, "immutable, max-age=31536000", "\"e\"", true);
+    server_->serve("/ros/slam/submaps/u/0/1", submap(7), "ETag: \"e\"\r\n");
+    const map::SubmapAnswer answer = fetchSubmap(key);
+    QCOMPARE(answer.outcome, map::SubmapAnswer::Outcome::Ok);
+    QCOMPARE(server_->timesAsked("/ros/slam/submaps/u/0/1"), 1);
+    QVERIFY(!server_->asked.first().headers.contains("if-none-match"));
+  }
+
+  void aSubmapThatCannotBeDecodedIsAskedAgainNowAndAfterARestart() {
+    const map::SubmapKey key{"u", {0, 1}, 7};
+    // Asked for as version 7, it says that it is version 9: it lies under both names.
+    server_->serve("/ros/slam/submaps/u/0/1", submap(9),
+                   "ETag: \"e\"\r\nCache-Control: immutable, max-age=900\r\n");
+    QCOMPARE(fetchSubmap(key).version, 9);
+    QVERIFY(fetchSubmap(key).from_cache);
+    QVERIFY(fetchSubmap({"u", {0, 1}, 9}).from_cache);
+    QCOMPARE(server_->timesAsked("/ros/slam/submaps/u/0/1"), 1);
+    robot_->submapSource()->discard(key, 9);
+    QVERIFY(!fetchSubmap(key).from_cache);
+    QCOMPARE(server_->timesAsked("/ros/slam/submaps/u/0/1"), 2);
+    for (const auto& asked : server_->asked) QVERIFY(!asked.headers.contains("if-none-match"));
+    robot_->submapSource()->discard(key, 9);
+    makeRobot();
+    QVERIFY(!fetchSubmap({"u", {0, 1}, 9}).from_cache);
+    QVERIFY(!server_->asked.last().headers.contains("if-none-match"));
+  }
+
+  void aPictureThatCannotBeReadIsAskedAgain() {
+    const QByteArray keep = "ETag: \"e\"\r\nCache-Control: max-age=2592000\r\n";
+    server_->serve("/maps/7", "{\"id\":7,\"grid_origin_x\":0,\"grid_origin_y\":0,\"grid_resolution\":0.05}");
+    server_->serve("/maps/7.png", png(), keep);
+    server_->serve("/live.png", png() + "live", keep);
+    server_->serve("/maps/7/thumbnail", "not even a picture", keep);
+    const map::MapKey key{map::MapKind::Stored, "7"};
+    const auto thumbnail = [&] {
+      return answerTo<std::string>([&](auto reply) { robot_->mapCatalogue()->thumbnail(key, reply); });
+    };
+    connectRobot();
+    const auto live = [&] {
+      messages_.clear();
+      sendMapV2("/live.png");
+      return QTest::qWaitFor([&] { return last<map::GridMessage>() != nullptr; }, kPatienceMs);
+    };
+    for (int times = 0; times < 2; ++times) QVERIFY(fetch(key) && live() && thumbnail());
+    for (const char* path : {"/maps/7.png", "/live.png", "/maps/7/thumbnail"})
+      QCOMPARE(server_->timesAsked(path), 1);
+    robot_->wholeMapSource()->discardPicture(fetch(key)->fingerprint);
+    robot_->wholeMapSource()->discardPicture(last<map::GridMessage>()->fingerprint);
+    robot_->mapCatalogue()->discardThumbnail(key);
+    server_->asked.clear();
+    QVERIFY(fetch(key) && live() && thumbnail());
+    for (const char* path : {"/maps/7.png", "/live.png", "/maps/7/thumbnail"})
+      QCOMPARE(server_->timesAsked(path), 1);
+    for (const auto& asked : server_->asked) QVERIFY(!asked.headers.contains("if-none-match"));
+  }
+
+  void anEmptyPictureIsNotKept() {
+    server_->serve("/maps/7", "{\"id\":7,\"grid_origin_x\":0,\"grid_origin_y\":0,\"grid_resolution\":0.05}");
+    server_->serve("/maps/7.png", "", "ETag: \"e\"\r\nCache-Control: max-age=2592000\r\n");
+    QVERIFY(!fetch({map::MapKind::Stored, "7"}));
+    server_->serve("/maps/7.png", png(), "ETag: \"e\"\r\n");
+    QVERIFY(fetch({map::MapKind::Stored, "7"}).has_value());
+  }
+
+  void aCacheThatCannotBeWrittenIsToldOnceAndHarmsNothing() {
+    QFile in_the_way(cache_->filePath(QStringLiteral("file")));
+    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    makeRobot({}, in_the_way.fileName());
+    server_->serve("/ros/slam/submaps/u/0/1", submap(7));
+    for (int version = 1; version < 4; ++version) {
+      QCOMPARE(fetchSubmap({"u", {0, 1}, version}).outcome, map::SubmapAnswer::Outcome::Ok);
+    }
+    const auto told = std::count_if(problems_.begin(), problems_.end(), [](const map::Problem& problem) {
+      return problem.subject == "Disk cache";
+    });
+    QCOMPARE(told, 1);
   }
 
   void mapsAndMappingsAreListedAndTheCurrentOneMarked() {

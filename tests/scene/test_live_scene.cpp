@@ -54,8 +54,9 @@ class LiveSceneTest : public QObject {
   void showWhole(int gray) {
     const auto before = session_->wholeMap().cells();
     robot_->say(grid(map::GridKind::WholeMap, gray));
+    // It is seen while it is read: all of it has to be there.
     QTRY_VERIFY(session_->wholeMap().cells() && session_->wholeMap().cells() != before &&
-                scene_->picturesSettled());
+                session_->wholeMap().phase() == session::MapSlot::Phase::Ready && scene_->picturesSettled());
   }
 
  private Q_SLOTS:

@@ -58,6 +58,7 @@ class FakeRobot : public robot::Robot,
     wanted = topics;
     wants.push_back(topics);
   }
+  void setBasics(const Basics& asked_for) override { basics = asked_for; }
   void setWatching(bool) override {}
 
   static map::CatalogueEntry entry(const std::string& id, bool current = false) {
@@ -120,6 +121,8 @@ class FakeRobot : public robot::Robot,
     answer.outcome = map::SubmapAnswer::Outcome::Cancelled;
     reply(answer);
   }
+  void discard(const map::SubmapKey& key, std::int32_t) override { discarded.push_back(key); }
+  void discardPicture(const std::string& fingerprint) override { discarded_pictures.push_back(fingerprint); }
 
   void setPhase(robot::ConnectionPhase phase) {
     state_.phase = phase;
@@ -137,6 +140,7 @@ class FakeRobot : public robot::Robot,
     answer.reason = outcome == map::SubmapAnswer::Outcome::Ok ? "" : "The robot said no.";
     answer.version = version ? version : key.version;
     answer.bytes = 100;
+    answer.from_cache = from_disk;
     map::RawSlice slice;
     slice.width = width;
     slice.height = 4;
@@ -147,7 +151,9 @@ class FakeRobot : public robot::Robot,
     return key;
   }
 
-  std::vector<map::SubmapKey> asked;
+  bool from_disk = false;  // the answers
+  std::vector<map::SubmapKey> asked, discarded;
+  std::vector<std::string> discarded_pictures;
   std::vector<std::pair<map::SubmapKey, Reply>> open;
   int connects = 0;
 

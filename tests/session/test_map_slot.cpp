@@ -12,6 +12,8 @@ using Phase = MapSlot::Phase;
 
 namespace {
 
+constexpr int kPatienceMs = 60'000;  // the threads that read stand back on a machine that is busy
+
 /// A binary PGM of one gray level.
 std::shared_ptr<const std::string> pgm(int width, int height, int gray, int rows = -1) {
   std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
@@ -151,7 +153,8 @@ class MapSlotTest : public QObject {
       map.key.kind = kind;
       map.fingerprint = "content " + std::to_string(version);
       slot.show(std::move(map));
-      QTRY_VERIFY(slot.phase() == Phase::Ready && slot.cells()->at(3, 3) == 100 + version);
+      QTRY_VERIFY_WITH_TIMEOUT(slot.phase() == Phase::Ready && slot.cells()->at(3, 3) == 100 + version,
+                               kPatienceMs);
       QCOMPARE(int(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size()), files * version);
     }
   }
@@ -176,7 +179,7 @@ class MapSlotTest : public QObject {
         file.write(QByteArray(20'000, 'x'));
       }
       slot.show(map);
-      QTRY_VERIFY(slot.phase() == Phase::Ready);
+      QTRY_VERIFY_WITH_TIMEOUT(slot.phase() == Phase::Ready, kPatienceMs);
       for (int tile_y = 0; tile_y < 9; ++tile_y) {
         for (int tile_x = 0; tile_x < 9; ++tile_x) QVERIFY(slot.cells()->tile(0, tile_x, tile_y));
       }
@@ -188,7 +191,7 @@ class MapSlotTest : public QObject {
       }
       QCOMPARE(wrong, 0);
       QVERIFY(!slot.broken());
-      QTRY_COMPARE(int(problems.size()), damaged ? 1 : 0);
+      QTRY_COMPARE_WITH_TIMEOUT(int(problems.size()), damaged ? 1 : 0, kPatienceMs);
       if (damaged) QVERIFY(problems.first().contains(QLatin1String("read again")));
     }
   }
@@ -210,17 +213,17 @@ class MapSlotTest : public QObject {
     {
       MapSlot first(cache);
       first.show(map);
-      QTRY_VERIFY(first.phase() == Phase::Ready);
+      QTRY_VERIFY_WITH_TIMEOUT(first.phase() == Phase::Ready, kPatienceMs);
     }
     MapSlot slot(cache);
     slot.show(map);
-    QTRY_VERIFY(slot.phase() == Phase::Ready);
+    QTRY_VERIFY_WITH_TIMEOUT(slot.phase() == Phase::Ready, kPatienceMs);
     QVERIFY(!slot.broken());
     QVERIFY(QFile::resize(path, 1000));
     QVERIFY(QFile::resize(QDir(cache).filePath(QDir(cache).entryList(QDir::Files).first()), 5000));
     QVERIFY(slot.cells()->tile(0, 0, 0)->damaged);
     QVERIFY(slot.broken());
-    QTRY_VERIFY(slot.remark().contains(QLatin1String("damaged")));
+    QTRY_VERIFY_WITH_TIMEOUT(slot.remark().contains(QLatin1String("damaged")), kPatienceMs);
   }
 
   void aPyramidMayOutliveItsSlot() {
@@ -233,7 +236,7 @@ class MapSlotTest : public QObject {
     {
       MapSlot slot(folder.path());
       slot.show(map);
-      QTRY_VERIFY(slot.phase() == Phase::Ready);
+      QTRY_VERIFY_WITH_TIMEOUT(slot.phase() == Phase::Ready, kPatienceMs);
       cells = slot.cells();
     }
     QVERIFY(QFile::resize(folder.filePath(QDir(folder.path()).entryList(QDir::Files).first()), 5000));

@@ -64,6 +64,46 @@ class SessionTest : public QObject {
     QCOMPARE(session_->counts().fetches, 2u);
   }
 
+  void whatCannotBeDecodedIsKeptNowhere() {
+    for (int version = 1; version <= 2; ++version) {
+      now_ += submap::Millis(3'600'000);
+      robot_->say(listOf({entry(0, version)}));
+      robot_->answer(Outcome::Ok, 0, 5, 7);  // sizes do not fit
+      QTRY_COMPARE(robot_->discarded.size(), std::size_t(version));
+      QCOMPARE(robot_->discarded.back(), (map::SubmapKey{"u", {0, 0}, version}));
+      QCOMPARE(session_->status({0, 0}), SubmapStatus::Corrupt);
+      QVERIFY(session_->settled(1));
+    }
+    QCOMPARE(robot_->asked.size(), std::size_t(2));  // the robot's own answer is not asked for twice
+  }
+
+  void whatLiesBrokenOnTheDiskIsAskedOfTheRobotOnce() {
+    robot_->from_disk = true;
+    for (int version = 1; version <= 2; ++version) {
+      now_ += submap::Millis(3'600'000);
+      robot_->say(listOf({entry(0, version)}));
+      for (int times = 1; times <= 2; ++times) {
+        QCOMPARE(robot_->open.size(), std::size_t(1));
+        QVERIFY(!session_->settled(1));
+        robot_->answer(Outcome::Ok, 0, 5, 7);
+        now_ += submap::Millis(3'600'000);
+        QTRY_COMPARE(robot_->discarded.size(), std::size_t(2 * version - 2 + times));
+      }
+      // Even if it lies again about where its answer came from.
+      QVERIFY(robot_->open.empty());
+      QVERIFY(session_->settled(1));
+      QCOMPARE(session_->status({0, 0}), SubmapStatus::Corrupt);
+    }
+    now_ += submap::Millis(3'600'000);
+    robot_->say(listOf({entry(0, 3)}));
+    robot_->answer(Outcome::Ok, 0, 5, 7);
+    now_ += submap::Millis(3'600'000);
+    QTRY_COMPARE(robot_->open.size(), std::size_t(1));
+    robot_->from_disk = false;
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->status({0, 0}), SubmapStatus::OnScreen);
+  }
+
   void theCountsAlwaysAddUp() {
     auto lost = entry(4, 1);
     lost.pose.x = std::nan("");

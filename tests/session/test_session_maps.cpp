@@ -95,6 +95,38 @@ class SessionMapsTest : public QObject {
     QTRY_COMPARE(shownGray(), 0);
   }
 
+  void aPictureThatCannotBeReadToItsEndIsKeptNowhere() {
+    make(true, true);
+    goOnline();
+    const auto broken = [](std::shared_ptr<const std::string> bytes, bool at_once) {
+      return std::make_shared<const std::string>(at_once ? "no picture"
+                                                         : bytes->substr(0, bytes->size() / 2));
+    };
+    const auto discarded = [&](const char* fingerprint) {
+      const auto& pictures = robot_->discarded_pictures;
+      return std::find(pictures.begin(), pictures.end(), fingerprint) != pictures.end();
+    };
+    for (const bool at_once : {true, false}) {
+      robot_->discarded_pictures.clear();
+      auto map = FakeRobot::wholeMap("7");
+      map.bytes = broken(map.bytes, at_once);
+      map.fingerprint = "stored";
+      session_->openMap({map::MapKind::Stored, "7"});
+      robot_->map_fetches.back().second(map);
+      QTRY_VERIFY(discarded("stored"));
+      session_->openMap({map::MapKind::Live, {}});
+      map::GridMessage live = liveGrid(254);
+      live.png = broken(live.png, at_once);
+      live.fingerprint = "live";
+      robot_->say(live);
+      QTRY_VERIFY(discarded("live"));
+      live.kind = map::GridKind::Incremental;
+      live.fingerprint = "layer";
+      robot_->say(live);
+      QTRY_VERIFY(discarded("layer"));
+    }
+  }
+
   void anAnswerThatNobodyAwaitsAnyMoreIsDropped() {
     make(true, true);
     goOnline();
@@ -574,8 +606,9 @@ class SessionMapsTest : public QObject {
   void aListThatFailedIsAskedForAfterEveryLoss() {
     make(true, true);
     goOnline();
-    std::exchange(robot_->lists, {})[0](tl::make_unexpected(
-        map::Problem{map::Severity::Error, "Maps", "It broke off.", map::FailureKind::Unreachable}));
+    std::exchange(robot_->lists, {})[0](
+        tl::make_unexpected(map::Problem{map::Severity::Error, "Maps", "It broke off.",
+                                         map::ProblemCode::Unavailable, map::FailureKind::Unreachable}));
     QCOMPARE(session_->catalogue().failure(), map::FailureKind::Unreachable);
     robot_->setPhase(robot::ConnectionPhase::Interrupted);
     goOnline();

@@ -149,7 +149,7 @@ class WindowCertificatesTest : public QObject {
     QVERIFY(!bench.window->connectTo(kAddress));
     bench.load();
     bench.robot->setState(refused(kSecond, kFirst));
-    auto* notice = bench.window->findChild<window::NoticeBar*>();
+    window::NoticeBar* const notice = bench.window->overlay()->notice();
     QVERIFY(notice);
     QTRY_VERIFY(notice->isVisible());
     QPushButton* const offer = button(*notice, QStringLiteral("Certificate…"));

@@ -115,7 +115,7 @@ class TestWindowMain : public QObject {
     refused.reason = QStringLiteral("the robot refuses the connection");
     const auto offer = [&]() -> QPushButton* {
       for (QPushButton* button : window.findChildren<QPushButton*>()) {
-        if (button->isVisible() && button->text() == QLatin1String("Enter secret…")) return button;
+        if (button->isVisible() && button->text() == QStringLiteral("Enter secret…")) return button;
       }
       return nullptr;
     };
@@ -131,7 +131,7 @@ class TestWindowMain : public QObject {
     auto* secret = dialog->findChild<QLineEdit*>(QStringLiteral("secret"));
     QCOMPARE(dialog->findChild<QLineEdit*>(QStringLiteral("address"))->text(), kAddress);
     QCOMPARE(dialog->errorText(), QStringLiteral("The robot refuses the connection"));
-    QVERIFY(secret->hasFocus());
+    QCOMPARE(dialog->focusWidget(), secret);
     QTest::keyClicks(secret, QStringLiteral("hunter2"));
     QVERIFY(dialog->errorText().isEmpty());
     QTest::keyClick(secret, Qt::Key_Return);
@@ -141,6 +141,7 @@ class TestWindowMain : public QObject {
 
   void showsNamesOfRobotsAsTheyAre() {
     Bench bench;
+    bench.prepare = [](test::FakeRobot& robot) { robot.limits_text = QStringLiteral("<b>limits</b>"); };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.robot->identify({QStringLiteral("<b>model</b>"), {}, QStringLiteral("<img src=x>&amp; Co"), {}});

@@ -90,7 +90,8 @@ class WordsTest : public QObject {
     QTest::addColumn<QString>("reason");
     QTest::addColumn<QString>("sentence");
     const auto row = [](const char* name, const char* what, const char* reason, const char* sentence) {
-      QTest::newRow(name) << QString::fromUtf8(what) << QString::fromUtf8(reason) << QString::fromUtf8(sentence);
+      QTest::newRow(name) << QString::fromUtf8(what) << QString::fromUtf8(reason)
+                          << QString::fromUtf8(sentence);
     };
     row("plain", "It cannot be had", "no answer", "It cannot be had: no answer.");
     row("ended", "It cannot be had", "no answer.", "It cannot be had: no answer.");

@@ -227,8 +227,8 @@ void MainWindow::enterSecret() {
       recents_,
       [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); }, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->askForSecret(address_, session_->connection().reason);
   dialog->open();
+  dialog->askForSecret(address_, session_->connection().reason);  // once it is shown, so that the focus stays
 }
 
 ConnectDialog* MainWindow::secretDialog() const { return findChild<ConnectDialog*>(); }
@@ -258,7 +258,7 @@ void MainWindow::refreshState() {
   if (comparison_->active()) in_view.whole = true;
   overlay_->card()->setState(emptyState(session_.get(), in_view));
   const bool submaps_left_out = scene_->robotPlace().drawn == scene::ScreenPart::None;
-  bar_->setInView(in_view.submaps && !submaps_left_out, in_view.whole);
+  bar_->setInView(in_view.submaps && !submaps_left_out, in_view.whole, submapsOf());
   scene_->setStale(session_ && session_->staleSince().has_value());
   refreshChip();
   refreshSafety();

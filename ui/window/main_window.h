@@ -175,6 +175,7 @@ class MainWindow : public QMainWindow {
   void refreshSafety();
   void refreshPlace();
   void changeRobotPlace();
+  QString submapsOf() const;
   QString titleOf(const QString& robot) const;
   /// The local files that the map on screen was read from.
   std::vector<std::string> sourceFiles() const;

@@ -39,9 +39,10 @@ void MainWindow::refreshSafety() {
 
 void MainWindow::refreshPlace() {
   NoticeBar* const notice = overlay_->placeNotice();
-  const auto say = [&](const QString& sentence, const QString& offer, bool closable) {
+  const auto say = [&](const QString& sentence, const QString& offer, bool closable,
+                       Mark mark = Mark::Neutral) {
     const bool dismissed = dismissed_.contains(sentence);
-    notice->setNotice(Mark::Neutral, dismissed ? QString() : sentence, offer, closable);
+    notice->setNotice(mark, dismissed ? QString() : sentence, offer, closable);
   };
   const bool robot = session_ && (session_->robot().liveTopics() || session_->robot().submapSource());
   if (!robot) return say({}, {}, false);
@@ -57,8 +58,11 @@ void MainWindow::refreshPlace() {
                    : tr("The robot is in %1, not in this map. It and what it sees are hidden.").arg(its),
                show, false);
   }
-  if (place.where == Whereabouts::Elsewhere && place.by_choice)
-    return say(tr("The robot is not in this map. It is drawn where it would be."), hide, false);
+  if (place.where == Whereabouts::Elsewhere && place.by_choice) {
+    return say(its.isEmpty() ? tr("The robot is not in this map. It is drawn all the same.")
+                             : tr("The robot is in %1, not in this map. It is drawn all the same.").arg(its),
+               hide, false, Mark::Warning);
+  }
   if (place.where == Whereabouts::Unknown && live.robot_pose) {
     return drawn ? say(tr("The robot does not say which map it is in. It may not be this one."), hide, true)
                  : say(tr("The robot does not say which map it is in. It is hidden."), show, false);
@@ -72,6 +76,12 @@ void MainWindow::refreshPlace() {
   say({}, {}, false);
 }
 
+QString MainWindow::submapsOf() const {
+  // While it makes a new map its submaps are of none yet.
+  if (!session_ || !scene_->robotPlace().overlays_fit) return {};
+  return plainWords(map::currentMapName(session_->live(), session_->catalogue().entries()), 60);
+}
+
 QString MainWindow::titleOf(const QString& robot) const {
   const QString name = robot.left(80);
   QString map;
@@ -81,10 +91,7 @@ QString MainWindow::titleOf(const QString& robot) const {
     const session::MapSlot& second = session_->comparedMap();
     if (comparison_->active() && second.cells()) map = tr("%1 | %2").arg(map, mapOnScreen(second));
   } else if (scene_->layerVisible(scene::Layer::Submaps) && session_->robot().submapSource()) {
-    const bool fits = scene_->robotPlace().overlays_fit;
-    const QString its =
-        fits ? plainWords(map::currentMapName(session_->live(), session_->catalogue().entries()), 60)
-             : QString();
+    const QString its = submapsOf();
     map = its.isEmpty() ? tr("Submaps") : tr("Submaps of %1").arg(its);
   }
   return map.isEmpty() ? QStringLiteral("%1 – mapwright").arg(name)

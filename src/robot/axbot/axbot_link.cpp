@@ -95,7 +95,8 @@ void AxbotLink::start() {
       [this](const map::Recovery& well) { Q_EMIT recovered(well); });
   grids_ = std::make_unique<GridFetcher>(*http_, options_.base, [this](map::TopicMessage message) {
     const auto* grid = std::get_if<map::GridMessage>(&message);
-    emitTopic(grid ? grid->topic : std::string(), std::move(message));
+    const std::string topic = grid ? grid->topic : std::string();
+    emitTopic(topic, std::move(message));
   });
   clock_.start();
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
@@ -277,6 +278,24 @@ MapRequests& AxbotLink::maps() {
 
 void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {
   start();
+  ask(ticket, key);
+}
+
+void AxbotLink::discard(const map::SubmapKey& key, std::int32_t answered_version) {
+  start();
+  http_->discard(submapUrl(key, key.version));
+  if (answered_version > 0 && answered_version != key.version) {
+    http_->discard(submapUrl(key, answered_version));
+  }
+}
+
+void AxbotLink::discardPicture(const std::string& fingerprint) {
+  start();
+  maps_->discardPicture(fingerprint);
+  grids_->discardPicture(fingerprint);
+}
+
+void AxbotLink::ask(quint64 ticket, const map::SubmapKey& key) {
   net::HttpRequest request;
   request.url = submapUrl(key, key.version);
   request.accept = "application/x-protobuf";
@@ -296,6 +315,12 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   map::SubmapAnswer answer;
   if (http.ok()) {
     answer = parseSubmapResponse(key, view(http.body));
+    if (http.from_cache && answer.outcome != Outcome::Ok) {
+      // What lies on the disk is none of the robot's business: it is asked itself.
+      http_->discard(url);
+      ask(ticket, key);
+      return;
+    }
     answer.from_cache = http.from_cache;
     if (cache_ && !http.from_cache) {
       // The address names the version asked for; the body is the version that the robot has. Keep it under

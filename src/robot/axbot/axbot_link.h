@@ -52,6 +52,8 @@ class AxbotLink : public QObject {
   void fetch(quint64 ticket, const map::SubmapKey& key);
   void cancel(const map::SubmapKey& key);
   void cancelAll();  // the fetches of submaps
+  void discard(const map::SubmapKey& key, std::int32_t answered_version);
+  void discardPicture(const std::string& fingerprint);
   void setWantedTopics(const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
   void setWatching(bool on) { watching_ = on; }
@@ -75,6 +77,7 @@ class AxbotLink : public QObject {
   void send(const QStringList& requests);
   void takeText(const QByteArray& utf8);
   void takeBinary(const QByteArray& bytes);
+  void ask(quint64 ticket, const map::SubmapKey& key);
   void takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket);
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);

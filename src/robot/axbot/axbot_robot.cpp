@@ -70,6 +70,19 @@ void AxbotRobot::cancel(const map::SubmapKey& key) {
   QMetaObject::invokeMethod(link_, [link = link_, key] { link->cancel(key); });
 }
 
+void AxbotRobot::discard(const map::SubmapKey& key, std::int32_t answered_version) {
+  QMetaObject::invokeMethod(link_,
+                            [link = link_, key, answered_version] { link->discard(key, answered_version); });
+}
+
+void AxbotRobot::discardThumbnail(const map::MapKey& key) {
+  QMetaObject::invokeMethod(link_, [link = link_, key] { link->maps().discardThumbnail(key); });
+}
+
+void AxbotRobot::discardPicture(const std::string& fingerprint) {
+  QMetaObject::invokeMethod(link_, [link = link_, fingerprint] { link->discardPicture(fingerprint); });
+}
+
 void AxbotRobot::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
   wire::askAcross(this, link_, lists_, std::move(reply),
                   [](AxbotLink& link, auto answer) { link.maps().list(std::move(answer)); });

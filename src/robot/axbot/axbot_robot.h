@@ -36,14 +36,17 @@ class AxbotRobot : public Robot,
   void fetch(const map::SubmapKey& key, Reply reply) override;
   void cancelAll() override;
   void cancel(const map::SubmapKey& key) override;
+  void discard(const map::SubmapKey& key, std::int32_t answered_version) override;
 
   void list(AnswerTo<std::vector<map::CatalogueEntry>> reply) override;
   void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) override;
   void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) override;
+  void discardThumbnail(const map::MapKey& key) override;
 
   void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) override;
   bool offersOverview() const override { return true; }
   void fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply) override;
+  void discardPicture(const std::string& fingerprint) override;
 
   QStringList known() const override { return knownTopics(); }
   void setWanted(const QStringList& topics) override;

@@ -44,14 +44,20 @@ void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const ne
     complete.fingerprint = wire::fingerprint(*complete.png);
     complete.body_bytes = std::size_t(answer.body.size());
     complete.from_cache = answer.from_cache;
+    origins_.note(complete.fingerprint, url);
     take_(std::move(complete));
     return;
   }
+  if (answer.ok()) http_.discard(url);
   const std::string why = answer.ok() ? "the answer is empty" : answer.sentence.toStdString();
   take_(map::UnreadableMessage{
       grid.topic,
       words::because("Its picture " + url.path().left(120).toStdString() + " cannot be had", why) +
           " The picture before stays."});
+}
+
+void GridFetcher::discardPicture(const std::string& fingerprint) {
+  if (const QUrl url = origins_.find(fingerprint); url.isValid()) http_.discard(url);
 }
 
 void GridFetcher::cancelAll() {

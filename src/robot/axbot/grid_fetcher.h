@@ -12,6 +12,7 @@
 #include "map/live_topics.h"
 #include "net/http_client.h"
 #include "robot/axbot/parse_topics.h"
+#include "robot/axbot/picture_origins.h"
 
 namespace mapwright::robot::axbot {
 
@@ -26,6 +27,8 @@ class GridFetcher {
   void fetch(GridToFetch wanted);
   /// Forgets what is under way or waits.
   void cancelAll();
+  /// Nothing happens when it is none of its pictures.
+  void discardPicture(const std::string& fingerprint);
 
  private:
   struct Job {
@@ -38,6 +41,7 @@ class GridFetcher {
   net::HttpClient& http_;
   QUrl base_;
   Take take_;
+  PictureOrigins origins_;
   std::map<std::string, Job> jobs_;  // by topic
 };
 

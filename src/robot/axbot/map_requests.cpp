@@ -22,6 +22,10 @@ QString folderOf(map::MapKind kind) {
 
 QString pathOf(const map::MapKey& key) { return folderOf(key.kind) + pathSegment(key.id); }
 
+QUrl thumbnailUrl(const QUrl& base, const map::MapKey& key) {
+  return urlOnRobot(base, pathOf(key) + QStringLiteral("/thumbnail"));
+}
+
 map::Problem problemOf(const map::MapKey& key, const std::string& sentence,
                        map::FailureKind failure = map::FailureKind::None,
                        map::Severity severity = map::Severity::Error) {
@@ -88,7 +92,10 @@ void MapRequests::getPicture(const QUrl& url, Taken taken) {
   request.url = url;
   request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
   request.cacheable = true;
-  http_.get(request, std::move(taken));
+  http_.get(request, [this, url, taken = std::move(taken)](const net::HttpAnswer& answer) {
+    if (answer.ok() && answer.body.isEmpty()) http_.discard(url);
+    taken(answer);
+  });
 }
 
 void MapRequests::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
@@ -197,19 +204,23 @@ void MapRequests::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry>
 }
 
 void MapRequests::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) {
-  getPicture(
-      urlOnRobot(base_, pathOf(key) + QStringLiteral("/thumbnail")),
-      [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-        if (answer.ok() && !answer.body.isEmpty()) {
-          reply(answer.body.toStdString());
-        } else if (answer.ok()) {
-          reply(tl::make_unexpected(problemOf(key, "Its small picture is empty.",
-                                              map::FailureKind::MalformedAnswer, map::Severity::Info)));
-        } else {
-          reply(tl::make_unexpected(problemOf(key, because("Its small picture cannot be had: ", answer),
-                                              wire::failureOf(answer), map::Severity::Info)));
-        }
-      });
+  getPicture(thumbnailUrl(base_, key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+    if (answer.ok() && !answer.body.isEmpty()) {
+      reply(answer.body.toStdString());
+    } else if (answer.ok()) {
+      reply(tl::make_unexpected(problemOf(key, "Its small picture is empty.",
+                                          map::FailureKind::MalformedAnswer, map::Severity::Info)));
+    } else {
+      reply(tl::make_unexpected(problemOf(key, because("Its small picture cannot be had: ", answer),
+                                          wire::failureOf(answer), map::Severity::Info)));
+    }
+  });
+}
+
+void MapRequests::discardThumbnail(const map::MapKey& key) { http_.discard(thumbnailUrl(base_, key)); }
+
+void MapRequests::discardPicture(const std::string& fingerprint) {
+  if (const QUrl url = origins_.find(fingerprint); url.isValid()) http_.discard(url);
 }
 
 void MapRequests::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
@@ -261,6 +272,7 @@ void MapRequests::fetchPicture(const std::shared_ptr<Fetch>& fetch, const QUrl& 
       fetch->map.fingerprint = wire::fingerprint(*fetch->map.bytes);
       fetch->map.body_bytes = fetch->map.bytes->size();
       fetch->map.from_cache = answer.from_cache;
+      origins_.note(fetch->map.fingerprint, url);
       if (const auto size = wire::pngSize(*fetch->map.bytes)) {
         std::tie(fetch->map.grid.width, fetch->map.grid.height) = *size;
       }

@@ -12,6 +12,7 @@
 #include "map/catalogue.h"
 #include "net/http_client.h"
 #include "robot/axbot/parse_maps.h"
+#include "robot/axbot/picture_origins.h"
 #include "robot/robot.h"
 
 namespace mapwright::robot::axbot {
@@ -28,6 +29,9 @@ class MapRequests {
   void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply);
   void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply);
   void fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply);
+  void discardThumbnail(const map::MapKey& key);
+  /// Nothing happens when it is none of its pictures.
+  void discardPicture(const std::string& fingerprint);
 
  private:
   using Taken = std::function<void(const net::HttpAnswer&)>;
@@ -50,6 +54,7 @@ class MapRequests {
   QUrl base_;
   Report report_;
   Recovered recovered_;
+  PictureOrigins origins_;
 };
 
 }  // namespace mapwright::robot::axbot

@@ -134,6 +134,9 @@ void InspectorDock::setSession(session::Session* session) {
     connect(session, &session::Session::listChanged, this, &InspectorDock::refresh);
     connect(session, &session::Session::rowsChanged, this, &InspectorDock::refresh);
     connect(session, &session::Session::connectionChanged, this, [this] { summary_->refresh(session_); });
+    connect(session, &session::Session::liveChanged, this, [this](int what) {
+      if (what == map::topicIndex<map::SlamStatus>()) summary_->refresh(session_);
+    });
     connect(session, &session::Session::sessionRestarted, this, [this] {
       known_.clear();
       clearSelection();  // what has the same id now is another submap

@@ -76,7 +76,7 @@ void InspectorSummary::refresh(const session::Session* session) {
   const QString none = QStringLiteral("–");
   copy_->setEnabled(session && !session->book().uuid().empty());
   if (!session) {
-    state_->setEnabled(true);
+    state_->setSecondary(false);
     for (PlainLabel* label : {state_, uuid_, submaps_, cache_, fetches_, transferred_}) label->setText(none);
     return;
   }
@@ -88,7 +88,7 @@ void InspectorSummary::refresh(const session::Session* session) {
     state_->setText(
         tr("%1 (as of %2)").arg(state_->text(), QLocale::c().toString(*stale, QStringLiteral("HH:mm:ss"))));
   }
-  state_->setEnabled(!stale);
+  state_->setSecondary(stale.has_value());
   const QString uuid = QString::fromStdString(session->book().uuid());
   uuid_->setText(uuid.isEmpty() ? none : uuid);
   QString submaps =

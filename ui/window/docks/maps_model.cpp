@@ -152,6 +152,7 @@ QPixmap MapsModel::thumbnail(const map::MapKey& key) const {
   if (bytes.isEmpty()) return {};
   const double ratio = qApp->devicePixelRatio();
   QPixmap pixmap = thumbnailFrom(bytes, int(kThumbnailPx * ratio));
+  if (pixmap.isNull()) session_->catalogue().discardThumbnail(key);
   pixmap.setDevicePixelRatio(ratio);
   thumbnails_[key] = pixmap;
   return pixmap;

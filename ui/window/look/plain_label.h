@@ -23,6 +23,7 @@ class PlainLabel : public QWidget {
   /// The preferred width is that of `sample` (empty: of the text).
   void setSample(const QString& sample);
   void setSecondary(bool secondary);
+  bool secondary() const { return secondary_; }
   void setIcon(const QString& icon_name, const QColor& color);  // drawn before the text; empty = none
   /// Shown before the elided text in the tooltip. Plain.
   void setHint(const QString& hint);

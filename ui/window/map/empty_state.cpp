@@ -241,9 +241,11 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   text_->setVisible(!state->text.isEmpty());
   progress_->setVisible(state->busy);
   connect_->setVisible(state->offers_connect);
-  connect_->setText(state->offers_retry ? QStringLiteral("Other robot…") : QStringLiteral("Connect…"));
+  const bool second =
+      state->offers_retry || state->offers_certificate;  // the first offer is about this robot
+  connect_->setText(second ? QStringLiteral("Other robot…") : QStringLiteral("Connect…"));
   secret_->setVisible(state->offers_secret);
-  setRole(connect_, !state->offers_retry);
+  setRole(connect_, !second);
   setRole(retry_, !state->offers_secret);
   demo_->setVisible(state->offers_demo);
   file_->setVisible(state->offers_file);

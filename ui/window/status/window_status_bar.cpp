@@ -13,6 +13,10 @@
 
 namespace mapwright::window {
 
+namespace {
+constexpr int kMapNamePx = 200;
+}
+
 ThinBar::ThinBar(QWidget* parent) : QWidget(parent) { setFixedSize(64, 20); }
 
 void ThinBar::setFraction(double fraction) {
@@ -163,8 +167,9 @@ void WindowStatusBar::setSession(session::Session* session) {
   refreshProblems();
 }
 
-void WindowStatusBar::setInView(bool submaps, bool whole) {
-  if (submaps == submaps_in_view_ && whole == whole_in_view_) return;
+void WindowStatusBar::setInView(bool submaps, bool whole, const QString& submaps_of) {
+  if (submaps == submaps_in_view_ && whole == whole_in_view_ && submaps_of == submaps_of_) return;
+  submaps_of_ = submaps_of;
   submaps_in_view_ = submaps;
   whole_in_view_ = whole;
   refreshRows();
@@ -202,10 +207,14 @@ void WindowStatusBar::refreshRows() {
 }
 
 void WindowStatusBar::refreshMap() {
-  const QString text = !session_        ? QString()
-                       : whole_in_view_ ? mapShownText(session_->wholeMap())
-                                        : mapProgressText(session_->wholeMap());
+  QString text;
+  if (session_)
+    text = whole_in_view_ ? mapShownText(session_->wholeMap()) : mapProgressText(session_->wholeMap());
+  const bool named = whole_in_view_ || (text.isEmpty() && submaps_in_view_);
+  if (session_ && text.isEmpty() && submaps_in_view_ && !whole_in_view_) text = submaps_of_;
   map_->setText(text);
+  // Of all that can be cut short the name of the map is the last.
+  map_->setMinimumWidth(named ? qMin(kMapNamePx, map_->sizeHint().width()) : 0);
   if (map_->isHidden() != text.isEmpty()) map_->setVisible(!text.isEmpty());
   const bool reading = session_ && session_->wholeMap().phase() == session::MapSlot::Phase::Reading;
   if (map_bar_->isHidden() == reading) map_bar_->setVisible(reading);

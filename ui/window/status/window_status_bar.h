@@ -61,7 +61,8 @@ class WindowStatusBar : public QStatusBar {
   void setSession(session::Session* session);
   void recount() { refreshRows(); }
   /// Only what is on screen is counted.
-  void setInView(bool submaps, bool whole);
+  /// `submaps_of`: the name of the map that the submaps belong to, where it is known.
+  void setInView(bool submaps, bool whole, const QString& submaps_of);
   void showCursor(const QString& coordinates, const QString& occupancy);
   void showView(const geometry::ViewTransform& view);
 
@@ -88,6 +89,7 @@ class WindowStatusBar : public QStatusBar {
 
   QPointer<session::Session> session_;
   bool submaps_in_view_ = true, whole_in_view_ = false;
+  QString submaps_of_;
   robot::ConnectionState read_;  // as of `read_clock_`
   QElapsedTimer read_clock_;
   QTimer countdown_;
