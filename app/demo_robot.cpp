@@ -2,12 +2,17 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include "robot/axbot/axbot_robot.h"
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(DemoRobot)
+};
 
 /// Frozen demos show the world at this moment: the live trajectory has grown, the incremental one is there.
 constexpr double kFrozenAtS = 90;
@@ -39,7 +44,7 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
                        [&](const auto& s) { return s.first == options.scene; })) {
         QStringList names;
         for (const auto& [scene, sentence] : scenes) names << QString::fromStdString(scene);
-        return tl::make_unexpected(QStringLiteral("There is no scene \"%1\". Choose one of: %2.")
+        return tl::make_unexpected(Words::tr("There is no scene \"%1\". Choose one of: %2.")
                                        .arg(value, names.join(QLatin1String(", "))));
       }
     } else if (name == QLatin1String("submaps")) {
@@ -52,11 +57,23 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
       ok = ok && options.start_at_s >= 0 && options.start_at_s <= 1e6;
     } else {
       return tl::make_unexpected(
-          QStringLiteral("demo: knows scene, submaps, seed and at, but not \"%1\".").arg(name));
+          Words::tr("demo: knows scene, submaps, seed and at, but not \"%1\".").arg(name));
     }
-    if (!ok) return tl::make_unexpected(QStringLiteral("demo: %1 cannot be \"%2\".").arg(name, value));
+    if (!ok) return tl::make_unexpected(Words::tr("demo: %1 cannot be \"%2\".").arg(name, value));
   }
   return options;
+}
+
+robot::AddressScheme demoAddressScheme() {
+  const auto parse = [](const QString& rest) -> robot::ParsedAddress {
+    const QString query = rest.contains(QLatin1Char('?')) ? rest.section(QLatin1Char('?'), 1) : QString();
+    robot::Address address;
+    address.options = QUrlQuery(query);
+    address.text = query.isEmpty() ? QStringLiteral("demo:") : QStringLiteral("demo:?") + query;
+    return address;
+  };
+  return {QStringLiteral("demo:"), QStringLiteral("demo:"), parse,
+          [](const QString& typed) { return typed == QLatin1String("demo"); }};
 }
 
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString& address,

@@ -6,6 +6,7 @@
 #include <QUrlQuery>
 #include <tl/expected.hpp>
 
+#include "robot/address.h"
 #include "robot/robot.h"
 #include "simulator/simulator.h"
 
@@ -17,6 +18,9 @@ enum class DemoTime { Running, Frozen };
 /// The simulator's options from the query of "demo:?scene=warehouse&submaps=500&seed=3"; the error is a
 /// sentence.
 tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query, DemoTime time);
+
+/// "demo:", "demo:?scene=warehouse". What follows the ? is checked when the robot is made.
+robot::AddressScheme demoAddressScheme();
 
 /// Starts a simulator on a free loopback port and a client connected to it.
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString& address,

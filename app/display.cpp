@@ -1,19 +1,24 @@
 #include "app/display.h"
 
 #include <cstdio>
-#include <unistd.h>
 
 #include <QByteArray>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Display)
+};
 
 // Parameters behind the colon mark our own fallback, so that a user's plain "offscreen" still opens the
 // window there.
@@ -32,22 +37,31 @@ constexpr char kFontConfig[] = R"(<?xml version="1.0"?>
 </fontconfig>
 )";
 
+/// True when fontconfig will read it there.
+bool pinFontsIn(const QString& folder) {
+  const QString path = folder + QStringLiteral("/snapshot-fonts.conf");
+  const auto present = disk::readFile(path.toStdString(), sizeof(kFontConfig));
+  const bool there = present && *present == kFontConfig;
+  if (!there && (!QDir().mkpath(folder) || disk::writeFile(path.toStdString(), kFontConfig))) return false;
+  qputenv("FONTCONFIG_FILE", QFile::encodeName(path));
+  return true;
+}
+
 /// Snapshots must not follow the user's font settings. Neither a full disk nor a cache that cannot be written
-/// may change a picture: then the file goes where there is room. (Fontconfig wants a file with a path.)
-void pinFonts() {
-  const QString user = QString::number(::getuid());
-  for (const QString& folder :
-       {QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/mapwright"),
-        QStringLiteral("/dev/shm/mapwright-") + user,
-        QDir::tempPath() + QStringLiteral("/mapwright-") + user}) {
-    const QString path = folder + QStringLiteral("/snapshot-fonts.conf");
-    const auto present = disk::readFile(path.toStdString(), sizeof(kFontConfig));
-    const bool there = present && *present == kFontConfig;
-    if (!there && (!QDir().mkpath(folder) || disk::writeFile(path.toStdString(), kFontConfig))) continue;
-    qputenv("FONTCONFIG_FILE", QFile::encodeName(path));
-    return;
+/// may change a picture: then the file goes where there is room, into a folder that is made for this run and
+/// nobody else can have laid out. (Fontconfig wants a file with a path.)
+std::unique_ptr<QTemporaryDir> pinFonts() {
+  if (pinFontsIn(QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
+                 QStringLiteral("/mapwright")))
+    return nullptr;
+  for (const QString& place : {QStringLiteral("/dev/shm"), QDir::tempPath()}) {
+    auto folder = std::make_unique<QTemporaryDir>(place + QStringLiteral("/mapwright-XXXXXX"));
+    if (folder->isValid() && pinFontsIn(folder->path())) return folder;
   }
-  std::fprintf(stderr, "Fonts cannot be pinned: no folder can be written. Labels may look different.\n");
+  std::fprintf(stderr, "%s\n",
+               qUtf8Printable(Words::tr(
+                   "Fonts cannot be pinned: no folder can be written. Labels may look different.")));
+  return nullptr;
 }
 
 /// Qt's own remarks (a missing XDG_RUNTIME_DIR, say) are no business of whoever reads our one line of error.
@@ -68,10 +82,10 @@ void chooseWindowPlatform() {
   qputenv("QT_QPA_PLATFORM", platforms + kFallback);
 }
 
-void chooseOffscreenPlatform() {
+std::unique_ptr<QTemporaryDir> chooseOffscreenPlatform() {
   qInstallMessageHandler(keepQtQuiet);
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  pinFonts();
+  return pinFonts();
 }
 
 bool haveDisplay() {

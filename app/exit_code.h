@@ -24,6 +24,8 @@ constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRo
       return kUnreachable;
     case map::FailureKind::RejectedByRobot:
     case map::FailureKind::MalformedAnswer:
+    case map::FailureKind::Conflict:
+    case map::FailureKind::Unsupported:
       return kRobotError;
     case map::FailureKind::None:
     case map::FailureKind::Cancelled:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace mapwright::app {
 namespace {
@@ -18,7 +19,11 @@ constexpr std::array<std::pair<Layer, map::GridKind>, 5> kPictures{
 
 }  // namespace
 
-LayerWish::LayerWish(session::Session& session) : session_(session) {}
+LayerWish::LayerWish(session::Session& session) : session_(session) {
+  // The session listens, too, and did so earlier: what is heard here is in its world.
+  connect(&session_.robot(), &robot::Robot::topicReceived, this,
+          [this](const map::StampedMessage& message) { heard_.insert(message.topic); });
+}
 
 robot::LiveTopics::Basics LayerWish::basics(const std::set<Layer>& layers, bool submaps) {
   const std::array around_robot{Layer::Robot,     Layer::Trail, Layer::Footprint, Layer::ExpandedFootprint,
@@ -34,38 +39,46 @@ robot::LiveTopics::Basics LayerWish::basics(const std::set<Layer>& layers, bool 
 void LayerWish::ask(const std::set<Layer>& layers, bool live_map) {
   robot::LiveTopics* const live = session_.robot().liveTopics();
   if (!live) return;
-  QStringList all;
+  map::Streams all;
   for (const Layer layer : layers) {
     if (layer == Layer::WholeMap) continue;
-    const QStringList topics = scene::layerTopics(layer);
-    all += topics;
+    map::Streams streams = scene::layerStreams(layer);
+    all.insert(streams.begin(), streams.end());
     const auto picture = std::find_if(kPictures.begin(), kPictures.end(),
                                       [&](const auto& entry) { return entry.first == layer; });
     if (picture != kPictures.end()) {
-      pictures_[picture->second] = topics.first();
+      pictures_[picture->second] = *streams.begin();
     } else {
-      topics_.insert(topics.begin(), topics.end());
+      waiting_.merge(streams);
     }
   }
-  if (live_map) all += scene::layerTopics(Layer::WholeMap);
+  if (live_map) all.merge(scene::layerStreams(Layer::WholeMap));
+  // What comes without being asked for is waited for all the same.
+  if (basics(layers, false).pose) waiting_.insert(map::Stream::Pose);
+  if (layers.contains(Layer::Footprint) || layers.contains(Layer::ExpandedFootprint))
+    waiting_.insert(map::Stream::Model);
   session_.want(QStringLiteral("command"), all);
-  if (topics_.empty()) return;
-  live->setWatching(true);
-  connect(&session_.robot(), &robot::Robot::rawReceived, this, [this](const robot::RawMessage& message) {
-    topics_.erase(message.topic);
-    // Old firmware sends it under its older name.
-    if (message.topic == QLatin1String("/trajectory")) topics_.erase(QStringLiteral("/trajectory_node_list"));
-  });
+}
+
+QStringList LayerWish::topicsOf(map::Stream stream) const {
+  robot::LiveTopics* const live = session_.robot().liveTopics();
+  return live ? live->topicsOf(stream) : QStringList();
 }
 
 bool LayerWish::in() const { return silent().isEmpty() && !session_.layerGrids().busy(); }
 
 QStringList LayerWish::silent() const {
-  QStringList silent;
-  for (const QString& topic : topics_) silent << topic;
-  for (const auto& [kind, topic] : pictures_) {
-    if (!session_.live().grids.contains(kind)) silent << topic;
+  map::Streams none;
+  std::copy_if(waiting_.begin(), waiting_.end(), std::inserter(none, none.end()), [this](map::Stream stream) {
+    const QStringList topics = topicsOf(stream);
+    return std::none_of(topics.begin(), topics.end(),
+                        [this](const QString& topic) { return heard_.contains(topic.toStdString()); });
+  });
+  for (const auto& [kind, stream] : pictures_) {
+    if (!session_.live().grids.contains(kind)) none.insert(stream);
   }
+  QStringList silent;
+  for (const map::Stream stream : none) silent += topicsOf(stream).mid(0, 1);
   silent.sort();
   return silent;
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <set>
+#include <string>
 
 #include <QObject>
 #include <QStringList>
@@ -18,20 +19,23 @@ class LayerWish : public QObject {
  public:
   explicit LayerWish(session::Session& session);
 
-  /// What a robot is asked for besides the topics of `layers`.
+  /// What a robot is asked for besides what `layers` need.
   static robot::LiveTopics::Basics basics(const std::set<scene::Layer>& layers, bool submaps);
 
   /// Asks for what `layers` need, and for the live map where that is wanted.
   void ask(const std::set<scene::Layer>& layers, bool live_map);
   /// Every layer has got something to show.
   bool in() const;
-  /// The topics that gave nothing.
+  /// What gave nothing, as the robot calls it.
   QStringList silent() const;
 
  private:
+  QStringList topicsOf(map::Stream stream) const;
+
   session::Session& session_;
-  std::set<QString> topics_;                   // that gave nothing yet
-  std::map<map::GridKind, QString> pictures_;  // layers that are pictures, by topic
+  std::set<std::string> heard_;                    // topics that a message of has been taken into the world
+  map::Streams waiting_;                           // that something is to come of
+  std::map<map::GridKind, map::Stream> pictures_;  // streams that are pictures
 };
 
 }  // namespace mapwright::app

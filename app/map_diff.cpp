@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <QCoreApplication>
 #include <spng.h>
 
 #include "disk/written_file.h"
@@ -14,6 +15,10 @@
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(MapDiff)
+};
 
 constexpr int kStrip = 256;  // rows
 constexpr double kMostCells = double(std::int64_t(1) << 34);
@@ -39,7 +44,7 @@ class RgbPng {
   }
   /// nullopt = the picture is in its place.
   std::optional<QString> end() {
-    if (!good_ && file_.good()) return QStringLiteral("The picture of the difference cannot be encoded.");
+    if (!good_ && file_.good()) return Words::tr("The picture of the difference cannot be encoded.");
     const auto problem = file_.place();
     return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
   }
@@ -81,7 +86,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   }
   if (!((right - left) * (bottom - top) <= kMostCells)) {
     return tl::make_unexpected(
-        QStringLiteral("The two maps lie too far apart, or are too large, to be compared cell by cell."));
+        Words::tr("The two maps lie too far apart, or are too large, to be compared cell by cell."));
   }
   MapDiff diff;
   diff.width = int(right - left);
@@ -92,9 +97,9 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   strip.scale_m_per_px = first.reference.resolution_m;
   strip.rotation_rad = -first.reference.origin.yaw_rad;
   strip.width_px = diff.width;
-  const raster::CellMeaning& meaning_a = raster::meaningOf(first.cells->code());
-  const raster::CellMeaning& meaning_b = raster::meaningOf(second.cells->code());
-  const bool comparable = raster::isGray(first.cells->code()) == raster::isGray(second.cells->code());
+  const grids::CellMeaning& meaning_a = grids::meaningOf(first.cells->code());
+  const grids::CellMeaning& meaning_b = grids::meaningOf(second.cells->code());
+  const bool comparable = grids::isGray(first.cells->code()) == grids::isGray(second.cells->code());
 
   const render::GridPalette palette = render::differencePalette(false);
   std::vector<std::uint8_t> rgb(std::size_t(diff.width) * 3);

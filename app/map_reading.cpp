@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
+#include <QDeadlineTimer>
 #include <QEventLoop>
 #include <QTimer>
 
 #include "app/exit_code.h"
+#include "app/fetch_ahead.h"
 #include "app/map_wish.h"
 #include "app/one_line.h"
 #include "app/report.h"
@@ -13,22 +16,33 @@
 #include "render/compose_grid.h"
 #include "robot/address.h"
 #include "scene/layer.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
+#include "work/budgets.h"
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(MapReading)
+};
 
 constexpr int kLookEveryMs = 10;
 constexpr qsizetype kLongestAddress = 200;
 constexpr int kConnectAttempts = 3;
 constexpr int kTries = 3;
+constexpr int kFarewellMs = 200;  // until a change that is given up says what became of it
 
 double secondsSince(SteadyTime start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// Only what the command shows is asked for.
-session::Session::Options quietOptions(MapReading::Purpose purpose) {
+session::Session::Options quietOptions(MapReading::Purpose purpose,
+                                       const std::shared_ptr<work::Workers>& workers) {
   session::Session::Options options;
+  options.workers = workers;
+  options.scheduler.max_concurrent = kFetchAhead;
   options.overview = false;
   options.maps = false;
   options.sidecar_folder = gridCacheFolder();
@@ -41,8 +55,11 @@ session::Session::Options quietOptions(MapReading::Purpose purpose) {
 bool CommandTime::over(double grace_s) const { return secondsSince(start.begun) > timeout_s + grace_s; }
 
 MapReading::MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time,
-                       Purpose purpose)
-    : session_(std::move(robot), quietOptions(purpose)), address_(std::move(address)), time_(time) {}
+                       Purpose purpose, std::shared_ptr<work::Workers> workers)
+    : workers_(std::move(workers)),
+      session_(std::move(robot), quietOptions(purpose, workers_)),
+      address_(std::move(address)),
+      time_(time) {}
 
 bool MapReading::waitUntil(const std::function<bool()>& done) {
   QEventLoop loop;
@@ -58,7 +75,7 @@ bool MapReading::waitUntil(const std::function<bool()>& done) {
   return is_done;
 }
 
-bool MapReading::local() const { return session_.robot().address().startsWith(QLatin1String("file:")); }
+bool MapReading::local() const { return session_.robot().isLocal(); }
 
 std::vector<std::string> MapReading::sourceFiles() const {
   const session::MapSlot& slot = session_.wholeMap();
@@ -69,16 +86,22 @@ CommandFailure MapReading::failure(int exit_code, const QString& sentence) const
   return {exit_code, QStringLiteral("%1: %2").arg(oneLine(address_, kLongestAddress), sentence)};
 }
 
+CommandFailure MapReading::lacks(robot::Capability capability) const {
+  return failure(local() ? kUsage : kRobotError,
+                 sentences::whyAbsent(capability, session_.robot().whyNot(capability)));
+}
+
 CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& address, const Access& access,
-                                                            CommandTime time, Purpose purpose) {
+                                                            CommandTime time, Purpose purpose,
+                                                            std::shared_ptr<work::Workers> workers) {
   if (address.isEmpty()) {
     return tl::make_unexpected(CommandFailure{
-        kUsage,
-        QStringLiteral("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
+        kUsage, Words::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
   }
   auto robot = makeRobot(address, access, DemoTime::Frozen);
   if (!robot) return tl::make_unexpected(CommandFailure{kUsage, robot.error()});
-  std::unique_ptr<MapReading> reading(new MapReading(std::move(*robot), address, time, purpose));
+  std::unique_ptr<MapReading> reading(
+      new MapReading(std::move(*robot), address, time, purpose, std::move(workers)));
   session::Session& session = reading->session_;
   session.open();
   const auto phase = [&] { return session.connection().phase; };
@@ -93,23 +116,46 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
     const QString reason = whyNotConnected(session.connection());
     return tl::make_unexpected(reading->failure(
         file ? kUsage : exitCodeOf(session.connection().failure, kUnreachable),
-        reason.isEmpty() ? QStringLiteral("no connection within %1 s.").arg(time.timeout_s) : reason));
+        reason.isEmpty() ? Words::tr("no connection within %1 s.").arg(time.timeout_s) : reason));
   }
   reading->online_since_ = std::chrono::steady_clock::now();
   return reading;
 }
 
+CommandResult<map::CatalogueEntry> MapReading::change(const Ask& ask) {
+  robot::MapAdministration* const maps = session_.robot().mapAdministration();
+  if (!maps) return tl::make_unexpected(lacks(robot::Capability::Administration));
+  // Shared: an outcome may still come when nobody waits for it any more.
+  const auto outcome = std::make_shared<std::optional<robot::Outcome<map::CatalogueEntry>>>();
+  const robot::Call call = ask(*maps, [outcome](auto given) { *outcome = std::move(given); });
+  const bool in_time = waitUntil([&] { return outcome->has_value(); });
+  if (!in_time) {
+    call.cancel();
+    QEventLoop loop;
+    const QDeadlineTimer patience(kFarewellMs);
+    while (!*outcome && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kLookEveryMs);
+  }
+  if (*outcome && **outcome) return std::move(***outcome);
+  map::Failure failed = *outcome ? (*outcome)->error() : map::Failure{.applied = map::Applied::Maybe};
+  failed.asked_for = map::AskedFor::Change;
+  if (!in_time) {
+    failed.kind = map::FailureKind::TimedOut;
+    failed.detail = Words::tr("it did not answer within %1 s").arg(time_.timeout_s).toStdString();
+  }
+  return tl::make_unexpected(
+      failure(exitCodeOf(failed.kind), QString::fromStdString(sentences::sentenceOf(failed))));
+}
+
 CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
   session::Catalogue& catalogue = session_.catalogue();
   if (!catalogue.offered()) {
-    return tl::make_unexpected(failure(kRobotError, QStringLiteral("This robot offers no list of maps.")));
+    return tl::make_unexpected(lacks(robot::Capability::Catalogue));
   }
   if (!catalogue.asOf() && !catalogue.loading()) catalogue.refresh();
   if (!waitUntil(
           [&] { return !catalogue.loading() && (catalogue.asOf() || !catalogue.error().isEmpty()); })) {
-    return tl::make_unexpected(
-        failure(exitCodeOf(map::FailureKind::TimedOut),
-                QStringLiteral("It did not answer within %1 s.").arg(time_.timeout_s)));
+    return tl::make_unexpected(failure(exitCodeOf(map::FailureKind::TimedOut),
+                                       Words::tr("It did not answer within %1 s.").arg(time_.timeout_s)));
   }
   if (!catalogue.error().isEmpty()) {
     return tl::make_unexpected(
@@ -144,7 +190,7 @@ QJsonObject MapReading::facts() const {
 CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double resolution_m) {
   if (id == QLatin1String("submaps")) return submaps(resolution_m);
   if (id.isEmpty() || id == QLatin1String("live")) {
-    session_.want(QStringLiteral("command"), scene::layerTopics(scene::Layer::WholeMap));
+    session_.want(QStringLiteral("command"), scene::layerStreams(scene::Layer::WholeMap));
   }
   MapWish wish(session_, id, true);
   const bool in =
@@ -152,7 +198,7 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
   if (!in) {
     return tl::make_unexpected(
         failure(exitCodeOf(map::FailureKind::TimedOut),
-                QStringLiteral("The map had not arrived within %1 s.").arg(time_.timeout_s)));
+                Words::tr("The map had not arrived within %1 s.").arg(time_.timeout_s)));
   }
   if (wish.look(secondsSince(online_since_)) == MapWish::State::Failed) {
     return tl::make_unexpected(failure(wish.failure().exit_code, wish.failure().sentence));
@@ -168,7 +214,7 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
 
 CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   if (!session_.robot().submapSource()) {
-    return tl::make_unexpected(failure(kRobotError, QStringLiteral("This robot has no submaps.")));
+    return tl::make_unexpected(lacks(robot::Capability::Submaps));
   }
   const bool settled = waitUntil([&] { return session_.settled(kTries); });
   session_.standStill();
@@ -178,9 +224,8 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   facts_[QStringLiteral("submaps")] = submapsJson(counts);
   facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.book().uuid());
   if (!settled) {
-    notes_ << (counts.list_received
-                   ? QStringLiteral("Not everything had arrived within %1 s (--timeout).")
-                   : QStringLiteral("The robot sent no submap list within %1 s (--timeout)."))
+    notes_ << (counts.list_received ? Words::tr("Not everything had arrived within %1 s (--timeout).")
+                                    : Words::tr("The robot sent no submap list within %1 s (--timeout)."))
                   .arg(time_.timeout_s);
   }
   std::vector<render::PlacedTexture> textures;
@@ -191,26 +236,29 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   }
   if (textures.empty()) {
     // What a snapshot would draw as an empty picture cannot be a grid: it has no size.
-    const QStringList why = warnings();
-    return tl::make_unexpected(
-        failure(complete_ ? kRobotError : kIncomplete,
-                counts.listed == 0 && settled
-                    ? QStringLiteral("It has no submap yet.")
-                    : QStringLiteral("None of its submaps could be had. %1").arg(firstOf(why))));
-  }
-  render::DenseCache cache(std::size_t(256) << 20);
-  bool in_time = true;
-  auto made = render::composeGrid(textures, resolution_m, cache, [&](double) {
-    in_time = !time_.over(time_.start.grace.draw_s);
-    return in_time;
-  });
-  if (!in_time) {
+    const QStringList why = refused() ? problems(map::Severity::Error) : warnings();
     return tl::make_unexpected(failure(
-        kIncomplete, QStringLiteral("%1 of %2 submaps had arrived, but they could not be put together "
-                                    "within %3 s (--timeout).")
-                         .arg(counts.shown)
-                         .arg(counts.listed)
-                         .arg(time_.timeout_s)));
+        complete_   ? int(kRobotError)
+        : refused() ? exitCodeOf(map::FailureKind::Refused)
+                    : int(kIncomplete),
+        counts.listed == 0 && settled ? Words::tr("It has no submap yet.")
+                                      : Words::tr("None of its submaps could be had. %1").arg(firstOf(why))));
+  }
+  render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept
+  bool in_time = true;
+  auto made = render::composeGrid(textures, resolution_m, cache,
+                                  [&](double) {
+                                    in_time = !time_.over(time_.start.grace.draw_s);
+                                    return in_time;
+                                  },
+                                  {workers_});
+  if (!in_time) {
+    return tl::make_unexpected(
+        failure(kIncomplete, Words::tr("%1 of %2 submaps had arrived, but they could not be put together "
+                                       "within %3 s (--timeout).")
+                                 .arg(counts.shown)
+                                 .arg(counts.listed)
+                                 .arg(time_.timeout_s)));
   }
   if (!made) return tl::make_unexpected(failure(kRobotError, QString::fromStdString(made.error())));
   return render::PlacedGrid{made->cells, made->reference};

@@ -11,9 +11,11 @@
 
 #include "app/command_failure.h"
 #include "app/deadline.h"
+#include "app/report.h"
 #include "app/robot_access.h"
 #include "render/sample_grid.h"
 #include "session/session.h"
+#include "work/workers.h"
 
 namespace mapwright::app {
 
@@ -30,7 +32,8 @@ class MapReading {
   enum class Purpose { Maps, Submaps };
   /// Connects.
   static CommandResult<std::unique_ptr<MapReading>> open(const QString& address, const Access& access,
-                                                         CommandTime time, Purpose purpose);
+                                                         CommandTime time, Purpose purpose,
+                                                         std::shared_ptr<work::Workers> workers);
 
   session::Session& session() { return session_; }
   bool local() const;
@@ -39,24 +42,33 @@ class MapReading {
   /// Opens a map and reads it to the end. "" = the live or current one; "submaps" composes the submaps at
   /// `resolution_m`. From then on nothing of the session changes any more.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
+  /// Asks for a change of one of its maps, and waits for what comes of it. A change that is under way when
+  /// the time is over is given up, and the failure says whether it may have been made.
+  using Ask = std::function<robot::Call(robot::MapAdministration&, robot::OutcomeTo<map::CatalogueEntry>)>;
+  CommandResult<map::CatalogueEntry> change(const Ask& ask);
   QString nameOfMap() const { return name_; }
   /// The local files that the map was read from.
   std::vector<std::string> sourceFiles() const;
   /// False when something that was asked for could not be had: warnings() say what.
   bool complete() const { return complete_; }
+  /// What is missing, or some of it, was refused.
+  bool refused() const { return !complete_ && anyRefused(session_.problems()); }
   /// What is odd, a line each.
   QStringList warnings() const;
   /// {"map" or "submaps", "uuid", "bytes_fetched", …} of what was read, for a report.
   QJsonObject facts() const;
 
  private:
-  MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time, Purpose purpose);
+  MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time, Purpose purpose,
+             std::shared_ptr<work::Workers> workers);
   /// False when the time is up.
   bool waitUntil(const std::function<bool()>& done);
   CommandResult<render::PlacedGrid> submaps(double resolution_m);
   QStringList problems(map::Severity least) const;  // unresolved
   CommandFailure failure(int exit_code, const QString& sentence) const;
+  CommandFailure lacks(robot::Capability capability) const;
 
+  std::shared_ptr<work::Workers> workers_;
   session::Session session_;
   QString address_, name_;
   CommandTime time_;

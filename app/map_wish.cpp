@@ -2,12 +2,18 @@
 
 #include <utility>
 
+#include <QCoreApplication>
+
 #include "app/exit_code.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/problem_sentence.h"
 
 namespace mapwright::app {
 namespace {
 
-constexpr double kLiveMapWithinS = 8;  // a robot that sends no map of its own is asked for its current one
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(MapWish)
+};
 
 using Phase = session::MapSlot::Phase;
 
@@ -16,7 +22,7 @@ using Phase = session::MapSlot::Phase;
 MapWish::MapWish(session::Session& session, QString id, bool with_points)
     : session_(session), id_(std::move(id)), with_points_(with_points) {}
 
-bool MapWish::local() const { return session_.robot().address().startsWith(QLatin1String("file:")); }
+bool MapWish::local() const { return session_.robot().isLocal(); }
 
 void MapWish::fail(int exit_code, const QString& sentence) {
   failed_ = true;
@@ -33,10 +39,10 @@ MapWish::State MapWish::look(double online_for_s) {
   if (!key_) choose();
   if (!key_) return failed_ ? State::Failed : State::Waiting;
   const session::MapSlot& slot = session_.wholeMap();
-  if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && online_for_s > kLiveMapWithinS) {
+  if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && online_for_s > live_within_s_) {
     chooseInsteadOfLive();
   } else if (slot.key() == *key_ && slot.phase() == Phase::Failed && !shown()) {
-    fail(local() ? kUsage : exitCodeOf(slot.failure()), slot.remark());
+    fail(local() ? kUsage : exitCodeOf(slot.failure()), sentences::sentenceOf(slot.remark()));
   }
   if (failed_) return State::Failed;
   const bool here = slot.settled() && shown() && !(with_points_ && slot.waypointsAwaited());
@@ -52,7 +58,7 @@ void MapWish::choose() {
   const map::MapKey key = id_.isEmpty() ? map::MapKey{map::MapKind::Live, {}} : map::mapKeyFromText(id);
   if (key.kind == map::MapKind::Live && !sendsMaps()) {
     fail(local() ? kUsage : kRobotError,
-         QStringLiteral("It sends no live map. Ask for one of its maps by its id (mapwright maps list)."));
+         Words::tr("It sends no live map. Ask for one of its maps by its id (mapwright maps list)."));
   } else if (local()) {
     // The names of a folder's maps are known when its list is in.
     if (!catalogueIn()) return;
@@ -73,39 +79,40 @@ void MapWish::chooseCurrent() {
   } else {
     fail(kRobotError,
          catalogue.entries().empty()
-             ? QStringLiteral("There is no map.")
-             : QStringLiteral("None of its %1 maps is the current one. Give an id (mapwright maps list).")
+             ? Words::tr("There is no map.")
+             : Words::tr("None of its %1 maps is the current one. Give an id (mapwright maps list).")
                    .arg(catalogue.entries().size()));
   }
 }
 
 void MapWish::chooseInsteadOfLive() {
   if (!id_.isEmpty()) {
-    fail(kRobotError, QStringLiteral("It sends no map now."));
+    fail(kRobotError, Words::tr("It sends no map now."));
     return;
   }
   if (!catalogueIn()) return;
   const map::CatalogueEntry* const current = session_.catalogue().current();
   if (!current) {
-    fail(kRobotError, QStringLiteral("It sends no map now, and none of its stored maps is the current one."));
+    fail(kRobotError, Words::tr("It sends no map now, and none of its stored maps is the current one."));
     return;
   }
+  const QStringList topics = session_.robot().liveTopics()->topicsOf(map::Stream::WholeMap);
   for (const session::LoggedProblem& row : session_.problems().rows()) {
     const map::Subject& subject = row.problem.subject;
-    live_broken_ |=
-        !row.resolved && subject.kind == map::SubjectKind::Topic && subject.id.starts_with("/map");
+    live_broken_ |= !row.resolved && subject.kind == map::SubjectKind::Topic &&
+                    topics.contains(QString::fromStdString(subject.id));
   }
   notes_ << (live_broken_
-                 ? QStringLiteral(
-                       "The map that the robot sends cannot be had. Its current stored map is shown.")
-                 : QStringLiteral("The robot sends no map now. Its current stored map is shown."));
+                 ? Words::tr("The map that the robot sends cannot be had. Its current stored map is shown.")
+                 : Words::tr("The robot sends no map now. Its current stored map is shown."));
   open(current->key);
 }
 
 bool MapWish::catalogueIn() {
   session::Catalogue& catalogue = session_.catalogue();
   if (!catalogue.offered()) {
-    fail(kRobotError, QStringLiteral("This robot offers no list of maps."));
+    fail(kRobotError, sentences::whyAbsent(robot::Capability::Catalogue,
+                                           session_.robot().whyNot(robot::Capability::Catalogue)));
     return false;
   }
   if (!catalogue.asked()) catalogue.refresh();

@@ -1,6 +1,7 @@
 // The one whole map that a command was asked for: brought onto its session, and no other taken for it.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include <QString>
@@ -16,12 +17,15 @@ namespace mapwright::app {
 class MapWish {
  public:
   /// `id`: as people type it; "" = the map that the robot sends, else its current one. `with_points`: its
-  /// navigation points are waited for too.
+  /// waypoints are waited for too.
   MapWish(session::Session& session, QString id, bool with_points);
 
   enum class State { Waiting, Here, Failed };
   /// Takes the next step that is due. To be called, while online, whenever something may have changed.
   State look(double online_for_s);
+  /// How long a robot that can send its map may take for it before its current stored one is drawn: this, or
+  /// the usual time where that is shorter.
+  void setPatience(double seconds) { live_within_s_ = std::min(live_within_s_, seconds); }
   /// Why it Failed.
   const CommandFailure& failure() const { return failure_; }
 
@@ -52,6 +56,7 @@ class MapWish {
   bool with_points_;
   std::optional<map::MapKey> key_;
   bool failed_ = false, live_broken_ = false;
+  double live_within_s_ = 8;
   CommandFailure failure_;
   QStringList notes_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -19,12 +20,17 @@
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
 #include "disk/written_file.h"
-#include "raster/export_grid.h"
+#include "grids/export_grid.h"
 #include "robot/address.h"
+#include "sentences/plural.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Maps)
+};
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
@@ -33,25 +39,6 @@ void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(jso
 QString dateText(std::optional<double> epoch_s) {
   if (!epoch_s || !(*epoch_s > 0) || *epoch_s > 4e11) return QStringLiteral("-");
   return QDateTime::fromMSecsSinceEpoch(qint64(*epoch_s * 1000)).toString(QStringLiteral("yyyy-MM-dd hh:mm"));
-}
-
-QJsonValue jsonOr(const std::optional<int>& number) { return number ? QJsonValue(*number) : QJsonValue(); }
-
-QJsonObject jsonOf(const map::CatalogueEntry& row) {
-  QJsonObject json{{QStringLiteral("id"), text(map::toText(row.key))},
-                   {QStringLiteral("name"), text(row.name)},
-                   {QStringLiteral("uid"), text(row.uid)},
-                   {QStringLiteral("kind"), row.key.kind == map::MapKind::Mapping ? QStringLiteral("mapping")
-                                            : row.key.kind == map::MapKind::File  ? QStringLiteral("file")
-                                                                                  : QStringLiteral("map")},
-                   {QStringLiteral("current"), row.is_current},
-                   {QStringLiteral("map_version"), jsonOr(row.map_version)},
-                   {QStringLiteral("overlays_version"), jsonOr(row.overlays_version)},
-                   {QStringLiteral("created"), row.created_s ? QJsonValue(*row.created_s) : QJsonValue()},
-                   {QStringLiteral("modified"), row.modified_s ? QJsonValue(*row.modified_s) : QJsonValue()}};
-  if (!row.state.empty()) json[QStringLiteral("state")] = text(row.state);
-  if (row.grid) json[QStringLiteral("grid")] = gridJson(*row.grid);
-  return json;
 }
 
 /// Columns as wide as their widest cell; names last, for they may be of any width.
@@ -87,14 +74,10 @@ double resolutionOf(const MapsWords& words) {
 
 /// Whether a word of `diff` is a file or an address of its own, and not a map of `robot`.
 bool standsAlone(const QString& operand, const QString& robot) {
-  if (operand.startsWith(QLatin1String("file:")) || operand.contains(QLatin1Char('/')) ||
-      operand.contains(QLatin1String("+http")) || operand.startsWith(QLatin1String("demo:"))) {
-    return true;
-  }
+  if (operand.contains(QLatin1Char('/')) || knownAddresses().isAddress(operand)) return true;
   // In a folder of maps their names are ids.
-  const auto folder = robot::parseAddress(robot);
-  if (folder && folder->backend == robot::Backend::File &&
-      QFileInfo(folder->path + QLatin1Char('/') + operand).isFile()) {
+  const auto folder = knownAddresses().parse(robot);
+  if (folder && !folder->path.isEmpty() && QFileInfo(folder->path + QLatin1Char('/') + operand).isFile()) {
     return false;
   }
   const QStringList kinds{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("png"),
@@ -126,9 +109,9 @@ Opened openRobot(MapsCommand& command, const QString& address, const MapsWords& 
   if (const auto why = whyNoPlaceIn(words)) return tl::make_unexpected(CommandFailure{kUsage, *why});
   const auto access = RobotAccess::read(words.access, text(words.robot));
   if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
-    return tl::make_unexpected(
-        CommandFailure{kUsage, QStringLiteral("--resolution %1: give metres per cell, for example 0.05.")
-                                   .arg(text(words.resolution))});
+    return tl::make_unexpected(CommandFailure{
+        kUsage,
+        Words::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(words.resolution))});
   }
   if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
   return command.open(placedFile(address, words.resolution, words.origin), access->forAddress(address),
@@ -155,16 +138,16 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
     if (!rows) return tl::make_unexpected(rows.error());
     if (words.json) {
       QJsonArray list;
-      for (const map::CatalogueEntry& row : **rows) list << jsonOf(row);
+      for (const map::CatalogueEntry& row : **rows) list << entryJson(row);
       print(QJsonDocument(list));
       return kDone;
     }
     if ((*rows)->empty()) {
-      std::printf("There is no map.\n");
+      std::printf("%s\n", qUtf8Printable(Words::tr("There is no map.")));
       return kDone;
     }
-    std::vector<QStringList> table{{QStringLiteral(" "), QStringLiteral("ID"), QStringLiteral("VERSION"),
-                                    QStringLiteral("DATE"), QStringLiteral("NAME")}};
+    std::vector<QStringList> table{
+        {QStringLiteral(" "), Words::tr("ID"), Words::tr("VERSION"), Words::tr("DATE"), Words::tr("NAME")}};
     for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
     printTable(table);
     return kDone;
@@ -180,10 +163,10 @@ int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
     const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
     if (!current) {
       return tl::make_unexpected(CommandFailure{
-          kRobotError, QStringLiteral("%1: none of its maps is the current one.").arg(text(words.robot))});
+          kRobotError, Words::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
     }
     if (words.json) {
-      print(QJsonDocument(jsonOf(*current)));
+      print(QJsonDocument(entryJson(*current)));
     } else {
       std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(current->key))),
                   qUtf8Printable(words::plainName(current->name)));
@@ -207,7 +190,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     const map::CatalogueEntry* const row = session.catalogue().find(shown.key);
     const QString id = words.id == "submaps" ? text(words.id) : text(map::toText(shown.key));
     QJsonObject json =
-        row ? jsonOf(*row)
+        row ? entryJson(*row)
             : QJsonObject{{QStringLiteral("id"), id}, {QStringLiteral("name"), (*robot)->nameOfMap()}};
     json[QStringLiteral("grid")] = gridJson(placed->reference);
     json[QStringLiteral("overlays")] = int(shown.overlays.size());
@@ -231,31 +214,28 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     }
     const map::GridReference& grid = placed->reference;
     std::vector<QStringList> table{
-        {QStringLiteral("id"), id},
-        {QStringLiteral("name"), words::plainName((*robot)->nameOfMap())},
-        {QStringLiteral("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
-        {QStringLiteral("resolution"), QStringLiteral("%1 m").arg(grid.resolution_m)},
-        {QStringLiteral("origin"), QStringLiteral("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
-                                       .arg(grid.origin.x_m)
-                                       .arg(grid.origin.y_m)
-                                       .arg(grid.origin.yaw_rad)},
-        {QStringLiteral("extent"), QStringLiteral("%1 m x %2 m")
-                                       .arg(grid.width * grid.resolution_m, 0, 'f', 2)
-                                       .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
+        {Words::tr("id"), id},
+        {Words::tr("name"), words::plainName((*robot)->nameOfMap())},
+        {Words::tr("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
+        {Words::tr("resolution"), Words::tr("%1 m").arg(grid.resolution_m)},
+        {Words::tr("origin"), Words::tr("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
+                                  .arg(grid.origin.x_m)
+                                  .arg(grid.origin.y_m)
+                                  .arg(grid.origin.yaw_rad)},
+        {Words::tr("extent"), Words::tr("%1 m x %2 m")
+                                  .arg(grid.width * grid.resolution_m, 0, 'f', 2)
+                                  .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
     if (row) {
-      table.push_back({QStringLiteral("date"), dateText(row->modified_s ? row->modified_s : row->created_s)});
-      table.push_back(
-          {QStringLiteral("current"), row->is_current ? QStringLiteral("yes") : QStringLiteral("no")});
+      table.push_back({Words::tr("date"), dateText(row->modified_s ? row->modified_s : row->created_s)});
+      table.push_back({Words::tr("current"), row->is_current ? Words::tr("yes") : Words::tr("no")});
     }
-    table.push_back({QStringLiteral("overlays"), QString::number(shown.overlays.size())});
+    table.push_back({Words::tr("overlays"), QString::number(shown.overlays.size())});
     for (const map::Waypoint& point : session.wholeMap().waypoints().points) {
-      table.push_back(
-          {QStringLiteral("point"),
-           QStringLiteral("%1 %2  x %3 m, y %4 m%5")
-               .arg(words::plainName(point.id), words::plainName(point.name))
-               .arg(point.position_m.x())
-               .arg(point.position_m.y())
-               .arg(point.yaw_rad ? QStringLiteral(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
+      table.push_back({Words::tr("point"),
+                       Words::tr("%1 %2  x %3 m, y %4 m%5")
+                           .arg(words::plainName(point.id), words::plainName(point.name),
+                                QString::number(point.position_m.x()), QString::number(point.position_m.y()),
+                                point.yaw_rad ? Words::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
     }
     printTable(table);
     return kDone;
@@ -274,19 +254,19 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
     if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
       return wrong(
-          QStringLiteral("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
-                         "--format png or pgm.")
+          Words::tr("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
+                    "--format png or pgm.")
               .arg(output));
     }
     const bool names_png = suffix == QLatin1String("png");
     const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
     if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
-      return wrong(QStringLiteral("--output %1 and --format %2 contradict each other.")
-                       .arg(output, text(words.format)));
+      return wrong(
+          Words::tr("--output %1 and --format %2 contradict each other.").arg(output, text(words.format)));
     }
     if (printed && (format != QLatin1String("png") || words.world_file)) {
       return wrong(
-          QStringLiteral("Only one PNG can be written to the standard output (--output %1).").arg(output));
+          Words::tr("Only one PNG can be written to the standard output (--output %1).").arg(output));
     }
     if (const auto why = whyNotWritable(output)) return wrong(*why);
     if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
@@ -295,7 +275,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
     const bool png = format == QLatin1String("png");
-    const raster::MapServerFiles pair = raster::mapServerFiles(words.output);
+    const grids::MapServerFiles pair = grids::mapServerFiles(words.output);
     QStringList outputs{png ? output : text(pair.pgm)};
     if (!png) outputs << text(pair.yaml);
     const QString world_file = QFileInfo(output).absolutePath() + QLatin1Char('/') +
@@ -306,18 +286,21 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     std::optional<disk::WrittenFile> placing;
     if (words.world_file) {
       placing.emplace(world_file.toStdString());
-      placing->write(raster::worldFileText(placed->reference));
+      placing->write(grids::worldFileText(placed->reference));
       if (!placing->finish()) return wrong(text(*placing->place()));
     }
-    const auto error = png ? raster::writeGridPng(*placed->cells, words.output)
-                           : raster::writeMapServer(*placed->cells, placed->reference, words.output);
+    const auto error = png ? grids::writeGridPng(*placed->cells, words.output)
+                           : grids::writeMapServer(*placed->cells, placed->reference, words.output);
     if (error) return wrong(text(*error));
     if (placing) {
       if (const auto problem = placing->place()) return wrong(text(*problem));
     }
     if (!printed && !isStandardOutput(text(words.report))) {
-      std::printf("%s: %d x %d cells of %g m\n", qUtf8Printable(oneLine(output)), placed->reference.width,
-                  placed->reference.height, placed->reference.resolution_m);
+      const map::GridReference& grid = placed->reference;
+      std::printf("%s\n",
+                  qUtf8Printable(Words::tr("%1: %2 x %3 cells of %4 m")
+                                     .arg(oneLine(output), QString::number(grid.width),
+                                          QString::number(grid.height), QString::number(grid.resolution_m))));
     }
     return kDone;
   });
@@ -367,20 +350,21 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
     } else {
       std::vector<QStringList> table;
       const auto row = [&](const QString& name, qint64 count) {
-        table.push_back({name, QStringLiteral("%1 cells").arg(count),
-                         QStringLiteral("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 4)});
+        table.push_back({name, Words::tr("%1 cells", nullptr, sentences::formOf(count)).arg(count),
+                         Words::tr("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 4)});
       };
-      row(QStringLiteral("occupied in the second only"), cells(Difference::Appeared));
-      row(QStringLiteral("occupied in the first only"), cells(Difference::Vanished));
-      row(QStringLiteral("known in the first only"), cells(Difference::OnlyFirst));
-      row(QStringLiteral("known in the second only"), cells(Difference::OnlySecond));
-      row(QStringLiteral("alike, of another gray level"), diff->levels_differ);
-      row(QStringLiteral("free in both"), cells(Difference::SameFree));
-      row(QStringLiteral("occupied in both"), cells(Difference::SameOccupied));
+      row(Words::tr("occupied in the second only"), cells(Difference::Appeared));
+      row(Words::tr("occupied in the first only"), cells(Difference::Vanished));
+      row(Words::tr("known in the first only"), cells(Difference::OnlyFirst));
+      row(Words::tr("known in the second only"), cells(Difference::OnlySecond));
+      row(Words::tr("alike, of another gray level"), diff->levels_differ);
+      row(Words::tr("free in both"), cells(Difference::SameFree));
+      row(Words::tr("occupied in both"), cells(Difference::SameOccupied));
       printTable(table);
-      std::printf("%s\n", !diff->same()        ? "The maps differ."
-                          : command.complete() ? "The maps are the same."
-                                               : "What could be had of the maps is the same.");
+      const QString outcome = !diff->same()        ? Words::tr("The maps differ.")
+                              : command.complete() ? Words::tr("The maps are the same.")
+                                                   : Words::tr("What could be had of the maps is the same.");
+      std::printf("%s\n", qUtf8Printable(outcome));
     }
     return diff->same() ? kDone : kIncomplete;
   });

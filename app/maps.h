@@ -12,6 +12,7 @@ struct MapsWords {
   std::string robot;
   AccessWords access;
   std::string id;             // show, export: a map (12, mapping:48, live, submaps)
+  std::string label;          // rename: what it is called from now on
   std::string first, second;  // diff: a map of the robot, or a file
   std::string output, format, diff_picture, report;
   std::string resolution, origin;  // of a bare picture file; of exported submaps: the resolution

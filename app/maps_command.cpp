@@ -1,10 +1,13 @@
 #include "app/maps_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QJsonArray>
+#include <QTemporaryDir>
 
 #include "app/display.h"
 #include "app/exit_code.h"
@@ -13,6 +16,10 @@
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(MapsCommand)
+};
 
 int say(const QString& sentence, int exit_code) {
   std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
@@ -30,7 +37,7 @@ MapsCommand::MapsCommand(double timeout_s, QString report_path)
 
 CommandResult<MapReading*> MapsCommand::open(const QString& address, const Access& access,
                                              MapReading::Purpose purpose) {
-  auto reading = MapReading::open(address, access, time_, purpose);
+  auto reading = MapReading::open(address, access, time_, purpose, workers_);
   if (!reading) return tl::make_unexpected(reading.error());
   connected_->store(true);
   readings_.push_back(std::move(*reading));
@@ -46,21 +53,21 @@ bool MapsCommand::complete() const {
 
 int MapsCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(MapsCommand&)>& work) {
   if (!(time_.timeout_s > 0 && time_.timeout_s <= 86'400)) {
-    return say(QStringLiteral("--timeout must be more than 0 and at most 86400 seconds."), kUsage);
+    return say(Words::tr("--timeout must be more than 0 and at most 86400 seconds."), kUsage);
   }
   Deadline deadline(
       later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
       [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
         const QString sentence =
             (*connected
-                 ? QStringLiteral("Not complete. The command could not be finished within %1 s (--timeout).")
-                 : QStringLiteral("No connection within %1 s (--timeout)."))
+                 ? Words::tr("Not complete. The command could not be finished within %1 s (--timeout).")
+                 : Words::tr("No connection within %1 s (--timeout)."))
                 .arg(timeout_s);
         if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
         sayAtTheEnd(sentence.toStdString());
         return int(*connected ? kIncomplete : kUnreachable);
       });
-  chooseOffscreenPlatform();
+  const auto fonts = chooseOffscreenPlatform();
   QApplication application(argc, argv);
   const int exit_code = end(work(*this));
   std::fflush(stdout);
@@ -90,8 +97,12 @@ int MapsCommand::end(const CommandResult<int>& result) const {
   }
   if (!result) return say(result.error().sentence, result.error().exit_code);
   if (!complete()) {
-    return say(QStringLiteral("Not complete. %1").arg(firstOf(warnings)),
-               *result == kDone ? int(kIncomplete) : *result);
+    const bool refused = std::any_of(readings_.begin(), readings_.end(),
+                                     [](const auto& reading) { return reading->refused(); });
+    return say(Words::tr("Not complete. %1").arg(firstOf(warnings)),
+               refused            ? exitCodeOf(map::FailureKind::Refused)
+               : *result == kDone ? int(kIncomplete)
+                                  : *result);
   }
   return warnings.isEmpty() ? *result : say(firstOf(warnings), *result);
 }

@@ -29,6 +29,7 @@ class MapsCommand {
 
   CommandTime time_;
   QString report_path_;
+  std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();  // of all readings
   std::vector<std::unique_ptr<MapReading>> readings_;
   /// Of the first robot; shared with the deadline.
   std::shared_ptr<std::atomic<bool>> connected_ = std::make_shared<std::atomic<bool>>(false);

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <unistd.h>
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include "app/exit_code.h"
@@ -13,6 +14,10 @@
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(OutputPaths)
+};
 
 /// A pipe or a device: bytes go into it, nothing is replaced.
 bool takesBytes(const QString& path) {
@@ -27,14 +32,14 @@ bool isStandardOutput(const QString& path) { return disk::isStandardOutput(path.
 std::optional<QString> whyNotWritable(const QString& path) {
   if (isStandardOutput(path)) {
     if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
-    return QStringLiteral("%1: the standard output is a terminal. Send it into a file or another program.")
+    return Words::tr("%1: the standard output is a terminal. Send it into a file or another program.")
         .arg(path);
   }
   // Where a link leads is found out when it is written.
   if (takesBytes(path) || QFileInfo(path).isSymLink()) return std::nullopt;
   const QFileInfo folder(QFileInfo(path).absolutePath());
   if (folder.isDir() && folder.isWritable()) return std::nullopt;
-  return QStringLiteral("%1 cannot be written: there is no writable folder %2.").arg(path, folder.filePath());
+  return Words::tr("%1 cannot be written: there is no writable folder %2.").arg(path, folder.filePath());
 }
 
 std::optional<QString> whyNotTogether(const QStringList& outputs) {
@@ -43,12 +48,12 @@ std::optional<QString> whyNotTogether(const QStringList& outputs) {
       const QString &one = outputs[i], &other = outputs[j];
       if (one.isEmpty() || other.isEmpty()) continue;
       if (isStandardOutput(one) && isStandardOutput(other)) {
-        return QStringLiteral("Only one thing can be written to the standard output.");
+        return Words::tr("Only one thing can be written to the standard output.");
       }
       if (isStandardOutput(one) || isStandardOutput(other) || takesBytes(one)) continue;
       const bool same = QFileInfo(one).absoluteFilePath() == QFileInfo(other).absoluteFilePath() ||
                         disk::sameFile(one.toStdString(), other.toStdString());
-      if (same) return QStringLiteral("%1 and %2 are the same file. Name two.").arg(one, other);
+      if (same) return Words::tr("%1 and %2 are the same file. Name two.").arg(one, other);
     }
   }
   return std::nullopt;
@@ -59,8 +64,7 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
     for (const std::string& source : sources) {
       if (output.isEmpty() || isStandardOutput(output) || takesBytes(output)) continue;
       if (disk::sameFile(output.toStdString(), source)) {
-        return QStringLiteral("%1 is a file that the map is read from. Give --force to replace it.")
-            .arg(output);
+        return Words::tr("%1 is a file that the map is read from. Give --force to replace it.").arg(output);
       }
     }
   }
@@ -69,7 +73,9 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
 
 int concludeStandardOutput(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-  std::fprintf(stderr, "The standard output cannot be written: %s.\n", std::strerror(errno));
+  const QString why = QString::fromLocal8Bit(std::strerror(errno));
+  std::fprintf(stderr, "%s\n",
+               qUtf8Printable(Words::tr("The standard output cannot be written: %1.").arg(why)));
   return kUsage;
 }
 

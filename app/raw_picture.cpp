@@ -4,14 +4,23 @@
 #include <memory>
 #include <vector>
 
-#include <QThreadPool>
+#include <QCoreApplication>
 #include <spng.h>
 
 #include "app/snapshot_picture.h"
 #include "disk/written_file.h"
+#include "work/budgets.h"
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(RawPicture)
+};
+
+QString notEncoded(int failure) {
+  return Words::tr("The picture cannot be encoded: %1.").arg(QLatin1String(spng_strerror(failure)));
+}
 
 constexpr int kBandRows = 128;
 constexpr std::uint8_t kUndecided = 128;
@@ -32,8 +41,7 @@ std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
   std::size_t bytes = 0;
   const std::unique_ptr<void, decltype(&std::free)> png(
       failure ? nullptr : spng_get_png_buffer(encoder.get(), &bytes, &failure), &std::free);
-  if (!png)
-    return QStringLiteral("The picture cannot be encoded: %1.").arg(QLatin1String(spng_strerror(failure)));
+  if (!png) return notEncoded(failure);
   const auto problem =
       disk::writeFile(path.toStdString(), std::string_view(static_cast<const char*>(png.get()), bytes));
   return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
@@ -41,20 +49,17 @@ std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
 
 class RawPicture : public SnapshotPicture {
  public:
-  explicit RawPicture(const SnapshotContent& content)
+  RawPicture(const SnapshotContent& content, std::shared_ptr<work::Workers> workers)
       : content_(content),
-        cache_(std::size_t(256) << 20),
+        cache_(work::budgetsFrom().dense + work::budgetsFrom().tiles),  // no tiles are kept
         row_bytes_(std::size_t(content.view.width_px) * 2),
         pixels_(row_bytes_ * std::size_t(content.view.height_px)),
-        band_made_(std::size_t((content.view.height_px + kBandRows - 1) / kBandRows)) {}
-  ~RawPicture() override {
-    pool_.clear();
-    pool_.waitForDone();
-  }
+        band_made_(std::size_t((content.view.height_px + kBandRows - 1) / kBandRows)),
+        share_(std::move(workers)) {}
 
   void start() override {
     for (int top = 0; top < content_.view.height_px; top += kBandRows) {
-      pool_.start([this, top] {
+      share_.start(work::Urgency::InView, [this, top] {
         draw(top);
         band_made_[std::size_t(top / kBandRows)].store(true);
         QMetaObject::invokeMethod(this, &RawPicture::look, Qt::QueuedConnection);
@@ -118,13 +123,13 @@ class RawPicture : public SnapshotPicture {
       for (std::size_t i = 0; i < row_bytes_ * std::size_t(band.height_px); i += 2) pairs[i] = kUndecided;
       return;
     }
-    const raster::CellCode code = content_.grid->cells->code();
-    const raster::CellMeaning& meaning = raster::meaningOf(code);
+    const grids::CellCode code = content_.grid->cells->code();
+    const grids::CellMeaning& meaning = grids::meaningOf(code);
     const render::Composition made = render::sampleGrid(band, *content_.grid, nullptr);
     for (std::size_t i = 0; i < made.intensity.size(); ++i) {
       const std::uint8_t cell = made.intensity[i];
       const bool inside = made.flags[i] != 0;
-      pairs[2 * i] = !inside ? kUndecided : raster::isGray(code) ? cell : meaning.intensity[cell];
+      pairs[2 * i] = !inside ? kUndecided : grids::isGray(code) ? cell : meaning.intensity[cell];
       pairs[2 * i + 1] = render::knownIn(made, i, meaning) ? 255 : 0;
     }
   }
@@ -134,13 +139,14 @@ class RawPicture : public SnapshotPicture {
   std::size_t row_bytes_;
   std::vector<std::uint8_t> pixels_;  // gray and alpha
   std::vector<std::atomic<bool>> band_made_;
-  QThreadPool pool_;
+  work::Share share_;  // last: it drops what waits, and waits for what runs
 };
 
 }  // namespace
 
-std::unique_ptr<SnapshotPicture> makeRawPicture(const SnapshotContent& content) {
-  return std::make_unique<RawPicture>(content);
+std::unique_ptr<SnapshotPicture> makeRawPicture(const SnapshotContent& content,
+                                                std::shared_ptr<work::Workers> workers) {
+  return std::make_unique<RawPicture>(content, std::move(workers));
 }
 
 }  // namespace mapwright::app

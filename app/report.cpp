@@ -1,17 +1,30 @@
 #include "app/report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
 #include "disk/written_file.h"
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Report)
+};
+
+QJsonValue jsonOr(const std::optional<int>& number) { return number ? QJsonValue(*number) : QJsonValue(); }
+
+}  // namespace
 
 bool submapsComplete(const session::SubmapCounts& counts) {
   return counts.list_received && counts.shown + counts.without_slice == counts.listed && counts.updating == 0;
@@ -36,6 +49,23 @@ QJsonObject gridJson(const map::GridReference& grid) {
           {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
 }
 
+QJsonObject entryJson(const map::CatalogueEntry& row) {
+  QJsonObject json{{QStringLiteral("id"), QString::fromStdString(map::toText(row.key))},
+                   {QStringLiteral("name"), QString::fromStdString(row.name)},
+                   {QStringLiteral("uid"), QString::fromStdString(row.uid)},
+                   {QStringLiteral("kind"), row.key.kind == map::MapKind::Mapping ? QStringLiteral("mapping")
+                                            : row.key.kind == map::MapKind::File  ? QStringLiteral("file")
+                                                                                  : QStringLiteral("map")},
+                   {QStringLiteral("current"), row.is_current},
+                   {QStringLiteral("map_version"), jsonOr(row.map_version)},
+                   {QStringLiteral("overlays_version"), jsonOr(row.overlays_version)},
+                   {QStringLiteral("created"), row.created_s ? QJsonValue(*row.created_s) : QJsonValue()},
+                   {QStringLiteral("modified"), row.modified_s ? QJsonValue(*row.modified_s) : QJsonValue()}};
+  if (!row.state.empty()) json[QStringLiteral("state")] = QString::fromStdString(row.state);
+  if (row.grid) json[QStringLiteral("grid")] = gridJson(*row.grid);
+  return json;
+}
+
 QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::GridReference& grid) {
   QJsonObject json = gridJson(grid);
   json[QStringLiteral("id")] = QString::fromStdString(map::toText(key));
@@ -44,8 +74,7 @@ QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::Grid
 }
 
 QString problemLine(const map::Problem& problem) {
-  return QStringLiteral("%1: %2").arg(QString::fromStdString(map::toText(problem.subject)),
-                                      QString::fromStdString(problem.sentence));
+  return QStringLiteral("%1: %2").arg(sentences::nameOf(problem.subject), sentences::sentenceOf(problem));
 }
 
 QStringList problemLines(const session::ProblemLog& log) {
@@ -59,9 +88,17 @@ QStringList problemLines(const session::ProblemLog& log) {
   return lines;
 }
 
+bool anyRefused(const session::ProblemLog& log) {
+  return std::any_of(log.rows().begin(), log.rows().end(), [](const session::LoggedProblem& row) {
+    return !row.resolved && row.problem.severity == map::Severity::Error &&
+           row.problem.failure == map::FailureKind::Refused;
+  });
+}
+
 QString firstOf(const QStringList& lines) {
   if (lines.size() < 2) return lines.isEmpty() ? QString() : lines.first();
-  return QStringLiteral("%1 (and %2 more; --report lists them)").arg(lines.first()).arg(lines.size() - 1);
+  return Words::tr("%1 (and %2 more; --report lists them)")
+      .arg(lines.first(), QString::number(lines.size() - 1));
 }
 
 std::optional<QString> writeReport(const QString& path, const QJsonObject& report) {

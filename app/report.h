@@ -21,6 +21,8 @@ QJsonObject submapsJson(const session::SubmapCounts& counts);
 QJsonObject trafficJson(const session::SubmapCounts& counts);
 /// {"size", "resolution", "origin"}
 QJsonObject gridJson(const map::GridReference& grid);
+/// A row of `maps list --json` (cli.md).
+QJsonObject entryJson(const map::CatalogueEntry& row);
 /// {"id", "name", "size", "resolution", "origin"}
 QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::GridReference& grid);
 
@@ -28,6 +30,8 @@ QJsonObject mapJson(const map::MapKey& key, const QString& name, const map::Grid
 QString problemLine(const map::Problem& problem);
 /// What is wrong now, one line each, the gravest first: a terminal shows no more than one.
 QStringList problemLines(const session::ProblemLog& log);
+/// Something could not be had for want of the right secret, and still cannot.
+bool anyRefused(const session::ProblemLog& log);
 /// The first and how many more there are; "" when there is none.
 QString firstOf(const QStringList& lines);
 

@@ -1,11 +1,16 @@
 #include "app/robot_access.h"
 
+#include <QCoreApplication>
 #include <QFile>
 
-#include "robot/address.h"
+#include "app/robot_factory.h"
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(RobotAccess)
+};
 
 constexpr qint64 kLongest = 4096;
 
@@ -13,17 +18,15 @@ QString text(const std::string& word) { return QString::fromStdString(word); }
 
 tl::expected<QByteArray, QString> checked(const QByteArray& secret) {
   if (secret.size() > kLongest || secret.contains('\n') || secret.contains('\r') || secret.contains('\0')) {
-    return tl::make_unexpected(QStringLiteral("The secret must be one line of at most 4096 bytes."));
+    return tl::make_unexpected(Words::tr("The secret must be one line of at most 4096 bytes."));
   }
   return secret;
 }
 
 /// Where a robot is asked; empty for what is no robot on a network (files, the demo) or no address.
 QUrl originOf(const QString& address) {
-  const auto parsed = robot::parseAddress(address);
-  const bool remote =
-      parsed && (parsed->backend == robot::Backend::Axbot || parsed->backend == robot::Backend::Aimdk);
-  return remote ? parsed->url : QUrl();
+  const auto parsed = knownAddresses().parse(address);
+  return parsed ? parsed->url : QUrl();
 }
 
 }  // namespace
@@ -32,7 +35,7 @@ tl::expected<QByteArray, QString> readSecret(const QString& file) {
   QFile source(file);
   if (!source.open(QIODevice::ReadOnly)) {
     return tl::make_unexpected(
-        QStringLiteral("The secret file %1 cannot be read: %2.").arg(file, source.errorString()));
+        Words::tr("The secret file %1 cannot be read: %2.").arg(file, source.errorString()));
   }
   return checked(source.read(kLongest + 1).trimmed());
 }
@@ -58,8 +61,7 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     const QUrl origin = originOf(text(address));
     if (origin.isEmpty()) {
       return tl::make_unexpected(
-          QStringLiteral("--secret-file-for %1: give the address of a robot, then the file.")
-              .arg(text(address)));
+          Words::tr("--secret-file-for %1: give the address of a robot, then the file.").arg(text(address)));
     }
     const auto secret = readSecret(text(file));
     if (!secret) return tl::make_unexpected(secret.error());
@@ -70,8 +72,8 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     if (!secret) return tl::make_unexpected(secret.error());
     if (robot.isEmpty()) {
       return tl::make_unexpected(
-          QStringLiteral("--secret-file belongs to --robot, which is not given. For another robot give "
-                         "--secret-file-for ADDRESS FILE."));
+          Words::tr("--secret-file belongs to --robot, which is not given. For another robot give "
+                    "--secret-file-for ADDRESS FILE."));
     }
     access.secrets_.emplace_back(originOf(robot), *secret);
   } else if (const QByteArray given = qgetenv("MAPWRIGHT_SECRET").trimmed(); !given.isEmpty()) {
@@ -101,8 +103,7 @@ Access RobotAccess::forAddress(const QString& address) const {
 
 QString whyNotConnected(const robot::ConnectionState& state) {
   if (!state.certificate) return state.reason;
-  return state.reason +
-         QStringLiteral(". If an authority of your own vouches for it, give it by --ca-file PEM.");
+  return state.reason + Words::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
 }
 
 }  // namespace mapwright::app

@@ -1,11 +1,15 @@
 #include "app/robot_factory.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QStandardPaths>
 
 #include "robot/address.h"
+#include "robot/aimdk/aimdk_address.h"
 #include "robot/aimdk/aimdk_robot.h"
+#include "robot/axbot/axbot_address.h"
 #include "robot/axbot/axbot_robot.h"
+#include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/picture_yamls.h"
 
@@ -16,29 +20,94 @@ QString httpCacheFolder() {
          QStringLiteral("/mapwright/http");
 }
 
+QString draftsFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+         QStringLiteral("/mapwright/drafts");
+}
+
 QString gridCacheFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
          QStringLiteral("/mapwright/grids");
 }
 
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(RobotFactory)
+};
+
+using Made = tl::expected<std::unique_ptr<robot::Robot>, QString>;
+
+/// A kind of robot: what its addresses look like, and how one is made of them.
+struct Kind {
+  robot::AddressScheme scheme;
+  std::function<Made(const robot::Address&, const Access&, DemoTime)> make;
+};
+
+Made makeAxbot(const robot::Address& address, const Access& access, DemoTime) {
+  robot::axbot::LinkOptions link;
+  link.base = address.url;
+  link.secret = access.secret;
+  link.trust = access.trust;
+  link.cache_folder = httpCacheFolder();
+  return std::make_unique<robot::axbot::AxbotRobot>(address.text, std::move(link));
+}
+
+Made makeAimdk(const robot::Address& address, const Access& access, DemoTime) {
+  robot::aimdk::LinkOptions link;
+  link.base = address.url;
+  link.tf = robot::aimdk::tfOf(address);
+  link.trust = access.trust;
+  return std::make_unique<robot::aimdk::AimdkRobot>(address.text, std::move(link));
+}
+
+Made makeFiles(const robot::Address& address, const Access&, DemoTime) {
+  robot::files::FileOptions file;
+  file.path = address.path;
+  file.place = robot::files::placeOf(address);
+  return std::make_unique<robot::files::FileRobot>(address.text, std::move(file));
+}
+
+Made makeDemo(const robot::Address& address, const Access&, DemoTime time) {
+  const auto options = parseDemoQuery(address.options, time);
+  if (!options) return tl::make_unexpected(options.error());
+  return makeDemoRobot(address.text, *options);
+}
+
+/// Every kind of robot that there is; what nobody claims is the first.
+std::vector<Kind> kinds() {
+  return {{robot::axbot::addressScheme(), makeAxbot},
+          {robot::aimdk::addressScheme(), makeAimdk},
+          {demoAddressScheme(), makeDemo},
+          {robot::files::addressScheme(), makeFiles}};
+}
+
+}  // namespace
+
+robot::Addresses knownAddresses() {
+  std::vector<robot::AddressScheme> schemes;
+  for (Kind& kind : kinds()) schemes.push_back(std::move(kind.scheme));
+  return robot::Addresses(std::move(schemes));
+}
+
 std::optional<QString> whyNoPlace(const QString& address, const std::string& resolution,
                                   const std::string& origin) {
   if (resolution.empty() && origin.empty()) return std::nullopt;
-  const auto parsed = robot::parseAddress(address);
+  const auto parsed = knownAddresses().parse(address);
   if (!parsed) return std::nullopt;  // which is said elsewhere
   const QString options = origin.empty()       ? QStringLiteral("--resolution")
                           : resolution.empty() ? QStringLiteral("--origin")
-                                               : QStringLiteral("--resolution and --origin");
-  if (parsed->backend != robot::Backend::File) {
-    return QStringLiteral("%1: only for a bare picture file. A robot says itself where its maps lie.")
+                                               : Words::tr("--resolution and --origin");
+  if (parsed->path.isEmpty()) {
+    return Words::tr("%1: only for a bare picture file. A robot says itself where its maps lie.")
         .arg(options);
   }
-  if (parsed->resolution_m || parsed->origin) {
-    return QStringLiteral("%1: the address says it already, after its ?. Give one of the two.").arg(options);
+  if (!parsed->options.isEmpty()) {
+    return Words::tr("%1: the address says it already, after its ?. Give one of the two.").arg(options);
   }
   const QString suffix = QFileInfo(parsed->path).suffix().toLower();
   if (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml")) {
-    return QStringLiteral("%1: only for a bare picture file. %2 says itself where its map lies.")
+    return Words::tr("%1: only for a bare picture file. %2 says itself where its map lies.")
         .arg(options, QFileInfo(parsed->path).fileName());
   }
   return std::nullopt;
@@ -46,7 +115,9 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
 
 std::vector<std::string> sourceFilesOf(const QString& address, const std::string& id,
                                        const std::string& picture) {
-  std::vector<std::string> files = robot::localFiles(address, id, picture);
+  const auto parsed = knownAddresses().parse(address);
+  std::vector<std::string> files =
+      parsed ? robot::localFiles(*parsed, id, picture) : std::vector<std::string>();
   if (files.empty() || picture.empty()) return files;
   for (const QString& yaml : robot::files::yamlsNaming(QString::fromStdString(picture)))
     files.push_back(yaml.toStdString());
@@ -55,9 +126,8 @@ std::vector<std::string> sourceFilesOf(const QString& address, const std::string
 
 QString placedFile(const QString& address, const std::string& resolution, const std::string& origin) {
   if (resolution.empty() && origin.empty()) return address;
-  const auto parsed = robot::parseAddress(address);
-  if (!parsed || parsed->backend != robot::Backend::File || address.contains(QLatin1Char('?')))
-    return address;
+  const auto parsed = knownAddresses().parse(address);
+  if (!parsed || parsed->path.isEmpty() || address.contains(QLatin1Char('?'))) return address;
   QUrlQuery query;
   if (!resolution.empty())
     query.addQueryItem(QStringLiteral("resolution"), QString::fromStdString(resolution));
@@ -67,33 +137,12 @@ QString placedFile(const QString& address, const std::string& resolution, const 
 
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& address, const Access& access,
                                                                DemoTime demo_time) {
-  const auto parsed = robot::parseAddress(address);
+  const auto parsed = knownAddresses().parse(address);
   if (!parsed) return tl::make_unexpected(parsed.error());
-  if (parsed->backend == robot::Backend::Demo) {
-    const auto options = parseDemoQuery(QUrlQuery(parsed->url), demo_time);
-    if (!options) return tl::make_unexpected(options.error());
-    return makeDemoRobot(parsed->text, *options);
+  for (const Kind& kind : kinds()) {
+    if (kind.scheme.prefix == parsed->scheme) return kind.make(*parsed, access, demo_time);
   }
-  if (parsed->backend == robot::Backend::File) {
-    robot::files::FileOptions file;
-    file.path = parsed->path;
-    if (parsed->resolution_m) file.place.resolution_m = *parsed->resolution_m;
-    if (parsed->origin) file.place.origin = *parsed->origin;
-    return std::make_unique<robot::files::FileRobot>(parsed->text, std::move(file));
-  }
-  if (parsed->backend == robot::Backend::Aimdk) {
-    robot::aimdk::LinkOptions link;
-    link.base = parsed->url;
-    link.tf = parsed->tf;
-    link.trust = access.trust;
-    return std::make_unique<robot::aimdk::AimdkRobot>(parsed->text, std::move(link));
-  }
-  robot::axbot::LinkOptions link;
-  link.base = parsed->url;
-  link.secret = access.secret;
-  link.trust = access.trust;
-  link.cache_folder = httpCacheFolder();
-  return std::make_unique<robot::axbot::AxbotRobot>(parsed->text, std::move(link));
+  return tl::make_unexpected(Words::tr("There is no robot for %1.").arg(address));
 }
 
 }  // namespace mapwright::app

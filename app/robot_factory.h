@@ -10,9 +10,13 @@
 
 #include "app/demo_robot.h"
 #include "app/robot_access.h"
+#include "robot/address.h"
 #include "robot/robot.h"
 
 namespace mapwright::app {
+
+/// The addresses of every kind of robot that this program knows.
+robot::Addresses knownAddresses();
 
 /// Makes the robot that `address` names, not yet connected. `access` is for this address. The error is a
 /// sentence.
@@ -34,5 +38,7 @@ QString placedFile(const QString& address, const std::string& resolution, const 
 QString httpCacheFolder();
 /// The folder of finished pyramids of large maps (XDG_CACHE_HOME/mapwright/grids).
 QString gridCacheFolder();
+/// The folder of what was changed and is not saved yet (XDG_DATA_HOME/mapwright/drafts).
+QString draftsFolder();
 
 }  // namespace mapwright::app

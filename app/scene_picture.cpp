@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QImage>
 #include <QPainter>
 #include <QTimer>
@@ -11,16 +12,22 @@
 namespace mapwright::app {
 namespace {
 
-render::TileRenderer::Options exactOnly() {
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(ScenePicture)
+};
+
+render::TileRenderer::Options exactOnly(std::shared_ptr<work::Workers> workers) {
   render::TileRenderer::Options options;
+  options.workers = std::move(workers);
   options.previews = false;
   return options;
 }
 
 class ScenePicture : public SnapshotPicture {
  public:
-  ScenePicture(const SnapshotOptions& options, session::Session& session, const SnapshotContent& content)
-      : options_(options), session_(session), content_(content), scene_(exactOnly()) {}
+  ScenePicture(const SnapshotOptions& options, session::Session& session, const SnapshotContent& content,
+               std::shared_ptr<work::Workers> workers)
+      : options_(options), session_(session), content_(content), scene_(exactOnly(std::move(workers))) {}
 
   void start() override {
     scene_.setTheme(options_.dark ? scene::darkMapTheme() : scene::lightMapTheme());
@@ -46,15 +53,13 @@ class ScenePicture : public SnapshotPicture {
     const scene::RobotPlace& place = scene_.robotPlace();
     const QString names = of_robot.join(QStringLiteral(", "));
     if (place.drawn == scene::ScreenPart::None) {
-      return {QStringLiteral("The robot is not in this map. Left out: %1. --robot-anyway draws them.")
-                  .arg(names)};
+      return {Words::tr("The robot is not in this map. Left out: %1. --robot-anyway draws them.").arg(names)};
     }
     if (place.by_choice) {
-      return {QStringLiteral("The robot is not in this map. Drawn all the same: %1.").arg(names)};
+      return {Words::tr("The robot is not in this map. Drawn all the same: %1.").arg(names)};
     }
     if (place.where == map::Whereabouts::Unknown && session_.live().robot_pose) {
-      return {QStringLiteral("The robot does not say which map it is in. It may not be this one: %1.")
-                  .arg(names)};
+      return {Words::tr("The robot does not say which map it is in. It may not be this one: %1.").arg(names)};
     }
     return {};
   }
@@ -69,7 +74,7 @@ class ScenePicture : public SnapshotPicture {
   std::optional<QString> write(const QString& path) override {
     QImage image(options_.size_px, QImage::Format_RGB32);
     if (image.isNull()) {
-      return QStringLiteral("There is not enough memory for a picture of %1 x %2.")
+      return Words::tr("There is not enough memory for a picture of %1 x %2.")
           .arg(options_.size_px.width())
           .arg(options_.size_px.height());
     }
@@ -94,8 +99,9 @@ class ScenePicture : public SnapshotPicture {
 }  // namespace
 
 std::unique_ptr<SnapshotPicture> makeScenePicture(const SnapshotOptions& options, session::Session& session,
-                                                  const SnapshotContent& content) {
-  return std::make_unique<ScenePicture>(options, session, content);
+                                                  const SnapshotContent& content,
+                                                  std::shared_ptr<work::Workers> workers) {
+  return std::make_unique<ScenePicture>(options, session, content, std::move(workers));
 }
 
 }  // namespace mapwright::app

@@ -4,11 +4,20 @@
 #include <cstdio>
 #include <pthread.h>
 
+#include <QCoreApplication>
+
 #include "app/exit_code.h"
 #include "app/robot_access.h"
 #include "words/plain.h"
 
 namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Simulate)
+};
+
+}  // namespace
 
 int simulate(const SimulateWords& words) {
   simulator::Options options = words.options;
@@ -16,9 +25,10 @@ int simulate(const SimulateWords& words) {
   if (!words.secret_file.empty()) {
     const auto secret = readSecret(QString::fromStdString(words.secret_file));
     if (!secret || secret->isEmpty()) {
-      const std::string why = secret ? "The secret file " + words.secret_file + " holds no secret."
-                                     : secret.error().toStdString();
-      std::fprintf(stderr, "%s\n", why.c_str());
+      const QString why = secret ? Words::tr("The secret file %1 holds no secret.")
+                                       .arg(QString::fromStdString(words.secret_file))
+                                 : secret.error();
+      std::fprintf(stderr, "%s\n", qUtf8Printable(why));
       return kUsage;
     }
     options.secret = secret->toStdString();

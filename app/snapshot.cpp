@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QTemporaryDir>
 
 #include "app/deadline.h"
 #include "app/display.h"
@@ -20,6 +22,10 @@
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Snapshot)
+};
 
 int refuse(int exit_code, const QString& sentence) {
   std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
@@ -41,25 +47,23 @@ QString summaryOf(const SnapshotRun& run) {
   const QJsonObject report = run.report();
   if (report[QLatin1String("mode")].toString() == QLatin1String("whole")) {
     const QJsonObject map = report[QLatin1String("map")].toObject();
-    if (map.isEmpty()) return QStringLiteral("%1: no map").arg(run.options().output);
+    if (map.isEmpty()) return Words::tr("%1: no map").arg(run.options().output);
     const QJsonArray size = map[QLatin1String("size")].toArray();
     const QString name = words::plainName(map[QLatin1String("name")].toString());
-    return QStringLiteral("%1: map %2%3, %4 x %5 cells")
+    return Words::tr("%1: map %2%3, %4 x %5 cells")
         .arg(run.options().output, map[QLatin1String("id")].toString(),
-             name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(name))
-        .arg(size.at(0).toInt())
-        .arg(size.at(1).toInt());
+             name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(name),
+             QString::number(size.at(0).toInt()), QString::number(size.at(1).toInt()));
   }
   const QJsonObject submaps = report[QLatin1String("submaps")].toObject();
-  QString line = QStringLiteral("%1: %2 of %3 submaps")
-                     .arg(run.options().output)
-                     .arg(submaps[QLatin1String("drawn")].toInt())
-                     .arg(submaps[QLatin1String("listed")].toInt());
-  for (const char* kind : {"missing", "failed", "corrupt", "without_slice"}) {
-    if (const int count = submaps[QLatin1String(kind)].toInt()) {
-      line += QStringLiteral(", %1 %2").arg(count).arg(
-          QString::fromLatin1(kind).replace(QLatin1Char('_'), QLatin1Char(' ')));
-    }
+  QString line = Words::tr("%1: %2 of %3 submaps")
+                     .arg(run.options().output, QString::number(submaps[QLatin1String("drawn")].toInt()),
+                          QString::number(submaps[QLatin1String("listed")].toInt()));
+  for (const auto& [kind, counted] :
+       {std::pair{"missing", Words::tr(", %1 missing")}, std::pair{"failed", Words::tr(", %1 failed")},
+        std::pair{"corrupt", Words::tr(", %1 corrupt")},
+        std::pair{"without_slice", Words::tr(", %1 without slice")}}) {
+    if (const int count = submaps[QLatin1String(kind)].toInt()) line += counted.arg(count);
   }
   return line;
 }
@@ -77,7 +81,7 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
   if (!run.error().isEmpty()) return refuse(exit_code, run.error());
   if (!run.options().json && !printed) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
   if (exit_code == kDone) return kDone;
-  return refuse(exit_code, QStringLiteral("Not complete. %1").arg(firstOf(run.warnings())));
+  return refuse(exit_code, Words::tr("Not complete. %1").arg(firstOf(run.warnings())));
 }
 
 }  // namespace
@@ -88,11 +92,13 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!options) return refuse(kUsage, options.error());
   // Outlives all that may take its time, also in going away.
   Deadline deadline(app::later(start.begun, options->timeout_s + start.grace.end_s),
-                    [robot = options->robot] {
-                      sayAtTheEnd(oneLine(robot).toStdString() + ": it could not be connected to in time.");
+                    [late = Words::tr("%1: it could not be connected to in time.")
+                                .arg(oneLine(options->robot))
+                                .toStdString()] {
+                      sayAtTheEnd(late);
                       return int(kUnreachable);
                     });
-  chooseOffscreenPlatform();
+  const auto fonts = chooseOffscreenPlatform();
   QApplication application(argc, argv);
   const auto access = RobotAccess::read(words.access, options->robot);
   if (!access) return refuse(kUsage, access.error());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include "app/output_paths.h"
@@ -12,6 +13,10 @@
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(SnapshotOptions)
+};
 
 constexpr qint64 kMaxPixels = 200'000'000;
 constexpr int kMaxEdge = 32'000;
@@ -59,9 +64,8 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) 
   for (const QString& word : words.split(QLatin1Char(','))) {
     const auto position = known.indexOf(word.trimmed());
     if (position < 0) {
-      return tl::make_unexpected(
-          QStringLiteral("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
-              .arg(word, known.join(QLatin1String(", "))));
+      return tl::make_unexpected(Words::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
+                                     .arg(word, known.join(QLatin1String(", "))));
     }
     chosen.insert(every[std::size_t(position)]);
   }
@@ -71,23 +75,23 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) 
 /// An option that nothing could come of is a mistake, and the picture would not tell.
 std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
   if (words.average && options.mode == SnapshotMode::Submaps) {
-    return QStringLiteral("--average is for whole maps: submaps are always averaged when zoomed out.");
+    return Words::tr("--average is for whole maps: submaps are always averaged when zoomed out.");
   }
   const bool whole = options.mode == SnapshotMode::Whole;
   if (whole && words.slice != 0) {
-    return QStringLiteral("--slice is for submaps: a whole map has no slices.");
+    return Words::tr("--slice is for submaps: a whole map has no slices.");
   }
   if (whole && options.colors != render::ColorMode::Normal) {
-    return QStringLiteral("--colors %1 is for submaps: a whole map has none.").arg(text(words.colors));
+    return Words::tr("--colors %1 is for submaps: a whole map has none.").arg(text(words.colors));
   }
   if (!words.raw) return std::nullopt;
   if (options.dark || options.colors != render::ColorMode::Normal) {
-    return QStringLiteral("--raw has no colours: give it, or --theme and --colors.");
+    return Words::tr("--raw has no colours: give it, or --theme and --colors.");
   }
   if (words.layers.empty()) return std::nullopt;
   for (const scene::Layer layer : options.layers) {
     if (layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap) {
-      return QStringLiteral("--raw draws the map alone, without the layer \"%1\" of --layers.")
+      return Words::tr("--raw draws the map alone, without the layer \"%1\" of --layers.")
           .arg(scene::layerName(layer));
     }
   }
@@ -106,8 +110,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   options.json = words.json;
   options.force = words.force;
   if (options.robot.isEmpty()) {
-    return wrong(QStringLiteral(
-        "Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
+    return wrong(
+        Words::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
   }
   if (words.mode == "submaps") {
     options.mode = SnapshotMode::Submaps;
@@ -115,13 +119,13 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     // The occupancy grids that robots and files give are their whole maps.
     options.mode = SnapshotMode::Whole;
   } else if (!words.mode.empty()) {
-    return wrong(QStringLiteral("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
+    return wrong(Words::tr("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
   }
   if (!words.map.empty()) {
     if (options.mode == SnapshotMode::Submaps) {
       return wrong(
-          QStringLiteral("--map needs --mode whole: the submaps shown are those of the robot's "
-                         "present SLAM session."));
+          Words::tr("--map needs --mode whole: the submaps shown are those of the robot's "
+                    "present SLAM session."));
     }
     options.mode = SnapshotMode::Whole;
     options.map = map::mapKeyFromText(words.map);
@@ -132,42 +136,40 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   const auto size = parseSize(text(words.size));
   if (!size) {
     return wrong(
-        QStringLiteral("--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
-                       "and %3 million in all.")
-            .arg(text(words.size))
-            .arg(kMaxEdge)
-            .arg(kMaxPixels / 1'000'000));
+        Words::tr("--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
+                  "and %3 million in all.")
+            .arg(text(words.size), QString::number(kMaxEdge), QString::number(kMaxPixels / 1'000'000)));
   }
   options.size_px = *size;
   const bool has_center = !words.center.empty(), has_scale = words.scale.has_value();
   if (words.fit && (has_center || has_scale)) {
     return wrong(
-        QStringLiteral("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
+        Words::tr("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
   }
   if (has_center != has_scale) {
-    return wrong(QStringLiteral("--center X,Y and --scale METRES_PER_PIXEL belong together."));
+    return wrong(Words::tr("--center X,Y and --scale METRES_PER_PIXEL belong together."));
   }
   if (has_center) {
     options.center_m = parsePoint(text(words.center));
     if (!options.center_m) {
       return wrong(
-          QStringLiteral("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
+          Words::tr("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
     }
     if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
-      return wrong(QStringLiteral("--scale must lie between %1 and %2 metres per pixel.")
+      return wrong(Words::tr("--scale must lie between %1 and %2 metres per pixel.")
                        .arg(geometry::kMinScaleMPerPx)
                        .arg(geometry::kMaxScaleMPerPx));
     }
     options.scale_m_per_px = *words.scale;
   }
-  if (!std::isfinite(words.rotate_deg)) return wrong(QStringLiteral("--rotate must be a number of degrees."));
+  if (!std::isfinite(words.rotate_deg)) return wrong(Words::tr("--rotate must be a number of degrees."));
   options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(words.rotate_deg));
   const auto layers = parseLayers(text(words.layers));
   if (!layers) return wrong(layers.error());
   options.layers = *layers;
   options.without_submaps = !words.layers.empty() && words.layers != "all" && words.layers != "none" &&
                             !layers->contains(scene::Layer::Submaps);
-  if (words.slice < 0) return wrong(QStringLiteral("--slice must be 0 or more."));
+  if (words.slice < 0) return wrong(Words::tr("--slice must be 0 or more."));
   options.slice = words.slice;
   if (words.colors == "normal")
     options.colors = render::ColorMode::Normal;
@@ -176,14 +178,13 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   else if (words.colors == "active")
     options.colors = render::ColorMode::Active;
   else
-    return wrong(
-        QStringLiteral("--colors: normal, incremental or active, not \"%1\".").arg(text(words.colors)));
+    return wrong(Words::tr("--colors: normal, incremental or active, not \"%1\".").arg(text(words.colors)));
   if (words.theme != "light" && words.theme != "dark") {
-    return wrong(QStringLiteral("--theme: light or dark, not \"%1\".").arg(text(words.theme)));
+    return wrong(Words::tr("--theme: light or dark, not \"%1\".").arg(text(words.theme)));
   }
   options.dark = words.theme == "dark";
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400)) {
-    return wrong(QStringLiteral("--timeout must be more than 0 and at most 86400 seconds."));
+    return wrong(Words::tr("--timeout must be more than 0 and at most 86400 seconds."));
   }
   options.timeout_s = words.timeout_s;
   if (words.settle != "complete") {
@@ -191,11 +192,11 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     const double seconds = text(words.settle).toDouble(&ok);
     if (!ok || !(seconds >= 0 && seconds <= 86'400)) {
       return wrong(
-          QStringLiteral("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
+          Words::tr("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
     }
     if (seconds > words.timeout_s) {
       return wrong(
-          QStringLiteral("--settle %1 lasts longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
+          Words::tr("--settle %1 lasts longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
     }
     options.settle_s = seconds;
   }

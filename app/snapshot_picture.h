@@ -15,6 +15,7 @@
 #include "render/compositor.h"
 #include "render/sample_grid.h"
 #include "session/session.h"
+#include "work/workers.h"
 
 namespace mapwright::app {
 
@@ -43,9 +44,11 @@ class SnapshotPicture : public QObject {
 
 /// The scene of the window, with all its layers.
 std::unique_ptr<SnapshotPicture> makeScenePicture(const SnapshotOptions& options, session::Session& session,
-                                                  const SnapshotContent& content);
+                                                  const SnapshotContent& content,
+                                                  std::shared_ptr<work::Workers> workers);
 /// The cells alone: gray = intensity, alpha 0 = not observed (cli.md, snapshot --raw). Of a whole map gray
 /// pictures keep their gray levels, also where they mean "unknown".
-std::unique_ptr<SnapshotPicture> makeRawPicture(const SnapshotContent& content);
+std::unique_ptr<SnapshotPicture> makeRawPicture(const SnapshotContent& content,
+                                                std::shared_ptr<work::Workers> workers);
 
 }  // namespace mapwright::app

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <QMetaMethod>
 
 #include "app/exit_code.h"
+#include "app/fetch_ahead.h"
 #include "app/output_paths.h"
 #include "app/report.h"
 #include "app/robot_factory.h"
@@ -16,6 +18,10 @@
 
 namespace mapwright::app {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
+};
 
 constexpr double kFitMarginPx = 16;
 constexpr int kTries = 3;  // of a failing submap, before it counts as failed
@@ -37,8 +43,11 @@ SnapshotOptions decided(SnapshotOptions options, robot::Robot& robot) {
 }
 
 /// Only what is drawn is asked for.
-session::Session::Options sessionOptions(const SnapshotOptions& options) {
+session::Session::Options sessionOptions(const SnapshotOptions& options,
+                                         const std::shared_ptr<work::Workers>& workers) {
   session::Session::Options session;
+  session.workers = workers;
+  session.scheduler.max_concurrent = kFetchAhead;
   session.sidecar_folder = gridCacheFolder();
   session.overview = false;  // a picture shows what is exact, or nothing
   session.maps = false;
@@ -51,7 +60,7 @@ int milliseconds(double seconds) { return int(std::clamp(seconds * 1000, 0.0, 2e
 }  // namespace
 
 /// What the picture is made of, and what is said of it.
-struct SnapshotRun::Chosen {
+struct SnapshotChoice {
   session::SubmapCounts counts;
   QStringList problems;
   std::optional<QJsonObject> map;
@@ -70,12 +79,13 @@ SnapshotRun::Standing SnapshotRun::StandingBoard::take() const {
 
 SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start)
     : options_(decided(std::move(options), *robot)),
-      session_(std::move(robot), sessionOptions(options_)),
+      session_(std::move(robot), sessionOptions(options_, workers_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
       live_layers_(session_),
       start_(start) {
   session_.setSlice(options_.slice);
+  map_.setPatience(options_.timeout_s / 2);
   for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
     timer->setSingleShot(true);
     timer->setTimerType(Qt::PreciseTimer);
@@ -90,7 +100,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
     const geometry::WorldRect bounds = session_.contentBounds();
     session_.setView(bounds, bounds.center());
   });
-  if (options_.average) session_.wholeMap().setReduction(raster::Reduction::Average);
+  if (options_.average) session_.wholeMap().setReduction(grids::Reduction::Average);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, &SnapshotRun::look, Qt::QueuedConnection);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, [this] {
     const auto grid = wantsWhole() ? map_.grid() : std::nullopt;
@@ -116,7 +126,7 @@ void SnapshotRun::start() {
   session_.open();
 }
 
-bool SnapshotRun::isLocal() const { return session_.robot().address().startsWith(QLatin1String("file:")); }
+bool SnapshotRun::isLocal() const { return session_.robot().isLocal(); }
 
 bool SnapshotRun::wantsSubmaps() const { return wantsSubmapsOf(options_); }
 
@@ -141,12 +151,17 @@ geometry::ViewTransform SnapshotRun::chooseView() const {
   return view;
 }
 
+QString SnapshotRun::whatOfTheLink() const {
+  const robot::ConnectionState link = session_.connection();
+  if (link.phase == robot::ConnectionPhase::Online) return {};
+  return QLatin1Char(' ') + Words::tr("The connection to the robot was lost. %1").arg(link.reason);
+}
+
 QString SnapshotRun::noConnection() const {
   const QString reason = session_.connection().reason;
-  return QStringLiteral("%1: no connection within %2 s.%3")
-      .arg(options_.robot)
-      .arg(options_.timeout_s)
-      .arg(reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
+  return Words::tr("%1: no connection within %2 s.%3")
+      .arg(options_.robot, QString::number(options_.timeout_s),
+           reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
 }
 
 bool SnapshotRun::connected() {
@@ -199,12 +214,12 @@ void SnapshotRun::tellProgress() {
   if (!isSignalConnected(QMetaMethod::fromSignal(&SnapshotRun::progressed))) return;
   if (wantsWhole()) {
     const session::MapSlot& slot = session_.wholeMap();
-    Q_EMIT progressed(QStringLiteral("Map %1: %2 % read").arg(slot.name()).arg(int(slot.progress() * 100)));
+    Q_EMIT progressed(Words::tr("Map %1: %2 % read").arg(slot.name()).arg(int(slot.progress() * 100)));
   }
   if (wantsSubmaps()) {
     const QJsonObject submaps = board_->take().report[QLatin1String("submaps")].toObject();
     const auto count = [&](const char* what) { return submaps[QLatin1String(what)].toInt(); };
-    Q_EMIT progressed(QStringLiteral("%1 of %2 submaps, %3 missing, %4 corrupt")
+    Q_EMIT progressed(Words::tr("%1 of %2 submaps, %3 missing, %4 corrupt")
                           .arg(count("drawn"))
                           .arg(count("listed"))
                           .arg(count("missing"))
@@ -217,10 +232,10 @@ void SnapshotRun::noteStanding() {
   Standing standing;
   const bool connected = connected_s_ >= 0;
   standing.exit_code = connected ? kIncomplete : kUnreachable;
-  standing.sentence = connected
-                          ? QStringLiteral("Not complete. No picture could be made within %1 s (--timeout).")
-                                .arg(options_.timeout_s)
-                          : noConnection();
+  standing.sentence = connected ? Words::tr("Not complete. No picture could be made within %1 s (--timeout).")
+                                      .arg(options_.timeout_s)
+                                : noConnection();
+  if (connected) standing.sentence += whatOfTheLink();
   standing.report = report();
   standing.report[QStringLiteral("complete")] = false;
   QJsonArray warnings = standing.report[QLatin1String("warnings")].toArray();
@@ -253,21 +268,32 @@ void SnapshotRun::timeOut() {
   cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
   const bool no_list = wantsSubmaps() && !session_.book().listReceived();
-  notes_
-      << (!no_list
-              ? QStringLiteral("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s)
-              : QStringLiteral("The robot sent no submap list within %1 s (--timeout).")
-                    .arg(options_.timeout_s));
+  notes_ << (!no_list
+                 ? Words::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
+                       whatOfTheLink()
+                 : Words::tr(
+                       "The robot sent no submap list within %1 s (--timeout). Its whole map is drawn by "
+                       "--mode whole.")
+                           .arg(options_.timeout_s) +
+                       whatOfTheLink());
   paint(false);
 }
 
 void SnapshotRun::cutOff() {
   if (done_) return;
   complete_ = false;
-  notes_.prepend(
-      QStringLiteral("The picture was not finished within %1 s (--timeout): parts of it are empty.")
-          .arg(options_.timeout_s));
+  notes_.prepend(Words::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
+                     .arg(options_.timeout_s));
   write();
+}
+
+bool SnapshotRun::waypointsLost() const {
+  if (options_.raw || !wantsWhole() || !options_.layers.contains(scene::Layer::Waypoints)) return false;
+  const auto& rows = session_.problems().rows();
+  return std::any_of(rows.begin(), rows.end(), [](const session::LoggedProblem& row) {
+    return !row.resolved && row.problem.subject.kind == map::SubjectKind::Places &&
+           row.problem.code == map::ProblemCode::Unavailable;
+  });
 }
 
 SnapshotContent SnapshotRun::chooseContent() const {
@@ -291,14 +317,14 @@ SnapshotContent SnapshotRun::chooseContent() const {
 void SnapshotRun::paint(bool settled) {
   if (done_ || chosen_) return;
   if (options_.mode == SnapshotMode::Whole && !map_.grid()) {
-    const QString which =
-        options_.map ? QStringLiteral("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
-                     : QStringLiteral("its map");
+    const QString which = options_.map
+                              ? Words::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
+                              : Words::tr("its map");
     fail(exitCodeOf(map::FailureKind::TimedOut),
-         QStringLiteral("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
-             .arg(options_.robot, which)
-             .arg(options_.settle_s.value_or(options_.timeout_s))
-             .arg(options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")));
+         Words::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
+                 .arg(options_.robot, which, QString::number(options_.settle_s.value_or(options_.timeout_s)),
+                      options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")) +
+             whatOfTheLink());
     return;
   }
   poll_.stop();
@@ -307,31 +333,29 @@ void SnapshotRun::paint(bool settled) {
   // said of it.
   session_.standStill();
   session_.close();
-  chosen_ = std::make_unique<Chosen>();
+  chosen_ = std::make_unique<SnapshotChoice>();
   chosen_->counts = session_.counts();
   chosen_->problems = problemLines(session_.problems());
-  chosen_->refused = std::any_of(session_.problems().rows().begin(), session_.problems().rows().end(),
-                                 [](const session::LoggedProblem& row) {
-                                   return !row.resolved && row.problem.severity == map::Severity::Error &&
-                                          row.problem.failure == map::FailureKind::Refused;
-                                 });
+  chosen_->refused = anyRefused(session_.problems());
   if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt) {
     chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
   }
-  complete_ =
-      settled && (!wantsSubmaps() || submapsComplete(chosen_->counts)) && (!wantsWhole() || map_.complete());
+  complete_ = settled && (!wantsSubmaps() || submapsComplete(chosen_->counts)) &&
+              (!wantsWhole() || map_.complete()) && !waypointsLost();
   for (const QString& topic : live_layers_.silent()) {
-    notes_ << QStringLiteral("Topic %1 gave nothing within %2 s.").arg(topic).arg(kTopicsWithinS);
+    notes_ << Words::tr("Topic %1 gave nothing within %2 s.")
+                  .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
   }
   const session::SubmapCounts& counts = chosen_->counts;
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
-    notes_ << QStringLiteral("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
+    notes_ << Words::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
   }
   view_ = chooseView();
   noteStanding();
   Q_EMIT contentChosen();
   const SnapshotContent content = chooseContent();
-  picture_ = options_.raw ? makeRawPicture(content) : makeScenePicture(options_, session_, content);
+  picture_ = options_.raw ? makeRawPicture(content, workers_)
+                          : makeScenePicture(options_, session_, content, workers_);
   connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
   picture_->start();
   notes_ += picture_->notes();
@@ -343,6 +367,13 @@ void SnapshotRun::write() {
   if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt; grid && !grid->cells->trouble().empty()) {
     complete_ = false;
     notes_.prepend(QString::fromStdString(grid->cells->trouble()));
+  }
+  if (session_.lostPictures() > 0) {
+    complete_ = false;
+    notes_.prepend(
+        Words::tr("%1 submaps could not be read back from the disk: parts of the picture are empty.", nullptr,
+                  int(session_.lostPictures()))
+            .arg(session_.lostPictures()));
   }
   if (const auto why = overItsSource()) {
     fail(kUsage, *why);

@@ -15,8 +15,11 @@
 #include "app/snapshot_options.h"
 #include "app/snapshot_picture.h"
 #include "session/session.h"
+#include "work/workers.h"
 
 namespace mapwright::app {
+
+struct SnapshotChoice;  // what the picture is made of
 
 class SnapshotRun : public QObject {
   Q_OBJECT
@@ -57,7 +60,6 @@ class SnapshotRun : public QObject {
   void finished(int exit_code);
 
  private:
-  struct Chosen;
   void look();  // whatever may have changed: is it time for the next step?
   bool connected();
   void tellProgress();
@@ -67,6 +69,10 @@ class SnapshotRun : public QObject {
   void paint(bool settled);
   void write();
   QString noConnection() const;
+  /// A sentence about a link that is lost, after a blank; empty while it stands.
+  QString whatOfTheLink() const;
+  /// The waypoints that are to be drawn could not be had.
+  bool waypointsLost() const;
   bool isLocal() const;
   bool wantsSubmaps() const;
   bool wantsWhole() const;
@@ -79,10 +85,11 @@ class SnapshotRun : public QObject {
   double seconds() const;
 
   SnapshotOptions options_;
+  std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();
   session::Session session_;
   MapWish map_;
   LayerWish live_layers_;
-  std::unique_ptr<Chosen> chosen_;
+  std::unique_ptr<SnapshotChoice> chosen_;
   std::unique_ptr<SnapshotPicture> picture_;
   std::shared_ptr<StandingBoard> board_ = std::make_shared<StandingBoard>();
   CommandStart start_;

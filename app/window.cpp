@@ -3,10 +3,11 @@
 #include <cstdio>
 
 #include <QApplication>
-#include <QLoggingCategory>
+#include <QCoreApplication>
 
 #include "app/display.h"
 #include "app/exit_code.h"
+#include "app/fetch_ahead.h"
 #include "app/one_line.h"
 #include "app/robot_factory.h"
 #include "app/settings_file.h"
@@ -14,39 +15,61 @@
 #include "robot/address.h"
 #include "robot/files/picture_yamls.h"
 #include "window/dialogs/trusted_certificates.h"
+#include "window/help/work_settings.h"
 #include "window/main_window.h"
+#include "work/workers.h"
 
 namespace mapwright::app {
 namespace {
 
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(WindowCommand)
+};
+
 session::Session::Options sessionOptions() {
   session::Session::Options options;
+  options.scheduler.max_concurrent = kFetchAhead;
   options.sidecar_folder = gridCacheFolder();
+  return options;
+}
+
+edit::EditOptions editOptions() {
+  edit::EditOptions options;
+  options.drafts_folder = draftsFolder();
   return options;
 }
 
 int showWindow(const QString& address, const RobotAccess& known) {
   const std::unique_ptr<QSettings> settings = openSettings();
-  window::MainWindow main_window({[&](const QString& to, const QByteArray& typed_secret) {
-                                    Access access = known.forAddress(to);
-                                    if (!typed_secret.isEmpty()) access.secret = typed_secret;
-                                    if (const auto parsed = robot::parseAddress(to)) {
-                                      access.trust.pinned_sha256 = net::fingerprintFrom(
-                                          window::TrustedCertificates(*settings).of(robot::hostOf(*parsed)));
-                                    }
-                                    return makeRobot(to, access, DemoTime::Running);
-                                  },
-                                  *settings,
-                                  address,
-                                  sessionOptions(),
-                                  {},
-                                  robot::files::yamlsNaming});
+  const robot::Addresses addresses = knownAddresses();
+  const window::KeptWorkSettings kept = window::workSettingsIn(*settings);
+  for (const QString& sentence : kept.nonsense)
+    std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
+  window::MainWindow::Dependencies wanted{
+      [&](const QString& to, const QByteArray& typed_secret) {
+        Access access = known.forAddress(to);
+        if (!typed_secret.isEmpty()) access.secret = typed_secret;
+        if (const auto parsed = addresses.parse(to)) {
+          access.trust.pinned_sha256 =
+              net::fingerprintFrom(window::TrustedCertificates(*settings).of(robot::hostOf(*parsed)));
+        }
+        return makeRobot(to, access, DemoTime::Running);
+      },
+      *settings, address};
+  wanted.session = sessionOptions();
+  wanted.yamls_naming = robot::files::yamlsNaming;
+  wanted.edit = editOptions();
+  wanted.addresses = addresses;
+  wanted.workers = std::make_shared<work::Workers>(kept.settings.threads);
+  wanted.budgets = kept.settings.budgets();
+  window::MainWindow main_window(std::move(wanted));
   main_window.show();
   const int exit_code = QApplication::exec();
   settings->sync();
   if (settings->status() != QSettings::NoError) {
-    std::fprintf(stderr, "The window's layout cannot be kept: %s cannot be written.\n",
-                 qUtf8Printable(settings->fileName()));
+    std::fprintf(stderr, "%s\n",
+                 qUtf8Printable(Words::tr("The window's layout cannot be kept: %1 cannot be written.")
+                                    .arg(settings->fileName())));
   }
   return exit_code;
 }
@@ -54,19 +77,17 @@ int showWindow(const QString& address, const RobotAccess& known) {
 }  // namespace
 
 int window(const QString& address, const AccessWords& words, int& argc, char** argv) {
-  // Reading certificates before there is an application makes Qt remark on itself.
-  QLoggingCategory::setFilterRules(QStringLiteral("qt.core.qobject.connect=false"));
+  chooseWindowPlatform();
+  QApplication application(argc, argv);
   const auto access = RobotAccess::read(words, address);
-  QLoggingCategory::setFilterRules({});
   if (!access) {
     std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(access.error())));
     return kUsage;
   }
-  chooseWindowPlatform();
-  QApplication application(argc, argv);
   if (!haveDisplay()) {
-    std::fprintf(stderr,
-                 "There is no display to open the window on. mapwright snapshot works without one.\n");
+    std::fprintf(stderr, "%s\n",
+                 qUtf8Printable(Words::tr(
+                     "There is no display to open the window on. mapwright snapshot works without one.")));
     return kUsage;
   }
   return showWindow(address, *access);
@@ -79,11 +100,14 @@ int demo(const QString& query, int& argc, char** argv) {
     QApplication application(argc, argv);
     if (haveDisplay()) return showWindow(address, {});
   }
-  const char picture[] = "mapwright-demo.png";
-  std::fprintf(stderr, "There is no display to open the window on. Rendering %s instead.\n", picture);
+  const QString picture = QStringLiteral("mapwright-demo.png");
+  std::fprintf(
+      stderr, "%s\n",
+      qUtf8Printable(
+          Words::tr("There is no display to open the window on. Rendering %1 instead.").arg(picture)));
   SnapshotWords words;
   words.robot = address.toStdString();
-  words.output = picture;
+  words.output = picture.toStdString();
   return snapshot(words, argc, argv);
 }
 

@@ -12,7 +12,8 @@ set(PRELUDE_core ${PRELUDE_plain}
 set(PRELUDE_widgets ${PRELUDE_core}
   <QAction> <QApplication> <QGraphicsItem> <QGraphicsView> <QImage> <QKeyEvent> <QLabel> <QLineEdit> <QMainWindow>
   <QPainter> <QPainterPath> <QPushButton> <QSettings> <QStyle> <QToolButton> <QVBoxLayout>)
-set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer>)
+# How long tests wait is the one thing of ours in it.
+set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer> ${CMAKE_SOURCE_DIR}/tests/patience.h)
 
 set(PRELUDE_LIBRARIES_plain PkgConfig::EIGEN)
 set(PRELUDE_LIBRARIES_core ${PRELUDE_LIBRARIES_plain} Qt6::Core)

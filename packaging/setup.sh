@@ -1,9 +1,10 @@
 # Sourced by run, test and .ci/run: installs missing packages, configures and builds. Expects $top.
 
-# Packages of packages.txt that dpkg does not report as installed.
+# missing_packages KIND: packages of packages.txt that dpkg does not report as installed; those for the benchmarks
+# only when KIND is bench.
 missing_packages() {
-  local wanted
-  mapfile -t wanted < <(grep -v '^#' "$top/packaging/packages.txt")
+  local kind=$1 wanted
+  mapfile -t wanted < <(awk -v kind="$kind" '!/^#/ && NF && (NF == 1 || $2 == kind) { print $1 }' "$top/packaging/packages.txt")
   local have
   have=$(dpkg-query -W -f '${db:Status-Status} ${binary:Package}\n' 2>/dev/null | sed -n 's/^installed \([^:]*\).*/\1/p')
   local package
@@ -12,14 +13,16 @@ missing_packages() {
   done
 }
 
+# ensure_packages [bench]
 ensure_packages() {
   # The stamp spares the question to dpkg on every start; it is void when the list or dpkg's state changes.
-  local stamp="$top/build/packages.stamp"
+  local kind=${1:-build}
+  local stamp="$top/build/packages-$kind.stamp"
   if [ -e "$stamp" ] && [ "$stamp" -nt "$top/packaging/packages.txt" ] && [ "$stamp" -nt /var/lib/dpkg/status ]; then
     return
   fi
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$kind")
   if [ ${#missing[@]} -gt 0 ]; then
     echo "Installing: ${missing[*]}" >&2
     local as_root=()
@@ -34,13 +37,15 @@ ensure_packages() {
   touch "$stamp"
 }
 
-# build_preset PRESET TARGET: configures once, builds quietly; what the compiler says is shown when it fails.
+# build_preset PRESET TARGET [CMAKE_OPTION]: configures once (and again for an option that is not set yet), builds
+# quietly; what the compiler says is shown when it fails.
 build_preset() {
-  local preset=$1 target=$2 dir="$top/build/$1" log="$top/build/$1.log"
+  local preset=$1 target=$2 option=${3:-} dir="$top/build/$1" log="$top/build/$1.log"
   mkdir -p "$dir"
-  if [ ! -e "$dir/build.ninja" ]; then
+  local name=${option%%=*}
+  if [ ! -e "$dir/build.ninja" ] || { [ -n "$option" ] && ! grep -q "^${name#-D}:.*=${option#*=}$" "$dir/CMakeCache.txt"; }; then
     echo "Configuring ($preset) …" >&2
-    (cd "$top" && cmake --preset "$preset") >"$log" 2>&1 || { cat "$log" >&2; exit 3; }
+    (cd "$top" && cmake --preset "$preset" ${option:+"$option"}) >"$log" 2>&1 || { cat "$log" >&2; exit 3; }
   fi
   # Nothing to do is the common case: then nothing is printed.
   if ! ninja -C "$dir" -n "$target" 2>/dev/null | grep -q 'no work to do'; then

@@ -31,7 +31,7 @@ constexpr int kTiles = 16;
 constexpr int kLayers = 3;
 
 struct Layer {
-  std::vector<raster::CellPair> cells;
+  std::vector<cells::CellPair> cells;
   render::PlacedTexture placed;
 };
 
@@ -41,8 +41,8 @@ struct Tile {
 };
 
 // Rooms with walls on unknown ground until 41 % of the cells are known, as in Cartographer's submaps.
-std::vector<raster::CellPair> submapCells(std::mt19937& random) {
-  std::vector<raster::CellPair> cells(std::size_t(kCells) * kCells);
+std::vector<cells::CellPair> submapCells(std::mt19937& random) {
+  std::vector<cells::CellPair> cells(std::size_t(kCells) * kCells);
   const std::size_t wanted = cells.size() * 41 / 100;
   const auto below = [&](int end) { return int(random() % unsigned(end)); };
   for (std::size_t known = 0; known < wanted;) {
@@ -50,11 +50,11 @@ std::vector<raster::CellPair> submapCells(std::mt19937& random) {
     const int x0 = 60 + below(kCells - 120 - w), y0 = 60 + below(kCells - 120 - h);
     for (int y = y0; y < y0 + h && known < wanted; ++y) {
       for (int x = x0; x < x0 + w; ++x) {
-        raster::CellPair& cell = cells[std::size_t(y) * kCells + std::size_t(x)];
-        if (cell == raster::CellPair{}) ++known;
+        cells::CellPair& cell = cells[std::size_t(y) * kCells + std::size_t(x)];
+        if (cell == cells::CellPair{}) ++known;
         const bool wall = x == x0 || y == y0 || x == x0 + w - 1 || y == y0 + h - 1;
         const auto strength = std::uint8_t(40 + below(80));
-        cell = wall ? raster::CellPair{0, strength} : raster::CellPair{std::uint8_t(strength / 2), 0};
+        cell = wall ? cells::CellPair{0, strength} : cells::CellPair{std::uint8_t(strength / 2), 0};
       }
     }
   }
@@ -65,7 +65,7 @@ Layer placedLayer(std::mt19937& random, int index) {
   std::uniform_real_distribution<double> angle(-3.14, 3.14), offset(-0.5, 0.5);
   Layer layer{submapCells(random), {}};
   layer.placed.id = {0, index};
-  layer.placed.texture = raster::CellTexture::fromPairs(kCells, kCells, kResolution, layer.cells);
+  layer.placed.texture = cells::CellTexture::fromPairs(kCells, kCells, kResolution, layer.cells);
   const double yaw = angle(random), half = kCells * kResolution / 2;
   const Eigen::Vector2d middle = geometry::Pose2{0, 0, yaw}.apply({-half, -half});
   layer.placed.world_from_texture = {offset(random) - middle.x(), offset(random) - middle.y(), yaw};
@@ -102,7 +102,7 @@ double referenceAt(const Tile& tile, int column, int row) {
     for (const double y : {std::floor(v), std::floor(v) + 1}) {
       for (const double x : {std::floor(u), std::floor(u) + 1}) {
         if (x < 0 || y < 0 || x >= kCells || y >= kCells) continue;
-        const raster::CellPair cell = layer.cells[std::size_t(y) * kCells + std::size_t(x)];
+        const cells::CellPair cell = layer.cells[std::size_t(y) * kCells + std::size_t(x)];
         const double weight = (1 - std::abs(u - x)) * (1 - std::abs(v - y));
         value += weight * cell.value;
         alpha += weight * cell.alpha;
@@ -178,7 +178,7 @@ QImage premultiplied(const Layer& layer) {
   for (int y = 0; y < kCells; ++y) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
     for (int x = 0; x < kCells; ++x) {
-      const raster::CellPair cell = layer.cells[std::size_t(y) * kCells + std::size_t(x)];
+      const cells::CellPair cell = layer.cells[std::size_t(y) * kCells + std::size_t(x)];
       line[x] = qRgba(cell.value, cell.value, cell.value, cell.alpha);
     }
   }
@@ -272,7 +272,7 @@ void composeOpenCv(benchmark::State& state) {
   runKernel(state, tiles, [&](std::size_t t) {
     std::vector<std::uint8_t> intensity(std::size_t(kTile) * kTile, 128);
     for (const Layer& layer : tiles[t].layers) {
-      const cv::Mat cells(kCells, kCells, CV_8UC2, const_cast<raster::CellPair*>(layer.cells.data()));
+      const cv::Mat cells(kCells, kCells, CV_8UC2, const_cast<cells::CellPair*>(layer.cells.data()));
       const Affine m = tileFromTexture(tiles[t], layer);
       // OpenCV counts from the centres of cells and pixels.
       const cv::Matx23d matrix(m.a, m.b, m.c + (m.a + m.b) / 2 - 0.5, m.d, m.e, m.f + (m.d + m.e) / 2 - 0.5);
@@ -291,9 +291,9 @@ std::vector<render::PlacedTexture> mapOf(int count) {
   constexpr std::size_t kDistinct = 64;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> jitter(-2, 2), angle(-3.14, 3.14);
-  std::vector<std::shared_ptr<const raster::CellTexture>> textures;
+  std::vector<std::shared_ptr<const cells::CellTexture>> textures;
   while (textures.size() < std::min(kDistinct, std::size_t(count))) {
-    textures.push_back(raster::CellTexture::fromPairs(kCells, kCells, kResolution, submapCells(random)));
+    textures.push_back(cells::CellTexture::fromPairs(kCells, kCells, kResolution, submapCells(random)));
   }
   const int across = int(std::ceil(std::sqrt(count)));
   std::vector<render::PlacedTexture> placed;

@@ -22,7 +22,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <spng.h>
 
-#include "raster/grid_pyramid.h"
+#include "grids/grid_pyramid.h"
 #include "render/sample_grid.h"
 
 namespace {
@@ -175,11 +175,11 @@ bool runProgram(std::vector<std::string> words, Outcome& outcome) {
 }
 
 void readOurs(const std::string& path, const std::string& sidecars, Outcome& outcome) {
-  raster::GridOptions options;
+  grids::GridOptions options;
   options.sidecar_folder = sidecars;
   if (!sidecars.empty()) options.fingerprint = path;
   const auto from = Clock::now();
-  auto reading = raster::openGridFile(path, options);
+  auto reading = grids::openGridFile(path, options);
   if (!reading) {
     outcome.refused = true;
     return;
@@ -276,8 +276,8 @@ std::vector<std::pair<std::string, Contender>> contenders() {
 // What a view of a whole map costs: the quick look that a window shows first, and the exact picture. One
 // thread, tiles of 256 pixels as the window makes them.
 
-raster::Reduction reductionOf(bool average) {
-  return average ? raster::Reduction::Average : raster::Reduction::OccupiedWins;
+grids::Reduction reductionOf(bool average) {
+  return average ? grids::Reduction::Average : grids::Reduction::OccupiedWins;
 }
 
 struct Sampled {
@@ -287,7 +287,7 @@ struct Sampled {
     render::PlacedGrid& made = maps[size.name() + (average ? "a" : "o")];
     if (made.cells) return made;
     const auto builder =
-        raster::buildGrid(size.width, size.height, raster::CellCode::Gray, reductionOf(average));
+        grids::buildGrid(size.width, size.height, grids::CellCode::Gray, reductionOf(average));
     std::vector<std::uint8_t> row(std::size_t(size.width));
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) row[std::size_t(x)] = mapCell(x, y);

@@ -13,13 +13,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include "raster/cell_texture.h"
-#include "raster/decode_cells.h"
+#include "cells/cell_texture.h"
+#include "cells/decode_cells.h"
 
 namespace {
 
-using mapwright::raster::CellPair;
-using mapwright::raster::CellTexture;
+using mapwright::cells::CellPair;
+using mapwright::cells::CellTexture;
 
 constexpr int kEdge = 400;
 constexpr double kResolutionM = 0.05;
@@ -174,7 +174,7 @@ void ingestDecodeCells(benchmark::State& state) {
   double known = 0;
   for ([[maybe_unused]] auto _ : state) {
     const auto texture =
-        mapwright::raster::decodeCells(packed[next++ % packed.size()], kEdge, kEdge, kResolutionM, 0);
+        mapwright::cells::decodeCells(packed[next++ % packed.size()], kEdge, kEdge, kResolutionM, 0);
     if (!texture) {
       state.SkipWithError(texture.error().sentence.c_str());
       break;

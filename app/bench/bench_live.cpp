@@ -45,9 +45,13 @@ class ScriptedRobot : public robot::Robot, public robot::LiveTopics {
   robot::RobotIdentity identity() const override { return {}; }
   robot::LiveTopics* liveTopics() override { return this; }
   QStringList known() const override { return {}; }
-  void setWanted(const QStringList&) override {}
+  QStringList topicsOf(map::Stream) const override { return {}; }
+  void setWanted(const map::Streams&, const QStringList&) override {}
   void setWatching(bool) override {}
-  void say(const map::TopicMessage& message) { Q_EMIT topicReceived(message); }
+  void setTap(robot::FrameTap) override {}
+  void say(const map::TopicMessage& message) {
+    Q_EMIT topicReceived({message, double(QDateTime::currentMSecsSinceEpoch()) / 1000});
+  }
 };
 
 std::shared_ptr<const std::string> grayPng(int width, int height, const std::vector<std::uint8_t>& cells) {
@@ -93,11 +97,17 @@ class PaintCount : public QObject {
   }
 };
 
+session::Session::Options sessionOptions(std::shared_ptr<work::Workers> workers) {
+  session::Session::Options options;
+  options.workers = std::move(workers);
+  return options;
+}
+
 struct Stage {
   Stage() : view(&scene) {
     auto made = std::make_unique<ScriptedRobot>();
     robot = made.get();
-    session = std::make_unique<session::Session>(std::move(made), session::Session::Options{});
+    session = std::make_unique<session::Session>(std::move(made), sessionOptions(workers));
     view.setFrameShape(QFrame::NoFrame);
     view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     view.setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -117,7 +127,8 @@ struct Stage {
     loop.exec();
   }
 
-  scene::MapScene scene{render::TileRenderer::Options{}};
+  std::shared_ptr<work::Workers> workers = std::make_shared<work::Workers>();
+  scene::MapScene scene{render::TileRenderer::Options{.workers = workers}};
   QGraphicsView view;
   ScriptedRobot* robot = nullptr;
   std::unique_ptr<session::Session> session;

@@ -1,5 +1,5 @@
-// From connecting to a complete map of 500 submaps over loopback: with an empty cache, after a restart, and
-// next to a plain download of the same answers, four at a time, without decoding.
+// From connecting to a complete map of 500, 10,000 and 100,000 submaps over loopback: with an empty cache,
+// after a restart, and next to a plain download of the same answers, four at a time, without decoding.
 #include <chrono>
 #include <memory>
 #include <vector>
@@ -52,9 +52,9 @@ LoadTimes load(const simulator::Simulator& robot, const QString& cache_folder) {
   return times;
 }
 
-std::unique_ptr<simulator::Simulator> robotOf500() {
+std::unique_ptr<simulator::Simulator> robotOf(int submaps) {
   simulator::Options options;
-  options.submaps = kSubmaps;
+  options.submaps = submaps;
   options.paused = true;
   options.pose_hz = 20;  // so that runs of every version are alike
   auto robot = std::make_unique<simulator::Simulator>(options);
@@ -70,7 +70,7 @@ void report(benchmark::State& state, const LoadTimes& times) {
 }
 
 void LoadEmptyCache(benchmark::State& state) {
-  const auto robot = robotOf500();
+  const auto robot = robotOf(kSubmaps);
   if (!robot) return state.SkipWithError("the simulator did not start");
   LoadTimes times = load(*robot, {});  // the simulator draws its textures now
   for (auto _ : state) {
@@ -81,7 +81,7 @@ void LoadEmptyCache(benchmark::State& state) {
 }
 
 void LoadAfterRestart(benchmark::State& state) {
-  const auto robot = robotOf500();
+  const auto robot = robotOf(kSubmaps);
   if (!robot) return state.SkipWithError("the simulator did not start");
   const QTemporaryDir cache;
   LoadTimes times = load(*robot, cache.path());
@@ -91,7 +91,7 @@ void LoadAfterRestart(benchmark::State& state) {
 
 /// The same addresses by a bare QNetworkAccessManager.
 void LoadPlainDownload(benchmark::State& state) {
-  const auto robot = robotOf500();
+  const auto robot = robotOf(kSubmaps);
   if (!robot) return state.SkipWithError("the simulator did not start");
   load(*robot, {});
   std::vector<QUrl> addresses;
@@ -125,8 +125,23 @@ void LoadPlainDownload(benchmark::State& state) {
   state.counters["MB"] = bytes / 1e6;
 }
 
+/// Once each: the cache is empty at first, and full for the second one.
+void Load100k(benchmark::State& state) {
+  const auto robot = robotOf(int(state.range(0)));
+  if (!robot) return state.SkipWithError("the simulator did not start");
+  for (auto _ : state) {
+    const QTemporaryDir cache;
+    const LoadTimes empty = load(*robot, cache.path()), restarted = load(*robot, cache.path());
+    report(state, empty);
+    state.counters["restart_ms"] = restarted.complete_ms;
+    state.counters["restart_hits"] = double(restarted.counts.cache_hits);
+    state.counters["texture_MB"] = double(restarted.counts.texture_bytes) / 1e6;
+  }
+}
+
 BENCHMARK(LoadEmptyCache)->Unit(benchmark::kMillisecond)->Iterations(3);
 BENCHMARK(LoadAfterRestart)->Unit(benchmark::kMillisecond)->Iterations(3);
 BENCHMARK(LoadPlainDownload)->Unit(benchmark::kMillisecond)->Iterations(3);
+BENCHMARK(Load100k)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace mapwright::disk {
 
@@ -28,15 +29,19 @@ tl::expected<std::string, std::string> readFile(const std::string& path, std::si
                                                : std::string(std::strerror(errno)));
   }
   constexpr std::size_t kPiece = std::size_t(1) << 20;
+  // Most files are small and are what they say: a byte more tells that the end is reached.
+  struct stat about {};
+  std::size_t piece = ::fstat(fd, &about) == 0 ? std::size_t(about.st_size) + 1 : kPiece;
   std::string bytes;
   ssize_t got = 1;
   while (got > 0 && bytes.size() < most) {
     const std::size_t before = bytes.size();
-    bytes.resize(before + std::min(kPiece, most - before));
+    bytes.resize(before + std::min(std::exchange(piece, kPiece), most - before));
     do {
       got = ::read(fd, bytes.data() + before, bytes.size() - before);
     } while (got < 0 && errno == EINTR);
     bytes.resize(before + std::size_t(std::max<ssize_t>(got, 0)));
+    if (before == 0 && got > 0 && std::size_t(got) == std::size_t(about.st_size)) break;
   }
   const int why = errno;
   ::close(fd);

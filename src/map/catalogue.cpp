@@ -3,28 +3,20 @@
 namespace mapwright::map {
 namespace {
 
-constexpr std::size_t kLongestName = 200;  // ids and names are the robot's own
+constexpr std::size_t kLongestName = 200;  // names are the robot's own
 
-std::string called(const MapKey& key, const std::string& name) {
-  if (key.kind == MapKind::File) {
-    const std::string& file = name.empty() ? key.id : name;
-    return file.empty() ? "File" : "File " + file.substr(0, kLongestName);
-  }
-  if (!name.empty()) return "Map \"" + name.substr(0, kLongestName) + "\"";
-  const std::string id = key.id.substr(0, kLongestName);
-  return key.kind == MapKind::Live      ? "Live map"
-         : key.kind == MapKind::Mapping ? "Mapping " + id
-                                        : "Map " + id;
+std::string identityOf(const MapKey& key) {
+  return key.kind == MapKind::File ? "file:" + key.id : toText(key);
 }
 
 }  // namespace
 
 Subject subjectOf(const MapKey& key, const std::string& name) {
-  return {SubjectKind::Map, toText(key), called(key, name)};
+  return {SubjectKind::Map, identityOf(key), name.substr(0, kLongestName)};
 }
 
 Subject placesOf(const MapKey& key, const std::string& name) {
-  return {SubjectKind::Places, toText(key), "Navigation points of " + called(key, name)};
+  return {SubjectKind::Places, identityOf(key), name.substr(0, kLongestName)};
 }
 
 std::string toText(const MapKey& key) {

@@ -1,18 +1,11 @@
 #include "map/grid_reference.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace mapwright::map {
 namespace {
 
 constexpr double kFinestM = 1e-4, kCoarsestM = 1e3, kFarthestM = 1e7;
-
-std::string plain(double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
 
 }  // namespace
 
@@ -34,21 +27,15 @@ geometry::WorldRect GridReference::bounds() const {
   return rect;
 }
 
-std::optional<std::string> whyUnusable(const GridReference& grid) {
-  if (!std::isfinite(grid.resolution_m)) return "Its resolution is not a number, so it cannot be placed.";
-  if (grid.resolution_m <= 0) {
-    return "Its resolution is " + plain(grid.resolution_m) + ", which is no size of a cell.";
-  }
+std::optional<Reason> whyUnusable(const GridReference& grid) {
+  if (!std::isfinite(grid.resolution_m)) return ReasonCode::ResolutionNoNumber;
+  if (grid.resolution_m <= 0) return Reason(ReasonCode::ResolutionNotPositive, {grid.resolution_m});
   if (grid.resolution_m < kFinestM || grid.resolution_m > kCoarsestM) {
-    return "Its resolution of " + plain(grid.resolution_m) +
-           " m is out of bounds: between 0.1 mm and 1 km can be shown.";
+    return Reason(ReasonCode::ResolutionOutOfBounds, {grid.resolution_m});
   }
-  if (!std::isfinite(grid.origin.x_m) || !std::isfinite(grid.origin.y_m)) {
-    return "Its origin is missing or not a number, so it cannot be placed.";
-  }
-  if (std::abs(grid.origin.x_m) > kFarthestM || std::abs(grid.origin.y_m) > kFarthestM) {
-    return "Its origin lies farther than 10,000 km away, so it cannot be placed.";
-  }
+  if (!std::isfinite(grid.origin.x_m) || !std::isfinite(grid.origin.y_m)) return ReasonCode::OriginNoNumber;
+  if (std::abs(grid.origin.x_m) > kFarthestM || std::abs(grid.origin.y_m) > kFarthestM)
+    return ReasonCode::OriginTooFar;
   return std::nullopt;
 }
 

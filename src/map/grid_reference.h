@@ -3,10 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "geometry/pose.h"
 #include "geometry/rect.h"
+#include "map/reason.h"
 
 namespace mapwright::map {
 
@@ -26,10 +26,10 @@ struct GridReference {
   geometry::WorldRect bounds() const;
 };
 
-/// nullopt when the reference can be used; else a sentence: "Its resolution is 0, which is no size of a
+/// nullopt when the reference can be used; else why not: "Its resolution is 0, which is no size of a
 /// cell." A width and height of 0 are fine. Refused: a resolution that is not finite, not positive, below 0.1
 /// mm or above 1 km; an origin that is not finite or farther than 10,000 km. A yaw that is not finite is not
 /// refused here: readers take it as 0 and say so (maps with "nan" as yaw exist).
-std::optional<std::string> whyUnusable(const GridReference& grid);
+std::optional<Reason> whyUnusable(const GridReference& grid);
 
 }  // namespace mapwright::map

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace mapwright::map {
 namespace {
 
-void extendTrail(std::deque<Eigen::Vector2d>& trail, const Eigen::Vector2d& point) {
-  if (!trail.empty() && (trail.back() - point).norm() < LiveState::kTrailStepM) return;
-  trail.push_back(point);
+void extendTrail(std::deque<TrailPoint>& trail, const Eigen::Vector2d& point, double at_s) {
+  if (!trail.empty() && (trail.back().position_m - point).norm() < LiveState::kTrailStepM) return;
+  trail.push_back({point, at_s});
   if (trail.size() > LiveState::kTrailPoints) trail.pop_front();
 }
 
@@ -37,13 +38,18 @@ bool otherMap(const MapInfo& before, const MapInfo& after) {
   return !before.name.empty() && !after.name.empty() && before.name != after.name;
 }
 
+template <typename T>
+bool sameContent(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 struct Reducer {
   LiveState& state;
   double at_s;
 
   void operator()(const TrackedPose& tracked) {
     state.robot_pose = tracked.pose;
-    extendTrail(state.trail, {tracked.pose.x_m, tracked.pose.y_m});
+    extendTrail(state.trail, {tracked.pose.x_m, tracked.pose.y_m}, at_s);
   }
   void operator()(const RobotModel& model) { state.model = model; }
   void operator()(const SlamStatus& slam) { state.slam = slam; }
@@ -86,6 +92,29 @@ struct Reducer {
 };
 
 }  // namespace
+
+bool GridMessage::operator==(const GridMessage& other) const {
+  return topic == other.topic && kind == other.kind && grid == other.grid &&
+         fingerprint == other.fingerprint && sameContent(png, other.png);
+}
+
+bool PointCloudMessage::operator==(const PointCloudMessage& other) const {
+  return topic == other.topic && sameContent(points, other.points);
+}
+
+bool LiveState::operator==(const LiveState& other) const {
+  const auto rest = [](const LiveState& s) {
+    return std::tie(s.session_uuid, s.robot_pose, s.trail, s.model, s.slam, s.grids, s.path, s.trajectory,
+                    s.local_path, s.planning, s.map_info, s.alerts, s.battery, s.wheels, s.sensors,
+                    s.nearby_robots, s.nearby_footprints, s.landmarks, s.doors, s.pallets, s.racks,
+                    s.seen_objects, s.constraints, s.global_positioning, s.barcode, s.safety);
+  };
+  return rest(*this) == rest(other) && std::equal(clouds.begin(), clouds.end(), other.clouds.begin(),
+                                                  other.clouds.end(), [](const auto& a, const auto& b) {
+                                                    return a.first == b.first &&
+                                                           sameContent(a.second, b.second);
+                                                  });
+}
 
 LiveState inNewFrame(LiveState state, bool map_stays) {
   ++state.frame;

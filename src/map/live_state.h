@@ -17,6 +17,13 @@
 
 namespace mapwright::map {
 
+/// Where the robot was, and when.
+struct TrailPoint {
+  Eigen::Vector2d position_m{0, 0};
+  double at_s = 0;  // seconds since the epoch
+  bool operator==(const TrailPoint&) const = default;
+};
+
 /// What is known of the robot's world now. Value type, cheap to copy where it is large (shared, immutable
 /// parts); submap lists are handled by submap::SubmapBook.
 ///
@@ -31,7 +38,7 @@ struct LiveState {
   int frame = 0;  // counts the frames
   std::string session_uuid;
   std::optional<geometry::Pose2> robot_pose;
-  std::deque<Eigen::Vector2d> trail;  // oldest first, points at least kTrailStepM apart, at most kTrailPoints
+  std::deque<TrailPoint> trail;  // oldest first, points at least kTrailStepM apart, at most kTrailPoints
   RobotModel model;
   SlamStatus slam;
   std::map<GridKind, GridMessage> grids;  // the last picture of each kind
@@ -56,6 +63,10 @@ struct LiveState {
 
   static constexpr double kTrailStepM = 0.05;
   static constexpr std::size_t kTrailPoints = 20'000;
+
+  /// All that can be seen: clouds and pictures by their content, wherever it lies; not how many frames there
+  /// were.
+  bool operator==(const LiveState& other) const;
 };
 
 /// Without all that lies in the frame of before; `map_stays`: the new one is of the same map.

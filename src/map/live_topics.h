@@ -27,12 +27,14 @@ using Polyline = std::vector<Eigen::Vector2d>;
 /// /tracked_pose: pos [x,y] metres, ori radians.
 struct TrackedPose {
   geometry::Pose2 pose;
+  bool operator==(const TrackedPose&) const = default;
 };
 
 /// /robot_model: outlines in the robot frame, metres. Empty when unknown.
 struct RobotModel {
   Polyline footprint, expanded_footprint;
   double width_m = 0;
+  bool operator==(const RobotModel&) const = default;
 };
 
 /// /slam/state.
@@ -42,6 +44,7 @@ struct SlamStatus {
   std::optional<int> position_quality;  // 0 unknown, 1 lost, 3 poor, 8 good, 10 excellent
   std::optional<double> lidar_matching_score;
   std::optional<bool> lidar_matched, wheel_slipping;
+  bool operator==(const SlamStatus&) const = default;
 };
 
 /// Which raster layer a picture belongs to.
@@ -63,12 +66,14 @@ struct GridMessage {
   std::string fingerprint;     // names exactly this content; empty = none
   std::size_t body_bytes = 0;  // of the answer that brought the picture; 0 = it came inside the message
   bool from_cache = false;     // that body did not travel: disk, or 304
+  bool operator==(const GridMessage& other) const;  // the bytes count, wherever they lie
 };
 
 struct CloudPoint {
   double x_m = 0, y_m = 0;
   float z_m = 0;
   std::uint8_t intensity = 0;  // 0..255, 0 where the robot sends none
+  bool operator==(const CloudPoint&) const = default;
 };
 
 /// Lidar points in the world frame: /scan_matched_points2, /..._laser_2d/matched, /semantic_points,
@@ -76,11 +81,13 @@ struct CloudPoint {
 struct PointCloudMessage {
   std::string topic;
   std::shared_ptr<const std::vector<CloudPoint>> points;
+  bool operator==(const PointCloudMessage& other) const;  // the points count, wherever they lie
 };
 
 /// /path: the global path.
 struct PathMessage {
   Polyline points;
+  bool operator==(const PathMessage&) const = default;
 };
 
 /// /local_path. `rgba` 0xRRGGBBAA where the robot names a colour.
@@ -88,11 +95,13 @@ struct LocalPathMessage {
   double width_m = 0;
   std::optional<std::uint32_t> rgba;
   Polyline points;
+  bool operator==(const LocalPathMessage&) const = default;
 };
 
 /// /trajectory (old firmware: /trajectory_node_list).
 struct TrajectoryMessage {
   Polyline points;
+  bool operator==(const TrajectoryMessage&) const = default;
 };
 
 /// /planning_state.
@@ -101,6 +110,7 @@ struct PlanningState {
   std::string action_type, move_state, fail_reason, stuck_state;
   std::optional<double> remaining_distance_m;
   std::vector<geometry::Pose2> targets;
+  bool operator==(const PlanningState&) const = default;
 };
 
 /// /map/info. Overlays as drawn; the raw text is kept for whoever edits them.
@@ -108,6 +118,7 @@ struct MapInfo {
   std::string name, uid;
   std::optional<int> map_version, overlays_version;
   std::vector<OverlayFeature> overlays;
+  bool operator==(const MapInfo&) const = default;
 };
 
 enum class AlertLevel { None, Warning, Error };
@@ -116,27 +127,32 @@ struct Alert {
   AlertLevel level = AlertLevel::None;
   std::string text;
   double since_s = 0;  // when it was first seen (seconds since the epoch); the reducer fills it
+  bool operator==(const Alert&) const = default;
 };
 /// /alerts: all that are active now.
 struct AlertsMessage {
   std::vector<Alert> alerts;
+  bool operator==(const AlertsMessage&) const = default;
 };
 
 /// /battery_state, /detailed_battery_state. `level` 0..1.
 struct BatteryState {
   std::optional<double> level, voltage_v, current_a;
   std::string supply;  // charging, discharging, full
+  bool operator==(const BatteryState&) const = default;
 };
 
 /// /wheel_state.
 struct WheelState {
   std::string control_mode;  // auto, remote, manual
   std::optional<bool> emergency_stop, wheels_released;
+  bool operator==(const WheelState&) const = default;
 };
 
 /// /sensor_manager_state.
 struct SensorState {
   std::string power_state;
+  bool operator==(const SensorState&) const = default;
 };
 
 struct NearbyRobot {
@@ -144,30 +160,37 @@ struct NearbyRobot {
   geometry::Pose2 pose;
   Polyline trend;
   std::string footprint_digest;
+  bool operator==(const NearbyRobot&) const = default;
 };
 /// /nearby_robots and /nearby_robot_footprints.
 struct NearbyRobotsMessage {
   std::vector<NearbyRobot> robots;
+  bool operator==(const NearbyRobotsMessage&) const = default;
 };
 struct NearbyFootprintsMessage {
   std::map<std::string, Polyline> by_digest;  // robot frame
+  bool operator==(const NearbyFootprintsMessage&) const = default;
 };
 
 struct Landmark {
   std::string id;
   Eigen::Vector2d position_m{0, 0};
   std::optional<bool> in_use;
+  bool operator==(const Landmark&) const = default;
 };
 struct LandmarksMessage {
   std::vector<Landmark> landmarks;
+  bool operator==(const LandmarksMessage&) const = default;
 };
 
 struct AutoDoor {
   std::string name, mac, state;
   Polyline polygon;
+  bool operator==(const AutoDoor&) const = default;
 };
 struct AutoDoorsMessage {
   std::vector<AutoDoor> doors;
+  bool operator==(const AutoDoorsMessage&) const = default;
 };
 
 /// A box on the ground: a pallet, a rack, a seen object. `in_robot_frame`: pose is relative to the robot.
@@ -177,21 +200,26 @@ struct GroundBox {
   double length_m = 0;  // along the pose's x axis
   double width_m = 0;
   bool in_robot_frame = false;
+  bool operator==(const GroundBox&) const = default;
 };
 struct PalletsMessage {
   std::vector<GroundBox> pallets;
+  bool operator==(const PalletsMessage&) const = default;
 };
 /// /detected_rack: none, or the box (aligned one last).
 struct RackMessage {
   std::vector<GroundBox> racks;
+  bool operator==(const RackMessage&) const = default;
 };
 struct SeenObjectsMessage {  // /vision_detected_objects
   std::vector<GroundBox> objects;
+  bool operator==(const SeenObjectsMessage&) const = default;
 };
 
 /// /constraint_list: segments by what they are ("Inter residuals, different trajectories").
 struct ConstraintsMessage {
   std::map<std::string, std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>> by_name;
+  bool operator==(const ConstraintsMessage&) const = default;
 };
 
 /// /global_positioning_state.
@@ -200,18 +228,21 @@ struct GlobalPositioning {
   std::optional<double> score;
   std::optional<bool> needs_confirmation;
   std::optional<geometry::Pose2> pose;
+  bool operator==(const GlobalPositioning&) const = default;
 };
 
 /// /collected_barcode.
 struct BarcodeMessage {
   std::string state, id;
   std::optional<geometry::Pose2> pose;
+  bool operator==(const BarcodeMessage&) const = default;
 };
 
 /// A message that could not be read, for the list of problems.
 struct UnreadableMessage {
   std::string topic;
-  std::string reason;
+  Reason reason;
+  bool operator==(const UnreadableMessage&) const = default;
 };
 
 using TopicMessage =

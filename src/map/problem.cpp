@@ -2,29 +2,22 @@
 
 namespace mapwright::map {
 
-std::string toText(const Subject& subject) {
-  if (!subject.label.empty()) return subject.label;
-  switch (subject.kind) {
-    case SubjectKind::Robot:
-      return subject.id.empty() ? "Robot" : "Robot " + subject.id;
-    case SubjectKind::Map:
-      return "Map " + subject.id;
-    case SubjectKind::Places:
-      return "Navigation points of map " + subject.id;
-    case SubjectKind::Overview:
-      return "Overview";
-    case SubjectKind::SubmapList:
-      return "Submap list";
-    case SubjectKind::Submap:
-      return "Submap " + subject.id;
-    case SubjectKind::Topic:
-      return "Topic " + subject.id;
-    case SubjectKind::Other:
-    case SubjectKind::Catalogue:
-    case SubjectKind::Condition:
-      break;
+Problem problemOf(const Failure& failure, Severity severity) {
+  return {severity,     failure.subject,
+          {},           isUnreadable(failure) ? ProblemCode::Unreadable : ProblemCode::Unavailable,
+          failure.kind, failure};
+}
+
+std::string patternOf(const Problem& problem) {
+  std::string pattern = patternOf(problem.reason);
+  if (!problem.request) return pattern;
+  const Failure& failure = *problem.request;
+  for (const int code :
+       {int(failure.kind), int(failure.asked_for), int(failure.applied), int(failure.reason)}) {
+    pattern += ' ' + std::to_string(code);
   }
-  return subject.id;
+  return pattern + ' ' + withoutNumbers(failure.robot_code) + '|' + withoutNumbers(failure.detail) +
+         patternOf(failure.cause);
 }
 
 }  // namespace mapwright::map

@@ -123,28 +123,28 @@ std::optional<double> safetyChangesAt(const LiveState& live, double now_s) {
 }
 
 Problem problemOf(const SafetyCondition& condition) {
-  const Severity severity = condition.severity;
-  const auto about = [](std::string name) { return Subject(SubjectKind::Condition, std::move(name)); };
+  const auto found = [&](const char* id, ReasonCode code) {
+    return Problem{condition.severity, Subject(SubjectKind::Condition, id), code};
+  };
   switch (condition.kind) {
     case SafetyKind::EmergencyStop:
-      return {severity, about("Emergency stop"),
-              "It is pressed: the robot does not drive until it is released."};
+      return found("emergency-stop", ReasonCode::EmergencyStop);
     case SafetyKind::PositionLost:
-      return {severity, about("Lost position"), "Where the robot stands on the map may be wrong."};
+      return found("position-lost", ReasonCode::PositionLost);
     case SafetyKind::WheelsReleased:
-      return {severity, about("Released wheels"), "The robot can be pushed, and rolls on a slope."};
+      return found("wheels-released", ReasonCode::WheelsReleased);
     case SafetyKind::ManualControl:
-      return {severity, about("Manual control"), "The robot does not drive by itself."};
+      return found("manual-control", ReasonCode::ManualControl);
     case SafetyKind::PositionUncertain:
-      return {severity, about("Uncertain position"), "The robot may stand beside its place on the map."};
+      return found("position-uncertain", ReasonCode::PositionUncertain);
     case SafetyKind::WheelsSlipping:
-      return {severity, about("Slipping wheels"), "The robot may not be where its wheels say."};
+      return found("wheels-slipping", ReasonCode::WheelsSlipping);
     case SafetyKind::Alert:
       break;
   }
-  const std::string called = condition.code == 0 ? "Alert" : "Alert " + std::to_string(condition.code);
-  return {severity, about(called),
-          condition.text.empty() ? "The robot gives no text with it." : condition.text};
+  const std::string id = condition.code == 0 ? "alert" : "alert:" + std::to_string(condition.code);
+  return {condition.severity, Subject(SubjectKind::Condition, id),
+          condition.text.empty() ? Reason(ReasonCode::AlertWithoutText) : said(condition.text)};
 }
 
 }  // namespace mapwright::map

@@ -56,7 +56,7 @@ std::optional<double> safetyChangesAt(const LiveState& live, double now_s);
 /// The same condition, whatever its numbers and times are now.
 std::string safetyIdentity(const SafetyCondition& condition);
 
-/// For the list of problems: what it is called there, and a sentence.
+/// For the list of problems.
 Problem problemOf(const SafetyCondition& condition);
 
 }  // namespace mapwright::map

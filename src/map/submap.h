@@ -48,12 +48,13 @@ struct SubmapEntry {
 
 enum class SlamState { Invalid, Slam, Positioning };
 
-/// A whole /submap_list message. Rows that could not be read at all are in `rejected`, one sentence each.
+/// A whole /submap_list message. `rejected`: why rows could not be read at all.
 struct SubmapList {
   SlamState slam_state = SlamState::Invalid;
   std::string uuid;
   std::vector<SubmapEntry> entries;
-  std::vector<std::string> rejected;
+  std::vector<Reason> rejected;
+  bool operator==(const SubmapList&) const = default;
 };
 
 /// One slice of a submap as it came: nothing in it is checked yet.
@@ -78,7 +79,7 @@ struct SubmapAnswer {
   };
   SubmapKey key;  // as it was asked
   Outcome outcome = Outcome::Failed;
-  std::string reason;            // for people, empty when Ok
+  Reason reason;                 // none when Ok
   std::int32_t version = 0;      // the answer's own version; 0 = the robot did not say
   std::vector<RawSlice> slices;  // by slice id
   std::size_t bytes = 0;         // payload size
@@ -88,10 +89,12 @@ struct SubmapAnswer {
 
 }  // namespace mapwright::map
 
+namespace std {
 template <>
-struct std::hash<mapwright::map::SubmapId> {
+struct hash<mapwright::map::SubmapId> {
   std::size_t operator()(mapwright::map::SubmapId id) const noexcept {
     return std::hash<std::uint64_t>{}((std::uint64_t(std::uint32_t(id.trajectory)) << 32) |
                                       std::uint32_t(id.index));
   }
 };
+}  // namespace std

@@ -1,4 +1,4 @@
-// Named places that a robot can be sent to. Source: aimdk.md (GetTopoMsgs).
+// Named places that a robot can be sent to. Source: aimdk.md (GetTopoMsgs), kabam.md (MapWaypoint).
 #pragma once
 
 #include <optional>
@@ -7,20 +7,26 @@
 
 #include <Eigen/Core>
 
+#include "map/reason.h"
+
 namespace mapwright::map {
 
-/// A place in world metres. Names are untrusted plain text; ids keep every digit.
+/// A place in world metres. Names, types and tags are untrusted plain text; ids keep every digit.
 struct Waypoint {
   std::string id, name, type;
   Eigen::Vector2d position_m{0, 0};
-  std::optional<double> yaw_rad;
+  std::optional<double> yaw_rad = {};
+  std::vector<std::string> tags = {};
+  /// As it came from where it is kept, with what is not understood here. Only who reads and writes there
+  /// looks into it; empty = it has never been there.
+  std::string source = {};
   bool operator==(const Waypoint&) const = default;
 };
 
-/// The places of one map. `notes`: what is odd about them, one sentence each.
+/// The places of one map. `notes`: what is odd about them.
 struct WaypointList {
   std::vector<Waypoint> points;
-  std::vector<std::string> notes;
+  std::vector<Reason> notes;
 };
 
 }  // namespace mapwright::map

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
-#include <filesystem>
+#include <string>
 #include <sys/stat.h>
-#include <system_error>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -15,7 +19,8 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
-#include <QTemporaryFile>
+#include <QtEndian>
+#include <libdeflate.h>
 
 #include "disk/read_file.h"
 #include "net/cache_control.h"
@@ -24,19 +29,49 @@ namespace mapwright::net {
 
 namespace {
 
-constexpr char kMagic[] = "MWCACHE1";
+constexpr char kMagic[] = "MWCACHE2";
 constexpr qsizetype kMagicBytes = 8;
-constexpr qsizetype kChecksumBytes = 20;  // SHA-1
+constexpr qsizetype kChecksumBytes = 4;  // CRC-32: tells what is torn, as fast as the bytes can be read
 constexpr qint64 kForever = -1;
-constexpr int kStoresBetweenScans = 512;
+constexpr int kStoresBetweenScans = 512;  // or as many as there are files, where there are more
 constexpr qint64 kUnfinishedMs =
     3600 * 1000;  // a file that another process began to write this long ago is a left-over
 constexpr qint64 kTouchEveryMs = 60 * 1000;
-constexpr QFileDevice::Permissions kPrivateFile = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
-constexpr QFileDevice::Permissions kPrivateFolder = kPrivateFile | QFileDevice::ExeOwner;
+constexpr QFileDevice::Permissions kPrivateFolder =
+    QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner;
 const QLatin1String kSuffix(".answer");
 
 QByteArray keyOf(const QUrl& url) { return url.toEncoded(QUrl::RemoveFragment | QUrl::RemoveUserInfo); }
+
+QByteArray checksumOf(const QByteArray& content) {
+  const std::uint32_t sum = libdeflate_crc32(0, content.constData(), std::size_t(content.size()));
+  QByteArray bytes(kChecksumBytes, Qt::Uninitialized);
+  qToBigEndian(sum, bytes.data());
+  return bytes;
+}
+
+/// Written whole or not at all. Not QSaveFile: it waits for the disk at every file, and the checksum already
+/// tells a file that a power cut has torn. The error is errno.
+int writeWhole(const std::string& path, const std::array<QByteArray, 3>& parts, qint64 now_ms) {
+  std::string aside = path + ".XXXXXX";
+  const int file = ::mkostemp(aside.data(), O_CLOEXEC);  // for this user alone
+  if (file < 0) return errno;
+  int failure = 0;
+  for (const QByteArray& part : parts) {
+    for (qsizetype at = 0; at < part.size() && failure == 0;) {
+      const ssize_t written = ::write(file, part.constData() + at, std::size_t(part.size() - at));
+      if (written < 0 && errno != EINTR) failure = errno;
+      if (written > 0) at += written;
+    }
+  }
+  const timespec now{time_t(now_ms / 1000), long(now_ms % 1000) * 1'000'000};
+  const std::array<timespec, 2> times{now, now};
+  if (failure == 0 && ::futimens(file, times.data()) != 0) failure = errno;
+  if (::close(file) != 0 && failure == 0) failure = errno;
+  if (failure == 0 && std::rename(aside.c_str(), path.c_str()) != 0) failure = errno;
+  if (failure != 0) ::unlink(aside.c_str());
+  return failure;
+}
 
 /// The time of last use is the file's own, so that it outlives the program. It is not written at every use.
 void touch(const std::string& path, qint64 now_ms) {
@@ -73,19 +108,21 @@ QString HttpCache::pathOf(const QByteArray& name) const {
 }
 
 std::optional<HttpCache::Record> HttpCache::read(const QByteArray& name, const QUrl& url) {
-  const QString path = pathOf(name);
-  if (!QFileInfo::exists(path)) {
+  const std::string path = QFile::encodeName(pathOf(name)).toStdString();
+  if (::access(path.c_str(), F_OK) != 0) {
     return std::nullopt;
   }
   // Whatever lies there: a named pipe is no answer, and is not waited for.
-  const auto read = disk::readFile(path.toStdString(), std::size_t(std::max<qint64>(budget_bytes_, 0)) + 1);
+  const auto read = disk::readFile(path, std::size_t(std::max<qint64>(budget_bytes_, 0)) + 1);
   const bool plausible =
       read && qint64(read->size()) <= budget_bytes_ && qint64(read->size()) >= kMagicBytes + kChecksumBytes;
-  const QByteArray bytes = plausible ? QByteArray::fromStdString(*read) : QByteArray();
-  const QByteArray content = bytes.mid(kMagicBytes + kChecksumBytes);
+  const QByteArray bytes =
+      plausible ? QByteArray::fromRawData(read->data(), qsizetype(read->size())) : QByteArray();
+  const QByteArray content = plausible ? QByteArray::fromRawData(read->data() + kMagicBytes + kChecksumBytes,
+                                                                 bytes.size() - kMagicBytes - kChecksumBytes)
+                                       : QByteArray();
   const bool whole =
-      bytes.startsWith(kMagic) &&
-      bytes.mid(kMagicBytes, kChecksumBytes) == QCryptographicHash::hash(content, QCryptographicHash::Sha1);
+      bytes.startsWith(kMagic) && bytes.mid(kMagicBytes, kChecksumBytes) == checksumOf(content);
   Record record;
   if (whole) {
     QDataStream stream(content);
@@ -94,7 +131,7 @@ std::optional<HttpCache::Record> HttpCache::read(const QByteArray& name, const Q
         record.body;
     if (stream.status() == QDataStream::Ok && record.url == keyOf(url)) {
       const qint64 now_ms = now_().toMSecsSinceEpoch();
-      touch(path.toStdString(), now_ms);
+      touch(path, now_ms);
       if (const auto entry = index_.find(name); entry != index_.end()) {
         entry->last_use_ms = now_ms;
       }
@@ -207,35 +244,22 @@ void HttpCache::write(const QByteArray& name, const Record& record) {
     return;
   }
   const QString path = pathOf(name);
-  if (!makeFolder(folder_) || !makeFolder(QFileInfo(path).path())) {
-    return;
-  }
-  if (bytes_ < 0 || ++stores_since_scan_ >= kStoresBetweenScans) {
+  // Now and then, for other processes write here too; seldom where there is much to read.
+  if (bytes_ < 0 || ++stores_since_scan_ >= std::max(kStoresBetweenScans, int(index_.size()))) {
     scan();
   }
-  // Not QSaveFile: it waits for the disk at every file, and the checksum already tells a file that a power
-  // cut has torn.
-  QTemporaryFile file(path + QStringLiteral(".XXXXXX"));
-  file.setAutoRemove(true);
-  const QByteArray checksum = QCryptographicHash::hash(content, QCryptographicHash::Sha1);
-  bool written = file.open() && file.setPermissions(kPrivateFile) &&
-                 file.write(kMagic, kMagicBytes) == kMagicBytes && file.write(checksum) == checksum.size() &&
-                 file.write(content) == content.size() && file.flush() &&
-                 file.setFileTime(now_(), QFileDevice::FileModificationTime);
-  QString why = file.errorString();
-  if (written) {
-    file.close();
-    std::error_code failure;  // QFile::rename does not replace
-    std::filesystem::rename(QFile::encodeName(file.fileName()).toStdString(),
-                            QFile::encodeName(path).toStdString(), failure);
-    written = !failure;
-    if (written)
-      file.setAutoRemove(false);
-    else
-      why = QString::fromStdString(failure.message());
+  const std::array parts{QByteArray(kMagic, kMagicBytes), checksumOf(content), content};
+  const auto tryIt = [&] {
+    return writeWhole(QFile::encodeName(path).toStdString(), parts, now_().toMSecsSinceEpoch());
+  };
+  int failure = tryIt();
+  if (failure == ENOENT) {
+    if (!makeFolder(folder_) || !makeFolder(QFileInfo(path).path())) return;
+    failure = tryIt();
   }
-  if (!written) {
-    fail(QStringLiteral("%1 cannot be written: %2").arg(path, why));
+  if (failure != 0) {
+    fail(
+        QStringLiteral("%1 cannot be written: %2").arg(path, QString::fromLocal8Bit(std::strerror(failure))));
     return;
   }
   Entry& entry = index_[name];
@@ -297,10 +321,7 @@ qint64 HttpCache::bytes() const {
 
 void HttpCache::fail(const QString& what) {
   last_error_ = what;
-  if (const Trouble tell = std::exchange(trouble_, nullptr)) {
-    tell(QStringLiteral("What the robot answers cannot be kept on disk: %1. It is asked for again each time.")
-             .arg(what));
-  }
+  if (const Trouble tell = std::exchange(trouble_, nullptr)) tell(what);
 }
 
 QString HttpCache::lastError() const { return last_error_; }

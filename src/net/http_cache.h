@@ -26,7 +26,7 @@ struct CachedAnswer {
 class HttpCache {
  public:
   using Now = std::function<QDateTime()>;
-  using Trouble = std::function<void(const QString& sentence)>;
+  using Trouble = std::function<void(const QString& why)>;
   /// `budget_bytes` bounds the folder; the files used longest ago are removed first.
   HttpCache(QString folder, qint64 budget_bytes, Now now = &QDateTime::currentDateTimeUtc);
 

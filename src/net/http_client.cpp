@@ -28,6 +28,36 @@ bool isRedirect(int status) {
   return status == 301 || status == 302 || status == 303 || status == 307 || status == 308;
 }
 
+QByteArray nameOf(HttpMethod method) {
+  switch (method) {
+    case HttpMethod::Get:
+      break;
+    case HttpMethod::Post:
+      return "POST";
+    case HttpMethod::Put:
+      return "PUT";
+    case HttpMethod::Patch:
+      return "PATCH";
+    case HttpMethod::Delete:
+      return "DELETE";
+  }
+  return "GET";
+}
+
+/// Before there was a connection, so nothing can have been sent.
+bool neverConnected(QNetworkReply::NetworkError error) {
+  switch (error) {
+    case QNetworkReply::ConnectionRefusedError:
+    case QNetworkReply::HostNotFoundError:
+    case QNetworkReply::SslHandshakeFailedError:
+    case QNetworkReply::ProxyConnectionRefusedError:
+    case QNetworkReply::ProxyNotFoundError:
+      return true;
+    default:
+      return false;
+  }
+}
+
 QString grouped(qint64 number) { return QLocale(QLocale::English).toString(number); }
 
 HttpAnswer failure(HttpAnswer::Kind kind, const QString& sentence) {
@@ -119,8 +149,11 @@ class HttpClient::Impl {
     QUrl url;  // the one under way: after redirects not the one asked for
     int redirects = 0;
     std::optional<CachedAnswer> stored;
-    std::optional<HttpAnswer> answer;  // set: only waits to be told
+    std::optional<HttpAnswer> answer;                    // set: only waits to be told
+    std::unique_ptr<QNetworkAccessManager> own_network;  // a connection that nothing was sent over before
     QNetworkReply* network_reply = nullptr;
+    OneWayBody* upload = nullptr;  // of network_reply
+    bool heard_sent = false;       // of this request
     std::unique_ptr<QTimer> silence;
     QByteArray body;
   };
@@ -128,6 +161,10 @@ class HttpClient::Impl {
   template <typename Call>
   void later(Call call) {
     QMetaObject::invokeMethod(owner_, std::move(call), Qt::QueuedConnection);
+  }
+
+  bool cached(const Job& job) const {
+    return job.request.cacheable && job.request.method == HttpMethod::Get && cache_ != nullptr;
   }
 
   /// The job, unless it is gone or finished already.
@@ -149,7 +186,7 @@ class HttpClient::Impl {
       return;
     }
     const bool unusable = unusable_.remove(job->url.toEncoded());
-    if (job->request.cacheable && !job->request.post && cache_ != nullptr && !unusable) {
+    if (cached(*job) && !unusable) {
       job->stored = cache_->find(job->url);
       if (job->stored && job->stored->fresh) {
         finish(id, storedAnswer(*job));
@@ -161,13 +198,19 @@ class HttpClient::Impl {
   }
 
   void startWaiting() {
-    while (!waiting_.empty() && in_flight_ < kInFlight) {
-      const RequestId id = waiting_.front();
-      waiting_.pop_front();
-      if (Job* job = active(id)) {
-        ++in_flight_;
-        send(id, *job);
+    for (auto at = waiting_.begin(); at != waiting_.end() && in_flight_ < kInFlight;) {
+      const RequestId id = *at;
+      Job* const job = active(id);
+      const int most = job != nullptr ? job->request.most_at_once : 0;
+      if (most > 0 && bounded_in_flight_ >= most) {
+        ++at;  // others may pass it
+        continue;
       }
+      at = waiting_.erase(at);
+      if (job == nullptr) continue;
+      ++in_flight_;
+      bounded_in_flight_ += most > 0;
+      send(id, *job);
     }
   }
 
@@ -192,15 +235,27 @@ class HttpClient::Impl {
     }
     job.body.clear();
     // Left to itself Qt asks again, at once and up to three times, when the connection closes without an
-    // answer: behind the back of whoever counts tries and waits between them. A body that cannot be rewound,
-    // empty as it is for GET, forbids that.
-    const QByteArray body = job.request.post ? job.request.body : QByteArray();
-    if (job.request.post) request.setRawHeader("Content-Type", headerSafe(job.request.content_type));
+    // answer: behind the back of whoever counts tries and waits between them, and of whoever changes
+    // something. A body that cannot be rewound, empty as it is for GET, forbids that.
+    const bool changes = job.request.method != HttpMethod::Get;
+    const QByteArray body = changes ? job.request.body : QByteArray();
+    if (!body.isEmpty()) request.setRawHeader("Content-Type", headerSafe(job.request.content_type));
     request.setHeader(QNetworkRequest::ContentLengthHeader, body.size());
     request.setAttribute(QNetworkRequest::DoNotBufferUploadDataAttribute, true);
-    auto* once = new OneWayBody(body);
-    job.network_reply = network_.sendCustomRequest(request, job.request.post ? "POST" : "GET", once);
-    once->setParent(job.network_reply);
+    if (changes) {
+      // A connection that was idle may be closed by the other side just as it is used again; what is sent
+      // over it then is lost, and nobody knows whether it was read.
+      request.setRawHeader("Connection", "close");
+      job.own_network = std::make_unique<QNetworkAccessManager>();
+      job.own_network->setAutoDeleteReplies(false);
+    }
+    QNetworkAccessManager& network = changes ? *job.own_network : network_;
+    job.upload = new OneWayBody(body);
+    job.network_reply = network.sendCustomRequest(request, nameOf(job.request.method), job.upload);
+    job.upload->setParent(job.network_reply);
+    job.heard_sent = false;
+    QObject::connect(job.network_reply, &QNetworkReply::uploadProgress, owner_,
+                     [this, id](qint64 sent, qint64 total) { noteSent(id, sent, total); });
     job.network_reply->setReadBufferSize(kReadAhead);
     QObject::connect(job.network_reply, &QNetworkReply::metaDataChanged, owner_,
                      [this, id] { checkHeaders(id); });
@@ -242,14 +297,47 @@ class HttpClient::Impl {
     }
   }
 
+  void noteSent(RequestId id, qint64 bytes, qint64 total) {
+    Job* job = active(id);
+    if (job == nullptr) {
+      return;
+    }
+    // An answer may come before the whole request is out; what Qt tells after it has ended is no news.
+    if (bytes == 0 && total == 0 && job->network_reply->isFinished()) {
+      return;
+    }
+    job->heard_sent = true;
+    job->silence->start();
+    // Of a body that cannot be rewound Qt does not know the length.
+    if (const qint64 length = job->request.body.size(); job->request.progress && length > 0 && bytes > 0) {
+      job->request.progress({true, bytes, length});
+    }
+  }
+
+  static qint64 declaredLength(const QNetworkReply& reply) {
+    return reply.header(QNetworkRequest::ContentLengthHeader).toLongLong();
+  }
+
+  /// Whether anything of the request may have left this computer.
+  static bool maySent(const Job& job, HttpAnswer::Kind kind) {
+    if (job.network_reply == nullptr || kind == HttpAnswer::Kind::Certificate) return false;
+    if (job.redirects > 0 || job.heard_sent || job.upload->begun()) return true;
+    if (job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).isValid()) return true;
+    if (neverConnected(job.network_reply->error())) return false;
+    // A body is read when there is a connection to write it to, and not before. Without a body only the word
+    // of the other thread tells, and it may be under way.
+    const bool has_body = job.request.method != HttpMethod::Get && !job.request.body.isEmpty();
+    const bool long_ago = kind == HttpAnswer::Kind::TimedOut;
+    return !has_body && !long_ago;
+  }
+
   void checkHeaders(RequestId id) {
     Job* job = active(id);
     if (job == nullptr || job->network_reply == nullptr) {
       return;
     }
     job->silence->start();
-    if (job->network_reply->header(QNetworkRequest::ContentLengthHeader).toLongLong() >
-        job->request.max_bytes) {
+    if (declaredLength(*job->network_reply) > job->request.max_bytes) {
       finish(id, tooLarge(*job));
     }
   }
@@ -261,6 +349,7 @@ class HttpClient::Impl {
       return false;
     }
     job->silence->start();
+    const qsizetype before = job->body.size();
     while (job->network_reply->bytesAvailable() > 0) {
       const qint64 room = job->request.max_bytes - job->body.size();
       const QByteArray part = job->network_reply->read(std::min(room + 1, kReadAhead));
@@ -272,6 +361,11 @@ class HttpClient::Impl {
         return false;
       }
       job->body += part;
+    }
+    if (job->request.progress && job->body.size() != before) {
+      const qint64 length = declaredLength(*job->network_reply);
+      job->request.progress({false, job->body.size(), length > 0 ? std::optional(length) : std::nullopt});
+      return active(id) != nullptr;
     }
     return true;
   }
@@ -297,8 +391,9 @@ class HttpClient::Impl {
                              : brokenOff(job));
       return;
     }
-    if (error == QNetworkReply::ProtocolFailure || error == QNetworkReply::UnknownContentError ||
-        isShort(job, status)) {
+    // Qt calls a body that cannot be unpacked so, and every status 4xx that it has no name for.
+    const bool spoiled = error == QNetworkReply::UnknownContentError && status < 400;
+    if (error == QNetworkReply::ProtocolFailure || spoiled || isShort(job, status)) {
       finish(id, brokenOff(job));
       return;
     }
@@ -315,7 +410,7 @@ class HttpClient::Impl {
         !reply.hasRawHeader("Content-Length")) {
       return false;
     }
-    return job.body.size() < reply.header(QNetworkRequest::ContentLengthHeader).toLongLong();
+    return job.body.size() < declaredLength(reply);
   }
 
   void follow(RequestId id, Job& job) {
@@ -326,7 +421,7 @@ class HttpClient::Impl {
                              .arg(hostAndPort(target))));
       return;
     }
-    if (job.request.post) {
+    if (job.request.method != HttpMethod::Get) {
       finish(id, failure(HttpAnswer::Kind::Refused,
                          QStringLiteral("the robot points to another address, which is not followed")));
       return;
@@ -347,8 +442,7 @@ class HttpClient::Impl {
     const QNetworkReply& reply = *job.network_reply;
     const QByteArray cache_control = reply.rawHeader("Cache-Control");
     const QByteArray etag = reply.rawHeader("ETag");
-    const bool caching =
-        job.request.cacheable && !job.request.post && cache_ != nullptr && job.redirects == 0;
+    const bool caching = cached(job) && job.redirects == 0;
     if (status == 304 && job.stored) {
       cache_->refresh(job.request.url, cache_control, etag);
       return storedAnswer(job);
@@ -359,6 +453,7 @@ class HttpClient::Impl {
     answer.content_type = reply.rawHeader("Content-Type");
     answer.body = std::move(job.body);
     if (!answer.ok()) {
+      answer.said = errorText(answer.body, answer.content_type);
       answer.sentence = statusSentence(status, answer.body, answer.content_type);
     }
     if (caching && status == 200) {
@@ -387,7 +482,7 @@ class HttpClient::Impl {
   }
 
   static HttpAnswer brokenOff(const Job& job) {
-    const qint64 length = job.network_reply->header(QNetworkRequest::ContentLengthHeader).toLongLong();
+    const qint64 length = declaredLength(*job.network_reply);
     return failure(HttpAnswer::Kind::Unreachable,
                    length > 0
                        ? QStringLiteral("the answer broke off after %1 of %2 bytes")
@@ -398,13 +493,17 @@ class HttpClient::Impl {
   /// Takes the job off the network; its answer is told from the event loop.
   void finish(RequestId id, HttpAnswer answer) {
     Job& job = jobs_.at(id);
-    const bool first = !job.answer;
-    job.answer = std::move(answer);
-    if (!first) {
+    if (job.answer) {
       return;
     }
+    answer.sent = maySent(job, answer.kind);
+    if (answer.status == 0 && job.network_reply != nullptr) {
+      answer.status = job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
+    }
+    job.answer = std::move(answer);
     if (job.network_reply != nullptr) {
       --in_flight_;
+      bounded_in_flight_ -= job.request.most_at_once > 0;
     }
     drop(job);
     later([this, id] { tell(id); });
@@ -418,6 +517,10 @@ class HttpClient::Impl {
       job.network_reply->abort();
       job.network_reply->deleteLater();
       job.network_reply = nullptr;
+      job.upload = nullptr;
+    }
+    if (job.own_network) {
+      job.own_network.release()->deleteLater();  // with its reply; it may be the sender of what runs now
     }
   }
 
@@ -438,6 +541,7 @@ class HttpClient::Impl {
   QSet<QByteArray> unusable_;  // addresses whose last answer was discarded
   std::deque<RequestId> waiting_;
   int in_flight_ = 0;
+  int bounded_in_flight_ = 0;  // those among them that name how many at once
   RequestId last_id_ = 0;
 };
 
@@ -446,12 +550,7 @@ HttpClient::HttpClient(const QUrl& origin, const QByteArray& secret, HttpCache* 
 
 HttpClient::~HttpClient() = default;
 
-HttpClient::RequestId HttpClient::get(const HttpRequest& request, Reply reply) {
-  return impl_->add(request, std::move(reply));
-}
-
-HttpClient::RequestId HttpClient::post(HttpRequest request, Reply reply) {
-  request.post = true;
+HttpClient::RequestId HttpClient::send(const HttpRequest& request, Reply reply) {
   return impl_->add(request, std::move(reply));
 }
 

@@ -1,5 +1,6 @@
-// HTTP to one robot: bounded, cancellable, secret kept to its own origin, cached on disk.
-// Source: axbot.md "Requests"; submap-textures.md "Versions, cache and fetch rules".
+// HTTP to one robot: bounded, cancellable, secret kept to its own origin, answers cached on disk, what
+// changes something never sent twice. Source: axbot.md "Requests"; submap-textures.md "Versions, cache and
+// fetch rules".
 #pragma once
 
 #include <chrono>
@@ -18,33 +19,49 @@ namespace mapwright::net {
 
 class HttpCache;
 
+/// All but Get are sent once at most, over a connection of their own, are never redirected and never cached.
+enum class HttpMethod { Get, Post, Put, Patch, Delete };
+
+/// How much of a body has travelled: of the request's (`up`), later of the answer's.
+struct HttpProgress {
+  bool up = false;
+  qint64 bytes = 0;
+  std::optional<qint64> of_bytes;  // nullopt = not known
+};
+
 struct HttpRequest {
+  HttpMethod method = HttpMethod::Get;
   QUrl url;  // absolute
   QByteArray accept = "application/json";
-  bool post = false;  // POST of `body`; never sent twice by itself, never redirected, never cached
-  QByteArray body;    // of a POST
-  QByteArray content_type = "application/json";  // of `body`
+  QByteArray body;                               // of any method but Get
+  QByteArray content_type = "application/json";  // of `body`, where it is not empty
   bool cacheable = false;                        // look into and fill the disk cache
   bool content_addressed =
       false;  // the URL names a version: without Cache-Control and ETag the body is kept for good
   qint64 max_bytes = qint64(256) << 20;       // a longer body is cut off and fails
-  std::chrono::milliseconds timeout{30'000};  // without any byte arriving, once the request has been sent
+  std::chrono::milliseconds timeout{30'000};  // without a byte going out or coming in, once it is its turn
+  std::function<void(HttpProgress)> progress = {};  // told before the answer; may cancel, must not destroy
+  // With so many under way that name a number here it waits; 0 = it only counts to kInFlight.
+  int most_at_once = 0;
 };
 
 struct HttpAnswer {
   enum class Kind { Answered, Unreachable, TimedOut, TooLarge, Refused, Certificate, Cancelled };
   Kind kind = Kind::Unreachable;
-  int status = 0;  // HTTP status when Answered (304 is resolved to the stored 200)
+  int status = 0;  // HTTP status when Answered (304 is resolved to the stored 200), or as far as that came
+  /// Some of the request may have left this computer. False is certain: nobody has seen it.
+  bool sent = false;
   QByteArray body;
   QByteArray content_type;
   QString sentence;  // for people: why it is not a 2xx; plain text, at most 300 characters, never markup
+  QString said;      // what the robot itself said about its error; plain text likewise, empty = nothing
   bool from_cache = false;                      // the body did not travel: fresh on disk, or 304
   std::optional<CertificateFault> certificate;  // of Kind::Certificate
   bool ok() const { return kind == Kind::Answered && status >= 200 && status < 300; }
 };
 
 /// Asks one robot. Lives on the thread that made it; callbacks arrive there from its event loop, exactly
-/// once, never from within get(), cancel() or cancelAll(). A destroyed client calls nobody any more. At most
+/// once, never from within send(), cancel() or cancelAll(). A destroyed client calls nobody any more. At most
 /// kInFlight requests are under way at once, the others wait their turn; answers that are fresh on disk do
 /// not wait.
 class HttpClient : public QObject {
@@ -60,10 +77,7 @@ class HttpClient : public QObject {
 
   using Reply = std::function<void(HttpAnswer)>;
   using RequestId = quint64;
-  /// Sends `request`, a GET unless it says otherwise.
-  RequestId get(const HttpRequest& request, Reply reply);
-  /// The same as a POST.
-  RequestId post(HttpRequest request, Reply reply);
+  RequestId send(const HttpRequest& request, Reply reply);
   void cancel(RequestId id);  // the reply comes with Kind::Cancelled; unknown ids are ignored
   void cancelAll();
   /// Whom to believe from the next connection on; idle ones are dropped.

@@ -7,6 +7,8 @@
 #include <QJsonObject>
 #include <QRegularExpression>
 
+#include "words/http_status.h"
+
 namespace mapwright::net {
 
 namespace {
@@ -62,34 +64,6 @@ QString plainText(const QString& text) {
   return plain;
 }
 
-QString statusWords(int status) {
-  constexpr std::array<std::pair<int, const char*>, 19> kWords{{{304, "not modified"},
-                                                                {400, "bad request"},
-                                                                {401, "not authorised"},
-                                                                {403, "forbidden"},
-                                                                {404, "not found"},
-                                                                {405, "method not allowed"},
-                                                                {408, "request timeout"},
-                                                                {409, "conflict"},
-                                                                {410, "gone"},
-                                                                {413, "too large"},
-                                                                {415, "unsupported media type"},
-                                                                {422, "cannot be processed"},
-                                                                {426, "upgrade required"},
-                                                                {429, "too many requests"},
-                                                                {500, "internal error"},
-                                                                {501, "not implemented"},
-                                                                {502, "bad gateway"},
-                                                                {503, "unavailable"},
-                                                                {504, "gateway timeout"}}};
-  const auto* found =
-      std::find_if(kWords.begin(), kWords.end(), [status](const auto& word) { return word.first == status; });
-  if (found == kWords.end()) {
-    return QString::number(status);
-  }
-  return QStringLiteral("%1 (%2)").arg(status).arg(QLatin1String(found->second));
-}
-
 QString errorText(const QByteArray& body, const QByteArray& content_type) {
   const QByteArray beginning = body.left(kMaxErrorBody).trimmed();
   if (beginning.startsWith('{') || content_type.contains("json")) {
@@ -108,7 +82,8 @@ QString errorText(const QByteArray& body, const QByteArray& content_type) {
 }
 
 QString statusSentence(int status, const QByteArray& body, const QByteArray& content_type) {
-  QString sentence = QStringLiteral("the robot answered %1").arg(statusWords(status));
+  QString sentence =
+      QStringLiteral("the robot answered %1").arg(QString::fromStdString(words::statusWords(status)));
   const QString text = errorText(body, content_type);
   if (!text.isEmpty()) {
     sentence += QStringLiteral(": ") + text;

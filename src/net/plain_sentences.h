@@ -12,8 +12,6 @@ inline constexpr qsizetype kMaxSentence = 300;  // characters
 
 /// At most kMaxSentence characters on one line, without tags, control characters and angle brackets.
 QString plainText(const QString& text);
-/// "404 (not found)"; "299" when the number has no common name.
-QString statusWords(int status);
 /// What an error's body says: the text of a JSON object's detail, message or error, or of a short plain or
 /// HTML page; empty when there is nothing to show.
 QString errorText(const QByteArray& body, const QByteArray& content_type);

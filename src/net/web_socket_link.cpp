@@ -13,6 +13,7 @@
 #include "net/backoff.h"
 #include "net/plain_sentences.h"
 #include "net/secret.h"
+#include "words/http_status.h"
 
 namespace mapwright::net {
 
@@ -259,7 +260,7 @@ class WebSocketLink::Impl {
       status_ = status;
       refuse(Fault::Refused,
              QStringLiteral("the robot refuses the connection: %1; the secret may be missing or wrong")
-                 .arg(statusWords(status)));
+                 .arg(QString::fromStdString(words::statusWords(status))));
       return;
     }
     status_ = status;
@@ -272,7 +273,8 @@ class WebSocketLink::Impl {
     }
     if (status >= 400) {
       fail(status < 500 || status == 501 ? Fault::NotAWebSocket : Fault::Unreachable,
-           QStringLiteral("the robot refused the connection: %1").arg(statusWords(status)));
+           QStringLiteral("the robot refused the connection: %1")
+               .arg(QString::fromStdString(words::statusWords(status))));
       return;
     }
     fail(isForeignAnswer(error, text) ? Fault::NotAWebSocket : Fault::Unreachable,

@@ -104,7 +104,7 @@ void BlockPainter::paintTexture(const PixelSquare& square, int samples, const Pl
   s.v_per_column = p.v_per_column * step * cell, s.v_per_row = p.v_per_row * step * cell;
 
   const TapCells& cells = cellsOf(p, index);
-  const raster::DenseCells& level = cells.level;
+  const cells::DenseCells& level = cells.level;
   const TapRange taps = s.tapsOf(0, 0, samples, samples);
   if (!(taps.u1 >= 0 && taps.u0 < level.width && taps.v1 >= 0 && taps.v0 < level.height)) return;
   if (std::hypot(s.u_per_column, s.v_per_column) > kFinestStep) {
@@ -116,16 +116,16 @@ void BlockPainter::paintTexture(const PixelSquare& square, int samples, const Pl
 
 // Far fewer samples than cells, as in a preview from far away: one tap a sample, in doubles.
 void BlockPainter::paintCoarse(const Sampling& s, const TapCells& tap_cells, const Placement& p) {
-  const raster::DenseCells& cells = tap_cells.level;
+  const cells::DenseCells& cells = tap_cells.level;
   for (int j = 0; j < s.samples; ++j) {
     for (int i = 0; i < s.samples; ++i) {
       const double u = std::floor(s.uAt(i, j) + 0.5), v = std::floor(s.vAt(i, j) + 0.5);
       if (!(u >= 0 && v >= 0 && u < cells.width && v < cells.height)) continue;
-      constexpr int kBorder = raster::DenseCells::kBorder;
+      constexpr int kBorder = cells::DenseCells::kBorder;
       const std::ptrdiff_t at = std::ptrdiff_t(int(v) + kBorder) * cells.stride + (int(u) + kBorder);
-      const std::uint8_t* cell = tap_cells.taps.data() + at * TapCells::kBytesPerCell;
+      const std::uint8_t* cell = tap_cells.taps.get() + at * TapCells::kBytesPerCell;
       int value = 0, alpha = 0;
-      if (cells.layout == raster::CellLayout::Pairs) {
+      if (cells.layout == cells::CellLayout::Pairs) {
         value = cell[0], alpha = cell[1];
       } else {
         const int d = *reinterpret_cast<const std::int8_t*>(cell);
@@ -142,15 +142,14 @@ void BlockPainter::paintCoarse(const Sampling& s, const TapCells& tap_cells, con
 }
 
 void BlockPainter::paintFine(const Sampling& s, const TapCells& tap_cells, const Placement& p) {
-  const raster::DenseCells& cells = tap_cells.level;
-  constexpr int kBorder = raster::DenseCells::kBorder;
+  const cells::DenseCells& cells = tap_cells.level;
+  constexpr int kBorder = cells::DenseCells::kBorder;
   const double middle = (s.samples - 1) / 2.0;
   const int base_u = int(std::clamp(std::floor(s.uAt(middle, middle)), -1.0, double(cells.width)));
   const int base_v = int(std::clamp(std::floor(s.vAt(middle, middle)), -1.0, double(cells.height)));
   BlockPass pass;
-  pass.cells =
-      tap_cells.taps.data() +
-      (std::ptrdiff_t(base_v + kBorder) * cells.stride + (base_u + kBorder)) * TapCells::kBytesPerCell;
+  pass.cells = tap_cells.taps.get() + (std::ptrdiff_t(base_v + kBorder) * cells.stride + (base_u + kBorder)) *
+                                          TapCells::kBytesPerCell;
   pass.stride = cells.stride;
   pass.layout = cells.layout;
   pass.u = fixed(s.u - base_u) + (p.nearest ? 0 : std::int32_t(kRounding));

@@ -24,7 +24,8 @@ std::array<std::uint8_t, 256> percents() {
 
 tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTexture> textures,
                                                     double resolution_m, DenseCache& cache,
-                                                    const std::function<bool(double)>& proceed) {
+                                                    const std::function<bool(double)>& proceed,
+                                                    const grids::Means& means) {
   const auto fail = [](std::string sentence) { return tl::make_unexpected(std::move(sentence)); };
   if (!(resolution_m > 0) || !std::isfinite(resolution_m)) return fail("The resolution must be more than 0.");
   std::vector<geometry::WorldRect> rects;
@@ -38,8 +39,8 @@ tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTextur
                bottom = std::floor(bounds.min_y / resolution_m);
   const double columns = std::ceil(bounds.max_x / resolution_m) - left;
   const double rows = std::ceil(bounds.max_y / resolution_m) - bottom;
-  if (!(columns >= 1 && rows >= 1 && columns <= raster::kMaxGridEdge && rows <= raster::kMaxGridEdge &&
-        columns * rows <= double(raster::kMaxGridCells))) {
+  if (!(columns >= 1 && rows >= 1 && columns <= grids::kMaxGridEdge && rows <= grids::kMaxGridEdge &&
+        columns * rows <= double(grids::kMaxGridCells))) {
     return fail("The map is too large for one picture at this resolution. Choose a coarser one.");
   }
   const int width = int(columns), height = int(rows);
@@ -49,7 +50,7 @@ tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTextur
   made.reference.resolution_m = resolution_m;
   made.reference.origin = {left * resolution_m, bottom * resolution_m, 0};
   const auto builder =
-      raster::buildGrid(width, height, raster::CellCode::Occupancy, raster::Reduction::OccupiedWins);
+      grids::buildGrid(width, height, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins, means);
   const std::array<std::uint8_t, 256> percent = percents();
 
   PixelGrid window;
@@ -61,7 +62,7 @@ tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTextur
     if (proceed && !proceed(double(row) / height)) return fail("Cancelled.");
     window.first_row = row;
     window.height_px = std::min(kStrip, height - row);
-    strip.assign(std::size_t(width) * std::size_t(window.height_px), raster::kUnknownOccupancy);
+    strip.assign(std::size_t(width) * std::size_t(window.height_px), grids::kUnknownOccupancy);
     for (int column = 0; column < width; column += kColumns) {
       window.first_column = column;
       window.width_px = std::min(kColumns, width - column);

@@ -10,22 +10,23 @@
 
 #include <tl/expected.hpp>
 
+#include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
-#include "raster/grid_pyramid.h"
 #include "render/compositor.h"
 
 namespace mapwright::render {
 
 struct ComposedGrid {
-  std::shared_ptr<const raster::GridPyramid> cells;  // code Occupancy: percent
-  map::GridReference reference;                      // unturned
+  std::shared_ptr<const grids::GridPyramid> cells;  // code Occupancy: percent
+  map::GridReference reference;                     // unturned
 };
 
 /// Composes `textures` (ascending ids) exactly at `resolution_m`, over all that they touch. Memory: one
 /// strip of 256 rows and the compressed grid. `proceed` gets the part that is done (0..1) and ends the work
-/// by returning false. The error is a sentence. Any thread; one core.
+/// by returning false. The error is a sentence. Any thread; one core and what `means` gives.
 tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTexture> textures,
                                                     double resolution_m, DenseCache& cache,
-                                                    const std::function<bool(double done)>& proceed = {});
+                                                    const std::function<bool(double done)>& proceed = {},
+                                                    const grids::Means& means = {});
 
 }  // namespace mapwright::render

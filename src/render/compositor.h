@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "cells/cell_texture.h"
 #include "geometry/pose.h"
 #include "geometry/rect.h"
 #include "map/submap.h"
-#include "raster/cell_texture.h"
 #include "render/dense_cache.h"
 
 namespace mapwright::render {
@@ -27,7 +27,7 @@ enum PixelFlag : std::uint8_t {
 /// A texture where it lies. `flags`: the PixelFlag bits (without kObserved) its pixels get.
 struct PlacedTexture {
   map::SubmapId id;
-  std::shared_ptr<const raster::CellTexture> texture;
+  std::shared_ptr<const cells::CellTexture> texture;
   geometry::Pose2 world_from_texture;  // columns run along -y, rows along -x of this frame
   std::uint8_t flags = 0;
 };

@@ -1,22 +1,28 @@
 #include "render/dense_cache.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace mapwright::render {
 
-TapCells tapCellsOf(raster::DenseCells dense) {
+TapCells tapCellsOf(cells::DenseCells dense) {
   TapCells cells;
-  if (dense.layout == raster::CellLayout::Pairs) {
-    cells.taps = std::move(dense.data);
+  const std::uint8_t* const __restrict in = dense.data.data();
+  const std::size_t count = dense.data.size();
+  const bool pairs = dense.layout == cells::CellLayout::Pairs;
+  cells.tap_bytes = pairs ? count : 2 * count;
+  // Written from end to end: clearing it first would take as long as filling it.
+  auto taps = std::make_unique_for_overwrite<std::uint8_t[]>(cells.tap_bytes);
+  std::uint8_t* const __restrict out = taps.get();
+  if (pairs) {
+    std::copy_n(in, count, out);
   } else {
-    const std::size_t count = dense.data.size(), stride = std::size_t(dense.stride);
-    cells.taps.resize(2 * count);
-    const std::uint8_t* const in = dense.data.data();
-    std::uint8_t* const out = cells.taps.data();
+    const std::size_t stride = std::size_t(dense.stride);
     const std::size_t with_row_below = count > stride ? count - stride : 0;
     for (std::size_t i = 0; i < with_row_below; ++i) out[2 * i] = in[i], out[2 * i + 1] = in[i + stride];
-    for (std::size_t i = with_row_below; i < count; ++i) out[2 * i] = in[i];
+    for (std::size_t i = with_row_below; i < count; ++i) out[2 * i] = in[i], out[2 * i + 1] = 0;
   }
+  cells.taps = std::move(taps);
   dense.data = {};
   cells.level = std::move(dense);
   return cells;
@@ -26,7 +32,7 @@ TapCells tapCellsOf(raster::DenseCells dense) {
 // lie at the address of a dead one, so a hit counts only when the owners agree.
 struct DenseCache::Entry {
   Key key;
-  std::weak_ptr<const raster::CellTexture> owner;
+  std::weak_ptr<const cells::CellTexture> owner;
   std::shared_ptr<const TapCells> cells;
 };
 
@@ -38,7 +44,7 @@ DenseCache::DenseCache(std::size_t budget_bytes) : budget_(budget_bytes) {}
 
 DenseCache::~DenseCache() = default;
 
-std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const raster::CellTexture>& texture,
+std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const cells::CellTexture>& texture,
                                                 int level) {
   const Key key{texture.get(), level};
   {

@@ -8,9 +8,8 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
-#include <vector>
 
-#include "raster/cell_texture.h"
+#include "cells/cell_texture.h"
 
 namespace mapwright::render {
 
@@ -19,15 +18,16 @@ namespace mapwright::render {
 ///
 /// Folded: two bytes a cell, the cell and the one in the row below it, so that one 32-bit load at a cell
 /// brings all four bilinear taps (top left, bottom left, top right, bottom right). Pairs: value and alpha as
-/// in raster::DenseCells. Cell (column u, row v) starts at taps[((v + kBorder) * stride + (u + kBorder)) *
+/// in cells::DenseCells. Cell (column u, row v) starts at taps[((v + kBorder) * stride + (u + kBorder)) *
 /// kBytesPerCell].
 struct TapCells {
   static constexpr int kBytesPerCell = 2;
-  raster::DenseCells level;
-  std::vector<std::uint8_t> taps;
-  std::size_t bytes() const { return taps.size() + level.bytes(); }
+  cells::DenseCells level;
+  std::unique_ptr<const std::uint8_t[]> taps;
+  std::size_t tap_bytes = 0;
+  std::size_t bytes() const { return tap_bytes + level.bytes(); }
 };
-TapCells tapCellsOf(raster::DenseCells dense);
+TapCells tapCellsOf(cells::DenseCells dense);
 
 /// Thread-safe least-recently-used cache with a budget in bytes. Entries in use stay alive through their
 /// shared_ptr.
@@ -40,14 +40,14 @@ class DenseCache {
 
   /// The level laid out for sampling, from the cache or expanded now. Preconditions: texture set, level
   /// within its levels.
-  std::shared_ptr<const TapCells> get(const std::shared_ptr<const raster::CellTexture>& texture, int level);
+  std::shared_ptr<const TapCells> get(const std::shared_ptr<const cells::CellTexture>& texture, int level);
   std::size_t bytes() const;
   void clear();
 
  private:
   struct Entry;
   struct Key {
-    const raster::CellTexture* texture;
+    const cells::CellTexture* texture;
     int level;
     bool operator==(const Key&) const = default;
   };

@@ -25,8 +25,8 @@ std::uint32_t mixed(std::uint32_t from, std::uint32_t to, double part) {
   return out;
 }
 
-GridPalette ramp(raster::CellCode code, std::uint32_t occupied, std::uint32_t free) {
-  const raster::CellMeaning& meaning = raster::meaningOf(code);
+GridPalette ramp(grids::CellCode code, std::uint32_t occupied, std::uint32_t free) {
+  const grids::CellMeaning& meaning = grids::meaningOf(code);
   GridPalette palette{};
   for (std::size_t byte = 0; byte < 256; ++byte) {
     if (meaning.known[byte])
@@ -42,11 +42,11 @@ double distanceFrom(std::uint8_t background, std::size_t byte) {
 
 }  // namespace
 
-GridPalette wholeMapPalette(const MapColors& colors, raster::CellCode code) {
+GridPalette wholeMapPalette(const MapColors& colors, grids::CellCode code) {
   return ramp(code, colors.occupied, colors.free);
 }
 
-GridPalette incrementalPalette(const MapColors& colors, raster::CellCode code) {
+GridPalette incrementalPalette(const MapColors& colors, grids::CellCode code) {
   return ramp(code, colors.incremental_occupied, colors.incremental_free);
 }
 
@@ -97,7 +97,7 @@ GridPalette ownPalette(const std::vector<std::uint32_t>& argb) {
   return palette;
 }
 
-std::uint8_t commonestByte(const raster::GridPyramid& cells) {
+std::uint8_t commonestByte(const grids::GridPyramid& cells) {
   constexpr int kSamplesAnEdge = 200;
   std::array<int, 256> counts{};
   const int step_x = std::max(1, cells.width() / kSamplesAnEdge);

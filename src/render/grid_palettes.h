@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster/grid_cells.h"
+#include "grids/grid_cells.h"
 #include "render/grid_renderer.h"
 #include "render/map_colors.h"
 
 namespace mapwright::render {
 
 /// Occupied to free, linear; unknown is transparent.
-GridPalette wholeMapPalette(const MapColors& colors, raster::CellCode code);
+GridPalette wholeMapPalette(const MapColors& colors, grids::CellCode code);
 /// The same between the incremental colours.
-GridPalette incrementalPalette(const MapColors& colors, raster::CellCode code);
+GridPalette incrementalPalette(const MapColors& colors, grids::CellCode code);
 /// Costs of a gray costmap. `background`: the byte that most of it is, taken for "no cost" (robots send both
 /// polarities); the byte farthest from it is an obstacle.
 GridPalette costmapPalette(std::uint8_t background);
@@ -27,6 +27,6 @@ GridPalette differencePalette(bool dark);
 GridPalette ownPalette(const std::vector<std::uint32_t>& argb);
 
 /// The byte that most cells have, judged from a coarse look at level 0.
-std::uint8_t commonestByte(const raster::GridPyramid& cells);
+std::uint8_t commonestByte(const grids::GridPyramid& cells);
 
 }  // namespace mapwright::render

@@ -52,11 +52,13 @@ class GridRenderer::Impl {
   Impl(GridRenderer& owner, const Options& options)
       : owner_(owner),
         options_(options),
+        budget_(options.budget ? options.budget : std::make_shared<TileBudget>()),
         tiles_(!options.previews),
-        workers_(options.threads,
+        workers_(work::orOwn(options.workers),
                  [this](std::vector<TileWorkers::Outcome> outcomes) { receive(std::move(outcomes)); }) {
     palette_.fill(0);
   }
+  ~Impl() { budget_->held -= held_; }
 
   void setGrid(std::optional<PlacedGrid> placed, std::optional<PlacedGrid> compared) {
     if (placed == placed_ && compared == compared_) return;
@@ -80,7 +82,7 @@ class GridRenderer::Impl {
     if (!placed_ || !placed_->cells) return;
     const int ready = placed_->cells->rowsReady();
     // A band more above: coarse levels come a band late, and reduced pixels reach over the edge.
-    const int from = std::max(0, rows_seen_ - 2 * raster::GridPyramid::kTileEdge);
+    const int from = std::max(0, rows_seen_ - 2 * grids::GridPyramid::kTileEdge);
     rows_seen_ = ready;
     geometry::WorldRect rect;
     for (const double x : {0.0, double(placed_->reference.width)}) {
@@ -179,7 +181,10 @@ class GridRenderer::Impl {
 
   /// A quick look at every tile comes first, the exact ones after that.
   void proceed() {
-    if (!placed_ || !placed_->cells || !active_) return;
+    if (!placed_ || !placed_->cells || !active_) {
+      keepWithin(0);
+      return;
+    }
     bool all_seen = true;
     if (options_.previews) {
       for (const TilePlace& place : tiles_.visible()) {
@@ -190,7 +195,7 @@ class GridRenderer::Impl {
           makeRoom();
           break;
         }
-        tile.preview_work = start(place, Sampling::Quick);
+        tile.preview_work = start(place, tile, Sampling::Quick);
       }
     }
     if (all_seen && finishable()) {
@@ -198,11 +203,19 @@ class GridRenderer::Impl {
         if (!workers_.hasRoom()) break;
         ViewTile& tile = tiles_.at(place);
         if (!tile.settled() && tile.exact_work == 0 && tile.preview_work == 0) {
-          tile.exact_work = start(place, Sampling::Exact);
+          tile.exact_work = start(place, tile, Sampling::Exact);
         }
       }
     }
-    tiles_.trim(options_.tile_budget_bytes);
+    keepWithin(budget_->bytes);
+  }
+
+  /// What is in view stays all the same.
+  void keepWithin(std::size_t budget) {
+    budget_->held -= held_;
+    tiles_.trim(budget > budget_->held ? budget - budget_->held : 0);
+    held_ = tiles_.bytes();
+    budget_->held += held_;
   }
 
   /// While a window's map is still being read, every tile would be made exact several times.
@@ -219,13 +232,14 @@ class GridRenderer::Impl {
     });
   }
 
-  TileWorkers::Ticket start(const TilePlace& place, Sampling sampling) {
+  TileWorkers::Ticket start(const TilePlace& place, const ViewTile& tile, Sampling sampling) {
     const PixelGrid grid = tiles_.gridOf(place);
     const bool exact = sampling == Sampling::Exact || (finishable() && quickIsExact(grid, *placed_) &&
                                                        (!compared_ || quickIsExact(grid, *compared_)));
-    const auto ticket =
-        workers_.start([grid, sampling, first = *placed_, second = compared_,
-                        palette = palette_](const std::atomic<bool>& cancelled) -> TileResult {
+    const auto ticket = workers_.start(
+        tile.urgency(),
+        [grid, sampling, first = *placed_, second = compared_,
+         palette = palette_](const std::atomic<bool>& cancelled) -> TileResult {
           Composition pixels = second ? compareGrids(grid, first, *second, &cancelled, sampling)
                                       : sampleGrid(grid, first, &cancelled, sampling);
           if (pixels.width_px == 0) return {};
@@ -286,6 +300,8 @@ class GridRenderer::Impl {
 
   GridRenderer& owner_;
   Options options_;
+  std::shared_ptr<TileBudget> budget_;
+  std::size_t held_ = 0;  // of it
   std::optional<PlacedGrid> placed_, compared_;
   GridPalette palette_;
   ViewTiles tiles_;

@@ -19,7 +19,13 @@ namespace mapwright::render {
 /// The colour of every cell byte: 0xAARRGGBB, premultiplied. What is outside the grid is transparent.
 using GridPalette = std::array<std::uint32_t, 256>;
 
-/// GUI-thread object; samples on a pool, like TileRenderer: tiles lie in the grid of the view and are drawn
+/// What several renderers may keep together, bytes. GUI thread.
+struct TileBudget {
+  std::size_t bytes = work::budgetsFrom().grid_tiles;
+  std::size_t held = 0;  // by those that have it
+};
+
+/// GUI-thread object; samples on the crew, like TileRenderer: tiles lie in the grid of the view and are drawn
 /// at integer offsets; a replaced content or view stands in until the new one is there. With previews a tile
 /// is first made from a level of detail, and exactly once every tile in view has something to show. Cost of a
 /// frame depends on the screen, not on the map.
@@ -27,9 +33,9 @@ class GridRenderer : public QObject {
   Q_OBJECT
  public:
   struct Options {
-    std::size_t tile_budget_bytes = std::size_t(64) << 20;
-    int threads = 0;       // 0 = one per core
-    bool previews = true;  // false: only exact tiles are ever shown (snapshots)
+    std::shared_ptr<TileBudget> budget = {};      // null = one of its own
+    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+    bool previews = true;                         // false: only exact tiles are ever shown (snapshots)
   };
   explicit GridRenderer(Options options, QObject* parent = nullptr);
   ~GridRenderer() override;

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "raster/cell_texture.h"
+#include "cells/cell_texture.h"
 
 namespace mapwright::render {
 
@@ -28,7 +28,7 @@ struct SampleBlock {
 struct BlockPass {
   const std::uint8_t* cells = nullptr;  // the cell of TapCells::taps that relative coordinates count from
   int stride = 0;                       // cells
-  raster::CellLayout layout = raster::CellLayout::Folded;
+  cells::CellLayout layout = cells::CellLayout::Folded;
   // Tap coordinates of sample (0,0) of the block relative to `cells` and their increments, kCoordinateBits
   // fixed point.
   std::int32_t u = 0, v = 0;

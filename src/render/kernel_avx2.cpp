@@ -153,7 +153,7 @@ void paint(const BlockPass& pass, SampleBlock& block) {
 }  // namespace
 
 void paintAvx2(const BlockPass& pass, SampleBlock& block) {
-  if (pass.layout == raster::CellLayout::Pairs) {
+  if (pass.layout == cells::CellLayout::Pairs) {
     pass.inside ? paint<true, true>(pass, block) : paint<true, false>(pass, block);
   } else {
     pass.inside ? paint<false, true>(pass, block) : paint<false, false>(pass, block);

@@ -80,7 +80,7 @@ void paintPortable(const BlockPass& pass, SampleBlock& block) {
     const int row = pass.first_row + j;
     const std::int32_t u = pass.u + row * pass.u_per_row + pass.first_column * pass.u_per_column;
     const std::int32_t v = pass.v + row * pass.v_per_row + pass.first_column * pass.v_per_column;
-    if (pass.layout == raster::CellLayout::Pairs) {
+    if (pass.layout == cells::CellLayout::Pairs) {
       gatherRow<true>(pass, u, v, sums);
     } else {
       gatherRow<false>(pass, u, v, sums);

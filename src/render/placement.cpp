@@ -10,7 +10,7 @@ constexpr double kFadeCells =
     1.0;  // bilinear reach beyond the outermost cell edges is half a cell; the rest is margin
 
 // The level whose cells are nearest to the size of a pixel.
-int previewLevel(const raster::CellTexture& texture, double scale_m_per_px) {
+int previewLevel(const cells::CellTexture& texture, double scale_m_per_px) {
   const double octaves = std::round(std::log2(scale_m_per_px / texture.resolutionM()));
   return int(std::clamp(octaves, 0.0, double(texture.levels() - 1)));
 }

@@ -79,12 +79,12 @@ Pyramid::State Pyramid::ask(const PyramidKey& key) {
 Pyramid::State Pyramid::compose(const PyramidKey& key, Node& node) {
   if (!workers_.hasRoom()) return State::Pending;
   const PixelGrid grid = gridOf(key, base_m_per_px_);
-  node.ticket = workers_.start(
-      [grid, textures = index_.within(grid.bounds()), &dense = dense_](const std::atomic<bool>& cancelled) {
-        const Composition pixels =
-            render::compose(grid, textures, Quality::Exact, dense, Kernel::Best, &cancelled);
-        return TileResult{nullptr, {}, pyramidTileOf(pixels)};
-      });
+  node.ticket = workers_.start(work::Urgency::Wanted, [grid, textures = index_.within(grid.bounds()),
+                                                       &dense = dense_](const std::atomic<bool>& cancelled) {
+    const Composition pixels =
+        render::compose(grid, textures, Quality::Exact, dense, Kernel::Best, &cancelled);
+    return TileResult{nullptr, {}, pyramidTileOf(pixels)};
+  });
   under_way_.emplace(node.ticket, key);
   return State::Pending;
 }
@@ -106,7 +106,7 @@ Pyramid::State Pyramid::halve(const PyramidKey& key) {
   if (std::all_of(parts.begin(), parts.end(), [](const auto& part) { return !part; }))
     return setCurrent(node, nullptr);
   if (!workers_.hasRoom()) return State::Pending;
-  node.ticket = workers_.start([parts](const std::atomic<bool>&) {
+  node.ticket = workers_.start(work::Urgency::Wanted, [parts](const std::atomic<bool>&) {
     return TileResult{nullptr, {}, halved(parts)};
   });
   under_way_.emplace(node.ticket, key);

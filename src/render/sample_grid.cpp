@@ -11,8 +11,8 @@
 namespace mapwright::render {
 namespace {
 
-using raster::GridPyramid;
-using raster::GridTile;
+using grids::GridPyramid;
+using grids::GridTile;
 
 constexpr int kEdge = GridPyramid::kTileEdge;
 constexpr int kEdgeBits = 8;
@@ -86,9 +86,9 @@ class Reducer {
  public:
   Reducer(const TileWindow& window, const GridPyramid& cells)
       : window_(window),
-        meaning_(raster::meaningOf(cells.code())),
+        meaning_(grids::meaningOf(cells.code())),
         order_(cells.order()),
-        average_(cells.reduction() == raster::Reduction::Average) {}
+        average_(cells.reduction() == grids::Reduction::Average) {}
 
   /// Writes the byte; false where nothing has been read.
   bool operator()(const Footprint& print, const Eigen::Vector2d& centre, double half,
@@ -152,7 +152,7 @@ class Reducer {
   }
 
   const TileWindow& window_;
-  const raster::CellMeaning& meaning_;
+  const grids::CellMeaning& meaning_;
   const std::array<std::uint8_t, 256>& order_;
   bool average_;
 };
@@ -206,9 +206,9 @@ void sampleTouched(const PixelGrid& grid, const CellsOfPixels& to_cell, const Gr
                    TileReach& reach, Composition& pixels, const std::atomic<bool>* cancelled) {
   const PixelSquare square(to_cell);
   std::uint8_t byte = 0;
-  if (cells.reduction() == raster::Reduction::Average) {
+  if (cells.reduction() == grids::Reduction::Average) {
     MeanTouched mean(cells, reach, square);
-    const raster::CellMeaning& meaning = raster::meaningOf(cells.code());
+    const grids::CellMeaning& meaning = grids::meaningOf(cells.code());
     bool known = false;
     sampleBlocks(grid, to_cell, cancelled, [&](const Eigen::Vector2d& centre, std::size_t at) {
       if (!mean(centre, byte, known)) return;
@@ -297,7 +297,7 @@ bool upright(const PixelGrid& grid, const PlacedGrid& placed) {
 bool quickIsExact(const PixelGrid& grid, const PlacedGrid& placed) {
   if (!drawable(grid, placed) || cellsPerPixel(grid, placed) <= kNoLarger) return true;
   if (quickLevel(grid, placed) > 0) return false;
-  return placed.cells->reduction() == raster::Reduction::Average || upright(grid, placed);
+  return placed.cells->reduction() == grids::Reduction::Average || upright(grid, placed);
 }
 
 Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const std::atomic<bool>* cancelled,
@@ -306,7 +306,7 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
   Composition pixels = emptyRaster(grid);
   if (!drawable(grid, placed)) return pixels;
   const bool exactly = quickIsExact(grid, placed), larger = cellsPerPixel(grid, placed) > kNoLarger;
-  const bool average = placed.cells->reduction() == raster::Reduction::Average;
+  const bool average = placed.cells->reduction() == grids::Reduction::Average;
   // Upright pixels of few cells touch what the quick look takes them to.
   const bool by_level = larger && (sampling == Sampling::Quick ? !exactly || !average : exactly && !average);
   if (!by_level || !sampleLevel(grid, placed, quickLevel(grid, placed), pixels, cancelled)) {
@@ -322,12 +322,12 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
   return pixels;
 }
 
-bool knownIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning) {
+bool knownIn(const Composition& pixels, std::size_t at, const grids::CellMeaning& meaning) {
   return pixels.flags[at] != 0 &&
          (meaning.known[pixels.intensity[at]] || (pixels.flags[at] & kKnownMean) != 0);
 }
 
-int occupancyIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning) {
+int occupancyIn(const Composition& pixels, std::size_t at, const grids::CellMeaning& meaning) {
   const std::uint8_t byte = pixels.intensity[at];
   // Only grays read as unknown what is a mean of known ones.
   return (pixels.flags[at] & kKnownMean) != 0 ? int(std::lround((255 - byte) * 100 / 255.0))
@@ -348,8 +348,8 @@ Composition compareGrids(const PixelGrid& grid, const PlacedGrid& first, const P
   Composition a = sampleGrid(grid, first, cancelled, sampling);
   const Composition b = sampleGrid(grid, second, cancelled, sampling);
   if (a.width_px == 0 || b.width_px == 0 || !first.cells || !second.cells) return {};
-  const raster::CellMeaning& meaning_a = raster::meaningOf(first.cells->code());
-  const raster::CellMeaning& meaning_b = raster::meaningOf(second.cells->code());
+  const grids::CellMeaning& meaning_a = grids::meaningOf(first.cells->code());
+  const grids::CellMeaning& meaning_b = grids::meaningOf(second.cells->code());
   for (std::size_t at = 0; at < a.intensity.size(); ++at) {
     const Difference difference = differenceOf(knownIn(a, at, meaning_a), occupancyIn(a, at, meaning_a),
                                                knownIn(b, at, meaning_b), occupancyIn(b, at, meaning_b));

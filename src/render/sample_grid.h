@@ -8,15 +8,15 @@
 #include <memory>
 #include <optional>
 
+#include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
-#include "raster/grid_pyramid.h"
 #include "render/compositor.h"
 
 namespace mapwright::render {
 
 /// A grid where it lies. The reference has the pyramid's width and height.
 struct PlacedGrid {
-  std::shared_ptr<const raster::GridPyramid> cells;
+  std::shared_ptr<const grids::GridPyramid> cells;
   map::GridReference reference;
   bool operator==(const PlacedGrid&) const = default;
 };
@@ -43,8 +43,8 @@ Composition sampleGrid(const PixelGrid& grid, const PlacedGrid& placed, const st
 bool quickIsExact(const PixelGrid& grid, const PlacedGrid& placed);
 
 /// What a sampled pixel means.
-bool knownIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning);
-int occupancyIn(const Composition& pixels, std::size_t at, const raster::CellMeaning& meaning);
+bool knownIn(const Composition& pixels, std::size_t at, const grids::CellMeaning& meaning);
+int occupancyIn(const Composition& pixels, std::size_t at, const grids::CellMeaning& meaning);
 
 /// How two maps compare at a pixel; the codes of compareGrids().
 enum class Difference : std::uint8_t {

@@ -1,7 +1,9 @@
 #include "render/texture_index.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace mapwright::render {
 namespace {
@@ -11,6 +13,19 @@ constexpr double kFarthestCell = 1e15;
 
 std::int64_t cellCoordinate(double metres, double cell_m) {
   return std::int64_t(std::clamp(std::floor(metres / cell_m), -kFarthestCell, kFarthestCell));
+}
+
+/// What a cell covers along one axis. The outermost hold everything beyond, too.
+std::pair<double, double> reachOf(std::int64_t coordinate, int height, double cell_m) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::int64_t last = std::int64_t(kFarthestCell) >> (TextureIndex::kFanBits * height);
+  const std::int64_t first = -std::int64_t(kFarthestCell) >> (TextureIndex::kFanBits * height);
+  return {coordinate <= first ? -kInfinity : double(coordinate) * cell_m,
+          coordinate >= last ? kInfinity : double(coordinate + 1) * cell_m};
+}
+
+bool finer(const std::pair<double, std::size_t>& count, double resolution_m) {
+  return count.first < resolution_m;
 }
 
 bool sameTexture(const PlacedTexture& a, const PlacedTexture& b) {
@@ -30,8 +45,17 @@ bool drawable(const PlacedTexture& placed, const geometry::WorldRect& bounds) {
 std::size_t TextureIndex::CellHash::operator()(const Cell& cell) const noexcept {
   std::uint64_t h = std::uint64_t(cell.x) * 0x9e3779b97f4a7c15ULL;
   h = (h ^ (h >> 29) ^ std::uint64_t(cell.y)) * 0xbf58476d1ce4e5b9ULL;
-  h = (h ^ (h >> 32) ^ std::uint64_t(cell.size_class)) * 0x94d049bb133111ebULL;
+  h = (h ^ (h >> 32) ^ std::uint64_t(cell.size_class * 64 + cell.height)) * 0x94d049bb133111ebULL;
   return std::size_t(h ^ (h >> 31));
+}
+
+TextureIndex::Cell TextureIndex::parentOf(const Cell& cell) {
+  // Shifting rounds down for negative coordinates, too.
+  return {cell.size_class, cell.height + 1, cell.x >> kFanBits, cell.y >> kFanBits};
+}
+
+int TextureIndex::partOf(const Cell& cell) {
+  return int(cell.x & (kFan - 1)) + kFan * int(cell.y & (kFan - 1));
 }
 
 TextureIndex::Cell TextureIndex::cellOf(const geometry::WorldRect& bounds) {
@@ -39,25 +63,52 @@ TextureIndex::Cell TextureIndex::cellOf(const geometry::WorldRect& bounds) {
   const int size_class = std::ilogb(side) + 1;
   const double cell_m = std::ldexp(1.0, size_class);
   const Eigen::Vector2d center = bounds.center();
-  return {size_class, cellCoordinate(center.x(), cell_m), cellCoordinate(center.y(), cell_m)};
+  return {size_class, 0, cellCoordinate(center.x(), cell_m), cellCoordinate(center.y(), cell_m)};
 }
 
 void TextureIndex::file(const Entry& entry) {
-  const Cell cell = cellOf(entry.bounds);
-  cells_[cell].push_back(&entry);
-  ++class_counts_[cell.size_class];
-  ++resolutions_[entry.placed.texture->resolutionM()];
+  const double resolution_m = entry.placed.texture->resolutionM();
+  ++resolutions_[resolution_m];
+  Cell cell = cellOf(entry.bounds);
+  std::uint64_t part = 0;
+  for (; cell.height <= kDepth; cell = parentOf(cell)) {
+    Node& node = cells_[cell];
+    if (cell.height == 0) node.entries.push_back(&entry);
+    node.parts |= part;
+    auto count = std::lower_bound(node.resolutions.begin(), node.resolutions.end(), resolution_m, finer);
+    if (count == node.resolutions.end() || count->first != resolution_m)
+      count = node.resolutions.insert(count, {resolution_m, 0});
+    ++count->second;
+    part = std::uint64_t(1) << partOf(cell);
+    if (cell.height < kDepth) continue;
+    Class& of = classes_[cell.size_class];
+    ++of.textures;
+    ++of.tops[{cell.x, cell.y}];
+  }
 }
 
 void TextureIndex::unfile(const Entry& entry) {
-  const Cell cell = cellOf(entry.bounds);
-  const auto found = cells_.find(cell);
-  std::erase(found->second, &entry);
-  if (found->second.empty()) cells_.erase(found);
-  const auto count = class_counts_.find(cell.size_class);
-  if (--count->second == 0) class_counts_.erase(count);
-  const auto resolution = resolutions_.find(entry.placed.texture->resolutionM());
+  const double resolution_m = entry.placed.texture->resolutionM();
+  const auto resolution = resolutions_.find(resolution_m);
   if (--resolution->second == 0) resolutions_.erase(resolution);
+  Cell cell = cellOf(entry.bounds);
+  std::uint64_t gone = 0;
+  for (; cell.height <= kDepth; cell = parentOf(cell)) {
+    const auto found = cells_.find(cell);
+    Node& node = found->second;
+    if (cell.height == 0) std::erase(node.entries, &entry);
+    node.parts &= ~gone;
+    const auto count =
+        std::lower_bound(node.resolutions.begin(), node.resolutions.end(), resolution_m, finer);
+    if (--count->second == 0) node.resolutions.erase(count);
+    gone = node.resolutions.empty() ? std::uint64_t(1) << partOf(cell) : 0;
+    if (gone != 0) cells_.erase(found);
+    if (cell.height < kDepth) continue;
+    const auto of = classes_.find(cell.size_class);
+    const auto top = of->second.tops.find({cell.x, cell.y});
+    if (--top->second == 0) of->second.tops.erase(top);
+    if (--of->second.textures == 0) classes_.erase(of);
+  }
 }
 
 std::optional<TextureIndex::Change> TextureIndex::upsert(PlacedTexture placed) {
@@ -91,7 +142,7 @@ std::optional<geometry::WorldRect> TextureIndex::remove(map::SubmapId id) {
 void TextureIndex::clear() {
   entries_.clear();
   cells_.clear();
-  class_counts_.clear();
+  classes_.clear();
   resolutions_.clear();
 }
 
@@ -101,62 +152,83 @@ geometry::WorldRect TextureIndex::bounds() const {
   return rect;
 }
 
-template <typename Visit>
-void TextureIndex::visitWithin(const geometry::WorldRect& rect, Visit visit) const {
+template <typename Enter, typename Visit>
+bool TextureIndex::walk(const Cell& cell, const geometry::WorldRect& rect, Enter& enter, Visit& visit) const {
+  const Node& node = cells_.find(cell)->second;
+  // Where the centres lie of what is filed below. It reaches at most half a leaf beyond.
+  const double leaf_m = std::ldexp(1.0, cell.size_class);
+  const double cell_m = std::ldexp(leaf_m, kFanBits * cell.height);
+  const auto [min_x, max_x] = reachOf(cell.x, cell.height, cell_m);
+  const auto [min_y, max_y] = reachOf(cell.y, cell.height, cell_m);
+  const geometry::WorldRect centres{min_x, min_y, max_x, max_y};
+  if (!centres.grown(leaf_m / 2).intersects(rect)) return true;
+  const bool inside = centres.min_x >= rect.min_x && centres.max_x <= rect.max_x &&
+                      centres.min_y >= rect.min_y && centres.max_y <= rect.max_y;
+  if (!enter(node, inside)) return true;
+  for (const Entry* entry : node.entries) {
+    if (entry->bounds.intersects(rect) && !visit(*entry)) return false;
+  }
+  for (std::uint64_t left = node.parts; left != 0; left &= left - 1) {
+    const int part = std::countr_zero(left);
+    const Cell below{cell.size_class, cell.height - 1, cell.x * kFan + part % kFan,
+                     cell.y * kFan + part / kFan};
+    if (!walk(below, rect, enter, visit)) return false;
+  }
+  return true;
+}
+
+template <typename Enter, typename Visit>
+void TextureIndex::walkWithin(const geometry::WorldRect& rect, Enter enter, Visit visit) const {
   if (rect.empty()) return;
-  for (const auto& [size_class, count] : class_counts_) {
-    const double cell_m = std::ldexp(1.0, size_class);
-    // What is filed in a cell reaches at most half a cell beyond it.
-    const std::int64_t x0 = cellCoordinate(rect.min_x - cell_m / 2, cell_m);
-    const std::int64_t x1 = cellCoordinate(rect.max_x + cell_m / 2, cell_m);
-    const std::int64_t y0 = cellCoordinate(rect.min_y - cell_m / 2, cell_m);
-    const std::int64_t y1 = cellCoordinate(rect.max_y + cell_m / 2, cell_m);
-    const double wanted_cells = double(x1 - x0 + 1) * double(y1 - y0 + 1);
-    if (wanted_cells > double(entries_.size())) {
-      for (const auto& [id, entry] : entries_) {
-        if (cellOf(entry.bounds).size_class == size_class && entry.bounds.intersects(rect) && !visit(entry))
-          return;
-      }
-      continue;
-    }
-    for (std::int64_t y = y0; y <= y1; ++y) {
-      for (std::int64_t x = x0; x <= x1; ++x) {
-        const auto cell = cells_.find({size_class, x, y});
-        if (cell == cells_.end()) continue;
-        for (const Entry* entry : cell->second) {
-          if (entry->bounds.intersects(rect) && !visit(*entry)) return;
-        }
-      }
+  for (const auto& [size_class, of] : classes_) {
+    for (const auto& [top, textures] : of.tops) {
+      if (!walk({size_class, kDepth, top.first, top.second}, rect, enter, visit)) return;
     }
   }
 }
 
 std::vector<PlacedTexture> TextureIndex::within(const geometry::WorldRect& rect) const {
   std::vector<PlacedTexture> found;
-  visitWithin(rect, [&](const Entry& entry) {
-    found.push_back(entry.placed);
-    return true;
-  });
+  walkWithin(
+      rect, [](const Node&, bool) { return true; },
+      [&](const Entry& entry) {
+        found.push_back(entry.placed);
+        return true;
+      });
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return found;
 }
 
 bool TextureIndex::anyWithin(const geometry::WorldRect& rect) const {
   bool any = false;
-  visitWithin(rect, [&](const Entry&) {
-    any = true;
-    return false;
-  });
+  walkWithin(
+      rect,
+      [&](const Node&, bool inside) {
+        any |= inside;
+        return !any;
+      },
+      [&](const Entry&) {
+        any = true;
+        return false;
+      });
   return any;
 }
 
 std::optional<double> TextureIndex::finestWithin(const geometry::WorldRect& rect) const {
   std::optional<double> finest_m;
-  visitWithin(rect, [&](const Entry& entry) {
-    const double resolution_m = entry.placed.texture->resolutionM();
+  const auto take = [&](double resolution_m) {
     finest_m = finest_m ? std::min(*finest_m, resolution_m) : resolution_m;
-    return true;
-  });
+  };
+  walkWithin(
+      rect,
+      [&](const Node& node, bool inside) {
+        if (inside) take(node.resolutions.front().first);
+        return !inside && (!finest_m || node.resolutions.front().first < *finest_m);
+      },
+      [&](const Entry& entry) {
+        take(entry.placed.texture->resolutionM());
+        return true;
+      });
   return finest_m;
 }
 

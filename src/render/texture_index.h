@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "render/compositor.h"
@@ -13,10 +14,12 @@
 namespace mapwright::render {
 
 /// Textures by id and by place. A loose grid for every size class (powers of two of the larger side): a
-/// texture is filed in the one cell that holds its centre, so that moving it costs two hash operations
-/// however large the map is.
+/// texture is filed in the one cell that holds its centre. Over each grid stands a tree of coarser and
+/// coarser cells, kFan x kFan to one, that know which of their parts hold something and how fine it is: a
+/// question about a large rectangle is answered from few of them, however many textures lie in it.
 class TextureIndex {
  public:
+  static constexpr int kFanBits = 3, kFan = 1 << kFanBits;
   struct Change {
     geometry::WorldRect before, after;  // empty when absent
   };
@@ -42,23 +45,42 @@ class TextureIndex {
     PlacedTexture placed;
     geometry::WorldRect bounds;
   };
+  static constexpr int kDepth = 9;  // of the trees: from metres to beyond any map
+  /// A cell of a size class; cells of a height above 0 stand for kFan x kFan of the height below.
   struct Cell {
     int size_class;
+    int height;
     std::int64_t x, y;
     bool operator==(const Cell&) const = default;
+  };
+  struct Node {
+    std::vector<const Entry*> entries;                        // at height 0
+    std::uint64_t parts = 0;                                  // that hold something, above it; a bit each
+    std::vector<std::pair<double, std::size_t>> resolutions;  // of all below, finest first, with their counts
   };
   struct CellHash {
     std::size_t operator()(const Cell& cell) const noexcept;
   };
   static Cell cellOf(const geometry::WorldRect& bounds);
+  static Cell parentOf(const Cell& cell);
+  static int partOf(const Cell& cell);  // its place in its parent
   void file(const Entry& entry);
   void unfile(const Entry& entry);
-  template <typename Visit>  // bool visit(const Entry&): false stops
-  void visitWithin(const geometry::WorldRect& rect, Visit visit) const;
+  /// Walks down the tree from `cell`. bool enter(const Node&, bool inside): whether to look at what is below;
+  /// `inside` = all of it touches the rectangle. bool visit(const Entry&): false ends the walk, and so the
+  /// result is false.
+  template <typename Enter, typename Visit>
+  bool walk(const Cell& cell, const geometry::WorldRect& rect, Enter& enter, Visit& visit) const;
+  template <typename Enter, typename Visit>
+  void walkWithin(const geometry::WorldRect& rect, Enter enter, Visit visit) const;
 
   std::unordered_map<map::SubmapId, Entry> entries_;
-  std::unordered_map<Cell, std::vector<const Entry*>, CellHash> cells_;
-  std::map<int, std::size_t> class_counts_;    // textures by size class
+  std::unordered_map<Cell, Node, CellHash> cells_;
+  struct Class {
+    std::size_t textures = 0;
+    std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> tops;  // the highest cells
+  };
+  std::map<int, Class> classes_;               // by size class
   std::map<double, std::size_t> resolutions_;  // textures by metres per cell
 };
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "raster/grid_pyramid.h"
+#include "grids/grid_pyramid.h"
 
 namespace mapwright::render {
 
@@ -12,11 +12,11 @@ namespace mapwright::render {
 /// however much a pixel covers. Rows that have not been read yet are not there.
 class TileReach {
  public:
-  static constexpr int kEdge = raster::GridPyramid::kTileEdge;
+  static constexpr int kEdge = grids::GridPyramid::kTileEdge;
   static constexpr int kEdgeBits = 8;
   static_assert(1 << kEdgeBits == kEdge);
 
-  explicit TileReach(const raster::GridPyramid& cells)
+  explicit TileReach(const grids::GridPyramid& cells)
       : cells_(cells), complete_(cells.complete()), rows_(cells.rowsReady()) {}
 
   /// What was complete when this was made has all its levels.
@@ -33,7 +33,7 @@ class TileReach {
     Slot& slot = slots_[std::size_t((level & 3) << 6 | (tile_y & 7) << 3 | (tile_x & 7))];
     if (slot.level != level || slot.x != tile_x || slot.y != tile_y) {
       auto found = cells_.tile(level, tile_x, tile_y);
-      slot = {level, tile_x, tile_y, found ? std::move(*found) : raster::GridTile{}};
+      slot = {level, tile_x, tile_y, found ? std::move(*found) : grids::GridTile{}};
     }
     return {slot.tile.cells.get(), slot.tile.uniform};
   }
@@ -46,9 +46,9 @@ class TileReach {
  private:
   struct Slot {
     int level = -1, x = 0, y = 0;
-    raster::GridTile tile;
+    grids::GridTile tile;
   };
-  const raster::GridPyramid& cells_;
+  const grids::GridPyramid& cells_;
   bool complete_;
   int rows_;
   std::array<Slot, 256> slots_;

@@ -15,6 +15,11 @@
 #include "map/submap.h"
 #include "render/compositor.h"
 #include "render/map_colors.h"
+#include "work/budgets.h"
+
+namespace mapwright::work {
+class Workers;
+}
 
 namespace mapwright::render {
 
@@ -32,10 +37,11 @@ struct DrawnTile {
 struct TileCounts {
   int visible = 0, exact = 0, preview = 0, pending = 0;
   std::uint64_t composed = 0, dropped_stale = 0;
-  std::size_t cache_bytes = 0;
+  std::size_t cache_bytes = 0;  // of tiles
+  std::size_t dense_bytes = 0;  // of cells laid out
 };
 
-/// GUI-thread object; composes on a pool. Cost of a frame depends on the screen, not on the map.
+/// GUI-thread object; composes on the crew. Cost of a frame depends on the screen, not on the map.
 ///
 /// - Textures are kept in a spatial index; changing one dirties only the tiles under its old and new bounds.
 /// - Tiles lie in the grid of the view (its scale and rotation), so finished ones are drawn at integer
@@ -51,10 +57,9 @@ class TileRenderer : public QObject {
   Q_OBJECT
  public:
   struct Options {
-    std::size_t tile_budget_bytes = std::size_t(192) << 20;
-    std::size_t dense_budget_bytes = std::size_t(64) << 20;
-    int threads = 0;       // 0 = one per core
-    bool previews = true;  // false: only exact tiles are ever shown (snapshots)
+    work::Budgets budgets = work::budgetsFrom();  // of which it takes `tiles` and `dense`
+    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+    bool previews = true;                         // false: only exact tiles are ever shown (snapshots)
   };
   explicit TileRenderer(Options options, QObject* parent = nullptr);
   ~TileRenderer() override;

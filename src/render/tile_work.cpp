@@ -17,10 +17,10 @@ constexpr std::size_t kStandInsOutOfView = 64;
 TileWork::TileWork(const TileRenderer::Options& options, std::function<void()> changed)
     : options_(options),
       changed_(std::move(changed)),
-      dense_(options.dense_budget_bytes),
+      dense_(options.budgets.dense),
       tiles_(!options.previews),
       color_table_(std::make_shared<const ColorTable>(colors_, ColorMode::Normal)),
-      workers_(options.threads,
+      workers_(work::orOwn(options.workers),
                [this](std::vector<TileWorkers::Outcome> outcomes) { receive(std::move(outcomes)); }),
       pyramid_(index_, workers_, dense_) {}
 
@@ -131,7 +131,7 @@ bool TileWork::startFromPyramid(const TilePlace& place, ViewTile& tile) {
   if (patch.columns == 0) return false;
   if (!pyramid_.request(patch) || !workers_.hasRoom()) return true;
   tile.exact_work =
-      startWork(place, true, [grid, patch = std::move(patch)](const std::atomic<bool>& cancelled) {
+      startWork(place, tile, true, [grid, patch = std::move(patch)](const std::atomic<bool>& cancelled) {
         return resampled(grid, patch, cancelled);
       });
   return true;
@@ -143,23 +143,26 @@ void TileWork::startComposing(const TilePlace& place, ViewTile& tile, Quality qu
   const double margin_m = quality == Quality::Preview ? 2 * grid.scale_m_per_px : 0;
   const bool exact = quality == Quality::Exact;
   (exact ? tile.exact_work : tile.preview_work) =
-      startWork(place, exact,
+      startWork(place, tile, exact,
                 [grid, quality, textures = index_.within(grid.bounds().grown(margin_m)),
                  &dense = dense_](const std::atomic<bool>& cancelled) {
                   return compose(grid, textures, quality, dense, Kernel::Best, &cancelled);
                 });
 }
 
-TileWorkers::Ticket TileWork::startWork(const TilePlace& place, bool exact, Compose compose) {
-  const TileWorkers::Ticket ticket = workers_.start([compose = std::move(compose), colors = color_table_](
-                                                        const std::atomic<bool>& cancelled) -> TileResult {
-    auto pixels = std::make_shared<const Composition>(compose(cancelled));
-    const bool anything = std::any_of(pixels->flags.begin(), pixels->flags.end(),
-                                      [](std::uint8_t flags) { return flags != 0; });
-    if (!anything) return {};
-    QImage image = colors->paint(*pixels);
-    return {std::move(pixels), std::move(image), nullptr};
-  });
+TileWorkers::Ticket TileWork::startWork(const TilePlace& place, const ViewTile& tile, bool exact,
+                                        Compose compose) {
+  const TileWorkers::Ticket ticket =
+      workers_.start(tile.urgency(),
+                     [compose = std::move(compose),
+                      colors = color_table_](const std::atomic<bool>& cancelled) -> TileResult {
+                       auto pixels = std::make_shared<const Composition>(compose(cancelled));
+                       const bool anything = std::any_of(pixels->flags.begin(), pixels->flags.end(),
+                                                         [](std::uint8_t flags) { return flags != 0; });
+                       if (!anything) return {};
+                       QImage image = colors->paint(*pixels);
+                       return {std::move(pixels), std::move(image), nullptr};
+                     });
   under_way_.emplace(ticket, ViewWork{place, raster_, generation_, colors_revision_, exact});
   return ticket;
 }
@@ -219,7 +222,7 @@ void TileWork::dropStandInsWhenCovered() {
 }
 
 void TileWork::trim() {
-  const std::size_t budget = options_.tile_budget_bytes;
+  const std::size_t budget = options_.budgets.tiles;
   const auto rest = [&](std::size_t used) { return budget > used ? budget - used : 0; };
   tiles_.trim(rest(pyramid_.bytes()));
   pyramid_.trim(rest(tiles_.bytes()));
@@ -238,6 +241,7 @@ TileCounts TileWork::counts() const {
   counts.composed = composed_;
   counts.dropped_stale = dropped_stale_;
   counts.cache_bytes = tiles_.bytes() + pyramid_.bytes() + stand_ins_.bytes();
+  counts.dense_bytes = dense_.bytes();
   return counts;
 }
 

@@ -58,7 +58,7 @@ class TileWork {
   bool startFromPyramid(const TilePlace& place, ViewTile& tile);
   void startComposing(const TilePlace& place, ViewTile& tile, Quality quality);
   using Compose = std::function<Composition(const std::atomic<bool>& cancelled)>;
-  TileWorkers::Ticket startWork(const TilePlace& place, bool exact, Compose compose);
+  TileWorkers::Ticket startWork(const TilePlace& place, const ViewTile& tile, bool exact, Compose compose);
   int pyramidLevel() const;
   void cancelWork(ViewTile& tile);
   void dropStandInsWhenCovered();

@@ -1,30 +1,24 @@
 #include "render/tile_workers.h"
 
-#include <QThread>
-
-#include "raster/stand_back.h"
+#include <utility>
 
 namespace mapwright::render {
 
-TileWorkers::TileWorkers(int threads, std::function<void(std::vector<Outcome>)> receive)
-    : receive_(std::move(receive)) {
-  pool_.setMaxThreadCount(threads > 0 ? threads : QThread::idealThreadCount());
-}
+TileWorkers::TileWorkers(std::shared_ptr<work::Workers> workers,
+                         std::function<void(std::vector<Outcome>)> receive)
+    : threads_(workers->threads()), receive_(std::move(receive)), share_(std::move(workers)) {}
 
 TileWorkers::~TileWorkers() {
   for (const auto& [ticket, cancelled] : running_) cancelled->store(true, std::memory_order_relaxed);
-  pool_.waitForDone();
 }
 
-bool TileWorkers::hasRoom() const { return running_.size() <= std::size_t(pool_.maxThreadCount()); }
+bool TileWorkers::hasRoom() const { return running_.size() - cancelled_ <= std::size_t(threads_); }
 
-TileWorkers::Ticket TileWorkers::start(Work work) {
+TileWorkers::Ticket TileWorkers::start(work::Urgency urgency, Work work) {
   const Ticket ticket = ++last_ticket_;
   auto cancelled = std::make_shared<std::atomic<bool>>(false);
   running_.emplace(ticket, cancelled);
-  pool_.start([this, ticket, cancelled, work = std::move(work)] {
-    // The GUI thread goes first: a late tile is seen less than a late frame.
-    raster::standBack();
+  share_.start(urgency, [this, ticket, cancelled, work = std::move(work)] {
     Outcome outcome{ticket, false, {}};
     if (!cancelled->load(std::memory_order_relaxed)) outcome.result = work(*cancelled);
     const std::lock_guard lock(mutex_);
@@ -38,7 +32,7 @@ TileWorkers::Ticket TileWorkers::start(Work work) {
 
 void TileWorkers::cancel(Ticket ticket) {
   const auto found = running_.find(ticket);
-  if (found != running_.end()) found->second->store(true, std::memory_order_relaxed);
+  if (found != running_.end() && !found->second->exchange(true, std::memory_order_relaxed)) ++cancelled_;
 }
 
 void TileWorkers::deliver() {
@@ -50,6 +44,7 @@ void TileWorkers::deliver() {
   for (Outcome& outcome : outcomes) {
     const auto found = running_.find(outcome.ticket);
     outcome.cancelled = found->second->load(std::memory_order_relaxed);
+    if (outcome.cancelled) --cancelled_;
     running_.erase(found);
   }
   receive_(std::move(outcomes));

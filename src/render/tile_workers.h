@@ -1,4 +1,4 @@
-// The pool that tile work runs on, seen from the GUI thread. Private to this room.
+// The crew as tile work sees it, from the GUI thread. Private to this room.
 #pragma once
 
 #include <atomic>
@@ -11,10 +11,10 @@
 
 #include <QImage>
 #include <QObject>
-#include <QThreadPool>
 
 #include "render/compositor.h"
 #include "render/pyramid_tile.h"
+#include "work/workers.h"
 
 namespace mapwright::render {
 
@@ -26,9 +26,9 @@ struct TileResult {
   PyramidTilePtr tile;
 };
 
-/// Runs pure functions on threads of its own and hands their results to the thread it lives in, several at a
-/// time. No queue to speak of: it takes one piece of work more than it has threads, so what is started is
-/// what matters now.
+/// Runs pure functions on the crew and hands their results to the thread it lives in, several at a time. No
+/// queue to speak of: it takes one piece of work more than there are threads, so what is started is what
+/// matters now.
 class TileWorkers : public QObject {
  public:
   using Ticket = std::uint64_t;  // never 0
@@ -40,24 +40,27 @@ class TileWorkers : public QObject {
     TileResult result;
   };
 
-  /// threads = 0: one per core. `receive` is called in this object's thread with at least one outcome.
-  TileWorkers(int threads, std::function<void(std::vector<Outcome>)> receive);
+  /// `receive` is called in this object's thread with at least one outcome.
+  TileWorkers(std::shared_ptr<work::Workers> workers, std::function<void(std::vector<Outcome>)> receive);
   ~TileWorkers() override;  // cancels everything and waits
 
   bool hasRoom() const;
-  Ticket start(Work work);  // precondition: hasRoom()
-  /// The outcome still arrives, marked as cancelled.
+  Ticket start(work::Urgency urgency, Work work);  // precondition: hasRoom()
+  /// The outcome still arrives, marked as cancelled. It takes no room any more: it may stand in the queue
+  /// behind what others wait for, and then does nothing.
   void cancel(Ticket ticket);
 
  private:
   void deliver();
 
-  QThreadPool pool_;
+  const int threads_;
   std::function<void(std::vector<Outcome>)> receive_;
   std::unordered_map<Ticket, std::shared_ptr<std::atomic<bool>>> running_;
+  std::size_t cancelled_ = 0;  // of those
   Ticket last_ticket_ = 0;
   std::mutex mutex_;
   std::vector<Outcome> finished_;  // guarded by mutex_
+  work::Share share_;              // last: its jobs see all of the above
 };
 
 }  // namespace mapwright::render

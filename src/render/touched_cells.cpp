@@ -5,7 +5,7 @@
 namespace mapwright::render {
 namespace {
 
-using raster::GridPyramid;
+using grids::GridPyramid;
 
 constexpr int kEdge = TileReach::kEdge;
 constexpr int kValueBits = 20;  // of a sum over at most a row of a tile: 256 * 255
@@ -87,12 +87,12 @@ void HighestTouched::look(const Eigen::Vector2d& centre, const Box& box) {
 }
 
 MeanTouched::MeanTouched(const GridPyramid& cells, TileReach& reach, const PixelSquare& square)
-    : meaning_(raster::meaningOf(cells.code())),
-      unknown_(raster::unknownByte(cells.code())),
+    : meaning_(grids::meaningOf(cells.code())),
+      unknown_(grids::unknownByte(cells.code())),
       reach_(reach),
       square_(square) {
   for (std::size_t byte = 0; byte < 256; ++byte) {
-    const bool gray = raster::isGray(cells.code());
+    const bool gray = grids::isGray(cells.code());
     const std::uint32_t value =
         gray ? std::uint32_t(byte) : std::uint32_t(std::max<int>(0, meaning_.occupancy[byte]));
     weight_[byte] = meaning_.known[byte] ? 1u << kValueBits | value : 0;

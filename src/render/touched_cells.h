@@ -20,7 +20,7 @@ namespace mapwright::render {
 /// what has been found already.
 class HighestTouched {
  public:
-  HighestTouched(const raster::GridPyramid& cells, TileReach& reach, const PixelSquare& square);
+  HighestTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelSquare& square);
   /// `centre`: of the pixel, in cells. False where nothing has been read.
   bool operator()(const Eigen::Vector2d& centre, std::uint8_t& out);
 
@@ -44,7 +44,7 @@ class HighestTouched {
 /// less than half of the ground is known.
 class MeanTouched {
  public:
-  MeanTouched(const raster::GridPyramid& cells, TileReach& reach, const PixelSquare& square);
+  MeanTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelSquare& square);
   /// As above. `is_known` says whether the byte means a known cell, whatever it would mean by itself.
   bool operator()(const Eigen::Vector2d& centre, std::uint8_t& out, bool& is_known);
 
@@ -69,7 +69,7 @@ class MeanTouched {
   void addRun(int from, int to, int v, double weight, Sums& sums);
   bool oneValueAround(const Eigen::Vector2d& centre, std::uint8_t& out);
 
-  const raster::CellMeaning& meaning_;
+  const grids::CellMeaning& meaning_;
   std::uint8_t unknown_;
   TileReach& reach_;
   const PixelSquare& square_;

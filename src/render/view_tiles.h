@@ -30,6 +30,8 @@ struct ViewTile {
   std::uint64_t last_visible = 0;
   bool current() const { return known && shown >= touched; }
   bool settled() const { return current() && exact; }
+  /// A hole is filled before what is there gets newer or better.
+  work::Urgency urgency() const { return known ? work::Urgency::Wanted : work::Urgency::InView; }
 };
 
 /// Tiles by place. Their raster is anchored at the world origin so that panning keeps them; a snapshot's at

@@ -1,14 +1,20 @@
 // The port: what mapwright can ask of any robot. Adapters live in src/robot/<backend>/.
 //
-// A robot is a set of capabilities (architecture, decision 1). A capability that a robot lacks is a null
-// pointer; whyNot() says why, for a tooltip. All members are called on the thread that made the object (the
-// GUI thread, or the command line's main thread), all signals and callbacks arrive there; adapters do their
-// network work on threads of their own.
+// A robot is a set of capabilities (architecture, decision 1), each an object of its own that the robot owns.
+// A capability that a robot lacks is a null pointer; whyNot() says why, for a tooltip. Capabilities may come
+// and go while connected: whoever keeps a pointer asks again after capabilitiesChanged(). All members are
+// called on the thread that made the robot (the GUI thread, or the command line's main thread), all signals
+// and callbacks arrive there; adapters do their network work on threads of their own.
+//
+// Every question answers with a Call and ends exactly once, later: in a value, or in a map::Failure that says
+// of which kind it is and, of a request that changes something, whether it was applied (robot/call.h).
+// tests/robot/contract holds what every adapter must hold.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <QByteArray>
@@ -20,10 +26,13 @@
 #include <tl/expected.hpp>
 
 #include "map/catalogue.h"
-#include "map/live_topics.h"
 #include "map/problem.h"
+#include "map/stamped_message.h"
+#include "map/stream.h"
 #include "map/submap.h"
 #include "map/waypoint.h"
+#include "robot/call.h"
+#include "robot/capability.h"
 
 namespace mapwright::robot {
 
@@ -70,9 +79,10 @@ class SubmapSource {
  public:
   using Reply = std::function<void(map::SubmapAnswer)>;
   virtual ~SubmapSource() = default;
-  /// Asks for one submap. `reply` is called exactly once, later, never from within fetch().
-  virtual void fetch(const map::SubmapKey& key, Reply reply) = 0;
-  /// Aborts the fetches of all keys of `uuid`, or of one key; their replies come with Outcome::Cancelled.
+  /// Asks for one submap. `reply` is called exactly once, later, never from within fetch(); never after the
+  /// robot is gone. Cancelled, it comes with Outcome::Cancelled.
+  virtual Call fetch(const map::SubmapKey& key, Reply reply) = 0;
+  /// The same as cancelling all calls, or those of one key.
   virtual void cancelAll() = 0;
   virtual void cancel(const map::SubmapKey& key) = 0;
   /// The answer for `key`, which said that it was of `answered_version`, cannot be decoded: it is kept
@@ -80,24 +90,17 @@ class SubmapSource {
   virtual void discard(const map::SubmapKey& /*key*/, std::int32_t /*answered_version*/) {}
 };
 
-/// What an asynchronous question ended in: the answer, or what went wrong with whom.
-template <typename T>
-using Answer = tl::expected<T, map::Problem>;
-/// Called exactly once, later, never from within the question; never after the robot is gone.
-template <typename T>
-using AnswerTo = std::function<void(Answer<T>)>;
-
 /// Capability: which maps the robot keeps. Asking changes nothing on the robot.
 class MapCatalogue {
  public:
   virtual ~MapCatalogue() = default;
   /// All maps and mapping results, the current one marked. A part that failed (say, the mappings) is a
   /// problemFound(); the answer holds the rest.
-  virtual void list(AnswerTo<std::vector<map::CatalogueEntry>> reply) = 0;
+  virtual Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) = 0;
   /// More about one: the grid, dates, versions.
-  virtual void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) = 0;
+  virtual Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) = 0;
   /// A small picture of it (PNG).
-  virtual void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) = 0;
+  virtual Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) = 0;
   /// That picture cannot be decoded: it is kept nowhere.
   virtual void discardThumbnail(const map::MapKey& /*key*/) {}
 };
@@ -107,20 +110,37 @@ class WholeMapSource {
  public:
   virtual ~WholeMapSource() = default;
   /// A stored map, a mapping result or the file, whole. MapKind::Live comes as a topic (map::GridMessage).
-  virtual void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) = 0;
-  /// The present SLAM map as one picture at a resolution of the asker's choice, where offered.
-  virtual bool offersOverview() const { return false; }
-  virtual void fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply);
+  virtual Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) = 0;
   /// The picture of this fingerprint, of a map or of a topic, cannot be read to its end: it is kept nowhere,
   /// and the robot itself is asked the next time.
   virtual void discardPicture(const std::string& /*fingerprint*/) {}
+};
+
+/// Capability: the present SLAM map as one picture, at a resolution of the asker's choice (metres per cell).
+class OverviewSource {
+ public:
+  virtual ~OverviewSource() = default;
+  virtual Call fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply) = 0;
+};
+
+/// Capability: the stored maps called otherwise, and another one worked with. Nothing is sent twice: where
+/// the failure's applied is Maybe, whoever asked looks into the catalogue before asking again. What the robot
+/// makes of it is told by the answer and by mapsChanged().
+class MapAdministration {
+ public:
+  virtual ~MapAdministration() = default;
+  /// The answer is the map as the robot tells it now, its name as well.
+  virtual Call rename(const map::MapKey& key, const std::string& name,
+                      OutcomeTo<map::CatalogueEntry> reply) = 0;
+  /// Makes it the map that the robot works with. The answer is that map.
+  virtual Call load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) = 0;
 };
 
 /// Capability: the named places of a map (read only).
 class WaypointSource {
  public:
   virtual ~WaypointSource() = default;
-  virtual void waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply) = 0;
+  virtual Call waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) = 0;
 };
 
 /// One message as it came, for the raw-message inspector.
@@ -134,14 +154,30 @@ struct RawMessage {
 };
 inline constexpr qsizetype kMaxRawText = qsizetype(1) << 20;
 
-/// Capability: live topics. Messages come by Robot::topicReceived.
+/// A frame as it came over the wire, before anything reads it, drops it or lets a newer one replace it.
+struct RawFrame {
+  std::string_view bytes;  // valid during the call only
+  bool binary = false;
+  double received_s = 0;  // seconds since the epoch
+};
+/// Called on a thread of the adapter, for one frame after the other.
+using FrameTap = std::function<void(const RawFrame&)>;
+
+/// Capability: what the robot sends by itself. Messages come by Robot::topicReceived, each with its stamps.
+///
+/// Layers and panels ask for kinds of data (map::Stream); which topics bring them is the adapter's business,
+/// with the names of older firmware where the newer stay silent. Names of topics are the robot's own: they
+/// are shown and compared, and mean nothing to whoever asks.
 class LiveTopics {
  public:
   virtual ~LiveTopics() = default;
-  /// Topics that this adapter understands, for completion and layers.
+  /// Topics that this adapter understands, for completion.
   virtual QStringList known() const = 0;
-  /// Enables exactly these (any names, known or not), besides the basics. Kept over reconnects.
-  virtual void setWanted(const QStringList& topics) = 0;
+  /// Every topic that `stream` may come by, the usual one first; none = it is not sent.
+  virtual QStringList topicsOf(map::Stream stream) const = 0;
+  /// Enables exactly these streams and topics (any names, known or not), besides the basics. Kept over
+  /// reconnects.
+  virtual void setWanted(const map::Streams& streams, const QStringList& topics) = 0;
   /// What a robot is asked for besides: a command that shows none of it does without.
   struct Basics {
     bool submaps = true;  // the list of them
@@ -153,7 +189,12 @@ class LiveTopics {
   virtual void setBasics(const Basics&) {}
   /// While on, every message (also of unknown topics) is reported by Robot::rawReceived.
   virtual void setWatching(bool on) = 0;
+  /// From now on every frame goes to `tap` first, none left out; an empty one ends it. Once this has returned
+  /// the tap of before is not called any more. Not to be called from within a tap.
+  virtual void setTap(FrameTap tap) = 0;
 };
+
+class WaypointStore;  // robot/waypoint_store.h
 
 class Robot : public QObject {
   Q_OBJECT
@@ -161,7 +202,9 @@ class Robot : public QObject {
   using QObject::QObject;
 
   virtual QString address() const = 0;  // as the user may type it again; never holds a secret
-  virtual void connectToRobot() = 0;    // also "retry now" while interrupted
+  /// It is files on this computer: what is wrong with it is wrong with them, and nobody refuses anything.
+  virtual bool isLocal() const { return false; }
+  virtual void connectToRobot() = 0;  // also "retry now" while interrupted
   virtual void disconnectFromRobot() = 0;
   /// From now on exactly the certificate with this SHA-256 ("AB:CD:…") is accepted, and no other; connects.
   /// Robots without certificates ignore it.
@@ -169,20 +212,25 @@ class Robot : public QObject {
   virtual ConnectionState connection() const = 0;
   virtual RobotIdentity identity() const = 0;
 
+  // Owned by the robot; null = absent.
   virtual SubmapSource* submapSource() { return nullptr; }
   virtual MapCatalogue* mapCatalogue() { return nullptr; }
   virtual WholeMapSource* wholeMapSource() { return nullptr; }
+  virtual OverviewSource* overviewSource() { return nullptr; }
   virtual WaypointSource* waypointSource() { return nullptr; }
+  virtual WaypointStore* waypointStore() { return nullptr; }
   virtual LiveTopics* liveTopics() { return nullptr; }
+  virtual MapAdministration* mapAdministration() { return nullptr; }
 
-  /// Why a capability is absent or limited, for the window ("This robot's maps can only be looked at: …");
-  /// empty when there is nothing to say.
-  virtual QString limits() const { return {}; }
+  /// Why a capability is absent. Of one that is there it says nothing of use.
+  virtual Absence whyNot(Capability) const { return {}; }
 
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
-  void topicReceived(const mapwright::map::TopicMessage& message);
+  /// A capability has come or gone, or is absent for another reason.
+  void capabilitiesChanged();
+  void topicReceived(const mapwright::map::StampedMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
   /// What problemFound() told of is well again.
   void recovered(const mapwright::map::Recovery& recovery);
@@ -193,7 +241,7 @@ class Robot : public QObject {
 
 }  // namespace mapwright::robot
 
-Q_DECLARE_METATYPE(mapwright::map::TopicMessage)
+Q_DECLARE_METATYPE(mapwright::map::StampedMessage)
 Q_DECLARE_METATYPE(mapwright::map::Problem)
 Q_DECLARE_METATYPE(mapwright::map::Recovery)
 Q_DECLARE_METATYPE(mapwright::map::SubmapAnswer)

@@ -6,6 +6,8 @@
 
 #include <QPointer>
 
+#include "sentences/failure_sentence.h"
+
 namespace mapwright::session {
 namespace {
 
@@ -15,6 +17,21 @@ constexpr int kThumbnailsAtOnce = 2;  // the map itself goes first
 
 Catalogue::Catalogue(robot::MapCatalogue* source, QObject* parent) : QObject(parent), source_(source) {}
 
+void Catalogue::setSource(robot::MapCatalogue* source) {
+  if (source == source_) return;
+  source_ = source;
+  if (source_) {
+    if (asked_once_) refresh();
+    return;
+  }
+  loading_ = again_ = false;
+  entries_.clear();
+  as_of_.reset();
+  error_.clear();
+  failure_ = map::FailureKind::None;
+  Q_EMIT changed();
+}
+
 void Catalogue::refresh() {
   if (!source_) return;
   asked_once_ = true;
@@ -23,13 +40,14 @@ void Catalogue::refresh() {
     return;
   }
   loading_ = true;
-  source_->list([self = QPointer<Catalogue>(this)](robot::Answer<std::vector<map::CatalogueEntry>> answer) {
+  source_->list([self = QPointer<Catalogue>(this)](robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
     if (self) self->take(std::move(answer));
   });
   Q_EMIT changed();
 }
 
-void Catalogue::take(robot::Answer<std::vector<map::CatalogueEntry>> answer) {
+void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
+  if (!source_) return;  // it cannot tell any more
   loading_ = false;
   if (answer) {
     error_.clear();
@@ -50,8 +68,8 @@ void Catalogue::take(robot::Answer<std::vector<map::CatalogueEntry>> answer) {
     }
     entries_ = std::move(*answer);
   } else {
-    error_ = QString::fromStdString(answer.error().sentence);
-    failure_ = answer.error().failure;
+    error_ = QString::fromStdString(sentences::sentenceOf(answer.error()));
+    failure_ = answer.error().kind;
   }
   Q_EMIT changed();
   if (std::exchange(again_, false)) refresh();
@@ -94,7 +112,7 @@ void Catalogue::askForThumbnails() {
     const map::MapKey key = wanted_.front();
     wanted_.erase(wanted_.begin());
     ++thumbnails_under_way_;
-    source_->thumbnail(key, [self = QPointer<Catalogue>(this), key](robot::Answer<std::string> answer) {
+    source_->thumbnail(key, [self = QPointer<Catalogue>(this), key](robot::Outcome<std::string> answer) {
       if (!self) return;
       --self->thumbnails_under_way_;
       if (answer) {

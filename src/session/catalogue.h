@@ -23,6 +23,8 @@ class Catalogue : public QObject {
   explicit Catalogue(robot::MapCatalogue* source, QObject* parent = nullptr);
 
   bool offered() const { return source_ != nullptr; }
+  /// The robot can tell its maps from now on, or (null) no more: what was told goes.
+  void setSource(robot::MapCatalogue* source);
   /// Asks again; while an answer is awaited this does nothing but remember to ask once more after it.
   void refresh();
   bool loading() const { return loading_; }
@@ -50,7 +52,7 @@ class Catalogue : public QObject {
   void thumbnailArrived(const mapwright::map::MapKey& key);
 
  private:
-  void take(robot::Answer<std::vector<map::CatalogueEntry>> answer);
+  void take(robot::Outcome<std::vector<map::CatalogueEntry>> answer);
   void askForThumbnails();
 
   robot::MapCatalogue* source_;

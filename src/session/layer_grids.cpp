@@ -4,15 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include "raster/stand_back.h"
-
 namespace mapwright::session {
 
-LayerGrids::LayerGrids(QObject* parent) : QObject(parent) { pool_.setMaxThreadCount(1); }
+LayerGrids::LayerGrids(grids::Means means, QObject* parent)
+    : QObject(parent),
+      means_{work::orOwn(std::move(means.workers)), std::move(means.unpacked)},
+      share_(means_.workers) {}
 
 LayerGrids::~LayerGrids() {
-  pool_.clear();
-  pool_.waitForDone();
+  share_.drop();
+  share_.waitForDone();
 }
 
 void LayerGrids::take(const map::GridMessage& message) {
@@ -26,15 +27,19 @@ void LayerGrids::take(const map::GridMessage& message) {
 
 void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
   rows_[kind].busy = true;
-  pool_.start([this, kind, generation = generation_, message = std::move(message)] {
-    raster::standBack();
-    auto grid = std::make_shared<tl::expected<LayerGrid, std::string>>(LayerGrid{message.grid, {}});
-    auto colors = message.png ? raster::decodeColors(message.png, kMaxCells)
-                              : tl::make_unexpected(raster::GridError{"It came without a picture."});
+  share_.start(work::Urgency::Wanted, [this, kind, generation = generation_, message = std::move(message)] {
+    auto grid = std::make_shared<tl::expected<LayerGrid, map::Reason>>(LayerGrid{message.grid, {}});
+    using Colors = tl::expected<grids::ColoredGrid, map::Reason>;
+    auto colors =
+        message.png
+            ? grids::decodeColors(message.png, kMaxCells, means_).map_error([](grids::GridError error) {
+                return map::said(std::move(error.sentence));
+              })
+            : Colors(tl::make_unexpected(map::Reason(map::ReasonCode::CameWithoutPicture)));
     if (const auto why = map::whyUnusable(message.grid)) {
       *grid = tl::make_unexpected(*why);
     } else if (!colors) {
-      *grid = tl::make_unexpected(colors.error().sentence);
+      *grid = tl::make_unexpected(colors.error());
     } else {
       (*grid)->picture = std::move(*colors);
       (*grid)->reference.width = (*grid)->picture.indices->width();
@@ -60,7 +65,7 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
             Q_EMIT changed(kind);
           } else {
             Q_EMIT problemFound({map::Severity::Warning, subject,
-                                 grid->error() + " The picture before it stays.",
+                                 std::move(grid->error()).followedBy(map::Consequence::PictureBeforeItStays),
                                  map::ProblemCode::Unreadable});
           }
         },
@@ -89,12 +94,12 @@ bool LayerGrids::busy() const {
 
 void LayerGrids::standStill() {
   ++generation_;
-  pool_.clear();
+  share_.drop();
 }
 
 void LayerGrids::clear() {
   ++generation_;
-  pool_.clear();
+  share_.drop();
   const auto rows = std::exchange(rows_, {});
   for (const auto& [kind, row] : rows) Q_EMIT changed(kind);
 }

@@ -7,17 +7,17 @@
 #include <optional>
 
 #include <QObject>
-#include <QThreadPool>
 
+#include "grids/grid_pyramid.h"
 #include "map/live_topics.h"
 #include "map/problem.h"
-#include "raster/grid_pyramid.h"
+#include "work/workers.h"
 
 namespace mapwright::session {
 
 struct LayerGrid {
   map::GridReference reference;  // width and height are the picture's own
-  raster::ColoredGrid picture;
+  grids::ColoredGrid picture;
 };
 
 class LayerGrids : public QObject {
@@ -25,7 +25,7 @@ class LayerGrids : public QObject {
  public:
   static constexpr std::int64_t kMaxCells = std::int64_t(64) << 20;
 
-  explicit LayerGrids(QObject* parent = nullptr);
+  explicit LayerGrids(grids::Means means = {}, QObject* parent = nullptr);
   ~LayerGrids() override;
 
   void take(const map::GridMessage& message);
@@ -57,7 +57,8 @@ class LayerGrids : public QObject {
 
   std::map<map::GridKind, Row> rows_;
   quint64 generation_ = 0;
-  QThreadPool pool_;
+  grids::Means means_;
+  work::Share share_;
 };
 
 }  // namespace mapwright::session

@@ -1,25 +1,24 @@
 #include "session/map_slot.h"
 
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <utility>
 
-#include "raster/stand_back.h"
-
 namespace mapwright::session {
 namespace {
 
-constexpr int kStillWithinMs = 200;
+constexpr std::chrono::milliseconds kStillWithin{200};
 
 }  // namespace
 
 struct MapSlot::Opened {
   map::WholeMap source;  // as it came
   map::WholeMap map;     // grid has the picture's own size, without the bytes
-  std::unique_ptr<raster::GridReading> reading;
-  std::shared_ptr<const raster::GridPyramid> cells;
-  std::optional<raster::GridError> error;  // instead of all the above
-  std::vector<std::string> notes;
+  std::unique_ptr<grids::GridReading> reading;
+  std::shared_ptr<const grids::GridPyramid> cells;
+  std::optional<grids::GridError> error;  // instead of all the above
+  std::vector<map::Reason> notes;
   quint64 generation = 0;
 };
 
@@ -29,11 +28,13 @@ struct MapSlot::Ear {
   MapSlot* slot = nullptr;  // null: gone
 };
 
-MapSlot::MapSlot(QString sidecar_folder, QObject* parent)
-    : QObject(parent), sidecar_folder_(std::move(sidecar_folder)), ear_(std::make_shared<Ear>()) {
+MapSlot::MapSlot(QString sidecar_folder, grids::Means means, QObject* parent)
+    : QObject(parent),
+      sidecar_folder_(std::move(sidecar_folder)),
+      ear_(std::make_shared<Ear>()),
+      means_{work::orOwn(std::move(means.workers)), std::move(means.unpacked)},
+      share_(means_.workers) {
   ear_->slot = this;
-  // Two: a map that nobody wants any more may take a moment to notice.
-  pool_.setMaxThreadCount(2);
 }
 
 MapSlot::~MapSlot() {
@@ -42,7 +43,7 @@ MapSlot::~MapSlot() {
     ear_->slot = nullptr;
   }
   cancel();
-  pool_.waitForDone();
+  share_.waitForDone();
 }
 
 map::Subject MapSlot::subject() const { return map::subjectOf(key_, name_.toStdString()); }
@@ -61,7 +62,7 @@ void MapSlot::expect(const map::MapKey& key, const QString& name) {
   name_ = name;
   coming_waypoints_.reset();
   waypoints_awaited_ = false;
-  remark_.clear();
+  remark_.reset();
   phase_ = Phase::Fetching;
   Q_EMIT changed();
 }
@@ -79,7 +80,7 @@ void MapSlot::show(map::WholeMap map) {
   start();
 }
 
-void MapSlot::setReduction(raster::Reduction reduction) {
+void MapSlot::setReduction(grids::Reduction reduction) {
   if (reduction == reduction_) return;
   reduction_ = reduction;
   if (!source_ || phase_ == Phase::Fetching) return;
@@ -87,8 +88,37 @@ void MapSlot::setReduction(raster::Reduction reduction) {
   start();
 }
 
+/// On the thread that reads.
+std::shared_ptr<MapSlot::Opened> MapSlot::open(const map::WholeMap& map, const grids::GridOptions& options,
+                                               quint64 generation) {
+  auto opened = std::make_shared<Opened>();
+  opened->source = map;
+  opened->map = map;
+  opened->generation = generation;
+  auto reading = map.bytes ? grids::openGrid(map.bytes, options) : grids::openGridFile(map.path, options);
+  opened->map.bytes.reset();
+  if (!reading) {
+    opened->error = reading.error();
+    return opened;
+  }
+  opened->reading = std::move(*reading);
+  opened->cells = opened->reading->pyramid();
+  map::GridReference& grid = opened->map.grid;
+  const int width = opened->cells->width(), height = opened->cells->height();
+  if ((grid.width > 0 && grid.width != width) || (grid.height > 0 && grid.height != height)) {
+    opened->notes.push_back({map::ReasonCode::SizesDiffer, {grid.width, grid.height, width, height}});
+  }
+  grid.width = width;
+  grid.height = height;
+  if (!std::isfinite(grid.origin.yaw_rad)) {
+    grid.origin.yaw_rad = 0;
+    opened->notes.push_back(map::ReasonCode::TurnNoNumber);
+  }
+  return opened;
+}
+
 void MapSlot::start() {
-  remark_.clear();
+  remark_.reset();
   broken_ = false;
   phase_ = Phase::Reading;
   if (const auto why = map::whyUnusable(source_->grid)) {
@@ -99,18 +129,18 @@ void MapSlot::start() {
     note.subject = subject();
     note.code = map::ProblemCode::Odd;
     Q_EMIT problemFound(note);
-    if (note.severity != map::Severity::Info)
-      remark_ = remark_.isEmpty() ? QString::fromStdString(note.sentence) : remark_;
+    if (note.severity != map::Severity::Info && !remark_) remark_ = note;
   }
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  raster::GridOptions options;
+  grids::GridOptions options;
   options.reading = source_->reading;
   options.reduction = reduction_;
+  options.means = means_;
   if (source_->key.kind != map::MapKind::Live) {
     options.sidecar_folder = sidecar_folder_.toStdString();
     options.fingerprint = source_->fingerprint;
     options.sidecar_from_cells = kLargeCells;
-    options.damaged = [ear = ear_, generation = generation_](raster::GridDamage damage) {
+    options.damaged = [ear = ear_, generation = generation_](grids::GridDamage damage) {
       const std::lock_guard lock(ear->mutex);
       MapSlot* const slot = ear->slot;
       if (!slot) return;
@@ -118,42 +148,23 @@ void MapSlot::start() {
           slot, [slot, generation, damage] { slot->takeDamage(generation, damage); }, Qt::QueuedConnection);
     };
   }
-  pool_.start([this, generation = generation_, cancelled = cancelled_, map = *source_, options] {
-    raster::standBack();
-    auto opened = std::make_shared<Opened>();
-    opened->source = map;
-    opened->map = map;
-    opened->generation = generation;
-    auto reading = map.bytes ? raster::openGrid(map.bytes, options) : raster::openGridFile(map.path, options);
-    opened->map.bytes.reset();
-    if (!reading) {
-      opened->error = reading.error();
-    } else {
-      opened->reading = std::move(*reading);
-      opened->cells = opened->reading->pyramid();
-      map::GridReference& grid = opened->map.grid;
-      const int width = opened->cells->width(), height = opened->cells->height();
-      if ((grid.width > 0 && grid.width != width) || (grid.height > 0 && grid.height != height)) {
-        opened->notes.push_back("It is said to have " + std::to_string(grid.width) + " x " +
-                                std::to_string(grid.height) + " cells, but its picture has " +
-                                std::to_string(width) + " x " + std::to_string(height) +
-                                ". It is shown as the picture has it.");
-      }
-      grid.width = width;
-      grid.height = height;
-      if (!std::isfinite(grid.origin.yaw_rad)) {
-        grid.origin.yaw_rad = 0;
-        opened->notes.push_back("The turn of its origin is not a number. It is shown unturned.");
-      }
-    }
+  share_.startLong([this, generation = generation_, cancelled = cancelled_, map = *source_,
+                    options]() mutable {
     const auto call = [&](auto what) { QMetaObject::invokeMethod(this, what, Qt::QueuedConnection); };
-    call([this, generation, opened] { takeOpened(generation, opened); });
-    if (!opened->reading) return;
-    std::optional<raster::GridError> error;
-    if (!opened->reading->complete()) {
-      error = opened->reading->read(*cancelled, [&] { call([this, generation] { takeRows(generation); }); });
+    for (;;) {
+      const auto opened = open(map, options, generation);
+      call([this, generation, opened] { takeOpened(generation, opened); });
+      if (!opened->reading) return;
+      std::optional<grids::GridError> error;
+      if (!opened->reading->complete()) {
+        error =
+            opened->reading->read(*cancelled, [&] { call([this, generation] { takeRows(generation); }); });
+      }
+      options.code = opened->reading->otherCode();
+      if (options.code) continue;  // what is said of it then has no more to be judged
+      call([this, generation, error] { takeEnd(generation, error); });
+      return;
     }
-    call([this, generation, error] { takeEnd(generation, error); });
   });
   Q_EMIT changed();
 }
@@ -163,16 +174,19 @@ void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& open
   if (opened->error) {
     auto next = std::exchange(next_, std::nullopt);
     if (!opened->map.fingerprint.empty()) Q_EMIT unreadable(opened->map.fingerprint);
-    fail({map::Severity::Error, subject(), opened->error->sentence, map::ProblemCode::Unreadable});
+    fail({map::Severity::Error, subject(), map::said(opened->error->sentence), map::ProblemCode::Unreadable});
     if (next) show(std::move(*next));
     return;
   }
-  for (const std::string& note : opened->notes) {
-    Q_EMIT problemFound({map::Severity::Warning, subject(), note, map::ProblemCode::Odd});
-    if (remark_.isEmpty()) remark_ = QString::fromStdString(note);
+  const bool said = reading_ && reading_->generation == generation;  // it is being read once more
+  for (const map::Reason& note : said ? std::vector<map::Reason>() : opened->notes) {
+    const map::Problem problem{map::Severity::Warning, subject(), note, map::ProblemCode::Odd};
+    if (!remark_) remark_ = problem;
+    Q_EMIT problemFound(problem);
   }
   reading_ = opened;
-  const bool update = shown_cells_ && shown_.key == opened->map.key && !opened->cells->complete();
+  const bool whole_shown = shown_cells_ && shown_.key == opened->map.key && shown_cells_->complete();
+  const bool update = whole_shown && !opened->cells->complete();
   if (!update) put(opened);
 }
 
@@ -186,18 +200,17 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
   Q_EMIT changed();
 }
 
-void MapSlot::takeDamage(quint64 generation, raster::GridDamage damage) {
-  if (damage == raster::GridDamage::Mended) {
-    Q_EMIT problemFound({map::Severity::Info, subject(),
-                         "Its copy in the cache was damaged. The map was read again from its picture.",
-                         map::ProblemCode::Odd});
+void MapSlot::takeDamage(quint64 generation, grids::GridDamage damage) {
+  if (damage == grids::GridDamage::Mended) {
+    Q_EMIT problemFound(
+        {map::Severity::Info, subject(), map::ReasonCode::CacheCopyDamaged, map::ProblemCode::Odd});
     return;
   }
   if (generation != shown_generation_ || !shown_cells_) return;
-  const std::string trouble = shown_cells_->trouble();
   broken_ = true;
-  remark_ = QString::fromStdString(trouble);
-  Q_EMIT problemFound({map::Severity::Error, subject(), trouble, map::ProblemCode::Unreadable});
+  remark_ = {map::Severity::Error, subject(), map::said(shown_cells_->trouble()),
+             map::ProblemCode::Unreadable};
+  Q_EMIT problemFound(*remark_);
   Q_EMIT changed();
 }
 
@@ -206,20 +219,20 @@ void MapSlot::takeRows(quint64 generation) {
   if (reading_->cells == shown_cells_) Q_EMIT rowsArrived();
 }
 
-void MapSlot::takeEnd(quint64 generation, const std::optional<raster::GridError>& error) {
+void MapSlot::takeEnd(quint64 generation, const std::optional<grids::GridError>& error) {
   if (generation != generation_ || !reading_) return;
   const auto opened = std::exchange(reading_, nullptr);
-  if (const std::string trouble = opened->reading->notKept(); !trouble.empty() && !cache_told_) {
+  if (const map::Reason trouble = opened->reading->notKept(); trouble.any() && !cache_told_) {
     cache_told_ = true;
-    Q_EMIT problemFound({map::Severity::Warning, "Disk cache", trouble});
+    Q_EMIT problemFound({map::Severity::Warning, map::SubjectKind::DiskCache, trouble});
   }
   phase_ = Phase::Ready;
   broken_ = error.has_value();
   if (error) {
-    remark_ = QString::fromStdString(error->sentence);
+    remark_ = {map::Severity::Error, subject(), map::said(error->sentence), map::ProblemCode::Unreadable};
     if (!opened->map.fingerprint.empty()) Q_EMIT unreadable(opened->map.fingerprint);
-    Q_EMIT problemFound({map::Severity::Error, subject(), error->sentence, map::ProblemCode::Unreadable});
-  } else if (remark_.isEmpty()) {
+    Q_EMIT problemFound(*remark_);
+  } else if (!remark_) {
     Q_EMIT recovered({subject()});
   } else {
     Q_EMIT recovered({subject(), map::ProblemCode::Unavailable});
@@ -241,7 +254,7 @@ void MapSlot::fail(map::Problem problem) {
   cancel();
   phase_ = Phase::Failed;
   failure_ = problem.failure;
-  remark_ = QString::fromStdString(problem.sentence);
+  remark_ = problem;
   if (!(shown_.key == key_)) {
     shown_ = {};
     shown_source_.reset();
@@ -257,7 +270,7 @@ void MapSlot::clear() {
   phase_ = Phase::Empty;
   key_ = {};
   name_.clear();
-  remark_.clear();
+  remark_.reset();
   source_.reset();
   shown_ = {};
   shown_source_.reset();
@@ -270,7 +283,7 @@ void MapSlot::clear() {
 void MapSlot::standStill() {
   cancel();
   waypoints_awaited_ = false;
-  pool_.waitForDone(kStillWithinMs);  // a row or two may be on their way into the picture
+  share_.waitForDone(kStillWithin);  // a row or two may be on their way into the picture
 }
 
 double MapSlot::progress() const {
@@ -281,7 +294,7 @@ double MapSlot::progress() const {
 void MapSlot::setWaypoints(map::WaypointList waypoints) {
   const map::Subject places = map::placesOf(key_, name_.toStdString());
   Q_EMIT recovered({places});
-  for (const std::string& note : waypoints.notes) {
+  for (const map::Reason& note : waypoints.notes) {
     Q_EMIT problemFound({map::Severity::Warning, places, note, map::ProblemCode::Odd});
   }
   if (shown_cells_ && shown_.key == key_) {

@@ -7,15 +7,15 @@
 
 #include <QObject>
 #include <QString>
-#include <QThreadPool>
 
+#include "grids/grid_pyramid.h"
 #include "map/catalogue.h"
 #include "map/waypoint.h"
-#include "raster/grid_pyramid.h"
+#include "work/workers.h"
 
 namespace mapwright::session {
 
-/// GUI-thread object; pictures are read on a thread of its own (architecture, decision 4).
+/// GUI-thread object; pictures are read on a thread beyond the crew (architecture, decision 4).
 class MapSlot : public QObject {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class MapSlot : public QObject {
 
   /// `sidecar_folder`: where finished pyramids of large pictures are kept; empty = nowhere. Those of maps
   /// that the robot sends are not: the next one replaces them, and would push out what is of use.
-  explicit MapSlot(QString sidecar_folder, QObject* parent = nullptr);
+  explicit MapSlot(QString sidecar_folder, grids::Means means = {}, QObject* parent = nullptr);
   ~MapSlot() override;
 
   /// The map is being fetched; what is shown stays.
@@ -41,8 +41,8 @@ class MapSlot : public QObject {
   /// What is on screen stays as it is: reading ends where it is, and what still comes is not taken.
   void standStill();
   /// How cells become coarser ones; the picture is read again.
-  void setReduction(raster::Reduction reduction);
-  raster::Reduction reduction() const { return reduction_; }
+  void setReduction(grids::Reduction reduction);
+  grids::Reduction reduction() const { return reduction_; }
 
   Phase phase() const { return phase_; }
   /// Read to the end (or until it broke), or there is nothing to read.
@@ -53,11 +53,11 @@ class MapSlot : public QObject {
   /// What was asked for last, and what is on screen (they differ while the one makes way for the other).
   const map::MapKey& key() const { return key_; }
   QString name() const { return name_; }
-  /// Why it Failed, or what is odd about a Ready one; empty = nothing.
-  QString remark() const { return remark_; }
+  /// Why it Failed, or what is odd about a Ready one; nullopt = nothing.
+  const std::optional<map::Problem>& remark() const { return remark_; }
   map::FailureKind failure() const { return failure_; }  // of a Failed one
 
-  std::shared_ptr<const raster::GridPyramid> cells() const { return shown_cells_; }
+  std::shared_ptr<const grids::GridPyramid> cells() const { return shown_cells_; }
   /// Width and height are the picture's own. Meaningful while cells() is not null.
   const map::GridReference& reference() const { return shown_.grid; }
   /// What came with the picture on screen (trajectories, landmarks, overlays); `bytes` is not kept.
@@ -86,25 +86,28 @@ class MapSlot : public QObject {
   struct Opened;
   struct Ear;
   void start();
-  void takeDamage(quint64 generation, raster::GridDamage damage);
+  static std::shared_ptr<Opened> open(const map::WholeMap& map, const grids::GridOptions& options,
+                                      quint64 generation);
+  void takeDamage(quint64 generation, grids::GridDamage damage);
   void takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
   void takeRows(quint64 generation);
-  void takeEnd(quint64 generation, const std::optional<raster::GridError>& error);
+  void takeEnd(quint64 generation, const std::optional<grids::GridError>& error);
   void put(const std::shared_ptr<Opened>& opened);
   void cancel();
   map::Subject subject() const;
 
   QString sidecar_folder_;
-  raster::Reduction reduction_ = raster::Reduction::OccupiedWins;
+  grids::Reduction reduction_ = grids::Reduction::OccupiedWins;
   Phase phase_ = Phase::Empty;
   map::MapKey key_;
-  QString name_, remark_;
+  QString name_;
+  std::optional<map::Problem> remark_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<map::WholeMap> source_;  // to read it again
   std::optional<map::WholeMap> next_;    // a newer state of the map that is being read
   map::WholeMap shown_;
   std::optional<map::WholeMap> shown_source_;  // with its bytes
-  std::shared_ptr<const raster::GridPyramid> shown_cells_;
+  std::shared_ptr<const grids::GridPyramid> shown_cells_;
   map::WaypointList waypoints_;
   std::optional<map::WaypointList> coming_waypoints_;  // of the map that is on its way
   std::shared_ptr<Opened> reading_;                    // opened, not on screen yet or still growing
@@ -114,7 +117,8 @@ class MapSlot : public QObject {
   std::shared_ptr<Ear> ear_;      // pyramids may outlive the slot
   bool broken_ = false, waypoints_awaited_ = false;
   bool cache_told_ = false;  // that nothing can be kept on disk
-  QThreadPool pool_;
+  grids::Means means_;
+  work::Share share_;
 };
 
 }  // namespace mapwright::session

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <QDateTime>
@@ -28,37 +31,41 @@ struct LoggedProblem {
   qint64 lastedMs(const QDateTime& now) const;
 };
 
-/// Newest last. Problems of one subject whose sentences differ in numbers only are one row with a count. At
-/// most kLimit rows; resolved ones go first, then the oldest, and they are counted in forgotten().
+/// Newest last. Problems of one subject, code and reason that differ in numbers only are one row with a
+/// count. At most kLimit rows; resolved ones go first, then the oldest, and they are counted in forgotten().
 class ProblemLog {
  public:
+  using Rows = std::deque<LoggedProblem>;
   static constexpr std::size_t kLimit = 2'000;
   void add(const map::Problem& problem, const QDateTime& now);
   /// True when something was unresolved and is no more.
   bool resolve(const map::Recovery& recovery, const QDateTime& now);
   bool resolveAll(map::SubjectKind kind, const QDateTime& now);
   void clear();
-  const std::vector<LoggedProblem>& rows() const { return rows_; }
-  int unresolved() const;
+  const Rows& rows() const { return rows_; }
+  int unresolved() const { return unresolved_; }
   std::size_t forgotten() const { return forgotten_; }
   /// The whole list as plain text, one line each, for the clipboard and for reports.
   QString toText(const QDateTime& now) const;
 
  private:
   using Identity = std::pair<map::SubjectKind, std::string>;
+  using Likeness = std::tuple<map::SubjectKind, std::string, map::ProblemCode, std::string>;
+  static Identity identityOf(const map::Problem& problem);
+  static Likeness likenessOf(const map::Problem& problem);
+  Rows::iterator at(quint64 row);
+  void begin(const LoggedProblem& row);
+  void end(LoggedProblem& row, const QDateTime& now);
   void makeRoom();
-  void settle(std::size_t at, const QDateTime& now);
-  void close(const Identity& identity);
 
-  std::vector<LoggedProblem> rows_;
-  std::vector<std::string> patterns_;  // of the sentences, row by row
-  std::map<Identity, int> open_;       // unresolved rows: recoveries are many, problems few
+  Rows rows_;                                      // ascending by `row`
+  std::map<Likeness, quint64> alike_;              // what is the same row again
+  std::map<Identity, std::vector<quint64>> open_;  // unresolved rows: recoveries are many, problems few
+  std::set<quint64> resolved_;                     // they go first
+  int unresolved_ = 0;                             // that are more than information
   quint64 last_row_ = 0;
   std::size_t forgotten_ = 0;
 };
-
-/// The sentence with every number replaced: what "Row 12 is 3.5 m off" and "Row 7 is 1,200 m off" share.
-std::string withoutNumbers(const std::string& sentence);
 
 /// "0.4 s", "12 s", "3 min 20 s", "2 h 5 min", "3 d 4 h".
 QString spanText(qint64 ms);

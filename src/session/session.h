@@ -1,6 +1,5 @@
-// One connected robot as the window and the command line see it: the live state, the submaps, their fetches,
-// the problems. Ties the robot port to the submap cache. GUI-thread object; decoding runs on a pool
-// (architecture, decision 4).
+// One connected robot as the window and the command line see it: the live state, the submaps, the whole maps,
+// the problems. A facade: the submaps are the business of session::Submaps. GUI-thread object.
 #pragma once
 
 #include <chrono>
@@ -15,68 +14,41 @@
 #include <QObject>
 #include <QSet>
 #include <QString>
-#include <QThreadPool>
 #include <QTimer>
 
 #include "geometry/rect.h"
-#include "map/live_state.h"
+#include "map/world.h"
 #include "robot/robot.h"
 #include "session/catalogue.h"
 #include "session/layer_grids.h"
 #include "session/map_slot.h"
 #include "session/problem_log.h"
 #include "session/safety_watch.h"
-#include "submap/fetch_scheduler.h"
-#include "submap/submap_book.h"
+#include "session/submaps.h"
+#include "work/budgets.h"
+#include "work/workers.h"
 
 namespace mapwright::session {
-
-/// How one submap stands, for a row of the inspector.
-enum class SubmapStatus {
-  OnScreen,  // the listed version is held and drawn (or would be, were it visible)
-  Updating,  // an older version is on screen, the listed one is queued or being fetched
-  Queued,
-  Fetching,
-  NoSlice,   // held, but it has no slice of the chosen number
-  Missing,   // 404
-  Waiting,   // failed; will be tried again
-  Corrupt,   // came, but cannot be drawn
-  Unplaced,  // no usable pose
-};
-
-/// Counters over all listed submaps. shown + pending + without_slice + missing + failed + corrupt == listed.
-struct SubmapCounts {
-  bool list_received = false;
-  int listed = 0;
-  int shown = 0;    // have a drawable chosen slice (OnScreen, or an older version while Updating)
-  int pending = 0;  // nothing held yet: queued, being fetched or being decoded
-  int without_slice = 0;
-  int missing = 0;
-  int failed = 0;    // waiting for another try, nothing held
-  int corrupt = 0;   // corrupt chosen slice, or no usable pose
-  int hidden = 0;    // by the user's choice (independent of the above)
-  int updating = 0;  // a newer version than the one on screen is on its way
-  int trajectories = 0;
-  int fetching = 0, queued = 0;  // fetch work
-  qint64 texture_bytes = 0;
-  quint64 fetches = 0;        // submaps and pictures whose body travelled over the network
-  quint64 cache_hits = 0;     // those whose body was on disk
-  quint64 bytes_fetched = 0;  // of the bodies that travelled
-  bool operator==(const SubmapCounts&) const = default;
-};
 
 class Session : public QObject {
   Q_OBJECT
  public:
   struct Options {
     submap::SchedulerOptions scheduler;
-    int decode_threads = 0;       // 0 = one per core
-    QString sidecar_folder = {};  // finished pyramids of large maps are kept there; empty = nowhere
-    bool overview = true;         // ask for a picture of the whole SLAM map while submaps are still loading
+    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+    /// Finished pyramids of large maps are kept there (empty = nowhere), and what of the submaps does not go
+    /// into the memory, for as long as the program runs.
+    QString sidecar_folder = {};
+    work::Budgets budgets = work::budgetsFrom();  // of which it takes `textures` and `unpacked`
+    bool overview = true;  // ask for a picture of the whole SLAM map while submaps are still loading
     /// What the robot is asked for without a wish of anybody. Without `submaps` none is listed or fetched.
     robot::LiveTopics::Basics basics = {};
     bool maps = true;         // the catalogue is asked for and the first whole map opened without being told
     bool log_safety = false;  // what is wrong with the robot itself is a problem, too
+    /// The time of day: of arriving messages, and of problems.
+    std::function<QDateTime()> wall = [] { return QDateTime::currentDateTime(); };
+    /// How long a robot that can send its map may keep silent before its current stored one is shown.
+    int live_map_within_ms = 5'000;
   };
   /// Takes the robot over; connect with open(). `monotonic` is the clock of all waits.
   Session(std::unique_ptr<robot::Robot> robot, Options options, QObject* parent = nullptr,
@@ -94,7 +66,12 @@ class Session : public QObject {
   const robot::Robot& robot() const { return *robot_; }
   robot::ConnectionState connection() const { return robot_->connection(); }
   const map::LiveState& live() const { return live_; }
-  const submap::SubmapBook& book() const { return book_; }
+  /// All that the robot has said.
+  const map::World& world() const { return world_; }
+  /// Shows this world from now on, as if its messages had come: what a recording was at some time, say. What
+  /// the robot says goes on from there.
+  void reset(map::World world);
+  const submap::SubmapBook& book() const { return submaps_.book(); }
   const ProblemLog& problems() const { return problems_; }
   void clearProblems();
   /// Something went wrong, or is well again, `at` some time (now, where it is not given).
@@ -106,17 +83,23 @@ class Session : public QObject {
   std::optional<QDateTime> staleSince() const { return stale_since_; }
 
   SubmapCounts counts() const;
-  SubmapStatus status(map::SubmapId id) const;
-  QString reason(map::SubmapId id) const;  // why Missing, Waiting, Corrupt or Unplaced; plain text
+  /// Pictures of submaps that were held and could not be read back. They are fetched again, unless all stands
+  /// still.
+  int lostPictures() const { return submaps_.lost(); }
+  SubmapStatus status(map::SubmapId id) const { return submaps_.status(id); }
+  /// Why Missing, Waiting, Corrupt or Unplaced; plain text.
+  map::Reason reason(map::SubmapId id) const { return submaps_.reason(id); }
   /// True when nothing more can be expected of the present list without waiting for another try of a failed
   /// one: every listed submap is on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
-  bool settled(int tries) const;
+  bool settled(int tries) const { return submaps_.settled(tries); }
 
-  int slice() const { return slice_; }
-  void setSlice(int slice);
-  void setVisible(const std::vector<map::SubmapId>& ids, bool visible);
+  int slice() const { return submaps_.slice(); }
+  void setSlice(int slice) { submaps_.setSlice(slice); }
+  void setVisible(const std::vector<map::SubmapId>& ids, bool visible) { submaps_.setVisible(ids, visible); }
   /// What the user looks at, to fetch that first.
-  void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
+  void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m) {
+    submaps_.setView(visible_world, center_m);
+  }
 
   // Whole maps (session_maps.cpp).
   Catalogue& catalogue() { return catalogue_; }
@@ -134,11 +117,15 @@ class Session : public QObject {
   void compareWith(std::optional<map::MapKey> key);
   /// Keeps the map on screen as it is now as the second of a comparison, however it changes later.
   void keepForComparing();
-  /// Topics that `owner` (a layer list, a panel) wants; replaces what it wanted before.
-  void want(const QString& owner, const QStringList& topics);
+  /// What `owner` (a layer list, a panel) wants of the robot: kinds of data, and topics by the robot's own
+  /// names. Replaces what it wanted before.
+  void want(const QString& owner, const map::Streams& streams, const QStringList& topics = {});
+
+  /// What its caches hold: textures and unpacked tiles. Of the others it knows nothing.
+  work::Budgets memory() const;
 
   /// Bounds of everything drawn and visible; while nothing is held, of the poses. Empty without submaps.
-  geometry::WorldRect contentBounds() const;
+  geometry::WorldRect contentBounds() const { return submaps_.contentBounds(); }
 
  Q_SIGNALS:
   void connectionChanged();
@@ -152,25 +139,19 @@ class Session : public QObject {
   void submapsPlaced(
       const std::vector<mapwright::map::SubmapId>& ids);  // picture, pose, flags or visibility: draw again
   void submapsRemoved(const std::vector<mapwright::map::SubmapId>& ids);
-  void sliceChanged();     // every picture: draw again
-  void rowsChanged();      // some status or counter; coalesced to 10 times a second
-  void problemsChanged();  // coalesced likewise
+  void sliceChanged();  // every picture: draw again
+  void rowsChanged();   // some status or counter; coalesced to 10 times a second
+  void rowsTouched(const mapwright::session::TouchedRows& rows);  // whose; comes before rowsChanged()
+  void problemsChanged();                                         // coalesced likewise
 
  private:
-  void takeTopic(const map::TopicMessage& message);
-  void takeList(const map::SubmapList& list);
-  void takeAnswer(map::SubmapAnswer answer);
-  void takeDecoded(submap::DecodedSubmap decoded, bool from_cache);
-  /// It cannot be decoded.
-  void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
+  void takeTopic(const map::StampedMessage& stamped);
+  void take(const map::StampedMessage& message);
   void tellProblems();
-  void publish(const submap::BookChange& change);
-  void pump();
   void noteConnection();
-  double priorityOf(map::SubmapId id) const;
-  void touchRows();
   void countFetch(std::size_t body_bytes, bool from_cache);
   void wireMaps();
+  void wireSubmaps();
   void wireSafety(bool log);
   void discardPicture(const std::string& fingerprint);
   void takeGrid(const map::GridMessage& message);
@@ -183,38 +164,39 @@ class Session : public QObject {
   void askForOverview();
   void sendWants();
   submap::Millis now() const { return monotonic_(); }
+  double wallSeconds() const { return double(wall_().toMSecsSinceEpoch()) / 1000; }
 
   std::unique_ptr<robot::Robot> robot_;
   std::function<submap::Millis()> monotonic_;
-  map::LiveState live_;
+  std::function<QDateTime()> wall_;
+  grids::Means means_;
+  map::World world_;
+  map::LiveState& live_ = world_.live;
   SafetyWatch safety_;
-  submap::SubmapBook book_;
-  submap::FetchScheduler scheduler_;
+  Submaps submaps_;
   ProblemLog problems_;
-  std::unordered_map<map::SubmapId, std::string> failure_reasons_;
-  std::unordered_map<map::SubmapId, int> decoding_;
-  std::unordered_map<map::SubmapId, std::int32_t> asked_again_;  // the version, after it could not be decoded
   std::optional<QDateTime> stale_since_;
   bool was_online_ = false;
-  int slice_ = 0;
-  geometry::WorldRect view_;
-  Eigen::Vector2d view_center_{0, 0};
-  quint64 generation_ = 0;
+  quint64 generation_ = 0;  // of SLAM sessions
   quint64 fetches_ = 0, cache_hits_ = 0, bytes_fetched_ = 0;
   bool overview_wanted_, submaps_wanted_, maps_by_itself_;
   bool still_ = false;
   bool live_wanted_ = true;  // the whole map on screen is the one that the robot sends
   bool map_chosen_ = false;  // by the user
-  std::map<QString, QStringList> wants_;
-  QSet<QString> retired_topics_;  // wanted once and no more: what still comes of them is not taken
-  QStringList wanted_topics_;     // all of them together
-  std::set<QString> waited_for_;  // topics that gave nothing in time: their older names are tried too
+  struct Wish {
+    map::Streams streams;
+    QStringList topics;
+    bool operator==(const Wish&) const = default;
+  };
+  std::map<QString, Wish> wants_;
+  Wish wanted_;                              // all of them together
+  QSet<QString> retired_topics_;             // wanted once and no more: what still comes of them is not taken
+  QStringList wanted_topics_;                // every topic that may come of it
   std::optional<submap::Millis> listed_at_;  // when the catalogue came last; nullopt when it failed since
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, overview_;
   LayerGrids layer_grids_;
-  QThreadPool decode_pool_;
-  QTimer wake_timer_, rows_timer_, problems_timer_, fallback_timer_, no_live_map_timer_;
+  QTimer problems_timer_, no_live_map_timer_;
 };
 
 }  // namespace mapwright::session

@@ -1,4 +1,4 @@
-// Session: whole maps, the catalogue, and which topics are wanted.
+// Session: whole maps, the catalogue, and what the robot is asked to send.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,26 +6,14 @@
 
 #include <QPointer>
 
+#include "sentences/absence_sentence.h"
 #include "session/session.h"
 
 namespace mapwright::session {
 namespace {
 
-constexpr int kFallbackAfterMs = 2'500;
 constexpr double kOverviewCells = 4e6;
 constexpr double kFinestOverviewM = 0.1, kCoarsestOverviewM = 5;
-
-/// Older firmware knows the picture by its older name only, and sends it whole on the socket of the fast
-/// topics: it is asked for when the newer one stays silent.
-struct OlderName {
-  const char* topic;
-  const char* older;
-  map::GridKind kind;
-};
-constexpr std::array kOlderNames{
-    OlderName{"/map_v2", "/map", map::GridKind::WholeMap},
-    OlderName{"/incremental_map_v2", "/incremental_map", map::GridKind::Incremental},
-};
 
 map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& live) {
   map::WholeMap map;
@@ -48,14 +36,14 @@ void Session::wireMaps() {
   }
   for (MapSlot* slot : {&whole_map_, &compared_map_, &overview_})
     connect(slot, &MapSlot::unreadable, this, &Session::discardPicture);
-  const map::Subject overview(map::SubjectKind::Overview, {});
+  const map::Subject overview(map::SubjectKind::Overview);
   connect(&overview_, &MapSlot::problemFound, this, [this, overview](map::Problem problem) {
     problem.subject = overview;
     report(problem);
   });
   connect(&overview_, &MapSlot::changed, this, [this, overview] {
     // Well, or not needed any more.
-    if (overview_.phase() == MapSlot::Phase::Ready ? overview_.remark().isEmpty()
+    if (overview_.phase() == MapSlot::Phase::Ready ? !overview_.remark()
                                                    : overview_.phase() == MapSlot::Phase::Empty) {
       recover({overview});
     }
@@ -69,6 +57,8 @@ void Session::wireMaps() {
       openInto(whole_map_, whole_map_.key());
     }
   });
+  connect(robot_.get(), &robot::Robot::capabilitiesChanged, this,
+          [this] { catalogue_.setSource(robot_->mapCatalogue()); });
   connect(&catalogue_, &Catalogue::changed, this, [this] {
     if (catalogue_.loading()) return;
     const bool came = catalogue_.asOf() && catalogue_.error().isEmpty();
@@ -80,20 +70,12 @@ void Session::wireMaps() {
     const SubmapCounts now = counts();
     if (now.list_received && now.pending == 0 && now.shown > 0) overview_.clear();
   });
-  fallback_timer_.setSingleShot(true);
-  connect(&fallback_timer_, &QTimer::timeout, this, [this] {
-    for (const OlderName& name : kOlderNames) {
-      if (!live_.grids.contains(name.kind)) waited_for_.insert(QLatin1String(name.topic));
-    }
-    sendWants();
-    if (!live_.grids.contains(map::GridKind::WholeMap)) no_live_map_timer_.start(kFallbackAfterMs);
-  });
   no_live_map_timer_.setSingleShot(true);
   connect(&no_live_map_timer_, &QTimer::timeout, this, [this] {
     // It sends no map of its own: the one that it works with is shown, until it does.
     const map::CatalogueEntry* const current = catalogue_.current();
     if (map_chosen_ || !maps_by_itself_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
-    openInto(whole_map_, current->key);
+    if (!(whole_map_.key() == current->key)) openInto(whole_map_, current->key);
   });
 }
 
@@ -146,37 +128,47 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
   const QString name = entry ? QString::fromStdString(entry->name) : QString();
   slot.expect(key, name);
   if (!robot_->wholeMapSource()) {
+    constexpr auto kWhat = robot::Capability::WholeMaps;
     slot.fail({map::Severity::Error, map::subjectOf(key, name.toStdString()),
-               "This robot gives no whole maps.", map::ProblemCode::Unavailable});
+               sentences::lackOf(kWhat, robot_->whyNot(kWhat)), map::ProblemCode::Unavailable,
+               map::FailureKind::Unsupported});
     return;
   }
   const auto stillWanted = [self = QPointer<Session>(this), &slot, key] {
     return self && !self->still_ && slot.key() == key;
   };
-  robot_->wholeMapSource()->fetch(key, [this, stillWanted, &slot](robot::Answer<map::WholeMap> answer) {
+  robot_->wholeMapSource()->fetch(key, [this, stillWanted, &slot](robot::Outcome<map::WholeMap> answer) {
     if (!stillWanted() || slot.phase() != MapSlot::Phase::Fetching) return;
     if (answer && answer->body_bytes > 0) {
       countFetch(answer->body_bytes, answer->from_cache);
-      touchRows();
+      submaps_.tellSoon();
     }
     if (answer && !(answer->key == slot.key())) {
-      answer = tl::make_unexpected(map::Problem{
-          map::Severity::Error, "Map " + map::toText(slot.key()),
-          "The robot answered with another map, " + map::toText(answer->key) + ". It is not shown."});
+      slot.fail({map::Severity::Error,
+                 map::subjectOf(slot.key()),
+                 {map::ReasonCode::AnotherMapCame, {map::toText(answer->key)}},
+                 map::ProblemCode::Unavailable,
+                 map::FailureKind::MalformedAnswer});
+    } else if (answer) {
+      slot.show(std::move(*answer));
+    } else {
+      slot.fail(map::problemOf(answer.error()));
     }
-    answer ? slot.show(std::move(*answer)) : slot.fail(answer.error());
   });
   if (!robot_->waypointSource()) return;
   slot.awaitWaypoints(true);
   robot_->waypointSource()->waypoints(
       key, [this, stillWanted, &slot,
-            places = map::placesOf(key, name.toStdString())](robot::Answer<map::WaypointList> answer) {
+            places = map::placesOf(key, name.toStdString())](robot::Outcome<map::WaypointList> answer) {
         if (!stillWanted()) return;
         slot.awaitWaypoints(false);
         if (answer) {
           slot.setWaypoints(std::move(*answer));
         } else {
-          report({answer.error().severity, places, answer.error().sentence, map::ProblemCode::Unavailable});
+          map::Problem problem = map::problemOf(answer.error());
+          problem.subject = places;
+          problem.code = map::ProblemCode::Unavailable;
+          report(problem);
         }
       });
 }
@@ -202,15 +194,15 @@ void Session::takeGrid(const map::GridMessage& message) {
 
 void Session::askForOverview() {
   overview_.clear();
-  robot::WholeMapSource* const source = robot_->wholeMapSource();
+  robot::OverviewSource* const source = robot_->overviewSource();
   const geometry::WorldRect bounds = contentBounds();
-  if (!overview_wanted_ || !source || !source->offersOverview() || bounds.empty()) return;
+  if (!overview_wanted_ || !source || bounds.empty()) return;
   constexpr double kSubmapReachM = 30;  // poses are corners of what they place
   const geometry::WorldRect area = bounds.grown(kSubmapReachM);
   const double resolution_m = std::clamp(std::sqrt(area.width() * area.height() / kOverviewCells),
                                          kFinestOverviewM, kCoarsestOverviewM);
   source->fetchOverview(resolution_m, [self = QPointer<Session>(this),
-                                       generation = generation_](robot::Answer<map::WholeMap> answer) {
+                                       generation = generation_](robot::Outcome<map::WholeMap> answer) {
     if (!self || generation != self->generation_) return;
     // Without it the submaps appear all the same, one by one.
     if (!answer) return;
@@ -234,8 +226,8 @@ void Session::takeFrame() {
   // What the robot says once and not again (landmarks, doors, the map) may have come before it told of the
   // new frame: asked for anew it is sent again.
   if (robot::LiveTopics* const live = robot_->liveTopics()) {
-    live->setWanted({});
-    live->setWanted(wanted_topics_);
+    live->setWanted({}, {});
+    live->setWanted(wanted_.streams, wanted_.topics);
     sendWants();
   }
   Q_EMIT frameChanged();
@@ -256,39 +248,39 @@ void Session::forgetUnwanted() {
   if (clouds) Q_EMIT liveChanged(map::topicIndex<map::PointCloudMessage>());
 }
 
-void Session::want(const QString& owner, const QStringList& topics) {
-  if (wants_[owner] == topics) return;
-  wants_[owner] = topics;
+void Session::want(const QString& owner, const map::Streams& streams, const QStringList& topics) {
+  Wish wish{streams, topics};
+  if (wants_[owner] == wish) return;
+  wants_[owner] = std::move(wish);
   sendWants();
 }
 
 void Session::sendWants() {
   robot::LiveTopics* const live = robot_->liveTopics();
   if (!live || still_) return;
-  QStringList all;
-  for (const auto& [owner, topics] : wants_) all += topics;
-  bool may_fall_back = false;
-  for (const OlderName& name : kOlderNames) {
-    const QString topic = QLatin1String(name.topic);
-    if (!all.contains(topic)) continue;
-    if (waited_for_.contains(topic)) {
-      all << QLatin1String(name.older);
-    } else if (!live_.grids.contains(name.kind)) {
-      may_fall_back = true;
-    }
+  Wish all;
+  for (const auto& [owner, wish] : wants_) {
+    all.streams.insert(wish.streams.begin(), wish.streams.end());
+    all.topics += wish.topics;
   }
-  all.removeDuplicates();
+  all.topics.removeDuplicates();
+  QStringList names = all.topics;
+  for (const map::Stream stream : all.streams) names += live->topicsOf(stream);
+  names.removeDuplicates();
   for (const QString& topic : std::as_const(wanted_topics_)) {
     // Nobody listens to it any more: whether it is readable again will never be known.
-    if (all.contains(topic)) continue;
+    if (names.contains(topic)) continue;
     recover({map::Subject(map::SubjectKind::Topic, topic.toStdString())});
     retired_topics_.insert(topic);
   }
-  for (const QString& topic : std::as_const(all)) retired_topics_.remove(topic);
-  wanted_topics_ = all;
-  live->setWanted(all);
+  for (const QString& topic : std::as_const(names)) retired_topics_.remove(topic);
+  wanted_topics_ = names;
+  wanted_ = all;
+  live->setWanted(all.streams, all.topics);
   forgetUnwanted();
-  if (may_fall_back && !fallback_timer_.isActive()) fallback_timer_.start(kFallbackAfterMs);
+  const bool waits =
+      all.streams.contains(map::Stream::WholeMap) && !live_.grids.contains(map::GridKind::WholeMap);
+  if (waits && !no_live_map_timer_.isActive()) no_live_map_timer_.start();
 }
 
 }  // namespace mapwright::session

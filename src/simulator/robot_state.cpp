@@ -40,8 +40,8 @@ RobotState::RobotState(Scene scene, std::uint32_t seed, ClockOptions clock)
     if (trajectory.growth == Growth::Live) continue;
     std::vector<geometry::Pose3>& poses = (*poses_of)[trajectory.id];
     for (int index = 0; index < trajectory.submaps; ++index) {
-      const map::SubmapId id{trajectory.id, index};
-      poses.push_back(nominalPose(anchorOf(trajectory, index), id, seedOf(id)));
+      const map::SubmapId look{trajectory.id, trajectory.lookOf(index)};
+      poses.push_back(nominalPose(anchorOf(trajectory, index), look, seedOf(look)));
     }
   }
   fixed_poses_ = std::move(poses_of);
@@ -56,10 +56,10 @@ RobotState RobotState::recordedAt(double time_s) const {
 }
 
 geometry::Pose3 RobotState::nominalOf(const Trajectory& trajectory, int index) const {
-  const map::SubmapId id{trajectory.id, index};
   const auto fixed = fixed_poses_->find(trajectory.id);
   if (fixed != fixed_poses_->end()) return fixed->second[static_cast<std::size_t>(index)];
-  return nominalPose(anchorOf(trajectory, index), id, seedOf(id));
+  const map::SubmapId look{trajectory.id, trajectory.lookOf(index)};
+  return nominalPose(anchorOf(trajectory, index), look, seedOf(look));
 }
 
 double RobotState::now() const {
@@ -111,7 +111,8 @@ int RobotState::versionOf(map::SubmapId id, int scans) const {
 
 geometry::Pose2 RobotState::anchorOf(const Trajectory& trajectory, int index) const {
   const geometry::Pose2 first = trajectory.drive.at(metresAtScan(trajectory, kScansPerSubmapStart * index));
-  const double yaw = unitFrom(hashOf(seedOf({trajectory.id, index}), 7)) * 2 * std::numbers::pi;
+  const double yaw =
+      unitFrom(hashOf(seedOf({trajectory.id, trajectory.lookOf(index)}), 7)) * 2 * std::numbers::pi;
   return {first.x_m, first.y_m, geometry::normalizeAngle(yaw)};
 }
 
@@ -183,21 +184,25 @@ geometry::Pose2 RobotState::truePoseAhead(double metres) const {
 }
 
 SubmapSource RobotState::describe(const Trajectory& trajectory, int index, int scans) const {
+  const map::SubmapId id{trajectory.id, index};
+  const auto bumped = bumps_.find(id);
+  const int bumps = bumped == bumps_.end() ? 0 : bumped->second;
+  const int look = bumps > 0 ? index : trajectory.lookOf(index);
   SubmapSource source;
-  source.id = {trajectory.id, index};
-  source.version = versionOf(source.id, scans);
+  source.id = {trajectory.id, look};
+  source.version = versionOf(id, scans);
   source.session = session_;
   source.seed = seedOf(source.id);
   source.nearby = trajectory.nearby;
-  source.anchor = anchorOf(trajectory, index);
-  source.pose = nominalOf(trajectory, index);
-  const int first = kScansPerSubmapStart * index;
+  source.shared = trajectory.looks > 0;
+  source.anchor = anchorOf(trajectory, look);
+  source.pose = nominalOf(trajectory, look);
+  const int first = kScansPerSubmapStart * look;
   for (int scan = first; scan < std::min(scans, first + kScansPerSubmap); ++scan) {
     source.scans.push_back(
         {trajectory.drive.at(metresAtScan(trajectory, scan)), hashOf(seed_, trajectory.id, scan)});
   }
-  const auto bumped = bumps_.find(source.id);
-  for (int i = 0; bumped != bumps_.end() && i < std::min(bumped->second, 64) && !source.scans.empty(); ++i) {
+  for (int i = 0; i < std::min(bumps, 64) && !source.scans.empty(); ++i) {
     // A crate at the side of the way for each new version.
     const geometry::Pose2& by = source.scans[static_cast<std::size_t>(i * 5 + 2) % source.scans.size()].pose;
     const Eigen::Vector2d at = by.apply({0.3, i % 2 == 0 ? 0.85 : -0.85});

@@ -150,6 +150,7 @@ std::optional<Scene> makeScene(const std::string& name, int submaps, std::uint32
   Trajectory map{0, Drive(tour, false), Growth::Complete, 0, 0, false, false};
   map.submaps = submapsOn(map.drive);
   if (submaps > 0) map.submaps = std::min(submaps, map.submaps);
+  if (map.submaps > kMostOwnLooks) map.looks = kLooks;
   Trajectory live{1, Drive(round, true), Growth::Live, 0, kLiveSubmapsKept, false, false};
   Trajectory incremental{2, Drive(annex_way, false), Growth::Once, 20, 0, true, false};
   incremental.submaps = submapsOn(incremental.drive);

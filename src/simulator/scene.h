@@ -32,7 +32,10 @@ struct Trajectory {
   int submaps = 0;          // at the end; of a live one: how many are kept
   bool incremental = false;
   bool nearby = false;
+  int looks = 0;  // so many submaps have cells of their own, the others look like them; 0 = every one
 
+  /// The submap whose cells `index` has.
+  int lookOf(int index) const { return looks > 0 ? index % looks : index; }
   /// Scans that went in up to `session_s`. 0: not there yet.
   int scansAt(double session_s) const;
   /// Submaps [first, end) that exist after `scans`.
@@ -46,6 +49,10 @@ struct Scene {
 
 /// At most this many submaps can be asked for.
 constexpr int kMostSubmaps = 200'000;
+/// A map of more submaps has kLooks different ones: it is there to be large, and drawing so many would keep
+/// the machine busier than the client that is to be tried against it.
+constexpr int kMostOwnLooks = 20'000;
+constexpr int kLooks = 256;
 
 /// The named scene with about `submaps` submaps (0: its own size); nullopt when there is no such scene.
 std::optional<Scene> makeScene(const std::string& name, int submaps, std::uint32_t seed);

@@ -12,6 +12,8 @@
 namespace mapwright::simulator {
 namespace {
 
+constexpr double kSharedRangeM = 3;
+
 using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
@@ -29,6 +31,13 @@ Packing packingOf(map::SubmapId id) {
       Packing::PngGray,    Packing::GzipPairs, Packing::PngGrayAlpha, Packing::RawBytes,
       Packing::PngPalette, Packing::ZlibPairs, Packing::GzipBytes,    Packing::RawPairs};
   return kOrder[static_cast<std::size_t>(id.index + 3 * id.trajectory) % kOrder.size()];
+}
+
+/// Without those that leave the cells as they are.
+Packing smallPackingOf(map::SubmapId id) {
+  constexpr std::array<Packing, 4> kOrder{Packing::PngGray, Packing::GzipPairs, Packing::PngGrayAlpha,
+                                          Packing::ZlibPairs};
+  return kOrder[static_cast<std::size_t>(id.index) % kOrder.size()];
 }
 
 CellFormat formatOf(const SubmapSource& source) {
@@ -82,9 +91,10 @@ std::string makeSubmapBody(const FloorPlan& plan, const SubmapSource& source) {
   const Eigen::Vector2d anchor(source.anchor.x_m, source.anchor.y_m);
   ScanSettings settings;
   settings.seed = source.seed;
+  if (source.shared) settings.range_m = kSharedRangeM;
   addTexture(response, source,
              scanGrid(plan, source.extra, source.scans, anchor, source.anchor.yaw_rad, settings),
-             packingOf(source.id), formatOf(source), 0);
+             source.shared ? smallPackingOf(source.id) : packingOf(source.id), formatOf(source), 0);
   if (source.id.index % 7 == 2) {  // the coarse grid that 3D SLAM keeps besides the fine one
     settings.resolution_m = 0.1;
     settings.range_m = 9;

@@ -22,6 +22,7 @@ struct SubmapSource {
   std::uint64_t seed = 0;     // of the submap's own traits and noise
   std::uint64_t session = 0;  // counts SLAM restarts: another session's submap is another content
   bool nearby = false;
+  bool shared = false;     // many submaps look like this one: small, and packed as robots pack
   geometry::Pose3 pose;    // before any loop closure; slice poses are relative to it
   geometry::Pose2 anchor;  // where its first scan was taken; its yaw is the texture's heading
   std::vector<ScanPlace> scans;

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "raster/decode_cells.h"
+#include "cells/decode_cells.h"
 #include "submap/submap_book.h"
 
 namespace mapwright::submap {
@@ -14,16 +14,16 @@ Slice decodeSlice(const map::RawSlice& raw) {
   if (raw.cells.empty() && raw.width == 0 && raw.height == 0) return slice;
   const auto pose = geometry::toIsometry(raw.slice_pose);
   if (!pose || pose->translation().cwiseAbs().maxCoeff() > kMaxCoordinateM) {
-    slice.corrupt = "its slice pose is not usable (a number that is not finite, or a zero quaternion)";
+    slice.corrupt = map::ReasonCode::SlicePoseUnusable;
     return slice;
   }
   const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(raw.cells.data()),
                                             raw.cells.size());
-  auto texture = raster::decodeCells(bytes, raw.width, raw.height, raw.resolution_m, raw.cell_format);
+  auto texture = cells::decodeCells(bytes, raw.width, raw.height, raw.resolution_m, raw.cell_format);
   if (texture) {
     slice.texture = std::move(*texture);
   } else {
-    slice.corrupt = texture.error().sentence;
+    slice.corrupt = map::said(std::move(texture.error().sentence));
   }
   return slice;
 }

@@ -1,7 +1,6 @@
 #include "submap/fetch_scheduler.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace mapwright::submap {
 
@@ -9,164 +8,215 @@ using Outcome = map::SubmapAnswer::Outcome;
 
 FetchScheduler::FetchScheduler(SchedulerOptions options) : options_(options), random_(options.jitter_seed) {}
 
+bool FetchScheduler::missing(const Wish& wish) {
+  return std::find(wish.not_found.begin(), wish.not_found.end(), wish.wanted) != wish.not_found.end();
+}
+
+bool FetchScheduler::open(const Wish& wish) {
+  return !wish.fetching && !wish.waits_for_list && (!wish.any_answer || wish.wanted > wish.satisfied) &&
+         !missing(wish);
+}
+
+FetchState FetchScheduler::stateOf(const Wish& wish) {
+  if (wish.fetching) return FetchState::Fetching;
+  if (missing(wish)) return FetchState::Missing;
+  if (wish.failed) return FetchState::Waiting;
+  return open(wish) ? FetchState::Queued : FetchState::Idle;
+}
+
+bool FetchScheduler::isUnderWay(map::SubmapId id) const {
+  return std::any_of(under_way_.begin(), under_way_.end(),
+                     [&](const map::SubmapKey& key) { return key.id == id && key.uuid == uuid_; });
+}
+
+void FetchScheduler::unfile(map::SubmapId id, Wish& wish) {
+  if (wish.in_line) line_.remove(id);
+  if (wish.resting) rests_.erase({wish.not_before, id});
+  wish.in_line = wish.resting = false;
+  if (wish.filed_as == FetchState::Queued) --queued_;
+  if (wish.filed_as == FetchState::Waiting) {
+    const auto count = failing_.find(wish.failures);
+    if (--count->second == 0) failing_.erase(count);
+  }
+  wish.filed_as = FetchState::Idle;
+}
+
+void FetchScheduler::file(map::SubmapId id, Wish& wish) {
+  wish.filed_as = stateOf(wish);
+  if (wish.filed_as == FetchState::Queued) ++queued_;
+  if (wish.filed_as == FetchState::Waiting) ++failing_[wish.failures];
+  if (wish.failed || !wish.not_found.empty()) {
+    troubled_.insert(id);
+  } else if (!troubled_.empty()) {
+    troubled_.erase(id);
+  }
+  // One that left the list and came back while its query was still under way waits for that one's end.
+  if (!open(wish) || isUnderWay(id)) return;
+  if (wish.not_before > now_) {
+    wish.resting = true;
+    rests_.emplace(wish.not_before, id);
+  } else {
+    wish.in_line = true;
+    line_.put(id, wish.at, wish.hidden);
+  }
+}
+
+template <typename Change>
+void FetchScheduler::change(Wishes::iterator at, Change change) {
+  unfile(at->first, at->second);
+  change(at->second);
+  file(at->first, at->second);
+}
+
 void FetchScheduler::setUuid(const std::string& uuid) {
   if (uuid == uuid_) return;
   uuid_ = uuid;
   wishes_.clear();
-  queue_stale_ = true;
+  line_.clear();
+  rests_.clear();
+  troubled_.clear();
+  waits_for_list_.clear();
+  failing_.clear();
+  queued_ = 0;
 }
 
-void FetchScheduler::listArrived() {
-  for (auto& [id, wish] : wishes_) {
-    if (!wish.waits_for_list) continue;
-    wish.waits_for_list = false;
-    queue_stale_ = true;
-  }
+std::vector<map::SubmapId> FetchScheduler::listArrived() {
+  const std::vector<map::SubmapId> waited(waits_for_list_.begin(), waits_for_list_.end());
+  for (const map::SubmapId id : waited)
+    change(wishes_.find(id), [](Wish& wish) { wish.waits_for_list = false; });
+  waits_for_list_.clear();
+  return waited;
 }
 
 void FetchScheduler::want(map::SubmapId id, std::int32_t version) {
   const auto [it, added] = wishes_.try_emplace(id);
   if (!added && it->second.wanted == version) return;
-  it->second.wanted = version;
-  queue_stale_ = true;
+  change(it, [version](Wish& wish) { wish.wanted = version; });
 }
 
 void FetchScheduler::unwant(map::SubmapId id) {
-  if (wishes_.erase(id) > 0) queue_stale_ = true;
+  const auto it = wishes_.find(id);
+  if (it == wishes_.end()) return;
+  unfile(id, it->second);
+  wishes_.erase(it);
+  troubled_.erase(id);
+  waits_for_list_.erase(id);
 }
 
 void FetchScheduler::again(const map::SubmapKey& key) {
   const auto it = wishes_.find(key.id);
   if (key.uuid != uuid_ || it == wishes_.end() || it->second.wanted != key.version) return;
-  it->second.any_answer = false;
-  it->second.satisfied = -1;
-  queue_stale_ = true;
+  change(it, [](Wish& wish) {
+    wish.any_answer = false;
+    wish.satisfied = -1;
+  });
 }
 
-void FetchScheduler::retryNow() {
-  for (auto& [id, wish] : wishes_) {
-    wish.not_found.clear();
-    wish.not_before = Millis(0);
-    wish.failures = 0;
-    wish.waits_for_list = false;
+std::vector<map::SubmapId> FetchScheduler::retryNow() {
+  const std::vector<map::SubmapId> troubled(troubled_.begin(), troubled_.end());
+  for (const map::SubmapId id : troubled) {
+    change(wishes_.find(id), [](Wish& wish) {
+      wish.not_found.clear();
+      wish.not_before = Millis(0);
+      wish.failures = 0;
+      wish.waits_for_list = false;
+    });
   }
-  queue_stale_ = true;
-}
-
-void FetchScheduler::setPriority(std::function<double(map::SubmapId)> priority) {
-  priority_ = std::move(priority);
-  queue_stale_ = true;
-}
-
-void FetchScheduler::reorder() { queue_stale_ = true; }
-
-bool FetchScheduler::open(const Wish& wish) const {
-  return !wish.fetching && !wish.waits_for_list && (!wish.any_answer || wish.wanted > wish.satisfied) &&
-         !wish.not_found.contains(wish.wanted);
-}
-
-void FetchScheduler::rebuildQueue() {
-  std::vector<std::pair<double, map::SubmapId>> order;
-  for (const auto& [id, wish] : wishes_) {
-    if (open(wish)) order.emplace_back(priority_ ? priority_(id) : 0.0, id);
+  waits_for_list_.clear();
+  // Those that only rest from their last query, too.
+  while (!rests_.empty()) {
+    change(wishes_.find(rests_.begin()->second), [](Wish& wish) { wish.not_before = Millis(0); });
   }
-  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a > b; });
-  queue_.clear();
-  for (const auto& [priority, id] : order) queue_.push_back(id);
-  queue_stale_ = false;
+  return troubled;
+}
+
+void FetchScheduler::place(map::SubmapId id, const Eigen::Vector2d& at, bool hidden) {
+  const auto it = wishes_.find(id);
+  if (it == wishes_.end()) return;
+  Wish& wish = it->second;
+  wish.at = at;
+  wish.hidden = hidden;
+  if (wish.in_line) line_.put(id, at, hidden);
+}
+
+void FetchScheduler::setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m) {
+  line_.setView(visible_world, center_m);
 }
 
 std::vector<map::SubmapKey> FetchScheduler::take(Millis now) {
+  now_ = std::max(now_, now);
   std::vector<map::SubmapKey> keys;
-  if (uuid_.empty() || underWay() >= options_.max_concurrent) return keys;
-  if (queue_stale_) rebuildQueue();
-  std::vector<map::SubmapId> not_yet;
-  while (!queue_.empty() && underWay() < options_.max_concurrent) {
-    const map::SubmapId id = queue_.back();
-    queue_.pop_back();
-    Wish& wish = wishes_.at(id);
-    if (!open(wish)) continue;  // satisfied since the queue was made
-    if (wish.not_before > now) {
-      not_yet.push_back(id);
-      continue;
-    }
-    const map::SubmapKey key{uuid_, id, wish.wanted};
-    // The submap left the list and came back while its query was still under way.
-    if (std::any_of(under_way_.begin(), under_way_.end(),
-                    [&](const map::SubmapKey& k) { return k.uuid == key.uuid && k.id == key.id; })) {
-      not_yet.push_back(id);
-      continue;
-    }
-    wish.fetching = true;
-    wish.failed = false;
-    under_way_.push_back(key);
-    keys.push_back(key);
+  if (uuid_.empty()) return keys;
+  while (!rests_.empty() && rests_.begin()->first <= now) {
+    change(wishes_.find(rests_.begin()->second), [](Wish&) {});
   }
-  queue_.insert(queue_.end(), not_yet.rbegin(), not_yet.rend());
+  while (underWay() < options_.max_concurrent) {
+    const auto id = line_.take();
+    if (!id) break;
+    const auto it = wishes_.find(*id);
+    it->second.in_line = false;
+    change(it, [](Wish& wish) {
+      wish.fetching = true;
+      wish.failed = false;
+    });
+    keys.push_back({uuid_, *id, it->second.wanted});
+    under_way_.push_back(keys.back());
+  }
   return keys;
 }
 
 std::optional<Millis> FetchScheduler::nextDue(Millis now) const {
-  std::optional<Millis> due;
-  if (uuid_.empty() || underWay() >= options_.max_concurrent) return due;
-  for (const auto& [id, wish] : wishes_) {
-    if (!open(wish)) continue;
-    const Millis at = std::max(wish.not_before, now);
-    if (!due || at < *due) due = at;
-  }
-  return due;
+  if (uuid_.empty() || underWay() >= options_.max_concurrent) return std::nullopt;
+  if (line_.size() > 0) return now;
+  if (rests_.empty()) return std::nullopt;
+  return std::max(rests_.begin()->first, now);
 }
 
 void FetchScheduler::answered(const map::SubmapKey& key, Outcome outcome, std::int32_t answered_version,
                               Millis now) {
+  now_ = std::max(now_, now);
   const auto sent = std::find(under_way_.begin(), under_way_.end(), key);
   if (sent == under_way_.end()) return;
   under_way_.erase(sent);
   if (key.uuid != uuid_) return;
   const auto it = wishes_.find(key.id);
   if (it == wishes_.end()) return;
-  Wish& wish = it->second;
-  wish.fetching = false;
-  wish.not_before = now + options_.min_interval;
-  switch (outcome) {
-    case Outcome::Ok:
-      wish.failures = 0;
-      wish.any_answer = true;
-      wish.satisfied = std::max({wish.satisfied, key.version, answered_version});
-      break;
-    case Outcome::NotFound:
-      wish.failures = 0;
-      wish.not_found.insert(key.version);
-      break;
-    case Outcome::Cancelled:
-      break;
-    case Outcome::WrongUuid:
-      wish.waits_for_list = true;
-      [[fallthrough]];
-    case Outcome::Failed: {
-      const int doublings = std::min(wish.failures, 16);
-      ++wish.failures;
-      wish.failed = true;
-      const double jitter = std::uniform_real_distribution<double>(1.0, 1.25)(random_);
-      const double wait = std::min(double(options_.cooldown.count()) * double(1 << doublings) * jitter,
-                                   double(std::max(options_.cooldown, options_.cooldown_limit).count()));
-      wish.not_before = now + std::max(options_.cooldown, Millis(std::int64_t(wait)));
-      break;
+  change(it, [&](Wish& wish) {
+    wish.fetching = false;
+    wish.not_before = now + options_.min_interval;
+    switch (outcome) {
+      case Outcome::Ok:
+        wish.failures = 0;
+        wish.any_answer = true;
+        wish.satisfied = std::max({wish.satisfied, key.version, answered_version});
+        break;
+      case Outcome::NotFound:
+        wish.failures = 0;
+        wish.not_found.push_back(key.version);
+        break;
+      case Outcome::Cancelled:
+        break;
+      case Outcome::WrongUuid:
+        wish.waits_for_list = true;
+        waits_for_list_.insert(key.id);
+        [[fallthrough]];
+      case Outcome::Failed: {
+        const int doublings = std::min(wish.failures, 16);
+        ++wish.failures;
+        wish.failed = true;
+        const double jitter = std::uniform_real_distribution<double>(1.0, 1.25)(random_);
+        const double wait = std::min(double(options_.cooldown.count()) * double(1 << doublings) * jitter,
+                                     double(options_.cooldown_limit.count()));
+        wish.not_before = now + Millis(std::max<std::int64_t>(1, std::int64_t(wait)));
+        break;
+      }
     }
-  }
-  // Back to the end of the line until the next ordering: sorting ten thousand submaps at every answer would
-  // cost more than the answers.
-  if (open(wish) && !queue_stale_) queue_.insert(queue_.begin(), key.id);
+  });
 }
 
 FetchState FetchScheduler::state(map::SubmapId id) const {
   const auto it = wishes_.find(id);
-  if (it == wishes_.end()) return FetchState::Idle;
-  const Wish& wish = it->second;
-  if (wish.fetching) return FetchState::Fetching;
-  if (wish.not_found.contains(wish.wanted)) return FetchState::Missing;
-  if (wish.failed) return FetchState::Waiting;
-  return open(wish) ? FetchState::Queued : FetchState::Idle;
+  return it == wishes_.end() ? FetchState::Idle : stateOf(it->second);
 }
 
 int FetchScheduler::failures(map::SubmapId id) const {
@@ -180,10 +230,8 @@ std::optional<Millis> FetchScheduler::retryAt(map::SubmapId id) const {
   return it->second.not_before;
 }
 
-int FetchScheduler::queued() const {
-  int count = 0;
-  for (const auto& [id, wish] : wishes_) count += open(wish) && !wish.failed;
-  return count;
+bool FetchScheduler::settled(int tries) const {
+  return under_way_.empty() && queued_ == 0 && (failing_.empty() || failing_.begin()->first >= tries);
 }
 
 }  // namespace mapwright::submap

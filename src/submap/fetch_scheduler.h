@@ -4,15 +4,18 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
+#include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "map/submap.h"
+#include "submap/nearest_first.h"
 
 namespace mapwright::submap {
 
@@ -38,7 +41,8 @@ enum class FetchState {
 
 /// Decides which keys go out. One fetch per key while it is wanted, at most max_concurrent at a time and one
 /// per submap; a 404 is remembered for its key; any other failure makes that submap wait (backoff with
-/// jitter). Keys of another uuid, superseded versions and unwanted submaps are never sent.
+/// jitter). Keys of another uuid, superseded versions and unwanted submaps are never sent. What is in view
+/// goes first, then by distance. No call but clear ones (setUuid, retryNow) costs more with more submaps.
 class FetchScheduler {
  public:
   explicit FetchScheduler(SchedulerOptions options = {});
@@ -46,20 +50,24 @@ class FetchScheduler {
   /// A new SLAM session: forgets everything of the old one. Answers still under way keep their slot until
   /// answered().
   void setUuid(const std::string& uuid);
-  /// A new list arrived: submaps that wait for one (UUID_MISMATCH) may be tried again.
-  void listArrived();
+  /// A new list arrived: submaps that wait for one (UUID_MISMATCH) may be tried again. Returns them.
+  std::vector<map::SubmapId> listArrived();
   /// The robot lists `version` of `id`. Satisfied or remembered versions cause nothing.
   void want(map::SubmapId id, std::int32_t version);
   /// The submap left the list.
   void unwant(map::SubmapId id);
-  /// The answer for this key was of no use: it is asked for once more, if it is still the one that is wanted.
+  /// What was answered for this key is not at hand (of no use, or lost since): it is asked for once more, if
+  /// it is still the one that is wanted.
   void again(const map::SubmapKey& key);
-  /// Forgets waits and remembered 404s, so that everything not yet satisfied is tried at once.
-  void retryNow();
+  /// Forgets waits and remembered 404s, so that everything not yet satisfied is tried at once. Returns those
+  /// that had failed or were missing.
+  std::vector<map::SubmapId> retryNow();
 
-  /// Smaller goes first. Evaluated again after reorder().
-  void setPriority(std::function<double(map::SubmapId)> priority);
-  void reorder();
+  /// Where a wanted submap lies, metres in the world, and whether anybody wants to see it. Without a word: at
+  /// the origin, visible.
+  void place(map::SubmapId id, const Eigen::Vector2d& at, bool hidden);
+  /// What the user looks at.
+  void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
 
   /// Keys to send now; they count as under way until answered().
   std::vector<map::SubmapKey> take(Millis now);
@@ -73,30 +81,48 @@ class FetchScheduler {
   int failures(map::SubmapId id) const;                   // in a row
   std::optional<Millis> retryAt(map::SubmapId id) const;  // while Waiting
   int underWay() const { return int(under_way_.size()); }
-  int queued() const;
+  int queued() const { return queued_; }
+  /// Nothing is to be had without waiting for another try of what failed at least `tries` times.
+  bool settled(int tries) const;
 
  private:
   struct Wish {
     std::int32_t wanted = 0;
     std::int32_t satisfied = -1;  // highest version that was answered
     bool any_answer = false;
-    std::unordered_set<std::int32_t> not_found;  // versions that gave 404
+    std::vector<std::int32_t> not_found;  // versions that gave 404
     int failures = 0;
     bool waits_for_list = false;
     Millis not_before{0};
     bool fetching = false;
     bool failed = false;  // last try failed and has not been repeated
+    bool hidden = false;
+    Eigen::Vector2d at{0, 0};
+    // Where it is filed: see file().
+    FetchState filed_as = FetchState::Idle;
+    bool in_line = false, resting = false;
   };
-  bool open(const Wish& wish) const;
-  void rebuildQueue();
+  using Wishes = std::unordered_map<map::SubmapId, Wish>;
+  static bool missing(const Wish& wish);
+  static bool open(const Wish& wish);
+  static FetchState stateOf(const Wish& wish);
+  bool isUnderWay(map::SubmapId id) const;
+  void unfile(map::SubmapId id, Wish& wish);
+  void file(map::SubmapId id, Wish& wish);
+  template <typename Change>
+  void change(Wishes::iterator at, Change change);
 
   SchedulerOptions options_;
   std::string uuid_;
-  std::unordered_map<map::SubmapId, Wish> wishes_;
+  Wishes wishes_;
   std::vector<map::SubmapKey> under_way_;
-  std::vector<map::SubmapId> queue_;  // best last
-  bool queue_stale_ = true;
-  std::function<double(map::SubmapId)> priority_;
+  NearestFirst line_;                                 // open, and may go out as far as is known
+  std::set<std::pair<Millis, map::SubmapId>> rests_;  // open, but not before that time
+  std::unordered_set<map::SubmapId> troubled_;        // had a failure or a 404
+  std::unordered_set<map::SubmapId> waits_for_list_;
+  std::map<int, int> failing_;  // how many are Waiting, by their failures in a row
+  int queued_ = 0;
+  Millis now_{0};  // the latest that anybody told
   std::minstd_rand random_;
 };
 

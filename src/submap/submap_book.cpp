@@ -1,52 +1,10 @@
 #include "submap/submap_book.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-
-#include "words/sentences.h"
 
 namespace mapwright::submap {
 namespace {
-
-std::string versionText(std::int32_t version) { return "Version " + std::to_string(version); }
-
-std::string poseProblem(const geometry::Pose3& pose) {
-  if (!geometry::toIsometry(pose)) {
-    const double length = std::hypot(std::hypot(pose.qx, pose.qy), std::hypot(pose.qz, pose.qw));
-    return std::isfinite(length) && length < 1e-6 ? "its orientation is a zero quaternion"
-                                                  : "its pose holds numbers that are not finite";
-  }
-  if (std::max(std::abs(pose.x), std::abs(pose.y)) > kMaxCoordinateM) {
-    return "its pose lies more than 1,000 km from the map's origin";
-  }
-  return {};
-}
-
-/// The list without duplicates: per id the highest version, then the first. `twice`: those that were listed
-/// more than once.
-std::map<map::SubmapId, map::SubmapEntry> uniqueEntries(const map::SubmapList& list,
-                                                        std::set<map::SubmapId>& twice,
-                                                        std::vector<map::Problem>& problems) {
-  std::map<map::SubmapId, map::SubmapEntry> entries;
-  for (const map::SubmapEntry& entry : list.entries) {
-    // Lists are in order as a rule.
-    const std::size_t before = entries.size();
-    const auto it = entries.try_emplace(entries.end(), entry.id, entry);
-    if (entries.size() > before) continue;
-    twice.insert(entry.id);
-    problems.push_back({map::Severity::Warning, map::subjectOf(entry.id),
-                        it->second == entry ? "It is listed twice. Counted once."
-                                            : "It is listed twice, differently. The highest version with a "
-                                              "usable pose is used.",
-                        map::ProblemCode::ListedTwice});
-    const auto rank = [](const map::SubmapEntry& e) {
-      return std::pair(poseProblem(e.pose).empty(), e.version);
-    };
-    if (rank(entry) > rank(it->second)) it->second = entry;
-  }
-  return entries;
-}
 
 std::size_t bytesOf(const std::vector<Slice>& slices) {
   std::size_t bytes = 0;
@@ -61,106 +19,140 @@ bool SubmapRow::drawable(int slice) const {
          slices[std::size_t(slice)].texture;
 }
 
-std::string SubmapRow::corruptReason() const {
-  std::string reason;
+std::vector<map::Reason> SubmapRow::corruptSlices() const {
+  std::vector<map::Reason> reasons;
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    if (slices[i].corrupt.empty()) continue;
-    if (!reason.empty()) reason += "; ";
-    if (slices.size() > 1) reason += "slice " + std::to_string(i) + ": ";
-    reason += slices[i].corrupt;
+    const map::Reason& corrupt = slices[i].corrupt;
+    if (!corrupt.any()) continue;
+    reasons.push_back(
+        slices.size() == 1 ? corrupt : map::Reason(map::ReasonCode::OneSlice, {std::int64_t(i)}, {corrupt}));
   }
-  return reason;
+  return reasons;
 }
 
 BookChange SubmapBook::apply(const map::SubmapList& list) {
+  return apply(compareLists(listed_before_, list));
+}
+
+BookChange SubmapBook::apply(const ListDifference& list) {
   BookChange change;
-  const map::Subject list_subject{map::SubjectKind::SubmapList, {}};
-  for (const std::string& sentence : list.rejected) {
-    change.problems.push_back({map::Severity::Warning, list_subject, sentence, map::ProblemCode::Odd});
-  }
-  if (rows_rejected_ && list.rejected.empty()) {
+  const map::Subject list_subject = map::SubjectKind::SubmapList;
+  change.problems = list.problems;
+  if (rows_rejected_ && !list.rows_rejected) {
     change.recoveries.push_back({list_subject, map::ProblemCode::Odd});
   }
-  rows_rejected_ = !list.rejected.empty();
+  rows_rejected_ = list.rows_rejected;
   change.recoveries.push_back({list_subject, map::ProblemCode::Unavailable});
-  if (list.uuid != uuid_ || !list_received_) {
+  if (list.new_session) {
     change.new_session = true;
     change.set_changed = true;
     rows_.clear();
+    ahead_.clear();
     backward_lists_.clear();
+    with_slices_.clear();
     texture_bytes_ = 0;
+    frozen_ = 0;
     uuid_ = list.uuid;
   }
   list_received_ = true;
   slam_state_ = list.slam_state;
-  std::set<map::SubmapId> listed_twice;
-  const auto entries = uniqueEntries(list, listed_twice, change.problems);
+  listed_before_ = list.now;
   for (const map::SubmapId id : listed_twice_) {
-    if (!listed_twice.contains(id))
+    if (!list.listed_twice.contains(id))
       change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::ListedTwice});
   }
-  listed_twice_ = std::move(listed_twice);
+  listed_twice_ = list.listed_twice;
 
-  for (auto it = rows_.begin(); it != rows_.end();) {
-    if (entries.contains(it->first)) {
-      ++it;
-      continue;
-    }
-    change.removed.push_back(it->first);
-    change.recoveries.push_back({map::subjectOf(it->first)});
+  for (const map::SubmapId id : list.removed) {
+    const auto it = rows_.find(id);
+    if (it == rows_.end()) continue;
+    change.removed.push_back(id);
+    change.recoveries.push_back({map::subjectOf(id)});
     change.set_changed = true;
-    texture_bytes_ -= it->second.texture_bytes;
-    backward_lists_.erase(it->first);
-    it = rows_.erase(it);
+    forget(it);
   }
-
-  auto next = rows_.begin();  // both are in order
-  for (const auto& [id, entry] : entries) {
-    while (next != rows_.end() && next->first < id) ++next;
-    const bool added = next == rows_.end() || id < next->first;
-    if (added) next = rows_.try_emplace(next, id);
-    SubmapRow& row = next->second;
-    change.set_changed |= added;
-    const std::string problem = poseProblem(entry.pose);
-    if (!problem.empty() && problem != row.pose_problem) {
-      change.problems.push_back({map::Severity::Error, map::subjectOf(id),
-                                 words::because(versionText(entry.version) + " cannot be placed", problem) +
-                                     (row.pose_usable ? " It stays where it was." : " Shown without it."),
-                                 map::ProblemCode::Unplaced});
-    }
-    if (problem.empty() && !row.pose_problem.empty()) {
-      change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::Unplaced});
-    }
-    row.pose_problem = problem;
-    const map::SubmapEntry before = row.entry;
-    row.entry = entry;
-    if (!problem.empty()) row.entry.pose = before.pose;
-    const bool was_usable = row.pose_usable;
-    row.pose_usable |= problem.empty();
-
-    if (entry.version < row.shown_version) {
-      const int lists = ++backward_lists_[id];
-      if (!row.stale_texture) {
-        change.problems.push_back({map::Severity::Warning, map::subjectOf(id),
-                                   "Its version went back from " + std::to_string(row.shown_version) +
-                                       " to " + std::to_string(entry.version) +
-                                       ". The newer picture stays unless the robot insists.",
-                                   map::ProblemCode::VersionWentBack});
-      }
-      row.stale_texture = true;
-      if (lists == kBackwardLists) change.restarted.push_back(id);
-    } else {
-      backward_lists_.erase(id);
-      if (std::exchange(row.stale_texture, false))
-        change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::VersionWentBack});
-    }
-
-    const bool looks_different = row.entry.pose != before.pose || entry.is_frozen != before.is_frozen ||
-                                 entry.is_incremental != before.is_incremental ||
-                                 entry.is_nearby != before.is_nearby || was_usable != row.pose_usable;
-    if (looks_different && row.shown_version >= 0) change.placed.push_back(id);
+  // Every list counts that lists less than what is on screen, though it be the same as the one before.
+  const std::set<map::SubmapId> ahead = ahead_;
+  for (const ListedEntry& listed : list.changed) take(listed, change);
+  for (const map::SubmapId id : ahead) {
+    const auto changed = std::lower_bound(change.listed.begin(), change.listed.end(), id);  // weighed already
+    if (changed != change.listed.end() && *changed == id) continue;
+    if (const auto it = rows_.find(id); it != rows_.end()) weighVersion(id, it->second, change);
   }
   return change;
+}
+
+void SubmapBook::forget(Rows::iterator at) {
+  texture_bytes_ -= at->second.texture_bytes;
+  frozen_ -= at->second.entry.is_frozen;
+  countSlices(at->second.slices.size(), 0);
+  ahead_.erase(at->first);
+  backward_lists_.erase(at->first);
+  rows_.erase(at);
+}
+
+void SubmapBook::countSlices(std::size_t before, std::size_t now) {
+  if (before == now) return;
+  if (now > 0) ++with_slices_[now];
+  if (before == 0) return;
+  const auto count = with_slices_.find(before);
+  if (--count->second == 0) with_slices_.erase(count);
+}
+
+void SubmapBook::take(const ListedEntry& listed, BookChange& change) {
+  const map::SubmapEntry& entry = listed.entry;
+  const map::ReasonCode problem = listed.pose_problem;
+  const bool usable = problem == map::ReasonCode::None;
+  const auto [it, added] = rows_.try_emplace(entry.id);
+  SubmapRow& row = it->second;
+  change.set_changed |= added;
+  change.listed.push_back(entry.id);
+  if (!usable && problem != row.pose_problem) {
+    change.problems.push_back(
+        {map::Severity::Error,
+         map::subjectOf(entry.id),
+         {map::ReasonCode::VersionCannotBePlaced,
+          {std::int64_t(entry.version)},
+          {problem},
+          row.pose_usable ? map::Consequence::StaysWhereItWas : map::Consequence::ShownWithoutIt},
+         map::ProblemCode::Unplaced});
+  }
+  if (usable && row.pose_problem != map::ReasonCode::None) {
+    change.recoveries.push_back({map::subjectOf(entry.id), map::ProblemCode::Unplaced});
+  }
+  row.pose_problem = problem;
+  const map::SubmapEntry before = row.entry;
+  frozen_ += int(entry.is_frozen) - int(before.is_frozen);
+  row.entry = entry;
+  if (!usable) row.entry.pose = before.pose;
+  const bool was_usable = row.pose_usable;
+  row.pose_usable |= usable;
+  weighVersion(entry.id, row, change);
+  const bool looks_different = row.entry.pose != before.pose || entry.is_frozen != before.is_frozen ||
+                               entry.is_incremental != before.is_incremental ||
+                               entry.is_nearby != before.is_nearby || was_usable != row.pose_usable;
+  if (looks_different && row.shown_version >= 0) change.placed.push_back(entry.id);
+}
+
+void SubmapBook::weighVersion(map::SubmapId id, SubmapRow& row, BookChange& change) {
+  if (row.entry.version < row.shown_version) {
+    ahead_.insert(id);
+    const int lists = ++backward_lists_[id];
+    if (!row.stale_texture) {
+      change.problems.push_back({map::Severity::Warning,
+                                 map::subjectOf(id),
+                                 {map::ReasonCode::VersionWentBack,
+                                  {std::int64_t(row.shown_version), std::int64_t(row.entry.version)}},
+                                 map::ProblemCode::VersionWentBack});
+    }
+    row.stale_texture = true;
+    if (lists == kBackwardLists) change.restarted.push_back(id);
+    return;
+  }
+  ahead_.erase(id);
+  backward_lists_.erase(id);
+  if (std::exchange(row.stale_texture, false))
+    change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::VersionWentBack});
 }
 
 BookChange SubmapBook::commit(DecodedSubmap decoded) {
@@ -175,19 +167,45 @@ BookChange SubmapBook::commit(DecodedSubmap decoded) {
   if (std::exchange(row.stale_texture, false))
     change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::VersionWentBack});
   backward_lists_.erase(decoded.key.id);
+  if (row.entry.version < row.shown_version) {
+    ahead_.insert(decoded.key.id);
+  } else {
+    ahead_.erase(decoded.key.id);
+  }
   texture_bytes_ -= row.texture_bytes;
+  countSlices(row.slices.size(), decoded.slices.size());
   row.slices = std::move(decoded.slices);
   row.texture_bytes = bytesOf(row.slices);
   texture_bytes_ += row.texture_bytes;
-  if (const std::string reason = row.corruptReason(); !reason.empty()) {
-    change.problems.push_back({map::Severity::Error, map::subjectOf(decoded.key.id),
-                               words::because(versionText(decoded.version) + " is broken", reason) +
-                                   " Shown without it. It will be asked for again at the next version.",
+  if (auto reasons = row.corruptSlices(); !reasons.empty()) {
+    change.problems.push_back({map::Severity::Error,
+                               map::subjectOf(decoded.key.id),
+                               {map::ReasonCode::VersionBroken,
+                                {std::int64_t(decoded.version)},
+                                std::move(reasons),
+                                map::Consequence::ShownWithoutItUntilTheNext},
                                map::ProblemCode::Unreadable});
   } else {
     change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::Unreadable});
   }
   change.placed.push_back(decoded.key.id);
+  return change;
+}
+
+BookChange SubmapBook::lose(map::SubmapId id) {
+  BookChange change;
+  const auto it = rows_.find(id);
+  if (it == rows_.end() || it->second.shown_version < 0) return change;
+  SubmapRow& row = it->second;
+  countSlices(row.slices.size(), 0);
+  texture_bytes_ -= row.texture_bytes;
+  row.slices.clear();
+  row.texture_bytes = 0;
+  row.shown_version = -1;
+  row.stale_texture = false;
+  ahead_.erase(id);
+  backward_lists_.erase(id);
+  change.placed.push_back(id);
   return change;
 }
 
@@ -226,12 +244,6 @@ geometry::WorldRect SubmapBook::bounds(map::SubmapId id, int slice) const {
   }
   rect.extend(Eigen::Vector2d(row->entry.pose.x, row->entry.pose.y));
   return rect;
-}
-
-int SubmapBook::maxSlices() const {
-  std::size_t most = 0;
-  for (const auto& [id, row] : rows_) most = std::max(most, row.slices.size());
-  return int(most);
 }
 
 }  // namespace mapwright::submap

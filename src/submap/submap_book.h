@@ -10,20 +10,21 @@
 #include <string>
 #include <vector>
 
+#include "cells/cell_texture.h"
 #include "geometry/pose.h"
 #include "geometry/rect.h"
 #include "map/problem.h"
 #include "map/submap.h"
-#include "raster/cell_texture.h"
+#include "submap/compare_lists.h"
 
 namespace mapwright::submap {
 
 /// One slice ready to draw. `texture` null = the robot sent no such slice, or it was corrupt.
 struct Slice {
-  std::shared_ptr<const raster::CellTexture> texture;
+  std::shared_ptr<const cells::CellTexture> texture;
   geometry::Pose3 slice_pose;
   std::int32_t z_level = 0;
-  std::string corrupt;  // why it cannot be drawn; empty when fine or simply absent
+  map::Reason corrupt;  // why it cannot be drawn; none when fine or simply absent
 };
 
 /// A submap decoded off the GUI thread, waiting to be committed.
@@ -38,7 +39,7 @@ struct DecodedSubmap {
 struct SubmapRow {
   map::SubmapEntry entry;  // the newest usable list entry
   bool pose_usable = false;
-  std::string pose_problem;         // why not
+  map::ReasonCode pose_problem = map::ReasonCode::None;  // why not
   bool stale_texture = false;       // texture kept while a lower version was listed (see SubmapBook::apply)
   std::int32_t shown_version = -1;  // -1 = nothing held
   std::vector<Slice> slices;
@@ -48,14 +49,15 @@ struct SubmapRow {
   bool active() const { return !entry.is_frozen; }
   /// It has a place and a picture of this slice: what is counted as shown, wherever it is counted.
   bool drawable(int slice) const;
-  /// Why some slice is not drawn; empty when all that came are fine.
-  std::string corruptReason() const;
+  /// Why slices are not drawn; empty when all that came are fine.
+  std::vector<map::Reason> corruptSlices() const;
 };
 
 /// What a list or a commit changed.
 struct BookChange {
   bool new_session = false;           // everything of before is gone
   bool set_changed = false;           // submaps were added or removed
+  std::vector<map::SubmapId> listed;  // new, or listed otherwise than before
   std::vector<map::SubmapId> placed;  // pose, texture or flags changed: draw again
   std::vector<map::SubmapId> removed;
   std::vector<map::SubmapId> restarted;  // version went back for good: forget what was fetched
@@ -65,7 +67,7 @@ struct BookChange {
 
 /// Where one slice lies.
 struct Placement {
-  std::shared_ptr<const raster::CellTexture> texture;
+  std::shared_ptr<const cells::CellTexture> texture;
   geometry::Pose2 world_from_texture;
 };
 
@@ -73,15 +75,22 @@ class SubmapBook {
  public:
   using Rows = std::map<map::SubmapId, SubmapRow>;
 
-  /// Takes over a list. A pose that is not usable leaves the last good one; a duplicate counts once (its
-  /// highest version, then the first); a version below the shown one keeps the newer picture until
-  /// kBackwardLists lists in a row insist on it.
+  /// Takes over what a list says otherwise than the one that was applied before it. A pose that is not usable
+  /// leaves the last good one; a version below the shown one keeps the newer picture until kBackwardLists
+  /// lists in a row insist on it. Costs what has changed.
+  BookChange apply(const ListDifference& list);
+  /// The same of a whole list.
   BookChange apply(const map::SubmapList& list);
   static constexpr int kBackwardLists = 3;
+  /// What the next list is to be compared with.
+  const ListedBefore& listedBefore() const { return listed_before_; }
 
   /// Puts a decoded submap on screen. Ignored (empty change) when it is of another session, no longer listed
   /// or older than what is shown.
   BookChange commit(DecodedSubmap decoded);
+
+  /// The picture is not at hand any more; the place stays. Empty when there was none.
+  BookChange lose(map::SubmapId id);
 
   void setVisible(map::SubmapId id, bool visible);
 
@@ -91,6 +100,7 @@ class SubmapBook {
   map::SlamState slamState() const { return slam_state_; }
   bool listReceived() const { return list_received_; }
   std::size_t textureBytes() const { return texture_bytes_; }
+  int frozenCount() const { return frozen_; }
 
   /// Where slice `slice` of the submap is drawn; nullopt when it has no such slice, no texture or no usable
   /// pose.
@@ -98,21 +108,28 @@ class SubmapBook {
   /// World bounds of that slice, or a point at the submap's pose while nothing is held; empty without a
   /// usable pose.
   geometry::WorldRect bounds(map::SubmapId id, int slice) const;
-  int maxSlices() const;
+  int maxSlices() const { return with_slices_.empty() ? 0 : int(with_slices_.rbegin()->first); }
 
  private:
+  void take(const ListedEntry& listed, BookChange& change);
+  /// The version that the robot lists against the one on screen.
+  void weighVersion(map::SubmapId id, SubmapRow& row, BookChange& change);
+  void forget(Rows::iterator at);
+  void countSlices(std::size_t before, std::size_t now);
+
   std::string uuid_;
   map::SlamState slam_state_ = map::SlamState::Invalid;
   bool list_received_ = false;
   Rows rows_;
+  ListedBefore listed_before_;
+  std::set<map::SubmapId> ahead_;  // on screen with a later version than is listed
   std::map<map::SubmapId, int> backward_lists_;
   std::set<map::SubmapId> listed_twice_;
   bool rows_rejected_ = false;
   std::size_t texture_bytes_ = 0;
+  int frozen_ = 0;
+  std::map<std::size_t, int> with_slices_;  // how many have so many slices
 };
-
-/// Coordinates beyond this are taken for garbage: no robot's map is 1000 km from its origin.
-inline constexpr double kMaxCoordinateM = 1e6;
 
 /// Unpacks and checks the slices of an answer. Pure and slow (milliseconds): for worker threads.
 /// `corrupt` of a slice says what is wrong with it; the others are unharmed.

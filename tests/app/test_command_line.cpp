@@ -164,6 +164,30 @@ class CommandLineTest : public QObject {
     QCOMPARE(json[QLatin1String("mode")].toString(), QStringLiteral("whole"));
   }
 
+  void namesAreNoPlacesForNumbers() {
+    const QString folder = at("50%1 %2");
+    QVERIFY(QDir().mkpath(folder));
+    const auto write = [&](const char* name, const QByteArray& bytes) {
+      QFile file(folder + QLatin1Char('/') + QLatin1String(name));
+      QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+    };
+    write("%1.pgm", "P5\n2 3\n255\n\x01\x02\x03\x04\x05\x06");
+    write("%1.yaml", "image: '%1.pgm'\nresolution: 0.25\norigin: [0, 0, 0]\n");
+    write("%1.waypoints.geojson",
+          R"({"type":"FeatureCollection","features":[{"type":"Feature","id":"%2",
+              "geometry":{"type":"Point","coordinates":[16.5,-37.25]},"properties":{"name":"%s%1 %4"}}]})");
+    const QStringList robot{QStringLiteral("--robot"), folder + QStringLiteral("/%1.yaml")};
+    const Outcome shown = run(QStringList{QStringLiteral("maps"), QStringLiteral("show")} + robot);
+    QVERIFY2(shown.code == 0, qPrintable(shown.err));
+    QVERIFY2(shown.out.contains(QLatin1String("%2 %s%1 %4  x 16.5 m, y -37.25 m")), qPrintable(shown.out));
+    const QString picture = folder + QStringLiteral("/%1.png");
+    const Outcome drawn = run(
+        QStringList{QStringLiteral("snapshot"), QStringLiteral("--force"), QStringLiteral("-o"), picture} +
+        robot);
+    QVERIFY2(drawn.out.contains(picture) && drawn.out.contains(QLatin1String("2 x 3 cells")),
+             qPrintable(drawn.out + drawn.err));
+  }
+
   void namesCommandNoTerminal() {
     const QString evil = QStringLiteral("evil\x1b[2J") + QChar(0x9b) + QStringLiteral("31m") + QChar(0x202e);
     QVERIFY(QDir(folder_.path()).mkdir(QStringLiteral("evil")));

@@ -253,6 +253,17 @@ class OtherRobotsTest : public QObject {
       QVERIFY2(outcome.code == 3, qPrintable(QLatin1String(command) + outcome.err));
       QVERIFY2(outcome.err.contains(QString::number(status)), qPrintable(outcome.err));
     }
+    // Its submaps.
+    robot.greeting = R"({"topic":"/submap_list","slam_state":"positioning","uuid":"u","submap":[
+        {"trajectory_id":0,"submap_index":0,"submap_version":1,"pose":{"x":0,"y":0,"z":0,"qx":0,"qy":0,"qz":0,"qw":1}},
+        {"trajectory_id":0,"submap_index":1,"submap_version":1,"pose":{"x":1,"y":0,"z":0,"qx":0,"qy":0,"qz":0,"qw":1}}]})";
+    robot.answers["/ros/slam/submaps/u/0/0"] = robot.answers["/ros/slam/submaps/u/0/1"] = no;
+    for (const char* command : {"maps export submaps -o e.png", "snapshot --mode submaps -o p.png"}) {
+      const Outcome outcome =
+          run(QLatin1String(command) + QStringLiteral(" --timeout 4 --robot ") + axbot(robot.url()));
+      QVERIFY2(outcome.code == 3, qPrintable(QLatin1String(command) + outcome.err));
+      QVERIFY2(outcome.err.contains(QString::number(status)), qPrintable(outcome.err));
+    }
     // With the list, but without the map.
     serveMap(robot);
     robot.answers["/maps/1"] = no;

@@ -33,7 +33,7 @@ class GridReferenceTest : public QObject {
     QVERIFY(std::abs(bounds.min_x - 8) < 1e-12 && std::abs(bounds.max_y - 24) < 1e-12);
   }
 
-  void whatCannotBePlacedIsRefusedWithASentence_data() {
+  void whatCannotBePlacedIsRefusedWithAReason_data() {
     QTest::addColumn<double>("resolution");
     QTest::addColumn<double>("x");
     QTest::addColumn<bool>("usable");
@@ -49,13 +49,13 @@ class GridReferenceTest : public QObject {
     QTest::newRow("no origin") << 0.05 << nan << false;
     QTest::newRow("far away") << 0.05 << 1e9 << false;
   }
-  void whatCannotBePlacedIsRefusedWithASentence() {
+  void whatCannotBePlacedIsRefusedWithAReason() {
     QFETCH(double, resolution);
     QFETCH(double, x);
     QFETCH(bool, usable);
     const auto why = map::whyUnusable({10, 10, resolution, {x, 0, 0}});
     QCOMPARE(!why.has_value(), usable);
-    if (why) QVERIFY(why->ends_with("."));
+    if (why) QVERIFY(why->any());
   }
 
   void keysAreReadAsTheyAreWritten() {

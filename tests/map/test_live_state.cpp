@@ -22,7 +22,7 @@ class LiveStateTest : public QObject {
       state = reduce(std::move(state), TrackedPose{{double(i), 0, 0}}, 100);
     }
     QCOMPARE(state.trail.size(), LiveState::kTrailPoints);
-    QCOMPARE(state.trail.front().x(), 10.0);
+    QCOMPARE(state.trail.front().position_m.x(), 10.0);
   }
 
   void otherMessagesTouchOnlyTheirOwnPart() {

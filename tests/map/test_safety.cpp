@@ -167,16 +167,19 @@ class SafetyTest : public QObject {
     QCOMPARE(safetyOf(live, 2)[0].since_s, 1.0);
   }
 
-  void everyConditionIsASentenceForTheList() {
+  void everyConditionIsAProblemOfItsOwn() {
+    std::set<std::string> subjects;
     for (int kind = 0; kind <= int(SafetyKind::WheelsSlipping); ++kind) {
       SafetyCondition condition;
       condition.kind = SafetyKind(kind);
-      QVERIFY(!toText(problemOf(condition).subject).empty());
-      QCOMPARE(problemOf(condition).subject.kind, SubjectKind::Condition);
-      QVERIFY(!problemOf(condition).sentence.empty());
+      const Problem problem = problemOf(condition);
+      QCOMPARE(problem.subject.kind, SubjectKind::Condition);
+      QVERIFY(problem.reason.any());
+      QVERIFY(subjects.insert(problem.subject.id).second);
     }
-    QCOMPARE(toText(problemOf({SafetyKind::Alert, Severity::Error, 6004, "hot", 0, 1, {}}).subject),
-             std::string("Alert 6004"));
+    const Problem hot = problemOf({SafetyKind::Alert, Severity::Error, 6004, "hot", 0, 1, {}});
+    QCOMPARE(hot.subject.id, std::string("alert:6004"));
+    QVERIFY(hot.reason == said("hot"));
   }
 };
 

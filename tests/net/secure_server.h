@@ -1,4 +1,4 @@
-// An encrypted robot for one test: HTTP and WebSocket on one port, with a certificate of tests/data/tls. It
+// An encrypted robot for one test: HTTP and WebSocket on one port, with a certificate of tests/tls. It
 // notes every decrypted request, so a test can tell that nothing was sent to it.
 #pragma once
 

@@ -26,7 +26,7 @@ Ending overHttp(const SecureServer& server, const Trust& trust, const QByteArray
   HttpRequest request;
   request.url = server.url(QStringLiteral("https"));
   std::optional<HttpAnswer> answer;
-  client.get(request, [&](HttpAnswer given) { answer = std::move(given); });
+  client.send(request, [&](HttpAnswer given) { answer = std::move(given); });
   if (!QTest::qWaitFor([&] { return answer.has_value(); }, 20'000)) return {};
   if ((answer->kind == HttpAnswer::Kind::Certificate) != answer->certificate.has_value()) return {};
   return {answer->ok(), answer->certificate, answer->sentence};
@@ -268,7 +268,7 @@ class TestCertificates : public QObject {
       HttpRequest request;
       request.url = QUrl(QStringLiteral("https://127.0.0.1:%1/").arg(plain.serverPort()));
       std::optional<HttpAnswer> answer;
-      client.get(request, [&](HttpAnswer given) { answer = std::move(given); });
+      client.send(request, [&](HttpAnswer given) { answer = std::move(given); });
       QTRY_VERIFY(answer.has_value());
       QCOMPARE(answer->kind, HttpAnswer::Kind::Unreachable);
       sentence = answer->sentence;

@@ -252,7 +252,7 @@ class TestHttpCache : public QObject {
     QVERIFY(in_the_way.open(QIODevice::WriteOnly));
     HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
     QStringList told;
-    cache.setTrouble([&](const QString& sentence) { told << sentence; });
+    cache.setTrouble([&](const QString& why) { told << why; });
     for (int i = 0; i < 5; ++i) cache.store(numbered(i), "body", {}, "immutable", {}, true);
     QCOMPARE(told.size(), qsizetype(1));
     QVERIFY2(told.first().contains(in_the_way.fileName()), qPrintable(told.first()));

@@ -28,7 +28,7 @@ struct Asked {
 
 HttpAnswer ask(HttpClient& client, HttpRequest request) {
   Asked asked;
-  client.get(request, asked.reply());
+  client.send(request, asked.reply());
   const bool immediate = asked.replies != 0;
   const bool arrived = QTest::qWaitFor([&] { return asked.replies > 0; }, 20'000);
   if (immediate || !arrived || asked.replies != 1) {
@@ -82,6 +82,18 @@ class TestHttpClient : public QObject {
     QCOMPARE(answer.status, 404);
     QVERIFY(!answer.ok());
     QCOMPARE(answer.sentence, QStringLiteral("the robot answered 404 (not found): No such map"));
+  }
+
+  void everyStatusIsAnAnswer() {
+    for (const int status : {400, 402, 408, 418, 422, 425, 429, 451, 499, 500, 505, 511, 599}) {
+      ScriptedServer server(
+          [status](const SeenRequest&) { return ScriptedServer::reply(status, {}, "why"); });
+      HttpClient client(server.url(), "", nullptr);
+      const HttpAnswer answer = ask(client, to(server.url()));
+      QVERIFY2(answer.kind == Kind::Answered, qPrintable(answer.sentence));
+      QCOMPARE(answer.status, status);
+      QCOMPARE(answer.said, QStringLiteral("why"));
+    }
   }
 
   void theSecretStaysAtItsOrigin() {
@@ -235,7 +247,7 @@ class TestHttpClient : public QObject {
     std::vector<Asked> asked(HttpClient::kInFlight + 4);
     std::vector<HttpClient::RequestId> ids;
     for (Asked& one : asked) {
-      ids.push_back(client.get(to(server.url()), one.reply()));
+      ids.push_back(client.send(to(server.url()), one.reply()));
     }
     QTRY_COMPARE(server.seen.size(), qsizetype(HttpClient::kInFlight));  // the others wait
     client.cancel(ids.back());                                           // one that waits
@@ -259,11 +271,30 @@ class TestHttpClient : public QObject {
     }
   }
 
+  void thoseThatNameANumberKeepToItAndOthersPassThem() {
+    ScriptedServer server([](const SeenRequest&) { return QByteArray(); });  // never answers
+    HttpClient client(server.url(), {}, nullptr);
+    HttpRequest bounded = to(server.url());
+    bounded.most_at_once = 2;
+    std::vector<Asked> asked(5);
+    std::vector<HttpClient::RequestId> ids;
+    for (int i = 0; i < 4; ++i) ids.push_back(client.send(bounded, asked[std::size_t(i)].reply()));
+    ids.push_back(client.send(to(server.url()), asked[4].reply()));
+    QTRY_COMPARE(server.seen.size(), qsizetype(3));  // two of them, and the other one
+    client.cancel(ids[4]);
+    QTRY_COMPARE(asked[4].replies, 1);
+    QCOMPARE(server.seen.size(), qsizetype(3));
+    client.cancel(ids[0]);
+    QTRY_COMPARE(server.seen.size(), qsizetype(4));  // the next one's turn
+    client.cancel(ids[1]);
+    QTRY_COMPARE(server.seen.size(), qsizetype(5));
+  }
+
   void cancelledBeforeItBegan() {
     ScriptedServer server([](const SeenRequest&) { return ScriptedServer::reply(200, {}, "x"); });
     HttpClient client(server.url(), {}, nullptr);
     Asked asked;
-    client.cancel(client.get(to(server.url()), asked.reply()));
+    client.cancel(client.send(to(server.url()), asked.reply()));
     QTRY_COMPARE(asked.replies, 1);
     QCOMPARE(asked.answer.kind, Kind::Cancelled);
     QVERIFY(ask(client, to(server.url())).ok());
@@ -275,7 +306,7 @@ class TestHttpClient : public QObject {
     auto client = std::make_unique<HttpClient>(server.url(), QByteArray(), nullptr);
     int replies = 0;
     for (int i = 0; i < 3; ++i) {
-      client->get(to(server.url()), [&](HttpAnswer) {
+      client->send(to(server.url()), [&](HttpAnswer) {
         ++replies;
         client.reset();
       });

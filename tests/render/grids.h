@@ -12,9 +12,9 @@ namespace mapwright::test {
 /// A grid of gray cells: cell(column, row from the top).
 inline render::PlacedGrid gridOf(int width, int height, double resolution_m, const geometry::Pose2& origin,
                                  const std::function<int(int, int)>& cell,
-                                 raster::Reduction reduction = raster::Reduction::OccupiedWins,
-                                 raster::CellCode code = raster::CellCode::Gray) {
-  const auto builder = raster::buildGrid(width, height, code, reduction);
+                                 grids::Reduction reduction = grids::Reduction::OccupiedWins,
+                                 grids::CellCode code = grids::CellCode::Gray) {
+  const auto builder = grids::buildGrid(width, height, code, reduction);
   std::vector<std::uint8_t> row(std::size_t(width), 0);
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) row[std::size_t(u)] = std::uint8_t(cell(u, v));

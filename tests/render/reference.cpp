@@ -13,11 +13,11 @@ struct Sample {
   bool observed = false, surely_observed = false, perhaps_observed = false, certain = true;
 };
 
-bool observed(const raster::CellPair& cell) { return cell.value != 0 || cell.alpha != 0; }
+bool observed(const cells::CellPair& cell) { return cell.value != 0 || cell.alpha != 0; }
 
 Sample nearestSample(const PlainTexture& texture, double u, double v) {
   const int column = int(std::floor(u)), row = int(std::floor(v));
-  const raster::CellPair cell = texture.at(column, row);
+  const cells::CellPair cell = texture.at(column, row);
   Sample s;
   s.value = cell.value;
   s.alpha = cell.alpha;
@@ -37,7 +37,7 @@ Sample bilinearSample(const PlainTexture& texture, double u, double v) {
   // One more on every side: what rounding could reach.
   for (int y = row - 1; y <= row + 2; ++y) {
     for (int x = column - 1; x <= column + 2; ++x) {
-      const raster::CellPair cell = texture.at(x, y);
+      const cells::CellPair cell = texture.at(x, y);
       const double reach_u = 1 - std::abs(tu - x), reach_v = 1 - std::abs(tv - y);
       const double weight = std::max(0.0, reach_u) * std::max(0.0, reach_v);
       s.value += weight * cell.value;
@@ -72,7 +72,7 @@ ReferencePixel composedSample(const Eigen::Vector2d& world, double scale_m_per_p
   return pixel;
 }
 
-void addRoom(int width, int height, std::vector<raster::CellPair>& cells, std::mt19937& random) {
+void addRoom(int width, int height, std::vector<cells::CellPair>& cells, std::mt19937& random) {
   const auto below = [&](int end) { return int(random() % unsigned(std::max(1, end))); };
   const int w = std::max(2, width / 8 + below(width / 3)), h = std::max(2, height / 8 + below(height / 3));
   const int x0 = below(width - w), y0 = below(height - h);
@@ -81,36 +81,36 @@ void addRoom(int width, int height, std::vector<raster::CellPair>& cells, std::m
       const bool wall = x == x0 || y == y0 || x == x0 + w - 1 || y == y0 + h - 1;
       const auto strength = std::uint8_t(20 + below(100));
       cells[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
-          wall ? raster::CellPair{0, strength} : raster::CellPair{strength, 0};
+          wall ? cells::CellPair{0, strength} : cells::CellPair{strength, 0};
     }
   }
 }
 
 }  // namespace
 
-raster::CellPair PlainTexture::at(int column, int row) const {
+cells::CellPair PlainTexture::at(int column, int row) const {
   if (column < 0 || row < 0 || column >= width || row >= height) return {};
   return cells[std::size_t(row) * std::size_t(width) + std::size_t(column)];
 }
 
-PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<raster::CellPair> cells,
+PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<cells::CellPair> cells,
                           geometry::Pose2 pose, int index, std::uint8_t flags) {
   PlainTexture plain{
       width, height, resolution_m, std::move(cells), {}, std::cos(pose.yaw_rad), std::sin(pose.yaw_rad)};
   plain.placed.id = {0, index};
-  plain.placed.texture = raster::CellTexture::fromPairs(width, height, resolution_m, plain.cells);
+  plain.placed.texture = cells::CellTexture::fromPairs(width, height, resolution_m, plain.cells);
   plain.placed.world_from_texture = pose;
   plain.placed.flags = flags;
   return plain;
 }
 
-std::vector<raster::CellPair> randomCells(int width, int height, Content content, std::mt19937& random) {
-  std::vector<raster::CellPair> cells(std::size_t(width) * std::size_t(height));
+std::vector<cells::CellPair> randomCells(int width, int height, Content content, std::mt19937& random) {
+  std::vector<cells::CellPair> cells(std::size_t(width) * std::size_t(height));
   if (content == Content::Folding) {
     for (int room = 0; room < 8; ++room) addRoom(width, height, cells, random);
     return cells;
   }
-  for (raster::CellPair& cell : cells) {
+  for (cells::CellPair& cell : cells) {
     if (random() % 3 == 0) continue;
     const bool bright = content == Content::Saturating;
     cell = {std::uint8_t(bright ? 120 + random() % 136 : random() % 256),
@@ -176,8 +176,8 @@ int flagsAt(const render::Composition& picture, int column, int row) {
   return picture.flags[std::size_t(row) * std::size_t(picture.width_px) + std::size_t(column)];
 }
 
-PlainTexture uniformTexture(raster::CellPair cell, int index, std::uint8_t flags, double resolution_m) {
-  return plainTexture(20, 20, resolution_m, std::vector<raster::CellPair>(400, cell),
+PlainTexture uniformTexture(cells::CellPair cell, int index, std::uint8_t flags, double resolution_m) {
+  return plainTexture(20, 20, resolution_m, std::vector<cells::CellPair>(400, cell),
                       {10 * resolution_m, 10 * resolution_m, 0}, index, flags);
 }
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "raster/cell_texture.h"
+#include "cells/cell_texture.h"
 #include "render/compositor.h"
 
 namespace mapwright::testing {
@@ -15,15 +15,15 @@ namespace mapwright::testing {
 struct PlainTexture {
   int width = 0, height = 0;
   double resolution_m = 0.05;
-  std::vector<raster::CellPair> cells;
+  std::vector<cells::CellPair> cells;
   render::PlacedTexture placed;
   double cos_yaw = 1, sin_yaw = 0;
 
-  raster::CellPair at(int column, int row) const;  // (0,0) outside
+  cells::CellPair at(int column, int row) const;  // (0,0) outside
 };
 
 /// Builds the real texture from the cells. Flags and id go into `placed`.
-PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<raster::CellPair> cells,
+PlainTexture plainTexture(int width, int height, double resolution_m, std::vector<cells::CellPair> cells,
                           geometry::Pose2 pose, int index = 0, std::uint8_t flags = 0);
 
 enum class Content {
@@ -31,7 +31,7 @@ enum class Content {
   Pairs,      // anything goes, value + alpha up to 510
   Saturating  // adds much light and takes little
 };
-std::vector<raster::CellPair> randomCells(int width, int height, Content content, std::mt19937& random);
+std::vector<cells::CellPair> randomCells(int width, int height, Content content, std::mt19937& random);
 
 struct ReferencePixel {
   double intensity = 128;
@@ -45,7 +45,7 @@ std::vector<ReferencePixel> referenceComposition(const render::PixelGrid& grid,
                                                  const std::vector<PlainTexture>& textures);
 
 /// 20 x 20 like cells around the world origin.
-PlainTexture uniformTexture(raster::CellPair cell, int index = 0, std::uint8_t flags = 0,
+PlainTexture uniformTexture(cells::CellPair cell, int index = 0, std::uint8_t flags = 0,
                             double resolution_m = 1.0);
 
 /// A grid whose middle is at `centre`.

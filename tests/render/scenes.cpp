@@ -21,11 +21,11 @@ std::vector<render::PlacedTexture> field(int count, double across_m, unsigned se
   return placed;
 }
 
-render::PlacedTexture square(int index, double x, double y, double edge_m, raster::CellPair cell,
+render::PlacedTexture square(int index, double x, double y, double edge_m, cells::CellPair cell,
                              std::uint8_t flags) {
   const int cells = int(std::lround(edge_m / 0.05));
   return plainTexture(cells, cells, 0.05,
-                      std::vector<raster::CellPair>(std::size_t(cells) * std::size_t(cells), cell),
+                      std::vector<cells::CellPair>(std::size_t(cells) * std::size_t(cells), cell),
                       {x + edge_m / 2, y + edge_m / 2, 0}, index, flags)
       .placed;
 }

@@ -14,7 +14,7 @@ namespace mapwright::testing {
 std::vector<render::PlacedTexture> field(int count, double across_m, unsigned seed = 1);
 
 /// One square texture of `edge_m` metres, all cells alike, its middle at (x, y).
-render::PlacedTexture square(int index, double x, double y, double edge_m, raster::CellPair cell,
+render::PlacedTexture square(int index, double x, double y, double edge_m, cells::CellPair cell,
                              std::uint8_t flags = 0);
 
 geometry::ViewTransform viewAt(double x, double y, double scale, int width, int height, double rotation = 0);

@@ -22,7 +22,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 // A texture with one bright and one dark cell on unknown ground, 1 m cells, pose at the origin.
 PlainTexture twoCells(geometry::Pose2 pose = {}) {
-  std::vector<raster::CellPair> cells(std::size_t(4) * 3);
+  std::vector<cells::CellPair> cells(std::size_t(4) * 3);
   cells[1 * 4 + 2] = {100, 0};  // column 2, row 1
   cells[2 * 4 + 0] = {0, 100};  // column 0, row 2
   return testing::plainTexture(4, 3, 1.0, cells, pose);
@@ -164,7 +164,7 @@ void TestCompositionRules::thinWallIsAveragedByArea() {
   QFETCH(int, k);
   // 400 x 400 cells of 1 m: bright ground, one column of darkest cells. Unturned and aligned, a pixel of k x
   // k cells that the wall crosses has exactly k dark cells.
-  std::vector<raster::CellPair> cells(400 * 400, raster::CellPair{100, 0});
+  std::vector<cells::CellPair> cells(400 * 400, cells::CellPair{100, 0});
   for (std::size_t row = 0; row < 400; ++row) cells[row * 400 + 200] = {0, 127};
   const PlainTexture wall = testing::plainTexture(400, 400, 1.0, cells, {400, 400, 0});
   PixelGrid grid;
@@ -199,7 +199,7 @@ void TestCompositionRules::hugePixelsAverageEverythingInThem() {
 }
 
 void TestCompositionRules::topmostObservedTextureGivesTheFlags() {
-  std::vector<raster::CellPair> holed(400, raster::CellPair{50, 0});
+  std::vector<cells::CellPair> holed(400, cells::CellPair{50, 0});
   for (std::size_t row = 0; row < 20; ++row) {
     for (std::size_t column = 0; column < 10; ++column) holed[row * 20 + column] = {};
   }
@@ -213,9 +213,9 @@ void TestCompositionRules::topmostObservedTextureGivesTheFlags() {
 }
 
 void TestCompositionRules::reducedPixelsUniteFlags() {
-  const PlainTexture left = testing::plainTexture(10, 10, 1.0, std::vector<raster::CellPair>(100, {10, 0}),
+  const PlainTexture left = testing::plainTexture(10, 10, 1.0, std::vector<cells::CellPair>(100, {10, 0}),
                                                   {0, 5, 0}, 0, render::kIncremental);
-  const PlainTexture right = testing::plainTexture(10, 10, 1.0, std::vector<raster::CellPair>(100, {10, 0}),
+  const PlainTexture right = testing::plainTexture(10, 10, 1.0, std::vector<cells::CellPair>(100, {10, 0}),
                                                    {10, 5, 0}, 1, render::kNearby);
   const PixelGrid grid = gridAround({0, 0}, 8.0, 0, 1, 1);
   const Composition picture = composeAll(grid, {left, right});
@@ -225,7 +225,7 @@ void TestCompositionRules::reducedPixelsUniteFlags() {
 void TestCompositionRules::finerTexturesAreSampledFinely() {
   // A coarse floor with a fine, thin wall on it: 1 of 8 fine columns is dark. The pixel is as large as a
   // coarse cell.
-  std::vector<raster::CellPair> cells(64 * 64);
+  std::vector<cells::CellPair> cells(64 * 64);
   for (std::size_t row = 0; row < 64; ++row) {
     for (std::size_t column = 4; column < 64; column += 8) cells[row * 64 + column] = {0, 127};
   }

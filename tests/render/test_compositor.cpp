@@ -204,9 +204,9 @@ void TestCompositor::survivesAbsurdNumbers() {
   std::vector<PlainTexture> textures;
   textures.push_back(testing::plainTexture(1, 1, resolution, {{50, 0}}, {x, -x, 1e6}, 0));
   textures.push_back(
-      testing::plainTexture(3, 70, resolution, std::vector<raster::CellPair>(210, {0, 255}), {x, 0, 0.5}));
+      testing::plainTexture(3, 70, resolution, std::vector<cells::CellPair>(210, {0, 255}), {x, 0, 0.5}));
   textures.push_back(
-      testing::plainTexture(9, 9, 0.05, std::vector<raster::CellPair>(81, {0, 100}), {-x, 0, 0.5}));
+      testing::plainTexture(9, 9, 0.05, std::vector<cells::CellPair>(81, {0, 100}), {-x, 0, 0.5}));
   textures.push_back(textures.back());
   textures.back().placed.world_from_texture.yaw_rad = std::nan("");
   textures.back().placed.texture.reset();

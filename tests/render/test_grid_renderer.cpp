@@ -5,6 +5,7 @@
 #include "grids.h"
 #include "render/grid_palettes.h"
 #include "render/grid_renderer.h"
+#include "work/workers.h"
 
 using namespace mapwright;
 using render::GridRenderer;
@@ -41,8 +42,9 @@ QImage painted(GridRenderer& renderer, int width = 400, int height = 300) {
 
 class GridRendererTest : public QObject {
   Q_OBJECT
-  GridRenderer renderer_{GridRenderer::Options{.threads = 2, .previews = false}};
-  const render::GridPalette palette_ = render::wholeMapPalette(render::MapColors{}, raster::CellCode::Gray);
+  GridRenderer renderer_{
+      GridRenderer::Options{.workers = std::make_shared<work::Workers>(2), .previews = false}};
+  const render::GridPalette palette_ = render::wholeMapPalette(render::MapColors{}, grids::CellCode::Gray);
 
  private Q_SLOTS:
   void init() {
@@ -86,8 +88,36 @@ class GridRendererTest : public QObject {
     QCOMPARE(painted(renderer_).pixel(200, 150), 0u);
   }
 
+  void renderersKeepNoMoreThanTheirBudgetTogether() {
+    const auto budget = std::make_shared<render::TileBudget>();
+    budget->bytes = 12 << 20;
+    const auto placed = gridOf(600, 600, 0.5, {0, 0, 0}, [](int u, int v) { return (u + v) % 200; });
+    {
+      GridRenderer first({.budget = budget}), second({.budget = budget});
+      for (GridRenderer* renderer : {&first, &second}) {
+        renderer->setPalette(palette_);
+        renderer->setGrid(placed);
+      }
+      for (int step = 0; step < 12; ++step) {
+        for (GridRenderer* renderer : {&first, &second}) {
+          renderer->setView(viewAt(20 + 20 * step, 150, 0.05));
+          QTRY_VERIFY_WITH_TIMEOUT(renderer->settled(), kPatienceMs);
+        }
+      }
+      constexpr std::size_t kInView = 4 << 20;  // at most, of one; that goes beyond it for a while
+      QVERIFY(first.cacheBytes() > 0 && second.cacheBytes() > 0);
+      QVERIFY(budget->held > 0 && budget->held <= budget->bytes + kInView);
+      QVERIFY(first.cacheBytes() + second.cacheBytes() <= budget->bytes + 2 * kInView);
+      // What is hidden keeps no more than it would need to be shown again.
+      const std::size_t shown = first.cacheBytes();
+      first.setActive(false);
+      QTRY_VERIFY(first.cacheBytes() < shown);
+    }
+    QCOMPARE(budget->held, std::size_t(0));
+  }
+
   void rowsAppearAsTheyAreRead() {
-    const auto builder = raster::buildGrid(300, 600, raster::CellCode::Gray, raster::Reduction::OccupiedWins);
+    const auto builder = grids::buildGrid(300, 600, grids::CellCode::Gray, grids::Reduction::OccupiedWins);
     renderer_.setView(viewAt(7.5, 15, 0.1, 400, 400));
     renderer_.setGrid(render::PlacedGrid{builder->pyramid(), {300, 600, 0.05, {0, 0, 0}}});
     QTRY_VERIFY(renderer_.settled());
@@ -108,7 +138,7 @@ class GridRendererTest : public QObject {
     for (const double rotation : {0.0, 0.4}) {
       geometry::ViewTransform view = viewAt(45, 35, 0.21);
       view.rotation_rad = rotation;
-      GridRenderer window(GridRenderer::Options{.threads = 1});
+      GridRenderer window(GridRenderer::Options{.workers = std::make_shared<work::Workers>(1)});
       window.setPalette(palette_);
       window.setView(view);
       window.setGrid(placed);
@@ -143,9 +173,8 @@ class GridRendererTest : public QObject {
   }
 
   void aWindowIsSettledWithWhatHasBeenReadAndExactWhenAllHas() {
-    const auto builder =
-        raster::buildGrid(900, 1200, raster::CellCode::Gray, raster::Reduction::OccupiedWins);
-    GridRenderer window(GridRenderer::Options{.threads = 2});
+    const auto builder = grids::buildGrid(900, 1200, grids::CellCode::Gray, grids::Reduction::OccupiedWins);
+    GridRenderer window(GridRenderer::Options{.workers = std::make_shared<work::Workers>(2)});
     window.setPalette(palette_);
     window.setView(viewAt(22.5, 30, 0.4));
     window.setGrid(render::PlacedGrid{builder->pyramid(), {900, 1200, 0.05, {0, 0, 0}}});
@@ -164,7 +193,7 @@ class GridRendererTest : public QObject {
     renderer_.setView(viewAt(12.8, 12.8, 0.4));
     renderer_.setGrid(gridOf(
         512, 512, 0.05, {0, 0, 0}, [](int u, int) { return u % 2 == 0 ? 0 : 255; },
-        raster::Reduction::Average));
+        grids::Reduction::Average));
     QTRY_VERIFY_WITH_TIMEOUT(renderer_.settled(), kPatienceMs);
     const QColor shown(painted(renderer_).pixelColor(200, 150));
     QCOMPARE(shown.alpha(), 255);
@@ -177,7 +206,7 @@ class GridRendererTest : public QObject {
     QTRY_VERIFY(renderer_.settled());
     render::MapColors dark;
     dark.free = 0xffd9dee4;
-    renderer_.setPalette(render::wholeMapPalette(dark, raster::CellCode::Gray));
+    renderer_.setPalette(render::wholeMapPalette(dark, grids::CellCode::Gray));
     QCOMPARE(painted(renderer_).pixel(200, 150), 0xffd9dee4);
   }
 

@@ -156,7 +156,7 @@ class SampleGridTest : public QObject {
   void averagingIsAnOption() {
     const auto placed = gridOf(
         64, 64, 0.05, {0, 0, 0}, [](int u, int) { return u % 4 == 0 ? kOccupied : kFree; },
-        raster::Reduction::Average);
+        grids::Reduction::Average);
     const PixelGrid pixels = windowAt(placed.reference.worldFromCell({0, 0}), 0.2, 0, 16, 16);
     const Composition made = render::sampleGrid(pixels, placed, nullptr);
     QVERIFY(std::abs(shown(made, 5, 5) - 191) <= 1);
@@ -209,16 +209,16 @@ class SampleGridTest : public QObject {
 
   void submapsComposeIntoOneGrid() {
     // 40 x 40 cells of 5 cm, all free but one row of walls, at x -2..0, y -2..0 of the pose (3, 4).
-    std::vector<raster::CellPair> pairs(1600, {200, 0});
+    std::vector<cells::CellPair> pairs(1600, {200, 0});
     for (int u = 0; u < 40; ++u) pairs[std::size_t(u)] = {0, 200};
     const render::PlacedTexture texture{
-        {0, 0}, raster::CellTexture::fromPairs(40, 40, 0.05, pairs), {3, 4, 0}, 0};
+        {0, 0}, cells::CellTexture::fromPairs(40, 40, 0.05, pairs), {3, 4, 0}, 0};
     render::DenseCache cache(1 << 20);
     const auto made = render::composeGrid(std::vector{texture}, 0.05, cache);
     QVERIFY2(made.has_value(), made ? "" : made.error().c_str());
     const Eigen::Vector2d free = made->reference.cellFromWorld({2, 3});
     QVERIFY(made->cells->at(int(free.x()), int(free.y())) < 30);
-    const raster::CellMeaning& meaning = raster::meaningOf(made->cells->code());
+    const grids::CellMeaning& meaning = grids::meaningOf(made->cells->code());
     const Eigen::Vector2d outside = made->reference.cellFromWorld({3.04, 4.04});
     QVERIFY(!meaning.known[made->cells->at(int(outside.x()), int(outside.y()))]);
     const auto nothing = render::composeGrid({}, 0.05, cache);

@@ -50,6 +50,15 @@ void TestTextureIndex::findsWhatAPlainSearchFinds() {
   auto placed = testing::field(300, 100);
   placed.push_back(testing::square(300, 5, 5, 40, {1, 0}));
   placed.push_back(testing::square(301, -5, 20, 0.05, {1, 0}));
+  int other = 400;
+  for (const double resolution : {0.02, 0.1, 0.11, 0.5}) {
+    for (int i = 0; i < 12; ++i) {
+      PlacedTexture texture = testing::square(other++, place(random), place(random), 1, {1, 0});
+      texture.texture =
+          cells::CellTexture::fromPairs(20, 20, resolution, std::vector<cells::CellPair>(400, {1, 0}));
+      placed.push_back(texture);
+    }
+  }
   TextureIndex index;
   for (const auto& texture : placed) index.upsert(texture);
   for (int round = 0; round < 300; ++round) {
@@ -66,7 +75,13 @@ void TestTextureIndex::findsWhatAPlainSearchFinds() {
     const auto expected = plainSearch(placed, rect);
     QCOMPARE(idsOf(index.within(rect)), expected);
     QCOMPARE(index.anyWithin(rect), !expected.empty());
-    QCOMPARE(index.finestWithin(rect).has_value(), !expected.empty());
+    std::optional<double> finest_m;
+    for (const auto& texture : placed) {
+      const double resolution_m = texture.texture->resolutionM();
+      if (render::boundsOf(texture).intersects(rect) && (!finest_m || resolution_m < *finest_m))
+        finest_m = resolution_m;
+    }
+    QCOMPARE(index.finestWithin(rect), finest_m);
   }
   QCOMPARE(index.size(), placed.size());
 }
@@ -103,8 +118,8 @@ void TestTextureIndex::holdsTexturesOfAnySizeAnywhere() {
   for (const double resolution : {1e-300, 1e-9, 0.05, 100.0, 1e290}) {
     for (const double x : {0.0, -1e9, 1e200}) {
       PlacedTexture texture = testing::square(i, 0, 0, 1, {1, 0});
-      const std::vector<raster::CellPair> cells(9, {1, 0});
-      texture.texture = raster::CellTexture::fromPairs(3, 3, resolution, cells);
+      const std::vector<cells::CellPair> cells(9, {1, 0});
+      texture.texture = cells::CellTexture::fromPairs(3, 3, resolution, cells);
       texture.id.index = i++;
       texture.world_from_texture = {x, x, 1};
       placed.push_back(texture);

@@ -1,6 +1,7 @@
 // What the tile renderer shows, and when.
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -9,6 +10,7 @@
 #include "reference.h"
 #include "render/tile_renderer.h"
 #include "scenes.h"
+#include "work/workers.h"
 
 using namespace mapwright;
 using render::ColorMode;
@@ -51,6 +53,7 @@ class TestTileRenderer : public QObject {
   void staysWithinItsBudget();
   void texturesWithoutCellsCountAsRemoved();
   void canBeDestroyedWhileWorking();
+  void holesAreFilledBeforeWhatIsThereGetsNewer();
 };
 
 void TestTileRenderer::withoutContentItIsSettledAtOnce() {
@@ -163,7 +166,7 @@ void TestTileRenderer::clearingShowsNothing() {
 
 void TestTileRenderer::noHolesWhileContentChanges() {
   for (const double scale : {0.05, 0.5}) {
-    TileRenderer renderer({.threads = 1});
+    TileRenderer renderer({.workers = std::make_shared<work::Workers>(1)});
     const auto view = viewAt(0, 0, scale, 700, 500);
     renderer.setView(view);
     auto placed = field(60, 700 * scale);
@@ -171,7 +174,7 @@ void TestTileRenderer::noHolesWhileContentChanges() {
     // Ground under all of the view: whatever changes on it, a pixel without content is a hole.
     const double edge_m = 1000 * scale;
     renderer.upsert(
-        {testing::plainTexture(500, 500, edge_m / 500, std::vector<raster::CellPair>(500 * 500, {60, 0}),
+        {testing::plainTexture(500, 500, edge_m / 500, std::vector<cells::CellPair>(500 * 500, {60, 0}),
                                {edge_m / 2, edge_m / 2, 0}, 1000, 0)
              .placed});
     WAIT_UNTIL_SETTLED(renderer);
@@ -273,7 +276,7 @@ void TestTileRenderer::repaintsAreAskedForOncePerTurn() {
 }
 
 void TestTileRenderer::aTinyBudgetStillSettles() {
-  TileRenderer renderer({.tile_budget_bytes = 1, .dense_budget_bytes = 1});
+  TileRenderer renderer({.budgets = {.dense = 1, .tiles = 1}});
   const auto placed = field(60, 60);
   const auto view = viewAt(0, 0, 1.0, 500, 400, 0.1);
   renderer.upsert(placed);
@@ -284,7 +287,7 @@ void TestTileRenderer::aTinyBudgetStillSettles() {
 
 void TestTileRenderer::staysWithinItsBudget() {
   const std::size_t budget = 12 << 20;
-  TileRenderer renderer({.tile_budget_bytes = budget});
+  TileRenderer renderer({.budgets = {.dense = std::size_t(64) << 20, .tiles = budget}});
   renderer.upsert(field(400, 150));
   for (int step = 0; step < 12; ++step) {
     renderer.setView(viewAt(-60 + 10 * step, 0, 0.05, 400, 300));
@@ -308,15 +311,44 @@ void TestTileRenderer::texturesWithoutCellsCountAsRemoved() {
 }
 
 void TestTileRenderer::canBeDestroyedWhileWorking() {
+  const auto workers = std::make_shared<work::Workers>(2);
   for (int round = 0; round < 20; ++round) {
-    auto renderer = std::make_unique<TileRenderer>(TileRenderer::Options{});
+    auto renderer = std::make_unique<TileRenderer>(TileRenderer::Options{.workers = workers});
     renderer->upsert(field(20, 40, unsigned(round)));
     renderer->setView(viewAt(0, 0, round % 2 == 0 ? 0.05 : 0.7, 1000, 800));
     QCoreApplication::sendPostedEvents();
     const bool working = !renderer->settled();
     renderer.reset();
     QVERIFY(working);
+    QCOMPARE(workers->running() + workers->waiting(), 0);
   }
+}
+
+void TestTileRenderer::holesAreFilledBeforeWhatIsThereGetsNewer() {
+  const auto workers = std::make_shared<work::Workers>(1);
+  TileRenderer filled({.workers = workers}), empty({.workers = workers});
+  const auto view = viewAt(6.4, 6.4, 0.05, 100, 100);  // within one tile
+  filled.upsert({square(0, 0, 0, 12, {50, 0})});
+  filled.setView(view);
+  WAIT_UNTIL_SETTLED(filled);
+  QStringList settled;
+  connect(&filled, &TileRenderer::settledChanged, this, [&] {
+    if (filled.settled()) settled << QStringLiteral("newer");
+  });
+  connect(&empty, &TileRenderer::settledChanged, this, [&] {
+    if (empty.settled()) settled << QStringLiteral("hole");
+  });
+  std::promise<void> gate;
+  work::Share other(workers);
+  other.start(work::Urgency::InView, [opened = gate.get_future().share()] { opened.wait(); });
+  filled.upsert({square(0, 0, 0, 12, {80, 0})});
+  QTRY_COMPARE(workers->waiting(), 1);
+  empty.upsert({square(0, 0, 0, 12, {50, 0})});
+  empty.setView(view);
+  QTRY_COMPARE(workers->waiting(), 2);
+  gate.set_value();
+  QTRY_COMPARE_WITH_TIMEOUT(settled, QStringList({QStringLiteral("hole"), QStringLiteral("newer")}),
+                            kPatience);
 }
 
 QTEST_GUILESS_MAIN(TestTileRenderer)

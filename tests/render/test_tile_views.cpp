@@ -8,6 +8,7 @@
 #include "painted.h"
 #include "render/tile_renderer.h"
 #include "scenes.h"
+#include "work/workers.h"
 
 using namespace mapwright;
 using render::Composition;
@@ -107,7 +108,7 @@ void TestTileViews::noHolesAfterZoomAndTurn() {
 }
 
 void TestTileViews::standInsAreBounded() {
-  TileRenderer renderer({.threads = 1});
+  TileRenderer renderer({.workers = std::make_shared<work::Workers>(1)});
   renderer.upsert(field(200, 60));
   auto view = viewAt(0, 0, 0.02, 900, 700);
   renderer.setView(view);
@@ -142,7 +143,7 @@ void TestTileViews::standInsLieWhereTheContentIs() {
 }
 
 void TestTileViews::theCentreComesFirst() {
-  TileRenderer renderer({.threads = 1});
+  TileRenderer renderer({.workers = std::make_shared<work::Workers>(1)});
   const auto view = viewAt(6.4, 6.4, 0.05, 1280, 1280);  // the middle of a tile is in the middle of the view
   renderer.setView(view);
   renderer.upsert(field(150, 80));
@@ -166,7 +167,7 @@ void TestTileViews::theCentreComesFirst() {
 
 void TestTileViews::whatIsNoLongerWantedIsDropped() {
   // Snapshots of huge pixels take long per tile, so that work is certainly under way when the view changes.
-  TileRenderer renderer({.threads = 1, .previews = false});
+  TileRenderer renderer({.workers = std::make_shared<work::Workers>(1), .previews = false});
   const auto placed = field(300, 200);
   renderer.upsert(placed);
   renderer.setView(viewAt(0, 0, 0.8, 256, 256));
@@ -203,7 +204,7 @@ void TestTileViews::snapshotsEqualTheCompositor() {
   QFETCH(double, rotation);
   const auto placed = field(40, 30);
   const auto view = viewAt(1.2345, -0.777, scale, 611, 347, rotation);
-  TileRenderer renderer({.threads = 2, .previews = false});
+  TileRenderer renderer({.workers = std::make_shared<work::Workers>(2), .previews = false});
   renderer.upsert(placed);
   renderer.setView(view);
   WAIT_UNTIL_SETTLED(renderer);
@@ -272,7 +273,7 @@ void TestTileViews::zoomedOutItIsTheReducedExactPicture() {
 }
 
 void TestTileViews::zoomedOutAPreviewComesFirst() {
-  TileRenderer renderer({.threads = 1});
+  TileRenderer renderer({.workers = std::make_shared<work::Workers>(1)});
   const auto view = viewAt(0, 0, 0.5, 800, 600);
   renderer.setView(view);
   int most_previews = 0;

@@ -11,8 +11,8 @@
 #include "render/sample_grid.h"
 
 using namespace mapwright;
-using raster::CellCode;
-using raster::Reduction;
+using grids::CellCode;
+using grids::Reduction;
 using render::Composition;
 using render::PixelGrid;
 using test::gridOf;
@@ -208,7 +208,7 @@ class TouchedCellsTest : public QObject {
       const PixelGrid pixels = windowOn(highest, zoom, rotation, edge, edge, aside);
       const Composition shown = render::sampleGrid(pixels, highest, nullptr);
       const Composition mean = render::sampleGrid(pixels, averaged, nullptr);
-      const raster::CellMeaning& meaning = raster::meaningOf(code);
+      const grids::CellMeaning& meaning = grids::meaningOf(code);
       int unsure = 0, inside = 0;
       for (int row = 0; row < edge; ++row) {
         for (int column = 0; column < edge; ++column) {
@@ -239,7 +239,7 @@ class TouchedCellsTest : public QObject {
         64, 64, 0.05, {0, 0, 0}, [](int u, int) { return u % 2 == 0 ? 0 : 255; }, Reduction::Average);
     const PixelGrid pixels = windowOn(placed, 8, 0, 4, 4, {0, 0});
     const Composition made = render::sampleGrid(pixels, placed, nullptr);
-    const raster::CellMeaning& meaning = raster::meaningOf(CellCode::Gray);
+    const grids::CellMeaning& meaning = grids::meaningOf(CellCode::Gray);
     QCOMPARE(int(made.intensity[5]), 128);
     QVERIFY(!meaning.known[128] && render::knownIn(made, 5, meaning));
     QCOMPARE(render::occupancyIn(made, 5, meaning), 50);
@@ -268,7 +268,7 @@ class TouchedCellsTest : public QObject {
   }
 
   void aMapThatIsStillBeingReadShowsItsRowsExactly() {
-    const auto builder = raster::buildGrid(600, 900, CellCode::Gray, Reduction::OccupiedWins);
+    const auto builder = grids::buildGrid(600, 900, CellCode::Gray, Reduction::OccupiedWins);
     std::vector<std::uint8_t> row(600);
     for (int v = 0; v < 448; ++v) {
       for (int u = 0; u < 600; ++u) row[std::size_t(u)] = std::uint8_t(roomGray(u, v));
@@ -318,7 +318,7 @@ class TouchedCellsTest : public QObject {
   void aStripAcrossAHugeMapHasNoHoles() {
     // Compared maps are walked over in strips, which touch more tiles than a view does.
     constexpr int kEdge = 17'000;
-    const auto builder = raster::buildGrid(kEdge, kEdge, CellCode::Gray, Reduction::OccupiedWins);
+    const auto builder = grids::buildGrid(kEdge, kEdge, CellCode::Gray, Reduction::OccupiedWins);
     const std::vector<std::uint8_t> row(kEdge, 255);
     for (int v = 0; v < kEdge; ++v) builder->pushRow(row);
     builder->finish();

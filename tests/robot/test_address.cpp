@@ -1,9 +1,29 @@
 #include <QDir>
 #include <QTest>
 
-#include "robot/address.h"
+#include "robot/aimdk/aimdk_address.h"
+#include "robot/axbot/axbot_address.h"
+#include "robot/files/file_address.h"
 
 using namespace mapwright::robot;
+
+namespace {
+
+Addresses known() {
+  const auto demo = [](const QString& rest) -> ParsedAddress {
+    Address address;
+    address.text = QStringLiteral("demo:") + rest;
+    return address;
+  };
+  return Addresses({axbot::addressScheme(),
+                    aimdk::addressScheme(),
+                    {QStringLiteral("demo:"), QStringLiteral("demo:"), demo},
+                    files::addressScheme()});
+}
+
+ParsedAddress parse(const QString& typed) { return known().parse(typed); }
+
+}  // namespace
 
 class AddressTest : public QObject {
   Q_OBJECT
@@ -34,29 +54,52 @@ class AddressTest : public QObject {
   void addressesAreNormalised() {
     QFETCH(QString, typed);
     QFETCH(QString, text);
-    const auto address = parseAddress(typed);
+    const auto address = parse(typed);
     QVERIFY2(address.has_value(), qPrintable(address ? QString() : address.error()));
     QCOMPARE(address->text, text);
   }
 
   void aFileAddressHoldsItsPlace() {
-    const auto address = parseAddress(QStringLiteral("file:/maps/a.png?resolution=0.02&origin=-1,2.5,0.5"));
-    QVERIFY(address && address->backend == Backend::File);
+    const auto address = parse(QStringLiteral("file:/maps/a.png?resolution=0.02&origin=-1,2.5,0.5"));
+    QVERIFY(address.has_value());
+    QCOMPARE(address->scheme, QStringLiteral("file:"));
     QCOMPARE(address->path, QStringLiteral("/maps/a.png"));
-    QCOMPARE(*address->resolution_m, 0.02);
-    QCOMPARE(*address->origin, (mapwright::geometry::Pose2{-1, 2.5, 0.5}));
+    const files::PicturePlace place = files::placeOf(*address);
+    QCOMPARE(*place.resolution_m, 0.02);
+    QCOMPARE(*place.origin, (mapwright::geometry::Pose2{-1, 2.5, 0.5}));
+    QVERIFY(hostOf(*address).isEmpty());
+    QCOMPARE(localFiles(*address, {}, "/maps/b.png"),
+             (std::vector<std::string>{"/maps/a.png", "/maps/b.png"}));
   }
 
   void barePathsAreFilesAndHostsAreRobots() {
-    QCOMPARE(parseAddress(QStringLiteral("maps/office.yaml"))->backend, Backend::File);
-    QCOMPARE(parseAddress(QStringLiteral("Office Map.PGM"))->backend, Backend::File);
-    QCOMPARE(parseAddress(QDir::tempPath())->backend, Backend::File);
-    QCOMPARE(parseAddress(QStringLiteral("robot-3"))->backend, Backend::Axbot);
-    QCOMPARE(parseAddress(QStringLiteral("http://host/map.png"))->backend, Backend::Axbot);
-    const auto agibot = parseAddress(QStringLiteral("aimdk+http://h?tf=ws://h:9090"));
-    QCOMPARE(agibot->backend, Backend::Aimdk);
-    QCOMPARE(agibot->tf, QUrl(QStringLiteral("ws://h:9090")));
+    QCOMPARE(parse(QStringLiteral("maps/office.yaml"))->scheme, QStringLiteral("file:"));
+    QCOMPARE(parse(QStringLiteral("Office Map.PGM"))->scheme, QStringLiteral("file:"));
+    QCOMPARE(parse(QDir::tempPath())->scheme, QStringLiteral("file:"));
+    QCOMPARE(parse(QStringLiteral("robot-3"))->scheme, QStringLiteral("axbot+"));
+    QCOMPARE(parse(QStringLiteral("http://host/map.png"))->scheme, QStringLiteral("axbot+"));
+    const auto agibot = parse(QStringLiteral("aimdk+http://h?tf=ws://h:9090"));
+    QCOMPARE(agibot->scheme, QStringLiteral("aimdk+"));
+    QCOMPARE(aimdk::tfOf(*agibot), QUrl(QStringLiteral("ws://h:9090")));
     QVERIFY(!agibot->url.hasQuery());
+    QCOMPARE(hostOf(*agibot), QStringLiteral("h:50807"));
+    QVERIFY(localFiles(*agibot, {}, "/maps/b.png").empty());
+  }
+
+  void whatNobodyRegisteredIsRefusedByName() {
+    const auto refused = parse(QStringLiteral("kabam+ws://host"));
+    QVERIFY(refused.error().contains(QStringLiteral("kabam+")));
+    for (const char* known : {"axbot+http", "aimdk+http", "file:", "demo:"})
+      QVERIFY2(refused.error().contains(QLatin1String(known)), qPrintable(refused.error()));
+    QVERIFY(!Addresses().parse(QStringLiteral("robot-3")).has_value());
+  }
+
+  void whatBeginsLikeAnAddressIsNoNameOfAMap() {
+    for (const char* typed :
+         {"file:office.yaml", "FILE:x", "demo:", "axbot+http://h", "kabam+ws://h", " demo:"})
+      QVERIFY2(known().isAddress(QLatin1String(typed)), typed);
+    for (const char* typed : {"2", "office.yaml", "Ground floor", "http", "", "a+b", "demo"})
+      QVERIFY2(!known().isAddress(QLatin1String(typed)), typed);
   }
 
   void badAddressesAreRefusedWithASentence_data() {
@@ -79,6 +122,8 @@ class AddressTest : public QObject {
                               "file:/a.png?origin=1",
                               "file:/a.png?origin=1,x",
                               "file:/a.png?scale=2",
+                              "file:/a.yaml?resolution=0.1",
+                              "/a.YML?origin=1,2",
                               "http://host?x=1",
                               "http://a b",
                               "http://host:99999"}) {
@@ -87,7 +132,7 @@ class AddressTest : public QObject {
   }
   void badAddressesAreRefusedWithASentence() {
     QFETCH(QString, typed);
-    const auto address = parseAddress(typed);
+    const auto address = parse(typed);
     QVERIFY(!address.has_value());
     QVERIFY(address.error().endsWith(QLatin1Char('.')));
     QVERIFY(!address.error().contains(QStringLiteral("pw")));

@@ -1,6 +1,7 @@
 #include <QTest>
 
 #include "robot/aimdk/parse_rpc.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::aimdk;
@@ -31,6 +32,10 @@ std::string point(const std::string& u, const std::string& angle) {
          R"(},"pose":{"position":{"x":11.6,"y":-2.45,"z":0}}}],"paths":[]}})";
 }
 
+QString said(const RpcError& error) {
+  return error.cause.any() ? sentences::wordsOf(error.cause) : QString::fromStdString(error.detail);
+}
+
 }  // namespace
 
 class AimdkParseTest : public QObject {
@@ -39,7 +44,7 @@ class AimdkParseTest : public QObject {
   void theSeedsMapIsPlacedByPixelsPerMetre() {
     for (const char* prefix : {"", "data:image/png;base64,"}) {
       const auto parsed = parseWholeMap(wholeMap(kUsual, prefix), kKey);
-      QVERIFY2(parsed.has_value(), parsed ? "" : parsed.error().c_str());
+      QVERIFY2(parsed.has_value(), parsed ? "" : qPrintable(said(parsed.error())));
       const map::WholeMap& whole = parsed->map;
       QCOMPARE(whole.grid.resolution_m, 0.05);
       QCOMPARE(whole.grid.width, 2898);
@@ -69,33 +74,43 @@ class AimdkParseTest : public QObject {
           R"("resolution":1e-300,"origin_x":1,"origin_y":1,)"}) {
       const auto parsed = parseWholeMap(wholeMap(members), kKey);
       QVERIFY2(!parsed, members);
-      QVERIFY(parsed.error().ends_with('.'));
+      QVERIFY(parsed.error().cause.any());
     }
     QVERIFY(!parseWholeMap(R"({"data":{"resolution":20,"origin_x":1,"origin_y":1,"map_data":"!!"}})", kKey));
     QVERIFY(!parseWholeMap(R"({"data":{"resolution":20,"origin_x":1,"origin_y":1,"map_data":""}})", kKey));
     QVERIFY(!parseWholeMap(wholeMap(kUsual), {map::MapKind::Stored, "5"}));
   }
 
-  void failuresAreSentences_data() {
+  void whatTheRobotRefusesIsKeptApartFromWhatCannotBeRead_data() {
     QTest::addColumn<QByteArray>("body");
+    QTest::addColumn<bool>("refused");
+    QTest::addColumn<QString>("code");
     QTest::addColumn<QString>("says");
-    QTest::newRow("error text") << QByteArray(R"({"error":"no such map"})") << QStringLiteral("no such map");
-    QTest::newRow("error object") << QByteArray(R"({"error":{"message":"busy"}})") << QStringLiteral("busy");
-    QTest::newRow("code") << QByteArray(R"({"code":1003,"message":"bad"})") << QStringLiteral("code 1003");
-    QTest::newRow("empty data") << QByteArray(R"({"data":{}})") << QStringLiteral("no data");
-    QTest::newRow("null data") << QByteArray(R"({"data":null,"msg":"none"})") << QStringLiteral("none");
-    QTest::newRow("no data") << QByteArray("{}") << QStringLiteral("no data");
-    QTest::newRow("html") << QByteArray("<html>") << QStringLiteral("not JSON");
-    QTest::newRow("nothing") << QByteArray() << QStringLiteral("not JSON");
+    const auto row = [](const char* name, const QByteArray& body, bool refused, const char* code,
+                        const char* says) {
+      QTest::newRow(name) << body << refused << QString::fromLatin1(code) << QString::fromLatin1(says);
+    };
+    row("error text", R"({"error":"no such map"})", true, "", "no such map");
+    row("error object", R"({"error":{"message":"busy"}})", true, "", "busy");
+    row("code", R"({"code":1003,"message":"bad"})", true, "1003", "bad");
+    row("empty data", R"({"data":{}})", true, "", "no data");
+    row("null data", R"({"data":null,"msg":"none"})", true, "", "none");
+    row("no data", "{}", true, "", "no data");
+    row("a code inside", R"({"error":{"code":404,"message":"gone"}})", true, "404", "gone");
+    row("html", "<html>", false, "", "not JSON");
+    row("nothing", {}, false, "", "not JSON");
   }
-  void failuresAreSentences() {
+  void whatTheRobotRefusesIsKeptApartFromWhatCannotBeRead() {
     QFETCH(QByteArray, body);
+    QFETCH(bool, refused);
+    QFETCH(QString, code);
     QFETCH(QString, says);
-    for (const auto& why :
+    for (const RpcError& why :
          {parseMapNames(body.toStdString()).error(), parseCurrentMap(body.toStdString()).error(),
           parseWholeMap(body.toStdString(), kKey).error()}) {
-      QVERIFY2(QString::fromStdString(why).contains(says), why.c_str());
-      QVERIFY(why.ends_with('.'));
+      QCOMPARE(why.refused, refused);
+      QCOMPARE(why.code, code.toStdString());
+      QVERIFY2(said(why).contains(says), qPrintable(said(why)));
     }
   }
 

@@ -3,6 +3,8 @@
 
 #include "robot/aimdk/aimdk_robot.h"
 #include "scripted_robot.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -22,11 +24,11 @@ QByteArray png() {
 }
 
 template <typename T, typename Ask>
-Answer<T> answerTo(Ask ask) {
-  std::optional<Answer<T>> answer;
-  ask([&](Answer<T> given) { answer = std::move(given); });
+Outcome<T> answerTo(Ask ask) {
+  std::optional<Outcome<T>> answer;
+  ask([&](Outcome<T> given) { answer = std::move(given); });
   if (!QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) {
-    return tl::make_unexpected(map::Problem{map::Severity::Error, "test", "no answer"});
+    return tl::make_unexpected(map::Failure{.subject = "test", .detail = "no answer"});
   }
   return *answer;
 }
@@ -142,7 +144,7 @@ class AimdkRobotTest : public QObject {
     const map::MapKey key{map::MapKind::Stored, "1764059676131"};
     const auto map =
         answerTo<map::WholeMap>([&](auto reply) { robot_->wholeMapSource()->fetch(key, reply); });
-    QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+    QVERIFY2(map.has_value(), map ? "" : sentences::sentenceOf(map.error()).c_str());
     QCOMPARE(map->grid, (map::GridReference{3, 2, 0.05, {-0.05, -0.05, 0}}));
     const auto points =
         answerTo<map::WaypointList>([&](auto reply) { robot_->waypointSource()->waypoints(key, reply); });
@@ -170,20 +172,24 @@ class AimdkRobotTest : public QObject {
       robot_->wholeMapSource()->fetch({map::MapKind::Stored, "17"}, reply);
     });
     QVERIFY(!map.has_value());
-    QCOMPARE(map::toText(map.error().subject), std::string("Map 17"));
-    QVERIFY(map.error().sentence.find("boom") != std::string::npos);
+    QVERIFY(map.error().subject == map::Subject(map::SubjectKind::Map, "17"));
+    QVERIFY(map.error().detail.find("boom") != std::string::npos);
     QVERIFY(!answerTo<map::WaypointList>([&](auto reply) {
                robot_->waypointSource()->waypoints({map::MapKind::Stored, "x y"}, reply);
              }).has_value());
   }
 
   void itSaysThatItCannotEdit() {
-    QVERIFY(robot_->limits().contains(QStringLiteral("offers no editing")));
-    QVERIFY(robot_->limits().startsWith(QStringLiteral("Read only")));
-    QVERIFY(robot_->limits().contains(QStringLiteral("not yet in this version")));
+    QVERIFY(!robot_->mapAdministration());
+    QCOMPARE(robot_->whyNot(Capability::Administration), (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
+    QCOMPARE(robot_->whyNot(Capability::Live), (Absence{Absence::Reason::NotYetHere, {""}}));
+    QCOMPARE(sentences::limitsOf(*robot_),
+             QStringLiteral("Read only: Agibot's interface offers no editing. Its live pose: not yet in this "
+                            "version."));
     QVERIFY(!robot_->liveTopics() && !robot_->submapSource());
     makeRobot(QUrl(QStringLiteral("ws://h:9090")));
-    QVERIFY(robot_->limits().contains(QStringLiteral("over rosbridge (/tf): not yet in this version")));
+    QVERIFY(sentences::limitsOf(*robot_).contains(
+        QStringLiteral("over rosbridge (/tf): not yet in this version")));
   }
 };
 

@@ -93,12 +93,13 @@ class AxbotParseTest : public QObject {
     QCOMPARE(list.entries[0].pose.x, 1.25);
   }
 
-  void rowsWithoutUsableIdsAreRejectedWithASentence() {
+  void rowsWithoutUsableIdsAreRejectedWithTheirPlace() {
     const map::SubmapList list = listOf(
         R"({"topic":"/submap_list","uuid":"u","submap":[{"trajectory_id":99999999999999999999,"submap_index":0,
         "submap_version":1},{"submap_index":1},7,null,{"trajectory_id":0,"submap_index":0,"submap_version":5}]})");
     QCOMPARE(list.entries.size(), std::size_t(1));
     QCOMPARE(list.rejected.size(), std::size_t(4));
+    QVERIFY(list.rejected[2] == map::Reason(map::ReasonCode::RowWithoutNumbers, {3}));
     QVERIFY2(std::isnan(list.entries[0].pose.x), "a row without a pose is kept, but cannot be placed");
   }
 
@@ -192,8 +193,8 @@ class AxbotParseTest : public QObject {
     QCOMPARE(outcome(ros_messages::slam::NOT_FOUND).outcome, Outcome::NotFound);
     QCOMPARE(outcome(ros_messages::slam::UUID_MISMATCH).outcome, Outcome::WrongUuid);
     QCOMPARE(outcome(ros_messages::slam::UNAVAILABLE).outcome, Outcome::Failed);
-    QCOMPARE(outcome(ros_messages::slam::UNAVAILABLE).reason,
-             std::string("The robot answered UNAVAILABLE: why."));
+    QVERIFY(outcome(ros_messages::slam::UNAVAILABLE).reason ==
+            map::Reason(map::ReasonCode::RobotAnswered, {"UNAVAILABLE"}, {map::said("why")}));
     QCOMPARE(outcome(ros_messages::slam::StatusCode(77)).outcome, Outcome::Failed);
   }
 

@@ -43,18 +43,18 @@ class AxbotPartsTest : public QObject {
 
   void theMailboxHoldsTheLatestOfEachTopic() {
     TopicMailbox box;
-    const auto grid = [](const char* topic, const char* mark) {
+    const auto grid = [](const char* topic, const char* mark) -> map::StampedMessage {
       map::GridMessage message;
       message.topic = topic;
       message.fingerprint = mark;
-      return message;
+      return {message, 7};
     };
     QVERIFY(box.put(grid("/a", "1")));
     QVERIFY(!box.put(grid("/b", "2")));
     QVERIFY(!box.put(grid("/a", "3")));
     const auto taken = box.take();
     QCOMPARE(taken.size(), std::size_t(2));
-    QCOMPARE(std::get<map::GridMessage>(taken[0]).fingerprint, std::string("3"));
+    QCOMPARE(std::get<map::GridMessage>(taken[0].message).fingerprint, std::string("3"));
     QVERIFY(box.take().empty());
     QVERIFY(box.put(grid("/a", "4")));
     QVERIFY(!TopicMailbox::takes(map::TrackedPose{}));
@@ -64,7 +64,7 @@ class AxbotPartsTest : public QObject {
   void theMailboxIsBounded() {
     TopicMailbox box;
     for (int i = 0; i < 1000; ++i)
-      box.put(map::PointCloudMessage{std::string("/cloud").append(std::to_string(i)), nullptr});
+      box.put({map::PointCloudMessage{std::string("/cloud").append(std::to_string(i)), nullptr}});
     QCOMPARE(box.take().size(), TopicMailbox::kTopics);
   }
 

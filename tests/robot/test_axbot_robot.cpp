@@ -1,3 +1,6 @@
+#include <atomic>
+#include <mutex>
+
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -5,6 +8,8 @@
 #include "robot/axbot/axbot_robot.h"
 #include "ros_messages/wrapper.pb.h"
 #include "scripted_robot.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -17,11 +22,11 @@ constexpr int kPatienceMs = 20'000;
 
 /// The answer to one question, waited for.
 template <typename T, typename Ask>
-Answer<T> answerTo(Ask ask) {
-  std::optional<Answer<T>> answer;
-  ask([&](Answer<T> given) { answer = std::move(given); });
+Outcome<T> answerTo(Ask ask) {
+  std::optional<Outcome<T>> answer;
+  ask([&](Outcome<T> given) { answer = std::move(given); });
   if (!QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) {
-    return tl::make_unexpected(map::Problem{map::Severity::Error, "test", "no answer"});
+    return tl::make_unexpected(map::Failure{.subject = "test", .detail = "no answer"});
   }
   return *answer;
 }
@@ -51,6 +56,8 @@ class AxbotRobotTest : public QObject {
   std::vector<map::Problem> problems_;
   std::vector<map::Recovery> recoveries_;
   std::vector<map::TopicMessage> messages_;
+  std::vector<map::StampedMessage> stamped_;  // the same, whole
+  std::atomic<double> wall_s_ = 1;
 
   void makeRobot(const QString& prefix = {}, const QString& cache_folder = {}) {
     axbot::LinkOptions options;
@@ -59,14 +66,17 @@ class AxbotRobotTest : public QObject {
     options.secret = "hush";
     options.cache_folder = cache_folder.isEmpty() ? cache_->path() : cache_folder;
     options.socket.backoff_first = std::chrono::milliseconds(5);
+    options.wall_s = [this] { return wall_s_.load(); };
     options.socket.backoff_limit = std::chrono::milliseconds(20);
     robot_ = std::make_unique<AxbotRobot>(QStringLiteral("axbot+test"), options);
     connect(robot_.get(), &Robot::problemFound, this,
             [this](const map::Problem& p) { problems_.push_back(p); });
     connect(robot_.get(), &Robot::recovered, this,
             [this](const map::Recovery& r) { recoveries_.push_back(r); });
-    connect(robot_.get(), &Robot::topicReceived, this,
-            [this](const map::TopicMessage& m) { messages_.push_back(m); });
+    connect(robot_.get(), &Robot::topicReceived, this, [this](const map::StampedMessage& m) {
+      messages_.push_back(m.message);
+      stamped_.push_back(m);
+    });
   }
   void connectRobot() {
     server_->serve("/device/info", "{\"caps\":{\"supportsEnableTopicList\":true}}");
@@ -92,7 +102,7 @@ class AxbotRobotTest : public QObject {
         "\"" +
         url + "\"}");
   }
-  Answer<std::vector<map::CatalogueEntry>> list() {
+  Outcome<std::vector<map::CatalogueEntry>> list() {
     return answerTo<std::vector<map::CatalogueEntry>>(
         [&](auto reply) { robot_->mapCatalogue()->list(reply); });
   }
@@ -102,7 +112,7 @@ class AxbotRobotTest : public QObject {
     if (!QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) return {};
     return *answer;
   }
-  Answer<map::WholeMap> fetch(const map::MapKey& key) {
+  Outcome<map::WholeMap> fetch(const map::MapKey& key) {
     return answerTo<map::WholeMap>([&](auto reply) { robot_->wholeMapSource()->fetch(key, reply); });
   }
 
@@ -137,8 +147,8 @@ class AxbotRobotTest : public QObject {
     sendMapV2("static-files/gone.png");
     QTRY_VERIFY_WITH_TIMEOUT(last<map::UnreadableMessage>() != nullptr, kPatienceMs);
     QCOMPARE(last<map::UnreadableMessage>()->topic, std::string("/map_v2"));
-    QVERIFY(last<map::UnreadableMessage>()->reason.find("404") != std::string::npos);
-    QVERIFY(last<map::UnreadableMessage>()->reason.find("hush") == std::string::npos);
+    const QString why = sentences::wordsOf(last<map::UnreadableMessage>()->reason);
+    QVERIFY2(why.contains(QLatin1String("404")) && !why.contains(QLatin1String("hush")), qPrintable(why));
   }
 
   void aTopicThatCanBeReadAgainIsTold_data() {
@@ -195,16 +205,22 @@ class AxbotRobotTest : public QObject {
       QVERIFY(problem.subject.kind == map::SubjectKind::Catalogue);
       QVERIFY(problem.code != map::ProblemCode::Unspecified);
     }
-    QVERIFY(!recovered(map::SubjectKind::Catalogue, "Mappings"));
+    QVERIFY(!recovered(map::SubjectKind::Catalogue, map::kMappingsPart));
     server_->serve("/maps/", R"([{"id":1}])");
+    // Firmware that does not know mappings has none.
+    server_->answers["/mappings/"] = ScriptedRobot::reply(404, "what?");
+    problems_.clear();
+    QVERIFY(list().has_value());
+    QCOMPARE(problems_.size(), std::size_t(1));
+    QCOMPARE(problems_.front().subject.id, std::string(map::kCurrentMapPart));
     server_->serve("/mappings/", "[]");
     server_->answers.remove("/chassis/current-map");  // there is none: that is an answer too
     recoveries_.clear();
     QVERIFY(list().has_value());
-    for (const char* part : {"Maps", "Mappings", "Current map"}) {
+    for (const char* part : {map::kMapsPart, map::kMappingsPart, map::kCurrentMapPart}) {
       QVERIFY2(recovered(map::SubjectKind::Catalogue, part), part);
     }
-    QCOMPARE(problems_.size(), std::size_t(3));
+    QCOMPARE(problems_.size(), std::size_t(1));
   }
 
   void picturesThatMayBeKeptAreFetchedOnce() {
@@ -218,13 +234,52 @@ class AxbotRobotTest : public QObject {
     QCOMPARE(server_->timesAsked("/a.png"), 1);
   }
 
+  void whatOlderFirmwareCallsOtherwiseIsAskedForWhenTheUsualNameStaysSilent() {
+    axbot::LinkOptions options;
+    options.base = server_->url();
+    options.older_names_after = std::chrono::milliseconds(30);
+    options.socket.backoff_first = std::chrono::milliseconds(5);
+    options.wall_s = [this] { return wall_s_.load(); };
+    robot_ = std::make_unique<AxbotRobot>(QStringLiteral("axbot+test"), options);
+    const auto asked = [&](const char* topic) {
+      return server_->topicsSent("enable_topic").contains(QLatin1String(topic));
+    };
+    LiveTopics* topics = robot_->liveTopics();
+    QCOMPARE(topics->topicsOf(map::Stream::WholeMap),
+             (QStringList{QStringLiteral("/map_v2"), QStringLiteral("/map")}));
+    topics->setWanted({map::Stream::WholeMap, map::Stream::Incremental, map::Stream::Path}, {});
+    connectRobot();
+    QVERIFY(asked("/map_v2") && asked("/incremental_map_v2") && asked("/path"));
+    QTRY_VERIFY_WITH_TIMEOUT(asked("/map") && asked("/incremental_map"), kPatienceMs);
+    // One that has spoken has no older name: not on the next connection, if it speaks at once.
+    server_->greeting =
+        "{\"topic\":\"/map_v2\",\"resolution\":0.05,\"size\":[3,2],\"origin\":[1,2],\"data\":\"" +
+        png().toBase64() + "\"}";
+    server_->texts.clear();
+    server_->peers.first()->abort();
+    QTRY_VERIFY_WITH_TIMEOUT(asked("/incremental_map"), kPatienceMs);
+    QVERIFY(asked("/map_v2") && !asked("/map"));
+    topics->setWanted({}, {});
+    QTRY_VERIFY_WITH_TIMEOUT(
+        server_->topicsSent("disable_topic").contains(QStringLiteral("/incremental_map")), kPatienceMs);
+  }
+
+  void everyStreamHasATopicThatIsUnderstood() {
+    for (int stream = 0; stream <= int(map::Stream::GlobalPositioning); ++stream) {
+      const QStringList topics = robot_->liveTopics()->topicsOf(map::Stream(stream));
+      QVERIFY2(!topics.isEmpty(), qPrintable(QString::number(stream)));
+      for (const QString& topic : topics)
+        QVERIFY2(robot_->liveTopics()->known().contains(topic), qPrintable(topic));
+    }
+  }
+
   void wantedTopicsAreSwitchedOnAndOffAndKept() {
     connectRobot();
     LiveTopics* topics = robot_->liveTopics();
-    topics->setWanted({QStringLiteral("/path"), QStringLiteral("/map"), QStringLiteral("/tracked_pose")});
+    topics->setWanted({map::Stream::Path}, {QStringLiteral("/map"), QStringLiteral("/tracked_pose")});
     QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/map")),
                              kPatienceMs);
-    topics->setWanted({QStringLiteral("/path"), QStringLiteral("/alerts")});
+    topics->setWanted({map::Stream::Alerts, map::Stream::Path}, {QStringLiteral("/path")});
     QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/alerts")),
                              kPatienceMs);
     QCOMPARE(server_->topicsSent("disable_topic"), QStringList{QStringLiteral("/map")});
@@ -258,6 +313,50 @@ class AxbotRobotTest : public QObject {
                         QByteArray::fromStdString(wrapper.SerializeAsString()));
     QTRY_VERIFY_WITH_TIMEOUT(raw.last().first().value<RawMessage>().binary, kPatienceMs);
     QVERIFY(raw.last().first().value<RawMessage>().text.contains("77"));
+  }
+
+  void everyMessageBearsWhenItCameAndOfWhichTopic() {
+    wall_s_ = 1000;
+    connectRobot();
+    server_->send("{\"topic\":\"/tracked_pose\",\"pos\":[1,2],\"ori\":0}");
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::TrackedPose>() != nullptr, kPatienceMs);
+    QCOMPARE(stamped_.back().received_s, 1000.0);
+    QCOMPARE(stamped_.back().topic, std::string("/tracked_pose"));
+    QVERIFY(!stamped_.back().recorded_s);
+    wall_s_ = 1001;
+    server_->send("{\"topic\":\"/trajectory\",\"points\":[[1,2],[3,4]]}");  // goes by mail
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::TrajectoryMessage>() != nullptr, kPatienceMs);
+    QCOMPARE(stamped_.back().received_s, 1001.0);
+    QCOMPARE(stamped_.back().topic, std::string("/trajectory"));
+  }
+
+  void aTapGetsEveryFrameAlsoThoseThatOthersReplaceAndNoneAfterItsEnd() {
+    connectRobot();
+    std::mutex mutex;
+    std::vector<std::string> frames;
+    robot_->liveTopics()->setTap([&](const RawFrame& frame) {
+      const std::lock_guard lock(mutex);
+      frames.emplace_back(frame.bytes);
+      if (frame.binary) frames.back() = "binary";
+    });
+    // The window is busy meanwhile: of the trajectory only the last is of use to it.
+    constexpr int kFrames = 500;  // more than the inspector of messages takes in a second
+    for (int i = 0; i < kFrames; ++i)
+      server_->send("{\"topic\":\"/trajectory\",\"points\":[[" + QByteArray::number(i) + ",0]]}");
+    server_->sendBinary("no frame");
+    const auto count = [&] {
+      const std::lock_guard lock(mutex);
+      return frames.size();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(count(), std::size_t(kFrames + 1), kPatienceMs);
+    QVERIFY(frames.front().find("[[0,0]]") != std::string::npos);
+    QVERIFY(frames[kFrames - 1].find("[[499,0]]") != std::string::npos);
+    QCOMPARE(frames.back(), std::string("binary"));
+    robot_->liveTopics()->setTap({});
+    messages_.clear();
+    server_->send("{\"topic\":\"/tracked_pose\",\"pos\":[1,2],\"ori\":0}");
+    QTRY_VERIFY_WITH_TIMEOUT(last<map::TrackedPose>() != nullptr, kPatienceMs);
+    QCOMPARE(frames.size(), std::size_t(kFrames + 1));
   }
 
   // What cannot be read does not stay on disk.
@@ -350,7 +449,7 @@ class AxbotRobotTest : public QObject {
       QCOMPARE(fetchSubmap({"u", {0, 1}, version}).outcome, map::SubmapAnswer::Outcome::Ok);
     }
     const auto told = std::count_if(problems_.begin(), problems_.end(), [](const map::Problem& problem) {
-      return problem.subject == "Disk cache";
+      return problem.subject == map::SubjectKind::DiskCache;
     });
     QCOMPARE(told, 1);
   }
@@ -383,13 +482,14 @@ class AxbotRobotTest : public QObject {
     const auto entries = list();
     QCOMPARE(entries->size(), std::size_t(1));
     QCOMPARE(problems_.size(), std::size_t(1));
-    QCOMPARE(map::toText(problems_[0].subject), std::string("Mappings"));
+    QVERIFY(problems_[0].subject == map::Subject(map::SubjectKind::Catalogue, map::kMappingsPart));
   }
 
   void noListAtAllIsAnError() {
     const auto entries = list();
     QVERIFY(!entries.has_value());
-    QVERIFY(QString::fromStdString(entries.error().sentence).contains(QStringLiteral("404")));
+    QCOMPARE(entries.error().robot_code, std::string("404"));
+    QCOMPARE(entries.error().kind, map::FailureKind::RejectedByRobot);
   }
 
   void aStoredMapComesWhole() {
@@ -400,7 +500,7 @@ class AxbotRobotTest : public QObject {
                    "\\\"geometry\\\":{\\\"type\\\":\\\"Point\\\",\\\"coordinates\\\":[1,2]}}]}\"}");
     server_->serve("/maps/7.png", png());
     const auto map = fetch({map::MapKind::Stored, "7"});
-    QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+    QVERIFY2(map.has_value(), map ? "" : sentences::sentenceOf(map.error()).c_str());
     QCOMPARE(map->name, std::string("Hall"));
     QCOMPARE(map->grid, (map::GridReference{3, 2, 0.05, {-53.2, -25, 0}}));
     QCOMPARE(QByteArray::fromStdString(*map->bytes), png());
@@ -440,7 +540,7 @@ class AxbotRobotTest : public QObject {
       server_->serve("/maps/7", "{\"id\":7," + members + "}");
       const auto map = fetch({map::MapKind::Stored, "7"});
       QVERIFY(!map.has_value());
-      QCOMPARE(map::toText(map.error().subject), std::string("Map 7"));
+      QVERIFY(map.error().subject == map::Subject(map::SubjectKind::Map, "7"));
     }
     QVERIFY(!fetch({map::MapKind::Stored, "404"}).has_value());
     QVERIFY(!fetch({map::MapKind::Live, {}}).has_value());
@@ -455,7 +555,7 @@ class AxbotRobotTest : public QObject {
     response.set_resolution(0.2);
     response.set_png_bytes(png().toStdString());
     server_->serve("/ros/slam/map_image", QByteArray::fromStdString(response.SerializeAsString()));
-    const auto ask = [&](auto reply) { robot_->wholeMapSource()->fetchOverview(0.2, reply); };
+    const auto ask = [&](auto reply) { robot_->overviewSource()->fetchOverview(0.2, reply); };
     auto overview = answerTo<map::WholeMap>(ask);
     QVERIFY(overview.has_value());
     QCOMPARE(overview->grid, (map::GridReference{3, 2, 0.2, {-3, 4, 0}}));
@@ -464,9 +564,28 @@ class AxbotRobotTest : public QObject {
     server_->serve("/ros/slam/map_image", QByteArray::fromStdString(response.SerializeAsString()));
     overview = answerTo<map::WholeMap>(ask);
     QVERIFY(!overview.has_value());
-    QVERIFY(overview.error().sentence.find("UNAVAILABLE") != std::string::npos);
+    QVERIFY(overview.error().cause.arguments == std::vector<map::Argument>{"UNAVAILABLE"});
     server_->serve("/ros/slam/map_image", "<html>");
     QVERIFY(!answerTo<map::WholeMap>(ask).has_value());
+  }
+
+  void anOverviewThatTheFirmwareDoesNotKnowIsOfferedNoMore() {
+    connectRobot();
+    QTRY_COMPARE_WITH_TIMEOUT(robot_->connection().phase, ConnectionPhase::Online, kPatienceMs);
+    QSignalSpy changed(robot_.get(), &Robot::capabilitiesChanged);
+    const auto ask = [&](auto reply) { robot_->overviewSource()->fetchOverview(0.2, reply); };
+    server_->answers["/ros/slam/map_image"] = ScriptedRobot::reply(502, "{}");
+    QVERIFY(!answerTo<map::WholeMap>(ask).has_value());
+    QVERIFY(robot_->overviewSource() && changed.isEmpty());  // it has none now
+    server_->answers["/ros/slam/map_image"] = ScriptedRobot::reply(404, "{}");
+    QVERIFY(!answerTo<map::WholeMap>(ask).has_value());
+    QVERIFY(!robot_->overviewSource());
+    QCOMPARE(changed.size(), 1);
+    QCOMPARE(robot_->whyNot(Capability::Overview), (Absence{Absence::Reason::FirmwareLacks, {"404"}}));
+    // It may have been given another one when it is back.
+    for (QWebSocket* peer : std::as_const(server_->peers)) peer->abort();
+    QTRY_VERIFY_WITH_TIMEOUT(robot_->overviewSource() != nullptr, kPatienceMs);
+    QCOMPARE(changed.size(), 2);
   }
 
   void aRobotThatIsGoneAnswersNobody() {

@@ -11,6 +11,7 @@
 #include "robot/files/picture_yamls.h"
 #include "robot/files/read_map_yaml.h"
 #include "robot/files/yaml_shelf.h"
+#include "sentences/failure_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -24,11 +25,11 @@ const QByteArray kYaml =
     "free_thresh: 0.25\n";
 
 template <typename T, typename Ask>
-Answer<T> answerTo(Ask ask) {
-  std::optional<Answer<T>> answer;
-  ask([&](Answer<T> given) { answer = std::move(given); });
+Outcome<T> answerTo(Ask ask) {
+  std::optional<Outcome<T>> answer;
+  ask([&](Outcome<T> given) { answer = std::move(given); });
   if (answer || !QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs)) {
-    return tl::make_unexpected(map::Problem{map::Severity::Error, "test", "not answered later"});
+    return tl::make_unexpected(map::Failure{.subject = "test", .detail = "not answered later"});
   }
   return *answer;
 }
@@ -58,7 +59,7 @@ class FileRobotTest : public QObject {
     const auto looked = [&] { return robot->connection().phase != ConnectionPhase::Connecting; };
     return QTest::qWaitFor(looked, kPatienceMs) ? std::move(robot) : nullptr;
   }
-  static Answer<map::WholeMap> fetch(FileRobot& robot, const std::string& id = {}) {
+  static Outcome<map::WholeMap> fetch(FileRobot& robot, const std::string& id = {}) {
     return answerTo<map::WholeMap>([&](auto reply) {
       robot.wholeMapSource()->fetch({map::MapKind::File, id}, reply);
     });
@@ -73,7 +74,7 @@ class FileRobotTest : public QObject {
     const auto robot = open(QStringLiteral("office.yaml"));
     QCOMPARE(robot->connection().phase, ConnectionPhase::Online);
     const auto map = fetch(*robot);
-    QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+    QVERIFY2(map.has_value(), map ? "" : sentences::sentenceOf(map.error()).c_str());
     QCOMPARE(QString::fromStdString(map->path), path(QStringLiteral("office.pgm")));
     QVERIFY(!map->bytes);
     QCOMPARE(map->grid, (map::GridReference{0, 0, 0.05, {-10, -7.5, 0.3}}));
@@ -130,7 +131,7 @@ class FileRobotTest : public QObject {
     QFETCH(QByteArray, yaml);
     const auto read = parseMapYaml(yaml.toStdString());
     QVERIFY(!read.has_value());
-    QVERIFY(!read.error().empty());
+    QVERIFY(read.error().any());
     write(QStringLiteral("a.yaml"), yaml);
     const auto robot = open(QStringLiteral("a.yaml"));
     QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
@@ -156,7 +157,7 @@ class FileRobotTest : public QObject {
     write(QStringLiteral("a.yaml"), kYaml);
     const auto map = fetch(*open(QStringLiteral("a.yaml")));
     QVERIFY(!map.has_value());
-    QVERIFY(map.error().sentence.find("office.pgm") != std::string::npos);
+    QVERIFY(sentences::sentenceOf(map.error()).find("office.pgm") != std::string::npos);
     QCOMPARE(open(QStringLiteral("none.yaml"))->connection().phase, ConnectionPhase::Refused);
   }
 
@@ -190,7 +191,7 @@ class FileRobotTest : public QObject {
     for (const bool in_folder : {false, true}) {
       const auto robot = open(in_folder ? QString() : QStringLiteral("office.pgm"));
       const auto map = fetch(*robot, in_folder ? "office.pgm" : "");
-      QVERIFY2(map.has_value(), map ? "" : map.error().sentence.c_str());
+      QVERIFY2(map.has_value(), map ? "" : sentences::sentenceOf(map.error()).c_str());
       QCOMPARE(map->grid, (map::GridReference{0, 0, 0.05, {-10, -7.5, 0.3}}));
       QCOMPARE(map->reading.mode, map::CellReading::Mode::Trinary);
       QCOMPARE(QFileInfo(QString::fromStdString(map->path)).canonicalFilePath(),
@@ -207,8 +208,8 @@ class FileRobotTest : public QObject {
     write(QStringLiteral("older.yaml"), QByteArray(kYaml).replace("0.05", "0.10"));
     const auto map = fetch(*open(QStringLiteral("office.pgm")));
     QCOMPARE(map->reading.mode, map::CellReading::Mode::Picture);
-    const std::string notes = map->notes.at(0).sentence + map->notes.at(1).sentence;
-    QVERIFY2(notes.find("office.yaml, older.yaml") != std::string::npos, notes.c_str());
+    QVERIFY(map->notes.at(1).reason ==
+            map::Reason(map::ReasonCode::SeveralYamls, {"office.yaml, older.yaml"}));
   }
 
   void aPictureFollowsItsYaml() {
@@ -292,7 +293,7 @@ class FileRobotTest : public QObject {
     auto robot = open({});
     std::vector<int> answered(20);
     for (std::size_t i = 0; i < answered.size(); ++i) {
-      robot->mapCatalogue()->list([&, i](const Answer<std::vector<map::CatalogueEntry>>& list) {
+      robot->mapCatalogue()->list([&, i](const Outcome<std::vector<map::CatalogueEntry>>& list) {
         answered[i] += list && list->size() == 300 ? 1 : 1000;
       });
     }

@@ -180,9 +180,9 @@ class RobotFailuresTest : public QObject {
       const auto robot = robotAt(kind, server.url());
       std::optional<FailureKind> listed, fetched;
       robot->mapCatalogue()->list(
-          [&](const auto& given) { listed = given ? FailureKind::None : given.error().failure; });
+          [&](const auto& given) { listed = given ? FailureKind::None : given.error().kind; });
       robot->wholeMapSource()->fetch({map::MapKind::Stored, "1"}, [&](const auto& given) {
-        fetched = given ? FailureKind::None : given.error().failure;
+        fetched = given ? FailureKind::None : given.error().kind;
       });
       QTRY_VERIFY_WITH_TIMEOUT(listed && fetched, kPatienceMs);
       QCOMPARE(*listed, failure);

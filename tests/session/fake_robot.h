@@ -2,13 +2,17 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <QDateTime>
+
 #include "robot/robot.h"
+#include "topic_names.h"
 
 namespace mapwright::test {
 
@@ -19,10 +23,17 @@ inline std::shared_ptr<const std::string> grayPicture(int width, int height, int
   return std::make_shared<const std::string>(std::move(bytes));
 }
 
+/// A request that ended in `detail`, in the robot's own words.
+inline map::Failure failed(const std::string& detail,
+                           map::FailureKind kind = map::FailureKind::RejectedByRobot) {
+  return {.kind = kind, .subject = "Somebody", .detail = detail, .reason = map::FailureReason::Unfit};
+}
+
 class FakeRobot : public robot::Robot,
                   public robot::SubmapSource,
                   public robot::MapCatalogue,
                   public robot::WholeMapSource,
+                  public robot::OverviewSource,
                   public robot::WaypointSource,
                   public robot::LiveTopics {
   Q_OBJECT
@@ -30,36 +41,44 @@ class FakeRobot : public robot::Robot,
   // Capabilities beside submaps are there when the test says so.
   robot::MapCatalogue* mapCatalogue() override { return has_maps ? this : nullptr; }
   robot::WholeMapSource* wholeMapSource() override { return has_maps ? this : nullptr; }
+  robot::OverviewSource* overviewSource() override { return offers_overview ? this : nullptr; }
   robot::WaypointSource* waypointSource() override { return has_maps ? this : nullptr; }
   robot::LiveTopics* liveTopics() override { return has_topics ? this : nullptr; }
 
-  void list(robot::AnswerTo<std::vector<map::CatalogueEntry>> reply) override {
+  robot::Call list(robot::OutcomeTo<std::vector<map::CatalogueEntry>> reply) override {
     lists.push_back(std::move(reply));
+    return {};
   }
-  void describe(const map::MapKey& key, robot::AnswerTo<map::CatalogueEntry> reply) override {
+  robot::Call describe(const map::MapKey& key, robot::OutcomeTo<map::CatalogueEntry> reply) override {
     descriptions.emplace_back(key, std::move(reply));
+    return {};
   }
-  void thumbnail(const map::MapKey& key, robot::AnswerTo<std::string> reply) override {
+  robot::Call thumbnail(const map::MapKey& key, robot::OutcomeTo<std::string> reply) override {
     thumbnails.emplace_back(key, std::move(reply));
+    return {};
   }
-  void fetch(const map::MapKey& key, robot::AnswerTo<map::WholeMap> reply) override {
+  robot::Call fetch(const map::MapKey& key, robot::OutcomeTo<map::WholeMap> reply) override {
     map_fetches.emplace_back(key, std::move(reply));
+    return {};
   }
-  bool offersOverview() const override { return offers_overview; }
-  void fetchOverview(double resolution_m, robot::AnswerTo<map::WholeMap> reply) override {
+  robot::Call fetchOverview(double resolution_m, robot::OutcomeTo<map::WholeMap> reply) override {
     overview_resolutions.push_back(resolution_m);
     overviews.push_back(std::move(reply));
+    return {};
   }
-  void waypoints(const map::MapKey& key, robot::AnswerTo<map::WaypointList> reply) override {
+  robot::Call waypoints(const map::MapKey& key, robot::OutcomeTo<map::WaypointList> reply) override {
     waypoint_asks.emplace_back(key, std::move(reply));
+    return {};
   }
   QStringList known() const override { return {}; }
-  void setWanted(const QStringList& topics) override {
-    wanted = topics;
-    wants.push_back(topics);
+  QStringList topicsOf(map::Stream stream) const override { return test::topicsOf(stream); }
+  void setWanted(const map::Streams& streams, const QStringList& topics) override {
+    wanted = test::topicsOf(streams) + topics;
+    wants.push_back(wanted);
   }
   void setBasics(const Basics& asked_for) override { basics = asked_for; }
   void setWatching(bool) override {}
+  void setTap(robot::FrameTap) override {}
 
   static map::CatalogueEntry entry(const std::string& id, bool current = false) {
     map::CatalogueEntry row;
@@ -85,12 +104,12 @@ class FakeRobot : public robot::Robot,
   }
 
   bool has_maps = false, has_topics = false, has_submaps = true, offers_overview = false;
-  std::vector<robot::AnswerTo<std::vector<map::CatalogueEntry>>> lists;
-  std::vector<std::pair<map::MapKey, robot::AnswerTo<map::CatalogueEntry>>> descriptions;
-  std::vector<std::pair<map::MapKey, robot::AnswerTo<std::string>>> thumbnails;
-  std::vector<std::pair<map::MapKey, robot::AnswerTo<map::WholeMap>>> map_fetches;
-  std::vector<std::pair<map::MapKey, robot::AnswerTo<map::WaypointList>>> waypoint_asks;
-  std::vector<robot::AnswerTo<map::WholeMap>> overviews;
+  std::vector<robot::OutcomeTo<std::vector<map::CatalogueEntry>>> lists;
+  std::vector<std::pair<map::MapKey, robot::OutcomeTo<map::CatalogueEntry>>> descriptions;
+  std::vector<std::pair<map::MapKey, robot::OutcomeTo<std::string>>> thumbnails;
+  std::vector<std::pair<map::MapKey, robot::OutcomeTo<map::WholeMap>>> map_fetches;
+  std::vector<std::pair<map::MapKey, robot::OutcomeTo<map::WaypointList>>> waypoint_asks;
+  std::vector<robot::OutcomeTo<map::WholeMap>> overviews;
   std::vector<double> overview_resolutions;
   QStringList wanted;
   std::vector<QStringList> wants;  // one after the other
@@ -103,9 +122,10 @@ class FakeRobot : public robot::Robot,
   robot::RobotIdentity identity() const override { return {}; }
   robot::SubmapSource* submapSource() override { return has_submaps ? this : nullptr; }
 
-  void fetch(const map::SubmapKey& key, Reply reply) override {
+  robot::Call fetch(const map::SubmapKey& key, Reply reply) override {
     asked.push_back(key);
     open.emplace_back(key, std::move(reply));
+    return {};
   }
   void cancelAll() override {
     while (!open.empty()) cancel(map::SubmapKey(open.front().first));
@@ -128,7 +148,11 @@ class FakeRobot : public robot::Robot,
     state_.phase = phase;
     Q_EMIT connectionChanged();
   }
-  void say(const map::TopicMessage& message) { Q_EMIT topicReceived(message); }
+  /// Stamped with its clock.
+  void say(const map::TopicMessage& message, const std::string& topic = {}) {
+    Q_EMIT topicReceived({message, double(wall().toMSecsSinceEpoch()) / 1000, std::nullopt, topic});
+  }
+  std::function<QDateTime()> wall = [] { return QDateTime::currentDateTime(); };
 
   /// Answers the oldest open fetch with 4 x 4 cells of `value`.
   map::SubmapKey answer(map::SubmapAnswer::Outcome outcome, int version = 0, char value = 5, int width = 4) {
@@ -137,7 +161,7 @@ class FakeRobot : public robot::Robot,
     map::SubmapAnswer answer;
     answer.key = key;
     answer.outcome = outcome;
-    answer.reason = outcome == map::SubmapAnswer::Outcome::Ok ? "" : "The robot said no.";
+    if (outcome != map::SubmapAnswer::Outcome::Ok) answer.reason = map::said("The robot said no.");
     answer.version = version ? version : key.version;
     answer.bytes = 100;
     answer.from_cache = from_disk;

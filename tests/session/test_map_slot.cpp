@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "sentences/problem_sentence.h"
 #include "session/map_slot.h"
 
 using namespace mapwright;
@@ -42,7 +43,7 @@ class MapSlotTest : public QObject {
     slot_ = std::make_unique<MapSlot>(QString());
     problems_.clear();
     connect(slot_.get(), &MapSlot::problemFound, this,
-            [this](const map::Problem& problem) { problems_ << QString::fromStdString(problem.sentence); });
+            [this](const map::Problem& problem) { problems_ << sentences::sentenceOf(problem); });
   }
 
   void aMapIsReadAndShown() {
@@ -53,7 +54,7 @@ class MapSlotTest : public QObject {
     QCOMPARE(slot_->reference().width, 30);
     QCOMPARE(slot_->reference().height, 20);
     QCOMPARE(int(slot_->cells()->at(29, 19)), 254);
-    QVERIFY(problems_.isEmpty() && slot_->remark().isEmpty() && !slot_->broken());
+    QVERIFY(problems_.isEmpty() && !slot_->remark() && !slot_->broken());
   }
 
   void thePicturesOwnSizeWinsOverADeclaredOne() {
@@ -67,23 +68,39 @@ class MapSlotTest : public QObject {
     QVERIFY(problems_[0].contains(QLatin1String("31 x 20")));
   }
 
+  void aPictureWhoseLaterRowsTellMoreOfItsGraysEndsInTheirMeaning() {
+    constexpr int kWidth = 2048, kHeight = 800, kLate = 700;
+    std::string bytes = "P5\n2048 800\n255\n";
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) bytes += char(y < kLate ? (x < 500 ? 205 : 254) : (x * 7 + y) % 256);
+    }
+    map::WholeMap map = mapOf("1", std::make_shared<const std::string>(std::move(bytes)));
+    map.grid.width = 31;
+    slot_->show(std::move(map));
+    QTRY_VERIFY_WITH_TIMEOUT(slot_->phase() == Phase::Ready, kPatienceMs);
+    QVERIFY(slot_->cells()->complete() && !slot_->broken());
+    QVERIFY(grids::meaningOf(slot_->cells()->code()).known[205]);
+    QCOMPARE(int(slot_->cells()->at(kWidth - 1, kHeight - 1)), ((kWidth - 1) * 7 + kHeight - 1) % 256);
+    QCOMPARE(problems_.size(), 1);  // its size, said once
+  }
+
   void whatCannotBePlacedOrReadFailsWithASentence() {
     map::WholeMap map = mapOf("1", pgm(30, 20, 254));
     map.grid.resolution_m = 0;
     slot_->show(std::move(map));
     QTRY_VERIFY(slot_->phase() == Phase::Failed);
-    QVERIFY(slot_->remark().contains(QLatin1String("resolution")));
+    QVERIFY(slot_->remark()->reason == map::Reason(map::ReasonCode::ResolutionNotPositive, {0.0}));
     slot_->show(mapOf("2", std::make_shared<const std::string>("no picture at all")));
     QTRY_VERIFY(slot_->phase() == Phase::Failed);
-    QVERIFY(!slot_->remark().isEmpty() && !slot_->cells());
+    QVERIFY(slot_->remark() && !slot_->cells());
   }
 
   void aPictureThatBreaksOffKeepsTheRowsThatCame() {
     slot_->show(mapOf("1", pgm(30, 20, 254, 11)));
     QTRY_VERIFY(slot_->phase() == Phase::Ready);
-    QVERIFY(slot_->broken() && !slot_->remark().isEmpty());
+    QVERIFY(slot_->broken() && slot_->remark());
     QCOMPARE(int(slot_->cells()->at(0, 10)), 254);
-    QVERIFY(!raster::meaningOf(raster::CellCode::Gray).known[slot_->cells()->at(0, 12)]);
+    QVERIFY(!grids::meaningOf(grids::CellCode::Gray).known[slot_->cells()->at(0, 12)]);
   }
 
   void anUpdateOfTheSameMapIsShownWhenItIsWhole() {
@@ -116,18 +133,18 @@ class MapSlotTest : public QObject {
     slot_->show(mapOf("1", pgm(30, 20, 254)));
     QTRY_VERIFY(slot_->phase() == Phase::Ready);
     slot_->expect({map::MapKind::Stored, "1"}, QStringLiteral("again"));
-    slot_->fail({map::Severity::Error, "Map", "The robot is gone."});
+    slot_->fail({map::Severity::Error, "Map", map::said("The robot is gone.")});
     QVERIFY(slot_->phase() == Phase::Failed && slot_->cells());
     slot_->expect({map::MapKind::Stored, "2"}, QStringLiteral("other"));
-    slot_->fail({map::Severity::Error, "Map", "The robot is gone."});
+    slot_->fail({map::Severity::Error, "Map", map::said("The robot is gone.")});
     QVERIFY(!slot_->cells());
   }
 
   void averagingReadsThePictureAgain() {
     slot_->show(mapOf("1", pgm(600, 600, 254)));
     QTRY_VERIFY(slot_->phase() == Phase::Ready);
-    slot_->setReduction(raster::Reduction::Average);
-    QTRY_VERIFY(slot_->phase() == Phase::Ready && slot_->cells()->reduction() == raster::Reduction::Average);
+    slot_->setReduction(grids::Reduction::Average);
+    QTRY_VERIFY(slot_->phase() == Phase::Ready && slot_->cells()->reduction() == grids::Reduction::Average);
   }
 
   void onlyLargeStoredMapsEarnASidecar_data() {
@@ -170,7 +187,7 @@ class MapSlotTest : public QObject {
       MapSlot slot(folder.path());
       QStringList problems;
       connect(&slot, &MapSlot::problemFound, this,
-              [&](const map::Problem& problem) { problems << QString::fromStdString(problem.sentence); });
+              [&](const map::Problem& problem) { problems << sentences::sentenceOf(problem); });
       if (damaged) {
         const QString path = folder.filePath(QDir(folder.path()).entryList(QDir::Files).first());
         QFile file(path);
@@ -223,7 +240,8 @@ class MapSlotTest : public QObject {
     QVERIFY(QFile::resize(QDir(cache).filePath(QDir(cache).entryList(QDir::Files).first()), 5000));
     QVERIFY(slot.cells()->tile(0, 0, 0)->damaged);
     QVERIFY(slot.broken());
-    QTRY_VERIFY_WITH_TIMEOUT(slot.remark().contains(QLatin1String("damaged")), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(sentences::sentenceOf(slot.remark()).contains(QLatin1String("damaged")),
+                             kPatienceMs);
   }
 
   void aPyramidMayOutliveItsSlot() {
@@ -232,7 +250,7 @@ class MapSlotTest : public QObject {
     for (std::size_t n = 100; n < bytes.size(); n += 7) bytes[n] = 0;
     map::WholeMap map = mapOf("1", std::make_shared<const std::string>(std::move(bytes)));
     map.fingerprint = "content";
-    std::shared_ptr<const raster::GridPyramid> cells;
+    std::shared_ptr<const grids::GridPyramid> cells;
     {
       MapSlot slot(folder.path());
       slot.show(map);

@@ -4,6 +4,8 @@
 
 using namespace mapwright;
 using map::ProblemCode;
+using map::ReasonCode;
+using map::said;
 using map::Severity;
 using map::Subject;
 using map::SubjectKind;
@@ -15,7 +17,7 @@ class ProblemLogTest : public QObject {
   const QDateTime noon_ = QDateTime(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
   static Subject submap(int i) { return {SubjectKind::Submap, std::to_string(i)}; }
   static map::Problem problem(int i, ProblemCode code = ProblemCode::Unavailable) {
-    return {Severity::Error, submap(i), "It is gone.", code};
+    return {Severity::Error, submap(i), said("It is gone."), code};
   }
   QDateTime after(int s) const { return noon_.addSecs(s); }
 
@@ -56,17 +58,48 @@ class ProblemLogTest : public QObject {
     QFETCH(QString, other);
     QFETCH(bool, same);
     ProblemLog log;
-    log.add({Severity::Warning, "x", one.toStdString()}, noon_);
-    log.add({Severity::Warning, "x", other.toStdString()}, after(1));
+    log.add({Severity::Warning, "x", said(one.toStdString())}, noon_);
+    log.add({Severity::Warning, "x", said(other.toStdString())}, after(1));
     QCOMPARE(log.rows().size(), std::size_t(same ? 1 : 2));
-    QCOMPARE(log.rows().back().problem.sentence, other.toStdString());  // the newest numbers
+    QVERIFY(log.rows().back().problem.reason == said(other.toStdString()));  // the newest numbers
+  }
+
+  void aRowIsASubjectWithACodeAndAReason() {
+    const Subject topic(SubjectKind::Topic, "/x");
+    const map::Problem first{
+        Severity::Warning, topic, {ReasonCode::MessageNotJson, {7}}, ProblemCode::Unreadable};
+    map::Problem numbers = first, reason = first, code = first, subject = first, cause = first;
+    numbers.reason.arguments = {12'345};
+    reason.reason.code = ReasonCode::BinaryTooShort;
+    code.code = ProblemCode::Odd;
+    subject.subject.id = "/y";
+    cause.reason.because = {said("the disk is full")};
+    ProblemLog log;
+    for (const map::Problem& each : {first, numbers, reason, code, subject, cause}) log.add(each, noon_);
+    QCOMPARE(log.rows().size(), std::size_t(5));
+    QCOMPARE(log.rows()[0].count, 2);
+  }
+
+  void requestsThatFailAlikeAreOneRow() {
+    map::Failure failure{.kind = map::FailureKind::RejectedByRobot,
+                         .subject = Subject(SubjectKind::Map, "12"),
+                         .robot_code = "500",
+                         .detail = "boom 1"};
+    ProblemLog log;
+    log.add(map::problemOf(failure), noon_);
+    failure.detail = "boom 2";
+    log.add(map::problemOf(failure), noon_);
+    QCOMPARE(log.rows().size(), std::size_t(1));
+    failure.detail = "bang";
+    log.add(map::problemOf(failure), noon_);
+    QCOMPARE(log.rows().size(), std::size_t(2));
   }
 
   void onePerSecondBuriesNothing() {
     ProblemLog log;
     log.add(problem(1), noon_);
     for (int i = 0; i < 2 * int(ProblemLog::kLimit); ++i) {
-      log.add({Severity::Warning, Subject(SubjectKind::Topic, "/x"), std::to_string(i) + " bytes."},
+      log.add({Severity::Warning, Subject(SubjectKind::Topic, "/x"), {ReasonCode::MessageNotJson, {i}}},
               after(i));
     }
     QCOMPARE(log.rows().size(), std::size_t(2));
@@ -75,10 +108,10 @@ class ProblemLogTest : public QObject {
 
   void subjectsAreToldApartByKindAndIdAlone() {
     ProblemLog log;
-    log.add({Severity::Error, Subject(SubjectKind::Map, "12"), "No."}, noon_);
-    log.add({Severity::Error, Subject(SubjectKind::Map, "12", "Map \"Hall\""), "No."}, noon_);
-    log.add({Severity::Error, Subject(SubjectKind::Map, "13"), "No."}, noon_);
-    log.add({Severity::Error, Subject(SubjectKind::Submap, "12"), "No."}, noon_);
+    log.add({Severity::Error, Subject(SubjectKind::Map, "12"), said("No.")}, noon_);
+    log.add({Severity::Error, Subject(SubjectKind::Map, "12", "Map \"Hall\""), said("No.")}, noon_);
+    log.add({Severity::Error, Subject(SubjectKind::Map, "13"), said("No.")}, noon_);
+    log.add({Severity::Error, Subject(SubjectKind::Submap, "12"), said("No.")}, noon_);
     QCOMPARE(log.rows().size(), std::size_t(3));
     QVERIFY(log.resolve({Subject(SubjectKind::Map, "12", "another name")}, noon_));
     QCOMPARE(log.unresolved(), 2);
@@ -111,7 +144,7 @@ class ProblemLogTest : public QObject {
   void everySubjectOfAKindRecoversTogether() {
     ProblemLog log;
     for (int i = 0; i < 3; ++i) log.add(problem(i), noon_);
-    log.add({Severity::Error, "else", "No."}, noon_);
+    log.add({Severity::Error, "else", said("No.")}, noon_);
     QVERIFY(log.resolveAll(SubjectKind::Submap, after(5)));
     QCOMPARE(log.unresolved(), 1);
     QVERIFY(!log.resolveAll(SubjectKind::Submap, after(6)));
@@ -181,7 +214,7 @@ class ProblemLogTest : public QObject {
 
   void theTextHoldsEveryRowAsPlainText() {
     ProblemLog log;
-    log.add({Severity::Warning, "<b>x</b>", "Odd %1."}, noon_);
+    log.add({Severity::Warning, "<b>x</b>", said("Odd %1.")}, noon_);
     log.add(problem(7), noon_);
     log.add(problem(7), after(60));
     log.resolve({submap(7)}, after(90));

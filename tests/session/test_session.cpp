@@ -44,24 +44,41 @@ class SessionTest : public QObject {
     auto robot = std::make_unique<FakeRobot>();
     robot_ = robot.get();
     Session::Options options;
-    options.decode_threads = 1;  // pictures are decoded in the order in which they came
+    options.workers =
+        std::make_shared<work::Workers>(1);  // pictures are decoded in the order in which they came
     session_ = std::make_unique<Session>(std::move(robot), options, nullptr, [this] { return now_; });
     robot_->setPhase(robot::ConnectionPhase::Online);
   }
   void cleanup() { session_.reset(); }
 
   void aListIsFetchedDecodedAndPlaced() {
-    QSignalSpy placed(session_.get(), &Session::submapsPlaced);
+    std::vector<map::SubmapId> placed;  // one by one, or several at a time
+    connect(session_.get(), &Session::submapsPlaced, this, [&](const std::vector<map::SubmapId>& ids) {
+      placed.insert(placed.end(), ids.begin(), ids.end());
+    });
     robot_->say(listOf({entry(0, 1), entry(1, 1)}));
     QCOMPARE(robot_->asked.size(), std::size_t(2));
     QCOMPARE(session_->counts().pending, 2);
     robot_->answer(Outcome::Ok);
     robot_->answer(Outcome::Ok);
     QTRY_COMPARE(session_->counts().shown, 2);
-    QCOMPARE(placed.count(), 2);
+    QCOMPARE(placed, std::vector<map::SubmapId>({{0, 0}, {0, 1}}));
     QVERIFY(session_->settled(1));
     QCOMPARE(session_->status({0, 0}), SubmapStatus::OnScreen);
     QCOMPARE(session_->counts().fetches, 2u);
+  }
+
+  void cellsBeyondTheBudgetLeaveTheMemory() {
+    auto robot = std::make_unique<FakeRobot>();
+    robot_ = robot.get();
+    Session::Options options;
+    options.budgets.textures = 1;
+    session_ = std::make_unique<Session>(std::move(robot), options);
+    robot_->setPhase(robot::ConnectionPhase::Online);
+    robot_->say(listOf({entry(0, 1)}));
+    robot_->answer(Outcome::Ok);
+    QTRY_COMPARE(session_->counts().shown, 1);
+    QTRY_COMPARE(session_->memory().textures, std::size_t(0));
   }
 
   void whatCannotBeDecodedIsKeptNowhere() {
@@ -120,7 +137,7 @@ class SessionTest : public QObject {
     QCOMPARE(counts.failed, 1);
     QCOMPARE(counts.pending, 1);
     QCOMPARE(session_->status({0, 1}), SubmapStatus::Missing);
-    QCOMPARE(session_->reason({0, 1}), QStringLiteral("The robot said no."));
+    QVERIFY(session_->reason({0, 1}) == map::said("The robot said no."));
     QCOMPARE(session_->status({0, 2}), SubmapStatus::Waiting);
     QCOMPARE(session_->status({0, 3}), SubmapStatus::Corrupt);
     QCOMPARE(session_->status({0, 4}), SubmapStatus::Unplaced);
@@ -287,7 +304,11 @@ class SessionTest : public QObject {
     }
     QCOMPARE(session_->problems().rows().size(), std::size_t(1));
     QCOMPARE(session_->problems().rows()[0].count, 5);
-    QVERIFY(session_->problems().rows()[0].problem.sentence.starts_with("Version 5: "));
+    const map::Problem& problem = session_->problems().rows()[0].problem;
+    QCOMPARE(problem.subject.id, std::string("0-0"));
+    QVERIFY(problem.reason == map::Reason(map::ReasonCode::VersionNotHad, {5},
+                                          {map::said("The robot said no.")},
+                                          map::Consequence::AskedAgainAtTheNext));
   }
 
   void aCorruptPictureRecoversWithTheNextVersion() {
@@ -322,7 +343,7 @@ class SessionTest : public QObject {
     if (trouble == 0) broken.entries[0].pose.x = std::nan("");
     if (trouble == 1) broken.entries.push_back(entry(0, 2, 4));
     if (trouble == 2) broken.entries[0].version = 1;
-    if (trouble == 3) broken.rejected = {"Row 7 is odd."};
+    if (trouble == 3) broken.rejected = {{map::ReasonCode::RowWithoutNumbers, {7}}};
     robot_->say(broken);
     QCOMPARE(session_->problems().unresolved(), 1);
     robot_->say(broken);
@@ -355,7 +376,7 @@ class SessionTest : public QObject {
 
   void aListThatComesAtLastIsNoProblemAnyMore() {
     const map::Problem none{map::Severity::Warning, map::Subject(map::SubjectKind::SubmapList, {}),
-                            "None yet.", map::ProblemCode::Unavailable};
+                            map::said("None yet."), map::ProblemCode::Unavailable};
     for (int connection = 0; connection < 2; ++connection) {
       Q_EMIT robot_->problemFound(none);
       QCOMPARE(session_->problems().unresolved(), 1);
@@ -367,8 +388,8 @@ class SessionTest : public QObject {
   void whatTheRobotTellsToBeWellIsResolved() {
     QSignalSpy changed(session_.get(), &Session::problemsChanged);
     const map::Subject topic(map::SubjectKind::Topic, "/x");
-    robot_->say(map::UnreadableMessage{"/x", "It is garbage."});
-    Q_EMIT robot_->problemFound({map::Severity::Warning, topic, "Odd.", map::ProblemCode::Odd});
+    robot_->say(map::UnreadableMessage{"/x", map::said("It is garbage.")});
+    Q_EMIT robot_->problemFound({map::Severity::Warning, topic, map::said("Odd."), map::ProblemCode::Odd});
     QCOMPARE(session_->problems().unresolved(), 2);
     Q_EMIT robot_->recovered({topic, map::ProblemCode::Unreadable});
     QCOMPARE(session_->problems().unresolved(), 1);
@@ -379,18 +400,18 @@ class SessionTest : public QObject {
 
   void aTopicThatNobodyWantsAnyMoreIsNoProblem() {
     robot_->has_topics = true;
-    session_->want(QStringLiteral("layers"), {QStringLiteral("/x"), QStringLiteral("/y")});
-    robot_->say(map::UnreadableMessage{"/x", "It is garbage."});
-    robot_->say(map::UnreadableMessage{"/y", "It is garbage."});
-    session_->want(QStringLiteral("layers"), {QStringLiteral("/y")});
+    session_->want(QStringLiteral("layers"), {}, {QStringLiteral("/x"), QStringLiteral("/y")});
+    robot_->say(map::UnreadableMessage{"/x", map::said("It is garbage.")});
+    robot_->say(map::UnreadableMessage{"/y", map::said("It is garbage.")});
+    session_->want(QStringLiteral("layers"), {}, {QStringLiteral("/y")});
     QCOMPARE(session_->problems().unresolved(), 1);
   }
 
   void aRobotThatIsConnectedAgainHasItsProblemsBehindIt() {
     robot_->setPhase(robot::ConnectionPhase::Interrupted);
-    Q_EMIT robot_->problemFound(
-        {map::Severity::Error, map::Subject(map::SubjectKind::Robot, "1.2.3.4:8090"), "It is gone."});
-    Q_EMIT robot_->problemFound({map::Severity::Error, "something else", "No."});
+    Q_EMIT robot_->problemFound({map::Severity::Error, map::Subject(map::SubjectKind::Robot, "1.2.3.4:8090"),
+                                 map::said("It is gone.")});
+    Q_EMIT robot_->problemFound({map::Severity::Error, "something else", map::said("No.")});
     QCOMPARE(session_->problems().unresolved(), 2);
     robot_->setPhase(robot::ConnectionPhase::Online);
     QCOMPARE(session_->problems().unresolved(), 1);
@@ -398,14 +419,14 @@ class SessionTest : public QObject {
 
   void problemsMayBeToldWithTheirTimes() {
     const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
-    const map::Subject stop(map::SubjectKind::Condition, "emergency stop", "Emergency stop");
-    session_->report({map::Severity::Error, stop, "It is pressed."}, noon);
+    const map::Subject stop(map::SubjectKind::Condition, "emergency-stop");
+    session_->report({map::Severity::Error, stop, map::ReasonCode::EmergencyStop}, noon);
     session_->recover({stop}, noon.addSecs(90));
     QCOMPARE(session_->problems().rows()[0].lastedMs(noon.addSecs(500)), 90'000);
   }
 
   void unreadableMessagesBecomeProblems() {
-    robot_->say(map::UnreadableMessage{"/submap_list", "It is garbage."});
+    robot_->say(map::UnreadableMessage{"/submap_list", map::said("It is garbage.")});
     QCOMPARE(session_->problems().rows().size(), std::size_t(1));
   }
 

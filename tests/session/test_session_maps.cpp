@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "sentences/problem_sentence.h"
 #include "session/session.h"
 
 using namespace mapwright;
@@ -58,6 +59,45 @@ class SessionMapsTest : public QObject {
     QTRY_COMPARE(shownGray(), 0);
   }
 
+  void aWorldThatIsGivenIsShownAsIfItsMessagesHadCome() {
+    // The world of one robot, as a session keeps it ...
+    QDateTime now(QDate(2024, 5, 1), QTime(12, 0), Qt::UTC);
+    Session::Options options;
+    options.wall = [&] { return now; };
+    make(true, true, true, false, options);
+    robot_->wall = [&] { return now; };
+    goOnline();
+    map::SubmapList list;
+    list.uuid = "u";
+    list.slam_state = map::SlamState::Positioning;
+    list.entries.push_back({{3, 4}, 1, {}, false, false, false});
+    robot_->say(list);
+    robot_->say(map::TrackedPose{{5, 6, 0.5}});
+    now = now.addSecs(60);
+    robot_->say(map::AlertsMessage{{{6004, map::AlertLevel::Error, "hot", 0}}});
+    robot_->say(liveGrid(200));
+    const map::World world = session_->world();
+    QCOMPARE(world.at_s, double(now.toSecsSinceEpoch()));
+    QCOMPARE(world.live.alerts.front().since_s, world.at_s);
+    // ... in another one, in the place of what that one had.
+    make(true, true);
+    goOnline();
+    robot_->say(map::TrackedPose{{100, 100, 0}});
+    robot_->say(liveGrid(0));
+    QTRY_COMPARE(shownGray(), 0);
+    QSignalSpy frames(session_.get(), &Session::frameChanged), told(session_.get(), &Session::liveChanged);
+    session_->reset(world);
+    QVERIFY(session_->world() == world);
+    QCOMPARE(frames.size(), 1);
+    for (const int what : {map::topicIndex<map::TrackedPose>(), map::topicIndex<map::AlertsMessage>()}) {
+      QVERIFY(std::any_of(told.begin(), told.end(),
+                          [&](const auto& one) { return one.first().toInt() == what; }));
+    }
+    QCOMPARE(session_->book().uuid(), std::string("u"));
+    QVERIFY(session_->book().find({3, 4}));
+    QTRY_COMPARE(shownGray(), 200);
+  }
+
   void aRobotThatSendsNoneShowsItsCurrentMap() {
     make(true, false, false);
     goOnline();
@@ -82,7 +122,8 @@ class SessionMapsTest : public QObject {
     session_->openMap({map::MapKind::Stored, "7"});
     QCOMPARE(session_->wholeMap().name(), QStringLiteral("Map 7"));
     robot_->map_fetches.back().second(FakeRobot::wholeMap("7", 200));
-    QTRY_COMPARE(shownGray(), 200);
+    QTRY_VERIFY(session_->wholeMap().phase() == Phase::Ready);
+    QCOMPARE(shownGray(), 200);
     QCOMPARE(session_->counts().fetches, quint64(1));
     QCOMPARE(session_->counts().bytes_fetched, quint64(session_->wholeMap().source()->bytes->size()));
     robot_->say(liveGrid(0));
@@ -142,10 +183,9 @@ class SessionMapsTest : public QObject {
     make(true, true);
     goOnline();
     session_->openMap({map::MapKind::Stored, "7"});
-    robot_->map_fetches[0].second(
-        tl::make_unexpected(map::Problem{map::Severity::Error, "Map 7", "The robot has no map 7."}));
+    robot_->map_fetches[0].second(tl::make_unexpected(test::failed("The robot has no map 7.")));
     QVERIFY(session_->wholeMap().phase() == Phase::Failed);
-    QCOMPARE(session_->wholeMap().remark(), QStringLiteral("The robot has no map 7."));
+    QCOMPARE(sentences::sentenceOf(session_->wholeMap().remark()), QStringLiteral("The robot has no map 7."));
     QCOMPARE(session_->problems().unresolved(), 1);
     session_->openMap({map::MapKind::Stored, "7"});
     robot_->map_fetches[1].second(FakeRobot::wholeMap("7"));
@@ -157,8 +197,7 @@ class SessionMapsTest : public QObject {
     goOnline();
     session_->openMap({map::MapKind::Stored, "7"});
     robot_->setPhase(robot::ConnectionPhase::Interrupted);
-    robot_->map_fetches[0].second(
-        tl::make_unexpected(map::Problem{map::Severity::Error, "Map 7", "The connection was lost."}));
+    robot_->map_fetches[0].second(tl::make_unexpected(test::failed("The connection was lost.")));
     QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
     goOnline();
     QCOMPARE(robot_->map_fetches.size(), std::size_t(2));
@@ -186,14 +225,14 @@ class SessionMapsTest : public QObject {
     if (trouble == 2) broken.bytes = std::make_shared<const std::string>("garbage");
     if (trouble == 3) broken.bytes = std::make_shared<const std::string>(broken.bytes->substr(0, 500));
     if (trouble == 4) broken.grid.resolution_m = 0;
-    if (trouble == 5) broken.notes.push_back({map::Severity::Warning, "Whatever", "It is odd."});
+    if (trouble == 5) broken.notes.push_back({map::Severity::Warning, "Whatever", map::said("It is odd.")});
     if (trouble == 6) broken.grid.width = 77;
     if (trouble == 0) {
-      robot_->map_fetches[0].second(tl::make_unexpected(
-          map::Problem{map::Severity::Error, map::subjectOf({map::MapKind::Stored, "7"}), "No."}));
+      map::Failure failure = test::failed("No.");
+      failure.subject = map::subjectOf({map::MapKind::Stored, "7"});
+      robot_->map_fetches[0].second(tl::make_unexpected(failure));
     } else if (trouble == 1) {
-      robot_->map_fetches[0].second(
-          tl::make_unexpected(map::Problem{map::Severity::Error, "That map", "No."}));
+      robot_->map_fetches[0].second(tl::make_unexpected(test::failed("No.")));
     } else {
       robot_->map_fetches[0].second(broken);
     }
@@ -212,7 +251,7 @@ class SessionMapsTest : public QObject {
     make(true, true);
     goOnline();
     session_->openMap({map::MapKind::Stored, "7"});
-    robot_->map_fetches[0].second(tl::make_unexpected(map::Problem{map::Severity::Error, "Map", "No."}));
+    robot_->map_fetches[0].second(tl::make_unexpected(test::failed("No.")));
     session_->openMap({map::MapKind::Stored, "8"});
     robot_->map_fetches[1].second(FakeRobot::wholeMap("8"));
     QTRY_VERIFY(session_->wholeMap().phase() == Phase::Ready);
@@ -228,7 +267,7 @@ class SessionMapsTest : public QObject {
       QTRY_VERIFY(session_->wholeMap().phase() == Phase::Ready);
     };
     open(0);
-    robot_->waypoint_asks[0].second(tl::make_unexpected(map::Problem{map::Severity::Error, "Map 7", "No."}));
+    robot_->waypoint_asks[0].second(tl::make_unexpected(test::failed("No.")));
     QCOMPARE(session_->problems().unresolved(), 1);
     open(1);
     QCOMPARE(session_->problems().unresolved(), 1);  // the map is well, its points are not
@@ -242,7 +281,7 @@ class SessionMapsTest : public QObject {
     robot_->answerList({FakeRobot::entry("1", true)});
     map::WaypointList list;
     list.points.push_back({"3", "Door <b>", "NAVI", {1, 2}, 0.5});
-    list.notes = {"Point 3 lies 4 px off."};
+    list.notes = {{map::ReasonCode::PointOff, {"3", "Door", 4.0}}};
     robot_->waypoint_asks[0].second(list);
     robot_->map_fetches[0].second(FakeRobot::wholeMap("1"));
     QTRY_COMPARE(session_->wholeMap().waypoints().points.size(), std::size_t(1));
@@ -338,8 +377,7 @@ class SessionMapsTest : public QObject {
     QTRY_VERIFY(session_->comparedMap().phase() == Phase::Ready);
     session_->compareWith(map::MapKey{map::MapKind::Stored, "8"});
     QVERIFY(!session_->comparedMap().cells());
-    robot_->map_fetches[1].second(
-        tl::make_unexpected(map::Problem{map::Severity::Error, "Map 8", "The robot has no map 8."}));
+    robot_->map_fetches[1].second(tl::make_unexpected(test::failed("The robot has no map 8.")));
     QVERIFY(!session_->comparedMap().cells());
   }
 
@@ -372,12 +410,13 @@ class SessionMapsTest : public QObject {
   void wantsOfSeveralOwnersAddUp() {
     make(true, true);
     goOnline();
-    session_->want(QStringLiteral("layers"), {QStringLiteral("/path"), QStringLiteral("/alerts")});
-    session_->want(QStringLiteral("status"), {QStringLiteral("/alerts"), QStringLiteral("/battery_state")});
+    session_->want(QStringLiteral("layers"), {map::Stream::Path, map::Stream::Alerts});
+    session_->want(QStringLiteral("status"), {map::Stream::Alerts, map::Stream::Battery},
+                   {QStringLiteral("/x")});
     QStringList wanted = robot_->wanted;
     wanted.sort();
     QCOMPARE(wanted, (QStringList{QStringLiteral("/alerts"), QStringLiteral("/battery_state"),
-                                  QStringLiteral("/path")}));
+                                  QStringLiteral("/path"), QStringLiteral("/x")}));
     session_->want(QStringLiteral("status"), {});
     QVERIFY(!robot_->wanted.contains(QStringLiteral("/battery_state")));
     QVERIFY(robot_->wanted.contains(QStringLiteral("/alerts")));
@@ -396,7 +435,7 @@ class SessionMapsTest : public QObject {
   void anotherSessionLeavesNothingOfTheOldFrame() {
     make(true, true);
     goOnline();
-    session_->want(QStringLiteral("layers"), {QStringLiteral("/map_v2"), QStringLiteral("/landmarks")});
+    session_->want(QStringLiteral("layers"), {map::Stream::WholeMap, map::Stream::Landmarks});
     robot_->say(listOf("u"));
     robot_->say(liveGrid(254));
     QTRY_COMPARE(shownGray(), 254);
@@ -457,8 +496,8 @@ class SessionMapsTest : public QObject {
     make(true, true);
     goOnline();
     const QStringList both{QStringLiteral("/a"), QStringLiteral("/b")};
-    session_->want(QStringLiteral("layers"), both);
-    session_->want(QStringLiteral("inspector"), {QStringLiteral("/b")});
+    session_->want(QStringLiteral("layers"), {}, both);
+    session_->want(QStringLiteral("inspector"), {}, {QStringLiteral("/b")});
     robot_->say(cloud("/a"));
     robot_->say(cloud("/b"));
     QCOMPARE(session_->live().clouds.size(), std::size_t(2));
@@ -472,36 +511,35 @@ class SessionMapsTest : public QObject {
     QVERIFY(!session_->live().clouds.contains("/a"));
     session_->want(QStringLiteral("inspector"), {});
     QVERIFY(session_->live().clouds.empty());
-    session_->want(QStringLiteral("layers"), both);
+    session_->want(QStringLiteral("layers"), {}, both);
     QVERIFY2(session_->live().clouds.empty(), "nothing old is shown when its layer is switched on again");
   }
 
   void aCostmapGoesWithTheLastWhoWantsItsTopic() {
     make(true, true);
     goOnline();
-    const QString topic = QStringLiteral("/map_v2");
-    session_->want(QStringLiteral("layers"), {topic});
+    session_->want(QStringLiteral("layers"), {map::Stream::WholeMap});
     robot_->say(liveGrid(3, map::GridKind::CostmapLow));
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow));
     session_->want(QStringLiteral("layers"), {});
     QVERIFY(!session_->layerGrids().find(map::GridKind::CostmapLow));
-    session_->want(QStringLiteral("layers"), {topic});
+    session_->want(QStringLiteral("layers"), {map::Stream::WholeMap});
     robot_->say(liveGrid(4, map::GridKind::CostmapLow));
     session_->want(QStringLiteral("layers"), {});  // while it is being decoded
-    session_->want(QStringLiteral("layers"), {topic});
+    session_->want(QStringLiteral("layers"), {map::Stream::WholeMap});
     robot_->say(liveGrid(5, map::GridKind::CostmapLow));
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow));
     QCOMPARE(int(session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices->at(3, 3)), 5);
   }
 
-  void anOlderTopicIsTriedWhenTheNewerStaysSilent() {
-    make(true, true);
+  void aRobotThatKeepsItsMapToItselfShowsItsCurrentOne() {
+    Session::Options options;
+    options.live_map_within_ms = 1;
+    make(true, true, true, false, options);
     goOnline();
-    session_->want(QStringLiteral("layers"), {QStringLiteral("/map_v2")});
-    QVERIFY(!robot_->wanted.contains(QStringLiteral("/map")));
-    QTRY_VERIFY(robot_->wanted.contains(QStringLiteral("/map")));
-    // And when neither gives anything, the current map is opened.
     robot_->answerList({FakeRobot::entry("8", true)});
+    QVERIFY(robot_->map_fetches.empty());
+    session_->want(QStringLiteral("layers"), {map::Stream::WholeMap});
     QTRY_COMPARE(robot_->map_fetches.size(), std::size_t(1));
     robot_->map_fetches[0].second(FakeRobot::wholeMap("8", 30));
     QTRY_COMPARE(shownGray(), 30);
@@ -533,7 +571,7 @@ class SessionMapsTest : public QObject {
   void costmapsAreDecodedTheNewestLast() {
     make(true, true);
     goOnline();
-    session_->want(QStringLiteral("layers"), {QStringLiteral("/map_v2")});
+    session_->want(QStringLiteral("layers"), {map::Stream::WholeMap});
     for (int gray = 0; gray < 10; ++gray) robot_->say(liveGrid(gray, map::GridKind::CostmapLow));
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow) &&
                 session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices->at(3, 3) == 9);
@@ -559,7 +597,7 @@ class SessionMapsTest : public QObject {
     }
     QCOMPARE(robot_->thumbnails.size(), std::size_t(2));
     robot_->thumbnails[0].second(std::string("png"));
-    robot_->thumbnails[1].second(tl::make_unexpected(map::Problem{}));
+    robot_->thumbnails[1].second(tl::make_unexpected(test::failed("")));
     QCOMPARE(arrived.size(), 1);
     QCOMPARE(robot_->thumbnails.size(), std::size_t(4));
     QCOMPARE(catalogue.thumbnail(rows[0].key), QByteArray("png"));
@@ -573,7 +611,7 @@ class SessionMapsTest : public QObject {
     session_->catalogue().refresh();  // while one is under way: once more after it
     QCOMPARE(robot_->lists.size(), std::size_t(1));
     auto replies = std::exchange(robot_->lists, {});
-    replies[0](tl::make_unexpected(map::Problem{map::Severity::Error, "Maps", "The robot answered 500."}));
+    replies[0](tl::make_unexpected(test::failed("The robot answered 500.")));
     QCOMPARE(session_->catalogue().error(), QStringLiteral("The robot answered 500."));
     QCOMPARE(session_->catalogue().entries().size(), std::size_t(1));
     QCOMPARE(robot_->lists.size(), std::size_t(1));
@@ -606,9 +644,8 @@ class SessionMapsTest : public QObject {
   void aListThatFailedIsAskedForAfterEveryLoss() {
     make(true, true);
     goOnline();
-    std::exchange(robot_->lists, {})[0](
-        tl::make_unexpected(map::Problem{map::Severity::Error, "Maps", "It broke off.",
-                                         map::ProblemCode::Unavailable, map::FailureKind::Unreachable}));
+    std::exchange(robot_->lists,
+                  {})[0](tl::make_unexpected(test::failed("It broke off.", map::FailureKind::Unreachable)));
     QCOMPARE(session_->catalogue().failure(), map::FailureKind::Unreachable);
     robot_->setPhase(robot::ConnectionPhase::Interrupted);
     goOnline();

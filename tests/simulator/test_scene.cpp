@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "simulator/drive.h"
+#include "simulator/robot_state.h"
 #include "simulator/scan_grid.h"
 #include "simulator/scene.h"
 #include "simulator/simulator.h"
@@ -54,6 +55,23 @@ class TestScene : public QObject {
         QVERIFY(std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) < 0.021);
       }
     }
+  }
+
+  void aMapTooLargeToBeDrawnRepeatsItself() {
+    const auto scene = makeScene("warehouse", 25'000, 1);
+    QVERIFY(scene && scene->trajectories[0].submaps > 24'000);
+    RobotState state(*scene, 1, {.paused = true});
+    const auto bodyOf = [&](int index) { return makeSubmapBody(state.plan(), *state.find({0, index})); };
+    QVERIFY(bodyOf(300) == bodyOf(300 - 256));
+    QVERIFY(bodyOf(300) != bodyOf(301));
+    const map::SubmapList list = state.list();
+    QVERIFY(list.entries[300].pose.x != list.entries[300 - 256].pose.x ||
+            list.entries[300].pose.y != list.entries[300 - 256].pose.y);
+    // One that is changed is itself.
+    const std::string before = bodyOf(300);
+    state.bump({0, 300});
+    QVERIFY(bodyOf(300) != before);
+    QVERIFY(bodyOf(300 - 256) == before);
   }
 
   void closedDrivesWrap() {

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <map>
+#include <random>
+#include <set>
 
 #include <QTest>
 
@@ -177,18 +180,117 @@ class FetchSchedulerTest : public QObject {
     QVERIFY(scheduler.take(ms(5000)).empty());
   }
 
-  void theOrderFollowsThePriorityAndItsChanges() {
+  void whatIsNearTheMiddleGoesFirstAndFollowsTheView() {
     SchedulerOptions one;
     one.max_concurrent = 1;
     FetchScheduler scheduler = ready(5, one);
-    double center = 4;
-    scheduler.setPriority([&](SubmapId id) { return std::abs(id.index - center); });
+    for (int i = 0; i < 5; ++i) scheduler.place({0, i}, {100.0 * i, 0}, false);
+    scheduler.setView({}, {400, 0});
     auto keys = scheduler.take(ms(0));
     QCOMPARE(keys.at(0).id.index, 4);
     scheduler.answered(keys[0], Outcome::Ok, 1, ms(0));
-    center = 0;
-    scheduler.reorder();
+    scheduler.setView({}, {0, 0});
     QCOMPARE(scheduler.take(ms(0)).at(0).id.index, 0);
+  }
+
+  void whatIsInViewGoesBeforeWhatIsNearerAndHiddenOnesGoLast() {
+    FetchScheduler scheduler = ready(4);
+    scheduler.place({0, 0}, {0, 1}, true);
+    scheduler.place({0, 1}, {0, 60}, false);    // above the view
+    scheduler.place({0, 2}, {300, 0}, false);   // at its side
+    scheduler.place({0, 3}, {1000, 0}, false);  // far off
+    scheduler.setView({-400, -20, 400, 20}, {0, 0});
+    std::vector<int> order;
+    for (const SubmapKey& key : scheduler.take(ms(0))) order.push_back(key.id.index);
+    QCOMPARE(order, std::vector<int>({2, 1, 3, 0}));
+  }
+
+  /// Every one goes out, and never a far one long before a near one.
+  void manySubmapsGoOutFromTheMiddleOutwards() {
+    SchedulerOptions one;
+    one.max_concurrent = 1;
+    FetchScheduler scheduler = ready(3000, one);
+    std::mt19937 random(5);
+    std::map<int, double> distance;
+    for (int i = 0; i < 3000; ++i) {
+      const Eigen::Vector2d at(double(random() % 2000) - 1000, double(random() % 2000) - 1000);
+      distance[i] = at.norm();
+      scheduler.place({0, i}, at, false);
+    }
+    scheduler.setView({}, {0, 0});
+    double farthest = 0;
+    for (int sent = 0; sent < 3000; ++sent) {
+      const auto keys = scheduler.take(ms(sent));
+      QCOMPARE(keys.size(), std::size_t(1));
+      scheduler.answered(keys[0], Outcome::Ok, 1, ms(sent));
+      const double here = distance.at(keys[0].id.index);
+      QVERIFY2(here > farthest - 64, qPrintable(QStringLiteral("%1 after %2").arg(here).arg(farthest)));
+      farthest = std::max(farthest, here);
+    }
+    QVERIFY(scheduler.take(ms(1'000'000)).empty());
+  }
+
+  /// What is counted on the way is what a count of all would give.
+  void countersEqualARecount() {
+    std::mt19937 random(11);
+    SchedulerOptions options;
+    options.max_concurrent = 6;
+    FetchScheduler scheduler(options);
+    scheduler.setUuid("u");
+    std::vector<SubmapKey> under_way;
+    const Outcome outcomes[] = {Outcome::Ok, Outcome::NotFound, Outcome::WrongUuid, Outcome::Failed,
+                                Outcome::Cancelled};
+    std::set<SubmapId> wanted;
+    for (int step = 0; step < 5000; ++step) {
+      const Millis now(step * 40);
+      const SubmapId id{0, int(random() % 40)};
+      switch (random() % 9) {
+        case 0:
+        case 1:
+          scheduler.want(id, int(random() % 4));
+          wanted.insert(id);
+          break;
+        case 2:
+          scheduler.unwant(id);
+          wanted.erase(id);
+          break;
+        case 3:
+          scheduler.listArrived();
+          break;
+        case 4:
+          scheduler.place(id, {double(random() % 300), double(random() % 300)}, random() % 4 == 0);
+          break;
+        case 5:
+          if (random() % 20 == 0) scheduler.retryNow();
+          scheduler.again({"u", id, int(random() % 4)});
+          break;
+        case 6:
+          scheduler.setView({0, 0, 100, 100}, {double(random() % 300), 0});
+          break;
+        default:
+          if (!under_way.empty()) {
+            const std::size_t which = random() % under_way.size();
+            scheduler.answered(under_way[which], outcomes[random() % 5], int(random() % 4), now);
+            under_way.erase(under_way.begin() + std::ptrdiff_t(which));
+          }
+      }
+      if (random() % 2 == 0) {
+        for (const SubmapKey& key : scheduler.take(now)) under_way.push_back(key);
+      }
+      int queued = 0;
+      bool settled_1 = scheduler.underWay() == 0, settled_3 = settled_1;
+      for (const SubmapId one : wanted) {
+        const FetchState state = scheduler.state(one);
+        queued += state == FetchState::Queued;
+        const bool pending = state == FetchState::Queued || state == FetchState::Fetching;
+        settled_1 = settled_1 && !pending && (state != FetchState::Waiting || scheduler.failures(one) >= 1);
+        settled_3 = settled_3 && !pending && (state != FetchState::Waiting || scheduler.failures(one) >= 3);
+      }
+      QCOMPARE(scheduler.queued(), queued);
+      QCOMPARE(scheduler.settled(1), settled_1);
+      QCOMPARE(scheduler.settled(3), settled_3);
+      QCOMPARE(scheduler.underWay(), int(under_way.size()));
+    }
   }
 
   void oneSubmapIsNotQueriedMoreOftenThanTheInterval() {

@@ -9,6 +9,7 @@
 
 #include <QTimer>
 
+#include "../session/topic_names.h"
 #include "robot/robot.h"
 
 namespace mapwright::test {
@@ -57,43 +58,54 @@ inline map::CatalogueEntry catalogued(const std::string& id, const std::string& 
   return made;
 }
 
+/// A request that ended in `detail`, in the robot's own words.
+inline map::Failure failed(const std::string& detail) {
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = "Somebody",
+          .detail = detail,
+          .reason = map::FailureReason::Unfit};
+}
+
 /// Answers about maps what it is told to.
 class FakeMaps : public QObject, public robot::MapCatalogue, public robot::WholeMapSource {
   Q_OBJECT
  public:
-  void list(robot::AnswerTo<std::vector<map::CatalogueEntry>> reply) override {
+  robot::Call list(robot::OutcomeTo<std::vector<map::CatalogueEntry>> reply) override {
     QTimer::singleShot(0, this, [this, reply = std::move(reply)] {
       if (list_error.empty()) {
         reply(entries);
       } else {
-        reply(tl::make_unexpected(map::Problem{map::Severity::Error, "maps", list_error}));
+        reply(tl::make_unexpected(failed(list_error)));
       }
     });
+    return {};
   }
-  void describe(const map::MapKey& key, robot::AnswerTo<map::CatalogueEntry> reply) override {
+  robot::Call describe(const map::MapKey& key, robot::OutcomeTo<map::CatalogueEntry> reply) override {
     QTimer::singleShot(0, this, [this, key, reply = std::move(reply)] {
       const auto found =
           std::find_if(entries.begin(), entries.end(), [&](const auto& row) { return row.key == key; });
       if (found != entries.end()) {
         reply(*found);
       } else {
-        reply(tl::make_unexpected(
-            map::Problem{map::Severity::Error, map::subjectOf(key), "The robot has no such map."}));
+        reply(tl::make_unexpected(failed("The robot has no such map.")));
       }
     });
+    return {};
   }
-  void thumbnail(const map::MapKey&, robot::AnswerTo<std::string> reply) override {
+  robot::Call thumbnail(const map::MapKey&, robot::OutcomeTo<std::string> reply) override {
     QTimer::singleShot(0, this, [reply = std::move(reply)] { reply(std::string("no picture")); });
+    return {};
   }
-  void fetch(const map::MapKey& key, robot::AnswerTo<map::WholeMap> reply) override {
+  robot::Call fetch(const map::MapKey& key, robot::OutcomeTo<map::WholeMap> reply) override {
     opened.push_back(key);
     QTimer::singleShot(0, this, [this, key, reply = std::move(reply)] {
       if (map_error.empty()) {
         reply(wholeMap(key, "Map " + key.id, 80, 60));
       } else {
-        reply(tl::make_unexpected(map::Problem{map::Severity::Error, "Map " + key.id, map_error}));
+        reply(tl::make_unexpected(failed(map_error)));
       }
     });
+    return {};
   }
 
   std::vector<map::CatalogueEntry> entries;
@@ -102,13 +114,17 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
 };
 
 /// Which capabilities it has is set before it is connected; submaps only, unless told otherwise.
-class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot::LiveTopics {
+class FakeRobot : public robot::Robot,
+                  public robot::SubmapSource,
+                  public robot::LiveTopics,
+                  public robot::WaypointSource {
   Q_OBJECT
  public:
   explicit FakeRobot(QString address = QStringLiteral("axbot+http://192.0.2.7:8090"))
       : address_(std::move(address)) {}
 
   QString address() const override { return address_; }
+  bool isLocal() const override { return address_.startsWith(QLatin1String("file:")); }
   void connectToRobot() override {
     ++connects;
     if (auto_online) goOnline();
@@ -121,11 +137,26 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
   robot::MapCatalogue* mapCatalogue() override { return has_catalogue ? &maps : nullptr; }
   robot::WholeMapSource* wholeMapSource() override { return has_catalogue ? &maps : nullptr; }
   robot::LiveTopics* liveTopics() override { return has_live ? this : nullptr; }
-  QString limits() const override { return limits_text; }
+  robot::Absence whyNot(robot::Capability capability) const override {
+    const bool limited = capability == robot::Capability::Administration && !read_only_maker.isEmpty();
+    if (!limited) return {};
+    return {robot::Absence::Reason::ReadOnly, {read_only_maker.toStdString()}};
+  }
+  robot::WaypointStore* waypointStore() override { return waypoint_store; }
+  robot::WaypointSource* waypointSource() override { return told_waypoints ? this : nullptr; }
+
+  robot::Call waypoints(const map::MapKey&, robot::OutcomeTo<map::WaypointList> reply) override {
+    QTimer::singleShot(0, this, [this, reply = std::move(reply)] { reply(*told_waypoints); });
+    return {};
+  }
 
   QStringList known() const override { return {QStringLiteral("/alerts"), QStringLiteral("/battery_state")}; }
-  void setWanted(const QStringList& topics) override { wanted = topics; }
+  QStringList topicsOf(map::Stream stream) const override { return test::topicsOf(stream); }
+  void setWanted(const map::Streams& streams, const QStringList& topics) override {
+    wanted = test::topicsOf(streams) + topics;
+  }
   void setWatching(bool on) override { watching = on; }
+  void setTap(robot::FrameTap) override {}
   void sayRaw(const QString& topic, const QByteArray& text, bool binary = false) {
     robot::RawMessage message;
     message.topic = topic;
@@ -136,10 +167,11 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
     Q_EMIT rawReceived(message);
   }
 
-  void fetch(const map::SubmapKey& key, Reply reply) override {
+  robot::Call fetch(const map::SubmapKey& key, Reply reply) override {
     ++fetches;
     held.emplace_back(key, std::move(reply));
     if (!hold) QTimer::singleShot(0, this, [this, key] { release(key, answer(key)); });
+    return {};
   }
   void cancelAll() override {
     const auto keys = held;
@@ -164,12 +196,12 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
     made.version = key.version;
     if (missing.contains(key.id)) {
       made.outcome = map::SubmapAnswer::Outcome::NotFound;
-      made.reason = "The robot does not have it.";
+      made.reason = map::said("The robot does not have it.");
       return made;
     }
     if (failing.contains(key.id)) {
       made.outcome = map::SubmapAnswer::Outcome::Failed;
-      made.reason = "The robot answered <b>500</b>.";
+      made.reason = map::said("The robot answered <b>500</b>.");
       return made;
     }
     made.outcome = map::SubmapAnswer::Outcome::Ok;
@@ -197,7 +229,9 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
     away.retry_in_ms = 3000;
     setState(away);
   }
-  void say(const map::TopicMessage& message) { Q_EMIT topicReceived(message); }
+  void say(const map::TopicMessage& message) {
+    Q_EMIT topicReceived({message, double(QDateTime::currentMSecsSinceEpoch()) / 1000});
+  }
   void list(std::vector<map::SubmapEntry> entries, const std::string& uuid = "session-a") {
     map::SubmapList made;
     made.uuid = uuid;
@@ -212,7 +246,9 @@ class FakeRobot : public robot::Robot, public robot::SubmapSource, public robot:
 
   bool auto_online = true, hold = false;
   bool has_submaps = true, has_catalogue = false, has_live = false;
-  QString limits_text;
+  QString read_only_maker;
+  robot::WaypointStore* waypoint_store = nullptr;     // not owned
+  const map::WaypointList* told_waypoints = nullptr;  // those that can only be read; not owned
   FakeMaps maps;
   QStringList wanted, trusted;
   bool watching = false;

@@ -162,7 +162,7 @@ class WindowCertificatesTest : public QObject {
     Bench bench;
     TrustedCertificates trusted(bench.settings);
     const QString address = QStringLiteral("axbot+https://192.0.2.7:8090");
-    window::RecentRobots recents(bench.settings);
+    window::RecentRobots recents(bench.settings, knownAddresses());
     recents.add(address, QDateTime::currentDateTime());
     trusted.trust(kHost, kFirst);
     trusted.trust(QStringLiteral("192.0.2.8:8090"), kSecond);

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "known_addresses.h"
 #include "window/actions.h"
 #include "window/dialogs/command_palette.h"
 #include "window/dialogs/connect_dialog.h"
@@ -29,7 +30,9 @@ QPushButton* button(QWidget& dialog, const char* text) {
 }
 
 struct Bench {
-  Bench() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), recents(settings) {
+  Bench()
+      : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat),
+        recents(settings, mapwright::test::knownAddresses()) {
     loadResources();
   }
   QByteArray stored() {
@@ -111,7 +114,7 @@ class TestWindowDialogs : public QObject {
     QCOMPARE(list[0].address, QStringLiteral("axbot+http://192.0.2.15:8090"));
     QCOMPARE(list[1].address, QStringLiteral("axbot+http://192.0.2.20:8090"));
     bench.recents.setName(list[1].address, QStringLiteral("dock-3"));
-    RecentRobots again(bench.settings);
+    RecentRobots again(bench.settings, mapwright::test::knownAddresses());
     QCOMPARE(again.list()[1].name, QStringLiteral("dock-3"));
     again.remove(list[0].address);
     QCOMPARE(again.list()[0].name, QStringLiteral("dock-3"));

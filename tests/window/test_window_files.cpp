@@ -6,11 +6,11 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSemaphore>
-#include <QThreadPool>
 #include <QtTest>
 
 #include "window/dialogs/export_dialog.h"
 #include "window/dialogs/picture_dialog.h"
+#include "window/dialogs/recent_robots.h"
 #include "window/files/folders.h"
 #include "window/files/map_files.h"
 #include "window/map/map_overlay.h"
@@ -90,7 +90,7 @@ class TestWindowFiles : public QObject {
     QVERIFY2(address.startsWith(QStringLiteral("file:") + path +
                                 QStringLiteral("?resolution=0.1&origin=-12.5,0,3.14159265")),
              qPrintable(address));
-    QCOMPARE(pathOfAddress(address), path);
+    QCOMPARE(test::knownAddresses().parse(address)->path, path);
   }
 
   void opensAPictureByTheYamlThatNamesIt() {
@@ -137,7 +137,7 @@ class TestWindowFiles : public QObject {
     window.openPath(touched(bench.folder, "fast.png"));
     QTRY_VERIFY(window.session());
     slow.release();
-    QThreadPool::globalInstance()->waitForDone();
+    QTRY_COMPARE(bench.workers->running(), 0);
     QCoreApplication::processEvents();
     QVERIFY(window.session()->robot().address().endsWith(QLatin1String("fast.png.yaml")));
   }
@@ -207,7 +207,7 @@ class TestWindowFiles : public QObject {
     MainWindow& window = bench.open();
     const QString yaml = touched(bench.folder, "map.yaml");
     window.openPath(yaml);
-    const RecentRobots recents(bench.settings);
+    const RecentRobots recents(bench.settings, test::knownAddresses());
     QCOMPARE(recents.list().front().address, QStringLiteral("file:") + yaml);
   }
 

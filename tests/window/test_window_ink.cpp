@@ -94,7 +94,7 @@ class TestWindowInk : public QObject {
       robot.has_submaps = false;
       robot.has_catalogue = true;
       robot.maps.entries = {test::catalogued("1", "Ground floor")};
-      robot.limits_text = QStringLiteral("This robot's maps can only be looked at.");
+      robot.read_only_maker = QStringLiteral("Maker");
     };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));

@@ -16,6 +16,7 @@
 #include "window/docks/messages_dock.h"
 #include "window/docks/problems_dock.h"
 #include "window/docks/robot_dock.h"
+#include "window/look/plain_label.h"
 #include "window/main_window.h"
 #include "window/map/empty_state.h"
 #include "window/map/map_overlay.h"
@@ -80,6 +81,16 @@ class TestWindowMain : public QObject {
     QVERIFY(window.overlay()->notice()->sentence().startsWith(QLatin1String("No connection since ")));
     QCOMPARE(window.bar()->connectionShown(),
              QStringLiteral("reconnecting in 3 s (attempt 2): connection refused"));
+    robot::ConnectionState refused;
+    refused.phase = robot::ConnectionPhase::Refused;
+    refused.reason = QStringLiteral("the certificate has changed. ") + QString(200, QLatin1Char('x'));
+    bench.robot->setState(refused);
+    QVERIFY(window.overlay()->notice()->sentence().contains(QLatin1String(". The certificate")));
+    for (const PlainLabel* label : window.bar()->findChildren<PlainLabel*>()) {
+      if (label->text() == window.bar()->loadingShown())
+        QTRY_VERIFY(label->width() >= label->sizeHint().width());
+    }
+    bench.robot->goAway(QStringLiteral("connection refused"));
     const int before = bench.robot->connects;
     QTest::mouseClick(window.overlay()->notice()->findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(bench.robot->connects, before + 1);
@@ -141,7 +152,7 @@ class TestWindowMain : public QObject {
 
   void showsNamesOfRobotsAsTheyAre() {
     Bench bench;
-    bench.prepare = [](test::FakeRobot& robot) { robot.limits_text = QStringLiteral("<b>limits</b>"); };
+    bench.prepare = [](test::FakeRobot& robot) { robot.read_only_maker = QStringLiteral("<b>Maker</b>"); };
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
     bench.robot->identify({QStringLiteral("<b>model</b>"), {}, QStringLiteral("<img src=x>&amp; Co"), {}});

@@ -342,20 +342,19 @@ class TestWindowMaps : public QObject {
 
   void tellsWhatTheRobotDoesNotAllow() {
     Bench bench;
-    bench.prepare = [](test::FakeRobot& robot) {
-      robot.limits_text = QStringLiteral("Read only: <i>maps</i> can be looked at.");
-    };
+    bench.prepare = [](test::FakeRobot& robot) { robot.read_only_maker = QStringLiteral("<i>Maker</i>"); };
+    const QString limits = QStringLiteral("Read only: <i>Maker</i>'s interface offers no editing.");
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(kAddress));
-    QCOMPARE(window.robotPanel()->limitsShown(), bench.robot->limits_text);
+    QCOMPARE(window.robotPanel()->limitsShown(), limits);
     NoticeBar* notice = window.overlay()->notice();
     QVERIFY(notice->isVisible());
-    QCOMPARE(notice->sentence(), bench.robot->limits_text);
+    QCOMPARE(notice->sentence(), limits);
     QTest::mouseClick(notice->closeButton(), Qt::LeftButton);
     QVERIFY(!notice->isVisible());
     QVERIFY(!window.connectTo(kAddress));
     QVERIFY(!notice->isVisible());  // once is enough
-    QCOMPARE(window.robotPanel()->limitsShown(), bench.robot->limits_text);
+    QCOMPARE(window.robotPanel()->limitsShown(), limits);
   }
 };
 

@@ -181,7 +181,7 @@ class TestWindowSafety : public QObject {
     bench.robot->say(stop(true));
     const auto row = [&]() -> const session::LoggedProblem* {
       for (const auto& each : window.session()->problems().rows()) {
-        if (each.problem.subject.id == "Emergency stop") return &each;
+        if (each.problem.subject.id == "emergency-stop") return &each;
       }
       return nullptr;
     };
@@ -318,6 +318,8 @@ class TestWindowSafety : public QObject {
     QCOMPARE(window.bar()->mapShown(), QStringLiteral("Ground floor"));
     window.openMap(stored("2"));
     QTRY_COMPARE(window.windowTitle(), QStringLiteral("Map 2 – dock-3 – mapwright"));
+    bench.robot->identify({{}, {}, QStringLiteral("Map 2"), {}});
+    QTRY_COMPARE(window.windowTitle(), QStringLiteral("Map 2 – mapwright"));
     QTRY_COMPARE(window.bar()->mapShown(), QStringLiteral("Map 2, 80 x 60 cells"));
     QVERIFY(window.bar()->loadingShown().isEmpty());  // no submap is on screen
     window.setMapMode(ViewMode::Both);

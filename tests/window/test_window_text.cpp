@@ -107,8 +107,9 @@ class TestWindowText : public QObject {
     QCOMPARE(bytesText(1500), QStringLiteral("1.5 KB"));
     QCOMPARE(bytesText(42'100'000), QStringLiteral("42.1 MB"));
     QCOMPARE(bytesText(999'999), QStringLiteral("1.0 MB"));
-    QCOMPARE(plural(1, QStringLiteral("problem")), QStringLiteral("1 problem"));
-    QCOMPARE(plural(12480, QStringLiteral("submap")), QStringLiteral("12,480 submaps"));
+    QCOMPARE(problemsText(1), QStringLiteral("1 problem"));
+    QCOMPARE(problemsText(0), QStringLiteral("0 problems"));
+    QCOMPARE(submapsText(12480), QStringLiteral("12,480 submaps"));
     QCOMPARE(lengthText(12.3456), QStringLiteral("12.346 m"));
     QCOMPARE(lengthText(12'345.6), QStringLiteral("12.346 km"));
   }
@@ -290,7 +291,7 @@ class TestWindowText : public QObject {
     harmless(prettyJson(evil.toUtf8()));
     session::ProblemLog log;
     const QDateTime now = QDateTime::currentDateTime();
-    log.add({map::Severity::Error, evil.toStdString(), evil.toStdString()}, now);
+    log.add({map::Severity::Error, evil.toStdString(), map::said(evil.toStdString())}, now);
     harmless(log.toText(now));
     harmless(problemLine(log.rows()[0]));
     ProblemsModel model;
@@ -307,13 +308,13 @@ class TestWindowText : public QObject {
     ProblemsModel model;
     const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
     const map::Subject topic(map::SubjectKind::Topic, "/x"), other(map::SubjectKind::Topic, "/y");
-    log.add({map::Severity::Error, topic, "7 bytes."}, noon);
-    log.add({map::Severity::Error, other, "Odd."}, noon);
+    log.add({map::Severity::Error, topic, map::said("7 bytes.")}, noon);
+    log.add({map::Severity::Error, other, map::said("Odd.")}, noon);
     model.sync(log.rows());
     const QPersistentModelIndex first(model.index(0, ProblemsModel::SentenceColumn));
     QSignalSpy removed(&model, &QAbstractItemModel::rowsRemoved);
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-    log.add({map::Severity::Error, topic, "8 bytes."}, noon.addSecs(5));
+    log.add({map::Severity::Error, topic, map::said("8 bytes.")}, noon.addSecs(5));
     model.sync(log.rows());
     QCOMPARE(removed.size(), 0);
     QCOMPARE(changed.size(), 1);
@@ -327,7 +328,7 @@ class TestWindowText : public QObject {
     QVERIFY(tip.contains(QLatin1String("12:00:00")) && tip.contains(QLatin1String("12:00:05")) &&
             tip.contains(QLatin1String("12:01:05")));
     log.clear();
-    log.add({map::Severity::Error, topic, "9 bytes."}, noon.addSecs(70));
+    log.add({map::Severity::Error, topic, map::said("9 bytes.")}, noon.addSecs(70));
     model.sync(log.rows());
     QCOMPARE(model.rowCount(), 1);
     QVERIFY(!first.isValid());

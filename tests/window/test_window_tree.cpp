@@ -1,4 +1,7 @@
 // The tree of submaps: incremental, tri-state, filtered.
+#include <algorithm>
+#include <random>
+
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
@@ -25,8 +28,18 @@ struct Bench {
   }
   ~Bench() { model.setSession(nullptr); }
   void list(std::vector<map::SubmapEntry> entries) {
-    robot->list(std::move(entries));
+    say(std::move(entries));
     model.sync();
+  }
+  /// Long lists are looked at aside.
+  void say(const std::vector<map::SubmapEntry>& entries) {
+    robot->list(entries);
+    const submap::SubmapBook& book = session->book();
+    QTRY_VERIFY(book.rows().size() == entries.size() &&
+                std::all_of(entries.begin(), entries.end(), [&](const map::SubmapEntry& entry) {
+                  const submap::SubmapRow* row = book.find(entry.id);
+                  return row && row->entry == entry;
+                }));
   }
   QModelIndex all() const { return model.index(0, 0); }
 
@@ -41,6 +54,27 @@ std::vector<map::SubmapEntry> entries(int trajectories, int each) {
     for (int i = 0; i < each; ++i) made.push_back(test::entry(t, i, 1, i * 5.0, t * 5.0));
   }
   return made;
+}
+
+bool sameRows(const SubmapTreeModel& one, const SubmapTreeModel& other) {
+  const QModelIndex all = one.index(0, 0), other_all = other.index(0, 0);
+  const auto sameTotal = [](const QModelIndex& a, const QModelIndex& b) {
+    return a.data(SubmapTreeModel::TotalRole) == b.data(SubmapTreeModel::TotalRole);
+  };
+  if (one.rowCount(all) != other.rowCount(other_all) || !sameTotal(all, other_all)) return false;
+  for (int branch = 0; branch < one.rowCount(all); ++branch) {
+    const QModelIndex here = one.index(branch, 0, all), there = other.index(branch, 0, other_all);
+    if (one.rowCount(here) != other.rowCount(there) || !sameTotal(here, there)) return false;
+    for (int row = 0; row < one.rowCount(here); ++row) {
+      if (!(one.facts(one.index(row, 0, here)) == other.facts(other.index(row, 0, there)))) return false;
+    }
+  }
+  for (const auto flag : {&SubmapFacts::nearby, &SubmapFacts::incremental}) {
+    int here = 0, there = 0;
+    if (one.visibilityWhere(flag, &here) != other.visibilityWhere(flag, &there) || here != there)
+      return false;
+  }
+  return true;
 }
 
 QVariant check(const QModelIndex& index) { return index.data(Qt::CheckStateRole); }
@@ -106,6 +140,34 @@ class TestWindowTree : public QObject {
     QVERIFY(held.isValid());
     QCOMPARE(held.data().toString(), QStringLiteral("#1234 v9"));
     QCOMPARE(bench.model.rowCount(bench.model.index(0, 0, bench.all())), 2499);
+  }
+
+  /// What is told row by row comes to what a walk over all of them gives.
+  void followsTouchedRows() {
+    Bench bench;
+    SubmapTreeModel follower;
+    const QAbstractItemModelTester tester(&follower);
+    follower.setSession(bench.session.get());
+    QObject::connect(
+        bench.session.get(), &session::Session::rowsTouched, &follower,
+        [&](const session::TouchedRows& rows) { rows.all ? follower.sync() : follower.syncRows(rows.ids); });
+    bench.list(entries(3, 40));
+    std::mt19937 random(3);
+    for (int round = 0; round < 60; ++round) {
+      std::vector<map::SubmapEntry> list;
+      for (map::SubmapEntry& entry : entries(3, 44)) {
+        if (random() % 12 == 0 || (round % 10 == 9 && entry.id.trajectory == 1)) continue;
+        if (random() % 8 == 0) entry.version = int(random() % 5) + 1;
+        entry.is_frozen = random() % 9 == 0;
+        entry.is_nearby = random() % 7 == 0;
+        list.push_back(entry);
+      }
+      bench.list(list);
+      bench.session->setVisible({{0, int(random() % 40)}, {2, int(random() % 40)}}, random() % 2 == 0);
+      bench.model.sync();
+      QTRY_VERIFY(sameRows(follower, bench.model));
+    }
+    follower.setSession(nullptr);
   }
 
   void saysNeighbouringChangesAtOnce() {

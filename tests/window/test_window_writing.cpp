@@ -7,7 +7,7 @@
 #include <QRadioButton>
 #include <QtTest>
 
-#include "raster/export_grid.h"
+#include "grids/export_grid.h"
 #include "window/dialogs/export_dialog.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
@@ -36,7 +36,7 @@ class SmallDisk {
 };
 
 WholeMapExport smallMap() {
-  const auto builder = raster::buildGrid(60, 40, raster::CellCode::Gray, raster::Reduction::OccupiedWins);
+  const auto builder = grids::buildGrid(60, 40, grids::CellCode::Gray, grids::Reduction::OccupiedWins);
   for (int v = 0; v < 40; ++v) builder->pushRow(std::vector<std::uint8_t>(60, std::uint8_t(v * 5)));
   builder->finish();
   return {builder->pyramid(), {60, 40, 0.05, {0, 0, 0}}};
@@ -120,7 +120,7 @@ class TestWindowWriting : public QObject {
       offer.whole = smallMap();
       offer.folder = folder_->path();
       offer.sources = {at("map.yaml").toStdString(), at("map.pgm").toStdString()};
-      ExportDialog dialog(offer);
+      ExportDialog dialog(offer, std::make_shared<work::Workers>());
       QSignalSpy exported(&dialog, &ExportDialog::exported);
       dialog.formatButton(ExportFormat::MapServer)->setChecked(true);
       dialog.pathEdit()->setText(at(name));
@@ -132,7 +132,7 @@ class TestWindowWriting : public QObject {
     ExportOffer offer;
     offer.whole = smallMap();
     offer.sources = {at("map.yaml").toStdString(), at("map.pgm").toStdString()};
-    ExportDialog dialog(offer);
+    ExportDialog dialog(offer, std::make_shared<work::Workers>());
     dialog.formatButton(ExportFormat::MapServer)->setChecked(true);
     dialog.pathEdit()->setText(at("map.yaml"));
     dialog.start();
@@ -146,7 +146,7 @@ class TestWindowWriting : public QObject {
       put(at(name), "what was there");
       ExportOffer offer;
       offer.whole = smallMap();
-      ExportDialog dialog(offer);
+      ExportDialog dialog(offer, std::make_shared<work::Workers>());
       const bool pair = at(name).endsWith(QStringLiteral("m")) || at(name).endsWith(QStringLiteral("l"));
       dialog.formatButton(pair ? ExportFormat::MapServer : ExportFormat::MapPicture)->setChecked(true);
       dialog.worldFileBox()->setChecked(!pair);
@@ -165,7 +165,13 @@ class TestWindowWriting : public QObject {
                           const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
                          return std::unique_ptr<robot::Robot>(std::make_unique<test::FakeRobot>(address));
                        },
-                       settings});
+                       settings,
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       test::knownAddresses()});
     QVERIFY(!window.connectTo(kAddress));
     const auto said = [&] { return window.overlay()->toasts()->texts().filter(settings.fileName()).size(); };
     QCOMPARE(said(), qsizetype(1));

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "fake_robot.h"
+#include "known_addresses.h"
 #include "window/docks/inspector_dock.h"
 #include "window/main_window.h"
 #include "window/map/map_view.h"
@@ -38,6 +39,10 @@ struct Bench {
         },
         settings};
     wanted.yamls_naming = yamls_naming;
+    wanted.edit = edit;
+    wanted.workers = workers;
+    wanted.budgets = budgets;
+    wanted.addresses = knownAddresses();
     window = std::make_unique<MainWindow>(std::move(wanted));
     window->resize(size);
     window->show();
@@ -77,6 +82,9 @@ struct Bench {
   QByteArray secret;  // that of the last connection
   std::function<void(FakeRobot&)> prepare;
   std::function<QStringList(const QString&)> yamls_naming;
+  edit::EditOptions edit;
+  std::shared_ptr<work::Workers> workers = std::make_shared<work::Workers>();
+  work::Budgets budgets = work::budgetsFrom();
 };
 
 }  // namespace mapwright::test

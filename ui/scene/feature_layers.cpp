@@ -72,19 +72,22 @@ QColor pointColor(const MapTheme& theme, int type) {
 
 }  // namespace
 
+void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& at, double yaw_rad,
+                 const QColor& color) {
+  const double heading = yaw_rad + context.view.rotation_rad;
+  const QPointF tip = at + QPointF(std::cos(heading), -std::sin(heading)) * 13;
+  painter.setPen(QPen(context.theme.text_halo, 5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(at, tip);
+  painter.setPen(QPen(color, 2.5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(at, tip);
+}
+
 void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
                std::optional<double> yaw_rad, const QColor& color, const QString& name) {
   const QPointF at = toPoint(context.view.pixelFromWorld(world_m));
   if (!inView(context.view, QRectF(at, QSizeF(1, 1)).adjusted(-200, 0, 0, 0))) return;
   painter.setRenderHint(QPainter::Antialiasing);
-  if (yaw_rad) {
-    const double heading = *yaw_rad + context.view.rotation_rad;
-    const QPointF tip = at + QPointF(std::cos(heading), -std::sin(heading)) * 13;
-    painter.setPen(QPen(context.theme.text_halo, 5, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(at, tip);
-    painter.setPen(QPen(color, 2.5, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(at, tip);
-  }
+  if (yaw_rad) drawHeading(painter, context, at, *yaw_rad, color);
   painter.setPen(QPen(context.theme.text_halo, 1.5));
   painter.setBrush(color);
   painter.drawEllipse(at, 5, 5);
@@ -222,16 +225,6 @@ void OverlaysLayer::paintLine(QPainter& painter, const map::OverlayFeature& feat
           QPen(color, wall ? 3 : 2, wall ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPolyline(line);
     }
-  }
-}
-
-WaypointsLayer::WaypointsLayer(const LayerContext& context, const map::WaypointList& list)
-    : LayerItem(context), list_(list) {}
-
-void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  for (const map::Waypoint& point : list_.points) {
-    drawPlace(*painter, context_, point.position_m, point.yaw_rad, context_.theme.place,
-              point.name.empty() ? shortName(point.id) : shortName(point.name));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 
+#include "scene/grid_steps.h"
 #include "scene/map_layers.h"
 
 namespace mapwright::scene {
@@ -31,16 +32,6 @@ QList<QLineF> gridLines(const geometry::ViewTransform& view, double step, int ax
     lines << QLineF(toPoint(view.pixelFromWorld(a)), toPoint(view.pixelFromWorld(b)));
   }
   return lines;
-}
-
-/// Steps of 1, 2 or 5 times a power of ten, the minor one at least `least`; major lines fall on round
-/// numbers.
-std::pair<double, double> gridSteps(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  if (power >= least) return {power, power * 10};
-  if (2 * power >= least) return {2 * power, 10 * power};
-  if (5 * power >= least) return {5 * power, 50 * power};
-  return {10 * power, 100 * power};
 }
 
 struct LineSet {
@@ -79,6 +70,15 @@ void drawUpright(QPainter& painter, const std::array<LineSet, 3>& sets, const QR
 
 }  // namespace
 
+GridSteps gridSteps(const geometry::ViewTransform& view) {
+  const double least = kMinorSpacingPx * view.scale_m_per_px;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  if (power >= least) return {power, power * 10};
+  if (2 * power >= least) return {2 * power, 10 * power};
+  if (5 * power >= least) return {5 * power, 50 * power};
+  return {10 * power, 100 * power};
+}
+
 double roundDown125(double value) {
   if (!(value > 0) || !std::isfinite(value)) return 1;
   const double power = std::pow(10.0, std::floor(std::log10(value)));
@@ -90,7 +90,7 @@ double roundDown125(double value) {
 
 void GridLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const geometry::ViewTransform& view = context_.view;
-  const auto [minor, major] = gridSteps(kMinorSpacingPx * view.scale_m_per_px);
+  const auto [minor, major] = gridSteps(view);
   std::array<LineSet, 3> sets{LineSet{{}, context_.theme.grid_minor}, LineSet{{}, context_.theme.grid_major},
                               LineSet{{}, context_.theme.axis}};
   for (const int axis : {0, 1}) {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <QCoreApplication>
+
 namespace mapwright::scene {
 namespace {
 
@@ -10,38 +12,36 @@ struct Row {
   const char* name;
   const char* title;
   bool shown;
-  const char* topics;  // space-separated
 };
 
 constexpr std::array kRows{
-    Row{Layer::WholeMap, "whole", "Whole map", false, "/map_v2"},
-    Row{Layer::Submaps, "submaps", "Submaps", true, ""},
-    Row{Layer::Incremental, "incremental", "Incremental", false, "/incremental_map_v2"},
-    Row{Layer::EnvMatch, "match", "Match map", false, "/env_match_map"},
-    Row{Layer::EnvSymmetry, "symmetry", "Symmetry map", false, "/env_symmetry_map"},
-    Row{Layer::CostmapLow, "costmap", "Costmap, coarse", false, "/maps/5cm/1hz"},
-    Row{Layer::CostmapHigh, "costmap-high", "Costmap, fine", false, "/maps/1cm/1hz"},
-    Row{Layer::Grid, "grid", "Grid", true, ""},
-    Row{Layer::Overlays, "overlays", "Overlays", true, "/map/info"},
-    Row{Layer::Waypoints, "waypoints", "Nav. points", true, ""},
-    Row{Layer::Landmarks, "landmarks", "Landmarks", true, "/landmarks"},
-    Row{Layer::Doors, "doors", "Auto doors", true, "/nearby_auto_doors"},
-    Row{Layer::Boxes, "boxes", "Pallets, racks", true,
-        "/detected_pallets /detected_rack /vision_detected_objects"},
-    Row{Layer::Constraints, "constraints", "Constraints", false, "/constraint_list"},
-    Row{Layer::Outlines, "outlines", "Outlines", false, ""},
-    Row{Layer::Ids, "ids", "Submap ids", false, ""},
-    Row{Layer::Trajectory, "trajectory", "Trajectory", false, "/trajectory /trajectory_node_list"},
-    Row{Layer::Path, "path", "Path", true, "/path"},
-    Row{Layer::LocalPath, "local-path", "Local path", true, "/local_path"},
-    Row{Layer::Target, "target", "Target", true, "/planning_state"},
-    Row{Layer::Cloud, "cloud", "Lidar points", true, "/scan_matched_points2"},
-    Row{Layer::NearbyRobots, "robots", "Nearby robots", true, "/nearby_robots /nearby_robot_footprints"},
-    Row{Layer::Trail, "trail", "Trail", true, ""},
-    Row{Layer::ExpandedFootprint, "expanded-footprint", "Wide footprint", false, ""},
-    Row{Layer::Footprint, "footprint", "Footprint", true, ""},
-    Row{Layer::Robot, "robot", "Robot", true, ""},
-    Row{Layer::ScaleBar, "scalebar", "Scale bar", true, ""},
+    Row{Layer::WholeMap, "whole", QT_TRANSLATE_NOOP("scene", "Whole map"), false},
+    Row{Layer::Submaps, "submaps", QT_TRANSLATE_NOOP("scene", "Submaps"), true},
+    Row{Layer::Incremental, "incremental", QT_TRANSLATE_NOOP("scene", "Incremental"), false},
+    Row{Layer::EnvMatch, "match", QT_TRANSLATE_NOOP("scene", "Match map"), false},
+    Row{Layer::EnvSymmetry, "symmetry", QT_TRANSLATE_NOOP("scene", "Symmetry map"), false},
+    Row{Layer::CostmapLow, "costmap", QT_TRANSLATE_NOOP("scene", "Costmap, coarse"), false},
+    Row{Layer::CostmapHigh, "costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, fine"), false},
+    Row{Layer::Grid, "grid", QT_TRANSLATE_NOOP("scene", "Grid"), true},
+    Row{Layer::Overlays, "overlays", QT_TRANSLATE_NOOP("scene", "Overlays"), true},
+    Row{Layer::Waypoints, "waypoints", QT_TRANSLATE_NOOP("scene", "Waypoints"), true},
+    Row{Layer::Landmarks, "landmarks", QT_TRANSLATE_NOOP("scene", "Landmarks"), true},
+    Row{Layer::Doors, "doors", QT_TRANSLATE_NOOP("scene", "Auto doors"), true},
+    Row{Layer::Boxes, "boxes", QT_TRANSLATE_NOOP("scene", "Pallets, racks"), true},
+    Row{Layer::Constraints, "constraints", QT_TRANSLATE_NOOP("scene", "Constraints"), false},
+    Row{Layer::Outlines, "outlines", QT_TRANSLATE_NOOP("scene", "Outlines"), false},
+    Row{Layer::Ids, "ids", QT_TRANSLATE_NOOP("scene", "Submap ids"), false},
+    Row{Layer::Trajectory, "trajectory", QT_TRANSLATE_NOOP("scene", "Trajectory"), false},
+    Row{Layer::Path, "path", QT_TRANSLATE_NOOP("scene", "Path"), true},
+    Row{Layer::LocalPath, "local-path", QT_TRANSLATE_NOOP("scene", "Local path"), true},
+    Row{Layer::Target, "target", QT_TRANSLATE_NOOP("scene", "Target"), true},
+    Row{Layer::Cloud, "cloud", QT_TRANSLATE_NOOP("scene", "Lidar points"), true},
+    Row{Layer::NearbyRobots, "robots", QT_TRANSLATE_NOOP("scene", "Nearby robots"), true},
+    Row{Layer::Trail, "trail", QT_TRANSLATE_NOOP("scene", "Trail"), true},
+    Row{Layer::ExpandedFootprint, "expanded-footprint", QT_TRANSLATE_NOOP("scene", "Wide footprint"), false},
+    Row{Layer::Footprint, "footprint", QT_TRANSLATE_NOOP("scene", "Footprint"), true},
+    Row{Layer::Robot, "robot", QT_TRANSLATE_NOOP("scene", "Robot"), true},
+    Row{Layer::ScaleBar, "scalebar", QT_TRANSLATE_NOOP("scene", "Scale bar"), true},
 };
 
 const Row& rowOf(Layer layer) {
@@ -54,7 +54,7 @@ const Row& rowOf(Layer layer) {
 
 QString layerName(Layer layer) { return QString::fromLatin1(rowOf(layer).name); }
 
-QString layerTitle(Layer layer) { return QString::fromLatin1(rowOf(layer).title); }
+QString layerTitle(Layer layer) { return QCoreApplication::translate("scene", rowOf(layer).title); }
 
 std::vector<Layer> allLayers() {
   std::vector<Layer> layers;
@@ -64,8 +64,56 @@ std::vector<Layer> allLayers() {
 
 bool shownByDefault(Layer layer) { return rowOf(layer).shown; }
 
-QStringList layerTopics(Layer layer) {
-  return QString::fromLatin1(rowOf(layer).topics).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+map::Streams layerStreams(Layer layer) {
+  using map::Stream;
+  switch (layer) {
+    case Layer::WholeMap:
+      return {Stream::WholeMap};
+    case Layer::Incremental:
+      return {Stream::Incremental};
+    case Layer::EnvMatch:
+      return {Stream::EnvMatch};
+    case Layer::EnvSymmetry:
+      return {Stream::EnvSymmetry};
+    case Layer::CostmapLow:
+      return {Stream::CostmapLow};
+    case Layer::CostmapHigh:
+      return {Stream::CostmapHigh};
+    case Layer::Overlays:
+      return {Stream::MapInfo};
+    case Layer::Landmarks:
+      return {Stream::Landmarks};
+    case Layer::Doors:
+      return {Stream::Doors};
+    case Layer::Boxes:
+      return {Stream::Pallets, Stream::Racks, Stream::SeenObjects};
+    case Layer::Constraints:
+      return {Stream::Constraints};
+    case Layer::Trajectory:
+      return {Stream::Trajectory};
+    case Layer::Path:
+      return {Stream::Path};
+    case Layer::LocalPath:
+      return {Stream::LocalPath};
+    case Layer::Target:
+      return {Stream::Planning};
+    case Layer::Cloud:
+      return {Stream::Cloud};
+    case Layer::NearbyRobots:
+      return {Stream::NearbyRobots, Stream::NearbyFootprints};
+    case Layer::Submaps:
+    case Layer::Grid:
+    case Layer::Waypoints:
+    case Layer::Outlines:
+    case Layer::Ids:
+    case Layer::Trail:
+    case Layer::ExpandedFootprint:
+    case Layer::Footprint:
+    case Layer::Robot:
+    case Layer::ScaleBar:
+      break;
+  }
+  return {};
 }
 
 bool followsRobot(Layer layer) {
@@ -89,23 +137,25 @@ LayerTraits layerTraits(Layer layer) {
     traits.color = true;
     traits.size_px = {1, 12};
     traits.default_size_px = width;
-    traits.size_title = QStringLiteral("Line width");
+    traits.size_title = QCoreApplication::translate("scene", "Line width");
     return traits;
   };
   LayerTraits traits;
   switch (layer) {
     case Layer::WholeMap:
-      traits.choice_title = QStringLiteral("Zoomed out");
-      traits.choices = {QStringLiteral("Occupied wins"), QStringLiteral("Average")};
+      traits.choice_title = QCoreApplication::translate("scene", "Zoomed out");
+      traits.choices = {QCoreApplication::translate("scene", "Occupied wins"),
+                        QCoreApplication::translate("scene", "Average")};
       return traits;
     case Layer::Cloud:
       traits.color = true;
       traits.size_px = {1, 8};
       traits.default_size_px = 2;
-      traits.size_title = QStringLiteral("Point size");
-      traits.choice_title = QStringLiteral("Colour");
-      traits.choices = {QStringLiteral("One colour"), QStringLiteral("By intensity"),
-                        QStringLiteral("By height")};
+      traits.size_title = QCoreApplication::translate("scene", "Point size");
+      traits.choice_title = QCoreApplication::translate("scene", "Colour");
+      traits.choices = {QCoreApplication::translate("scene", "One colour"),
+                        QCoreApplication::translate("scene", "By intensity"),
+                        QCoreApplication::translate("scene", "By height")};
       return traits;
     case Layer::Path:
       return line(3);

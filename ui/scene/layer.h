@@ -8,6 +8,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "map/stream.h"
+
 namespace mapwright::scene {
 
 /// Everything that can be shown, in the default order, bottom first.
@@ -48,8 +50,8 @@ QString layerTitle(Layer layer);
 /// The default order, bottom first.
 std::vector<Layer> allLayers();
 bool shownByDefault(Layer layer);
-/// The topics that a robot has to send for it; empty when it needs none beside those that are always on.
-QStringList layerTopics(Layer layer);
+/// What a robot has to send for it; empty when it needs nothing beside what is always on.
+map::Streams layerStreams(Layer layer);
 /// True when it shows what the robot is, sees or plans: it means nothing on a map that the robot is not in.
 /// (The open map's own landmarks and trajectories stay.)
 bool followsRobot(Layer layer);

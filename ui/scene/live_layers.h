@@ -9,8 +9,8 @@
 #include <QImage>
 
 #include "map/overlay.h"
-#include "map/waypoint.h"
 #include "render/grid_renderer.h"
+#include "scene/drawn_waypoint.h"
 #include "scene/layer_item.h"
 #include "scene/line_sheet.h"
 
@@ -140,11 +140,11 @@ class OverlaysLayer : public LayerItem {
 /// Named places with their headings.
 class WaypointsLayer : public LayerItem {
  public:
-  WaypointsLayer(const LayerContext& context, const map::WaypointList& list);
+  WaypointsLayer(const LayerContext& context, const std::vector<DrawnWaypoint>& points);
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  const map::WaypointList& list_;
+  const std::vector<DrawnWaypoint>& points_;
 };
 
 /// The line between the two halves of a swipe.
@@ -158,6 +158,9 @@ class SwipeLayer : public LayerItem {
   double at_ = 0.5;
 };
 
+/// The tick of a heading, from a place in viewport pixels.
+void drawHeading(QPainter& painter, const LayerContext& context, const QPointF& at, double yaw_rad,
+                 const QColor& color);
 /// A place: a dot with a tick along its heading, and its name when there is room.
 void drawPlace(QPainter& painter, const LayerContext& context, const Eigen::Vector2d& world_m,
                std::optional<double> yaw_rad, const QColor& color, const QString& name);

@@ -32,7 +32,11 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* pare
     syncColors();
     Q_EMIT contentChanged();
   });
-  connect(renderer_.get(), &render::TileRenderer::tilesChanged, this, [this] { impl_->tiles->update(); });
+  connect(renderer_.get(), &render::TileRenderer::tilesChanged, this, &MapScene::paintContentSoon);
+  impl_->clock.start();
+  impl_->repaint_timer.setSingleShot(true);
+  impl_->repaint_timer.setTimerType(Qt::PreciseTimer);
+  connect(&impl_->repaint_timer, &QTimer::timeout, this, &MapScene::paintContent);
   connect(renderer_.get(), &render::TileRenderer::settledChanged, this, [this] { noteSettled(); });
   syncColors();
   geometry::ViewTransform view;
@@ -43,12 +47,45 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* pare
 
 void MapScene::drawBackground(QPainter* painter, const QRectF& rect) {
   impl_->labels.clear();
+  impl_->began_ms = impl_->nowMs();
   QGraphicsScene::drawBackground(painter, rect);
+}
+
+void MapScene::drawForeground(QPainter* painter, const QRectF& rect) {
+  QGraphicsScene::drawForeground(painter, rect);
+  // A robot that moves paints a small part of it again: that says nothing of what the whole takes.
+  const bool whole = rect.width() * rect.height() > view_.width_px * view_.height_px / 2.0;
+  if (whole) impl_->pace.painted(impl_->began_ms, impl_->nowMs());
+}
+
+void MapScene::paintContentSoon() {
+  if (impl_->repaint_timer.isActive()) return;
+  const double wait_ms = impl_->pace.waitMs(impl_->nowMs());
+  if (wait_ms > 0) {
+    impl_->repaint_timer.start(int(std::ceil(wait_ms)));
+  } else {
+    paintContent();
+  }
+}
+
+void MapScene::paintContent() {
+  impl_->tiles->update();
+  for (const Layer layer : {Layer::Outlines, Layer::Ids}) impl_->items.at(layer)->update();
+  if (!impl_->highlighted.empty()) impl_->highlight->update();
 }
 
 MapScene::~MapScene() {
   if (session_) session_->disconnect(this);
   clear();  // the items paint with what impl_ holds
+}
+
+work::Budgets MapScene::memory() const {
+  const render::TileCounts tiles = renderer_->counts();
+  work::Budgets held;
+  held.dense = tiles.dense_bytes;
+  held.tiles = tiles.cache_bytes;
+  held.grid_tiles = impl_->raster.cacheBytes();
+  return held;
 }
 
 void MapScene::setSession(session::Session* session) {
@@ -140,10 +177,7 @@ void MapScene::syncPlaced(const std::vector<map::SubmapId>& ids) {
   }
   if (!gone.empty()) renderer_->remove(gone);
   if (!placed.empty()) renderer_->upsert(std::move(placed));
-  for (LayerItem* item : {impl_->items.at(Layer::Outlines), impl_->items.at(Layer::Ids),
-                          static_cast<LayerItem*>(impl_->highlight)}) {
-    item->update();
-  }
+  paintContentSoon();
 }
 
 void MapScene::setView(const geometry::ViewTransform& view) {
@@ -245,13 +279,12 @@ void MapScene::syncFeatures() {
 
 void MapScene::sendWants() {
   if (!session_) return;
-  QStringList topics;
+  map::Streams streams;
   for (const Layer layer : allLayers()) {
-    if (layerVisible(layer)) topics += layerTopics(layer);
+    if (layerVisible(layer)) streams.merge(layerStreams(layer));
   }
-  if (impl_->compare != CompareMode::Off) topics += layerTopics(Layer::WholeMap);
-  topics.removeDuplicates();
-  session_->want(QStringLiteral("layers"), topics);
+  if (impl_->compare != CompareMode::Off) streams.merge(layerStreams(Layer::WholeMap));
+  session_->want(QStringLiteral("layers"), streams);
 }
 
 void MapScene::noteSettled() {
@@ -319,7 +352,7 @@ std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
   if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() < whole->reference.width &&
         cell.y() < whole->reference.height))
     return std::nullopt;
-  const raster::CellMeaning& meaning = raster::meaningOf(whole->cells->code());
+  const grids::CellMeaning& meaning = grids::meaningOf(whole->cells->code());
   const std::uint8_t byte = whole->cells->at(int(cell.x()), int(cell.y()));
   if (!meaning.known[byte]) return std::nullopt;
   return meaning.occupancy[byte];

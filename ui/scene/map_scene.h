@@ -14,6 +14,7 @@
 #include "geometry/view_transform.h"
 #include "render/sample_grid.h"
 #include "render/tile_renderer.h"
+#include "scene/drawn_waypoint.h"
 #include "scene/layer.h"
 #include "scene/map_theme.h"
 #include "scene/robot_place.h"
@@ -70,6 +71,10 @@ class MapScene : public QGraphicsScene {
   /// The topmost visible submap whose slice covers the point.
   std::optional<map::SubmapId> submapAt(const Eigen::Vector2d& world_m) const;
 
+  /// Waypoints as they are being edited, in the place of those that the robot tells of that map; nullopt =
+  /// none are.
+  void setWaypoints(std::optional<DrawnWaypoints> waypoints);
+
   void setMeasurement(std::optional<Measurement> measurement);
 
   render::TileRenderer& renderer() { return *renderer_; }
@@ -77,6 +82,8 @@ class MapScene : public QGraphicsScene {
   std::vector<render::PlacedTexture> placedTextures() const;
   /// The whole map that is shown or could be; nullopt while none is open.
   std::optional<render::PlacedGrid> wholeMap() const;
+  /// What the tiles and the cells laid out for them take. Of the other caches it knows nothing.
+  work::Budgets memory() const;
   /// Occupancy in percent (0 free .. 100 occupied) at a point; nullopt where nothing was observed.
   std::optional<int> occupancyAt(const Eigen::Vector2d& world_m) const;
   /// Every listed submap's picture is in, every visible map is read, and every visible tile is exact.
@@ -103,6 +110,7 @@ class MapScene : public QGraphicsScene {
 
  protected:
   void drawBackground(QPainter* painter, const QRectF& rect) override;
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
   class Impl;
@@ -116,6 +124,8 @@ class MapScene : public QGraphicsScene {
   void applyReduction();
   void noteSettled();
   void syncPlaced(const std::vector<map::SubmapId>& ids);
+  void paintContentSoon();
+  void paintContent();
   void syncAll();
 
   session::Session* session_ = nullptr;

@@ -1,7 +1,11 @@
 // What a MapScene holds besides its face. Private to this room.
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
+
 #include "scene/map_scene.h"
+#include "scene/repaint_pace.h"
 #include "scene/scene_items.h"
 
 namespace mapwright::scene {
@@ -9,6 +13,12 @@ namespace mapwright::scene {
 class MapScene::Impl : public SceneItems {
  public:
   using SceneItems::SceneItems;
+
+  RepaintPace pace;
+  QElapsedTimer clock;
+  QTimer repaint_timer;  // runs while tiles that have come wait to be painted
+  double began_ms = 0;   // of the painting under way
+  double nowMs() const { return double(clock.nsecsElapsed()) * 1e-6; }
 };
 
 }  // namespace mapwright::scene

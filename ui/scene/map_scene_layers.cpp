@@ -5,6 +5,13 @@
 
 namespace mapwright::scene {
 
+void MapScene::setWaypoints(std::optional<DrawnWaypoints> waypoints) {
+  if (!waypoints && !impl_->edited) return;
+  impl_->edited = std::move(waypoints);
+  impl_->takeWaypoints(session_);
+  for (LayerItem* item : impl_->itemsOf(Layer::Waypoints)) item->update();
+}
+
 bool MapScene::layerVisible(Layer layer) const { return impl_->shown.at(layer); }
 
 void MapScene::setLayerVisible(Layer layer, bool visible) {
@@ -34,7 +41,7 @@ void MapScene::applyReduction() {
   if (!session_) return;
   const bool average = WholeMapChoice(layerStyle(Layer::WholeMap).choice) == WholeMapChoice::Average;
   for (session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
-    slot->setReduction(average ? raster::Reduction::Average : raster::Reduction::OccupiedWins);
+    slot->setReduction(average ? grids::Reduction::Average : grids::Reduction::OccupiedWins);
   }
 }
 

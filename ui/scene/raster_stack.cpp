@@ -23,10 +23,10 @@ std::optional<render::PlacedGrid> placedOf(const session::MapSlot& slot) {
 
 render::GridPalette paletteOf(GridKind kind, const session::LayerGrid& grid, const MapTheme& theme) {
   if (!grid.picture.palette.empty()) return render::ownPalette(grid.picture.palette);
-  const raster::GridPyramid& cells = *grid.picture.indices;
+  const grids::GridPyramid& cells = *grid.picture.indices;
   switch (kind) {
     case GridKind::Incremental:
-      return render::incrementalPalette(theme.map, raster::CellCode::Gray);
+      return render::incrementalPalette(theme.map, grids::CellCode::Gray);
     case GridKind::EnvMatch:
     case GridKind::EnvSymmetry:
       return render::matchPalette(render::commonestByte(cells));
@@ -63,6 +63,12 @@ std::vector<const RasterStack::Sheet*> RasterStack::sheets() const {
   std::vector<const Sheet*> all{&whole_, &overview_, &compared_, &difference_};
   for (const auto& [kind, sheet] : grids_) all.push_back(&sheet);
   return all;
+}
+
+std::size_t RasterStack::cacheBytes() const {
+  std::size_t bytes = 0;
+  for (const Sheet* sheet : sheets()) bytes += sheet->renderer->cacheBytes();
+  return bytes;
 }
 
 std::vector<RasterLayer*> RasterStack::items() const {

@@ -43,6 +43,7 @@ class RasterStack : public QObject {
   bool settled() const;
   geometry::WorldRect wholeBounds() const;
   bool overviewShown() const;
+  std::size_t cacheBytes() const;
   std::optional<render::PlacedGrid> wholeMap() const;
 
  Q_SIGNALS:

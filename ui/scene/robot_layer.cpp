@@ -17,7 +17,9 @@ constexpr double kMarkPx = 11;  // half the length of the mark
 void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const auto& trail = context_.live->trail;
   if (trail.size() < 2) return;
-  const std::vector<Eigen::Vector2d> points(trail.begin(), trail.end());
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(trail.size());
+  for (const map::TrailPoint& point : trail) points.push_back(point.position_m);
   const double width = sizeOr(2);
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setBrush(Qt::NoBrush);

@@ -12,8 +12,7 @@ using map::Whereabouts;
 /// Whether the submaps come from a stored map; nullopt while there are none.
 std::optional<bool> ofStoredMap(const submap::SubmapBook& book) {
   if (!book.listReceived() || book.rows().empty()) return std::nullopt;
-  return std::any_of(book.rows().begin(), book.rows().end(),
-                     [](const auto& row) { return row.second.entry.is_frozen; });
+  return book.frozenCount() > 0;
 }
 
 ScreenPart partOf(bool left, bool right) {

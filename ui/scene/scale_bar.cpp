@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
@@ -19,10 +20,11 @@ QString lengthText(double metres) {
     }
     return text;
   };
-  if (metres < 0.0995) return trimmed(metres * 1000, metres < 0.00995 ? 1 : 0) + QStringLiteral(" mm");
-  if (metres < 1) return trimmed(metres * 100, 1) + QStringLiteral(" cm");
+  if (metres < 0.0995)
+    return trimmed(metres * 1000, metres < 0.00995 ? 1 : 0) + QCoreApplication::translate("scene", " mm");
+  if (metres < 1) return trimmed(metres * 100, 1) + QCoreApplication::translate("scene", " cm");
   if (metres < 1000) return trimmed(metres, metres < 100 ? 2 : 1) + QStringLiteral(" m");
-  return trimmed(metres / 1000, metres < 10'000 ? 2 : 1) + QStringLiteral(" km");
+  return trimmed(metres / 1000, metres < 10'000 ? 2 : 1) + QCoreApplication::translate("scene", " km");
 }
 
 void ScaleBarLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {

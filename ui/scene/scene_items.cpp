@@ -11,7 +11,9 @@ namespace {
 render::GridRenderer::Options rasterOptions(const render::TileRenderer::Options& options) {
   render::GridRenderer::Options raster_options;
   raster_options.previews = options.previews;
-  raster_options.threads = options.threads;
+  raster_options.workers = options.workers;
+  raster_options.budget = std::make_shared<render::TileBudget>();
+  raster_options.budget->bytes = options.budgets.grid_tiles;
   return raster_options;
 }
 
@@ -182,13 +184,36 @@ bool SceneItems::placeRobot(const session::Session* session) {
   return !(place == before);
 }
 
+void SceneItems::takeWaypoints(const session::Session* session) {
+  const auto take = [this](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
+    features.waypoints.clear();
+    if (!on_screen || !slot.cells() || slot.shown().key.kind == map::MapKind::Live) return;
+    if (edited && edited->map == slot.shown().key) {
+      features.waypoints = edited->points;
+      return;
+    }
+    for (const map::Waypoint& point : slot.waypoints().points) {
+      DrawnWaypoint drawn;
+      drawn.name = point.name.empty() ? point.id : point.name;
+      drawn.position_m = point.position_m;
+      drawn.yaw_rad = point.yaw_rad;
+      features.waypoints.push_back(std::move(drawn));
+    }
+  };
+  of_whole.waypoints.clear();
+  of_compared.waypoints.clear();
+  if (!session) return;
+  take(session->wholeMap(), onScreen().whole, of_whole);
+  take(session->comparedMap(), onScreen().compared, of_compared);
+}
+
 void SceneItems::takeFeatures(const session::Session* session) {
   for (MapFeatures* features : {&of_whole, &of_compared, &of_robot}) {
     features->overlays.clear();
     features->trajectories.clear();
     features->landmarks.clear();
-    features->waypoints = {};
   }
+  takeWaypoints(session);
   if (!session) return;
   const MapsOnScreen on_screen = onScreen();
   const auto take = [](const session::MapSlot& slot, MapFeatures& features) {
@@ -197,7 +222,6 @@ void SceneItems::takeFeatures(const session::Session* session) {
     features.trajectories = slot.shown().trajectories;
     for (const auto& landmark : slot.shown().landmarks)
       features.landmarks.push_back({landmark.id, landmark.position_m, std::nullopt});
-    features.waypoints = slot.waypoints();
     return true;
   };
   const bool opened = on_screen.whole && take(session->wholeMap(), of_whole);

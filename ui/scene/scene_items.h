@@ -21,7 +21,7 @@ struct MapFeatures {
   std::vector<map::OverlayFeature> overlays;
   std::vector<std::vector<Eigen::Vector2d>> trajectories;
   std::vector<map::Landmark> landmarks;
-  map::WaypointList waypoints;
+  std::vector<DrawnWaypoint> waypoints;
   std::vector<LayerItem*> items;
 };
 
@@ -37,6 +37,8 @@ class SceneItems {
   void applyVisibility();
   /// What lies on the maps that are shown, by what is known of them and by what the robot sends.
   void takeFeatures(const session::Session* session);
+  /// The waypoints among them: those that are being edited, else those that the robot tells.
+  void takeWaypoints(const session::Session* session);
   /// Finds out where the robot belongs; true when that has changed.
   bool placeRobot(const session::Session* session);
   /// All items of a layer: some layers show things of several maps.
@@ -50,7 +52,8 @@ class SceneItems {
   std::vector<Eigen::Vector2d> measured;
   MapFeatures of_whole, of_compared, of_robot;
   RobotPlace place;
-  std::optional<bool> robot_wanted;  // the user's choice for the map on screen
+  std::optional<DrawnWaypoints> edited;  // instead of what the robot tells of that map
+  std::optional<bool> robot_wanted;      // the user's choice for the map on screen
   std::optional<map::MapKey> wanted_on;
   QRectF robot_rect;
   std::size_t trail_length = 0;

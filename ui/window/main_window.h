@@ -1,4 +1,5 @@
-// The window: the map in the middle, docks around it, one robot at a time.
+// The window: the map in the middle, docks around it, one robot at a time. It arranges; what can be done is
+// in the controllers.
 #pragma once
 
 #include <functional>
@@ -9,40 +10,53 @@
 #include <QByteArray>
 #include <QImage>
 #include <QMainWindow>
-#include <QPointer>
-#include <QSet>
 #include <QSettings>
 #include <QString>
-#include <QTimer>
+#include <QUndoGroup>
 #include <tl/expected.hpp>
 
+#include "edit/open_waypoints.h"
 #include "robot/robot.h"
 #include "scene/map_scene.h"
 #include "session/session.h"
 #include "window/actions.h"
-#include "window/dialogs/recent_robots.h"
 #include "window/look/theme.h"
+#include "window/map/hit_list.h"
 #include "window/map/view_mode.h"
-
-class QActionGroup;
-class QDockWidget;
+#include "window/window_context.h"
+#include "work/workers.h"
 
 namespace mapwright::window {
 
+class AppearanceController;
 class CompareControl;
+class CompareController;
 class ConnectDialog;
 class ConnectionChip;
+class ConnectionController;
+class Controller;
+class ExportController;
 class ExportDialog;
+class FilesController;
+class InspectorController;
 class InspectorDock;
+class LayersController;
 class LayersDock;
 class MapOverlay;
+class MapsController;
 class MapsDock;
 class MapView;
 class MeasureTool;
+class MessagesController;
 class MessagesDock;
 class PictureDialog;
+class PicturePlacing;
+class ProblemsController;
 class ProblemsDock;
+class RobotController;
 class RobotDock;
+class ToolsController;
+class WaypointsController;
 class WindowStatusBar;
 
 class MainWindow : public QMainWindow {
@@ -61,12 +75,18 @@ class MainWindow : public QMainWindow {
     /// The map.yaml files beside a picture that name it as theirs. Looks at the disk; called on any thread.
     /// Null: pictures are always asked for their place.
     std::function<QStringList(const QString& picture)> yamls_naming = {};
+    edit::EditOptions edit = {};      // where drafts are kept
+    robot::Addresses addresses = {};  // that people may type
+    /// Of the session, the scene and all else in the background; null = a crew of its own.
+    std::shared_ptr<work::Workers> workers = {};
+    work::Budgets budgets = work::budgetsFrom();  // of all caches
   };
 
   explicit MainWindow(Dependencies dependencies, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Leaves the present robot and goes to another; the error is a sentence, then everything stays as it was.
+  /// Leaves the present robot and goes to another, once what is not saved is saved or let go of; the error is
+  /// a sentence, then everything stays as it was.
   std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
   void leaveRobot();
   /// A map.yaml, a picture (asks how it lies) or a folder. What cannot be opened becomes a toast.
@@ -74,26 +94,27 @@ class MainWindow : public QMainWindow {
   /// Shows a map of the catalogue without loading it on the robot.
   void openMap(const map::MapKey& key);
 
-  session::Session* session() const { return session_.get(); }
+  session::Session* session() const;
   scene::MapScene* mapScene() const { return scene_.get(); }
   MapView* view() const { return view_; }
   const Actions& actionList() const { return actions_; }
-  InspectorDock* inspector() const { return inspector_; }
-  LayersDock* layers() const { return layers_; }
-  MapsDock* maps() const { return maps_; }
-  RobotDock* robotPanel() const { return robot_panel_; }
-  MessagesDock* messages() const { return messages_; }
-  CompareControl* comparison() const { return comparison_; }
+  InspectorDock* inspector() const;
+  LayersDock* layers() const;
+  MapsDock* maps() const;
+  RobotDock* robotPanel() const;
+  MessagesDock* messages() const;
+  CompareControl* comparison() const;
   PictureDialog* pictureDialog() const;  // null: not open
   ExportDialog* exportDialog() const;    // null: not open
   ConnectDialog* secretDialog() const;   // null: not open
-  ProblemsDock* problems() const { return problems_; }
+  ProblemsDock* problems() const;
   WindowStatusBar* bar() const { return bar_; }
   MapOverlay* overlay() const { return overlay_; }
-  ConnectionChip* chip() const { return chip_; }
-  MeasureTool* measureTool() const { return measure_; }
+  ConnectionChip* chip() const;
+  MeasureTool* measureTool() const;
+  WaypointsController* waypoints() const { return waypoints_; }
 
-  ThemeChoice theme() const { return theme_; }
+  ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);
   void setColorMode(render::ColorMode mode);
   void setMapMode(ViewMode mode);
@@ -108,136 +129,48 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
-  void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dragLeaveEvent(QDragLeaveEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
 
  private:
-  // main_window_actions.cpp
-  void createActions();
-  void createRobotActions();
-  void createMapActions();
-  void createViewActions();
-  void createHelpActions();
-  void createMenus();
+  void createControllers(const Dependencies& dependencies);
+  /// What one controller wants of another.
+  void connectControllers();
+  void addOwnActions();
   void createToolBar();
-  void fillRobotMenu(QMenu* menu);
-  void addRecents(QMenu* menu, bool files, const QString& title);
-  std::vector<QDockWidget*> docks() const;
-  // main_window_layout.cpp
-  void createDocks();
-  void arrangeDocks();
-  void placeDocks();
+  void tellControllers(session::Session* session);
   void restoreSettings();
   void saveSettings();
-  void noteSettings();
-  void syncLayerActions();
-  // main_window_map.cpp
-  void wireMap();
-  void showMapMenu(const QPoint& global_pos, const QPointF& viewport_px);
-  void goTo();
-  void fit();
-  void locate(map::SubmapId id);
-  void setMeasuring(bool on);
-  void copyText(const QString& text, const QString& what);
-  void copyCoordinates(const Eigen::Vector2d& world_m);
-  void askAndSavePicture();
   void escape();
-  void showCursor();
-  void fitAtFirst();
-  // main_window_maps.cpp
-  void createModeActions();
-  void createCompareActions();
-  void wireMapsOf(session::Session* session);
-  void syncModeActions();
-  void beginMapMode();
-  void endMapMode();
-  void fitNewMap();
-  void noteMapChange();
-  void refreshMapActions();
-  void compareFile(const QString& path);
-  void compareWithAddress(const QString& address);
-  // main_window_files.cpp
-  void createFileActions();
-  void chooseFile();
-  QString lastMapFolder() const;
-  /// Finds out where a picture lies, from the map.yaml beside it or by asking, and goes on with its address.
-  void placePicture(const QString& path, const QString& accept_text,
-                    const std::function<void(const QString& address)>& then);
-  void askPlacement(const QString& path, const QStringList& named_by, const QString& accept_text,
-                    const std::function<void(const QString& address)>& then);
-  void goToAddress(const QString& address);
-  void exportMap();
-  // main_window_safety.cpp
-  void wireSafety();
-  void refreshSafety();
-  void refreshPlace();
-  void changeRobotPlace();
-  QString submapsOf() const;
-  QString titleOf(const QString& robot) const;
-  /// The local files that the map on screen was read from.
-  std::vector<std::string> sourceFiles() const;
-  // main_window.cpp
-  void retry();
-  void dismissNotice();
-  void wireSession();
-  void openConnectDialog();
-  void enterSecret();
-  void openCertificate();
-  void refreshState();
-  void refreshChip();
-  void refreshNotice();
-  void noteRestart();
-  void noteProblems();
+  void showMapMenu(const QPoint& global_pos, const QPointF& viewport_px);
 
-  Dependencies dependencies_;
-  RecentRobots recents_;
+  QSettings& settings_;
+  std::shared_ptr<work::Workers> workers_;
   Actions actions_;
   std::unique_ptr<scene::MapScene> scene_;
-  std::unique_ptr<session::Session> session_;
-  QString address_;
+  HitList hits_{*scene_};
+  QUndoGroup undo_;
+  MapView* view_;
+  WindowStatusBar* bar_;
+  MapOverlay* overlay_;
+  CurrentSession* current_;
+  std::optional<WindowContext> context_;
 
-  MapView* view_ = nullptr;
-  MeasureTool* measure_ = nullptr;
-  class MapTool* pan_ = nullptr;
-  MapOverlay* overlay_ = nullptr;
-  WindowStatusBar* bar_ = nullptr;
-  ConnectionChip* chip_ = nullptr;
-  InspectorDock* inspector_ = nullptr;
-  LayersDock* layers_ = nullptr;
-  ProblemsDock* problems_ = nullptr;
-  MapsDock* maps_ = nullptr;
-  RobotDock* robot_panel_ = nullptr;
-  MessagesDock* messages_ = nullptr;
-  CompareControl* comparison_ = nullptr;
-  QPointer<PictureDialog> picture_dialog_;
-  quint64 pictures_asked_ = 0;  // only the last one that was wanted is gone on with
-  QPointer<ExportDialog> export_dialog_;
-  QActionGroup* theme_actions_ = nullptr;
-  QActionGroup* mode_actions_ = nullptr;
-  QActionGroup* color_actions_ = nullptr;
-
-  ThemeChoice theme_ = ThemeChoice::System;
-  QTimer cursor_timer_;
-  QString last_uuid_;
-  /// The problems have opened by themselves, once for good: whether they are open is the user's from then on.
-  bool problems_shown_once_ = false;
-  /// Which tabs are in front was restored: nothing raises others by itself.
-  bool front_tabs_chosen_ = false;
-  bool settings_told_ = false;  // that they cannot be kept
-  /// The camera is still ours: the first pictures may be fitted.
-  bool may_fit_ = true;
-  bool fitted_poses_ = false;
-  /// The next whole map is one that the user asked for: look at it.
-  bool fit_next_map_ = false;
-  std::optional<map::MapKey> fitted_map_;
-  /// What was on screen before a robot without submaps left no choice.
-  std::optional<ViewMode> mode_before_;
-  std::optional<map::MapKey> export_when_read_;
-  std::unique_ptr<robot::Robot> compare_source_;  // reads a file for a comparison
-  QSet<QString> dismissed_;                       // notices that were closed
+  AppearanceController* appearance_ = nullptr;
+  CompareController* compare_ = nullptr;
+  ConnectionController* connection_ = nullptr;
+  ExportController* export_ = nullptr;
+  FilesController* files_ = nullptr;
+  InspectorController* inspector_ = nullptr;
+  LayersController* layers_ = nullptr;
+  MapsController* maps_ = nullptr;
+  MessagesController* messages_ = nullptr;
+  PicturePlacing* placing_ = nullptr;
+  ProblemsController* problems_ = nullptr;
+  RobotController* robot_ = nullptr;
+  ToolsController* tools_ = nullptr;
+  WaypointsController* waypoints_ = nullptr;
+  std::vector<Controller*> controllers_;  // in the order in which they were made
+  bool may_close_ = false;                // what is not saved has been thought of
 };
 
 }  // namespace mapwright::window

@@ -2,8 +2,9 @@
 
 #include <utility>
 
+#include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
-#include "words/sentences.h"
+#include "sentences/failure_sentence.h"
 
 namespace mapwright::robot::aimdk {
 namespace {
@@ -16,17 +17,36 @@ constexpr qint64 kMaxAnswerBytes = qint64(384) << 20;  // 256 MB of picture as b
 
 std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
 
-std::string because(const char* what, const net::HttpAnswer& answer) {
-  return words::because(what, answer.sentence.toStdString());
-}
-
 bool knowsNoSuchCall(int status) { return status == 404 || status == 405 || status == 501; }
 
 map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }
 
-map::Problem problem(map::Subject subject, std::string sentence, map::FailureKind failure) {
-  return {map::Severity::Error, std::move(subject), std::move(sentence), map::ProblemCode::Unavailable,
-          failure};
+auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
+
+/// The answer came (2xx) and holds something else.
+map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const RpcError& error) {
+  if (!error.refused)
+    return wire::misread(answer, std::move(subject), error.cause, map::FailureReason::Unfit);
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = std::move(subject),
+          .robot_code = error.code,
+          .detail = error.detail,
+          .cause = error.cause};
+}
+
+/// What was asked for, or why it did not come.
+template <typename T>
+Outcome<T> outcomeOf(const net::HttpAnswer& answer, map::Subject subject, Read<T> read) {
+  if (!answer.ok()) return fail(wire::failed(answer, std::move(subject)));
+  if (!read) return fail(said(answer, std::move(subject), read.error()));
+  return std::move(*read);
+}
+
+map::Failure unasked(map::Subject subject, const char* ids) {
+  return {.kind = map::FailureKind::Unsupported,
+          .subject = std::move(subject),
+          .arguments = {ids},
+          .reason = map::FailureReason::NoSuchId};
 }
 
 }  // namespace
@@ -55,16 +75,21 @@ void AimdkLink::start() {
   });
 }
 
-net::HttpClient::RequestId AimdkLink::call(const char* method, const QByteArray& body,
-                                           std::chrono::milliseconds patience, Taken taken) {
-  start();
+net::HttpRequest AimdkLink::request(const char* method, const QByteArray& body,
+                                    std::chrono::milliseconds patience) const {
   net::HttpRequest request;
+  request.method = net::HttpMethod::Post;
   request.url = options_.base;
   request.url.setPath(options_.base.path() + QStringLiteral("/rpc/") + QLatin1String(method));
   request.body = body;
   request.timeout = patience;
   request.max_bytes = kMaxAnswerBytes;
-  return http_->post(request, std::move(taken));
+  return request;
+}
+
+void AimdkLink::ask(const char* method, const QByteArray& body, Taken taken) {
+  start();
+  asking_ = http_->send(request(method, body, options_.patience), std::move(taken));
 }
 
 void AimdkLink::open() {
@@ -98,7 +123,7 @@ void AimdkLink::attempt() {
   timer_->stop();
   ++attempt_;
   enter(attempt_ == 1 ? ConnectionPhase::Connecting : ConnectionPhase::Interrupted);
-  asking_ = call(kMapNames, mapNamesRequest(), options_.patience, [this](const net::HttpAnswer& answer) {
+  ask(kMapNames, mapNamesRequest(), [this](const net::HttpAnswer& answer) {
     if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
     asking_ = 0;
     const auto maps = parseMapNames(view(answer.body));
@@ -108,8 +133,9 @@ void AimdkLink::attempt() {
       // Something answers every question with success. JSON may come from a robot that has a trouble of its
       // own.
       const bool json = answer.body.trimmed().startsWith('{');
-      interrupt(QString::fromStdString(maps.error()),
-                json ? map::FailureKind::MalformedAnswer : map::FailureKind::NotARobot);
+      map::Failure failure = said(answer, catalogueSubject(map::kMapsPart), maps.error());
+      if (!json) failure.kind = map::FailureKind::NotARobot;
+      interrupt(QString::fromStdString(sentences::sentenceOf(failure)), failure.kind);
     } else if (answer.kind == net::HttpAnswer::Kind::Answered && knowsNoSuchCall(answer.status)) {
       interrupt(
           tr("a web server answers there, but it knows no calls of Agibot robots (%1): check the address "
@@ -131,7 +157,7 @@ void AimdkLink::goOnline() {
 }
 
 void AimdkLink::poll() {
-  asking_ = call(kCurrentMap, currentMapRequest(), options_.patience, [this](const net::HttpAnswer& answer) {
+  ask(kCurrentMap, currentMapRequest(), [this](const net::HttpAnswer& answer) {
     if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
     asking_ = 0;
     // An answer with an error is a sign of life: the robot may have no map in use.
@@ -189,110 +215,116 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   Q_EMIT stateChanged(state);
 }
 
-void AimdkLink::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
-  call(kMapNames, mapNamesRequest(), options_.patience, [this, reply](const net::HttpAnswer& answer) {
-    if (!answer.ok()) {
-      reply(tl::make_unexpected(problem(catalogueSubject("Maps"), because("The list cannot be had: ", answer),
-                                        wire::failureOf(answer))));
-      return;
-    }
-    auto maps = parseMapNames(view(answer.body));
-    if (!maps) {
-      reply(tl::make_unexpected(problem(catalogueSubject("Maps"), maps.error(), wire::unreadable(answer))));
-      return;
-    }
-    call(kCurrentMap, currentMapRequest(), options_.patience,
-         [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
-           const auto id = parseCurrentMap(view(current.body));
-           if (!current.ok() || !id) {
-             map::Problem found =
-                 problem(catalogueSubject("Current map"),
-                         current.ok() ? id.error() : because("Which map is in use cannot be told: ", current),
-                         current.ok() ? wire::unreadable(current) : wire::failureOf(current));
-             found.severity = map::Severity::Warning;
-             Q_EMIT problemFound(found);
-           } else {
-             Q_EMIT recovered({catalogueSubject("Current map")});
-             for (map::CatalogueEntry& entry : entries)
-               entry.is_current = !id->empty() && entry.key.id == *id;
-             noteCurrent(*id);
-           }
-           reply(std::move(entries));
-         });
-  });
+void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  start();
+  wire::send(errand, *http_, request(kMapNames, mapNamesRequest(), options_.patience),
+             [this, errand, reply](const net::HttpAnswer& answer) {
+               auto maps =
+                   outcomeOf(answer, catalogueSubject(map::kMapsPart), parseMapNames(view(answer.body)));
+               if (!maps) {
+                 reply(fail(maps.error()));
+                 return;
+               }
+               wire::send(errand, *http_, request(kCurrentMap, currentMapRequest(), options_.patience),
+                          [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
+                            const auto id = outcomeOf(current, catalogueSubject(map::kCurrentMapPart),
+                                                      parseCurrentMap(view(current.body)));
+                            if (!id && id.error().kind == map::FailureKind::Cancelled) {
+                              reply(fail(id.error()));
+                              return;
+                            }
+                            if (!id) {
+                              Q_EMIT problemFound(map::problemOf(id.error(), map::Severity::Warning));
+                            } else {
+                              Q_EMIT recovered({catalogueSubject(map::kCurrentMapPart)});
+                              for (map::CatalogueEntry& entry : entries)
+                                entry.is_current = !id->empty() && entry.key.id == *id;
+                              noteCurrent(*id);
+                            }
+                            reply(std::move(entries));
+                          });
+             });
 }
 
-void AimdkLink::fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply) {
+void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key,
+                            OutcomeTo<ParsedMap> reply) {
   if (key.kind != map::MapKind::Stored || key.id.empty()) {
-    reply(tl::make_unexpected(problem(map::subjectOf(key), "Only stored maps can be asked for, by their id.",
-                                      map::FailureKind::None)));
+    reply(fail(unasked(map::subjectOf(key), "1764059676131")));
     return;
   }
-  auto& waiting = fetching_[key];
-  waiting.push_back(std::move(reply));
-  if (waiting.size() > 1) return;
-  call(kWholeMap, wholeMapRequest(key.id), options_.map_patience, [this, key](const net::HttpAnswer& answer) {
-    Answer<ParsedMap> result = tl::make_unexpected(map::Problem{});
-    if (!answer.ok()) {
-      result = tl::make_unexpected(
-          problem(map::subjectOf(key), because("It cannot be had: ", answer), wire::failureOf(answer)));
-    } else if (auto parsed = parseWholeMap(view(answer.body), key)) {
-      parsed->map.body_bytes = std::size_t(answer.body.size());
-      result = std::move(*parsed);
-      frame_ = *result;
-      frame_->map.bytes.reset();
-    } else {
-      result = tl::make_unexpected(problem(map::subjectOf(key), parsed.error(), wire::unreadable(answer)));
-    }
-    const auto replies = std::move(fetching_.extract(key).mapped());
-    for (const auto& waiting_reply : replies) waiting_reply(result);
+  start();
+  std::shared_ptr<SharedFetch>& entry = fetching_[key];
+  const bool first = !entry;
+  if (first) entry = std::make_shared<SharedFetch>(SharedFetch{std::make_shared<wire::Errand>(), {}});
+  const std::shared_ptr<SharedFetch> shared = entry;
+  const auto leave = [this, key](const std::shared_ptr<SharedFetch>& fetch) {
+    if (const auto found = fetching_.find(key); found != fetching_.end() && found->second == fetch)
+      fetching_.erase(found);
+  };
+  const int number = errand->begun([leave, held = std::weak_ptr(shared), who = errand.get()] {
+    const auto fetch = held.lock();
+    if (!fetch) return;
+    // It has been told already.
+    std::erase_if(fetch->waiting, [&](const auto& one) { return one.first.get() == who; });
+    if (!fetch->waiting.empty()) return;
+    leave(fetch);
+    fetch->errand->cancel();
   });
+  shared->waiting.emplace_back(errand, [errand, number, reply = std::move(reply)](Outcome<ParsedMap> parsed) {
+    errand->ended(number);
+    reply(std::move(parsed));
+  });
+  if (!first) return;
+  wire::send(shared->errand, *http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
+             [this, key, shared, leave](const net::HttpAnswer& answer) {
+               leave(shared);
+               auto parsed = outcomeOf(answer, map::subjectOf(key), parseWholeMap(view(answer.body), key));
+               if (parsed) {
+                 parsed->map.body_bytes = std::size_t(answer.body.size());
+                 frame_ = *parsed;
+                 frame_->map.bytes.reset();
+               }
+               for (const auto& [who, waiting_reply] : std::exchange(shared->waiting, {}))
+                 waiting_reply(parsed);
+             });
 }
 
-void AimdkLink::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
-  fetchParsed(key, [reply = std::move(reply)](Answer<ParsedMap> parsed) {
+void AimdkLink::fetch(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+  fetchParsed(errand, key, [reply = std::move(reply)](Outcome<ParsedMap> parsed) {
     if (parsed) {
       reply(std::move(parsed->map));
     } else {
-      reply(tl::make_unexpected(parsed.error()));
+      reply(fail(parsed.error()));
     }
   });
 }
 
-void AimdkLink::waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply) {
+void AimdkLink::waypoints(wire::ErrandPtr errand, const map::MapKey& key,
+                          OutcomeTo<map::WaypointList> reply) {
   const auto body = topologyRequest(key.id);
   if (!body || key.kind != map::MapKind::Stored) {
-    reply(tl::make_unexpected(problem(map::placesOf(key),
-                                      "Its points cannot be asked for: its id is not a whole number.",
-                                      map::FailureKind::None)));
+    reply(fail(unasked(map::placesOf(key), "1764059676131")));
     return;
   }
   if (frame_ && frame_->map.key == key) {
-    askPoints(key, *body, std::move(reply));
+    askPoints(errand, key, *body, std::move(reply));
     return;
   }
   // Their pixels can be checked only once the map that they are counted on is known.
-  fetchParsed(key, [this, key, body = *body, reply = std::move(reply)](const Answer<ParsedMap>&) {
-    askPoints(key, body, reply);
-  });
+  fetchParsed(errand, key,
+              [this, errand, key, body = *body, reply = std::move(reply)](const Outcome<ParsedMap>&) {
+                askPoints(errand, key, body, reply);
+              });
 }
 
-void AimdkLink::askPoints(const map::MapKey& key, const QByteArray& body, AnswerTo<map::WaypointList> reply) {
-  call(kTopology, body, options_.patience,
-       [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-         if (!answer.ok()) {
-           reply(tl::make_unexpected(problem(
-               map::placesOf(key), because("Its points cannot be had: ", answer), wire::failureOf(answer))));
-           return;
-         }
-         const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
-         auto points = parseTopology(view(answer.body), frame);
-         if (points) {
-           reply(std::move(*points));
-         } else {
-           reply(tl::make_unexpected(problem(map::placesOf(key), points.error(), wire::unreadable(answer))));
-         }
-       });
+void AimdkLink::askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
+                          OutcomeTo<map::WaypointList> reply) {
+  start();
+  wire::send(errand, *http_, request(kTopology, body, options_.patience),
+             [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
+               reply(outcomeOf(answer, map::placesOf(key), parseTopology(view(answer.body), frame)));
+             });
 }
 
 }  // namespace mapwright::robot::aimdk

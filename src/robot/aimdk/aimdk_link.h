@@ -17,6 +17,7 @@
 #include "net/http_client.h"
 #include "robot/aimdk/parse_rpc.h"
 #include "robot/robot.h"
+#include "robot/wire/errand.h"
 
 namespace mapwright::robot::aimdk {
 
@@ -41,9 +42,9 @@ class AimdkLink : public QObject {
   void open();
   void close();
   void trust(const QByteArray& pinned_sha256);  // from now on, and connects
-  void list(AnswerTo<std::vector<map::CatalogueEntry>> reply);
-  void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply);
-  void waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply);
+  void list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void fetch(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
+  void waypoints(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WaypointList> reply);
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
@@ -54,8 +55,10 @@ class AimdkLink : public QObject {
  private:
   using Taken = std::function<void(const net::HttpAnswer&)>;
   void start();  // makes the network objects, on this object's thread
-  net::HttpClient::RequestId call(const char* method, const QByteArray& body,
-                                  std::chrono::milliseconds patience, Taken taken);
+  net::HttpRequest request(const char* method, const QByteArray& body,
+                           std::chrono::milliseconds patience) const;
+  /// The connection's own question.
+  void ask(const char* method, const QByteArray& body, Taken taken);
   void attempt();
   void poll();
   void goOnline();
@@ -63,8 +66,9 @@ class AimdkLink : public QObject {
   void interrupt(const QString& reason, map::FailureKind failure);
   void noteCurrent(const std::string& id);
   void enter(ConnectionPhase phase, std::optional<int> retry_in_ms = {});
-  void askPoints(const map::MapKey& key, const QByteArray& body, AnswerTo<map::WaypointList> reply);
-  void fetchParsed(const map::MapKey& key, AnswerTo<ParsedMap> reply);
+  void askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
+                 OutcomeTo<map::WaypointList> reply);
+  void fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 
   LinkOptions options_;
   std::unique_ptr<net::HttpClient> http_;
@@ -79,8 +83,12 @@ class AimdkLink : public QObject {
   std::optional<UntrustedCertificate> certificate_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;
-  std::map<map::MapKey, std::vector<AnswerTo<ParsedMap>>>
-      fetching_;                    // one question for all who ask meanwhile
+  /// One question for all who ask meanwhile; stopped when none of them wants it any more.
+  struct SharedFetch {
+    wire::ErrandPtr errand;
+    std::vector<std::pair<wire::ErrandPtr, OutcomeTo<ParsedMap>>> waiting;
+  };
+  std::map<map::MapKey, std::shared_ptr<SharedFetch>> fetching_;
   std::optional<ParsedMap> frame_;  // of the map fetched last, without its picture: points are checked by it
 };
 

@@ -9,7 +9,10 @@ AimdkRobot::AimdkRobot(QString address, LinkOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
       has_tf_(!options.tf.isEmpty()),
-      link_(new AimdkLink(std::move(options))) {
+      link_(new AimdkLink(std::move(options))),
+      catalogue_({this, link_}),
+      whole_maps_({this, link_}),
+      points_({this, link_}) {
   qRegisterMetaType<ConnectionState>();
   qRegisterMetaType<map::Problem>();
   qRegisterMetaType<map::Recovery>();
@@ -42,22 +45,28 @@ void AimdkRobot::trustCertificate(const QString& sha256) {
 
 void AimdkRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::close); }
 
-QString AimdkRobot::limits() const {
-  const QString pose = has_tf_ ? tr("Its live pose over rosbridge (/tf): not yet in this version.")
-                               : tr("Its live pose: not yet in this version.");
-  return tr("Read only: Agibot's interface offers no editing.") + QLatin1Char(' ') + pose;
+Absence AimdkRobot::whyNot(Capability capability) const {
+  if (capability == Capability::Administration || capability == Capability::WaypointEditing)
+    return {Absence::Reason::ReadOnly, {"Agibot"}};
+  if (capability == Capability::Live)
+    return {Absence::Reason::NotYetHere, {has_tf_ ? std::string("/tf") : std::string()}};
+  return {};
 }
 
-void AimdkRobot::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
-  wire::askAcross(this, link_, lists_, std::move(reply),
-                  [](AimdkLink& link, auto answer) { link.list(std::move(answer)); });
+Call Catalogue::list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  return wire::askAcross(
+      line_.asker, line_.link, lists_, map::Subject(map::SubjectKind::Catalogue, map::kMapsPart),
+      std::move(reply),
+      [](AimdkLink& link, auto errand, auto answer) { link.list(errand, std::move(answer)); });
 }
 
-void AimdkRobot::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) {
+Call Catalogue::describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
   // There is no question for one map alone that does not send its picture.
-  list([key, reply = std::move(reply)](const Answer<std::vector<map::CatalogueEntry>>& entries) {
+  return list([key, reply = std::move(reply)](const Outcome<std::vector<map::CatalogueEntry>>& entries) {
     if (!entries) {
-      reply(tl::make_unexpected(entries.error()));
+      map::Failure failure = entries.error();
+      failure.subject = map::subjectOf(key);
+      reply(tl::make_unexpected(std::move(failure)));
       return;
     }
     const auto found = std::find_if(entries->begin(), entries->end(),
@@ -65,30 +74,32 @@ void AimdkRobot::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> 
     if (found != entries->end()) {
       reply(*found);
     } else {
-      reply(tl::make_unexpected(
-          map::Problem{map::Severity::Error, map::subjectOf(key), "The robot has no such map."}));
+      reply(tl::make_unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                             .subject = map::subjectOf(key),
+                                             .reason = map::FailureReason::NotThere}));
     }
   });
 }
 
-void AimdkRobot::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) {
-  QMetaObject::invokeMethod(
-      this,
-      [key, reply = std::move(reply)] {
-        reply(tl::make_unexpected(map::Problem{map::Severity::Info, map::subjectOf(key),
-                                               "The robot offers no small pictures of its maps."}));
-      },
-      Qt::QueuedConnection);
+Call Catalogue::thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) {
+  return wire::endLater<std::string>(
+      line_.asker, thumbnails_, std::move(reply),
+      tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
+                                       .subject = map::subjectOf(key),
+                                       .asked_for = map::AskedFor::SmallPicture,
+                                       .reason = map::FailureReason::NotOffered}));
 }
 
-void AimdkRobot::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
-  wire::askAcross(this, link_, whole_maps_, std::move(reply),
-                  [key](AimdkLink& link, auto answer) { link.fetch(key, std::move(answer)); });
+Call WholeMaps::fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+  return wire::askAcross(
+      line_.asker, line_.link, maps_, map::subjectOf(key), std::move(reply),
+      [key](AimdkLink& link, auto errand, auto answer) { link.fetch(errand, key, std::move(answer)); });
 }
 
-void AimdkRobot::waypoints(const map::MapKey& key, AnswerTo<map::WaypointList> reply) {
-  wire::askAcross(this, link_, waypoint_lists_, std::move(reply),
-                  [key](AimdkLink& link, auto answer) { link.waypoints(key, std::move(answer)); });
+Call Points::waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
+  return wire::askAcross(
+      line_.asker, line_.link, lists_, map::placesOf(key), std::move(reply),
+      [key](AimdkLink& link, auto errand, auto answer) { link.waypoints(errand, key, std::move(answer)); });
 }
 
 }  // namespace mapwright::robot::aimdk

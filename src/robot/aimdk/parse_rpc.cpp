@@ -1,7 +1,6 @@
 #include "robot/aimdk/parse_rpc.h"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <tuple>
@@ -12,18 +11,21 @@
 #include "robot/wire/base64.h"
 #include "robot/wire/picture_facts.h"
 #include "robot/wire/read_json.h"
-#include "words/sentences.h"
 
 namespace mapwright::robot::aimdk {
 namespace {
 
+using map::ReasonCode;
 using wire::Json;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMaxPictureBytes = std::size_t(256) << 20;
 constexpr std::size_t kMaxNotes = 20;
 
-auto refused(std::string sentence) { return tl::make_unexpected(std::move(sentence)); }
+/// It cannot be read.
+auto refused(map::Reason cause) { return tl::make_unexpected(RpcError{false, {}, {}, std::move(cause)}); }
+
+auto passed(RpcError error) { return tl::make_unexpected(std::move(error)); }
 
 std::string explanation(const Json& object) {
   std::string text = wire::text(object, {"message", "msg", "detail", "error", "reason"});
@@ -35,7 +37,7 @@ std::string explanation(const Json& object) {
 }
 
 /// What an answer of a failed call says, as far as can be told from its members.
-std::optional<std::string> failure(const Json& root) {
+std::optional<RpcError> failure(const Json& root) {
   const auto error = wire::member(root, {"error", "err"});
   bool truth = true;
   const bool has_error =
@@ -44,31 +46,28 @@ std::optional<std::string> failure(const Json& root) {
   // 0 and 200 are what success is called.
   const bool bad_code = code && *code != 0 && *code != 200;
   if (!has_error && !bad_code) return std::nullopt;
-  std::string sentence = "The robot refuses";
-  if (bad_code) sentence += " (code " + std::to_string(*code) + ")";
-  const std::string why = explanation(root);
-  return words::because(sentence, why);
+  // Some write the code beside the error, some into it.
+  const auto inner = bad_code || !error || !error->is_object()
+                         ? code
+                         : wire::integer(*error, {"code", "error_code", "err_code", "errcode"});
+  return RpcError{true, inner && *inner != 0 ? std::to_string(*inner) : std::string(), explanation(root), {}};
 }
 
-/// The `data` of an answer; the error is a sentence.
+/// The `data` of an answer.
 Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
   const auto root = reader.readKeepingDigits(body);
   if (!root || !root->is_object()) {
-    return refused("The robot's answer is not JSON, so it may not be an Agibot robot.");
+    return refused({ReasonCode::AnswerIsNoJson, {"Agibot"}});
   }
-  if (auto why = failure(*root)) return refused(std::move(*why));
+  if (auto why = failure(*root)) return passed(std::move(*why));
   const auto data = wire::member(*root, {"data"});
   simdjson::dom::object members;
   if (!data || data->get(members) || members.size() == 0) {
-    return refused(words::because("The robot's answer holds no data", explanation(*root)));
+    // This is how it refuses, too.
+    const std::string why = explanation(*root);
+    return passed({true, {}, why, why.empty() ? ReasonCode::AnswerHoldsNoData : ReasonCode::None});
   }
   return *data;
-}
-
-std::string plain(double number) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
 }
 
 QByteArray command(const char* name, QJsonObject members = {}) {
@@ -113,12 +112,12 @@ std::optional<double> pixelsOff(const Json& point, const Eigen::Vector2d& positi
 Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body) {
   wire::JsonReader reader;
   const auto data = dataOf(reader, body);
-  if (!data) return refused(data.error());
+  if (!data) return passed(data.error());
   std::vector<map::CatalogueEntry> entries;
   const auto member = wire::member(*data, {"map_lists", "map_list", "maps"});
   if (!member) return entries;  // an empty list is left out by some encoders
   const auto rows = wire::asList(*member);
-  if (!rows) return refused("The robot's list of maps is not a list.");
+  if (!rows) return refused(ReasonCode::MapsAreNoList);
   for (const Json row : *rows) {
     map::CatalogueEntry entry;
     entry.key = {map::MapKind::Stored, wire::text(row, {"map_id", "id"})};
@@ -132,7 +131,7 @@ Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body) {
 Read<std::string> parseCurrentMap(std::string_view body) {
   wire::JsonReader reader;
   const auto data = dataOf(reader, body);
-  if (!data) return refused(data.error());
+  if (!data) return passed(data.error());
   std::string id = wire::text(*data, {"map_id", "id"});
   return id == "0" || id == "-1" ? std::string() : id;
 }
@@ -140,7 +139,7 @@ Read<std::string> parseCurrentMap(std::string_view body) {
 Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   wire::JsonReader reader;
   const auto data = dataOf(reader, body);
-  if (!data) return refused(data.error());
+  if (!data) return passed(data.error());
   ParsedMap parsed;
   map::WholeMap& whole = parsed.map;
   whole.key = asked;
@@ -149,17 +148,17 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   parsed.u0 = wire::number(*data, {"origin_x"}).value_or(kNaN);
   parsed.v0 = wire::number(*data, {"origin_y"}).value_or(kNaN);
   if (!(parsed.pixels_per_m > 0) || !std::isfinite(parsed.pixels_per_m)) {
-    return refused("Its resolution is missing or not above 0 pixels per metre, so it cannot be placed.");
+    return refused(ReasonCode::ScaleNotPositive);
   }
   const std::string given = wire::text(*data, {"map_id"});
   if (!given.empty() && given != asked.id) {
-    return refused("The robot sent the map " + given.substr(0, 100) + " instead of it.");
+    return refused({ReasonCode::WrongMapSent, {given.substr(0, 100)}});
   }
   const auto base64 = wire::member(*data, {"map_data"});
   std::string_view text;
-  if (!base64 || base64->get(text) || text.empty()) return refused("The robot sent no picture of it.");
+  if (!base64 || base64->get(text) || text.empty()) return refused(ReasonCode::NoPictureOfItSent);
   auto picture = wire::fromBase64(text, kMaxPictureBytes);
-  if (!picture || picture->empty()) return refused("Its picture is not base64, or larger than 256 MB.");
+  if (!picture || picture->empty()) return refused(ReasonCode::PictureNotBase64);
   const int width = wire::smallInteger(*data, {"width"}).value_or(0);
   const int height = wire::smallInteger(*data, {"height"}).value_or(0);
   whole.grid.width = width;
@@ -167,14 +166,12 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   if (const auto size = wire::pngSize(*picture)) {
     std::tie(whole.grid.width, whole.grid.height) = *size;
     if (*size != std::pair(width, height)) {
-      whole.notes.push_back({map::Severity::Warning, map::subjectOf(asked),
-                             "Its picture has " + std::to_string(size->first) + " x " +
-                                 std::to_string(size->second) + " cells, but the robot says " +
-                                 std::to_string(width) + " x " + std::to_string(height) +
-                                 ". Placed by the picture's own size."});
+      whole.notes.push_back({map::Severity::Warning,
+                             map::subjectOf(asked),
+                             {ReasonCode::SizesDisagree, {size->first, size->second, width, height}}});
     }
   } else if (width <= 0 || height <= 0) {
-    return refused("Its picture is not a PNG, and the robot does not say how high it is.");
+    return refused(ReasonCode::HeightNotSaid);
   }
   // Pixel (origin_x, origin_y) is the world's origin and pixel rows run down: the lower-left corner lies
   // (height - origin_y) rows below it.
@@ -193,17 +190,17 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
 Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* frame) {
   wire::JsonReader reader;
   const auto data = dataOf(reader, body);
-  if (!data) return refused(data.error());
+  if (!data) return passed(data.error());
   map::WaypointList list;
   const auto member = wire::member(*data, {"points"});
   if (!member) return list;
   const auto rows = wire::asList(*member);
-  if (!rows) return refused("The robot's list of points is not a list.");
+  if (!rows) return refused(ReasonCode::PointsAreNoList);
   const bool degrees = anglesAreDegrees(*rows);
   std::size_t unplaced = 0, unsaid = 0;
-  const auto note = [&](std::string sentence) {
+  const auto note = [&](map::Reason odd) {
     if (list.notes.size() < kMaxNotes) {
-      list.notes.push_back(std::move(sentence));
+      list.notes.push_back(std::move(odd));
     } else {
       ++unsaid;
     }
@@ -219,13 +216,12 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
                         wire::text(row, {"point_type", "type"}), *position, headingOf(row, degrees)};
     const auto off = frame ? pixelsOff(row, *position, *frame) : std::nullopt;
     if (off && !(*off <= 1)) {
-      note("Point " + point.id + " (" + point.name + "): its pixels lie " + plain(*off) +
-           " px from its metres. Shown where its metres say.");
+      note({ReasonCode::PointOff, {point.id, point.name, *off}});
     }
     list.points.push_back(std::move(point));
   }
-  if (unplaced > 0) list.notes.push_back(std::to_string(unplaced) + " points without a place were left out.");
-  if (unsaid > 0) list.notes.push_back(std::to_string(unsaid) + " points more disagree with their pixels.");
+  if (unplaced > 0) list.notes.push_back({ReasonCode::PointsUnplaced, {std::int64_t(unplaced)}});
+  if (unsaid > 0) list.notes.push_back({ReasonCode::MorePointsOff, {std::int64_t(unsaid)}});
   return list;
 }
 

@@ -14,9 +14,15 @@
 
 namespace mapwright::robot::aimdk {
 
-/// The error is a sentence without its subject: "The robot refuses: no such map."
+/// What an answer (HTTP 200) says instead of what was asked for.
+struct RpcError {
+  bool refused = false;  // the robot says that the call failed; else it cannot be read
+  std::string code;      // the robot's own; empty = none
+  std::string detail;    // refused: its words, may be empty
+  map::Reason cause;     // what is wrong with what came, in place of detail
+};
 template <typename T>
-using Read = tl::expected<T, std::string>;
+using Read = tl::expected<T, RpcError>;
 
 /// GetStoredMapNames, in the robot's order of rows.
 Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QDateTime>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QUrlQuery>
@@ -9,12 +10,14 @@
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/robot_urls.h"
+#include "robot/axbot/stream_topics.h"
 #include "robot/wire/http_failure.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
 constexpr int kSubscribeAnswerMs = 3'000;
+constexpr int kSubmapsAtOnce = 4;  // on the network, however many are asked for; those on disk come besides
 
 std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
 
@@ -71,8 +74,11 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 }  // namespace
 
-AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox)
-    : options_(std::move(options)), mailbox_(std::move(mailbox)) {}
+double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
+
+AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox,
+                     std::shared_ptr<wire::TapPlace> tap)
+    : options_(std::move(options)), mailbox_(std::move(mailbox)), tap_(std::move(tap)) {}
 
 AxbotLink::~AxbotLink() {
   // Replies of what is under way must not reach a half-destroyed object.
@@ -85,13 +91,19 @@ void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
-    cache_->setTrouble([this](const QString& sentence) {
-      Q_EMIT problemFound({map::Severity::Warning, "Disk cache", sentence.toStdString()});
+    cache_->setTrouble([this](const QString& why) {
+      Q_EMIT problemFound({map::Severity::Warning,
+                           map::SubjectKind::DiskCache,
+                           {map::ReasonCode::AnswersNotKept,
+                            {},
+                            {map::said(why.toStdString())},
+                            map::Consequence::AskedAgainEachTime}});
     });
   }
   http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
   maps_ = std::make_unique<MapRequests>(
-      *http_, options_.base, [this](const map::Problem& found) { Q_EMIT problemFound(found); },
+      *http_, options_.base, options_.patience,
+      [this](const map::Problem& found) { Q_EMIT problemFound(found); },
       [this](const map::Recovery& well) { Q_EMIT recovered(well); });
   grids_ = std::make_unique<GridFetcher>(*http_, options_.base, [this](map::TopicMessage message) {
     const auto* grid = std::get_if<map::GridMessage>(&message);
@@ -107,12 +119,17 @@ void AxbotLink::start() {
   socket_->setTrust(options_.trust);
   list_timer_ = std::make_unique<QTimer>();
   subscribe_timer_ = std::make_unique<QTimer>();
-  for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get()}) timer->setSingleShot(true);
+  older_timer_ = std::make_unique<QTimer>();
+  for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get(), older_timer_.get()})
+    timer->setSingleShot(true);
+  connect(older_timer_.get(), &QTimer::timeout, this, [this] {
+    older_.merge(silentStreams());
+    askForWanted();
+  });
   connect(list_timer_.get(), &QTimer::timeout, this, [this] {
-    Q_EMIT problemFound({map::Severity::Warning, map::Subject(map::SubjectKind::SubmapList, {}),
-                         tr("The robot has not sent one yet. It may have no SLAM session, or its firmware "
-                            "may not know the topic /submap_list. Still listening.")
-                             .toStdString(),
+    Q_EMIT problemFound({map::Severity::Warning,
+                         map::SubjectKind::SubmapList,
+                         {map::ReasonCode::NoListYet, {"/submap_list"}},
                          map::ProblemCode::Unavailable});
   });
   connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
@@ -124,6 +141,11 @@ void AxbotLink::start() {
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
     topics_confirmed_ = false;
     subscribed_ = false;
+    // It may have got another firmware.
+    heard_topics_.clear();
+    older_.clear();
+    older_timer_->stop();
+    askForWanted();
     if (device_info_answered_)
       subscribe();
     else
@@ -144,6 +166,7 @@ void AxbotLink::close() {
   if (!http_) return;
   list_timer_->stop();
   subscribe_timer_->stop();
+  older_timer_->stop();
   http_->cancelAll();
   grids_->cancelAll();
   socket_->close();
@@ -163,9 +186,9 @@ QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const
   return url;
 }
 
-map::Problem AxbotLink::problem(map::Severity severity, const QString& sentence) const {
+map::Problem AxbotLink::problem(map::Severity severity, map::Reason reason) const {
   const QString host = QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port());
-  return {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), sentence.toStdString()};
+  return {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)};
 }
 
 void AxbotLink::askDeviceInfo() {
@@ -175,7 +198,7 @@ void AxbotLink::askDeviceInfo() {
   request.url = urlOnRobot(options_.base, QStringLiteral("/device/info"));
   request.timeout = std::chrono::milliseconds(5'000);
   request.max_bytes = qint64(4) << 20;
-  http_->get(request, [this](const net::HttpAnswer& answer) { takeDeviceInfo(answer); });
+  http_->send(request, [this](const net::HttpAnswer& answer) { takeDeviceInfo(answer); });
 }
 
 void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
@@ -192,7 +215,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
     Q_EMIT problemFound(
-        problem(map::Severity::Info, tr("It does not say what it is: %1").arg(answer.sentence)));
+        problem(map::Severity::Info, {map::ReasonCode::DoesNotSayWhatItIs, {answer.sentence.toStdString()}}));
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -203,17 +226,44 @@ void AxbotLink::subscribe() {
   const QStringList names = subscriptions_.names();
   if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(options_.list_expected_within);
   send(subscriptions_.all());
+  if (!silentStreams().empty()) older_timer_->start(options_.older_names_after);
   // Some firmware claims lists and ignores them.
   if (subscriptions_.takesLists() && !names.isEmpty()) subscribe_timer_->start(kSubscribeAnswerMs);
 }
 
 void AxbotLink::setBasics(const LiveTopics::Basics& basics) { subscriptions_.setBasics(basics); }
 
-void AxbotLink::setWantedTopics(const QStringList& topics) {
+void AxbotLink::setWanted(const map::Streams& streams, const QStringList& topics) {
   start();
-  const QStringList requests = subscriptions_.setWanted(topics);
+  streams_ = streams;
+  topics_ = topics;
+  askForWanted();
+}
+
+void AxbotLink::askForWanted() {
+  QStringList names;
+  for (const map::Stream stream : streams_) {
+    const StreamTopics topics = topicsOf(stream);
+    names += topics.usual;
+    if (older_.contains(stream)) names += topics.older;
+  }
+  const QStringList requests = subscriptions_.setWanted(names + topics_);
   // Before the first subscription everything is asked for with it, at once.
-  if (subscribed_) send(requests);
+  if (!subscribed_) return;
+  send(requests);
+  if (!older_timer_->isActive() && !silentStreams().empty()) older_timer_->start(options_.older_names_after);
+}
+
+map::Streams AxbotLink::silentStreams() const {
+  map::Streams silent;
+  for (const map::Stream stream : streams_) {
+    const StreamTopics topics = topicsOf(stream);
+    const bool heard = std::any_of(topics.usual.begin(), topics.usual.end(), [&](const QString& topic) {
+      return heard_topics_.contains(topic.toStdString());
+    });
+    if (!topics.older.isEmpty() && !heard && !older_.contains(stream)) silent.insert(stream);
+  }
+  return silent;
 }
 
 void AxbotLink::send(const QStringList& requests) {
@@ -221,6 +271,7 @@ void AxbotLink::send(const QStringList& requests) {
 }
 
 void AxbotLink::takeText(const QByteArray& utf8) {
+  tap_->pass({view(utf8), false, options_.wall_s()});
   TextFrame frame = topic_reader_.read(view(utf8));
   if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
     Q_EMIT rawReceived(rawText(frame.topic, view(utf8)));
@@ -236,12 +287,12 @@ void AxbotLink::takeText(const QByteArray& utf8) {
                     [&](const std::string& name) { return asked.contains(QString::fromStdString(name)); });
   } else if (!frame.error.empty()) {
     Q_EMIT problemFound(
-        problem(map::Severity::Warning,
-                tr("It answered: %1").arg(QString::fromStdString(frame.error.substr(0, 300)))));
+        problem(map::Severity::Warning, {map::ReasonCode::ItAnswered, {frame.error.substr(0, 300)}}));
   }
 }
 
 void AxbotLink::takeBinary(const QByteArray& bytes) {
+  tap_->pass({view(bytes), true, options_.wall_s()});
   if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
     Q_EMIT rawReceived(rawBinary(view(bytes)));
   if (auto message = parseBinaryFrame(view(bytes))) {
@@ -256,17 +307,22 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
   };
   if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
     unreadable_topics_.insert(unreadable->topic);
-  } else if (!unreadable_topics_.empty()) {
-    recover(topic);
-    recover(kUnknownTopic);  // whatever it was, messages can be read again
+  } else {
+    heard_topics_.insert(topic);
+    if (!unreadable_topics_.empty()) {
+      recover(topic);
+      recover(kUnknownTopic);  // whatever it was, messages can be read again
+    }
   }
   if (std::holds_alternative<map::SubmapList>(message)) {
     topics_confirmed_ = true;
     list_timer_->stop();
   }
-  if (!TopicMailbox::takes(message)) {
-    Q_EMIT topicReceived(message);
-  } else if (mailbox_->put(std::move(message))) {
+  const bool by_mail = TopicMailbox::takes(message);
+  map::StampedMessage stamped{std::move(message), options_.wall_s(), std::nullopt, topic};
+  if (!by_mail) {
+    Q_EMIT topicReceived(stamped);
+  } else if (mailbox_->put(std::move(stamped))) {
     Q_EMIT mailArrived();
   }
 }
@@ -274,6 +330,18 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
 MapRequests& AxbotLink::maps() {
   start();
   return *maps_;
+}
+
+void AxbotLink::fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply) {
+  maps().fetchOverview(std::move(errand), resolution_m,
+                       [this, reply = std::move(reply)](Outcome<map::WholeMap> overview) {
+                         if (!overview) {
+                           const std::string& code = overview.error().robot_code;
+                           if (code == "404" || code == "405" || code == "501")
+                             Q_EMIT overviewUnknown(QString::fromStdString(code));
+                         }
+                         reply(std::move(overview));
+                       });
 }
 
 void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {
@@ -302,16 +370,17 @@ void AxbotLink::ask(quint64 ticket, const map::SubmapKey& key) {
   request.cacheable = true;
   request.content_addressed = true;
   request.timeout = options_.fetch_timeout;
-  under_way_[key] =
-      http_->get(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
-        takeSubmap(key, url, answer, ticket);
-      });
+  request.most_at_once = kSubmapsAtOnce;
+  const auto id = http_->send(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
+    takeSubmap(key, url, answer, ticket);
+  });
+  under_way_[ticket] = {key, id};
 }
 
 void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http,
                            quint64 ticket) {
   using Outcome = map::SubmapAnswer::Outcome;
-  under_way_.erase(key);
+  under_way_.erase(ticket);
   map::SubmapAnswer answer;
   if (http.ok()) {
     answer = parseSubmapResponse(key, view(http.body));
@@ -336,7 +405,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   } else {
     answer.key = key;
     answer.bytes = std::size_t(http.body.size());
-    answer.reason = http.sentence.toStdString();
+    answer.reason = map::said(http.sentence.toStdString());
     answer.failure = wire::failureOf(http);
     answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
                      : http.status == 404                          ? Outcome::NotFound
@@ -346,12 +415,17 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
 }
 
 void AxbotLink::cancel(const map::SubmapKey& key) {
-  if (const auto it = under_way_.find(key); it != under_way_.end()) http_->cancel(it->second);
+  for (const auto& [ticket, fetch] : under_way_) {
+    if (fetch.key == key) http_->cancel(fetch.request);
+  }
+}
+
+void AxbotLink::cancelFetch(quint64 ticket) {
+  if (const auto it = under_way_.find(ticket); it != under_way_.end()) http_->cancel(it->second.request);
 }
 
 void AxbotLink::cancelAll() {
-  const auto requests = under_way_;
-  for (const auto& [key, id] : requests) http_->cancel(id);
+  for (const auto& [ticket, fetch] : under_way_) http_->cancel(fetch.request);
 }
 
 QString AxbotLink::whyNot() const {

@@ -14,6 +14,7 @@
 #include <QUrl>
 
 #include "map/live_topics.h"
+#include "map/stream.h"
 #include "net/http_cache.h"
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
@@ -24,8 +25,12 @@
 #include "robot/axbot/topic_mailbox.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/robot.h"
+#include "robot/wire/tap_place.h"
 
 namespace mapwright::robot::axbot {
+
+/// The system's clock.
+double secondsOfDay();
 
 /// How to reach a robot. `secret` is sent to `base` only.
 struct LinkOptions {
@@ -35,15 +40,19 @@ struct LinkOptions {
   QString cache_folder;  // empty = nothing is kept on disk
   qint64 cache_budget_bytes = qint64(2) << 30;
   net::WebSocketLinkOptions socket;
-  std::chrono::milliseconds fetch_timeout{30'000};
+  std::chrono::milliseconds fetch_timeout{30'000};         // of submaps
+  std::chrono::milliseconds patience{30'000};              // of questions about maps: without a byte
   std::chrono::milliseconds list_expected_within{10'000};  // after subscribing, before it is remarked upon
+  std::chrono::milliseconds older_names_after{2'500};      // of silence of a stream that was asked for
+  /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
+  std::function<double()> wall_s = secondsOfDay;
 };
 
 class AxbotLink : public QObject {
   Q_OBJECT
  public:
-  /// Large messages go into `mailbox`, which is shared with whoever takes them.
-  AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox);
+  /// Large messages go into `mailbox`, frames to whoever sits in `tap`: both are shared with others.
+  AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox, std::shared_ptr<wire::TapPlace> tap);
   ~AxbotLink() override;
 
   void open();
@@ -51,23 +60,28 @@ class AxbotLink : public QObject {
   void trust(const QByteArray& pinned_sha256);  // from now on, and connects
   void fetch(quint64 ticket, const map::SubmapKey& key);
   void cancel(const map::SubmapKey& key);
+  void cancelFetch(quint64 ticket);
   void cancelAll();  // the fetches of submaps
   void discard(const map::SubmapKey& key, std::int32_t answered_version);
   void discardPicture(const std::string& fingerprint);
-  void setWantedTopics(const QStringList& topics);
+  void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
   void setWatching(bool on) { watching_ = on; }
   MapRequests& maps();
+  /// A question of the overview, to be noted when this robot does not know it.
+  void fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
   void identityChanged(const mapwright::robot::RobotIdentity& identity);
-  void topicReceived(const mapwright::map::TopicMessage& message);
+  void topicReceived(const mapwright::map::StampedMessage& message);
   void mailArrived();  // the mailbox was empty and is no more
   void rawReceived(const mapwright::robot::RawMessage& message);
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
   void answered(quint64 ticket, const mapwright::map::SubmapAnswer& answer);
+  /// It was asked for an overview and answered so, which is how one answers who knows no such question.
+  void overviewUnknown(const QString& answer);
 
  private:
   void start();  // makes the network objects, on this object's thread
@@ -75,6 +89,9 @@ class AxbotLink : public QObject {
   void takeDeviceInfo(const net::HttpAnswer& answer);
   void subscribe();
   void send(const QStringList& requests);
+  void askForWanted();
+  /// Streams of which nothing has come, and that older firmware calls otherwise.
+  map::Streams silentStreams() const;
   void takeText(const QByteArray& utf8);
   void takeBinary(const QByteArray& bytes);
   void ask(quint64 ticket, const map::SubmapKey& key);
@@ -84,10 +101,11 @@ class AxbotLink : public QObject {
   void publishState();
   QString whyNot() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
-  map::Problem problem(map::Severity severity, const QString& sentence) const;
+  map::Problem problem(map::Severity severity, map::Reason reason) const;
 
   LinkOptions options_;
   std::shared_ptr<TopicMailbox> mailbox_;
+  std::shared_ptr<wire::TapPlace> tap_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
   std::set<std::string> unreadable_topics_;  // whose last message could not be read
@@ -98,14 +116,22 @@ class AxbotLink : public QObject {
   std::unique_ptr<MapRequests> maps_;
   std::unique_ptr<GridFetcher> grids_;
   std::unique_ptr<net::WebSocketLink> socket_;
-  std::unique_ptr<QTimer> list_timer_, subscribe_timer_;
+  std::unique_ptr<QTimer> list_timer_, subscribe_timer_, older_timer_;
+  map::Streams streams_;                // that are wanted
+  QStringList topics_;                  // that are wanted by name
+  map::Streams older_;                  // streams whose older names are asked for too, on this connection
+  std::set<std::string> heard_topics_;  // on this connection
   bool wanted_ = false;
   bool device_info_answered_ = false;
   bool device_info_asked_ = false;
   bool subscribed_ = false;  // on this connection
   bool topics_confirmed_ = false;
   bool watching_ = false;
-  std::map<map::SubmapKey, net::HttpClient::RequestId> under_way_;
+  struct Fetch {
+    map::SubmapKey key;
+    net::HttpClient::RequestId request = 0;
+  };
+  std::map<quint64, Fetch> under_way_;  // by ticket
 };
 
 }  // namespace mapwright::robot::axbot

@@ -11,10 +11,17 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
       mailbox_(std::make_shared<TopicMailbox>()),
-      link_(new AxbotLink(std::move(options), mailbox_)) {
+      tap_(std::make_shared<wire::TapPlace>()),
+      link_(new AxbotLink(std::move(options), mailbox_, tap_)),
+      submaps_({this, link_}),
+      catalogue_({this, link_}),
+      whole_maps_({this, link_}),
+      overview_({this, link_}),
+      topics_({this, link_}, tap_),
+      administration_({this, link_}, [this] { Q_EMIT mapsChanged(); }) {
   qRegisterMetaType<ConnectionState>();
   qRegisterMetaType<RobotIdentity>();
-  qRegisterMetaType<map::TopicMessage>();
+  qRegisterMetaType<map::StampedMessage>();
   qRegisterMetaType<map::Problem>();
   qRegisterMetaType<map::Recovery>();
   qRegisterMetaType<map::SubmapAnswer>();
@@ -24,8 +31,12 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
   connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
   connect(link_, &AxbotLink::stateChanged, this, [this](const ConnectionState& state) {
     if (state == state_) return;
+    const bool again = state.phase == ConnectionPhase::Online && state_.phase != ConnectionPhase::Online;
     state_ = state;
+    const QPointer<AxbotRobot> alive(this);
     Q_EMIT connectionChanged();
+    // Whoever is connected again may have got another firmware meanwhile.
+    if (alive && again && std::exchange(overview_unknown_, std::nullopt)) Q_EMIT capabilitiesChanged();
   });
   connect(link_, &AxbotLink::identityChanged, this, [this](const RobotIdentity& identity) {
     if (identity == identity_) return;
@@ -37,9 +48,8 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
   connect(link_, &AxbotLink::rawReceived, this, &Robot::rawReceived);
   connect(link_, &AxbotLink::problemFound, this, &Robot::problemFound);
   connect(link_, &AxbotLink::recovered, this, &Robot::recovered);
-  connect(link_, &AxbotLink::answered, this, [this](quint64 ticket, const map::SubmapAnswer& answer) {
-    auto entry = replies_.extract(ticket);
-    if (!entry.empty()) entry.mapped()(answer);
+  connect(link_, &AxbotLink::overviewUnknown, this, [this](const QString& answer) {
+    if (std::exchange(overview_unknown_, answer) != answer) Q_EMIT capabilitiesChanged();
   });
   thread_.start();
 }
@@ -58,72 +68,16 @@ void AxbotRobot::trustCertificate(const QString& sha256) {
 
 void AxbotRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AxbotLink::close); }
 
-void AxbotRobot::fetch(const map::SubmapKey& key, Reply reply) {
-  const quint64 ticket = next_ticket_++;
-  replies_.emplace(ticket, std::move(reply));
-  QMetaObject::invokeMethod(link_, [link = link_, ticket, key] { link->fetch(ticket, key); });
+Absence AxbotRobot::whyNot(Capability capability) const {
+  if (capability == Capability::Overview && overview_unknown_)
+    return {Absence::Reason::FirmwareLacks, {overview_unknown_->toStdString()}};
+  if (capability == Capability::WaypointEditing) return {Absence::Reason::NotYetHere, {}};
+  return {};
 }
 
-void AxbotRobot::cancelAll() { QMetaObject::invokeMethod(link_, &AxbotLink::cancelAll); }
-
-void AxbotRobot::cancel(const map::SubmapKey& key) {
-  QMetaObject::invokeMethod(link_, [link = link_, key] { link->cancel(key); });
-}
-
-void AxbotRobot::discard(const map::SubmapKey& key, std::int32_t answered_version) {
-  QMetaObject::invokeMethod(link_,
-                            [link = link_, key, answered_version] { link->discard(key, answered_version); });
-}
-
-void AxbotRobot::discardThumbnail(const map::MapKey& key) {
-  QMetaObject::invokeMethod(link_, [link = link_, key] { link->maps().discardThumbnail(key); });
-}
-
-void AxbotRobot::discardPicture(const std::string& fingerprint) {
-  QMetaObject::invokeMethod(link_, [link = link_, fingerprint] { link->discardPicture(fingerprint); });
-}
-
-void AxbotRobot::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
-  wire::askAcross(this, link_, lists_, std::move(reply),
-                  [](AxbotLink& link, auto answer) { link.maps().list(std::move(answer)); });
-}
-
-void AxbotRobot::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) {
-  wire::askAcross(this, link_, descriptions_, std::move(reply),
-                  [key](AxbotLink& link, auto answer) { link.maps().describe(key, std::move(answer)); });
-}
-
-void AxbotRobot::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) {
-  wire::askAcross(this, link_, thumbnails_, std::move(reply),
-                  [key](AxbotLink& link, auto answer) { link.maps().thumbnail(key, std::move(answer)); });
-}
-
-void AxbotRobot::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
-  wire::askAcross(this, link_, whole_maps_, std::move(reply),
-                  [key](AxbotLink& link, auto answer) { link.maps().fetch(key, std::move(answer)); });
-}
-
-void AxbotRobot::fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply) {
-  wire::askAcross(this, link_, whole_maps_, std::move(reply), [resolution_m](AxbotLink& link, auto answer) {
-    link.maps().fetchOverview(resolution_m, std::move(answer));
-  });
-}
-
-void AxbotRobot::setWanted(const QStringList& topics) {
-  QMetaObject::invokeMethod(link_, [link = link_, topics] { link->setWantedTopics(topics); });
-}
-
-void AxbotRobot::setBasics(const Basics& basics) {
-  QMetaObject::invokeMethod(link_, [link = link_, basics] { link->setBasics(basics); });
-}
-
-void AxbotRobot::setWatching(bool on) {
-  QMetaObject::invokeMethod(link_, [link = link_, on] { link->setWatching(on); });
-}
-
-void AxbotRobot::takeTopic(const map::TopicMessage& message) {
+void AxbotRobot::takeTopic(const map::StampedMessage& stamped) {
   bool other_map = false;
-  if (const auto* info = std::get_if<map::MapInfo>(&message)) {
+  if (const auto* info = std::get_if<map::MapInfo>(&stamped.message)) {
     const map::MapInfo known{info->name, info->uid, info->map_version, info->overlays_version, {}};
     other_map =
         last_map_info_ && std::tie(last_map_info_->name, last_map_info_->uid, last_map_info_->map_version,
@@ -132,13 +86,13 @@ void AxbotRobot::takeTopic(const map::TopicMessage& message) {
     last_map_info_ = known;
   }
   const QPointer<AxbotRobot> alive(this);
-  Q_EMIT topicReceived(message);
+  Q_EMIT topicReceived(stamped);
   if (alive && other_map) Q_EMIT mapsChanged();
 }
 
 void AxbotRobot::takeMail() {
   const QPointer<AxbotRobot> alive(this);
-  for (const map::TopicMessage& message : mailbox_->take()) {
+  for (const map::StampedMessage& message : mailbox_->take()) {
     if (alive) Q_EMIT topicReceived(message);
   }
 }

@@ -1,21 +1,17 @@
 // An Autoxing robot behind the port. Source: axbot.md.
 #pragma once
 
-#include <unordered_map>
+#include <optional>
 
 #include <QThread>
 
+#include "robot/axbot/axbot_capabilities.h"
 #include "robot/axbot/axbot_link.h"
 #include "robot/robot.h"
-#include "robot/wire/pending_answers.h"
 
 namespace mapwright::robot::axbot {
 
-class AxbotRobot : public Robot,
-                   private SubmapSource,
-                   private MapCatalogue,
-                   private WholeMapSource,
-                   private LiveTopics {
+class AxbotRobot : public Robot {
   Q_OBJECT
  public:
   AxbotRobot(QString address, LinkOptions options, QObject* parent = nullptr);
@@ -27,47 +23,32 @@ class AxbotRobot : public Robot,
   void trustCertificate(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
   RobotIdentity identity() const override { return identity_; }
-  SubmapSource* submapSource() override { return this; }
-  MapCatalogue* mapCatalogue() override { return this; }
-  WholeMapSource* wholeMapSource() override { return this; }
-  LiveTopics* liveTopics() override { return this; }
+  SubmapSource* submapSource() override { return &submaps_; }
+  MapCatalogue* mapCatalogue() override { return &catalogue_; }
+  WholeMapSource* wholeMapSource() override { return &whole_maps_; }
+  OverviewSource* overviewSource() override { return overview_unknown_ ? nullptr : &overview_; }
+  LiveTopics* liveTopics() override { return &topics_; }
+  MapAdministration* mapAdministration() override { return &administration_; }
+  Absence whyNot(Capability capability) const override;
 
  private:
-  void fetch(const map::SubmapKey& key, Reply reply) override;
-  void cancelAll() override;
-  void cancel(const map::SubmapKey& key) override;
-  void discard(const map::SubmapKey& key, std::int32_t answered_version) override;
-
-  void list(AnswerTo<std::vector<map::CatalogueEntry>> reply) override;
-  void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) override;
-  void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) override;
-  void discardThumbnail(const map::MapKey& key) override;
-
-  void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) override;
-  bool offersOverview() const override { return true; }
-  void fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply) override;
-  void discardPicture(const std::string& fingerprint) override;
-
-  QStringList known() const override { return knownTopics(); }
-  void setWanted(const QStringList& topics) override;
-  void setBasics(const Basics& basics) override;
-  void setWatching(bool on) override;
-
-  void takeTopic(const map::TopicMessage& message);
+  void takeTopic(const map::StampedMessage& stamped);
   void takeMail();
 
   QString address_;
   std::shared_ptr<TopicMailbox> mailbox_;
+  std::shared_ptr<wire::TapPlace> tap_;
   QThread thread_;
   AxbotLink* link_;  // lives on thread_, deleted when it ends
+  Submaps submaps_;
+  Catalogue catalogue_;
+  WholeMaps whole_maps_;
+  Overview overview_;
+  Topics topics_;
+  Administration administration_;
   ConnectionState state_;
   RobotIdentity identity_;
-  quint64 next_ticket_ = 1;
-  std::unordered_map<quint64, Reply> replies_;
-  wire::PendingAnswers<std::vector<map::CatalogueEntry>> lists_;
-  wire::PendingAnswers<map::CatalogueEntry> descriptions_;
-  wire::PendingAnswers<std::string> thumbnails_;
-  wire::PendingAnswers<map::WholeMap> whole_maps_;
+  std::optional<QString> overview_unknown_;    // what it answered when it was asked for one
   std::optional<map::MapInfo> last_map_info_;  // without overlays
 };
 

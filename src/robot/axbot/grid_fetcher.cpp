@@ -2,7 +2,6 @@
 
 #include "robot/axbot/robot_urls.h"
 #include "robot/wire/picture_facts.h"
-#include "words/sentences.h"
 
 namespace mapwright::robot::axbot {
 
@@ -22,14 +21,14 @@ void GridFetcher::start(const GridToFetch& wanted) {
   net::HttpRequest request;
   request.url = robotUrl(base_, wanted.data_url);
   if (!request.url.isValid()) {
-    take_(map::UnreadableMessage{wanted.grid.topic,
-                                 "The address of its picture is not one. The picture before stays."});
+    take_(map::UnreadableMessage{wanted.grid.topic, map::Reason(map::ReasonCode::PictureAddressInvalid)
+                                                        .followedBy(map::Consequence::PictureBeforeStays)});
     return;
   }
   request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
   request.cacheable = true;
   jobs_[wanted.grid.topic].request =
-      http_.get(request, [this, grid = wanted.grid, url = request.url](const net::HttpAnswer& answer) {
+      http_.send(request, [this, grid = wanted.grid, url = request.url](const net::HttpAnswer& answer) {
         finish(grid, url, answer);
       });
 }
@@ -49,11 +48,13 @@ void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const ne
     return;
   }
   if (answer.ok()) http_.discard(url);
-  const std::string why = answer.ok() ? "the answer is empty" : answer.sentence.toStdString();
-  take_(map::UnreadableMessage{
-      grid.topic,
-      words::because("Its picture " + url.path().left(120).toStdString() + " cannot be had", why) +
-          " The picture before stays."});
+  const map::Reason why =
+      answer.ok() ? map::Reason(map::ReasonCode::AnswerIsEmpty) : map::said(answer.sentence.toStdString());
+  take_(map::UnreadableMessage{grid.topic,
+                               {map::ReasonCode::PictureNotHad,
+                                {url.path().left(120).toStdString()},
+                                {why},
+                                map::Consequence::PictureBeforeStays}});
 }
 
 void GridFetcher::discardPicture(const std::string& fingerprint) {

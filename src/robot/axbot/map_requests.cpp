@@ -3,16 +3,18 @@
 #include <optional>
 #include <tuple>
 
+#include <QJsonDocument>
+
 #include "robot/axbot/robot_urls.h"
+#include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 #include "robot/wire/picture_facts.h"
-#include "words/sentences.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
+const QString kCurrentMapPath = QStringLiteral("/chassis/current-map");
 constexpr qint64 kMaxJsonBytes = qint64(64) << 20;
-constexpr std::chrono::milliseconds kOverviewPatience{120'000};  // the robot draws it first
 
 std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
 
@@ -26,14 +28,22 @@ QUrl thumbnailUrl(const QUrl& base, const map::MapKey& key) {
   return urlOnRobot(base, pathOf(key) + QStringLiteral("/thumbnail"));
 }
 
-map::Problem problemOf(const map::MapKey& key, const std::string& sentence,
-                       map::FailureKind failure = map::FailureKind::None,
-                       map::Severity severity = map::Severity::Error) {
-  return {severity, map::subjectOf(key), sentence, map::ProblemCode::Unavailable, failure};
+auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
+
+/// Nothing has been asked: it cannot be.
+map::Failure unasked(const map::MapKey& key) {
+  return {.kind = map::FailureKind::Unsupported,
+          .subject = map::subjectOf(key),
+          .arguments = {"12, mapping:48"},
+          .reason = map::FailureReason::NoSuchId};
 }
 
-std::string because(const char* what, const net::HttpAnswer& answer) {
-  return words::because(what, answer.sentence.toStdString());
+/// It came, and there is nothing in it.
+map::Failure empty(const map::MapKey& key, map::AskedFor asked_for) {
+  return {.kind = map::FailureKind::MalformedAnswer,
+          .subject = map::subjectOf(key),
+          .asked_for = asked_for,
+          .reason = map::FailureReason::Empty};
 }
 
 bool unknown(const net::HttpAnswer& answer) {
@@ -46,16 +56,17 @@ struct MapRequests::Listing {
   std::vector<map::CatalogueEntry> maps, mappings;
   CurrentMap current;
   int open = 3;
-  std::vector<map::Problem> failures;  // of the two lists
-  AnswerTo<std::vector<map::CatalogueEntry>> reply;
+  std::vector<map::Failure> failures;  // of the two lists
+  OutcomeTo<std::vector<map::CatalogueEntry>> reply;
 };
 
 struct MapRequests::Fetch {
+  Errand errand;
   map::WholeMap map;
   QUrl usual_picture;  // where it lies when the robot does not say, or says wrongly
   int open = 0;
-  std::optional<map::Problem> failure;
-  AnswerTo<map::WholeMap> reply;
+  std::optional<map::Failure> failure;
+  OutcomeTo<map::WholeMap> reply;
 
   void finishPart() {
     if (--open > 0) return;
@@ -67,58 +78,70 @@ struct MapRequests::Fetch {
   }
 };
 
-MapRequests::MapRequests(net::HttpClient& http, QUrl base, Report report, Recovered recovered)
-    : http_(http), base_(std::move(base)), report_(std::move(report)), recovered_(std::move(recovered)) {}
+MapRequests::MapRequests(net::HttpClient& http, QUrl base, std::chrono::milliseconds patience, Report report,
+                         Recovered recovered)
+    : http_(http),
+      base_(std::move(base)),
+      patience_(patience),
+      report_(std::move(report)),
+      recovered_(std::move(recovered)) {}
 
-void MapRequests::getJson(const QString& path, Taken taken) {
+net::HttpRequest MapRequests::requestTo(QUrl url) const {
   net::HttpRequest request;
-  request.url = urlOnRobot(base_, path);
+  request.url = std::move(url);
   request.max_bytes = kMaxJsonBytes;
-  http_.get(request, std::move(taken));
+  request.timeout = patience_;
+  return request;
 }
 
-void MapRequests::getList(const QString& path, Taken taken) {
-  getJson(path, [this, path, taken = std::move(taken)](const net::HttpAnswer& answer) {
+void MapRequests::getJson(Errand errand, const QString& path, Taken taken) {
+  wire::send(errand, http_, requestTo(urlOnRobot(base_, path)), std::move(taken));
+}
+
+void MapRequests::getList(Errand errand, const QString& path, Taken taken) {
+  getJson(errand, path, [this, errand, path, taken = std::move(taken)](const net::HttpAnswer& answer) {
     if (unknown(answer)) {
-      getJson(path.chopped(1), taken);
+      getJson(errand, path.chopped(1), taken);
     } else {
       taken(answer);
     }
   });
 }
 
-void MapRequests::getPicture(const QUrl& url, Taken taken) {
+void MapRequests::getPicture(Errand errand, const QUrl& url, Taken taken, bool tells) {
   net::HttpRequest request;
   request.url = url;
+  request.timeout = patience_;
   request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
   request.cacheable = true;
-  http_.get(request, [this, url, taken = std::move(taken)](const net::HttpAnswer& answer) {
-    if (answer.ok() && answer.body.isEmpty()) http_.discard(url);
-    taken(answer);
-  });
+  wire::send(
+      errand, http_, request,
+      [this, url, taken = std::move(taken)](const net::HttpAnswer& answer) {
+        if (answer.ok() && answer.body.isEmpty()) http_.discard(url);
+        taken(answer);
+      },
+      tells);
 }
 
-void MapRequests::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
+void MapRequests::list(Errand errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
   auto listing = std::make_shared<Listing>();
   listing->reply = std::move(reply);
-  getList(QStringLiteral("/maps/"), [this, listing](const net::HttpAnswer& answer) {
+  getList(errand, QStringLiteral("/maps/"), [this, listing](const net::HttpAnswer& answer) {
     addRows(*listing, answer, map::MapKind::Stored);
     finishPart(listing);
   });
-  getList(QStringLiteral("/mappings/"), [this, listing](const net::HttpAnswer& answer) {
+  getList(errand, QStringLiteral("/mappings/"), [this, listing](const net::HttpAnswer& answer) {
     addRows(*listing, answer, map::MapKind::Mapping);
     finishPart(listing);
   });
-  getJson(QStringLiteral("/chassis/current-map"), [this, listing](const net::HttpAnswer& answer) {
-    const map::Subject subject(map::SubjectKind::Catalogue, "Current map");
+  getJson(errand, kCurrentMapPath, [this, listing](const net::HttpAnswer& answer) {
+    const map::Subject subject(map::SubjectKind::Catalogue, map::kCurrentMapPart);
     if (answer.ok()) listing->current = parseCurrentMap(view(answer.body));
     // No current map is a 404 with some firmware.
     if (answer.ok() || unknown(answer)) {
       recovered_({subject});
     } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
-      report_({map::Severity::Warning, subject,
-               because("Which map is the current one cannot be told: ", answer),
-               map::ProblemCode::Unavailable, wire::failureOf(answer)});
+      report_(map::problemOf(wire::failed(answer, subject), map::Severity::Warning));
     }
     finishPart(listing);
   });
@@ -126,38 +149,48 @@ void MapRequests::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
 
 void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::MapKind kind) {
   const bool maps = kind == map::MapKind::Stored;
-  const map::Subject subject(map::SubjectKind::Catalogue, maps ? "Maps" : "Mappings");
+  const map::Subject subject(map::SubjectKind::Catalogue, maps ? map::kMapsPart : map::kMappingsPart);
+  // Firmware that makes no maps knows no list of what was made: there are none.
+  if (!maps && unknown(answer)) {
+    recovered_({subject});
+    return;
+  }
   if (!answer.ok()) {
-    listing.failures.push_back({map::Severity::Warning, subject, because("The list cannot be had: ", answer),
-                                map::ProblemCode::Unavailable, wire::failureOf(answer)});
+    listing.failures.push_back(wire::failed(answer, subject));
     return;
   }
   auto rows = parseMapRows(view(answer.body), kind);
   if (!rows) {
-    listing.failures.push_back({map::Severity::Warning, subject,
-                                words::because("The list cannot be read", rows.error()),
-                                map::ProblemCode::Unreadable, wire::unreadable(answer)});
+    listing.failures.push_back(wire::misread(answer, subject, rows.error()));
     return;
   }
   recovered_({subject});
   if (rows->without_id > 0) {
-    report_({map::Severity::Warning, subject,
-             std::to_string(rows->without_id) + " rows without an id were left out.", map::ProblemCode::Odd});
+    report_({map::Severity::Warning,
+             subject,
+             {map::ReasonCode::RowsWithoutId, {rows->without_id}},
+             map::ProblemCode::Odd});
   }
   (maps ? listing.maps : listing.mappings) = std::move(rows->entries);
 }
 
 void MapRequests::finishPart(const std::shared_ptr<Listing>& listing) {
   if (--listing->open > 0) return;
+  for (const map::Failure& failure : listing->failures) {
+    // Nobody wants to hear of the other parts either.
+    if (failure.kind == map::FailureKind::Cancelled) {
+      listing->reply(fail(failure));
+      return;
+    }
+  }
   // Mappings alone are worth showing; an empty list where the maps could not be had would be a lie.
   const bool nothing = listing->maps.empty() && listing->mappings.empty();
   if (!listing->failures.empty() && (nothing || listing->failures.size() == 2)) {
-    map::Problem failure = listing->failures.front();
-    failure.severity = map::Severity::Error;
-    listing->reply(tl::make_unexpected(std::move(failure)));
+    listing->reply(fail(listing->failures.front()));
     return;
   }
-  for (const map::Problem& failure : listing->failures) report_(failure);
+  for (const map::Failure& failure : listing->failures)
+    report_(map::problemOf(failure, map::Severity::Warning));
   std::vector<map::CatalogueEntry> all = std::move(listing->maps);
   int index = 0;
   for (map::CatalogueEntry& entry : all) {
@@ -171,50 +204,45 @@ void MapRequests::finishPart(const std::shared_ptr<Listing>& listing) {
   listing->reply(std::move(all));
 }
 
-void MapRequests::detail(const map::MapKey& key, AnswerTo<MapDetail> reply) {
+void MapRequests::detail(Errand errand, const map::MapKey& key, OutcomeTo<MapDetail> reply) {
   if (key.id.empty() || (key.kind != map::MapKind::Stored && key.kind != map::MapKind::Mapping)) {
-    reply(tl::make_unexpected(
-        problemOf(key, "Only stored maps and mappings can be asked for, by their id (12, mapping:48).")));
+    reply(fail(unasked(key)));
     return;
   }
-  getJson(pathOf(key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+  getJson(std::move(errand), pathOf(key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
     if (!answer.ok()) {
-      reply(tl::make_unexpected(
-          problemOf(key, because("It cannot be had: ", answer), wire::failureOf(answer))));
-      return;
-    }
-    auto detail = parseMapDetail(view(answer.body), key);
-    if (detail) {
+      reply(fail(wire::failed(answer, map::subjectOf(key))));
+    } else if (auto detail = parseMapDetail(view(answer.body), key)) {
       reply(std::move(*detail));
     } else {
-      reply(tl::make_unexpected(
-          problemOf(key, words::because("It cannot be read", detail.error()), wire::unreadable(answer))));
+      reply(fail(wire::misread(answer, map::subjectOf(key), detail.error())));
     }
   });
 }
 
-void MapRequests::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) {
-  detail(key, [reply = std::move(reply)](const Answer<MapDetail>& detail) {
+void MapRequests::describe(Errand errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+  detail(std::move(errand), key, [reply = std::move(reply)](const Outcome<MapDetail>& detail) {
     if (detail) {
       reply(detail->entry);
     } else {
-      reply(tl::make_unexpected(detail.error()));
+      reply(fail(detail.error()));
     }
   });
 }
 
-void MapRequests::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) {
-  getPicture(thumbnailUrl(base_, key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-    if (answer.ok() && !answer.body.isEmpty()) {
-      reply(answer.body.toStdString());
-    } else if (answer.ok()) {
-      reply(tl::make_unexpected(problemOf(key, "Its small picture is empty.",
-                                          map::FailureKind::MalformedAnswer, map::Severity::Info)));
-    } else {
-      reply(tl::make_unexpected(problemOf(key, because("Its small picture cannot be had: ", answer),
-                                          wire::failureOf(answer), map::Severity::Info)));
-    }
-  });
+void MapRequests::thumbnail(Errand errand, const map::MapKey& key, OutcomeTo<std::string> reply) {
+  getPicture(
+      std::move(errand), thumbnailUrl(base_, key),
+      [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+        if (!answer.ok()) {
+          reply(fail(wire::failed(answer, map::subjectOf(key), map::AskedFor::SmallPicture)));
+        } else if (answer.body.isEmpty()) {
+          reply(fail(empty(key, map::AskedFor::SmallPicture)));
+        } else {
+          reply(answer.body.toStdString());
+        }
+      },
+      true);
 }
 
 void MapRequests::discardThumbnail(const map::MapKey& key) { http_.discard(thumbnailUrl(base_, key)); }
@@ -223,16 +251,19 @@ void MapRequests::discardPicture(const std::string& fingerprint) {
   if (const QUrl url = origins_.find(fingerprint); url.isValid()) http_.discard(url);
 }
 
-void MapRequests::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
+void MapRequests::fetch(Errand errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
   auto fetch = std::make_shared<Fetch>();
+  fetch->errand = errand;
   fetch->reply = std::move(reply);
   fetch->map.key = key;
-  detail(key, [this, fetch](const Answer<MapDetail>& detail) {
+  detail(std::move(errand), key, [this, fetch](const Outcome<MapDetail>& detail) {
     if (!detail) {
-      fetch->reply(tl::make_unexpected(detail.error()));
+      fetch->reply(fail(detail.error()));
     } else if (const auto why = map::whyUnusable(detail->grid)) {
-      fetch->reply(tl::make_unexpected(
-          problemOf(fetch->map.key, "It cannot be shown. " + *why, map::FailureKind::MalformedAnswer)));
+      fetch->reply(fail({.kind = map::FailureKind::MalformedAnswer,
+                         .subject = map::subjectOf(fetch->map.key),
+                         .reason = map::FailureReason::Unfit,
+                         .cause = *why}));
     } else {
       fetchParts(fetch, *detail);
     }
@@ -257,68 +288,122 @@ void MapRequests::fetchParts(const std::shared_ptr<Fetch>& fetch, const MapDetai
 }
 
 void MapRequests::fetchPicture(const std::shared_ptr<Fetch>& fetch, const QUrl& url) {
-  getPicture(url, [this, fetch, url](const net::HttpAnswer& answer) {
-    if (unknown(answer) && url != fetch->usual_picture) {
-      fetchPicture(fetch, fetch->usual_picture);
-      return;
-    }
-    if (!answer.ok()) {
-      fetch->failure =
-          problemOf(fetch->map.key, because("Its picture cannot be had: ", answer), wire::failureOf(answer));
-    } else if (answer.body.isEmpty()) {
-      fetch->failure = problemOf(fetch->map.key, "Its picture is empty.", map::FailureKind::MalformedAnswer);
-    } else {
-      fetch->map.bytes = std::make_shared<const std::string>(answer.body.toStdString());
-      fetch->map.fingerprint = wire::fingerprint(*fetch->map.bytes);
-      fetch->map.body_bytes = fetch->map.bytes->size();
-      fetch->map.from_cache = answer.from_cache;
-      origins_.note(fetch->map.fingerprint, url);
-      if (const auto size = wire::pngSize(*fetch->map.bytes)) {
-        std::tie(fetch->map.grid.width, fetch->map.grid.height) = *size;
-      }
-    }
-    fetch->finishPart();
-  });
+  getPicture(
+      fetch->errand, url,
+      [this, fetch, url](const net::HttpAnswer& answer) {
+        if (unknown(answer) && url != fetch->usual_picture) {
+          fetchPicture(fetch, fetch->usual_picture);
+          return;
+        }
+        if (!answer.ok()) {
+          fetch->failure = wire::failed(answer, map::subjectOf(fetch->map.key), map::AskedFor::Picture);
+        } else if (answer.body.isEmpty()) {
+          fetch->failure = empty(fetch->map.key, map::AskedFor::Picture);
+        } else {
+          fetch->map.bytes = std::make_shared<const std::string>(answer.body.toStdString());
+          fetch->map.fingerprint = wire::fingerprint(*fetch->map.bytes);
+          fetch->map.body_bytes = fetch->map.bytes->size();
+          fetch->map.from_cache = answer.from_cache;
+          origins_.note(fetch->map.fingerprint, url);
+          if (const auto size = wire::pngSize(*fetch->map.bytes)) {
+            std::tie(fetch->map.grid.width, fetch->map.grid.height) = *size;
+          }
+        }
+        fetch->finishPart();
+      },
+      true);
 }
 
 void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::string& given_url,
                              const QString& file, std::function<void(map::WholeMap&, std::string_view)> add) {
   const QUrl given = robotUrl(base_, given_url);
-  net::HttpRequest request;
-  request.url = given.isValid() ? given : urlOnRobot(base_, pathOf(fetch->map.key) + QLatin1Char('/') + file);
-  request.max_bytes = kMaxJsonBytes;
-  http_.get(request, [fetch, file, add = std::move(add)](const net::HttpAnswer& answer) {
-    if (answer.ok()) {
-      add(fetch->map, view(answer.body));
-    } else {
-      fetch->map.notes.push_back(
-          problemOf(fetch->map.key,
-                    words::because("Shown without " + file.toStdString(), answer.sentence.toStdString()),
-                    wire::failureOf(answer), map::Severity::Info));
-    }
-    fetch->finishPart();
-  });
+  const QUrl url =
+      given.isValid() ? given : urlOnRobot(base_, pathOf(fetch->map.key) + QLatin1Char('/') + file);
+  wire::send(fetch->errand, http_, requestTo(url),
+             [fetch, file, add = std::move(add)](const net::HttpAnswer& answer) {
+               if (answer.ok()) {
+                 add(fetch->map, view(answer.body));
+               } else {
+                 fetch->map.notes.push_back({map::Severity::Info,
+                                             map::subjectOf(fetch->map.key),
+                                             {map::ReasonCode::FileNotHad,
+                                              {file.toStdString()},
+                                              {map::said(answer.sentence.toStdString())}},
+                                             map::ProblemCode::Unavailable,
+                                             wire::failureOf(answer)});
+               }
+               fetch->finishPart();
+             });
 }
 
-void MapRequests::fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply) {
+void MapRequests::fetchOverview(Errand errand, double resolution_m, OutcomeTo<map::WholeMap> reply) {
   net::HttpRequest request;
   request.url = urlOnRobot(base_, QStringLiteral("/ros/slam/map_image"),
                            QStringLiteral("resolution=") + QString::number(resolution_m, 'g', 10));
   request.accept = "application/x-protobuf";
-  request.timeout = kOverviewPatience;
-  http_.get(request, [resolution_m, reply = std::move(reply)](const net::HttpAnswer& answer) {
-    const auto fail = [&](std::string sentence, map::FailureKind failure) {
-      reply(tl::make_unexpected(map::Problem{map::Severity::Warning,
-                                             map::Subject(map::SubjectKind::Overview, {}),
-                                             std::move(sentence), map::ProblemCode::Unavailable, failure}));
-    };
-    if (!answer.ok())
-      return fail(because("The overview of the map cannot be had: ", answer), wire::failureOf(answer));
-    auto overview = parseOverview(view(answer.body), resolution_m);
-    if (!overview) return fail(overview.error(), wire::unreadable(answer));
-    overview->body_bytes = std::size_t(answer.body.size());
-    reply(std::move(*overview));
-  });
+  request.timeout = 4 * patience_;  // the robot draws it first
+  wire::send(
+      errand, http_, request,
+      [resolution_m, reply = std::move(reply)](const net::HttpAnswer& answer) {
+        const map::Subject subject(map::SubjectKind::Overview);
+        if (!answer.ok()) {
+          reply(fail(wire::failed(answer, subject)));
+        } else if (auto overview = parseOverview(view(answer.body), resolution_m)) {
+          overview->body_bytes = std::size_t(answer.body.size());
+          reply(std::move(*overview));
+        } else {
+          reply(fail(wire::misread(answer, subject, overview.error(), map::FailureReason::Unfit)));
+        }
+      },
+      true);
+}
+
+void MapRequests::rename(Errand errand, const map::MapKey& key, const std::string& name,
+                         OutcomeTo<map::CatalogueEntry> reply) {
+  change(std::move(errand), net::HttpMethod::Patch, pathOf(key),
+         {{QStringLiteral("map_name"), QString::fromStdString(name)}}, key, std::move(reply));
+}
+
+void MapRequests::load(Errand errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+  const QString id = QString::fromStdString(key.id);
+  bool whole = false;
+  const qlonglong number = id.toLongLong(&whole);
+  change(std::move(errand), net::HttpMethod::Post, kCurrentMapPath,
+         {{QStringLiteral("map_id"), whole ? QJsonValue(number) : QJsonValue(id)}}, key, std::move(reply));
+}
+
+void MapRequests::change(Errand errand, net::HttpMethod method, const QString& path, const QJsonObject& body,
+                         const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+  if (key.id.empty() || key.kind != map::MapKind::Stored) {
+    map::Failure failure = unasked(key);
+    failure.asked_for = map::AskedFor::Change;
+    failure.arguments = {"12"};
+    reply(fail(std::move(failure)));
+    return;
+  }
+  net::HttpRequest request = requestTo(urlOnRobot(base_, path));
+  request.method = method;
+  request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
+  wire::send(
+      errand, http_, request, [this, errand, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+        if (!answer.ok()) {
+          reply(fail(wire::failed(answer, map::subjectOf(key), map::AskedFor::Change)));
+          return;
+        }
+        // What answers to a change hold differs with the firmware: what has become of the map is asked for.
+        getJson(errand, kCurrentMapPath, [this, errand, key, reply](const net::HttpAnswer& current) {
+          const CurrentMap of_robot = current.ok() ? parseCurrentMap(view(current.body)) : CurrentMap();
+          describe(errand, key, [of_robot, reply](Outcome<map::CatalogueEntry> now) {
+            if (now) {
+              now->is_current = of_robot.is(*now);
+            } else {
+              now.error().asked_for = map::AskedFor::Change;
+              now.error().applied = map::Applied::Yes;
+            }
+            reply(std::move(now));
+          });
+        });
+      });
 }
 
 }  // namespace mapwright::robot::axbot

@@ -2,11 +2,13 @@
 // Source: axbot.md, "Requests".
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <QJsonObject>
 #include <QUrl>
 
 #include "map/catalogue.h"
@@ -14,21 +16,27 @@
 #include "robot/axbot/parse_maps.h"
 #include "robot/axbot/picture_origins.h"
 #include "robot/robot.h"
+#include "robot/wire/errand.h"
 
 namespace mapwright::robot::axbot {
 
 class MapRequests {
  public:
+  using Errand = wire::ErrandPtr;
   using Report = std::function<void(const map::Problem&)>;
   using Recovered = std::function<void(const map::Recovery&)>;
   /// `http` outlives this object, and calls nobody any more once it is gone itself.
-  MapRequests(net::HttpClient& http, QUrl base, Report report, Recovered recovered);
+  MapRequests(net::HttpClient& http, QUrl base, std::chrono::milliseconds patience, Report report,
+              Recovered recovered);
 
-  void list(AnswerTo<std::vector<map::CatalogueEntry>> reply);
-  void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply);
-  void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply);
-  void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply);
-  void fetchOverview(double resolution_m, AnswerTo<map::WholeMap> reply);
+  void list(Errand errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(Errand errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  void thumbnail(Errand errand, const map::MapKey& key, OutcomeTo<std::string> reply);
+  void fetch(Errand errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
+  void fetchOverview(Errand errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
+  void rename(Errand errand, const map::MapKey& key, const std::string& name,
+              OutcomeTo<map::CatalogueEntry> reply);
+  void load(Errand errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void discardThumbnail(const map::MapKey& key);
   /// Nothing happens when it is none of its pictures.
   void discardPicture(const std::string& fingerprint);
@@ -38,11 +46,14 @@ class MapRequests {
   struct Listing;
   struct Fetch;
 
-  void getJson(const QString& path, Taken taken);
+  net::HttpRequest requestTo(QUrl url) const;
+  void getJson(Errand errand, const QString& path, Taken taken);
   /// Asks for "/maps/" and, when that is not known, for "/maps".
-  void getList(const QString& path, Taken taken);
-  void getPicture(const QUrl& url, Taken taken);
-  void detail(const map::MapKey& key, AnswerTo<MapDetail> reply);
+  void getList(Errand errand, const QString& path, Taken taken);
+  void getPicture(Errand errand, const QUrl& url, Taken taken, bool tells);
+  void change(Errand errand, net::HttpMethod method, const QString& path, const QJsonObject& body,
+              const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  void detail(Errand errand, const map::MapKey& key, OutcomeTo<MapDetail> reply);
   void finishPart(const std::shared_ptr<Listing>& listing);
   void addRows(Listing& listing, const net::HttpAnswer& answer, map::MapKind kind);
   void fetchParts(const std::shared_ptr<Fetch>& fetch, const MapDetail& detail);
@@ -52,6 +63,7 @@ class MapRequests {
 
   net::HttpClient& http_;
   QUrl base_;
+  std::chrono::milliseconds patience_;
   Report report_;
   Recovered recovered_;
   PictureOrigins origins_;

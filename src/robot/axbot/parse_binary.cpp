@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <limits>
-#include <zlib.h>
+#include <span>
 
+#include "packed/unpack.h"
 #include "robot/axbot/parse_binary_cloud.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
@@ -14,26 +14,14 @@ namespace {
 // A list of 100,000 submaps takes about 10 MB, a cloud of 2 million points about 20 MB.
 constexpr std::size_t kMaxInflated = std::size_t(64) << 20;
 
-/// Inflates gzip or zlib data of unknown size up to kMaxInflated; nullopt when broken, cut off or larger.
-std::optional<std::string> inflateBounded(std::string_view packed) {
-  z_stream stream{};
-  if (inflateInit2(&stream, 15 + 32) != Z_OK) return std::nullopt;
-  std::string out;
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-  stream.avail_in = uInt(packed.size());
-  int result = Z_OK;
-  while (result == Z_OK && out.size() < kMaxInflated) {
-    const std::size_t had = out.size();
-    out.resize(std::min(kMaxInflated, std::max<std::size_t>(had * 2, packed.size() * 4 + 4096)));
-    stream.next_out = reinterpret_cast<Bytef*>(out.data() + had);
-    stream.avail_out = uInt(out.size() - had);
-    result = inflate(&stream, Z_NO_FLUSH);
-    out.resize(out.size() - stream.avail_out);
-    if (result == Z_OK && stream.avail_in == 0 && stream.avail_out > 0) break;  // cut off
-  }
-  inflateEnd(&stream);
-  if (result != Z_STREAM_END) return std::nullopt;
-  return out;
+/// Of gzip or zlib data of unknown size up to kMaxInflated; nullopt when broken, cut off or larger.
+std::optional<std::string> unpacked(std::string_view body) {
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(body.data()), body.size());
+  const bool gzip = packed::sniffContainer(bytes) == packed::Container::Gzip;
+  const auto out =
+      packed::unpack(gzip ? packed::Container::Gzip : packed::Container::Zlib, bytes, kMaxInflated);
+  if (!out) return std::nullopt;
+  return std::string(reinterpret_cast<const char*>(out->data.get()), out->size);
 }
 
 }  // namespace
@@ -46,9 +34,8 @@ std::string topicOfBinaryFrame(std::string_view bytes) {
 tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes) {
   const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
   if (bytes.size() < length + 2) {
-    return tl::make_unexpected(
-        map::UnreadableMessage{kUnknownTopic, "A binary message of " + std::to_string(bytes.size()) +
-                                                  " bytes is too short to be read. It was left out."});
+    return tl::make_unexpected(map::UnreadableMessage{
+        kUnknownTopic, {map::ReasonCode::BinaryTooShort, {std::int64_t(bytes.size())}}});
   }
   BinaryFrame frame;
   frame.topic = bytes.substr(1, length);
@@ -57,12 +44,11 @@ tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_
     frame.body = body;
     return frame;
   }
-  auto unpacked = inflateBounded(body);
-  if (!unpacked) {
-    return tl::make_unexpected(map::UnreadableMessage{
-        frame.topic, "A compressed message could not be unpacked. What was shown before stays."});
+  auto content = unpacked(body);
+  if (!content) {
+    return tl::make_unexpected(map::UnreadableMessage{frame.topic, map::ReasonCode::NotUnpacked});
   }
-  frame.body = std::move(*unpacked);
+  frame.body = std::move(*content);
   return frame;
 }
 
@@ -74,12 +60,11 @@ std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
                     wrapper.ParseFromArray(frame->body.data(), int(frame->body.size()));
   if (isCloudTopic(frame->topic)) {
     if (read && wrapper.has_point_cloud()) return readCloud(frame->topic, wrapper.point_cloud());
-    return map::UnreadableMessage{frame->topic, "A binary message holds no points that can be read."};
+    return map::UnreadableMessage{frame->topic, map::ReasonCode::BinaryWithoutPoints};
   }
   if (frame->topic != "/submap_list") return std::nullopt;
   if (!read || !wrapper.has_submap_list()) {
-    return map::UnreadableMessage{frame->topic,
-                                  "A binary message could not be read. The list before it stays."};
+    return map::UnreadableMessage{frame->topic, map::ReasonCode::BinaryWithoutList};
   }
   return toSubmapList(wrapper.submap_list());
 }

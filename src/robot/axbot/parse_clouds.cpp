@@ -182,10 +182,14 @@ bool isByte(const Field* field) {
   return field && (field->type == FieldType::U8 || field->type == FieldType::I8);
 }
 
+map::TopicMessage unreadable(const std::string& topic, map::Reason why,
+                             map::Consequence then = map::Consequence::TheyWereLeftOut) {
+  return map::UnreadableMessage{topic, std::move(why).followedBy(then)};
+}
+
 map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, std::string_view base64) {
   const auto bytes = wire::fromBase64(base64, kMaxCloudBytes);
-  if (!bytes)
-    return map::UnreadableMessage{topic, "Its points are not base64, or too many. They were left out."};
+  if (!bytes) return unreadable(topic, map::ReasonCode::PointsNotBase64);
   const Field *x = layout.find("x"), *y = layout.find("y"), *z = layout.find("z");
   const Field* bright = layout.brightness();
   Cloud cloud;
@@ -242,11 +246,9 @@ MaybeMessage readCloudTopic(const std::string& topic, const Json& message) {
       wire::JsonList rows;
       if (!data->get(rows)) return tabledPoints(topic, *layout, rows);
     }
-    return map::UnreadableMessage{topic,
-                                  "Its fields name no x and y, or a type that is not known. Its points were "
-                                  "left out."};
+    return unreadable(topic, map::ReasonCode::PointsWithoutFields, map::Consequence::ItsPointsWereLeftOut);
   }
-  return map::UnreadableMessage{topic, "It holds no points that can be read. They were left out."};
+  return unreadable(topic, map::ReasonCode::NoReadablePoints);
 }
 
 map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointCloud& message) {
@@ -254,7 +256,7 @@ map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointC
   const double resolution = message.resolution() == 0 ? 1 : double(message.resolution());
   if (!std::isfinite(resolution) || !std::isfinite(message.center_x()) ||
       !std::isfinite(message.center_y())) {
-    return map::UnreadableMessage{topic, "Its points have no usable scale or centre. They were left out."};
+    return unreadable(topic, map::ReasonCode::PointsWithoutScale);
   }
   const int count = std::min(message.xs_size(), message.ys_size());
   const std::string& brightness =

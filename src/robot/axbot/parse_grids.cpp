@@ -60,14 +60,15 @@ std::optional<map::GridKind> gridKindOf(const std::string& topic) {
 }
 
 void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
-  const auto refuse = [&](std::string reason) {
-    frame.message = map::UnreadableMessage{frame.topic, std::move(reason)};
+  const auto refuse = [&](map::Reason why) {
+    frame.message =
+        map::UnreadableMessage{frame.topic, std::move(why).followedBy(map::Consequence::PictureBeforeStays)};
   };
   map::GridMessage grid;
   grid.topic = frame.topic;
   grid.kind = kind;
   grid.grid = gridOf(message);
-  if (const auto why = map::whyUnusable(grid.grid)) return refuse(*why + " The picture before stays.");
+  if (const auto why = map::whyUnusable(grid.grid)) return refuse(*why);
   std::string_view data, url;
   if (const auto given = wire::member(message, {"data"})) std::ignore = given->get(data);
   if (const auto given = wire::member(message, {"data_url"})) std::ignore = given->get(url);
@@ -75,7 +76,7 @@ void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
   if (!data.empty()) {
     auto picture = wire::fromBase64(data, kMaxPictureBytes);
     if (!picture || picture->empty()) {
-      return refuse("The picture in its message is not base64, or too large. The picture before stays.");
+      return refuse(map::ReasonCode::PictureInMessageNotBase64);
     }
     grid.fingerprint = wire::fingerprint(*picture);
     grid.png = std::make_shared<const std::string>(std::move(*picture));
@@ -83,7 +84,7 @@ void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
   } else if (!url.empty()) {
     frame.grid_to_fetch = GridToFetch{std::move(grid), std::string(url)};
   } else {
-    refuse("It holds neither a picture nor the address of one. The picture before stays.");
+    refuse(map::ReasonCode::NoPictureNorAddress);
   }
 }
 

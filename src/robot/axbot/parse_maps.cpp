@@ -6,12 +6,14 @@
 #include "robot/axbot/parse_overlays.h"
 #include "robot/wire/picture_facts.h"
 #include "ros_messages/slam.pb.h"
-#include "words/sentences.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
+using map::ReasonCode;
 using wire::Json;
+
+auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -41,11 +43,11 @@ map::CatalogueEntry entryOf(const Json& row, map::MapKind kind) {
 
 }  // namespace
 
-tl::expected<MapRows, std::string> parseMapRows(std::string_view body, map::MapKind kind) {
+tl::expected<MapRows, map::Reason> parseMapRows(std::string_view body, map::MapKind kind) {
   wire::JsonReader reader;
   const auto root = reader.readKeepingDigits(body);
   const auto rows = root ? wire::asList(*root, {"maps", "mappings"}) : std::nullopt;
-  if (!rows) return tl::make_unexpected(std::string("its answer is not a list"));
+  if (!rows) return refused(ReasonCode::AnswerIsNoList);
   MapRows read;
   for (const Json row : *rows) {
     auto entry = entryOf(row, kind);
@@ -58,13 +60,13 @@ tl::expected<MapRows, std::string> parseMapRows(std::string_view body, map::MapK
   return read;
 }
 
-tl::expected<MapDetail, std::string> parseMapDetail(std::string_view body, const map::MapKey& key) {
+tl::expected<MapDetail, map::Reason> parseMapDetail(std::string_view body, const map::MapKey& key) {
   wire::JsonReader reader;
   auto root = reader.readKeepingDigits(body);
   if (root && root->is_object() && !wire::member(*root, {"id", "grid_resolution"})) {
     if (const auto inner = wire::member(*root, {"data"})) root = inner;
   }
-  if (!root || !root->is_object()) return tl::make_unexpected(std::string("the robot's answer is not a map"));
+  if (!root || !root->is_object()) return refused(ReasonCode::AnswerIsNoMap);
   MapDetail detail;
   detail.entry = entryOf(*root, key.kind);
   detail.entry.key = key;
@@ -118,24 +120,24 @@ std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body) {
   return landmarks;
 }
 
-tl::expected<map::WholeMap, std::string> parseOverview(std::string_view body, double asked_resolution_m) {
+tl::expected<map::WholeMap, map::Reason> parseOverview(std::string_view body, double asked_resolution_m) {
   ros_messages::slam::GetMapImageResponse response;
   if (body.empty() || body.size() > std::size_t(std::numeric_limits<int>::max()) ||
       !response.ParseFromArray(body.data(), int(body.size()))) {
-    return tl::make_unexpected(std::string("The robot's answer is no map picture, or is cut off."));
+    return refused(ReasonCode::AnswerIsNoPicture);
   }
   if (response.status_code() != ros_messages::slam::OK) {
     const std::string& name = ros_messages::slam::StatusCode_Name(response.status_code());
-    return tl::make_unexpected(words::because(
-        "The robot answered " + (name.empty() ? "code " + std::to_string(response.status_code()) : name),
-        response.status_message().substr(0, 300)));
+    return refused({ReasonCode::RobotAnswered,
+                    {name.empty() ? "code " + std::to_string(response.status_code()) : name},
+                    {map::said(response.status_message().substr(0, 300))}});
   }
   map::WholeMap whole;
   whole.key = {map::MapKind::Live, {}};
   whole.grid.resolution_m = response.resolution() == 0 ? asked_resolution_m : response.resolution();
   whole.grid.origin = {response.origin_x(), response.origin_y(), 0};
-  if (const auto why = map::whyUnusable(whole.grid)) return tl::make_unexpected(*why);
-  if (response.png_bytes().empty()) return tl::make_unexpected(std::string("The robot sent no picture."));
+  if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);
+  if (response.png_bytes().empty()) return refused(ReasonCode::NoPictureSent);
   whole.bytes = std::make_shared<const std::string>(std::move(*response.mutable_png_bytes()));
   if (const auto size = wire::pngSize(*whole.bytes)) {
     std::tie(whole.grid.width, whole.grid.height) = *size;

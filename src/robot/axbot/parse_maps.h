@@ -13,12 +13,12 @@
 
 namespace mapwright::robot::axbot {
 
-/// The rows of a list of maps or mappings; the error is a sentence. Rows without an id are counted only.
+/// The rows of a list of maps or mappings. Rows without an id are counted only.
 struct MapRows {
   std::vector<map::CatalogueEntry> entries;
   int without_id = 0;
 };
-tl::expected<MapRows, std::string> parseMapRows(std::string_view body, map::MapKind kind);
+tl::expected<MapRows, map::Reason> parseMapRows(std::string_view body, map::MapKind kind);
 
 /// One map or mapping with everything that leads to its picture. Addresses as the robot wrote them.
 struct MapDetail {
@@ -27,7 +27,7 @@ struct MapDetail {
   std::string image_url, thumbnail_url, trajectories_url, landmarks_url;
   std::vector<map::OverlayFeature> overlays;
 };
-tl::expected<MapDetail, std::string> parseMapDetail(std::string_view body, const map::MapKey& key);
+tl::expected<MapDetail, map::Reason> parseMapDetail(std::string_view body, const map::MapKey& key);
 
 /// Who the current map is: id is empty when it was set from data (-1).
 struct CurrentMap {
@@ -40,7 +40,7 @@ CurrentMap parseCurrentMap(std::string_view body);
 std::vector<std::vector<Eigen::Vector2d>> parseTrajectories(std::string_view body);
 std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body);
 
-/// A GetMapImageResponse: the picture with its place; the error is a sentence.
-tl::expected<map::WholeMap, std::string> parseOverview(std::string_view body, double asked_resolution_m);
+/// A GetMapImageResponse: the picture with its place.
+tl::expected<map::WholeMap, map::Reason> parseOverview(std::string_view body, double asked_resolution_m);
 
 }  // namespace mapwright::robot::axbot

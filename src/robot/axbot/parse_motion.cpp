@@ -14,8 +14,9 @@ map::TopicMessage trackedPose(const Json& message) {
   // A heading that was left out is 0; one that is there and is no number spoils the pose.
   const bool spoilt = !message["ori"].get(heading) && !wire::asNumber(heading);
   if (!pose || spoilt) {
-    return map::UnreadableMessage{"/tracked_pose",
-                                  "The robot's pose holds no usable numbers. It stays where it was."};
+    return map::UnreadableMessage{
+        "/tracked_pose",
+        map::Reason(map::ReasonCode::PoseWithoutNumbers).followedBy(map::Consequence::StaysWhereItWas)};
   }
   return map::TrackedPose{*pose};
 }

@@ -53,7 +53,8 @@ map::TopicMessage alerts(const Json& message) {
   if (!rows) return alerts;
   wire::JsonList list;
   if (rows->get(list)) {
-    return map::UnreadableMessage{"/alerts", "Its \"alerts\" member is not a list. The alerts before stay."};
+    return map::UnreadableMessage{
+        "/alerts", {map::ReasonCode::MemberIsNoList, {"alerts"}, {}, map::Consequence::AlertsBeforeStay}};
   }
   for (const Json row : list) {
     if (!row.is_object()) continue;

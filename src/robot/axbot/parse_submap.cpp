@@ -1,7 +1,5 @@
 #include "robot/axbot/parse_submap.h"
 
-#include "words/sentences.h"
-
 namespace mapwright::robot::axbot {
 namespace {
 
@@ -23,13 +21,12 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
   answer.bytes = body.size();
   ros_messages::slam::SubmapQueryV2Response response;
   if (body.empty()) {
-    answer.reason = "The robot sent an empty answer.";
+    answer.reason = map::ReasonCode::EmptyAnswer;
     return answer;
   }
   if (body.size() > std::size_t(std::numeric_limits<int>::max()) ||
       !response.ParseFromArray(body.data(), int(body.size()))) {
-    answer.reason =
-        "The robot's answer (" + std::to_string(body.size()) + " bytes) is cut off or is not a submap.";
+    answer.reason = {map::ReasonCode::AnswerIsNoSubmap, {std::int64_t(body.size())}};
     return answer;
   }
   answer.version = response.submap_version();
@@ -38,8 +35,9 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
     answer.outcome = code == ros_messages::slam::NOT_FOUND       ? Outcome::NotFound
                      : code == ros_messages::slam::UUID_MISMATCH ? Outcome::WrongUuid
                                                                  : Outcome::Failed;
-    answer.reason =
-        words::because("The robot answered " + codeName(code), response.status().message().substr(0, 300));
+    answer.reason = {map::ReasonCode::RobotAnswered,
+                     {codeName(code)},
+                     {map::said(response.status().message().substr(0, 300))}};
     return answer;
   }
   answer.outcome = Outcome::Ok;

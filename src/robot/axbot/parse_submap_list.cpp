@@ -52,7 +52,7 @@ MaybeMessage readSubmapTopic(const std::string& topic, const Json& message) {
   const auto member = wire::member(message, {"submap", "submaps"});
   if (!member) return list;
   wire::JsonList rows;
-  if (member->get(rows)) return map::UnreadableMessage{topic, "Its \"submap\" member is not a list."};
+  if (member->get(rows)) return map::UnreadableMessage{topic, {map::ReasonCode::MemberIsNoList, {"submap"}}};
   list.entries.reserve(rows.size());
   std::size_t position = 0;
   for (const Json row : rows) {
@@ -61,8 +61,7 @@ MaybeMessage readSubmapTopic(const std::string& topic, const Json& message) {
     const auto index = wire::smallInteger(row, {"submap_index"});
     const auto version = wire::smallInteger(row, {"submap_version"});
     if (!trajectory || !index || !version) {
-      list.rejected.push_back("Row " + std::to_string(position) +
-                              " has no usable trajectory_id, submap_index or submap_version. Left out.");
+      list.rejected.push_back({map::ReasonCode::RowWithoutNumbers, {std::int64_t(position)}});
       continue;
     }
     list.entries.push_back({{*trajectory, *index},

@@ -47,8 +47,8 @@ TextFrame TopicReader::read(std::string_view utf8) {
   const auto root = json_.read(utf8);
   if (root && root->is_object()) return readFrame(*root);
   TextFrame frame;
-  frame.message = map::UnreadableMessage{kUnknownTopic, "A message of " + std::to_string(utf8.size()) +
-                                                            " bytes is not a JSON object. It was left out."};
+  frame.message =
+      map::UnreadableMessage{kUnknownTopic, {map::ReasonCode::MessageNotJson, {std::int64_t(utf8.size())}}};
   return frame;
 }
 

@@ -15,8 +15,8 @@ std::string slotOf(const map::TopicMessage& message) {
 
 bool TopicMailbox::takes(const map::TopicMessage& message) { return !slotOf(message).empty(); }
 
-bool TopicMailbox::put(map::TopicMessage message) {
-  std::string slot = slotOf(message);
+bool TopicMailbox::put(map::StampedMessage message) {
+  std::string slot = slotOf(message.message);
   const std::lock_guard lock(mutex_);
   if (latest_.size() >= kTopics && !latest_.contains(slot)) return false;
   const bool was_empty = latest_.empty();
@@ -24,13 +24,13 @@ bool TopicMailbox::put(map::TopicMessage message) {
   return was_empty;
 }
 
-std::vector<map::TopicMessage> TopicMailbox::take() {
-  std::map<std::string, map::TopicMessage> taken;
+std::vector<map::StampedMessage> TopicMailbox::take() {
+  std::map<std::string, map::StampedMessage> taken;
   {
     const std::lock_guard lock(mutex_);
     taken.swap(latest_);
   }
-  std::vector<map::TopicMessage> messages;
+  std::vector<map::StampedMessage> messages;
   messages.reserve(taken.size());
   for (auto& [slot, message] : taken) messages.push_back(std::move(message));
   return messages;

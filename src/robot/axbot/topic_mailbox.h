@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "map/live_topics.h"
+#include "map/stamped_message.h"
 
 namespace mapwright::robot::axbot {
 
@@ -20,13 +20,13 @@ class TopicMailbox {
   static bool takes(const map::TopicMessage& message);
 
   /// True when the box was empty: the taker has to be woken.
-  bool put(map::TopicMessage message);
+  bool put(map::StampedMessage message);
   /// Empties the box.
-  std::vector<map::TopicMessage> take();
+  std::vector<map::StampedMessage> take();
 
  private:
   std::mutex mutex_;
-  std::map<std::string, map::TopicMessage> latest_;  // by topic
+  std::map<std::string, map::StampedMessage> latest_;  // by topic
 };
 
 }  // namespace mapwright::robot::axbot

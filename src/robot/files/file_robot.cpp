@@ -9,10 +9,16 @@ FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
       address_(std::move(address)),
       path_(options.path),
       folder_(!isMapFile(path_)),
-      files_(new MapFiles(std::move(options))) {
+      files_(new MapFiles(options)),
+      catalogue_({this, files_}, QFileInfo(path_).fileName().toStdString()),
+      whole_maps_({this, files_}),
+      waypoint_files_(new WaypointFiles(std::move(options))),
+      waypoints_(waypoint_files_) {
   files_->moveToThread(&thread_);
+  waypoint_files_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("map files"));
   connect(&thread_, &QThread::finished, files_, &QObject::deleteLater);
+  connect(&thread_, &QThread::finished, waypoint_files_, &QObject::deleteLater);
   connect(files_, &MapFiles::looked, this, [this](bool folder, const QString& trouble) {
     if (!wanted_) return;
     if (std::exchange(folder_, folder) != folder) Q_EMIT identityChanged();
@@ -38,8 +44,6 @@ RobotIdentity FileRobot::identity() const {
   return identity;
 }
 
-QString FileRobot::limits() const { return tr("A local map: there is no robot, so nothing moves on it."); }
-
 void FileRobot::connectToRobot() {
   wanted_ = true;
   if (state_.phase != ConnectionPhase::Online) enter(ConnectionPhase::Connecting);
@@ -59,31 +63,30 @@ void FileRobot::enter(ConnectionPhase phase, const QString& reason) {
   Q_EMIT connectionChanged();
 }
 
-void FileRobot::list(AnswerTo<std::vector<map::CatalogueEntry>> reply) {
-  wire::askAcross(this, files_, lists_, std::move(reply),
-                  [](MapFiles& files, auto answer) { answer(files.list()); });
+Call Catalogue::list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  return wire::askAcross(line_.asker, line_.files, lists_,
+                         map::Subject(map::SubjectKind::Catalogue, map::kMapsPart), std::move(reply),
+                         [](MapFiles& files, const auto&, auto answer) { answer(files.list()); });
 }
 
-void FileRobot::describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) {
-  wire::askAcross(this, files_, descriptions_, std::move(reply),
-                  [key](MapFiles& files, auto answer) { answer(files.describe(key)); });
+Call Catalogue::describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+  return wire::askAcross(line_.asker, line_.files, descriptions_, map::subjectOf(key), std::move(reply),
+                         [key](MapFiles& files, const auto&, auto answer) { answer(files.describe(key)); });
 }
 
-void FileRobot::thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) {
-  const std::string name = key.id.empty() ? QFileInfo(path_).fileName().toStdString() : key.id.substr(0, 200);
-  QMetaObject::invokeMethod(
-      this,
-      [reply = std::move(reply), key, name] {
-        reply(tl::make_unexpected(map::Problem{map::Severity::Info, map::subjectOf(key, name),
-                                               "A file has no small picture of itself.",
-                                               map::ProblemCode::Unavailable}));
-      },
-      Qt::QueuedConnection);
+Call Catalogue::thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) {
+  const std::string name = key.id.empty() ? file_name_ : key.id.substr(0, 200);
+  return wire::endLater<std::string>(
+      line_.asker, thumbnails_, std::move(reply),
+      tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
+                                       .subject = map::subjectOf(key, name),
+                                       .asked_for = map::AskedFor::SmallPicture,
+                                       .reason = map::FailureReason::NotOffered}));
 }
 
-void FileRobot::fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) {
-  wire::askAcross(this, files_, whole_maps_, std::move(reply),
-                  [key](MapFiles& files, auto answer) { answer(files.fetch(key)); });
+Call WholeMaps::fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+  return wire::askAcross(line_.asker, line_.files, maps_, map::subjectOf(key), std::move(reply),
+                         [key](MapFiles& files, const auto&, auto answer) { answer(files.fetch(key)); });
 }
 
 }  // namespace mapwright::robot::files

@@ -3,14 +3,46 @@
 
 #include <QThread>
 
+#include "robot/files/file_waypoint_store.h"
 #include "robot/files/map_files.h"
 #include "robot/robot.h"
-#include "robot/wire/pending_answers.h"
+#include "robot/wire/pending_calls.h"
 
 namespace mapwright::robot::files {
 
+/// Who asks, and who is asked, on a thread of its own. Both outlive the capabilities' questions.
+struct Line {
+  QObject* asker;
+  MapFiles* files;
+};
+
+class Catalogue : public MapCatalogue {
+ public:
+  Catalogue(Line line, std::string file_name) : line_(line), file_name_(std::move(file_name)) {}
+  Call list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) override;
+  Call describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
+  Call thumbnail(const map::MapKey& key, OutcomeTo<std::string> reply) override;
+
+ private:
+  Line line_;
+  std::string file_name_;
+  wire::PendingCalls<std::vector<map::CatalogueEntry>> lists_;
+  wire::PendingCalls<map::CatalogueEntry> descriptions_;
+  wire::PendingCalls<std::string> thumbnails_;
+};
+
+class WholeMaps : public WholeMapSource {
+ public:
+  explicit WholeMaps(Line line) : line_(line) {}
+  Call fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) override;
+
+ private:
+  Line line_;
+  wire::PendingCalls<map::WholeMap> maps_;
+};
+
 /// Nothing here touches the disk: MapFiles does, on a thread of its own.
-class FileRobot : public Robot, private MapCatalogue, private WholeMapSource {
+class FileRobot : public Robot {
   Q_OBJECT
  public:
   FileRobot(QString address, FileOptions options, QObject* parent = nullptr);
@@ -18,19 +50,18 @@ class FileRobot : public Robot, private MapCatalogue, private WholeMapSource {
   ~FileRobot() override;
 
   QString address() const override { return address_; }
+  bool isLocal() const override { return true; }
   void connectToRobot() override;
   void disconnectFromRobot() override;
   ConnectionState connection() const override { return state_; }
   RobotIdentity identity() const override;
-  MapCatalogue* mapCatalogue() override { return this; }
-  WholeMapSource* wholeMapSource() override { return this; }
-  QString limits() const override;
+  MapCatalogue* mapCatalogue() override { return &catalogue_; }
+  WholeMapSource* wholeMapSource() override { return &whole_maps_; }
+  WaypointSource* waypointSource() override { return &told_waypoints_; }
+  WaypointStore* waypointStore() override { return &waypoints_; }
+  Absence whyNot(Capability) const override { return {Absence::Reason::LocalFiles, {}}; }
 
  private:
-  void list(AnswerTo<std::vector<map::CatalogueEntry>> reply) override;
-  void describe(const map::MapKey& key, AnswerTo<map::CatalogueEntry> reply) override;
-  void thumbnail(const map::MapKey& key, AnswerTo<std::string> reply) override;
-  void fetch(const map::MapKey& key, AnswerTo<map::WholeMap> reply) override;
   void enter(ConnectionPhase phase, const QString& reason = {});
 
   QString address_, path_;
@@ -39,9 +70,11 @@ class FileRobot : public Robot, private MapCatalogue, private WholeMapSource {
   ConnectionState state_;
   QThread thread_;
   MapFiles* files_;  // lives on thread_, deleted when it ends
-  wire::PendingAnswers<std::vector<map::CatalogueEntry>> lists_;
-  wire::PendingAnswers<map::CatalogueEntry> descriptions_;
-  wire::PendingAnswers<map::WholeMap> whole_maps_;
+  Catalogue catalogue_;
+  WholeMaps whole_maps_;
+  WaypointFiles* waypoint_files_;  // lives on thread_, deleted when it ends
+  FileWaypointStore waypoints_;
+  FileWaypoints told_waypoints_{this, waypoint_files_};
 };
 
 }  // namespace mapwright::robot::files

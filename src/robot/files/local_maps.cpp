@@ -23,7 +23,9 @@ bool hasSuffix(const QString& path, std::initializer_list<const char*> suffixes)
 
 bool isYaml(const QString& path) { return hasSuffix(path, {".yaml", ".yml"}); }
 
-auto refused(std::string sentence) { return tl::make_unexpected(std::move(sentence)); }
+using map::ReasonCode;
+
+auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
 
 /// Where a file really lies, links followed as far as they lead.
 QString trueFolder(const QString& path) {
@@ -42,20 +44,20 @@ std::string readingText(const map::CellReading& reading) {
          std::to_string(reading.occupied_thresh) + " " + std::to_string(reading.free_thresh);
 }
 
-void note(map::WholeMap& whole, map::Severity severity, std::string sentence) {
-  whole.notes.push_back({severity, "File " + whole.name, std::move(sentence)});
+void note(map::WholeMap& whole, map::Severity severity, map::Reason odd) {
+  whole.notes.push_back({severity, map::subjectOf(whole.key, whole.name), std::move(odd)});
 }
 
-std::optional<std::string> whyUnreadable(const QString& path) {
+std::optional<map::Reason> whyUnreadable(const QString& path) {
   const QFileInfo info(path);
   const std::string name = path.toStdString();
-  if (!info.exists()) return "There is no file " + name + ".";
-  if (!info.isFile()) return name + " is not a file.";
-  if (!info.isReadable()) return "The file " + name + " may not be read by you.";
+  if (!info.exists()) return map::Reason(ReasonCode::NoSuchFile, {name});
+  if (!info.isFile()) return map::Reason(ReasonCode::NotAFile, {name});
+  if (!info.isReadable()) return map::Reason(ReasonCode::FileNotReadable, {name});
   return std::nullopt;
 }
 
-tl::expected<map::WholeMap, std::string> fromYaml(const QString& path, YamlShelf& yamls) {
+tl::expected<map::WholeMap, map::Reason> fromYaml(const QString& path, YamlShelf& yamls) {
   auto yaml = yamls.read(path.toStdString());
   if (!yaml) return refused(yaml.error());
   map::WholeMap whole;
@@ -64,22 +66,22 @@ tl::expected<map::WholeMap, std::string> fromYaml(const QString& path, YamlShelf
   whole.reading = yaml->reading;
   const QString folder = QFileInfo(path).absolutePath();
   const QString picture = QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(yaml->image)));
-  if (auto why = whyUnreadable(picture)) return refused("Its picture cannot be read. " + *why);
+  if (auto why = whyUnreadable(picture)) return refused({ReasonCode::PictureNotReadable, {}, {*why}});
   whole.path = picture.toStdString();
-  for (std::string& sentence : yaml->notes) note(whole, map::Severity::Warning, std::move(sentence));
+  for (map::Reason& odd : yaml->notes) note(whole, map::Severity::Warning, std::move(odd));
   if (!liesBelow(trueFolder(picture), trueFolder(path))) {
-    note(whole, map::Severity::Info, "Its picture lies outside of its folder: " + whole.path + ".");
+    note(whole, map::Severity::Info, {ReasonCode::PictureOutsideFolder, {whole.path}});
   }
   return whole;
 }
 
-std::string namesOf(const QStringList& paths) {
+map::Reason several(const QStringList& yamls) {
   constexpr qsizetype kMostNames = 3;
   QStringList names;
-  for (const QString& path : paths.mid(0, kMostNames)) names << QFileInfo(path).fileName();
-  std::string text = names.join(QStringLiteral(", ")).toStdString();
-  if (paths.size() > kMostNames) text += " and " + std::to_string(paths.size() - kMostNames) + " more";
-  return text;
+  for (const QString& path : yamls.mid(0, kMostNames)) names << QFileInfo(path).fileName();
+  const std::string first = names.join(QStringLiteral(", ")).toStdString();
+  if (yamls.size() <= kMostNames) return {ReasonCode::SeveralYamls, {first}};
+  return {ReasonCode::SeveralYamlsAndMore, {first, std::int64_t(yamls.size() - kMostNames)}};
 }
 
 map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const QStringList& named_by) {
@@ -89,24 +91,18 @@ map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const 
   whole.grid.resolution_m = place.resolution_m.value_or(kUsualResolutionM);
   whole.grid.origin = place.origin.value_or(geometry::Pose2{});
   if (!place.resolution_m) {
-    note(whole, map::Severity::Warning,
-         "A picture alone does not say how large its cells are. 0.05 m is assumed; give ?resolution=0.05 "
-         "after "
-         "the path to say it.");
+    note(whole, map::Severity::Warning, ReasonCode::ResolutionAssumed);
   }
   const QString stem = QFileInfo(path).absolutePath() + QLatin1Char('/') + QFileInfo(path).completeBaseName();
   for (const char* suffix : {".yaml", ".yml"}) {
     const QString beside = stem + QLatin1String(suffix);
     if (!named_by.isEmpty() || place.resolution_m || !QFileInfo::exists(beside)) continue;
     note(whole, map::Severity::Info,
-         QFileInfo(beside).fileName().toStdString() +
-             " beside it does not name it as its image, or cannot be read as a map.yaml.");
+         {ReasonCode::YamlBesideUnused, {QFileInfo(beside).fileName().toStdString()}});
     break;
   }
   if (!named_by.isEmpty()) {
-    note(whole, map::Severity::Warning,
-         "More than one map.yaml names this picture, so none is taken: " + namesOf(named_by) +
-             ". Open the right one.");
+    note(whole, map::Severity::Warning, several(named_by));
   }
   return whole;
 }
@@ -124,14 +120,24 @@ QStringList mapFilesIn(const QString& folder) {
   return names;
 }
 
-tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place,
+QString mapPathOf(const QString& path, const map::MapKey& key) {
+  if (key.kind != map::MapKind::File) return {};
+  const QString id = QString::fromStdString(key.id);
+  if (!QFileInfo(path).isDir()) return id.isEmpty() || id == QFileInfo(path).fileName() ? path : QString();
+  const bool plain = isMapFile(id) && !id.contains(QLatin1Char('/')) && !id.contains(QChar::Null);
+  const QString inside = path + QLatin1Char('/') + id;
+  return plain && QFileInfo(inside).isFile() ? inside : QString();
+}
+
+tl::expected<map::WholeMap, map::Reason> readLocalMap(const QString& path, const PicturePlace& place,
                                                       YamlShelf& yamls, const PictureYamls* beside) {
   if (auto why = whyUnreadable(path)) return refused(std::move(*why));
   QStringList named_by;
   if (!isYaml(path) && !place.resolution_m && !place.origin)
-    named_by = beside ? beside->naming(path) : yamlsNaming(path);
+    named_by =
+        beside ? beside->naming(path) : PictureYamls(QFileInfo(path).absolutePath(), yamls).naming(path);
   const bool described = named_by.size() == 1;
-  tl::expected<map::WholeMap, std::string> whole = isYaml(path) ? fromYaml(path, yamls)
+  tl::expected<map::WholeMap, map::Reason> whole = isYaml(path) ? fromYaml(path, yamls)
                                                    : described  ? fromYaml(named_by.front(), yamls)
                                                                 : fromPicture(path, place, named_by);
   if (!whole) return whole;

@@ -23,13 +23,17 @@ struct PicturePlace {
 bool isMapFile(const QString& path);  // by its name: .yaml, .yml, .png, .pgm, .bmp
 bool isPicture(const QString& path);  // .png, .pgm, .bmp
 
+/// The file of a map at `path`, which is a file or a folder; empty when there is none. Only what the folder
+/// holds: an id is no way out of it.
+QString mapPathOf(const QString& path, const map::MapKey& key);
+
 /// The names of the map files in a folder, in order; at most 10,000.
 QStringList mapFilesIn(const QString& folder);
 
 /// The map of a map.yaml or a picture, its picture not opened. `path` is absolute. A picture whose place is
 /// not said lies where the one map.yaml beside it says that names it as its image; `beside` knows those of
-/// its folder (null: looked up). The error is a sentence.
-tl::expected<map::WholeMap, std::string> readLocalMap(const QString& path, const PicturePlace& place,
+/// its folder (null: looked up). The error says why not.
+tl::expected<map::WholeMap, map::Reason> readLocalMap(const QString& path, const PicturePlace& place,
                                                       YamlShelf& yamls, const PictureYamls* beside = nullptr);
 
 /// What a catalogue can tell of it.

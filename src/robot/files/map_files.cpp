@@ -4,6 +4,8 @@
 #include <QSet>
 #include <QThread>
 
+#include "sentences/reason_sentence.h"
+
 namespace mapwright::robot::files {
 namespace {
 
@@ -50,12 +52,12 @@ void MapFiles::look() {
     return;
   }
   const auto whole = readLocalMap(options_.path, options_.place, yamls_);
-  Q_EMIT looked(false, whole ? QString() : QString::fromStdString(whole.error()));
+  Q_EMIT looked(false, whole ? QString() : sentences::wordsOf(whole.error()));
 }
 
 QStringList MapFiles::watchAndStamp() {
   QStringList files, folders;
-  const PictureYamls beside(isFolder() ? options_.path : QFileInfo(options_.path).absolutePath());
+  const PictureYamls beside(isFolder() ? options_.path : QFileInfo(options_.path).absolutePath(), yamls_);
   const auto add = [&](const QString& path) {
     files << path;
     folders << QFileInfo(path).absolutePath();
@@ -104,28 +106,18 @@ void MapFiles::tellChange() {
   Q_EMIT changed();
 }
 
-QString MapFiles::pathOf(const map::MapKey& key) const {
-  if (key.kind != map::MapKind::File) return {};
-  const QString id = QString::fromStdString(key.id);
-  if (!isFolder())
-    return id.isEmpty() || id == QFileInfo(options_.path).fileName() ? options_.path : QString();
-  // Only what the list holds: an id is no way out of the folder.
-  const bool plain = isMapFile(id) && !id.contains(QLatin1Char('/')) && !id.contains(QChar::Null);
-  const QString path = options_.path + QLatin1Char('/') + id;
-  return plain && QFileInfo(path).isFile() ? path : QString();
-}
+QString MapFiles::pathOf(const map::MapKey& key) const { return mapPathOf(options_.path, key); }
 
-map::Problem MapFiles::problem(const map::MapKey& key, std::string sentence) const {
+map::Failure MapFiles::failure(const map::MapKey& key, map::FailureKind kind) const {
   const std::string name =
       key.id.empty() ? QFileInfo(options_.path).fileName().toStdString() : key.id.substr(0, 200);
-  return {map::Severity::Error, map::subjectOf(key, name), std::move(sentence),
-          map::ProblemCode::Unavailable};
+  return {.kind = kind, .subject = map::subjectOf(key, name), .reason = map::FailureReason::NotThere};
 }
 
-Answer<std::vector<map::CatalogueEntry>> MapFiles::list() {
+Outcome<std::vector<map::CatalogueEntry>> MapFiles::list() {
   std::vector<map::CatalogueEntry> entries;
   if (isFolder()) {
-    const PictureYamls beside(options_.path);
+    const PictureYamls beside(options_.path, yamls_);
     for (const QString& name : mapFilesIn(options_.path)) {
       if (isWantedNoMore()) break;
       entries.push_back(entryOf({map::MapKind::File, name.toStdString()},
@@ -139,17 +131,22 @@ Answer<std::vector<map::CatalogueEntry>> MapFiles::list() {
   return entries;
 }
 
-Answer<map::CatalogueEntry> MapFiles::describe(const map::MapKey& key) {
+Outcome<map::CatalogueEntry> MapFiles::describe(const map::MapKey& key) {
   const QString path = pathOf(key);
-  if (path.isEmpty()) return tl::make_unexpected(problem(key, "There is no such map."));
+  if (path.isEmpty()) return tl::make_unexpected(failure(key, map::FailureKind::RejectedByRobot));
   return entryOf(key, path, options_.place, yamls_);
 }
 
-Answer<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
+Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
   const QString path = pathOf(key);
-  if (path.isEmpty()) return tl::make_unexpected(problem(key, "There is no such map."));
+  if (path.isEmpty()) return tl::make_unexpected(failure(key, map::FailureKind::RejectedByRobot));
   auto whole = readLocalMap(path, options_.place, yamls_);
-  if (!whole) return tl::make_unexpected(problem(key, whole.error()));
+  if (!whole) {
+    map::Failure unfit = failure(key, map::FailureKind::MalformedAnswer);
+    unfit.reason = map::FailureReason::Unfit;
+    unfit.cause = whole.error();
+    return tl::make_unexpected(std::move(unfit));
+  }
   whole->key = key;
   return std::move(*whole);
 }

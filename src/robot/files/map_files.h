@@ -27,9 +27,9 @@ class MapFiles : public QObject {
   void watch();  // looks, and tells of every change from now on
   void leave();
 
-  Answer<std::vector<map::CatalogueEntry>> list();
-  Answer<map::CatalogueEntry> describe(const map::MapKey& key);
-  Answer<map::WholeMap> fetch(const map::MapKey& key);
+  Outcome<std::vector<map::CatalogueEntry>> list();
+  Outcome<map::CatalogueEntry> describe(const map::MapKey& key);
+  Outcome<map::WholeMap> fetch(const map::MapKey& key);
 
  Q_SIGNALS:
   /// `trouble` is empty when there is something to show, else the sentence.
@@ -41,7 +41,7 @@ class MapFiles : public QObject {
   bool isFolder() const;
   /// The file of a key; empty when there is none.
   QString pathOf(const map::MapKey& key) const;
-  map::Problem problem(const map::MapKey& key, std::string sentence) const;
+  map::Failure failure(const map::MapKey& key, map::FailureKind kind) const;
   /// Watches what the maps are made of, and says what it is like now.
   QStringList watchAndStamp();
   void look();

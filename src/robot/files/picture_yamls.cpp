@@ -1,11 +1,9 @@
 #include "robot/files/picture_yamls.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 
 #include "robot/files/local_maps.h"
-#include "robot/files/read_map_yaml.h"
 
 namespace mapwright::robot::files {
 namespace {
@@ -18,16 +16,15 @@ QString trueName(const QString& path) {
 
 }  // namespace
 
-PictureYamls::PictureYamls(const QString& folder) {
+PictureYamls::PictureYamls(const QString& folder, YamlShelf& shelf) {
   const QDir dir(folder);
   const QStringList names = dir.entryList({QStringLiteral("*.yaml"), QStringLiteral("*.yml")}, QDir::Files,
                                           QDir::Name | QDir::IgnoreCase);
   for (const QString& name : names.mid(0, kMostFiles)) {
     const QString path = dir.absoluteFilePath(name);
-    QFile file(path);
-    // A pipe or a device would never end.
-    if (!QFileInfo(path).isFile() || file.size() > kLongest || !file.open(QIODevice::ReadOnly)) continue;
-    const auto yaml = parseMapYaml(file.read(kLongest).toStdString());
+    const QFileInfo file(path);
+    if (!file.isFile() || file.size() > kLongest) continue;
+    const auto yaml = shelf.read(path.toStdString());
     if (!yaml) continue;
     yamls_[trueName(dir.absoluteFilePath(QString::fromStdString(yaml->image)))] << path;
   }
@@ -37,7 +34,8 @@ QStringList PictureYamls::naming(const QString& picture) const { return yamls_.v
 
 QStringList yamlsNaming(const QString& picture) {
   if (!isPicture(picture)) return {};
-  return PictureYamls(QFileInfo(picture).absolutePath()).naming(picture);
+  YamlShelf shelf;
+  return PictureYamls(QFileInfo(picture).absolutePath(), shelf).naming(picture);
 }
 
 }  // namespace mapwright::robot::files

@@ -5,13 +5,15 @@
 #include <QString>
 #include <QStringList>
 
+#include "robot/files/yaml_shelf.h"
+
 namespace mapwright::robot::files {
 
 class PictureYamls {
  public:
-  /// Reads the YAML files of the folder, as many as anyone keeps beside one picture and no longer than a
-  /// map.yaml is; what is none counts for nothing.
-  explicit PictureYamls(const QString& folder);
+  /// Reads the YAML files of the folder that have changed since `yamls` held them, as many as anyone keeps
+  /// beside one picture and no longer than a map.yaml is; what is none counts for nothing.
+  PictureYamls(const QString& folder, YamlShelf& yamls);
   /// The paths of those that name the picture as their image, in order of their names.
   QStringList naming(const QString& picture) const;
 

@@ -10,7 +10,9 @@
 namespace mapwright::robot::files {
 namespace {
 
-auto refused(std::string sentence) { return tl::make_unexpected(std::move(sentence)); }
+using map::ReasonCode;
+
+auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
 
 std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
@@ -33,51 +35,50 @@ std::optional<double> numberOf(const YAML::Node& node) {
 }
 
 /// What is wrong with the origin, or nothing.
-std::optional<std::string> readOrigin(const YAML::Node& node, MapYaml& yaml) {
-  if (!node) return "It has no origin, so the map cannot be placed. Add for example: origin: [0.0, 0.0, 0.0]";
-  if (!node.IsSequence() || node.size() < 2) return "Its origin is not a list of x, y and yaw.";
+std::optional<map::Reason> readOrigin(const YAML::Node& node, MapYaml& yaml) {
+  if (!node) return ReasonCode::YamlWithoutOrigin;
+  if (!node.IsSequence() || node.size() < 2) return ReasonCode::OriginNoList;
   const auto x = numberOf(node[0]), y = numberOf(node[1]);
-  if (!x || !y) return "Its origin holds something that is not a number.";
+  if (!x || !y) return ReasonCode::OriginHoldsNoNumber;
   double yaw = 0;
   if (node.size() >= 3) {
     const auto given = numberOf(node[2]);
     if (given && std::isfinite(*given)) {
       yaw = *given;
     } else {
-      yaml.notes.push_back("The yaw of its origin is not a number. It is taken as 0.");
+      yaml.notes.push_back(ReasonCode::OriginTurnNoNumber);
     }
   }
   yaml.grid.origin = {*x, *y, yaw};
   return std::nullopt;
 }
 
-std::optional<std::string> readNegate(const YAML::Node& node, MapYaml& yaml) {
+std::optional<map::Reason> readNegate(const YAML::Node& node, MapYaml& yaml) {
   if (!node) return std::nullopt;
   const std::string text = node.IsScalar() ? lower(node.Scalar()) : std::string();
   if (text == "1" || text == "true" || text == "yes" || text == "on") {
     yaml.reading.negate = true;
   } else if (text != "0" && text != "false" && text != "no" && text != "off") {
-    return "Its negate is neither 0 nor 1.";
+    return ReasonCode::NegateUnknown;
   }
   return std::nullopt;
 }
 
-std::optional<std::string> readThreshold(const YAML::Node& node, const char* name, double& threshold,
+std::optional<map::Reason> readThreshold(const YAML::Node& node, const char* name, double& threshold,
                                          MapYaml& yaml) {
   if (!node) {
-    yaml.notes.push_back(std::string("It has no ") + name + ". " + std::to_string(threshold).substr(0, 5) +
-                         " is assumed.");
+    yaml.notes.push_back({ReasonCode::ThresholdMissing, {name, std::to_string(threshold).substr(0, 5)}});
     return std::nullopt;
   }
   const auto value = numberOf(node);
   if (!value || !(*value >= 0 && *value <= 1)) {
-    return std::string("Its ") + name + " is not a number from 0 to 1.";
+    return map::Reason(ReasonCode::ThresholdNoNumber, {name});
   }
   threshold = *value;
   return std::nullopt;
 }
 
-std::optional<std::string> readMode(const YAML::Node& node, MapYaml& yaml) {
+std::optional<map::Reason> readMode(const YAML::Node& node, MapYaml& yaml) {
   const std::string mode = !node ? "trinary" : node.IsScalar() ? lower(node.Scalar()) : std::string();
   if (mode == "trinary") {
     yaml.reading.mode = map::CellReading::Mode::Trinary;
@@ -86,20 +87,19 @@ std::optional<std::string> readMode(const YAML::Node& node, MapYaml& yaml) {
   } else if (mode == "raw") {
     yaml.reading.mode = map::CellReading::Mode::Raw;
   } else {
-    return "Its mode is not known. It must be trinary, scale or raw.";
+    return ReasonCode::ModeUnknown;
   }
   return std::nullopt;
 }
 
-std::optional<std::string> readAll(const YAML::Node& root, MapYaml& yaml) {
+std::optional<map::Reason> readAll(const YAML::Node& root, MapYaml& yaml) {
   const YAML::Node image = root["image"];
-  if (!image || !image.IsScalar() || image.Scalar().empty()) return "It names no image.";
+  if (!image || !image.IsScalar() || image.Scalar().empty()) return ReasonCode::YamlWithoutImage;
   yaml.image = image.Scalar();
   const YAML::Node resolution = root["resolution"];
-  if (!resolution)
-    return "It has no resolution, so the map cannot be placed. Add for example: resolution: 0.05";
+  if (!resolution) return ReasonCode::YamlWithoutResolution;
   const auto metres = numberOf(resolution);
-  if (!metres) return "Its resolution is not a number, so it cannot be placed.";
+  if (!metres) return ReasonCode::ResolutionNoNumber;
   yaml.grid.resolution_m = *metres;
   if (auto why = readOrigin(root["origin"], yaml)) return why;
   if (auto why = map::whyUnusable(yaml.grid)) return why;
@@ -112,22 +112,22 @@ std::optional<std::string> readAll(const YAML::Node& root, MapYaml& yaml) {
   if (auto why = readThreshold(root["free_thresh"], "free_thresh", yaml.reading.free_thresh, yaml))
     return why;
   if (yaml.reading.free_thresh >= yaml.reading.occupied_thresh) {
-    yaml.notes.push_back("Its free_thresh is not below its occupied_thresh, so no cell can be unknown.");
+    yaml.notes.push_back(ReasonCode::ThresholdsCrossed);
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-tl::expected<MapYaml, std::string> parseMapYaml(const std::string& text) {
-  if (text.size() > kMaxYamlBytes) return refused("It is too long to be a map.yaml.");
+tl::expected<MapYaml, map::Reason> parseMapYaml(const std::string& text) {
+  if (text.size() > kMaxYamlBytes) return refused(ReasonCode::YamlTooLong);
   MapYaml yaml;
   try {
     const YAML::Node root = YAML::Load(text);
-    if (!root.IsMap()) return refused("It is not a map.yaml: it names no image, resolution and origin.");
+    if (!root.IsMap()) return refused(ReasonCode::YamlIsNone);
     if (auto why = readAll(root, yaml)) return refused(std::move(*why));
   } catch (const YAML::Exception& broken) {
-    return refused("It is not YAML (line " + std::to_string(broken.mark.line + 1) + ").");
+    return refused({ReasonCode::YamlBroken, {broken.mark.line + 1}});
   }
   return yaml;
 }

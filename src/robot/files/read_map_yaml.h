@@ -14,14 +14,14 @@ struct MapYaml {
   std::string image;        // as written: absolute, or relative to the file's folder
   map::GridReference grid;  // width and height 0
   map::CellReading reading;
-  std::vector<std::string> notes;  // what is odd but can be lived with, one sentence each
+  std::vector<map::Reason> notes;  // what is odd but can be lived with
 };
 
 /// The longest text that is read.
 inline constexpr std::size_t kMaxYamlBytes = std::size_t(1) << 20;
 
 /// Reads image, resolution (m), origin [x, y, yaw] (m, rad), negate, occupied_thresh, free_thresh and mode;
-/// other members are ignored. A yaw that is no number is 0, with a note. The error is a sentence.
-tl::expected<MapYaml, std::string> parseMapYaml(const std::string& text);
+/// other members are ignored. A yaw that is no number is 0, with a note.
+tl::expected<MapYaml, map::Reason> parseMapYaml(const std::string& text);
 
 }  // namespace mapwright::robot::files

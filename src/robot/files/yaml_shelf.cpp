@@ -24,7 +24,7 @@ std::int64_t YamlShelf::timeOfDayNs() {
   return nanoseconds(now);
 }
 
-tl::expected<MapYaml, std::string> YamlShelf::read(const std::string& path) {
+tl::expected<MapYaml, map::Reason> YamlShelf::read(const std::string& path) {
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) about = {};
   const Stamp stamp{std::uint64_t(about.st_dev), std::uint64_t(about.st_ino), std::uint64_t(about.st_size),
@@ -34,8 +34,10 @@ tl::expected<MapYaml, std::string> YamlShelf::read(const std::string& path) {
   }
   ++reads_;
   const auto text = disk::readFile(path, kMaxYamlBytes + 1);
-  tl::expected<MapYaml, std::string> yaml =
-      text ? parseMapYaml(*text) : tl::make_unexpected(path + " cannot be opened: " + text.error() + ".");
+  tl::expected<MapYaml, map::Reason> yaml =
+      text ? parseMapYaml(*text)
+           : tl::make_unexpected(
+                 map::Reason(map::ReasonCode::FileNotOpened, {path}, {map::said(text.error())}));
   const bool settled = now_ns_() - std::max(stamp.modified_ns, stamp.changed_ns) > kCoarsestTimeNs;
   kept_.erase(path);
   if (!settled || !text) return yaml;

@@ -25,6 +25,42 @@ map::FailureKind failureOf(const net::HttpAnswer& answer) {
   return FailureKind::Cancelled;
 }
 
+map::Applied appliedOf(const net::HttpAnswer& answer) {
+  using map::Applied;
+  if (!answer.sent) return Applied::No;
+  if (answer.status == 0) return Applied::Maybe;
+  if (answer.status >= 200 && answer.status < 300) return Applied::Yes;  // even if the body broke off
+  // Who sends on to another address has not done it himself.
+  if (answer.status == 307 || answer.status == 308) return Applied::No;
+  return answer.status >= 400 && answer.status < 500 ? Applied::No : Applied::Maybe;
+}
+
+map::Failure failed(const net::HttpAnswer& answer, map::Subject subject, map::AskedFor asked_for) {
+  map::Failure failure;
+  failure.kind = failureOf(answer);
+  failure.subject = std::move(subject);
+  failure.asked_for = asked_for;
+  if (asked_for == map::AskedFor::Change) failure.applied = appliedOf(answer);
+  const bool answered = answer.kind == net::HttpAnswer::Kind::Answered;
+  if (answered) failure.robot_code = std::to_string(answer.status);
+  if (answered && answer.status == 409) failure.kind = map::FailureKind::Conflict;
+  if (failure.kind != map::FailureKind::Cancelled)
+    failure.detail = (answered ? answer.said : answer.sentence).toStdString();
+  return failure;
+}
+
+map::Failure misread(const net::HttpAnswer& answer, map::Subject subject, map::Reason cause,
+                     map::FailureReason reason, map::AskedFor asked_for) {
+  map::Failure failure;
+  failure.kind = unreadable(answer);
+  failure.subject = std::move(subject);
+  failure.asked_for = asked_for;
+  if (asked_for == map::AskedFor::Change) failure.applied = map::Applied::Yes;
+  failure.cause = std::move(cause);
+  failure.reason = reason;
+  return failure;
+}
+
 map::FailureKind unreadable(const net::HttpAnswer& answer) {
   const bool page = answer.content_type.startsWith("text/html") || answer.body.trimmed().startsWith('<');
   return page ? map::FailureKind::NotARobot : map::FailureKind::MalformedAnswer;

@@ -1,7 +1,7 @@
 // What became of an HTTP request, in the words of the port. Pure.
 #pragma once
 
-#include "map/problem.h"
+#include "map/failure.h"
 #include "net/http_client.h"
 #include "robot/robot.h"
 
@@ -9,6 +9,17 @@ namespace mapwright::robot::wire {
 
 /// None for a 2xx; 401 and 403 are refusals like those of the link itself.
 map::FailureKind failureOf(const net::HttpAnswer& answer);
+
+/// Whether a request that was to change something did so, as far as its answer tells.
+map::Applied appliedOf(const net::HttpAnswer& answer);
+
+/// The request for `subject` that ended in `answer`, which is no 2xx.
+map::Failure failed(const net::HttpAnswer& answer, map::Subject subject,
+                    map::AskedFor asked_for = map::AskedFor::All);
+/// The answer came (2xx) and cannot be read; `cause` is what is wrong with it.
+map::Failure misread(const net::HttpAnswer& answer, map::Subject subject, map::Reason cause,
+                     map::FailureReason reason = map::FailureReason::Told,
+                     map::AskedFor asked_for = map::AskedFor::All);
 /// Of an answer that came (2xx) but cannot be read: a web page is not what a robot sends.
 map::FailureKind unreadable(const net::HttpAnswer& answer);
 

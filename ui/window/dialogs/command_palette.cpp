@@ -79,12 +79,12 @@ CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
       field_(new QLineEdit(this)),
       list_(new QListWidget(this)) {
   setObjectName(QStringLiteral("card"));
-  setWindowTitle(QStringLiteral("Commands"));
+  setWindowTitle(tr("Commands"));
   resize(560, 380);
-  field_->setPlaceholderText(QStringLiteral("Type a command"));
+  field_->setPlaceholderText(tr("Type a command"));
   field_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   field_->setMinimumHeight(32);
-  field_->setAccessibleName(QStringLiteral("Command"));
+  field_->setAccessibleName(tr("Command"));
   field_->installEventFilter(this);
   list_->setItemDelegate(new CommandDelegate(list_));
   list_->setFocusPolicy(Qt::NoFocus);
@@ -135,11 +135,11 @@ void CommandPalette::fill() {
     item->setData(Qt::UserRole, QVariant::fromValue(static_cast<QObject*>(action)));
     item->setData(kKeysRole, shortcutsText(*action));
     item->setData(kMenuRole, hit.entry->menu);
-    if (action->isCheckable() && action->isChecked()) item->setText(item->text() + QStringLiteral("  (on)"));
+    if (action->isCheckable() && action->isChecked()) item->setText(item->text() + tr("  (on)"));
     if (!action->isEnabled()) item->setFlags(Qt::NoItemFlags);
   }
   if (list_->count() == 0) {
-    auto* item = new QListWidgetItem(QStringLiteral("No command of that name"), list_);
+    auto* item = new QListWidgetItem(tr("No command of that name"), list_);
     item->setFlags(Qt::NoItemFlags);
   } else {
     list_->setCurrentRow(0);

@@ -44,14 +44,13 @@ ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* pa
       secret_(new QLineEdit(this)),
       error_(plainLabel({}, this)),
       list_(new QListWidget(this)),
-      connect_(new QPushButton(QStringLiteral("Connect"), this)) {
-  setWindowTitle(QStringLiteral("Connect to a robot"));
+      connect_(new QPushButton(tr("Connect"), this)) {
+  setWindowTitle(tr("Connect to a robot"));
   setMinimumWidth(580);
-  auto* demo =
-      new QPushButton(themedIcon(QStringLiteral("demo")), QStringLiteral("Try the demo robot"), this);
+  auto* demo = new QPushButton(themedIcon(QStringLiteral("demo")), tr("Try the demo robot"), this);
   demo->setObjectName(QStringLiteral("secondary"));
   demo->setAutoDefault(false);
-  auto* cancel = new QPushButton(QStringLiteral("Cancel"), this);
+  auto* cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("secondary"));
   cancel->setAutoDefault(false);
   connect_->setObjectName(QStringLiteral("primary"));
@@ -90,27 +89,26 @@ QWidget* ConnectDialog::buildForm() {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   address_->setObjectName(QStringLiteral("address"));
   address_->setPlaceholderText(QStringLiteral("192.0.2.7"));
-  auto* examples = plainLabel(
-      QStringLiteral("For example 192.0.2.7, robot.local:8090 or axbot+https://robot.example for "
-                     "Autoxing robots (without a port, 8090 is meant), aimdk+http://192.0.2.8:50807 "
-                     "for Agibot robots, file:/maps/office.yaml for a map on this computer."),
-      form_box);
+  auto* examples =
+      plainLabel(tr("For example 192.0.2.7, robot.local:8090 or axbot+https://robot.example for "
+                    "Autoxing robots (without a port, 8090 is meant), aimdk+http://192.0.2.8:50807 "
+                    "for Agibot robots, file:/maps/office.yaml for a map on this computer."),
+                 form_box);
   makeSecondary(examples);
   secret_->setObjectName(QStringLiteral("secret"));
   secret_->setEchoMode(QLineEdit::Password);
-  secret_->setPlaceholderText(QStringLiteral("Only if the robot asks for one"));
-  auto* note = plainLabel(QStringLiteral("Used for this connection only. This version never stores secrets."),
-                          form_box);
+  secret_->setPlaceholderText(tr("Only if the robot asks for one"));
+  auto* note = plainLabel(tr("Used for this connection only. This version never stores secrets."), form_box);
   makeSecondary(note);
   error_->setObjectName(QStringLiteral("error"));
   QPalette red = error_->palette();
   red.setColor(QPalette::WindowText, appColors().error_text);
   error_->setPalette(red);
   error_->hide();
-  form->addRow(QStringLiteral("&Address"), address_);
+  form->addRow(tr("&Address"), address_);
   form->addRow(QString(), error_);
   form->addRow(QString(), examples);
-  form->addRow(QStringLiteral("&Secret"), secret_);
+  form->addRow(tr("&Secret"), secret_);
   form->addRow(QString(), note);
   return form_box;
 }
@@ -120,11 +118,11 @@ QWidget* ConnectDialog::buildRecents() {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  column->addWidget(plainLabel(QStringLiteral("Recent robots and files"), box));
+  column->addWidget(plainLabel(tr("Recent robots and files"), box));
   list_->setObjectName(QStringLiteral("recents"));
   list_->setMinimumHeight(120);
   list_->setUniformItemSizes(true);
-  list_->setAccessibleName(QStringLiteral("Recent robots"));
+  list_->setAccessibleName(tr("Recent robots"));
   column->addWidget(list_, 1);
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
     if (!item || item->data(Qt::UserRole).toString() == address_->text()) return;
@@ -159,8 +157,8 @@ void ConnectDialog::fillRecents() {
     auto* remove = new QToolButton(row);
     remove->setIcon(themedIcon(QStringLiteral("remove")));
     remove->setIconSize({14, 14});
-    remove->setToolTip(QStringLiteral("Forget this robot"));
-    remove->setAccessibleName(QStringLiteral("Forget %1").arg(robot.address));
+    remove->setToolTip(tr("Forget this robot"));
+    remove->setAccessibleName(tr("Forget %1").arg(robot.address));
     address->setElideMode(Qt::ElideMiddle);
     name->setMaximumWidth(200);
     line->addWidget(address, 1);
@@ -176,8 +174,7 @@ void ConnectDialog::fillRecents() {
     });
   }
   if (robots.isEmpty()) {
-    auto* item =
-        new QListWidgetItem(QStringLiteral("None yet. Robots that you connect to are listed here."), list_);
+    auto* item = new QListWidgetItem(tr("None yet. Robots that you connect to are listed here."), list_);
     item->setFlags(Qt::NoItemFlags);
   }
 }
@@ -202,7 +199,7 @@ void ConnectDialog::check() {
 }
 
 void ConnectDialog::start(const QString& address, const QByteArray& secret) {
-  const auto parsed = robot::parseAddress(address);
+  const auto parsed = recents_.addresses().parse(address);
   if (!parsed) {
     setError(parsed.error());
     return;

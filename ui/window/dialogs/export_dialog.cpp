@@ -37,9 +37,10 @@ QString fileNameFrom(const QString& name) {
 
 }  // namespace
 
-ExportDialog::ExportDialog(ExportOffer offer, QWidget* parent)
+ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent)
     : QDialog(parent),
       offer_(std::move(offer)),
+      job_(workers),
       map_picture_(new QRadioButton(tr("&Picture of the whole map (PNG)"), this)),
       map_server_(new QRadioButton(tr("&ROS map (PGM and YAML, for map_server)"), this)),
       view_picture_(new QRadioButton(tr("Picture of the present &view (PNG)"), this)),

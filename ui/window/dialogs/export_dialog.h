@@ -34,7 +34,7 @@ struct ExportOffer {
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit ExportDialog(ExportOffer offer, QWidget* parent = nullptr);
+  ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent = nullptr);
 
   QRadioButton* formatButton(ExportFormat format) const;
   QComboBox* sourceBox() const { return source_; }

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "map/grid_reference.h"
+#include "sentences/reason_sentence.h"
 #include "window/look/ui_colors.h"
 
 namespace mapwright::window {
@@ -47,7 +48,7 @@ QString whyNoPlacement(const QString& resolution, const QString& x, const QStrin
   grid.resolution_m = placement->resolution_m;
   grid.origin = placement->origin;
   const auto problem = map::whyUnusable(grid);
-  return problem ? QString::fromStdString(*problem) : QString();
+  return problem ? sentences::sentenceOf(*problem) : QString();
 }
 
 namespace {

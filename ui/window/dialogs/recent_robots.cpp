@@ -1,10 +1,10 @@
 #include "window/dialogs/recent_robots.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QSettings>
 
-#include "robot/address.h"
 #include "window/dialogs/trusted_certificates.h"
 
 namespace mapwright::window {
@@ -13,7 +13,8 @@ namespace {
 constexpr int kNameLimit = 80;
 }
 
-RecentRobots::RecentRobots(QSettings& settings) : settings_(settings) {}
+RecentRobots::RecentRobots(QSettings& settings, robot::Addresses addresses)
+    : settings_(settings), addresses_(std::move(addresses)) {}
 
 QVector<RecentRobot> RecentRobots::list() const {
   QVector<RecentRobot> robots;
@@ -24,14 +25,14 @@ QVector<RecentRobot> RecentRobots::list() const {
                       settings_.value(QStringLiteral("name")).toString().left(kNameLimit),
                       settings_.value(QStringLiteral("last")).toDateTime()};
     // The file may have been edited: what is no address is left out.
-    if (robot::parseAddress(robot.address)) robots << robot;
+    if (addresses_.parse(robot.address)) robots << robot;
   }
   settings_.endArray();
   return robots;
 }
 
 void RecentRobots::add(const QString& address, const QDateTime& now) {
-  const auto parsed = robot::parseAddress(address);
+  const auto parsed = addresses_.parse(address);
   if (!parsed) return;
   QVector<RecentRobot> robots = list();
   RecentRobot robot{parsed->text, {}, now};
@@ -57,7 +58,7 @@ void RecentRobots::remove(const QString& address) {
   robots.removeIf([&address](const RecentRobot& robot) { return robot.address == address; });
   save(robots);
   // A robot that is forgotten is not trusted either.
-  if (const auto parsed = robot::parseAddress(address)) {
+  if (const auto parsed = addresses_.parse(address)) {
     TrustedCertificates(settings_).forget(robot::hostOf(*parsed));
   }
 }

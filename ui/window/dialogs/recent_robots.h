@@ -5,6 +5,8 @@
 #include <QString>
 #include <QVector>
 
+#include "robot/address.h"
+
 class QSettings;
 
 namespace mapwright::window {
@@ -19,7 +21,9 @@ class RecentRobots {
  public:
   static constexpr int kLimit = 12;
   /// The settings must outlive this.
-  explicit RecentRobots(QSettings& settings);
+  RecentRobots(QSettings& settings, robot::Addresses addresses);
+  /// Those that are understood.
+  const robot::Addresses& addresses() const { return addresses_; }
   QVector<RecentRobot> list() const;  // newest first
   void add(const QString& address, const QDateTime& now);
   void setName(const QString& address, const QString& name);
@@ -28,6 +32,7 @@ class RecentRobots {
  private:
   void save(const QVector<RecentRobot>& robots);
   QSettings& settings_;
+  robot::Addresses addresses_;
 };
 
 }  // namespace mapwright::window

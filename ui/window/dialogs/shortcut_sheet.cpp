@@ -1,6 +1,7 @@
 #include "window/dialogs/shortcut_sheet.h"
 
 #include <QAbstractItemView>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -30,15 +31,23 @@ struct Group {
 
 QList<Group> groupsOf(const Actions& actions) {
   QList<Group> groups;
-  groups << Group{QStringLiteral("Mouse and touchpad"),
-                  {{QStringLiteral("Pan"), QStringLiteral("drag, middle drag, Space+drag")},
-                   {QStringLiteral("Pan (touchpad)"), QStringLiteral("two fingers")},
-                   {QStringLiteral("Pan"), QStringLiteral("arrows, Shift = far")},
-                   {QStringLiteral("Zoom at the cursor"), QStringLiteral("wheel, pinch")},
-                   {QStringLiteral("Zoom finely"), QStringLiteral("Ctrl+wheel")},
-                   {QStringLiteral("Turn the view"), QStringLiteral("Shift+wheel")},
-                   {QStringLiteral("Centre and zoom in"), QStringLiteral("double click")},
-                   {QStringLiteral("Out of anything"), QStringLiteral("Esc")}}};
+  groups << Group{QCoreApplication::translate("window", "Mouse and touchpad"),
+                  {{QCoreApplication::translate("window", "Pan"),
+                    QCoreApplication::translate("window", "drag, middle drag, Space+drag")},
+                   {QCoreApplication::translate("window", "Pan (touchpad)"),
+                    QCoreApplication::translate("window", "two fingers")},
+                   {QCoreApplication::translate("window", "Pan"),
+                    QCoreApplication::translate("window", "arrows, Shift = far")},
+                   {QCoreApplication::translate("window", "Zoom at the cursor"),
+                    QCoreApplication::translate("window", "wheel, pinch")},
+                   {QCoreApplication::translate("window", "Zoom finely"),
+                    QCoreApplication::translate("window", "Ctrl+wheel")},
+                   {QCoreApplication::translate("window", "Turn the view"),
+                    QCoreApplication::translate("window", "Shift+wheel")},
+                   {QCoreApplication::translate("window", "Centre and zoom in"),
+                    QCoreApplication::translate("window", "double click")},
+                   {QCoreApplication::translate("window", "Out of anything"),
+                    QCoreApplication::translate("window", "Esc")}}};
   for (const Actions::Entry& entry : actions.entries()) {
     const QString keys = shortcutsText(*entry.action);
     if (keys.isEmpty()) continue;
@@ -89,7 +98,7 @@ QDialog* closable(const QString& title, QWidget* parent) {
 }
 
 QHBoxLayout* closeRow(QDialog* dialog) {
-  auto* close = new QPushButton(QStringLiteral("Close"), dialog);
+  auto* close = new QPushButton(QCoreApplication::translate("window", "Close"), dialog);
   close->setObjectName(QStringLiteral("secondary"));
   close->setDefault(true);
   QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::accept);
@@ -102,7 +111,7 @@ QHBoxLayout* closeRow(QDialog* dialog) {
 }  // namespace
 
 QDialog* makeShortcutSheet(const Actions& actions, QWidget* parent) {
-  QDialog* dialog = closable(QStringLiteral("Keys and gestures"), parent);
+  QDialog* dialog = closable(QCoreApplication::translate("window", "Keys and gestures"), parent);
   auto* page = new QWidget(dialog);
   auto* columns = new QHBoxLayout(page);
   columns->setContentsMargins(16, 16, 16, 0);
@@ -135,7 +144,7 @@ QDialog* makeShortcutSheet(const Actions& actions, QWidget* parent) {
 }
 
 QDialog* makeAboutBox(QWidget* parent) {
-  QDialog* dialog = closable(QStringLiteral("About mapwright"), parent);
+  QDialog* dialog = closable(QCoreApplication::translate("window", "About mapwright"), parent);
   auto* picture = new QLabel(dialog);
   picture->setPixmap(
       QIcon(QStringLiteral(":/mapwright.svg")).pixmap(QSize(64, 64), dialog->devicePixelRatioF()));
@@ -148,10 +157,10 @@ QDialog* makeAboutBox(QWidget* parent) {
   text->setTextFormat(Qt::PlainText);
   text->setWordWrap(true);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text->setText(
-      QStringLiteral("Shows what a mobile robot's SLAM sees, submap by submap, live.\n"
-                     "Licensed under the Apache License 2.0."));
-  auto* used = new QLabel(QStringLiteral("It stands on"), dialog);
+  text->setText(QCoreApplication::translate("window",
+                                            "Shows what a mobile robot's SLAM sees, submap by submap, live.\n"
+                                            "Licensed under the Apache License 2.0."));
+  auto* used = new QLabel(QCoreApplication::translate("window", "It stands on"), dialog);
   QFont bold = used->font();
   bold.setWeight(QFont::DemiBold);
   used->setFont(bold);

@@ -1,5 +1,6 @@
 #include "window/docks/dock_title.h"
 
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -24,8 +25,8 @@ class DockTitle : public QWidget {
     close->setIcon(themedIcon(QStringLiteral("close")));
     close->setIconSize({14, 14});
     close->setFixedSize(22, 22);
-    close->setToolTip(QStringLiteral("Close. Open it again from the View menu"));
-    close->setAccessibleName(QStringLiteral("Close %1").arg(dock->windowTitle()));
+    close->setToolTip(QCoreApplication::translate("window", "Close. Open it again from the View menu"));
+    close->setAccessibleName(QCoreApplication::translate("window", "Close %1").arg(dock->windowTitle()));
     close->setFocusPolicy(Qt::NoFocus);
     QObject::connect(close, &QToolButton::clicked, dock, &QDockWidget::close);
     auto* row = new QHBoxLayout(this);

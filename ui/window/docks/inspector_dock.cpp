@@ -1,5 +1,7 @@
 #include "window/docks/inspector_dock.h"
 
+#include <utility>
+
 #include <QAction>
 #include <QEvent>
 #include <QHeaderView>
@@ -10,6 +12,8 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include "sentences/absence_sentence.h"
+#include "sentences/plural.h"
 #include "window/docks/inspector_controls.h"
 #include "window/docks/inspector_summary.h"
 #include "window/docks/submap_row_delegate.h"
@@ -131,8 +135,9 @@ void InspectorDock::setSession(session::Session* session) {
   model_->setSession(session);
   tree_->expand(filtered_->index(0, 0));
   if (session) {
-    connect(session, &session::Session::listChanged, this, &InspectorDock::refresh);
-    connect(session, &session::Session::rowsChanged, this, &InspectorDock::refresh);
+    // New rows are looked at even while the dock is closed: they may belong to a group that was switched off.
+    connect(session, &session::Session::listChanged, this, &InspectorDock::keepHiddenGroups);
+    connect(session, &session::Session::rowsTouched, this, &InspectorDock::takeRows);
     connect(session, &session::Session::connectionChanged, this, [this] { summary_->refresh(session_); });
     connect(session, &session::Session::liveChanged, this, [this](int what) {
       if (what == map::topicIndex<map::SlamStatus>()) summary_->refresh(session_);
@@ -178,11 +183,19 @@ void InspectorDock::fitColumns() {
 }
 
 void InspectorDock::refresh() {
-  // New rows are looked at even while the dock is closed: they may belong to a group that was switched off.
   keepHiddenGroups();
+  takeRows({true, {}});
+}
+
+void InspectorDock::takeRows(const session::TouchedRows& rows) {
+  missed_rows_ |= rows.all || !isVisible();
   if (!isVisible()) return;
   const bool first_rows = model_->rowCount(model_->index(0, 0)) == 0;
-  model_->sync();
+  if (std::exchange(missed_rows_, false)) {
+    model_->sync();
+  } else {
+    model_->syncRows(rows.ids);
+  }
   fitColumns();
   const QModelIndex all = filtered_->index(0, 0);
   if (first_rows) {
@@ -318,7 +331,11 @@ void InspectorDock::refreshDetails() {
   if (session_ && leaves.size() == 1) {
     text = submapDetails(*session_, *leaves.begin());
   } else if (session_ && !leaves.empty()) {
-    text = tr("%1 submaps are selected.").arg(countText(qint64(leaves.size())));
+    text = sentences::counted(tr("%1 submaps are selected.", nullptr, int(leaves.size())),
+                              qint64(leaves.size()));
+  } else if (session_ && !session_->robot().submapSource()) {
+    text = sentences::whyAbsent(robot::Capability::Submaps,
+                                session_->robot().whyNot(robot::Capability::Submaps));
   } else {
     text = tr("Select a submap to see where it is and how it stands. Double click shows it on the map.");
   }

@@ -56,6 +56,7 @@ class InspectorDock : public QDockWidget {
  private:
   void buildTree();
   void refresh();
+  void takeRows(const session::TouchedRows& rows);
   void refreshDetails();
   void refreshGroups();
   void fitColumns();
@@ -79,6 +80,7 @@ class InspectorDock : public QDockWidget {
   // Groups that were switched off as such: newcomers that belong to one start hidden.
   bool nearby_off_ = false, incremental_off_ = false;
   std::set<map::SubmapId> known_;
+  bool missed_rows_ = true;  // changes that came while nobody could see them
 };
 
 /// Everything to say about one submap in two or three lines. Plain text.

@@ -1,9 +1,11 @@
 #include "window/docks/inspector_summary.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLocale>
 #include <QToolButton>
 
+#include "sentences/plural.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"
@@ -15,21 +17,22 @@ QString slamStateText(const session::Session& session) {
   if (text.isEmpty() && session.book().listReceived()) {
     switch (session.book().slamState()) {
       case map::SlamState::Slam:
-        text = QStringLiteral("mapping");
+        text = QCoreApplication::translate("window", "mapping");
         break;
       case map::SlamState::Positioning:
-        text = QStringLiteral("positioning");
+        text = QCoreApplication::translate("window", "positioning");
         break;
       case map::SlamState::Invalid:
-        text = QStringLiteral("inactive");
+        text = QCoreApplication::translate("window", "inactive");
         break;
     }
   } else if (text == QLatin1String("slam")) {
-    text = QStringLiteral("mapping");
+    text = QCoreApplication::translate("window", "mapping");
   }
   if (text.isEmpty()) return QStringLiteral("–");
   if (session.live().slam.reliable) {
-    text += *session.live().slam.reliable ? QStringLiteral(", reliable") : QStringLiteral(", not reliable");
+    text += *session.live().slam.reliable ? QCoreApplication::translate("window", ", reliable")
+                                          : QCoreApplication::translate("window", ", not reliable");
   }
   return text;
 }
@@ -40,22 +43,22 @@ InspectorSummary::InspectorSummary(QWidget* parent) : QWidget(parent) {
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(2);
   grid->setColumnStretch(1, 1);
-  state_ = addRow(grid, QStringLiteral("State"));
-  uuid_ = addRow(grid, QStringLiteral("Session"), 1);
+  state_ = addRow(grid, tr("State"));
+  uuid_ = addRow(grid, tr("Session"), 1);
   uuid_->setElideMode(Qt::ElideMiddle);
   copy_ = new QToolButton(this);
   copy_->setIcon(themedIcon(QStringLiteral("copy")));
   copy_->setIconSize({14, 14});
   copy_->setFixedSize(22, 20);
-  copy_->setToolTip(QStringLiteral("Copy the session's uuid"));
-  copy_->setAccessibleName(QStringLiteral("Copy the session's uuid"));
+  copy_->setToolTip(tr("Copy the session's uuid"));
+  copy_->setAccessibleName(tr("Copy the session's uuid"));
   grid->addWidget(copy_, 1, 2);
-  submaps_ = addRow(grid, QStringLiteral("Submaps"));
-  cache_ = addRow(grid, QStringLiteral("Memory"));
-  fetches_ = addRow(grid, QStringLiteral("Fetches"));
-  transferred_ = addRow(grid, QStringLiteral("Received"));
+  submaps_ = addRow(grid, tr("Submaps"));
+  cache_ = addRow(grid, tr("Memory"));
+  fetches_ = addRow(grid, tr("Fetches"));
+  transferred_ = addRow(grid, tr("Received"));
   connect(copy_, &QToolButton::clicked, this,
-          [this] { Q_EMIT copyWanted(uuid_->text(), QStringLiteral("Session uuid copied")); });
+          [this] { Q_EMIT copyWanted(uuid_->text(), tr("Session uuid copied")); });
   refresh(nullptr);
 }
 
@@ -91,24 +94,23 @@ void InspectorSummary::refresh(const session::Session* session) {
   state_->setSecondary(stale.has_value());
   const QString uuid = QString::fromStdString(session->book().uuid());
   uuid_->setText(uuid.isEmpty() ? none : uuid);
-  QString submaps =
-      counts.list_received
-          ? QStringLiteral("%1 in %2")
-                .arg(countText(counts.listed),
-                     counts.trajectories == 1 ? QStringLiteral("1 trajectory")
-                                              : QStringLiteral("%1 trajectories").arg(counts.trajectories))
-          : none;
-  if (counts.hidden > 0) submaps += QStringLiteral(", %1 hidden").arg(countText(counts.hidden));
+  QString submaps = counts.list_received
+                        ? tr("%1 in %2")
+                              .arg(countText(counts.listed),
+                                   sentences::counted(tr("%1 trajectories", nullptr, counts.trajectories),
+                                                      counts.trajectories))
+                        : none;
+  if (counts.hidden > 0) submaps += tr(", %1 hidden").arg(countText(counts.hidden));
   submaps_->setText(submaps);
-  cache_->setText(QStringLiteral("%1 of pictures").arg(bytesText(counts.texture_bytes)));
-  fetches_->setText(QStringLiteral("%1 in flight, %2 queued, %3 failed")
+  cache_->setText(tr("%1 of pictures").arg(bytesText(counts.texture_bytes)));
+  fetches_->setText(tr("%1 in flight, %2 queued, %3 failed")
                         .arg(countText(counts.fetching), countText(counts.queued), countText(counts.failed)));
-  transferred_->setText(QStringLiteral("%1 in %2, %3 from disk")
-                            .arg(bytesText(qint64(counts.bytes_fetched)),
-                                 counts.fetches == 1
-                                     ? QStringLiteral("1 answer")
-                                     : QStringLiteral("%1 answers").arg(countText(qint64(counts.fetches))),
-                                 countText(qint64(counts.cache_hits))));
+  transferred_->setText(
+      tr("%1 in %2, %3 from disk")
+          .arg(bytesText(qint64(counts.bytes_fetched)),
+               sentences::counted(tr("%1 answers", nullptr, sentences::formOf(qint64(counts.fetches))),
+                                  qint64(counts.fetches)),
+               countText(qint64(counts.cache_hits))));
 }
 
 }  // namespace mapwright::window

@@ -1,5 +1,9 @@
 #include "window/docks/layer_availability.h"
 
+#include <QCoreApplication>
+
+#include "sentences/absence_sentence.h"
+
 namespace mapwright::window {
 
 using scene::Layer;
@@ -7,6 +11,9 @@ using scene::Layer;
 QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
   if (!session) return {};
   robot::Robot& robot = session->robot();
+  const auto why = [&](robot::Capability capability) {
+    return sentences::whyAbsent(capability, robot.whyNot(capability));
+  };
   const bool submaps = robot.submapSource() != nullptr;
   const bool live = robot.liveTopics() != nullptr;
   const bool whole = robot.wholeMapSource() != nullptr;
@@ -14,15 +21,16 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
     case Layer::Submaps:
     case Layer::Outlines:
     case Layer::Ids:
-      return submaps ? QString() : QStringLiteral("There are no submaps here, only whole maps.");
+      return submaps ? QString() : why(robot::Capability::Submaps);
     case Layer::WholeMap:
-      return whole || live ? QString() : QStringLiteral("This robot gives no whole map.");
+      return whole || live ? QString() : why(robot::Capability::WholeMaps);
     case Layer::Overlays:
     case Layer::Landmarks:
     case Layer::Trajectory:
-      return whole || live ? QString() : QStringLiteral("This robot tells nothing of the kind.");
+      return whole || live ? QString()
+                           : QCoreApplication::translate("window", "This robot tells nothing of the kind.");
     case Layer::Waypoints:
-      return robot.waypointSource() ? QString() : QStringLiteral("This robot lists no navigation points.");
+      return robot.waypointSource() || robot.waypointStore() ? QString() : why(robot::Capability::Waypoints);
     case Layer::Grid:
     case Layer::ScaleBar:
       return {};
@@ -31,7 +39,8 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
   }
   // All that is left is seen, planned or driven by the robot just now.
   return live || submaps ? QString()
-                         : QStringLiteral("Nothing live comes from here, so this layer stays empty.");
+                         : QCoreApplication::translate(
+                               "window", "Nothing live comes from here, so this layer stays empty.");
 }
 
 }  // namespace mapwright::window

@@ -39,12 +39,12 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   eye_->setIconSize({16, 16});
   eye_->setFixedSize(kRowPx, kRowPx);
   eye_->setFocusPolicy(Qt::TabFocus);
-  eye_->setAccessibleName(QStringLiteral("Show %1").arg(title));
+  eye_->setAccessibleName(tr("Show %1").arg(title));
   name_->setFixedHeight(kRowPx);
   name_->setSample(QStringLiteral("xxxx"));  // the row must not force the dock's width
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   opacity_->setObjectName(QStringLiteral("opacity-") + scene::layerName(layer));
-  opacity_->setAccessibleName(QStringLiteral("Opacity of %1").arg(title));
+  opacity_->setAccessibleName(tr("Opacity of %1").arg(title));
 
   auto* head = new QHBoxLayout;
   head->setContentsMargins(4, 0, 4, 0);
@@ -60,8 +60,8 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     settings_->setIconSize({14, 14});
     settings_->setFixedSize(22, 22);
     settings_->setFocusPolicy(Qt::TabFocus);
-    settings_->setToolTip(QStringLiteral("Colour, size and the like"));
-    settings_->setAccessibleName(QStringLiteral("Settings of %1").arg(title));
+    settings_->setToolTip(tr("Colour, size and the like"));
+    settings_->setAccessibleName(tr("Settings of %1").arg(title));
     head->addWidget(settings_);
     connect(settings_, &QToolButton::toggled, this, &LayerRow::fold);
   } else {
@@ -84,7 +84,7 @@ void LayerRow::sync() {
     shown_ = visible;
     eye_->setChecked(visible);
     eye_->setIcon(themedIcon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off")));
-    eye_->setToolTip(visible ? QStringLiteral("Hide this layer") : QStringLiteral("Show this layer"));
+    eye_->setToolTip(visible ? tr("Hide this layer") : tr("Show this layer"));
     name_->setSecondary(!visible);
   }
   opacity_->setValue(qRound(scene_->layerOpacity(layer_) * 100));

@@ -42,15 +42,15 @@ LayerStyleEditor::LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, Q
     color_ = new QToolButton(this);
     color_->setIconSize({36, 14});
     color_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    color_->setAccessibleName(QStringLiteral("Colour of %1").arg(scene::layerTitle(layer)));
+    color_->setAccessibleName(tr("Colour of %1").arg(scene::layerTitle(layer)));
     color_reset_ = new QToolButton(this);
     color_reset_->setIcon(themedIcon(QStringLiteral("reset")));
     color_reset_->setIconSize({14, 14});
-    color_reset_->setToolTip(QStringLiteral("Back to the colour of the theme"));
+    color_reset_->setToolTip(tr("Back to the colour of the theme"));
     line->addWidget(color_);
     line->addWidget(color_reset_);
     line->addStretch();
-    form->addRow(QStringLiteral("Colour"), line);
+    form->addRow(tr("Colour"), line);
     connect(color_, &QToolButton::clicked, this, &LayerStyleEditor::askForColor);
     connect(color_reset_, &QToolButton::clicked, this, [this] { setColor({}); });
   }
@@ -112,7 +112,7 @@ void LayerStyleEditor::askForColor() {
   dialog_ = new QColorDialog(before.color.isValid() ? before.color : QColor(Qt::red), this);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
   dialog_->setOption(QColorDialog::DontUseNativeDialog);
-  dialog_->setWindowTitle(QStringLiteral("Colour of %1").arg(scene::layerTitle(layer_)));
+  dialog_->setWindowTitle(tr("Colour of %1").arg(scene::layerTitle(layer_)));
   connect(dialog_, &QColorDialog::currentColorChanged, this, &LayerStyleEditor::setColor);
   connect(dialog_, &QDialog::rejected, this, [this, before] { setColor(before.color); });
   dialog_->open();

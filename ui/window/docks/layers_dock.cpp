@@ -19,7 +19,7 @@ namespace mapwright::window {
 using scene::Layer;
 
 LayersDock::LayersDock(scene::MapScene* scene, QWidget* parent)
-    : QDockWidget(QStringLiteral("Layers"), parent),
+    : QDockWidget(tr("Layers"), parent),
       scene_(scene),
       scroll_(new QScrollArea(this)),
       body_(new QWidget),
@@ -50,8 +50,16 @@ LayersDock::LayersDock(scene::MapScene* scene, QWidget* parent)
 }
 
 void LayersDock::setSession(session::Session* session) {
+  if (session_) session_->robot().disconnect(this);
   session_ = session;
-  for (LayerRow* row : rows_) row->setUnavailable(whyLayerStaysEmpty(row->layer(), session));
+  if (session) {
+    connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &LayersDock::noteAvailability);
+  }
+  noteAvailability();
+}
+
+void LayersDock::noteAvailability() {
+  for (LayerRow* row : rows_) row->setUnavailable(whyLayerStaysEmpty(row->layer(), session_));
 }
 
 void LayersDock::place() {
@@ -118,10 +126,9 @@ void LayersDock::focusNext(LayerRow* row, int rows) {
 
 void LayersDock::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
-  menu.addAction(themedIcon(QStringLiteral("reset")), QStringLiteral("Reset order and styles"), this,
+  menu.addAction(themedIcon(QStringLiteral("reset")), tr("Reset order and styles"), this,
                  [this] { resetOrderAndStyles(*scene_); });
-  menu.addAction(QStringLiteral("Show the layers of the first start"), this,
-                 [this] { resetVisibility(*scene_); });
+  menu.addAction(tr("Show the layers of the first start"), this, [this] { resetVisibility(*scene_); });
   menu.exec(event->globalPos());
 }
 

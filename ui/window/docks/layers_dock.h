@@ -36,6 +36,7 @@ class LayersDock : public QDockWidget {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
+  void noteAvailability();
   void place();
   void drag(LayerRow* row, int y);
   void commit();

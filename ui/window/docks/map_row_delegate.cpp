@@ -66,7 +66,8 @@ void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   const int line = text.height() / 2;
   QRect first(text.left(), text.top(), text.width(), line);
   for (auto it = badges.rbegin(); it != badges.rend(); ++it) {
-    const QColor color = *it == QLatin1String("current") ? colors.ok_text : colors.accent_text;
+    const bool current = std::next(it) == badges.rend() && index.data(MapsModel::CurrentRole).toBool();
+    const QColor color = current ? colors.ok_text : colors.accent_text;
     const int width = small_metrics.horizontalAdvance(*it) + 8;
     const QRectF badge(first.right() - width + 1, first.center().y() - 7, width, 16);
     QColor fill = color;

@@ -10,6 +10,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "sentences/absence_sentence.h"
+#include "sentences/plural.h"
 #include "window/docks/map_row_delegate.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
@@ -34,7 +36,6 @@ MapsDock::MapsDock(QWidget* parent)
   search_->setAccessibleName(tr("Search maps"));
   refresh_->setIcon(themedIcon(QStringLiteral("retry")));
   refresh_->setIconSize({16, 16});
-  refresh_->setToolTip(tr("Ask the robot again which maps it keeps"));
   refresh_->setAccessibleName(tr("Refresh the list of maps"));
   list_->setModel(model_);
   list_->setItemDelegate(new MapRowDelegate(list_));
@@ -118,6 +119,13 @@ void MapsDock::refresh() {
   const QString error = offered ? session_->catalogue().error() : QString();
   search_->setEnabled(offered);
   refresh_->setEnabled(offered && !loading);
+  const QString why_not =
+      session_ && !offered
+          ? plainToolTip(sentences::whyAbsent(robot::Capability::Catalogue,
+                                              session_->robot().whyNot(robot::Capability::Catalogue)))
+          : QString();
+  search_->setToolTip(why_not);
+  refresh_->setToolTip(why_not.isEmpty() ? tr("Ask the robot again which maps it keeps") : why_not);
   empty_->setText(emptyText());
   empty_->setVisible(!empty_->text().isEmpty());
   retry_->setVisible(!error.isEmpty() && !loading);
@@ -132,7 +140,7 @@ void MapsDock::refresh() {
     text = error;
   } else if (offered && session_->catalogue().asOf()) {
     text = tr("%1, as of %2")
-               .arg(plural(model_->maps(), QStringLiteral("map")),
+               .arg(sentences::counted(tr("%1 maps", nullptr, model_->maps()), model_->maps()),
                     session_->catalogue().asOf()->toString(QStringLiteral("HH:mm:ss")));
   }
   status_->setText(text);
@@ -141,7 +149,10 @@ void MapsDock::refresh() {
 
 QString MapsDock::emptyText() const {
   if (!session_) return tr("Connect to a robot to see its maps, or open a map file (Ctrl+Shift+O).");
-  if (!session_->catalogue().offered()) return tr("This robot does not tell which maps it keeps.");
+  if (!session_->catalogue().offered()) {
+    return sentences::whyAbsent(robot::Capability::Catalogue,
+                                session_->robot().whyNot(robot::Capability::Catalogue));
+  }
   if (session_->catalogue().loading() || !session_->catalogue().error().isEmpty()) return {};
   if (model_->maps() == 0) {
     return session_->catalogue().asOf() ? tr("The robot keeps no maps.")

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QBuffer>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QGuiApplication>
 #include <QImageReader>
@@ -23,11 +24,11 @@ QString sectionTitle(map::MapKind kind) {
     case map::MapKind::Live:
       break;
     case map::MapKind::Stored:
-      return QStringLiteral("Stored maps");
+      return QCoreApplication::translate("window", "Stored maps");
     case map::MapKind::Mapping:
-      return QStringLiteral("Mappings");
+      return QCoreApplication::translate("window", "Mappings");
     case map::MapKind::File:
-      return QStringLiteral("File");
+      return QCoreApplication::translate("window", "File");
   }
   return {};
 }
@@ -36,13 +37,14 @@ QString sectionTitle(map::MapKind kind) {
 
 QString mapTitle(const std::string& name) {
   const QString title = words::plainName(name).left(kLongestTitle);
-  return title.isEmpty() ? QStringLiteral("(no name)") : title;
+  return title.isEmpty() ? QCoreApplication::translate("window", "(no name)") : title;
 }
 
 QString mapDetail(const map::CatalogueEntry& entry) {
   QStringList parts;
   const QString id = words::plainName(entry.key.id).left(kLongestTitle);
-  if (entry.key.kind != map::MapKind::File && !id.isEmpty()) parts << QStringLiteral("id %1").arg(id);
+  if (entry.key.kind != map::MapKind::File && !id.isEmpty())
+    parts << QCoreApplication::translate("window", "id %1").arg(id);
   if (entry.map_version) parts << QStringLiteral("v%1").arg(*entry.map_version);
   const auto date = entry.modified_s ? entry.modified_s : entry.created_s;
   // Beyond these years it is a clock gone wrong, not a date.
@@ -97,13 +99,12 @@ std::vector<MapsModel::Row> MapsModel::build() {
                        [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
   };
   if (session_->robot().liveTopics()) {
-    Row row{RowKind::Live,
-            {map::MapKind::Live, {}},
-            QStringLiteral("Live map"),
-            QStringLiteral("as the robot sends it"),
-            true,
-            false,
-            false};
+    Row row;
+    row.kind = RowKind::Live;
+    row.key.kind = map::MapKind::Live;
+    row.title = tr("Live map");
+    row.detail = tr("as the robot sends it");
+    row.nameless = true;
     row.open = open(row.key);
     if (passes(row.title)) rows.push_back(row);
   }
@@ -116,7 +117,11 @@ std::vector<MapsModel::Row> MapsModel::build() {
     ++found_;
     if (section != entry.key.kind) {
       section = entry.key.kind;
-      rows.push_back({RowKind::Section, {}, sectionTitle(*section), {}, true, false, false});
+      Row heading;
+      heading.kind = RowKind::Section;
+      heading.title = sectionTitle(*section);
+      heading.nameless = true;
+      rows.push_back(std::move(heading));
     }
     rows.push_back(std::move(row));
   }
@@ -168,13 +173,12 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
       return row.title;
     case Qt::ToolTipRole:
       if (row.kind == RowKind::Section) return {};
-      return plainToolTip(
-          QStringLiteral("%1\n%2\nDouble click opens it here. Nothing is loaded or changed on the robot.")
-              .arg(row.title, row.detail));
+      return plainToolTip(tr("%1\n%2\nDouble click opens it here. Nothing is loaded or changed on the robot.")
+                              .arg(row.title, row.detail));
     case Qt::AccessibleTextRole:
       return QStringLiteral("%1, %2%3%4")
-          .arg(row.title, row.detail, row.current ? QStringLiteral(", current") : QString(),
-               row.open ? QStringLiteral(", open") : QString());
+          .arg(row.title, row.detail, row.current ? tr(", current") : QString(),
+               row.open ? tr(", open") : QString());
     case KindRole:
       return int(row.kind);
     case DetailRole:
@@ -183,10 +187,12 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
       return row.nameless;
     case BadgesRole: {
       QStringList badges;
-      if (row.current) badges << QStringLiteral("current");
-      if (row.open) badges << QStringLiteral("open");
+      if (row.current) badges << tr("current");
+      if (row.open) badges << tr("open");
       return badges;
     }
+    case CurrentRole:
+      return row.current;
     case ThumbnailRole:
       return row.kind == RowKind::Map ? QVariant(thumbnail(row.key)) : QVariant();
     default:

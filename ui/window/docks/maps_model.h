@@ -19,7 +19,8 @@ class MapsModel : public QAbstractListModel {
   enum Role {
     KindRole = Qt::UserRole,  // RowKind
     DetailRole,               // second line
-    BadgesRole,               // QStringList: "current", "open"
+    BadgesRole,               // QStringList of words: first that it is the current one, then that it is open
+    CurrentRole,              // bool: the robot works with it
     ThumbnailRole,            // QPixmap, null while there is none
     NamelessRole,             // bool: the name is ours, not the robot's
   };

@@ -15,6 +15,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "sentences/absence_sentence.h"
 #include "window/docks/pretty_json.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
@@ -96,7 +97,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
     if (open || asked_.isEmpty()) return;
     asked_.clear();
     log_.setAskedFor(asked_);
-    if (session_) session_->want(kOwner, asked_);
+    if (session_) session_->want(kOwner, {}, asked_);
   });
   refresh();
 }
@@ -213,6 +214,12 @@ void MessagesDock::setSession(session::Session* session) {
   robot::LiveTopics* const live = session ? session->robot().liveTopics() : nullptr;
   known_->setStringList(live ? live->known() : QStringList());
   if (session) {
+    connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, [this] {
+      robot::LiveTopics* const now = session_->robot().liveTopics();
+      known_->setStringList(now ? now->known() : QStringList());
+      updateWatching();
+      showMessage(true);
+    });
     connect(&session->robot(), &robot::Robot::rawReceived, this, [this](const robot::RawMessage& message) {
       if (!watching_) return;
       log_.note(message, monotonic_());
@@ -256,7 +263,7 @@ void MessagesDock::showMessage(bool force) {
     if (!session_) {
       hint = tr("Connect to a robot to see its messages.");
     } else if (!session_->robot().liveTopics()) {
-      hint = tr("Nothing live comes from here.");
+      hint = sentences::whyAbsent(robot::Capability::Live, session_->robot().whyNot(robot::Capability::Live));
     } else if (tally) {
       hint = tr("Nothing has come on %1 yet.").arg(chosen_.left(100));
     } else {
@@ -292,7 +299,7 @@ void MessagesDock::addTopic() {
   topic_->clear();
   if (!asked_.contains(topic)) asked_ << topic;
   log_.setAskedFor(asked_);
-  session_->want(kOwner, asked_);
+  session_->want(kOwner, {}, asked_);
   refresh();
   chooseTopic(topic);
 }
@@ -300,7 +307,7 @@ void MessagesDock::addTopic() {
 void MessagesDock::dropTopic(const QString& topic) {
   asked_.removeAll(topic);
   log_.setAskedFor(asked_);
-  if (session_) session_->want(kOwner, asked_);
+  if (session_) session_->want(kOwner, {}, asked_);
   refresh();
 }
 

@@ -1,5 +1,7 @@
 #include "window/docks/pretty_json.h"
 
+#include <QCoreApplication>
+
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
@@ -45,7 +47,10 @@ qsizetype endOfString(const QString& text, qsizetype at) {
 
 QString prettyJson(const QByteArray& bytes, qsizetype limit, qsizetype longest_string) {
   const QString text = QString::fromUtf8(words::escapedJson(bytes)).trimmed();
-  const auto cutNote = [&] { return QStringLiteral("\n… cut here: %1 in all").arg(bytesText(bytes.size())); };
+  const auto cutNote = [&] {
+    return QLatin1Char('\n') +
+           QCoreApplication::translate("window", "… cut here: %1 in all").arg(bytesText(bytes.size()));
+  };
   if (!text.startsWith(QLatin1Char('{')) && !text.startsWith(QLatin1Char('['))) {
     return text.size() <= limit ? text : text.left(limit) + cutNote();
   }

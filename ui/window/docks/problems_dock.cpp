@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "sentences/plural.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -99,14 +100,13 @@ void ProblemsDock::setSession(session::Session* session) {
 void ProblemsDock::refresh() {
   const QScrollBar* bar = table_->verticalScrollBar();
   const bool at_end = bar->value() == bar->maximum();
-  static const std::vector<session::LoggedProblem> kNone;
+  static const session::ProblemLog::Rows kNone;
   model_->sync(session_ ? session_->problems().rows() : kNone);
   if (at_end) table_->scrollToBottom();
   const int rows = model_->rowCount();
   QString text = tr("No problems.");
   if (rows > 0) {
-    text = tr("%1, %2 unresolved")
-               .arg(plural(rows, QStringLiteral("problem")), countText(session_->problems().unresolved()));
+    text = tr("%1, %2 unresolved").arg(problemsText(rows), countText(session_->problems().unresolved()));
     const std::size_t forgotten = session_->problems().forgotten();
     if (forgotten > 0) text += tr(", %1 older ones dropped").arg(countText(qint64(forgotten)));
   }
@@ -124,7 +124,7 @@ void ProblemsDock::copySelected() {
   for (const QModelIndex& row : rows) lines << problemLine(model_->problem(row.row()));
   if (lines.isEmpty()) return;
   Q_EMIT copyWanted(lines.join(QLatin1Char('\n')),
-                    tr("%1 copied").arg(plural(lines.size(), QStringLiteral("problem"))));
+                    sentences::counted(tr("%1 problems copied", nullptr, int(lines.size())), lines.size()));
 }
 
 bool ProblemsDock::eventFilter(QObject* watched, QEvent* event) {

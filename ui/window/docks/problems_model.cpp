@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include <QColor>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QLocale>
 
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
@@ -19,7 +22,7 @@ namespace {
 bool same(const session::LoggedProblem& a, const session::LoggedProblem& b) { return a.row == b.row; }
 
 QString subjectText(const session::LoggedProblem& problem) {
-  return words::plainName(map::toText(problem.problem.subject));
+  return words::plainName(sentences::nameOf(problem.problem.subject));
 }
 
 /// What lasts has no length yet; what was met once and recovered at once has none worth a word.
@@ -45,13 +48,13 @@ QString timesText(const session::LoggedProblem& problem) {
 QString severityWord(map::Severity severity) {
   switch (severity) {
     case map::Severity::Info:
-      return QStringLiteral("information");
+      return QCoreApplication::translate("window", "information");
     case map::Severity::Warning:
-      return QStringLiteral("warning");
+      return QCoreApplication::translate("window", "warning");
     case map::Severity::Error:
       break;
   }
-  return QStringLiteral("error");
+  return QCoreApplication::translate("window", "error");
 }
 
 QVariant severityPicture(const session::LoggedProblem& problem) {
@@ -71,7 +74,7 @@ QVariant severityPicture(const session::LoggedProblem& problem) {
 
 }  // namespace
 
-void ProblemsModel::sync(const std::vector<session::LoggedProblem>& fresh) {
+void ProblemsModel::sync(const session::ProblemLog::Rows& fresh) {
   // The log only grows at its end, drops at its front and now and then moves a row: a greedy walk is enough.
   std::size_t row = 0;
   for (; row < fresh.size(); ++row) {
@@ -115,7 +118,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
         case DurationColumn:
           return durationText(row);
         case SentenceColumn:
-          return words::plainName(row.problem.sentence);
+          return words::plainName(sentences::sentenceOf(row.problem));
         default:
           return {};
       }
@@ -128,8 +131,8 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
       return row.resolved ? QVariant(appColors().secondary_text) : QVariant();
     case Qt::ToolTipRole:
-      return plainToolTip(subjectText(row) + QStringLiteral(": ") +
-                          QString::fromStdString(row.problem.sentence) + QLatin1Char('\n') + timesText(row));
+      return plainToolTip(subjectText(row) + QStringLiteral(": ") + sentences::sentenceOf(row.problem) +
+                          QLatin1Char('\n') + timesText(row));
     case Qt::AccessibleTextRole:
       return index.column() == TimeColumn
                  ? QStringLiteral("%1, %2").arg(severityWord(row.problem.severity), row.last.toString())
@@ -148,15 +151,15 @@ QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case TimeColumn:
-      return QStringLiteral("Last");
+      return tr("Last");
     case CountColumn:
-      return QStringLiteral("Count");
+      return tr("Count");
     case DurationColumn:
       return tr("Lasted");
     case SubjectColumn:
-      return QStringLiteral("What");
+      return tr("What");
     case SentenceColumn:
-      return QStringLiteral("What happened");
+      return tr("What happened");
     default:
       return {};
   }
@@ -166,7 +169,7 @@ QString problemLine(const session::LoggedProblem& problem) {
   return QStringLiteral("%1 %2 %3×  %4: %5  (%6)")
       .arg(QLocale::c().toString(problem.last, QStringLiteral("yyyy-MM-dd HH:mm:ss")),
            severityWord(problem.problem.severity), QString::number(problem.count), subjectText(problem),
-           words::plainName(problem.problem.sentence), timesText(problem));
+           words::plainName(sentences::sentenceOf(problem.problem)), timesText(problem));
 }
 
 }  // namespace mapwright::window

@@ -15,7 +15,7 @@ class ProblemsModel : public QAbstractTableModel {
   enum Column { TimeColumn, CountColumn, DurationColumn, SubjectColumn, SentenceColumn, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
-  void sync(const std::vector<session::LoggedProblem>& rows);
+  void sync(const session::ProblemLog::Rows& rows);
   const session::LoggedProblem& problem(int row) const { return rows_[std::size_t(row)]; }
 
   int rowCount(const QModelIndex& parent = {}) const override {

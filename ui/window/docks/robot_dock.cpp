@@ -9,6 +9,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "sentences/absence_sentence.h"
+#include "sentences/plural.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
 #include "window/status/state_mark.h"
@@ -22,15 +24,10 @@ namespace {
 constexpr int kRefreshMs = 200;
 constexpr std::size_t kMostAlerts = 100;
 
-const QStringList& statusTopics() {
-  static const QStringList topics{QStringLiteral("/battery_state"),
-                                  QStringLiteral("/wheel_state"),
-                                  QStringLiteral("/alerts"),
-                                  QStringLiteral("/planning_state"),
-                                  QStringLiteral("/sensor_manager_state"),
-                                  QStringLiteral("/global_positioning_state"),
-                                  QStringLiteral("/map/info")};
-  return topics;
+map::Streams statusStreams() {
+  using map::Stream;
+  return {Stream::Battery, Stream::Wheels,  Stream::Alerts,           Stream::Planning,
+          Stream::Sensors, Stream::MapInfo, Stream::GlobalPositioning};
 }
 
 PlainLabel* heading(const QString& text, QWidget* parent) {
@@ -63,7 +60,7 @@ bool sameShape(const std::vector<StatusSection>& a, const std::vector<StatusSect
 }  // namespace
 
 RobotDock::RobotDock(QWidget* parent)
-    : QDockWidget(QStringLiteral("Robot"), parent),
+    : QDockWidget(tr("Robot"), parent),
       link_(new StateLabel(this)),
       stale_(new PlainLabel(this)),
       limits_(wrapped(this)),
@@ -119,7 +116,7 @@ void RobotDock::setSession(session::Session* session) {
     });
     connect(session, &session::Session::frameChanged, this, &RobotDock::refresh);
     connect(session, &session::Session::connectionChanged, this, &RobotDock::refresh);
-    session->want(QStringLiteral("status"), statusTopics());
+    session->want(QStringLiteral("status"), statusStreams());
   }
   refresh();
 }
@@ -131,15 +128,15 @@ void RobotDock::showEvent(QShowEvent* event) {
 
 void RobotDock::refresh() {
   link_->setState(session_ ? connectionText(session_->connection())
-                           : StateText{Mark::Neutral, QStringLiteral("No robot connected")});
+                           : StateText{Mark::Neutral, tr("No robot connected")});
   const auto since = session_ ? session_->staleSince() : std::nullopt;
   greyed_ = since.has_value();
   stale_->setVisible(greyed_);
   if (since) {
-    stale_->setText(QStringLiteral("Values as of %1, no longer live")
-                        .arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss"))));
+    stale_->setText(
+        tr("Values as of %1, no longer live").arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss"))));
   }
-  const QString limits = session_ ? session_->robot().limits() : QString();
+  const QString limits = session_ ? sentences::limitsOf(session_->robot()) : QString();
   limits_->setText(words::plainText(limits));
   limits_->setVisible(!limits.isEmpty());
   QPalette quiet = limits_->palette();
@@ -204,10 +201,9 @@ QWidget* RobotDock::alertRow(const AlertLine& line) {
   column->setSpacing(0);
   auto* head = new StateLabel(row);
   head->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  head->setState(
-      {line.mark, QStringLiteral("%1 %2%3").arg(
-                      line.level, line.code,
-                      line.since.isEmpty() ? QString() : QStringLiteral(", since ") + line.since)});
+  head->setState({line.mark, QStringLiteral("%1 %2%3").arg(
+                                 line.level, line.code,
+                                 line.since.isEmpty() ? QString() : tr(", since ") + line.since)});
   auto* text = wrapped(row);
   text->setText(line.text);
   text->setContentsMargins(20, 0, 0, 0);
@@ -227,14 +223,15 @@ void RobotDock::showAlerts(std::vector<AlertLine> lines, bool known) {
     delete item;
   }
   if (!known && alerts_.empty()) return;
-  const QString title =
-      alerts_.empty() ? QStringLiteral("No alerts") : plural(qint64(alerts_.size()), QStringLiteral("alert"));
+  const QString title = alerts_.empty() ? tr("No alerts")
+                                        : sentences::counted(tr("%1 alerts", nullptr, int(alerts_.size())),
+                                                             qint64(alerts_.size()));
   alert_column_->addWidget(heading(title, alert_box_));
   for (std::size_t i = 0; i < std::min(kMostAlerts, alerts_.size()); ++i)
     alert_column_->addWidget(alertRow(alerts_[i]));
   if (alerts_.size() > kMostAlerts) {
-    alert_column_->addWidget(new PlainLabel(
-        QStringLiteral("and %1 more").arg(countText(qint64(alerts_.size() - kMostAlerts))), alert_box_));
+    alert_column_->addWidget(
+        new PlainLabel(tr("and %1 more").arg(countText(qint64(alerts_.size() - kMostAlerts))), alert_box_));
   }
 }
 
@@ -244,9 +241,9 @@ QString RobotDock::shownText() const {
   QStringList lines{link_->state().text};
   if (!stale_->isHidden()) lines << stale_->text();
   if (!limits_->isHidden()) lines << limits_->text();
-  if (alerts_known_ && alerts_.empty()) lines << QStringLiteral("No alerts");
+  if (alerts_known_ && alerts_.empty()) lines << tr("No alerts");
   for (const AlertLine& alert : alerts_)
-    lines << QStringLiteral("%1 %2 %3 since %4").arg(alert.level, alert.code, alert.text, alert.since);
+    lines << tr("%1 %2 %3 since %4").arg(alert.level, alert.code, alert.text, alert.since);
   for (const StatusSection& section : sections_) {
     for (const StatusField& field : section.fields)
       lines << QStringLiteral("%1 / %2: %3").arg(section.title, field.name, field.value);

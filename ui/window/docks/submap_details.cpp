@@ -1,7 +1,10 @@
 // What the inspector says about the selected submap.
+#include <QCoreApplication>
 #include <QStringList>
 
 #include "geometry/pose.h"
+#include "sentences/plural.h"
+#include "sentences/reason_sentence.h"
 #include "window/docks/inspector_dock.h"
 #include "window/status/status_text.h"
 
@@ -10,7 +13,8 @@ namespace mapwright::window {
 QString submapDetails(const session::Session& session, map::SubmapId id) {
   const submap::SubmapRow* row = session.book().find(id);
   if (!row)
-    return QStringLiteral("Submap %1 is no longer listed.").arg(QString::fromStdString(map::toText(id)));
+    return QCoreApplication::translate("window", "Submap %1 is no longer listed.")
+        .arg(QString::fromStdString(map::toText(id)));
   QString name =
       QStringLiteral("%1 v%2").arg(QString::fromStdString(map::toText(id))).arg(row->entry.version);
   if (row->shown_version >= 0 && row->shown_version != row->entry.version) {
@@ -30,13 +34,13 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
                 .arg(flat.y_m, 0, 'f', 2)
                 .arg(rotationText(flat.yaw_rad));
   }
-  if (!row->slices.empty()) {
+  if (const auto slices = int(row->slices.size()); slices > 0) {
     where += QStringLiteral(", %1, %2")
-                 .arg(plural(qint64(row->slices.size()), InspectorDock::tr("slice")),
+                 .arg(sentences::counted(InspectorDock::tr("%1 slices", nullptr, slices), slices),
                       bytesText(qint64(row->texture_bytes)));
   }
   lines << where;
-  const QString reason = session.reason(id);
+  const QString reason = sentences::sentenceOf(session.reason(id));
   lines << (reason.isEmpty() ? statusWord(session.status(id))
                              : QStringLiteral("%1: %2").arg(statusWord(session.status(id)), reason));
   return lines.join(QLatin1Char('\n'));

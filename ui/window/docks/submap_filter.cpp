@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -39,9 +40,10 @@ bool wordMatches(const QString& word, const SubmapFacts& facts) {
 }  // namespace
 
 QStringList badges(const SubmapFacts& facts) {
-  QStringList names{facts.frozen ? QStringLiteral("FROZEN") : QStringLiteral("ACTIVE")};
-  if (facts.incremental) names << QStringLiteral("INC");
-  if (facts.nearby) names << QStringLiteral("NEARBY");
+  QStringList names{facts.frozen ? QCoreApplication::translate("window", "FROZEN")
+                                 : QCoreApplication::translate("window", "ACTIVE")};
+  if (facts.incremental) names << QCoreApplication::translate("window", "INC");
+  if (facts.nearby) names << QCoreApplication::translate("window", "NEARBY");
   return names;
 }
 

@@ -1,4 +1,5 @@
 // SubmapTreeModel: what a row shows, and its check box.
+#include "sentences/reason_sentence.h"
 #include "window/docks/submap_tree_model.h"
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"
@@ -47,9 +48,8 @@ QVariant SubmapTreeModel::groupData(const QString& name, int visible, int shown,
       if (column != NameColumn) return {};
       return int(visible == 0 ? Qt::Unchecked : visible == total ? Qt::Checked : Qt::PartiallyChecked);
     case Qt::ToolTipRole:
-      return plainToolTip(
-          tr("%1: %2, %3 shown, %4 hidden")
-              .arg(name, plural(total, tr("submap")), countText(shown), countText(total - visible)));
+      return plainToolTip(tr("%1: %2, %3 shown, %4 hidden")
+                              .arg(name, submapsText(total), countText(shown), countText(total - visible)));
     case TotalRole:
       return totalText(shown, total);
     case HiddenRole:
@@ -75,7 +75,7 @@ QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role
       if (leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {
         lines << tr("Version %1 is on screen.").arg(leaf.shown_version);
       }
-      const QString reason = session_ ? session_->reason(leaf.id) : QString();
+      const QString reason = session_ ? sentences::sentenceOf(session_->reason(leaf.id)) : QString();
       lines << (reason.isEmpty() ? statusWord(leaf.status)
                                  : QStringLiteral("%1: %2").arg(statusWord(leaf.status), reason));
       return plainToolTip(lines.join(QLatin1Char('\n')));

@@ -1,6 +1,8 @@
 #include "window/docks/submap_tree_model.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include <QRegularExpression>
 
@@ -47,7 +49,7 @@ void SubmapTreeModel::setSession(session::Session* session) {
   beginResetModel();
   session_ = session;
   branches_.clear();
-  total_ = visible_ = shown_ = 0;
+  recount();
   widest_leaf_.clear();
   endResetModel();
   sync();
@@ -55,23 +57,91 @@ void SubmapTreeModel::setSession(session::Session* session) {
 
 void SubmapTreeModel::sync() {
   Rows fresh;
-  std::int32_t longest_index = 0, longest_version = 0;
-  const auto longer = [](std::int32_t a, std::int32_t b) {
-    return QString::number(b).size() > QString::number(a).size() ? b : a;
-  };
+  longest_index_ = longest_version_ = 0;
+  widest_leaf_.clear();
   if (session_) {
     for (const auto& [id, row] : session_->book().rows()) {
       if (fresh.empty() || fresh.back().front().id.trajectory != id.trajectory) fresh.emplace_back();
       fresh.back().push_back(factsOf(*session_, id, row));
-      // Looked at by the number first: a text for each of ten thousand rows would be felt.
-      if (id.index > longest_index || id.index < 0) longest_index = longer(longest_index, id.index);
-      if (row.entry.version > longest_version || row.entry.version < 0)
-        longest_version = longer(longest_version, row.entry.version);
+      noteWidth(fresh.back().back());
     }
   }
-  static const QRegularExpression digit(QStringLiteral("\\d"));
-  widest_leaf_ = leafName({0, longest_index}, longest_version).replace(digit, QStringLiteral("0"));
+  if (widest_leaf_.isEmpty()) noteWidth({});
   takeOver(fresh);
+}
+
+void SubmapTreeModel::noteWidth(const SubmapFacts& facts) {
+  const auto longer = [](std::int32_t a, std::int32_t b) {
+    return QString::number(b).size() > QString::number(a).size() ? b : a;
+  };
+  std::int32_t index = longest_index_, version = longest_version_;
+  // Looked at by the number first: a text for each of ten thousand rows would be felt.
+  if (facts.id.index > index || facts.id.index < 0) index = longer(index, facts.id.index);
+  if (facts.version > version || facts.version < 0) version = longer(version, facts.version);
+  if (!widest_leaf_.isEmpty() && index == longest_index_ && version == longest_version_) return;
+  longest_index_ = index;
+  longest_version_ = version;
+  static const QRegularExpression digit(QStringLiteral("\\d"));
+  widest_leaf_ = leafName({0, index}, version).replace(digit, QStringLiteral("0"));
+}
+
+void SubmapTreeModel::syncRows(const std::vector<map::SubmapId>& ids) {
+  constexpr int kManyOthers = 500;  // rows that come or go, one by one
+  if (!session_) return;
+  const submap::SubmapBook& book = session_->book();
+  int others = 0;
+  for (const map::SubmapId id : ids) {
+    if (branchRow(id.trajectory) < 0) return sync();
+    others += (book.find(id) != nullptr) != indexOf(id).isValid();
+  }
+  if (others > kManyOthers) return sync();
+  std::vector<int> touched;   // rows of branches
+  int first = -1, last = -1;  // changed leaves that are neighbours, of touched.back()
+  const auto tell = [&] {
+    if (first < 0) return;
+    const quintptr id = leafId(branches_[std::size_t(touched.back())].trajectory);
+    Q_EMIT dataChanged(createIndex(first, 0, id), createIndex(last, kColumns - 1, id));
+    first = -1;
+  };
+  for (const map::SubmapId id : ids) {
+    const submap::SubmapRow* const row = book.find(id);
+    const int branch_row = branchRow(id.trajectory);
+    Branch& branch = branches_[std::size_t(branch_row)];
+    const auto leaf = std::lower_bound(branch.leaves.begin(), branch.leaves.end(), id,
+                                       [](const SubmapFacts& f, map::SubmapId i) { return f.id < i; });
+    const bool known = leaf != branch.leaves.end() && leaf->id == id;
+    const int at = int(leaf - branch.leaves.begin());
+    const SubmapFacts fresh = row ? factsOf(*session_, id, *row) : SubmapFacts{};
+    if (!row && !known) continue;
+    if (row && known && *leaf == fresh) continue;
+    if (first >= 0 && (!row || !known || at != last + 1 || touched.back() != branch_row)) tell();
+    if (touched.empty() || touched.back() != branch_row) touched.push_back(branch_row);
+    if (known) count(branch, *leaf, -1);
+    if (row) {
+      count(branch, fresh, 1);
+      noteWidth(fresh);
+    }
+    if (!row) {
+      beginRemoveRows(createIndex(branch_row, 0, kBranchId), at, at);
+      branch.leaves.erase(leaf);
+      endRemoveRows();
+    } else if (!known) {
+      beginInsertRows(createIndex(branch_row, 0, kBranchId), at, at);
+      branch.leaves.insert(leaf, fresh);
+      endInsertRows();
+    } else {
+      *leaf = fresh;
+      if (first < 0) first = at;
+      last = at;
+    }
+  }
+  tell();
+  if (touched.empty()) return;
+  const auto emptied = [this](int row) { return branches_[std::size_t(row)].leaves.empty(); };
+  if (std::any_of(touched.begin(), touched.end(), emptied)) return sync();
+  for (const int row : touched)
+    Q_EMIT dataChanged(createIndex(row, 0, kBranchId), createIndex(row, kColumns - 1, kBranchId));
+  Q_EMIT dataChanged(allIndex(), createIndex(0, kColumns - 1, kAllId));
 }
 
 void SubmapTreeModel::syncVisibility() {
@@ -87,27 +157,21 @@ void SubmapTreeModel::syncVisibility() {
 }
 
 void SubmapTreeModel::takeOver(const Rows& fresh) {
+  std::vector<std::pair<int, int>> before;
   syncBranches(fresh);
+  for (const Branch& branch : branches_) before.emplace_back(branch.visible, branch.shown);
+  const std::tuple all_before(total_, visible_, shown_);
+  for (int row = 0; row < int(branches_.size()); ++row) syncLeaves(row, fresh[std::size_t(row)]);
+  recount();
   bool changed = false;
   for (int row = 0; row < int(branches_.size()); ++row) {
-    syncLeaves(row, fresh[std::size_t(row)]);
-    if (recount(branches_[std::size_t(row)])) {
-      changed = true;
-      Q_EMIT dataChanged(createIndex(row, 0, kBranchId), createIndex(row, kColumns - 1, kBranchId));
-    }
+    const Branch& branch = branches_[std::size_t(row)];
+    if (before[std::size_t(row)] == std::pair(branch.visible, branch.shown)) continue;
+    changed = true;
+    Q_EMIT dataChanged(createIndex(row, 0, kBranchId), createIndex(row, kColumns - 1, kBranchId));
   }
-  int total = 0, visible = 0, shown = 0;
-  for (const Branch& branch : branches_) {
-    total += int(branch.leaves.size());
-    visible += branch.visible;
-    shown += branch.shown;
-  }
-  if (changed || total != total_ || visible != visible_ || shown != shown_) {
-    total_ = total;
-    visible_ = visible;
-    shown_ = shown;
+  if (changed || all_before != std::tuple(total_, visible_, shown_))
     Q_EMIT dataChanged(allIndex(), createIndex(0, kColumns - 1, kAllId));
-  }
 }
 
 void SubmapTreeModel::syncBranches(const Rows& fresh) {
@@ -175,16 +239,28 @@ void SubmapTreeModel::syncLeaves(int branch_row, const std::vector<SubmapFacts>&
   }
 }
 
-bool SubmapTreeModel::recount(Branch& branch) {
-  int visible = 0, shown = 0;
-  for (const SubmapFacts& facts : branch.leaves) {
-    visible += facts.visible;
-    shown += facts.drawable;
+void SubmapTreeModel::recount() {
+  total_ = visible_ = shown_ = 0;
+  nearby_ = incremental_ = {};
+  for (Branch& branch : branches_) {
+    branch.visible = branch.shown = 0;
+    for (const SubmapFacts& facts : branch.leaves) count(branch, facts, 1);
   }
-  const bool changed = visible != branch.visible || shown != branch.shown;
-  branch.visible = visible;
-  branch.shown = shown;
-  return changed;
+}
+
+void SubmapTreeModel::count(Branch& branch, const SubmapFacts& facts, int by) {
+  const int visible = facts.visible ? by : 0, shown = facts.drawable ? by : 0;
+  total_ += by;
+  visible_ += visible;
+  shown_ += shown;
+  branch.visible += visible;
+  branch.shown += shown;
+  for (const auto& [belongs, group] :
+       {std::pair(facts.nearby, &nearby_), std::pair(facts.incremental, &incremental_)}) {
+    if (!belongs) continue;
+    group->total += by;
+    group->visible += visible;
+  }
 }
 
 int SubmapTreeModel::branchRow(std::int32_t trajectory) const {
@@ -249,15 +325,9 @@ Qt::CheckState SubmapTreeModel::visibility(const std::vector<map::SubmapId>& ids
 }
 
 Qt::CheckState SubmapTreeModel::visibilityWhere(bool SubmapFacts::*flag, int* count) const {
-  int visible = 0, total = 0;
-  for (const Branch& branch : branches_) {
-    for (const SubmapFacts& leaf : branch.leaves) {
-      total += leaf.*flag;
-      visible += leaf.*flag && leaf.visible;
-    }
-  }
-  if (count) *count = total;
-  return checkState(visible, total);
+  const Group& group = flag == &SubmapFacts::nearby ? nearby_ : incremental_;
+  if (count) *count = group.total;
+  return checkState(group.visible, group.total);
 }
 
 QModelIndex SubmapTreeModel::index(int row, int column, const QModelIndex& parent) const {

@@ -29,8 +29,10 @@ class SubmapTreeModel : public QAbstractItemModel {
 
   /// Not owned; null = none.
   void setSession(session::Session* session);
-  /// Takes over what changed. Cheap when nothing did. Call on listChanged() and rowsChanged().
+  /// Takes over everything anew, as the differences to what was there.
   void sync();
+  /// Takes over these submaps (ascending), also new ones and such as are gone. Costs what they are.
+  void syncRows(const std::vector<map::SubmapId>& ids);
   /// Takes over who is hidden and nothing else: the boxes follow the hand at once, while the counts stay
   /// those of the moment at which the status bar counted too.
   void syncVisibility();
@@ -48,6 +50,7 @@ class SubmapTreeModel : public QAbstractItemModel {
   QString widestTotal() const;
   /// Checked, unchecked or partly; of no submaps: unchecked.
   Qt::CheckState visibility(const std::vector<map::SubmapId>& ids) const;
+  /// Of the nearby or the incremental ones.
   Qt::CheckState visibilityWhere(bool SubmapFacts::*flag, int* count = nullptr) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -65,12 +68,17 @@ class SubmapTreeModel : public QAbstractItemModel {
     std::vector<SubmapFacts> leaves;  // by index
     int visible = 0, shown = 0;
   };
+  struct Group {
+    int total = 0, visible = 0;
+  };
   int branchRow(std::int32_t trajectory) const;        // -1 = none
   using Rows = std::vector<std::vector<SubmapFacts>>;  // one list a trajectory, none of them empty
   void takeOver(const Rows& fresh);
   void syncBranches(const Rows& fresh);
   void syncLeaves(int branch_row, const std::vector<SubmapFacts>& fresh);
-  bool recount(Branch& branch);
+  void recount();
+  void count(Branch& branch, const SubmapFacts& facts, int by);
+  void noteWidth(const SubmapFacts& facts);
   QVariant groupData(const QString& name, int visible, int shown, int total, int column, int role) const;
   static QString leafName(map::SubmapId id, std::int32_t version);
   static QString groupName(std::int32_t trajectory);
@@ -81,6 +89,8 @@ class SubmapTreeModel : public QAbstractItemModel {
   QPointer<session::Session> session_;
   std::vector<Branch> branches_;  // by trajectory
   int total_ = 0, visible_ = 0, shown_ = 0;
+  Group nearby_, incremental_;
+  std::int32_t longest_index_ = 0, longest_version_ = 0;
   QString widest_leaf_;
 };
 

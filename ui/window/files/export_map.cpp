@@ -2,13 +2,14 @@
 
 #include <utility>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
 
 #include "disk/read_file.h"
 #include "disk/written_file.h"
-#include "raster/export_grid.h"
+#include "grids/export_grid.h"
 #include "render/compose_grid.h"
 #include "scene/write_picture.h"
 
@@ -26,11 +27,11 @@ Problem fromText(const std::optional<std::string>& problem) {
 }
 
 Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed) {
-  if (!map.cells) return QStringLiteral("There is no map to export.");
+  if (!map.cells) return QCoreApplication::translate("window", "There is no map to export.");
   const std::string path = QDir::toNativeSeparators(request.path).toStdString();
   return fromText(request.format == ExportFormat::MapServer
-                      ? raster::writeMapServer(*map.cells, map.reference, path, proceed)
-                      : raster::writeGridPng(*map.cells, path, proceed));
+                      ? grids::writeMapServer(*map.cells, map.reference, path, proceed)
+                      : grids::writeGridPng(*map.cells, path, proceed));
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ QString worldFilePath(const QString& picture_path) {
 
 QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file) {
   if (format == ExportFormat::MapServer) {
-    const raster::MapServerFiles files = raster::mapServerFiles(path.toStdString());
+    const grids::MapServerFiles files = grids::mapServerFiles(path.toStdString());
     return {QString::fromStdString(files.yaml), QString::fromStdString(files.pgm)};
   }
   QStringList files(path);
@@ -63,7 +64,7 @@ QString exportSuffix(ExportFormat format) {
   return format == ExportFormat::MapServer ? QStringLiteral("yaml") : QStringLiteral("png");
 }
 
-ExportResult exportMap(const ExportRequest& request, const Proceed& proceed) {
+ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, const grids::Means& means) {
   ExportResult result{request.path, {}, false};
   const Proceed watched = [&](double done) {
     if (proceed && !proceed(done)) result.cancelled = true;
@@ -76,7 +77,7 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed) {
   const auto writeWorldFile = [&] {
     if (!request.world_file || request.format == ExportFormat::MapServer) return true;
     world_file.emplace(worldFilePath(request.path).toStdString());
-    world_file->write(raster::worldFileText(reference));
+    world_file->write(grids::worldFileText(reference));
     if (!world_file->finish()) problem = fromText(world_file->place());
     return !problem;
   };
@@ -89,8 +90,9 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed) {
   } else {
     const auto& submaps = std::get<SubmapsExport>(request.source);
     render::DenseCache cache;
-    const auto composed = render::composeGrid(submaps.textures, submaps.resolution_m, cache,
-                                              [&](double done) { return watched(done * kComposePart); });
+    const auto composed = render::composeGrid(
+        submaps.textures, submaps.resolution_m, cache,
+        [&](double done) { return watched(done * kComposePart); }, means);
     if (composed) {
       reference = composed->reference;
       if (writeWorldFile()) {
@@ -106,27 +108,28 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed) {
   return result;
 }
 
-ExportJob::ExportJob(QObject* parent) : QObject(parent) { pool_.setMaxThreadCount(1); }
+ExportJob::ExportJob(const std::shared_ptr<work::Workers>& workers, QObject* parent)
+    : QObject(parent), means_{workers}, share_(workers) {}
 
-ExportJob::~ExportJob() {
-  cancel();
-  pool_.waitForDone();
-}
+ExportJob::~ExportJob() { cancel(); }
 
 void ExportJob::start(ExportRequest request) {
   cancel();
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   running_ = true;
-  pool_.start([this, cancelled = cancelled_, request = std::move(request)] {
+  share_.startLong([this, cancelled = cancelled_, request = std::move(request)] {
     QElapsedTimer told;
-    const ExportResult result = exportMap(request, [&](double done) {
-      if (!told.isValid() || told.elapsed() > 50) {
-        told.start();
-        QMetaObject::invokeMethod(
-            this, [this, done] { Q_EMIT progressed(done); }, Qt::QueuedConnection);
-      }
-      return !cancelled->load();
-    });
+    const ExportResult result = exportMap(
+        request,
+        [&](double done) {
+          if (!told.isValid() || told.elapsed() > 50) {
+            told.start();
+            QMetaObject::invokeMethod(
+                this, [this, done] { Q_EMIT progressed(done); }, Qt::QueuedConnection);
+          }
+          return !cancelled->load();
+        },
+        means_);
     QMetaObject::invokeMethod(
         this,
         [this, result] {

@@ -12,11 +12,11 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QThreadPool>
 
+#include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
-#include "raster/grid_pyramid.h"
 #include "render/compositor.h"
+#include "work/workers.h"
 
 namespace mapwright::window {
 
@@ -24,7 +24,7 @@ enum class ExportFormat { MapPicture, MapServer, ViewPicture };
 
 /// A whole map as it was read.
 struct WholeMapExport {
-  std::shared_ptr<const raster::GridPyramid> cells;  // complete
+  std::shared_ptr<const grids::GridPyramid> cells;  // complete
   map::GridReference reference;
 };
 /// Submaps, to be composed first.
@@ -54,7 +54,8 @@ struct ExportResult {
 };
 
 /// Blocks. `proceed` gets the part that is done (0..1); false ends the work, and nothing half-written stays.
-ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed);
+ExportResult exportMap(const ExportRequest& request, const std::function<bool(double done)>& proceed,
+                       const grids::Means& means = {});
 /// "/maps/a.png" -> "/maps/a.pgw".
 QString worldFilePath(const QString& picture_path);
 /// What will be written.
@@ -64,11 +65,11 @@ QString firstOwnSource(const QStringList& files, const std::vector<std::string>&
 /// The extension that the format takes: "png", "yaml".
 QString exportSuffix(ExportFormat format);
 
-/// One export on a thread of its own. GUI-thread object; deleting it cancels and waits.
+/// One export on a thread beyond the crew. GUI-thread object; deleting it cancels and waits.
 class ExportJob : public QObject {
   Q_OBJECT
  public:
-  explicit ExportJob(QObject* parent = nullptr);
+  explicit ExportJob(const std::shared_ptr<work::Workers>& workers, QObject* parent = nullptr);
   ~ExportJob() override;
   void start(ExportRequest request);
   void cancel() { cancelled_->store(true); }
@@ -81,7 +82,8 @@ class ExportJob : public QObject {
  private:
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
   bool running_ = false;
-  QThreadPool pool_;
+  grids::Means means_;
+  work::Share share_;  // last: it waits for what runs
 };
 
 }  // namespace mapwright::window

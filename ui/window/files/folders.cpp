@@ -4,10 +4,13 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 namespace mapwright::window {
 
 namespace {
+
+const QString kMapFolderKey = QStringLiteral("files/folder");
 
 template <typename Usable>
 QString firstOf(const QStringList& wishes, Usable usable) {
@@ -27,6 +30,16 @@ QString folderToWriteInto(const QStringList& wishes) {
 
 QString folderToReadFrom(const QStringList& wishes) {
   return firstOf(wishes, [](const QFileInfo& folder) { return folder.isReadable(); });
+}
+
+QString lastMapFolder(const QSettings& settings) {
+  return folderToReadFrom({settings.value(kMapFolderKey).toString(),
+                           QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
+                           QDir::homePath()});
+}
+
+void rememberMapFolder(QSettings& settings, const QString& folder) {
+  settings.setValue(kMapFolderKey, folder);
 }
 
 }  // namespace mapwright::window

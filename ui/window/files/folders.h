@@ -1,6 +1,7 @@
 // Folders to propose in dialogs. Looks at the disk.
 #pragma once
 
+#include <QSettings>
 #include <QStringList>
 
 namespace mapwright::window {
@@ -10,5 +11,9 @@ namespace mapwright::window {
 QString folderToWriteInto(const QStringList& wishes);
 /// The first that is a folder which can be looked into; empty where there is none.
 QString folderToReadFrom(const QStringList& wishes);
+
+/// Where map files were last chosen, for file dialogs.
+QString lastMapFolder(const QSettings& settings);
+void rememberMapFolder(QSettings& settings, const QString& folder);
 
 }  // namespace mapwright::window

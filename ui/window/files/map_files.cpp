@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -30,14 +31,6 @@ QString fileAddress(const QString& path, const std::optional<PicturePlacement>& 
          exact(placement->origin.y_m) + QLatin1Char(',') + exact(placement->origin.yaw_rad);
 }
 
-QString pathOfAddress(const QString& address) {
-  if (!address.startsWith(QLatin1String("file:"))) return {};
-  QString path = address.mid(5);
-  const qsizetype query = path.lastIndexOf(QStringLiteral("?resolution="));
-  if (query >= 0) path.truncate(query);
-  return path;
-}
-
 QString droppedMap(const QList<QUrl>& urls) {
   QString picture;
   for (const QUrl& url : urls) {
@@ -51,7 +44,8 @@ QString droppedMap(const QList<QUrl>& urls) {
 }
 
 QString mapFileFilter() {
-  return QStringLiteral(
+  return QCoreApplication::translate(
+      "window",
       "Maps (*.yaml *.yml *.png *.pgm *.bmp *.YAML *.PNG *.PGM *.BMP);;ROS maps (*.yaml *.yml);;"
       "Pictures (*.png *.pgm *.bmp);;All files (*)");
 }

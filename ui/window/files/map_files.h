@@ -21,8 +21,6 @@ bool isMapYaml(const QString& path);
 bool isBarePicture(const QString& path);
 /// "file:/maps/a.yaml", "file:/maps/a.png?resolution=0.05&origin=-1,2,0".
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement = {});
-/// The path in such an address, for titles and lists; empty when it is none.
-QString pathOfAddress(const QString& address);
 /// The one thing among what was dropped that can be opened: a map.yaml, a picture or a folder. Empty = none.
 QString droppedMap(const QList<QUrl>& urls);
 /// For file dialogs.

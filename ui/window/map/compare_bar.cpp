@@ -11,6 +11,7 @@
 
 #include "render/grid_palettes.h"
 #include "render/sample_grid.h"
+#include "sentences/problem_sentence.h"
 #include "window/docks/maps_model.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -67,23 +68,23 @@ CompareBar::CompareBar(QWidget* parent)
   second_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   second_->setMinimumContentsLength(16);
   second_->setMaxVisibleItems(16);
-  second_->setAccessibleName(QStringLiteral("Second map"));
-  second_->setToolTip(QStringLiteral("What the open map is compared with"));
+  second_->setAccessibleName(tr("Second map"));
+  second_->setToolTip(tr("What the open map is compared with"));
   auto* modes = new QButtonGroup(this);
   for (QToolButton* button : {swipe_, difference_}) {
     button->setCheckable(true);
     button->setFocusPolicy(Qt::StrongFocus);
     modes->addButton(button);
   }
-  swipe_->setText(QStringLiteral("Swipe"));
-  swipe_->setToolTip(QStringLiteral("One map left, the other right of a line that can be dragged"));
-  difference_->setText(QStringLiteral("Difference"));
+  swipe_->setText(tr("Swipe"));
+  swipe_->setToolTip(tr("One map left, the other right of a line that can be dragged"));
+  difference_->setText(tr("Difference"));
   close_->setIcon(themedIcon(QStringLiteral("close")));
   close_->setIconSize({16, 16});
-  close_->setToolTip(QStringLiteral("End comparing (Esc)"));
-  close_->setAccessibleName(QStringLiteral("End comparing"));
+  close_->setToolTip(tr("End comparing (Esc)"));
+  close_->setAccessibleName(tr("End comparing"));
   status_->setSecondary(true);
-  status_->setSample(QStringLiteral("Fetching the map"));
+  status_->setSample(tr("Fetching the map"));
   status_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 
   auto* legend_row = new QHBoxLayout(legend_);
@@ -132,19 +133,18 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
     offers.push_back(std::move(what));
     titles << title;
   };
-  if (session->robot().submapSource())
-    offer(SubmapsAside{}, QStringLiteral("the submaps (they lie on the left)"));
-  if (session->robot().liveTopics()) offer(map::MapKey{map::MapKind::Live, {}}, QStringLiteral("Live map"));
+  if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they lie on the left)"));
+  if (session->robot().liveTopics()) offer(map::MapKey{map::MapKind::Live, {}}, tr("Live map"));
   for (const map::CatalogueEntry& entry : session->catalogue().entries()) {
     QString title =
         QStringLiteral("%1  (%2)")
             .arg(mapTitle(entry.name).left(60), QString::fromStdString(map::toText(entry.key)).left(30));
-    if (entry.is_current) title += QStringLiteral("  current");
+    if (entry.is_current) title += tr("  current");
     offer(entry.key, title);
   }
   if (session->wholeMap().source() || (chosen && std::holds_alternative<KeptState>(*chosen)))
-    offer(KeptState{}, QStringLiteral("Keep the present state"));
-  offer(FileAside{}, QStringLiteral("File…"));
+    offer(KeptState{}, tr("Keep the present state"));
+  offer(FileAside{}, tr("File…"));
   if (offers != offers_ || titles.size() != second_->count()) {
     const QSignalBlocker quiet(second_);
     offers_ = offers;
@@ -156,7 +156,7 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
     if (offers_[i] == *chosen) row = int(i);
   }
   second_->setCurrentIndex(row);
-  second_->setPlaceholderText(QStringLiteral("Choose a map"));
+  second_->setPlaceholderText(tr("Choose a map"));
 }
 
 void CompareBar::sync(session::Session* session, CompareMode mode, const std::optional<SecondMap>& chosen) {
@@ -166,23 +166,23 @@ void CompareBar::sync(session::Session* session, CompareMode mode, const std::op
   const session::MapSlot& first = session->wholeMap();
   const session::MapSlot& second = session->comparedMap();
   const bool submaps = chosen && std::holds_alternative<SubmapsAside>(*chosen);
-  first_->setText(first.phase() == session::MapSlot::Phase::Empty ? QStringLiteral("no whole map yet")
+  first_->setText(first.phase() == session::MapSlot::Phase::Empty ? tr("no whole map yet")
                                                                   : mapCalled(first.name(), first.key()));
   swipe_->setChecked(mode == CompareMode::Swipe);
   difference_->setChecked(mode == CompareMode::Difference);
   difference_->setEnabled(!submaps);
-  difference_->setToolTip(submaps ? QStringLiteral("Only two whole maps can be subtracted from each other")
-                                  : QStringLiteral("What the one has and the other has not, in colours"));
+  difference_->setToolTip(submaps ? tr("Only two whole maps can be subtracted from each other")
+                                  : tr("What the one has and the other has not, in colours"));
   legend_->setVisible(mode == CompareMode::Difference);
   QString status;
   if (second.phase() == session::MapSlot::Phase::Failed) {
-    status = second.remark();
+    status = sentences::sentenceOf(second.remark());
   } else if (!second.settled()) {
     status = mapProgressText(second);
   } else if (!chosen) {
-    status = QStringLiteral("Choose what to compare the open map with.");
+    status = tr("Choose what to compare the open map with.");
   } else if (first.phase() == session::MapSlot::Phase::Failed) {
-    status = first.remark();
+    status = sentences::sentenceOf(first.remark());
   } else if (!first.settled()) {
     status = mapProgressText(first);
   }

@@ -1,5 +1,6 @@
 #include "window/map/empty_state.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,6 +9,8 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "sentences/plural.h"
+#include "sentences/problem_sentence.h"
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"
 #include "window/status/status_text.h"
@@ -45,8 +48,8 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offer
     case Phase::Failed:
       state.kind = EmptyState::Kind::MapFailed;
       state.icon = QStringLiteral("error");
-      state.title = QStringLiteral("This map cannot be shown");
-      state.text = QStringLiteral("%1: %2").arg(name, slot.remark());
+      state.title = QCoreApplication::translate("window", "This map cannot be shown");
+      state.text = QStringLiteral("%1: %2").arg(name, sentences::sentenceOf(slot.remark()));
       state.offers_retry = true;
       return state;
     case Phase::Fetching:
@@ -54,7 +57,7 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offer
       if (slot.key().kind == map::MapKind::Live) break;
       state.kind = EmptyState::Kind::LoadingMap;
       state.icon = QStringLiteral("fetching");
-      state.title = QStringLiteral("Loading %1").arg(name);
+      state.title = QCoreApplication::translate("window", "Loading %1").arg(name);
       state.busy = true;
       return state;
     case Phase::Empty:
@@ -63,16 +66,18 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offer
   }
   if (live) {
     state.kind = EmptyState::Kind::LoadingMap;
-    state.title = QStringLiteral("Waiting for the map of the robot");
-    state.text = QStringLiteral("It appears as soon as the robot sends it. Stored maps are under Maps.");
+    state.title = QCoreApplication::translate("window", "Waiting for the map of the robot");
+    state.text = QCoreApplication::translate(
+        "window", "It appears as soon as the robot sends it. Stored maps are under Maps.");
     state.busy = true;
     return state;
   }
   state.kind = EmptyState::Kind::NoMap;
-  state.title = QStringLiteral("No map is open");
+  state.title = QCoreApplication::translate("window", "No map is open");
   state.text = offers_catalogue
-                   ? QStringLiteral("Double click one under Maps. Nothing is loaded or changed on the robot.")
-                   : QStringLiteral("This robot shows none.");
+                   ? QCoreApplication::translate(
+                         "window", "Double click one under Maps. Nothing is loaded or changed on the robot.")
+                   : QCoreApplication::translate("window", "This robot shows none.");
   return state;
 }
 
@@ -82,8 +87,9 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
   if (!counts) {
     state.kind = EmptyState::Kind::NoRobot;
     state.icon = QStringLiteral("robot");
-    state.title = QStringLiteral("No robot connected");
-    state.text = QStringLiteral(
+    state.title = QCoreApplication::translate("window", "No robot connected");
+    state.text = QCoreApplication::translate(
+        "window",
         "Connect to a robot by its address, look around with the simulated one, or open a map file: it can "
         "also be dropped here.");
     state.offers_connect = state.offers_demo = state.offers_file = true;
@@ -95,14 +101,14 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     case ConnectionPhase::Offline:
       state.kind = EmptyState::Kind::Failed;
       state.icon = QStringLiteral("disconnect");
-      state.title = QStringLiteral("Not connected");
+      state.title = QCoreApplication::translate("window", "Not connected");
       state.text = address;
       state.offers_retry = state.offers_connect = true;
       return state;
     case ConnectionPhase::Connecting:
       state.kind = EmptyState::Kind::Connecting;
       state.icon = QStringLiteral("connect");
-      state.title = QStringLiteral("Connecting…");
+      state.title = QCoreApplication::translate("window", "Connecting…");
       state.text = address;
       state.busy = state.offers_cancel = true;
       return state;
@@ -111,8 +117,9 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
       state.kind = EmptyState::Kind::Failed;
       state.icon = QStringLiteral("error");
       state.offers_secret = wantsSecret(connection);
-      state.title = connection.phase == ConnectionPhase::Refused ? QStringLiteral("The robot refused")
-                                                                 : QStringLiteral("Cannot reach the robot");
+      state.title = connection.phase == ConnectionPhase::Refused
+                        ? QCoreApplication::translate("window", "The robot refused")
+                        : QCoreApplication::translate("window", "Cannot reach the robot");
       state.text =
           connection.reason.isEmpty() ? address : QStringLiteral("%1\n%2").arg(address, connection.reason);
       state.offers_retry = state.offers_connect = true;
@@ -133,31 +140,35 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
   if (!counts->list_received) {
     state.kind = EmptyState::Kind::WaitingForList;
     state.icon = QStringLiteral("submaps");
-    state.title = QStringLiteral("Waiting for the list of submaps");
-    state.text = QStringLiteral("Connected to %1. It has not sent its list yet.").arg(address);
+    state.title = QCoreApplication::translate("window", "Waiting for the list of submaps");
+    state.text =
+        QCoreApplication::translate("window", "Connected to %1. It has not sent its list yet.").arg(address);
     state.busy = true;
     return state;
   }
   if (counts->listed == 0) {
     state.kind = EmptyState::Kind::NoSubmaps;
     state.icon = QStringLiteral("submaps");
-    state.title = QStringLiteral("This robot lists no submaps");
-    state.text = QStringLiteral(
+    state.title = QCoreApplication::translate("window", "This robot lists no submaps");
+    state.text = QCoreApplication::translate(
+        "window",
         "They appear here as soon as it maps or positions itself. Start mapping or load a map on the robot.");
     return state;
   }
   if (counts->pending > 0) {
     state.kind = EmptyState::Kind::Loading;
     state.icon = QStringLiteral("fetching");
-    state.title = QStringLiteral("Loading %1").arg(plural(counts->listed, QStringLiteral("submap")));
+    state.title = sentences::counted(
+        QCoreApplication::translate("window", "Loading %1 submaps", nullptr, counts->listed), counts->listed);
     state.text = trafficText(*counts);
     state.busy = true;
     return state;
   }
   state.kind = EmptyState::Kind::NothingDrawable;
   state.icon = QStringLiteral("error");
-  state.title = QStringLiteral("None of the submaps can be drawn");
-  state.text = loadingText(*counts) + QStringLiteral(". See Problems for the reasons.");
+  state.title = QCoreApplication::translate("window", "None of the submaps can be drawn");
+  state.text =
+      loadingText(*counts) + QCoreApplication::translate("window", ". See Problems for the reasons.");
   state.offers_retry = true;
   return state;
 }
@@ -169,11 +180,11 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
       text_(new QLabel(this)),
       secret_(new QPushButton(tr("Enter secret…"), this)),
       progress_(new QProgressBar(this)),
-      connect_(new QPushButton(QStringLiteral("Connect…"), this)),
-      demo_(new QPushButton(QStringLiteral("Try the demo robot"), this)),
-      file_(new QPushButton(QStringLiteral("Open a map file…"), this)),
-      retry_(new QPushButton(QStringLiteral("Retry"), this)),
-      cancel_(new QPushButton(QStringLiteral("Cancel"), this)),
+      connect_(new QPushButton(tr("Connect…"), this)),
+      demo_(new QPushButton(tr("Try the demo robot"), this)),
+      file_(new QPushButton(tr("Open a map file…"), this)),
+      retry_(new QPushButton(tr("Retry"), this)),
+      cancel_(new QPushButton(tr("Cancel"), this)),
       certificate_(new QPushButton(tr("Certificate…"), this)) {
   setObjectName(QStringLiteral("card"));
   for (QLabel* label : {title_, text_}) {
@@ -243,7 +254,7 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   connect_->setVisible(state->offers_connect);
   const bool second =
       state->offers_retry || state->offers_certificate;  // the first offer is about this robot
-  connect_->setText(second ? QStringLiteral("Other robot…") : QStringLiteral("Connect…"));
+  connect_->setText(second ? tr("Other robot…") : tr("Connect…"));
   secret_->setVisible(state->offers_secret);
   setRole(connect_, !second);
   setRole(retry_, !state->offers_secret);

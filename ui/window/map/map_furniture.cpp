@@ -16,7 +16,7 @@ namespace mapwright::window {
 NorthArrow::NorthArrow(QWidget* parent) : QAbstractButton(parent) {
   setFocusPolicy(Qt::NoFocus);
   setFixedSize(32, 32);
-  setAccessibleName(QStringLiteral("North up"));
+  setAccessibleName(tr("North up"));
 }
 
 void NorthArrow::setRotation(double rad) {

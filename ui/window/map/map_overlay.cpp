@@ -29,6 +29,7 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
       safety_notice_(new NoticeBar(view)),
       notice_(new NoticeBar(view)),
       place_notice_(new NoticeBar(view)),
+      edit_notice_(new NoticeBar(view)),
       compare_bar_(new CompareBar(view)),
       toasts_(new ToastStack(view)),
       hint_frame_(new QFrame(view)),
@@ -42,8 +43,8 @@ MapOverlay::MapOverlay(MapView* view, MapFurniture* furniture)
   hint_frame_->hide();
   // The map goes on working under the hint.
   hint_frame_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{view_, card_, safety_notice_, notice_, place_notice_, compare_bar_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{view_, card_, safety_notice_, notice_, place_notice_,
+                                                         edit_notice_, compare_bar_}) {
     widget->installEventFilter(this);
   }
   connect(toasts_, &ToastStack::changed, this, &MapOverlay::place);
@@ -78,7 +79,7 @@ void MapOverlay::place() {
   const QSize area = view_->size();
   int top = 0;
   for (QWidget* strip :
-       std::initializer_list<QWidget*>{safety_notice_, notice_, place_notice_, compare_bar_}) {
+       std::initializer_list<QWidget*>{safety_notice_, notice_, place_notice_, edit_notice_, compare_bar_}) {
     if (strip->isHidden()) continue;
     strip->setGeometry(0, top, area.width(), strip->sizeHint().height());
     top += strip->height();

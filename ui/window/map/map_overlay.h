@@ -27,6 +27,8 @@ class MapOverlay : public QObject {
   NoticeBar* safetyNotice() const { return safety_notice_; }
   /// Where the robot is, when it is not in the map on screen.
   NoticeBar* placeNotice() const { return place_notice_; }
+  /// What has to be decided about what is being edited.
+  NoticeBar* editNotice() const { return edit_notice_; }
   ToastStack* toasts() const { return toasts_; }
   MapFurniture* furniture() const { return furniture_; }
 
@@ -44,7 +46,7 @@ class MapOverlay : public QObject {
   MapView* view_;
   MapFurniture* furniture_;
   EmptyStateCard* card_;
-  NoticeBar *safety_notice_, *notice_, *place_notice_;
+  NoticeBar *safety_notice_, *notice_, *place_notice_, *edit_notice_;
   CompareBar* compare_bar_;
   ToastStack* toasts_;
   QFrame* hint_frame_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QApplication>
 #include <QResizeEvent>
@@ -32,7 +33,7 @@ MapView::MapView(scene::MapScene* scene, QWidget* parent) : QGraphicsView(parent
   setMouseTracking(true);
   viewport()->setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(QStringLiteral("Map"));
+  setAccessibleName(tr("Map"));
   viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
   viewport()->grabGesture(Qt::PinchGesture);
   // Desktops that want no motion say so through the style's own animations.
@@ -189,10 +190,34 @@ void MapView::centreOnRobot() {
 
 void MapView::setTool(MapTool* tool) {
   if (tool == tool_) return;
+  cancelToolDrag();
   tool_->deactivate();
+  tool_->disconnect(this);
   tool_ = tool;
+  connect(tool_, &MapTool::changed, this, [this] {
+    updateCursor();
+    viewport()->update();
+  });
   tool_->activate();
+  viewport()->update();
   updateCursor();
+}
+
+void MapView::cancelToolDrag() {
+  tool_takes_ = false;
+  if (std::exchange(tool_dragging_, false)) tool_->dragCancelled();
+}
+
+MapPoint MapView::pointAt(const QPointF& px, Qt::KeyboardModifiers modifiers) const {
+  return {worldAt(px), px, modifiers};
+}
+
+void MapView::drawForeground(QPainter* painter, const QRectF& rect) {
+  QGraphicsView::drawForeground(painter, rect);
+  // The scene's coordinates are viewport pixels.
+  painter->save();
+  tool_->paint(*painter);
+  painter->restore();
 }
 
 std::optional<Eigen::Vector2d> MapView::cursorWorld() const {

@@ -48,6 +48,8 @@ class MapView : public QGraphicsView {
 
   void setTool(MapTool* tool);  // not owned; must not be null
   MapTool* tool() const { return tool_; }
+  /// The tool in the hand: the chosen one, or panning while Space is held.
+  MapTool* activeTool() { return space_held_ ? &pan_tool_ : tool_; }
 
   /// World point under the cursor, while it is over the map.
   std::optional<Eigen::Vector2d> cursorWorld() const;
@@ -73,6 +75,7 @@ class MapView : public QGraphicsView {
   void keyReleaseEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
   void setView(const geometry::ViewTransform& view);
@@ -81,6 +84,8 @@ class MapView : public QGraphicsView {
   void zoomFactorAt(const QPointF& anchor, double factor);
   void takeByHand(bool keeps_following = false);
   void updateCursor();
+  MapPoint pointAt(const QPointF& px, Qt::KeyboardModifiers modifiers) const;
+  void cancelToolDrag();
   void centreOnRobot();
   bool nativeGesture(QNativeGestureEvent* event);
   bool gesture(QGestureEvent* event);
@@ -98,6 +103,8 @@ class MapView : public QGraphicsView {
   std::optional<QPointF> press_;  // where the button went down
   QPointF drag_last_;
   bool dragging_ = false;
+  bool tool_takes_ = false;     // what follows the press is the tool's
+  bool tool_dragging_ = false;  // and has become a drag
   std::optional<QPointF> cursor_px_;
 };
 

@@ -1,5 +1,6 @@
 // MapView: mouse, wheel, keys and gestures.
 #include <cmath>
+#include <utility>
 
 #include <QGestureEvent>
 #include <QKeyEvent>
@@ -59,6 +60,8 @@ void MapView::mousePressEvent(QMouseEvent* event) {
   press_ = drag_last_ = event->position();
   // Middle and Space+left drag at once; a left press may still become a click.
   dragging_ = event->button() == Qt::MiddleButton || space_held_;
+  cancelToolDrag();
+  if (!dragging_) tool_takes_ = tool_->pressed(pointAt(event->position(), event->modifiers()));
   updateCursor();
   event->accept();
 }
@@ -67,16 +70,17 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
   cursor_px_ = event->position();
   if (press_ && (event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) {
     const QPointF moved = event->position() - *press_;
-    if (!dragging_ && std::hypot(moved.x(), moved.y()) >= kDragStartPx) {
-      dragging_ = true;
+    if (!dragging_ && !tool_dragging_ && std::hypot(moved.x(), moved.y()) >= kDragStartPx) {
+      (tool_takes_ ? tool_dragging_ : dragging_) = true;
       updateCursor();
     }
+    if (tool_dragging_) tool_->dragged(pointAt(event->position(), event->modifiers()));
     if (dragging_) {
       panBy(event->position() - drag_last_);
       drag_last_ = event->position();
     }
   } else {
-    tool_->hovered(worldAt(event->position()));
+    activeTool()->hovered(pointAt(event->position(), event->modifiers()));
   }
   Q_EMIT cursorMoved();
   event->accept();
@@ -87,11 +91,14 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
     event->ignore();
     return;
   }
-  const bool click = !dragging_ && event->button() == Qt::LeftButton;
+  const bool click = !dragging_ && !tool_dragging_ && event->button() == Qt::LeftButton;
+  const MapPoint at = pointAt(event->position(), event->modifiers());
   press_.reset();
   dragging_ = false;
+  tool_takes_ = false;
+  if (std::exchange(tool_dragging_, false)) tool_->released(at);
   updateCursor();
-  if (click) tool_->clicked(worldAt(event->position()));
+  if (click) activeTool()->clicked(at);
   event->accept();
 }
 
@@ -99,7 +106,7 @@ void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   event->accept();
   const Eigen::Vector2d world = worldAt(event->position());
-  if (tool_->doubleClicked(world)) return;
+  if (activeTool()->doubleClicked(pointAt(event->position(), event->modifiers()))) return;
   geometry::ViewTransform to = destination();
   to.center_m = world;
   to.scale_m_per_px = ladderScale(to.scale_m_per_px, 3);
@@ -132,7 +139,10 @@ void MapView::wheelEvent(QWheelEvent* event) {
 }
 
 void MapView::keyPressEvent(QKeyEvent* event) {
-  if (tool_->keyPressed(event->key())) {
+  if (tool_->keyPressed({event->key(), event->modifiers(), event->isAutoRepeat()})) {
+    // A drag that a key has ended goes on as nothing.
+    if (event->key() == Qt::Key_Escape && std::exchange(tool_dragging_, false)) press_.reset();
+    updateCursor();
     event->accept();
     return;
   }
@@ -156,7 +166,7 @@ void MapView::keyPressEvent(QKeyEvent* event) {
       Q_EMIT escaped();
       break;
     case Qt::Key_Space:
-      if (!event->isAutoRepeat()) {
+      if (!event->isAutoRepeat() && !tool_dragging_) {
         space_held_ = true;
         updateCursor();
       }
@@ -180,6 +190,8 @@ void MapView::keyReleaseEvent(QKeyEvent* event) {
 
 void MapView::focusOutEvent(QFocusEvent* event) {
   space_held_ = false;
+  if (tool_dragging_) press_.reset();
+  cancelToolDrag();
   updateCursor();
   QGraphicsView::focusOutEvent(event);
 }

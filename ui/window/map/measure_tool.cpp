@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QLocale>
 
 namespace mapwright::window {
@@ -15,7 +16,8 @@ double polylineLength(const std::vector<Eigen::Vector2d>& points) {
 QString lengthText(double metres) {
   if (!std::isfinite(metres)) return QStringLiteral("?");
   const QLocale c = QLocale::c();
-  if (metres >= 10'000) return QStringLiteral("%1 km").arg(c.toString(metres / 1000, 'f', 3));
+  if (metres >= 10'000)
+    return QCoreApplication::translate("window", "%1 km").arg(c.toString(metres / 1000, 'f', 3));
   const int decimals = metres < 100 ? 3 : metres < 1000 ? 2 : 1;
   return QStringLiteral("%1 m").arg(c.toString(metres, 'f', decimals));
 }
@@ -31,19 +33,19 @@ void MeasureTool::deactivate() {
   show();
 }
 
-void MeasureTool::clicked(const Eigen::Vector2d& world_m) {
+void MeasureTool::clicked(const MapPoint& at) {
   if (ended_) {
     points_.clear();
     ended_ = false;
   }
-  points_.push_back(world_m);
-  live_ = world_m;
+  points_.push_back(at.world_m);
+  live_ = at.world_m;
   show();
 }
 
-void MeasureTool::hovered(const Eigen::Vector2d& world_m) {
+void MeasureTool::hovered(const MapPoint& at) {
   if (ended_ || points_.empty()) return;
-  live_ = world_m;
+  live_ = at.world_m;
   show();
 }
 
@@ -53,14 +55,14 @@ void MeasureTool::left() {
   show();
 }
 
-bool MeasureTool::doubleClicked(const Eigen::Vector2d&) {
+bool MeasureTool::doubleClicked(const MapPoint&) {
   // The first click of the two has set the point already.
   end();
   return true;
 }
 
-bool MeasureTool::keyPressed(int key) {
-  switch (key) {
+bool MeasureTool::keyPressed(const MapKeyPress& press) {
+  switch (press.key) {
     case Qt::Key_Backspace:
     case Qt::Key_Delete:
       if (points_.empty()) return true;
@@ -102,17 +104,16 @@ void MeasureTool::show() {
 }
 
 QString MeasureTool::hint() const {
-  if (points_.empty()) return QStringLiteral("Click where to start measuring. Esc leaves.");
+  if (points_.empty()) return tr("Click where to start measuring. Esc leaves.");
   if (ended_) {
-    return QStringLiteral("Total %1. Click to measure anew, Esc leaves.").arg(lengthText(total()));
+    return tr("Total %1. Click to measure anew, Esc leaves.").arg(lengthText(total()));
   }
-  if (!live_)
-    return QStringLiteral("Total %1. Backspace removes the last point, Esc ends.").arg(lengthText(total()));
+  if (!live_) return tr("Total %1. Backspace removes the last point, Esc ends.").arg(lengthText(total()));
   const double leg = (*live_ - points_.back()).norm();
   if (points_.size() == 1) {
-    return QStringLiteral("%1. Click to add a point, Esc leaves.").arg(lengthText(leg));
+    return tr("%1. Click to add a point, Esc leaves.").arg(lengthText(leg));
   }
-  return QStringLiteral("%1, total %2. Backspace removes the last point, Esc ends.")
+  return tr("%1, total %2. Backspace removes the last point, Esc ends.")
       .arg(lengthText(leg), lengthText(total() + leg));
 }
 

@@ -25,11 +25,11 @@ class MeasureTool : public MapTool {
   QCursor cursor() const override { return Qt::CrossCursor; }
   void activate() override;
   void deactivate() override;
-  void clicked(const Eigen::Vector2d& world_m) override;
-  void hovered(const Eigen::Vector2d& world_m) override;
+  void clicked(const MapPoint& at) override;
+  void hovered(const MapPoint& at) override;
   void left() override;
-  bool doubleClicked(const Eigen::Vector2d& world_m) override;
-  bool keyPressed(int key) override;
+  bool doubleClicked(const MapPoint& at) override;
+  bool keyPressed(const MapKeyPress& press) override;
   QString hint() const override;
 
   const std::vector<Eigen::Vector2d>& points() const { return points_; }

@@ -1,5 +1,6 @@
 #include "window/map/notice_bar.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>
@@ -17,24 +18,33 @@ NoticeBar::NoticeBar(QWidget* parent)
     : QFrame(parent),
       label_(new PlainLabel(this)),
       button_(new QPushButton(this)),
+      second_(new QPushButton(this)),
       close_(new QToolButton(this)) {
   setObjectName(QStringLiteral("notice"));
-  button_->setObjectName(QStringLiteral("secondary"));
+  for (QPushButton* button : {button_, second_}) button->setObjectName(QStringLiteral("secondary"));
+  second_->hide();
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(36, 6, 8, 6);
   row->setSpacing(12);
   row->addWidget(label_, 1);
   row->addWidget(button_);
+  row->addWidget(second_);
   close_->setIcon(themedIcon(QStringLiteral("close")));
   close_->setIconSize({16, 16});
-  close_->setToolTip(QStringLiteral("Dismiss"));
-  close_->setAccessibleName(QStringLiteral("Dismiss this notice"));
+  close_->setToolTip(tr("Dismiss"));
+  close_->setAccessibleName(tr("Dismiss this notice"));
   row->addWidget(close_);
   label_->setSample(QStringLiteral("x"));
   label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(close_, &QToolButton::clicked, this, &NoticeBar::closed);
   connect(button_, &QPushButton::clicked, this, &NoticeBar::offerTaken);
+  connect(second_, &QPushButton::clicked, this, &NoticeBar::secondTaken);
   hide();
+}
+
+void NoticeBar::setSecondOffer(const QString& offer) {
+  second_->setText(offer);
+  second_->setVisible(!offer.isEmpty());
 }
 
 void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable,
@@ -45,6 +55,7 @@ void NoticeBar::setNotice(Mark mark, const QString& sentence, const QString& off
   label_->setText(words::plainText(sentence));
   button_->setText(offer);
   button_->setVisible(!offer.isEmpty());
+  second_->hide();
   close_->setVisible(closable);
   setVisible(!sentence.isEmpty());
   update();
@@ -68,7 +79,7 @@ void NoticeBar::paintEvent(QPaintEvent*) {
 QString lostConnectionSentence(const QDateTime& since, const QDateTime& now) {
   const QString format =
       since.date() == now.date() ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm:ss");
-  return QStringLiteral("No connection since %1. Showing what was received.")
+  return QCoreApplication::translate("window", "No connection since %1. Showing what was received.")
       .arg(QLocale::c().toString(since, format));
 }
 

@@ -23,14 +23,18 @@ class NoticeBar : public QFrame {
   /// `greyed`: what it tells of is no longer live.
   void setNotice(Mark mark, const QString& sentence, const QString& offer, bool closable = false,
                  bool greyed = false);
+  /// A second offer beside the first, until the next setNotice(); empty = none.
+  void setSecondOffer(const QString& offer);
   QString sentence() const;
   Mark mark() const { return mark_; }
   bool greyed() const { return greyed_; }
   QPushButton* offerButton() const { return button_; }
+  QPushButton* secondButton() const { return second_; }
   QToolButton* closeButton() const { return close_; }
 
  Q_SIGNALS:
   void offerTaken();
+  void secondTaken();
   void closed();
 
  protected:
@@ -40,7 +44,7 @@ class NoticeBar : public QFrame {
   Mark mark_ = Mark::None;
   bool greyed_ = false;
   PlainLabel* label_;
-  QPushButton* button_;
+  QPushButton *button_, *second_;
   QToolButton* close_;
 };
 

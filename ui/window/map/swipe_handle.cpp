@@ -16,8 +16,8 @@ SwipeHandle::SwipeHandle(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("swipe"));
   setCursor(Qt::SplitHCursor);
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(QStringLiteral("Drag, or press Left and Right, to uncover the one map or the other"));
-  setAccessibleName(QStringLiteral("Divider between the compared maps"));
+  setToolTip(tr("Drag, or press Left and Right, to uncover the one map or the other"));
+  setAccessibleName(tr("Divider between the compared maps"));
   hide();
 }
 

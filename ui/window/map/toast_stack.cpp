@@ -58,7 +58,7 @@ void ToastStack::add(Mark mark, const QString& text) {
   auto* close = new QToolButton(toast);
   close->setIcon(themedIcon(QStringLiteral("close")));
   close->setIconSize({14, 14});
-  close->setToolTip(QStringLiteral("Dismiss"));
+  close->setToolTip(tr("Dismiss"));
   close->setFocusPolicy(Qt::NoFocus);
   auto* row = new QHBoxLayout(toast);
   row->setContentsMargins(12, 6, 6, 6);

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "geometry/pose.h"
+#include "sentences/plural.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -29,15 +30,15 @@ QString number(double value, int decimals) {
 QString connectionWord(ConnectionPhase phase) {
   switch (phase) {
     case ConnectionPhase::Offline:
-      return QStringLiteral("offline");
+      return QCoreApplication::translate("window", "offline");
     case ConnectionPhase::Connecting:
-      return QStringLiteral("connecting");
+      return QCoreApplication::translate("window", "connecting");
     case ConnectionPhase::Online:
-      return QStringLiteral("connected");
+      return QCoreApplication::translate("window", "connected");
     case ConnectionPhase::Interrupted:
-      return QStringLiteral("reconnecting");
+      return QCoreApplication::translate("window", "reconnecting");
     case ConnectionPhase::Refused:
-      return QStringLiteral("refused");
+      return QCoreApplication::translate("window", "refused");
   }
   return {};
 }
@@ -50,47 +51,57 @@ StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms) 
   const QString because = state.reason.isEmpty() ? QString() : QStringLiteral(": ") + state.reason;
   switch (state.phase) {
     case ConnectionPhase::Offline:
-      return {Mark::Neutral, QStringLiteral("offline")};
+      return {Mark::Neutral, QCoreApplication::translate("window", "offline")};
     case ConnectionPhase::Connecting:
-      return {Mark::Busy, QStringLiteral("connecting…")};
+      return {Mark::Busy, QCoreApplication::translate("window", "connecting…")};
     case ConnectionPhase::Online:
-      return {Mark::Good, state.round_trip_ms ? QStringLiteral("connected %1 ms").arg(*state.round_trip_ms)
-                                              : QStringLiteral("connected")};
+      return {Mark::Good,
+              state.round_trip_ms
+                  ? QCoreApplication::translate("window", "connected %1 ms").arg(*state.round_trip_ms)
+                  : QCoreApplication::translate("window", "connected")};
     case ConnectionPhase::Interrupted: {
-      const QString attempt =
-          state.attempt > 0 ? QStringLiteral(" (attempt %1)").arg(state.attempt) : QString();
+      const QString attempt = state.attempt > 0
+                                  ? QCoreApplication::translate("window", " (attempt %1)").arg(state.attempt)
+                                  : QString();
       if (!state.retry_in_ms)
-        return {Mark::Warning, QStringLiteral("reconnecting%1%2").arg(attempt, because)};
+        return {Mark::Warning,
+                QCoreApplication::translate("window", "reconnecting%1%2").arg(attempt, because)};
       const qint64 left = std::max<qint64>(0, *state.retry_in_ms - waited_ms);
-      if (left == 0) return {Mark::Warning, QStringLiteral("reconnecting now%1%2").arg(attempt, because)};
-      return {Mark::Warning,
-              QStringLiteral("reconnecting in %1 s%2%3").arg((left + 999) / 1000).arg(attempt, because)};
+      if (left == 0)
+        return {Mark::Warning,
+                QCoreApplication::translate("window", "reconnecting now%1%2").arg(attempt, because)};
+      return {Mark::Warning, QCoreApplication::translate("window", "reconnecting in %1 s%2%3")
+                                 .arg((left + 999) / 1000)
+                                 .arg(attempt, because)};
     }
     case ConnectionPhase::Refused:
-      return {Mark::Bad, QStringLiteral("refused%1").arg(because)};
+      return {Mark::Bad, QCoreApplication::translate("window", "refused%1").arg(because)};
   }
   return {};
 }
 
 QString loadingText(const session::SubmapCounts& counts) {
   if (!counts.list_received) return {};
-  if (counts.listed == 0) return QStringLiteral("no submaps");
+  if (counts.listed == 0) return QCoreApplication::translate("window", "no submaps");
   QStringList parts;
-  parts << QStringLiteral("%1 of %2 submaps").arg(countText(counts.shown), countText(counts.listed));
+  parts << QCoreApplication::translate("window", "%1 of %2 submaps")
+               .arg(countText(counts.shown), countText(counts.listed));
   const auto add = [&parts](int count, const QString& word) {
     if (count > 0) parts << QStringLiteral("%1 %2").arg(countText(count), word);
   };
-  add(counts.missing, QStringLiteral("missing"));
-  add(counts.failed, QStringLiteral("failed"));
-  add(counts.corrupt, QStringLiteral("corrupt"));
-  add(counts.without_slice, QStringLiteral("without this slice"));
+  add(counts.missing, QCoreApplication::translate("window", "missing"));
+  add(counts.failed, QCoreApplication::translate("window", "failed"));
+  add(counts.corrupt, QCoreApplication::translate("window", "corrupt"));
+  add(counts.without_slice, QCoreApplication::translate("window", "without this slice"));
   return parts.join(QStringLiteral(", "));
 }
 
 QString trafficText(const session::SubmapCounts& counts) {
   QStringList parts;
-  if (counts.fetching > 0) parts << QStringLiteral("%1 in flight").arg(countText(counts.fetching));
-  if (counts.queued > 0) parts << QStringLiteral("%1 queued").arg(countText(counts.queued));
+  if (counts.fetching > 0)
+    parts << QCoreApplication::translate("window", "%1 in flight").arg(countText(counts.fetching));
+  if (counts.queued > 0)
+    parts << QCoreApplication::translate("window", "%1 queued").arg(countText(counts.queued));
   return parts.join(QStringLiteral(", "));
 }
 
@@ -110,10 +121,10 @@ QString mapCalled(const QString& name, const map::MapKey& key, int limit) {
   if (called.isEmpty()) {
     switch (key.kind) {
       case map::MapKind::Live:
-        called = QStringLiteral("the live map");
+        called = QCoreApplication::translate("window", "the live map");
         break;
       case map::MapKind::File:
-        called = QStringLiteral("the file");
+        called = QCoreApplication::translate("window", "the file");
         break;
       default:
         called = plainWords("map " + map::toText(key), limit);
@@ -126,12 +137,14 @@ QString mapProgressText(const session::MapSlot& slot) {
   const QString name = mapCalled(slot.name(), slot.key(), 40);
   switch (slot.phase()) {
     case session::MapSlot::Phase::Fetching:
-      return slot.key().kind == map::MapKind::Live ? QStringLiteral("Waiting for %1").arg(name)
-                                                   : QStringLiteral("Fetching %1").arg(name);
+      return slot.key().kind == map::MapKind::Live
+                 ? QCoreApplication::translate("window", "Waiting for %1").arg(name)
+                 : QCoreApplication::translate("window", "Fetching %1").arg(name);
     case session::MapSlot::Phase::Reading:
-      return QStringLiteral("Reading %1 %2 %").arg(name, QString::number(int(slot.progress() * 100)));
+      return QCoreApplication::translate("window", "Reading %1 %2 %")
+          .arg(name, QString::number(int(slot.progress() * 100)));
     case session::MapSlot::Phase::Failed:
-      return QStringLiteral("%1 failed").arg(name);
+      return QCoreApplication::translate("window", "%1 failed").arg(name);
     case session::MapSlot::Phase::Empty:
     case session::MapSlot::Phase::Ready:
       break;
@@ -166,10 +179,10 @@ QString coordinatesForClipboard(const Eigen::Vector2d& world_m) {
 }
 
 QString occupancyText(std::optional<int> occupied_percent) {
-  if (!occupied_percent) return QStringLiteral("unknown");
+  if (!occupied_percent) return QCoreApplication::translate("window", "unknown");
   const int occupied = std::clamp(*occupied_percent, 0, 100);
-  if (occupied >= 50) return QStringLiteral("occupied %1 %").arg(occupied);
-  return QStringLiteral("free %1 %").arg(100 - occupied);
+  if (occupied >= 50) return QCoreApplication::translate("window", "occupied %1 %").arg(occupied);
+  return QCoreApplication::translate("window", "free %1 %").arg(100 - occupied);
 }
 
 QString scaleText(double scale_m_per_px, double dots_per_inch) {
@@ -219,30 +232,36 @@ QString bytesText(qint64 bytes) {
 
 QString countText(qint64 count) { return QLocale(QLocale::English).toString(count); }
 
-QString plural(qint64 count, const QString& noun) {
-  return QStringLiteral("%1 %2%3").arg(countText(count), noun, count == 1 ? QString() : QStringLiteral("s"));
+QString problemsText(qint64 count) {
+  return sentences::counted(
+      QCoreApplication::translate("window", "%1 problems", nullptr, sentences::formOf(count)), count);
+}
+
+QString submapsText(qint64 count) {
+  return sentences::counted(
+      QCoreApplication::translate("window", "%1 submaps", nullptr, sentences::formOf(count)), count);
 }
 
 QString statusWord(SubmapStatus status) {
   switch (status) {
     case SubmapStatus::OnScreen:
-      return QStringLiteral("shown");
+      return QCoreApplication::translate("window", "shown");
     case SubmapStatus::Updating:
-      return QStringLiteral("updating");
+      return QCoreApplication::translate("window", "updating");
     case SubmapStatus::Queued:
-      return QStringLiteral("queued");
+      return QCoreApplication::translate("window", "queued");
     case SubmapStatus::Fetching:
-      return QStringLiteral("fetching");
+      return QCoreApplication::translate("window", "fetching");
     case SubmapStatus::NoSlice:
-      return QStringLiteral("no slice");
+      return QCoreApplication::translate("window", "no slice");
     case SubmapStatus::Missing:
-      return QStringLiteral("missing");
+      return QCoreApplication::translate("window", "missing");
     case SubmapStatus::Waiting:
-      return QStringLiteral("failed");
+      return QCoreApplication::translate("window", "failed");
     case SubmapStatus::Corrupt:
-      return QStringLiteral("corrupt");
+      return QCoreApplication::translate("window", "corrupt");
     case SubmapStatus::Unplaced:
-      return QStringLiteral("no pose");
+      return QCoreApplication::translate("window", "no pose");
   }
   return {};
 }

@@ -65,7 +65,9 @@ QString bytesText(qint64 bytes);
 /// 12480 -> "12,480".
 QString countText(qint64 count);
 /// "1 problem", "3 problems".
-QString plural(qint64 count, const QString& noun);
+QString problemsText(qint64 count);
+/// "1 submap", "12,480 submaps".
+QString submapsText(qint64 count);
 
 /// Words for one row of the inspector.
 QString statusWord(session::SubmapStatus status);

@@ -104,19 +104,19 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   problems_->setIconSize({14, 14});
   problems_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   problems_->setFixedHeight(22);
-  problems_->setToolTip(QStringLiteral("Show the list of problems"));
+  problems_->setToolTip(tr("Show the list of problems"));
   problems_->hide();
   coordinates_->setSample(QStringLiteral("x -12345.678 y -12345.678 m"));
   coordinates_->setAlignment(Qt::AlignRight);
-  coordinates_->setHint(QStringLiteral("World coordinates under the cursor"));
+  coordinates_->setHint(tr("World coordinates under the cursor"));
   occupancy_->setSample(QStringLiteral("occupied 100 %"));
-  occupancy_->setHint(QStringLiteral("What the map says under the cursor"));
+  occupancy_->setHint(tr("What the map says under the cursor"));
   scale_->setSample(QStringLiteral("1:100,000  12.5 cm/px"));
   scale_->setAlignment(Qt::AlignRight);
-  scale_->setHint(QStringLiteral("Scale of the map on this screen"));
+  scale_->setHint(tr("Scale of the map on this screen"));
   rotation_->setSample(QStringLiteral("-179.5°"));
   rotation_->setAlignment(Qt::AlignRight);
-  rotation_->setHint(QStringLiteral("Rotation of the view, counter-clockwise"));
+  rotation_->setHint(tr("Rotation of the view, counter-clockwise"));
   loading_->setSample({});
   traffic_->setSecondary(true);
   map_bar_->hide();
@@ -179,7 +179,7 @@ void WindowStatusBar::setInView(bool submaps, bool whole, const QString& submaps
 void WindowStatusBar::refreshConnection() {
   if (!session_) {
     countdown_.stop();
-    connection_->setState({Mark::Neutral, QStringLiteral("no robot")});
+    connection_->setState({Mark::Neutral, tr("no robot")});
     return;
   }
   read_ = session_->connection();
@@ -198,6 +198,8 @@ void WindowStatusBar::refreshRows() {
   const session::SubmapCounts counts = session_ ? session_->counts() : session::SubmapCounts{};
   loading_->setText(session_ && submaps_in_view_ ? loadingText(counts) : QString());
   loading_->setHidden(loading_->text().isEmpty());
+  // Counts are never cut: the reason beside them has a tooltip, and the notice, to be whole in.
+  loading_->setMinimumWidth(loading_->sizeHint().width());
   traffic_->setText(trafficText(counts));
   traffic_->setHidden(traffic_->text().isEmpty());
   // The bar is there only while there is something to wait for.
@@ -223,7 +225,7 @@ void WindowStatusBar::refreshMap() {
 
 void WindowStatusBar::refreshProblems() {
   const int unresolved = session_ ? session_->problems().unresolved() : 0;
-  if (unresolved > 0) problems_->setText(plural(unresolved, QStringLiteral("problem")));
+  if (unresolved > 0) problems_->setText(problemsText(unresolved));
   if (problems_->isHidden() == (unresolved > 0)) problems_->setVisible(unresolved > 0);
 }
 

@@ -1,0 +1,91 @@
+// Where the cells of many textures lie: in memory as far as the budget goes, the others on disk.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "cells/cell_texture.h"
+
+namespace mapwright::disk {
+class ScratchFile;
+}
+
+namespace mapwright::cells {
+
+/// Thread-safe. What was used longest ago is written to a file without a name, once, and read back when
+/// somebody looks at it: a disk gives a texture back many times faster than it can be decoded again. Whoever
+/// has hold of cells keeps them in memory until he lets go. Textures keep their store alive.
+class TextureStore : public std::enable_shared_from_this<TextureStore> {
+ public:
+  struct Options {
+    std::size_t budget_bytes = std::size_t(256) << 20;
+    std::string folder = {};  // for the file; empty = where the system keeps what is temporary
+  };
+  /// Called on any thread, never while the store is locked.
+  struct Listener {
+    /// The cells of a texture of this owner cannot be read back. They are not drawn any more.
+    std::function<void(std::uint64_t owner)> lost;
+    /// There is no room on the disk: what follows "cannot be written: ". Told once; the cells stay in memory.
+    std::function<void(const std::string& why)> no_room;
+  };
+  static std::shared_ptr<TextureStore> make(Options options, Listener listener = {});
+  ~TextureStore();
+  /// Nobody listens any more. What is being told is told to its end before this returns.
+  void silence();
+
+  /// Keeps the cells from now on. Precondition: nobody else has the texture yet, and no store keeps it.
+  void keep(const CellTexture& texture, std::uint64_t owner = 0);
+
+  std::size_t bytesInMemory() const;
+  std::size_t bytesOnDisk() const;
+  /// How many textures have been lost.
+  std::size_t lost() const;
+
+ private:
+  friend class CellTexture;
+  using Body = CellTexture::Body;
+  using BodyPtr = std::shared_ptr<const Body>;
+  struct Range {
+    std::uint64_t at = 0;
+    std::size_t size = 0;
+  };
+  struct Entry {
+    BodyPtr body;  // null: on disk alone, or lost
+    std::size_t bytes = 0;
+    Range on_disk;  // size 0: not yet
+    std::uint64_t owner = 0;
+    std::list<std::uint32_t>::iterator used;  // while `body` is set
+    std::uint32_t tenant = 0;                 // counts who had the place
+    bool leaving = false;                     // is being written
+    bool is_lost = false;
+  };
+  explicit TextureStore(Options options, Listener listener);
+  BodyPtr bodyOf(const CellTexture& texture);
+  void forget(std::uint32_t place);
+  void admit(std::uint32_t place, BodyPtr body);
+  void makeRoom(std::unique_lock<std::mutex>& lock);
+  Range takeRange(std::size_t size);
+  void giveBack(Range range);
+
+  const Options options_;
+  mutable std::mutex mutex_;
+  std::mutex told_;  // held while the listener is called
+  Listener listener_;
+  const std::unique_ptr<disk::ScratchFile> file_;
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> free_places_;
+  std::list<std::uint32_t> recent_;                 // most recently used first
+  std::multimap<std::size_t, std::uint64_t> gaps_;  // in the file, by size
+  std::uint64_t file_end_ = 0;
+  std::size_t in_memory_ = 0, on_disk_ = 0, lost_ = 0;
+  bool no_room_ = false;
+};
+
+}  // namespace mapwright::cells

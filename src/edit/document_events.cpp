@@ -1,0 +1,7 @@
+#include "edit/document_events.h"
+
+namespace mapwright::edit {
+
+DocumentEvents::~DocumentEvents() = default;
+
+}  // namespace mapwright::edit

@@ -1,0 +1,28 @@
+// What a document tells, whatever its items are.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+namespace mapwright::edit {
+
+/// Keys of items that came, that are other ones now or stand otherwise (saved, sent, …), and that went.
+struct DocumentChange {
+  std::vector<std::string> added, changed, removed;
+  bool everything = false;  // look at all of it anew; the lists are empty
+};
+
+class DocumentEvents : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+  ~DocumentEvents() override;
+
+ Q_SIGNALS:
+  /// The one signal: items, their states, or those of the whole.
+  void changed(const mapwright::edit::DocumentChange& change);
+};
+
+}  // namespace mapwright::edit

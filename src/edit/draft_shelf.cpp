@@ -1,0 +1,90 @@
+#include "edit/draft_shelf.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QUuid>
+
+#include "disk/read_file.h"
+#include "disk/written_file.h"
+
+namespace mapwright::edit {
+namespace {
+
+constexpr std::size_t kLongestDraft = std::size_t(256) << 20;
+
+QString stemOf(const DraftIdentity& of) {
+  const QByteArray text = of.kind.toUtf8() + '\n' + of.map.toUtf8() + '\n' + of.address.toUtf8();
+  return QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex().left(24));
+}
+
+std::unique_ptr<QLockFile> lockOf(const QString& path) {
+  auto lock = std::make_unique<QLockFile>(path + QStringLiteral(".lock"));
+  lock->setStaleLockTime(0);  // held as long as its program lives, however long that is
+  return lock;
+}
+
+std::string sentence(const QString& path, const std::string& why) {
+  return "The draft " + path.toStdString() + " " + why;
+}
+
+}  // namespace
+
+DraftFile::DraftFile(QString folder, const DraftIdentity& of)
+    : folder_(std::move(folder)),
+      path_(folder_ + QLatin1Char('/') + stemOf(of) + QLatin1Char('-') +
+            QUuid::createUuid().toString(QUuid::Id128) + QStringLiteral(".json")) {}
+
+std::optional<std::string> DraftFile::write(const QByteArray& bytes) {
+  if (!QDir().mkpath(folder_))
+    return "No draft can be kept: the folder " + folder_.toStdString() + " cannot be made.";
+  if (!lock_) {
+    auto lock = lockOf(path_);
+    if (!lock->tryLock())
+      return "No draft can be kept: no file can be made in " + folder_.toStdString() + ". Is the disk full?";
+    lock_ = std::move(lock);
+  }
+  return disk::writeFile(path_.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
+}
+
+std::optional<std::string> DraftFile::remove() {
+  const bool gone = !QFile::exists(path_) || QFile::remove(path_);
+  lock_.reset();
+  return gone ? std::nullopt : std::optional(sentence(path_, "cannot be removed."));
+}
+
+LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
+  LeftDrafts left;
+  const QStringList names =
+      QDir(folder).entryList({stemOf(of) + QStringLiteral("-*.json")}, QDir::Files, QDir::Time);
+  for (const QString& name : names) {
+    LeftDraft draft{folder + QLatin1Char('/') + name, {}, lockOf(folder + QLatin1Char('/') + name)};
+    // In a folder that may only be read nothing can be locked: what is there may still be taken up.
+    if (!draft.lock->tryLock() && draft.lock->error() == QLockFile::LockFailedError) continue;
+    if (!QFile::exists(draft.path)) continue;
+    auto bytes = disk::readFile(draft.path.toStdString(), kLongestDraft);
+    if (!bytes) {
+      left.notes.push_back(sentence(draft.path, "cannot be read: " + bytes.error() + "."));
+      continue;
+    }
+    draft.bytes = QByteArray::fromStdString(*bytes);
+    left.drafts.push_back(std::move(draft));
+  }
+  return left;
+}
+
+std::optional<std::string> removeDraft(LeftDraft draft) {
+  if (!QFile::exists(draft.path) || QFile::remove(draft.path)) return std::nullopt;
+  return sentence(draft.path, "cannot be removed.");
+}
+
+std::string setAside(LeftDraft draft) {
+  const QString aside = draft.path + QStringLiteral(".broken");
+  QFile::remove(aside);
+  return sentence(draft.path, QFile::rename(draft.path, aside)
+                                  ? "cannot be understood. It is kept as " + aside.toStdString() + "."
+                                  : "cannot be understood.");
+}
+
+}  // namespace mapwright::edit

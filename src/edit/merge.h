@@ -1,0 +1,128 @@
+// Three-way merge of items: what I made of a common base, and what they made of it. Pure functions, any
+// thread.
+//
+// Items are values with fields that are independent of each other (a name and a position): a change of one
+// and a change of another go together. Fields<Item> names them:
+//
+//   template <> struct Fields<Thing> {
+//     static constexpr std::tuple all{&Thing::name, &Thing::position};
+//     /// What is no field, but belongs to the store that `theirs` came from.
+//     static void carry(Thing& into, const Thing& theirs);
+//   };
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace mapwright::edit {
+
+/// Names an item of a document as long as the document is open.
+using Key = std::string;
+template <typename Item>
+using Items = std::map<Key, Item>;
+template <typename Item>
+struct Fields;
+
+/// One bit for each field, in the order of Fields<Item>::all.
+using FieldMask = std::uint32_t;
+
+/// Calls visit(member pointer, bit) for every field.
+template <typename Item, typename Visit>
+void eachField(Visit visit) {
+  std::apply(
+      [&](auto... member) {
+        FieldMask bit = 1;
+        ((visit(member, bit), bit <<= 1), ...);
+      },
+      Fields<Item>::all);
+}
+
+/// The fields in which they differ.
+template <typename Item>
+FieldMask difference(const Item& a, const Item& b) {
+  FieldMask mask = 0;
+  eachField<Item>([&](auto member, FieldMask bit) {
+    if (!(a.*member == b.*member)) mask |= bit;
+  });
+  return mask;
+}
+
+/// Equal in every field, or both absent.
+template <typename Item>
+bool same(const std::optional<Item>& a, const std::optional<Item>& b) {
+  return a.has_value() == b.has_value() && (!a || difference(*a, *b) == 0);
+}
+
+/// Sets those fields of `into` to what they are in `from`.
+template <typename Item>
+void assign(Item& into, const Item& from, FieldMask fields) {
+  eachField<Item>([&](auto member, FieldMask bit) {
+    if (fields & bit) into.*member = from.*member;
+  });
+}
+
+enum class ConflictKind {
+  BothChanged,   // the same field, differently
+  DeletedHere,   // I deleted what they changed
+  DeletedThere,  // they deleted what I changed
+  BothAdded,     // the same key, differently
+};
+
+/// What cannot go together. nullopt = the item is not there.
+template <typename Item>
+struct Conflict {
+  ConflictKind kind = ConflictKind::BothChanged;
+  std::optional<Item> base, mine, theirs;
+  FieldMask fields = 0;  // of BothChanged and BothAdded: those that collide
+};
+
+/// What becomes of one item. In a conflict `item` is mine, with their changes of the fields that do not
+/// collide.
+template <typename Item>
+struct Merged {
+  std::optional<Item> item;
+  std::optional<Conflict<Item>> conflict;
+};
+
+template <typename Item>
+Merged<Item> merge(const std::optional<Item>& base, const std::optional<Item>& mine,
+                   const std::optional<Item>& theirs) {
+  if (same(mine, base) || same(mine, theirs)) return {theirs, std::nullopt};
+  if (same(theirs, base)) {
+    Merged<Item> merged{mine, std::nullopt};
+    if (merged.item && theirs) Fields<Item>::carry(*merged.item, *theirs);
+    return merged;
+  }
+  if (!mine) return {mine, Conflict<Item>{ConflictKind::DeletedHere, base, mine, theirs}};
+  if (!theirs) return {mine, Conflict<Item>{ConflictKind::DeletedThere, base, mine, theirs}};
+  const FieldMask between = difference(*mine, *theirs);
+  const FieldMask by_me = base ? difference(*mine, *base) : between;
+  const FieldMask by_them = base ? difference(*theirs, *base) : between;
+  const FieldMask collide = by_me & by_them & between;
+  Merged<Item> merged{mine, std::nullopt};
+  assign(*merged.item, *theirs, by_them & ~collide);
+  Fields<Item>::carry(*merged.item, *theirs);
+  if (collide != 0) {
+    const ConflictKind kind = base ? ConflictKind::BothChanged : ConflictKind::BothAdded;
+    merged.conflict = Conflict<Item>{kind, base, mine, theirs, collide};
+  }
+  return merged;
+}
+
+/// Whose version of what collides is taken; what does not collide is merged in either case.
+enum class Side { Mine, Theirs };
+template <typename Item>
+std::optional<Item> decided(const Conflict<Item>& conflict, Side side) {
+  const bool both_there = conflict.mine && conflict.theirs;
+  if (!both_there) return side == Side::Mine ? conflict.mine : conflict.theirs;
+  std::optional<Item> item = merge(conflict.base, conflict.mine, conflict.theirs).item;
+  if (side == Side::Theirs) assign(*item, *conflict.theirs, conflict.fields);
+  return item;
+}
+
+}  // namespace mapwright::edit

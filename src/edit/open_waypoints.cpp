@@ -1,0 +1,245 @@
+#include "edit/open_waypoints.h"
+
+#include <algorithm>
+
+namespace mapwright::edit {
+namespace {
+
+constexpr int kMostOvertaken = 3;
+
+Items<map::Waypoint> itemsOf(const robot::StoredWaypoints& stored) {
+  Items<map::Waypoint> items;
+  for (const map::Waypoint& point : stored.points) items.emplace(point.id, point);
+  return items;
+}
+
+EditOptions withWorkers(EditOptions options) {
+  options.workers = work::orOwn(std::move(options.workers));
+  return options;
+}
+
+}  // namespace
+
+OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const QString& address,
+                             EditOptions options, QObject* parent)
+    : QObject(parent),
+      store_(&store),
+      map_(std::move(map)),
+      options_(withWorkers(std::move(options))),
+      identity_{address, QString::fromStdString(map::toText(map_)), QStringLiteral("waypoints")},
+      submission_(storeOf(), listener()),
+      looking_(options_.workers) {
+  if (!options_.drafts_folder.isEmpty()) {
+    keeper_ = std::make_unique<DraftKeeper>(
+        options_.drafts_folder, identity_,
+        [this]() -> DraftKeeper::Job {
+          if (!unsaved()) return {};
+          return [draft = WaypointDraft{identity_, options_.now(), document_.allChanges()}] {
+            return toBytes(draft);
+          };
+        },
+        options_.later, options_.workers);
+    connect(keeper_.get(), &DraftKeeper::troubleChanged, this, &OpenWaypoints::draftTroubleChanged);
+    connect(keeper_.get(), &DraftKeeper::written, this, [this] {
+      // Only now is what was taken up of them kept elsewhere.
+      if (!keeper_->trouble().isEmpty()) return;
+      for (LeftDraft& draft : std::exchange(taken_up_, {})) removeDraft(std::move(draft));
+    });
+    connect(&document_, &DocumentEvents::changed, keeper_.get(), &DraftKeeper::touch);
+  }
+  connect(&submission_, &SubmissionEvents::changed, this, &OpenWaypoints::noteSubmission);
+  connect(&store, &robot::WaypointStore::changed, this, &OpenWaypoints::read);
+  read();
+}
+
+OpenWaypoints::~OpenWaypoints() {
+  looking_.waitForDone();
+  submission_.disconnect(this);
+  submission_.abandon();
+  keepDraft();
+}
+
+void OpenWaypoints::noteSubmission() {
+  const auto& failure = submission_.failure();
+  const bool overtaken = submission_.phase() == SubmissionPhase::Stopped && failure &&
+                         failure->kind == map::FailureKind::Conflict;
+  if (overtaken && ++conflicts_met_ <= kMostOvertaken) {
+    // Somebody was quicker, and nothing was applied: looked at again, it may well go together.
+    QMetaObject::invokeMethod(this, &OpenWaypoints::save, Qt::QueuedConnection);
+  } else if (!saving()) {
+    conflicts_met_ = 0;
+  }
+  Q_EMIT changed();
+  if (submission_.phase() == SubmissionPhase::Done) Q_EMIT saved();
+  if (!saving() && std::exchange(read_again_, false)) read();
+}
+
+void OpenWaypoints::read() {
+  if (!store_) return;
+  // What is read while changes are on their way may be of before or after.
+  if (saving() || reading_) {
+    read_again_ = true;
+    return;
+  }
+  reading_ = true;
+  store_->read(map_, [self = QPointer<OpenWaypoints>(this)](robot::Outcome<robot::StoredWaypoints> stored) {
+    if (!self) return;
+    self->reading_ = false;
+    if (stored && !self->saving()) {
+      self->take(*stored);
+    } else if (!stored) {
+      self->failure_ = stored.error();
+      if (!self->has_read_) self->phase_ = Phase::Failed;
+    }
+    Q_EMIT self->changed();
+    if (!self->saving() && std::exchange(self->read_again_, false)) self->read();
+  });
+}
+
+void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
+  failure_.reset();
+  phase_ = Phase::Ready;
+  notes_ = stored.notes;
+  if (std::exchange(has_read_, true)) {
+    const bool gone = !stored.there && !document_.kept().empty();
+    if (!gone) return document_.take(itemsOf(stored));
+    document_.takeGone();
+    Q_EMIT remarked(
+        tr("The list of waypoints is gone from where it was kept. They are still here: saving writes them "
+           "again."));
+  } else {
+    document_.reset(itemsOf(stored));
+    lookForDrafts();
+  }
+}
+
+void OpenWaypoints::save() {
+  if (store_ && phase_ == Phase::Ready) submission_.start();
+}
+
+void OpenWaypoints::robotGone() {
+  submission_.abandon();
+  if (store_) store_->disconnect(this);
+  store_.clear();
+}
+
+WaypointSubmission::Store OpenWaypoints::storeOf() {
+  return {
+      [this](robot::OutcomeTo<robot::StoredWaypoints> reply) { return store_->read(map_, std::move(reply)); },
+      [this](const robot::WaypointRequest& request, robot::OutcomeTo<robot::WaypointReceipt> reply) {
+        return store_->perform(map_, request, std::move(reply));
+      }};
+}
+
+WaypointSubmission::Listener OpenWaypoints::listener() {
+  WaypointSubmission::Listener hears;
+  hears.plan =
+      [this](const robot::StoredWaypoints& stored) -> std::optional<std::vector<robot::WaypointRequest>> {
+    take(stored);
+    if (!document_.conflicts().empty()) return std::nullopt;
+    return store_->plan(stored, wireChanges(document_.changes()));
+  };
+  hears.sending = [this](const robot::WaypointRequest& request) {
+    document_.markSent(ownChanges(request.changes));
+  };
+  hears.done = [this](const robot::WaypointRequest& request, const robot::WaypointReceipt& receipt) {
+    for (const auto& [ours, theirs] : receipt.ids) document_.nameTheirs(ours, theirs);
+    document_.confirm(ownChanges(request.changes));
+  };
+  hears.failed = [this](const robot::WaypointRequest& request, const map::Failure& failure) {
+    if (failure.applied == map::Applied::Yes) {
+      document_.confirm(ownChanges(request.changes));
+    } else {
+      document_.endSending();
+    }
+  };
+  hears.looked = [this](const robot::StoredWaypoints& stored) { take(stored); };
+  return hears;
+}
+
+std::vector<robot::WaypointChange> OpenWaypoints::wireChanges(
+    const std::vector<Change<map::Waypoint>>& changes) const {
+  std::vector<robot::WaypointChange> wire;
+  for (const Change<map::Waypoint>& change : changes)
+    wire.push_back({document_.theirName(change.key), change.before, change.after});
+  return wire;
+}
+
+std::vector<Change<map::Waypoint>> OpenWaypoints::ownChanges(
+    const std::vector<robot::WaypointChange>& changes) const {
+  std::vector<Change<map::Waypoint>> own;
+  for (const robot::WaypointChange& change : changes)
+    own.push_back({document_.ourName(change.id), change.before, change.after});
+  return own;
+}
+
+void OpenWaypoints::lookForDrafts() {
+  if (options_.drafts_folder.isEmpty()) return;
+  looking_.startLong([this] {
+    auto left = std::make_shared<LeftDrafts>(leftDrafts(options_.drafts_folder, identity_));
+    QMetaObject::invokeMethod(
+        this, [this, left] { offer(std::move(*left)); }, Qt::QueuedConnection);
+  });
+}
+
+void OpenWaypoints::offer(LeftDrafts left) {
+  for (const std::string& note : left.notes) Q_EMIT remarked(QString::fromStdString(note));
+  for (LeftDraft& file : left.drafts) {
+    auto draft = draftFromBytes<map::Waypoint>(file.bytes);
+    if (!draft || !(draft->of == identity_)) {
+      Q_EMIT remarked(QString::fromStdString(setAside(std::move(file))));
+      continue;
+    }
+    // What has been saved all the same is not offered.
+    std::erase_if(draft->changes, [&](const Change<map::Waypoint>& change) {
+      const map::Waypoint* const now = document_.find(change.key);
+      return same(now ? std::optional(*now) : std::nullopt, change.after);
+    });
+    if (draft->changes.empty()) {
+      removeDraft(std::move(file));
+      continue;
+    }
+    file.bytes.clear();
+    left_.push_back(std::move(file));
+    offered_.push_back(std::move(*draft));
+  }
+  Q_EMIT changed();
+}
+
+void OpenWaypoints::takeUp(const QString& text) {
+  if (offered_.empty()) return;
+  document_.rebase(offered_.front().changes, text);
+  taken_up_.push_back(left_.front());
+  forgetFirstOffer();
+}
+
+void OpenWaypoints::turnDown() {
+  if (offered_.empty()) return;
+  if (const auto trouble = removeDraft(left_.front())) Q_EMIT remarked(QString::fromStdString(*trouble));
+  forgetFirstOffer();
+}
+
+void OpenWaypoints::forgetFirstOffer() {
+  offered_.erase(offered_.begin());
+  left_.erase(left_.begin());
+  Q_EMIT changed();
+}
+
+void OpenWaypoints::discard() {
+  document_.reset(document_.kept());
+  keepDraft();
+  read();
+}
+
+std::optional<QString> OpenWaypoints::keepDraft() {
+  if (!keeper_) return std::nullopt;
+  const auto trouble = keeper_->flush();
+  if (!trouble) {
+    for (LeftDraft& draft : std::exchange(taken_up_, {})) removeDraft(std::move(draft));
+  }
+  return trouble;
+}
+
+QString OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : QString(); }
+
+}  // namespace mapwright::edit

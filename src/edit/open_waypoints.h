@@ -1,0 +1,112 @@
+// The waypoints of one map, opened to be edited: read from where they are kept, merged when they change
+// there, kept as a draft while they are not saved, and saved. GUI-thread object.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QDateTime>
+#include <QObject>
+#include <QPointer>
+#include <QStringList>
+
+#include "edit/draft_keeper.h"
+#include "edit/submission.h"
+#include "edit/waypoint_fields.h"
+#include "robot/waypoint_store.h"
+#include "work/workers.h"
+
+namespace mapwright::edit {
+
+using WaypointSubmission = Submission<robot::StoredWaypoints, robot::WaypointRequest, robot::WaypointReceipt>;
+using WaypointDraft = Draft<map::Waypoint>;
+
+struct EditOptions {
+  QString drafts_folder = {};  // empty = no drafts are kept
+  Later later = byTheClock();
+  std::function<QDateTime()> now = [] { return QDateTime::currentDateTime(); };
+  std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+};
+
+class OpenWaypoints : public QObject {
+  Q_OBJECT
+ public:
+  enum class Phase { Reading, Ready, Failed };
+
+  /// Reads at once. `store` must outlive this, or robotGone() be called before it goes.
+  OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const QString& address, EditOptions options,
+                QObject* parent = nullptr);
+  /// What is not saved stays as a draft.
+  ~OpenWaypoints() override;
+
+  const map::MapKey& map() const { return map_; }
+  Phase phase() const { return phase_; }
+  /// Why they could not be read the last time; nullopt when they could.
+  const std::optional<map::Failure>& failure() const { return failure_; }
+  const std::vector<map::Reason>& notes() const { return notes_; }  // what is odd about them
+  WaypointDocument& document() { return document_; }
+  const WaypointDocument& document() const { return document_; }
+  bool unsaved() const { return !document_.unsaved().empty(); }
+
+  void read();
+  /// Sends what is not saved. Ends in saved(), or in submission().phase() Undecided or Stopped; then it is
+  /// gone on with by save() again.
+  void save();
+  bool saving() const { return submission_.running(); }
+  const WaypointSubmission& submission() const { return submission_; }
+  void cancelSaving() { submission_.cancel(); }
+  /// No answer comes any more; nothing can be saved.
+  void robotGone();
+
+  /// Drafts of programs that ended without saving, as they would change the document; the newest first.
+  const std::vector<WaypointDraft>& offered() const { return offered_; }
+  /// Merges the first one into the document, as one command, and forgets it once it is kept again.
+  void takeUp(const QString& text);
+  /// It is not wanted.
+  void turnDown();
+  /// Everything as it is kept where it came from; the draft goes.
+  void discard();
+  /// The draft of what is there now is on disk when this returns; else a sentence.
+  std::optional<QString> keepDraft();
+  /// Why the draft is not on disk; empty = nothing is wrong.
+  QString draftTrouble() const;
+
+ Q_SIGNALS:
+  void changed();  // phase, submission, offers; the document tells its own changes
+  void saved();
+  void draftTroubleChanged();
+  /// Something about drafts that people have to know, as a sentence.
+  void remarked(const QString& sentence);
+
+ private:
+  void take(const robot::StoredWaypoints& stored);
+  WaypointSubmission::Store storeOf();
+  WaypointSubmission::Listener listener();
+  std::vector<robot::WaypointChange> wireChanges(const std::vector<Change<map::Waypoint>>& changes) const;
+  std::vector<Change<map::Waypoint>> ownChanges(const std::vector<robot::WaypointChange>& changes) const;
+  void lookForDrafts();
+  void offer(LeftDrafts left);
+  void noteSubmission();
+  void forgetFirstOffer();
+
+  QPointer<robot::WaypointStore> store_;
+  map::MapKey map_;
+  EditOptions options_;
+  DraftIdentity identity_;
+  Phase phase_ = Phase::Reading;
+  std::optional<map::Failure> failure_;
+  std::vector<map::Reason> notes_;
+  bool has_read_ = false, reading_ = false, read_again_ = false;
+  int conflicts_met_ = 0;  // in a row, while saving
+  WaypointDocument document_;
+  WaypointSubmission submission_;
+  std::vector<WaypointDraft> offered_;
+  std::vector<LeftDraft> left_;  // the files of `offered_`
+  std::unique_ptr<DraftKeeper> keeper_;
+  std::vector<LeftDraft> taken_up_;  // to be removed when the keeper has written
+  work::Share looking_;              // for drafts
+};
+
+}  // namespace mapwright::edit

@@ -1,0 +1,49 @@
+#include "edit/waypoint_fields.h"
+
+#include <cmath>
+
+#include <QJsonArray>
+
+namespace mapwright::edit {
+namespace {
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+}  // namespace
+
+QJsonObject ItemJson<map::Waypoint>::write(const map::Waypoint& point) {
+  QJsonObject object{
+      {QStringLiteral("id"), text(point.id)},        {QStringLiteral("name"), text(point.name)},
+      {QStringLiteral("type"), text(point.type)},    {QStringLiteral("x_m"), point.position_m.x()},
+      {QStringLiteral("y_m"), point.position_m.y()}, {QStringLiteral("source"), text(point.source)}};
+  if (point.yaw_rad) object[QStringLiteral("yaw_rad")] = *point.yaw_rad;
+  QJsonArray tags;
+  for (const std::string& tag : point.tags) tags << text(tag);
+  object[QStringLiteral("tags")] = tags;
+  return object;
+}
+
+std::optional<map::Waypoint> ItemJson<map::Waypoint>::read(const QJsonObject& object) {
+  map::Waypoint point;
+  for (const auto& [name, into] : {std::pair{"id", &point.id},
+                                   {"name", &point.name},
+                                   {"type", &point.type},
+                                   {"source", &point.source}}) {
+    const QJsonValue value = object.value(QLatin1String(name));
+    if (!value.isString()) return std::nullopt;
+    *into = value.toString().toStdString();
+  }
+  const QJsonValue x = object.value(QLatin1String("x_m")), y = object.value(QLatin1String("y_m")),
+                   yaw = object.value(QLatin1String("yaw_rad")), tags = object.value(QLatin1String("tags"));
+  if (!x.isDouble() || !y.isDouble() || !tags.isArray()) return std::nullopt;
+  point.position_m = {x.toDouble(), y.toDouble()};
+  if (yaw.isDouble()) point.yaw_rad = yaw.toDouble();
+  if (!point.position_m.allFinite() || !std::isfinite(point.yaw_rad.value_or(0))) return std::nullopt;
+  for (const QJsonValue& tag : tags.toArray()) {
+    if (!tag.isString()) return std::nullopt;
+    point.tags.push_back(tag.toString().toStdString());
+  }
+  return point;
+}
+
+}  // namespace mapwright::edit

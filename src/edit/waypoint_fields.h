@@ -1,0 +1,37 @@
+// Waypoints as items of a document and of a draft.
+#pragma once
+
+#include <optional>
+#include <tuple>
+
+#include <QJsonObject>
+
+#include "edit/document.h"
+#include "edit/draft.h"
+#include "map/waypoint.h"
+
+namespace mapwright::edit {
+
+template <>
+struct Fields<map::Waypoint> {
+  static constexpr std::tuple all{&map::Waypoint::name, &map::Waypoint::position_m, &map::Waypoint::yaw_rad,
+                                  &map::Waypoint::tags, &map::Waypoint::type};
+  static void carry(map::Waypoint& into, const map::Waypoint& theirs) {
+    into.id = theirs.id;
+    into.source = theirs.source;
+  }
+};
+namespace waypoint_field {
+inline constexpr FieldMask kName = 1, kPosition = 2, kYaw = 4, kTags = 8, kType = 16;
+}
+
+using WaypointDocument = Document<map::Waypoint>;
+
+template <>
+struct ItemJson<map::Waypoint> {
+  static QJsonObject write(const map::Waypoint& point);
+  /// nullopt = it is none: something is missing, of the wrong kind or not finite.
+  static std::optional<map::Waypoint> read(const QJsonObject& object);
+};
+
+}  // namespace mapwright::edit

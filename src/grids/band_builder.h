@@ -1,0 +1,58 @@
+// From rows to a growing pyramid, on two threads. Private to the readers of pictures.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <span>
+
+#include "grids/grid_pyramid.h"
+#include "grids/growing_pyramid.h"
+#include "work/workers.h"
+
+namespace mapwright::grids {
+
+/// The thread that has the rows writes them into bands; a thread of its own reduces and compresses. When that
+/// one falls behind by more than a band, the first waits.
+class BandBuilder final : public GridBuilder {
+ public:
+  BandBuilder(int width, int height, CellCode code, Reduction reduction, const GridReducer& reducer,
+              const Means& means);
+  ~BandBuilder() override;
+
+  std::shared_ptr<const GridPyramid> pyramid() const override { return pyramid_; }
+  void pushRow(std::span<const std::uint8_t> cells) override;
+  void finish() override;
+
+  /// Where the next row goes (width bytes), so that it need not be copied; then rowWritten().
+  std::uint8_t* nextRow();
+  void rowWritten();
+  int rowsPushed() const { return row_; }
+  /// Waits until everything pushed so far is in the pyramid.
+  void drain();
+  TileStore& store() { return pyramid_->store(); }
+
+ private:
+  struct Strip {
+    GrowingPyramid::Band band;
+    int from, to;
+  };
+  void handOver();
+  void work();
+
+  std::shared_ptr<GrowingPyramid> pyramid_;
+  GrowingPyramid::Band band_;
+  int row_ = 0;  // the next one
+  int handed_over_ = 0;
+  bool finished_ = false;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Strip> strips_;
+  bool busy_ = false, closed_ = false;
+  work::Share share_;  // last: the thread sees all of the above
+};
+
+}  // namespace mapwright::grids

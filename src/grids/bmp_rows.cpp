@@ -1,0 +1,152 @@
+// Uncompressed BMP as a stream of rows. Source: Microsoft, BITMAPFILEHEADER, BITMAPINFOHEADER,
+// BITMAPV4HEADER.
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "grids/picture_rows.h"
+#include "packed/png_unfilter.h"
+
+namespace mapwright::grids {
+
+namespace {
+
+constexpr std::size_t kFileHeader = 14, kInfoHeader = 40, kMasksEnd = 56;
+constexpr std::uint32_t kCoreHeader = 12;
+constexpr std::uint32_t kUncompressed = 0, kBitFields = 3;
+
+const char* const kEnds = "its data ends";
+
+std::uint32_t word(const std::uint8_t* at) { return std::uint32_t(at[0] | at[1] << 8); }
+std::uint32_t dword(const std::uint8_t* at) { return word(at) | word(at + 2) << 16; }
+
+struct BmpHeader {
+  PixelFormat format;
+  std::uint64_t pixels_at = 0;
+  std::uint64_t stored_row = 0;  // bytes, a multiple of 4
+  int bits = 8;
+  bool top_down = false;
+  std::array<int, 4> byte_of{2, 1, 0, 3};  // where red, green, blue, alpha are in a pixel
+};
+
+class BmpRows final : public PictureRows {
+ public:
+  BmpRows(const BmpHeader& header, ByteSource bytes)
+      : header_(header),
+        bytes_(std::move(bytes)),
+        stored_(header.stored_row),
+        row_(header.format.rowBytes()) {}
+  const PixelFormat& format() const override { return header_.format; }
+  const std::uint8_t* next() override {
+    if (done_ == header_.format.height) return nullptr;
+    const int place = header_.top_down ? done_ : header_.format.height - 1 - done_;
+    if (!bytes_.readAt(header_.pixels_at + std::uint64_t(place) * header_.stored_row, stored_.data(),
+                       stored_.size())) {
+      problem_ = kEnds;
+      return nullptr;
+    }
+    ++done_;
+    const std::size_t width = std::size_t(header_.format.width);
+    if (header_.bits == 8) return stored_.data();
+    if (header_.bits < 8) {
+      packed::unpackBits(stored_.data(), width, header_.bits, row_.data());
+      return row_.data();
+    }
+    const std::size_t unit = std::size_t(header_.bits / 8), channels = std::size_t(header_.format.channels);
+    for (std::size_t u = 0; u < width; ++u) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        row_[u * channels + c] = stored_[u * unit + std::size_t(header_.byte_of[c])];
+      }
+    }
+    return row_.data();
+  }
+
+ private:
+  BmpHeader header_;
+  ByteSource bytes_;
+  std::vector<std::uint8_t> stored_, row_;
+  int done_ = 0;
+};
+
+tl::unexpected<GridError> refused(std::string sentence) {
+  return tl::unexpected(GridError{std::move(sentence)});
+}
+
+/// Only masks of whole bytes are worth reading; false for others.
+bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
+  for (std::size_t channel = 0; channel < (has_alpha ? 4u : 3u); ++channel) {
+    const std::uint32_t mask = dword(masks + 4 * channel);
+    if (channel == 3 && mask == 0) return true;
+    const int shift = std::countr_zero(mask);
+    if (mask == 0 || shift % 8 != 0 || mask >> shift != 0xff) return false;
+    header.byte_of[channel] = shift / 8;
+    if (channel == 3) header.format.has_alpha = true;
+  }
+  return true;
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<PictureRows>, GridError> openBmp(ByteSource bytes) {
+  std::array<std::uint8_t, kFileHeader + kMasksEnd> start{};
+  if (!bytes.readAt(0, start.data(), kFileHeader + kInfoHeader)) {
+    return refused("It is a BMP that is cut off in its header.");
+  }
+  const std::uint8_t* info = start.data() + kFileHeader;
+  const std::uint32_t info_bytes = dword(info);
+  if (info_bytes == kCoreHeader || info_bytes < kInfoHeader) {
+    return refused("It is a BMP of a kind that is not read (its header has " + std::to_string(info_bytes) +
+                   " bytes). Save it as PNG.");
+  }
+  BmpHeader header;
+  PixelFormat& format = header.format;
+  const std::int32_t width = std::int32_t(dword(info + 4)), height = std::int32_t(dword(info + 8));
+  header.top_down = height < 0;
+  const std::int64_t rows = height < 0 ? -std::int64_t(height) : height;
+  if (width < 0) return refused("It is a BMP with a negative width.");
+  if (auto problem = whyNotThisSize(std::uint64_t(width), std::uint64_t(rows))) {
+    return tl::unexpected(std::move(*problem));
+  }
+  format.width = width;
+  format.height = int(rows);
+  header.bits = int(word(info + 14));
+  const std::uint32_t compression = dword(info + 16);
+  const int bits = header.bits;
+  const bool bits_known = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
+  if (!bits_known || !(compression == kUncompressed || (compression == kBitFields && bits == 32))) {
+    return refused("It is a BMP with " + std::to_string(bits) + " bits a pixel" +
+                   (compression == kUncompressed ? "" : ", compressed") +
+                   "; 1, 4, 8, 24 and 32 bits, uncompressed, are read. Save it as PNG.");
+  }
+  if (compression == kBitFields) {
+    const bool in_header = info_bytes >= kMasksEnd;
+    const std::size_t masks = kInfoHeader + (in_header ? 16 : 12);
+    if (!bytes.readAt(0, start.data(), kFileHeader + masks)) {
+      return refused("It is a BMP that is cut off in its header.");
+    }
+    if (!takeMasks(info + kInfoHeader, in_header, header)) {
+      return refused("It is a BMP whose colours are not made of whole bytes. Save it as PNG.");
+    }
+  }
+  header.pixels_at = dword(start.data() + 10);
+  header.stored_row = (std::uint64_t(width) * std::uint64_t(bits) + 31) / 32 * 4;
+  format.indexed = bits <= 8;
+  format.channels = format.has_alpha ? 4 : 3;
+  if (format.indexed) {
+    const std::uint32_t most = 1u << bits, said = dword(info + 32);
+    const std::uint32_t colours = said == 0 || said > most ? most : said;
+    std::vector<std::uint8_t> palette(colours * 4);
+    if (!bytes.readAt(kFileHeader + info_bytes, palette.data(), palette.size())) {
+      return refused("It is a BMP that is cut off in its palette.");
+    }
+    format.gray = true;
+    for (std::size_t n = 0; n < colours; ++n) {
+      const std::uint8_t b = palette[4 * n], g = palette[4 * n + 1], r = palette[4 * n + 2];
+      format.table[n] = {r, g, b, 255};
+      format.gray = format.gray && r == g && g == b;
+    }
+  }
+  return std::make_unique<BmpRows>(header, std::move(bytes));
+}
+
+}  // namespace mapwright::grids

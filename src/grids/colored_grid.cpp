@@ -1,0 +1,214 @@
+// Small pictures in colours (costmaps). The rank of a colour, for reducing: what is more opaque wins, and of
+// equally opaque colours the darker one; so an obstacle is never lost to clear or light ground when zoomed
+// out. Rank 0 is for what cannot be seen at all. Gray pictures take the rank of the Gray code instead.
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <unordered_map>
+
+#include "grids/band_builder.h"
+#include "grids/grid_pyramid.h"
+#include "grids/picture_rows.h"
+#include "words/figures.h"
+
+namespace mapwright::grids {
+
+namespace {
+
+using Argb = std::uint32_t;
+using Indices = std::vector<std::uint8_t>;
+
+constexpr std::size_t kPaletteSize = 256;
+
+Argb argbOf(int a, int r, int g, int b) { return Argb(a) << 24 | Argb(r) << 16 | Argb(g) << 8 | Argb(b); }
+
+/// The colour of pixels, whatever their format.
+class Colours {
+ public:
+  explicit Colours(const PixelFormat& format) : format_(format) {}
+  Argb at(const std::uint8_t* pixel) const {
+    if (format_.indexed) {
+      const PixelFormat::Colour& colour = format_.table[*pixel];
+      return visible(argbOf(colour.a, colour.r, colour.g, colour.b));
+    }
+    const int channels = format_.channels;
+    const bool colours = channels >= 3;
+    const std::array<int, 3> rgb{sample(pixel, 0), sample(pixel, colours ? 1 : 0),
+                                 sample(pixel, colours ? 2 : 0)};
+    int alpha = channels % 2 == 0 ? byteOf(sample(pixel, channels - 1)) : 255;
+    if (format_.transparent) {
+      const auto& key = *format_.transparent;
+      if (rgb[0] == key[0] && (!colours || (rgb[1] == key[1] && rgb[2] == key[2]))) alpha = 0;
+    }
+    return visible(argbOf(alpha, byteOf(rgb[0]), byteOf(rgb[1]), byteOf(rgb[2])));
+  }
+
+ private:
+  int sample(const std::uint8_t* pixel, int channel) const {
+    return format_.sample_bytes == 1 ? pixel[channel] : pixel[2 * channel] << 8 | pixel[2 * channel + 1];
+  }
+  int byteOf(int sample) const {
+    return (std::min(sample, format_.sample_max) * 2 * 255 + format_.sample_max) / (2 * format_.sample_max);
+  }
+  /// All colours that cannot be seen are one.
+  static Argb visible(Argb colour) { return colour >> 24 == 0 ? 0 : colour; }
+
+  const PixelFormat& format_;
+};
+
+/// The set for pictures of more colours: clear, half opaque (3 levels a channel) and opaque (6 levels a
+/// channel, and 12 grays between).
+std::vector<Argb> fixedSet() {
+  std::vector<Argb> set{0};
+  const auto cube = [&set](int alpha, int levels) {
+    for (int r = 0; r < levels; ++r) {
+      for (int g = 0; g < levels; ++g) {
+        for (int b = 0; b < levels; ++b) {
+          set.push_back(
+              argbOf(alpha, r * 255 / (levels - 1), g * 255 / (levels - 1), b * 255 / (levels - 1)));
+        }
+      }
+    }
+  };
+  cube(255, 6);
+  cube(128, 3);
+  for (int gray = 1; set.size() < kPaletteSize; ++gray)
+    set.push_back(argbOf(255, gray * 20, gray * 20, gray * 20));
+  return set;
+}
+
+int squared(int a, int b) { return (a - b) * (a - b); }
+
+std::uint8_t nearest(const std::vector<Argb>& set, Argb colour) {
+  const auto part = [](Argb of, int shift) { return int(of >> shift & 0xff); };
+  if (part(colour, 24) < 32) return 0;
+  std::size_t best = 0;
+  int least = 1 << 30;
+  for (std::size_t n = 1; n < set.size(); ++n) {
+    int distance = 3 * squared(part(set[n], 24), part(colour, 24));
+    for (const int shift : {0, 8, 16}) distance += squared(part(set[n], shift), part(colour, shift));
+    if (distance < least) {
+      least = distance;
+      best = n;
+    }
+  }
+  return std::uint8_t(best);
+}
+
+std::array<std::uint8_t, kPaletteSize> rankOf(const std::vector<Argb>& palette) {
+  std::array<std::uint8_t, kPaletteSize> rank{};
+  std::vector<std::size_t> order(palette.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto weight = [&palette](std::size_t n) {
+    const Argb colour = palette[n];
+    const int light = int((colour >> 16 & 0xff) * 299 + (colour >> 8 & 0xff) * 587 + (colour & 0xff) * 114);
+    return std::pair(colour >> 24, -light);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
+  for (std::size_t place = 0; place < order.size(); ++place) rank[order[place]] = std::uint8_t(place);
+  for (std::size_t n = 0; n < palette.size(); ++n) {
+    if (palette[n] >> 24 == 0) rank[n] = 0;
+  }
+  return rank;
+}
+
+/// Reads all rows as indices into a palette that grows; beyond 256 colours what was read is mapped to the
+/// fixed set and so is the rest.
+class Quantiser {
+ public:
+  explicit Quantiser(const PixelFormat& format) : format_(format), colours_(format) {}
+
+  void take(const std::uint8_t* row, Indices& out) {
+    const std::size_t unit = format_.pixelBytes();
+    for (int u = 0; u < format_.width; ++u, row += unit) out.push_back(indexOf(colours_.at(row), out));
+  }
+  const std::vector<Argb>& palette() const { return palette_; }
+
+ private:
+  std::uint8_t indexOf(Argb colour, Indices& before) {
+    if (last_ && last_->first == colour) return last_->second;
+    const auto known = indices_.find(colour);
+    if (known != indices_.end()) return remember(colour, known->second);
+    if (!fixed_ && palette_.size() == kPaletteSize) useFixedSet(before);
+    if (fixed_) {
+      if (indices_.size() > kMostRemembered) indices_.clear();
+      const std::uint8_t index = nearest(palette_, colour);
+      indices_[colour] = index;
+      return remember(colour, index);
+    }
+    palette_.push_back(colour);
+    return remember(colour, indices_[colour] = std::uint8_t(palette_.size() - 1));
+  }
+  std::uint8_t remember(Argb colour, std::uint8_t index) {
+    last_ = {colour, index};
+    return index;
+  }
+  void useFixedSet(Indices& before) {
+    const std::vector<Argb> set = fixedSet();
+    std::array<std::uint8_t, kPaletteSize> moved{};
+    for (std::size_t n = 0; n < palette_.size(); ++n) moved[n] = nearest(set, palette_[n]);
+    for (std::uint8_t& index : before) index = moved[index];
+    palette_ = set;
+    indices_.clear();
+    last_.reset();
+    fixed_ = true;
+  }
+
+  static constexpr std::size_t kMostRemembered = 1 << 16;
+  PixelFormat format_;
+  Colours colours_;
+  std::vector<Argb> palette_;
+  std::unordered_map<Argb, std::uint8_t> indices_;
+  std::optional<std::pair<Argb, std::uint8_t>> last_;
+  bool fixed_ = false;
+};
+
+bool isPlainGray(const PixelFormat& format) { return format.gray && !format.has_alpha; }
+
+GridError brokenOff(const PixelFormat& format, int came, const std::string& problem) {
+  return GridError{"It says that it is " + words::dimensions(format.width, format.height) + " pixels, but " +
+                   problem + " after " + words::grouped(came) + (came == 1 ? " row." : " rows.")};
+}
+
+}  // namespace
+
+tl::expected<ColoredGrid, GridError> decodeColors(std::shared_ptr<const std::string> bytes,
+                                                  std::int64_t max_cells, const Means& means) {
+  auto rows = openPicture(ByteSource(std::move(bytes)));
+  if (!rows) return tl::unexpected(std::move(rows.error()));
+  const PixelFormat& format = (*rows)->format();
+  if (std::int64_t(format.width) * format.height > max_cells) {
+    return tl::unexpected(GridError{"It is " + words::dimensions(format.width, format.height) +
+                                    " pixels, and at most " + words::grouped(max_cells) + " are read."});
+  }
+  const bool gray = isPlainGray(format);
+  Quantiser quantiser(format);
+  Indices indices;
+  for (int row = 0; row < format.height; ++row) {
+    const std::uint8_t* pixels = (*rows)->next();
+    if (pixels == nullptr) return tl::unexpected(brokenOff(format, row, (*rows)->problem()));
+    if (gray) {
+      const Colours colours(format);
+      for (int u = 0; u < format.width; ++u, pixels += format.pixelBytes()) {
+        indices.push_back(std::uint8_t(colours.at(pixels)));
+      }
+    } else {
+      quantiser.take(pixels, indices);
+    }
+  }
+  ColoredGrid grid;
+  if (!gray) grid.palette = quantiser.palette();
+  const GridReducer reducer =
+      gray ? GridReducer(CellCode::Gray, Reduction::OccupiedWins) : GridReducer(rankOf(grid.palette));
+  BandBuilder builder(format.width, format.height, CellCode::Gray, Reduction::OccupiedWins, reducer, means);
+  const std::size_t width = std::size_t(format.width);
+  for (std::size_t row = 0; row < std::size_t(format.height); ++row) {
+    builder.pushRow({indices.data() + row * width, width});
+  }
+  builder.finish();
+  grid.indices = builder.pyramid();
+  return grid;
+}
+
+}  // namespace mapwright::grids

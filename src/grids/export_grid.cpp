@@ -1,0 +1,225 @@
+#include "grids/export_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <spng.h>
+
+#include "disk/written_file.h"
+
+namespace mapwright::grids {
+
+namespace {
+
+using Proceed = std::function<bool(double done)>;
+constexpr int kEdge = GridPyramid::kTileEdge;
+constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
+const char* const kStopped = "Stopped; nothing was written.";
+
+/// Calls take(row) for every row of level 0; a band of tiles is held at a time. A sentence when stopped.
+template <typename Take>
+std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
+                                   Take take) {
+  const std::uint8_t unknown = unknownByte(grid.code());
+  const int tiles = (grid.width() + kEdge - 1) / kEdge;
+  std::vector<std::uint8_t> row(std::size_t(tiles) * kEdge);
+  std::vector<std::optional<GridTile>> band(static_cast<std::size_t>(tiles));
+  for (int y = 0; y < grid.height(); ++y) {
+    if (y % kEdge == 0) {
+      if (proceed && !proceed(from + (to - from) * y / grid.height())) return kStopped;
+      for (int tx = 0; tx < tiles; ++tx) band[std::size_t(tx)] = grid.tile(0, tx, y / kEdge);
+    }
+    for (std::size_t tx = 0; tx < band.size(); ++tx) {
+      std::uint8_t* out = row.data() + tx * kEdge;
+      if (band[tx]) {
+        std::memcpy(out, band[tx]->cells.get() + std::size_t(y % kEdge) * kEdge, kEdge);
+      } else {
+        std::memset(out, unknown, kEdge);
+      }
+    }
+    if (!take(row.data())) return std::nullopt;
+  }
+  if (auto trouble = grid.trouble(); !trouble.empty()) return trouble + " Nothing was written.";
+  if (proceed) proceed(to);
+  return std::nullopt;
+}
+
+/// Whether map_saver's three shades can tell all cells.
+tl::expected<bool, std::string> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
+  const CellMeaning& meaning = meaningOf(grid.code());
+  std::array<bool, 256> seen{};
+  const std::size_t width = std::size_t(grid.width());
+  auto stopped = eachRow(grid, proceed, 0, 0.3, [&](const std::uint8_t* row) {
+    for (std::size_t u = 0; u < width; ++u) seen[row[u]] = true;
+    return true;
+  });
+  if (stopped) return tl::unexpected(std::move(*stopped));
+  for (std::size_t cell = 0; cell < seen.size(); ++cell) {
+    const int occupancy = meaning.occupancy[cell];
+    if (seen[cell] && occupancy != 0 && occupancy != 100 && occupancy != -1) return false;
+  }
+  return true;
+}
+
+/// What stands for every cell in a file for map_server.
+std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
+  const CellMeaning& meaning = meaningOf(code);
+  std::array<std::uint8_t, 256> shades{};
+  for (std::size_t cell = 0; cell < shades.size(); ++cell) {
+    const int occupancy = meaning.occupancy[cell];
+    shades[cell] = !trinary         ? std::uint8_t(occupancy)
+                   : occupancy == 0 ? kFreeShade
+                   : occupancy > 0  ? kOccupiedShade
+                                    : kUnknownShade;
+  }
+  return shades;
+}
+
+struct PngWriter {
+  disk::WrittenFile& file;
+  std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context{spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free};
+
+  static int write(spng_ctx*, void* user, void* bytes, std::size_t count) {
+    auto& out = *static_cast<disk::WrittenFile*>(user);
+    out.write(bytes, count);
+    return out.good() ? 0 : int(SPNG_IO_ERROR);
+  }
+  bool begin(int width, int height, bool has_alpha) {
+    spng_ihdr header{};
+    header.width = std::uint32_t(width);
+    header.height = std::uint32_t(height);
+    header.bit_depth = 8;
+    header.color_type = has_alpha ? SPNG_COLOR_TYPE_GRAYSCALE_ALPHA : SPNG_COLOR_TYPE_GRAYSCALE;
+    // Flat areas and sharp edges: filters make maps larger, not smaller.
+    return context != nullptr && spng_set_png_stream(context.get(), write, &file) == 0 &&
+           spng_set_option(context.get(), SPNG_FILTER_CHOICE, SPNG_DISABLE_FILTERING) == 0 &&
+           spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, 4) == 0 &&
+           spng_set_ihdr(context.get(), &header) == 0 &&
+           spng_encode_image(context.get(), nullptr, 0, SPNG_FMT_PNG,
+                             SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE) == 0;
+  }
+  bool row(const std::uint8_t* bytes, std::size_t count) {
+    const int result = spng_encode_row(context.get(), bytes, count);
+    return result == 0 || result == SPNG_EOI;
+  }
+};
+
+/// The shortest text that reads back to the same number, and as a number and not an integer.
+std::string numberText(double number) {
+  std::array<char, 64> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  std::string written(text.data(), end);
+  // YAML 1.1 takes "1e-05" for a word: a point must come before the exponent.
+  const std::size_t exponent = written.find('e');
+  if (written.find('.') == std::string::npos && written.find_first_of("ni") == std::string::npos) {
+    written.insert(exponent == std::string::npos ? written.size() : exponent, ".0");
+  }
+  return written;
+}
+
+/// A YAML scalar in double quotes: names may hold anything.
+std::string quoted(const std::string& text) {
+  static constexpr const char* kHex = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (byte < 0x20 || byte == 0x7f) {
+      out += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+    } else {
+      if (letter == '"' || letter == '\\') out += '\\';
+      out += letter;
+    }
+  }
+  return out + '"';
+}
+
+}  // namespace
+
+std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::string& path,
+                                        const Proceed& proceed) {
+  const bool as_is = isGray(grid.code());
+  const tl::expected<bool, std::string> trinary = as_is ? false : isTrinary(grid, proceed);
+  if (!trinary) return trinary.error();
+  // Grays that are all grays leave none to stand for what is not there.
+  const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
+  disk::WrittenFile file(path);
+  PngWriter png{file};
+  bool good = png.begin(grid.width(), grid.height(), has_alpha);
+  const CellMeaning& meaning = meaningOf(grid.code());
+  const std::array<std::uint8_t, 256> shades = shadesOf(grid.code(), true);
+  const std::size_t width = std::size_t(grid.width());
+  std::vector<std::uint8_t> out(width * (has_alpha ? 2 : 1));
+  auto stopped = eachRow(grid, proceed, as_is ? 0 : 0.3, 1, [&](const std::uint8_t* row) {
+    for (std::size_t u = 0; u < width; ++u) {
+      if (has_alpha) {
+        out[2 * u] = as_is ? row[u] : meaning.intensity[row[u]];
+        out[2 * u + 1] = meaning.known[row[u]] ? 255 : 0;
+      } else {
+        out[u] = as_is ? row[u] : shades[row[u]];
+      }
+    }
+    good = good && png.row(out.data(), out.size());
+    return good;
+  });
+  if (stopped) return stopped;
+  if (!good && file.good()) return "The PNG " + path + " cannot be written: its encoder failed.";
+  return file.place();
+}
+
+MapServerFiles mapServerFiles(const std::string& path) {
+  std::filesystem::path base(path);
+  if (base.extension() == ".pgm" || base.extension() == ".yaml" || base.extension() == ".yml") {
+    base.replace_extension();
+  }
+  return {base.string() + ".pgm", base.string() + ".yaml"};
+}
+
+std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+                                          const std::string& path, const Proceed& proceed) {
+  const MapServerFiles paths = mapServerFiles(path);
+  const auto trinary = isTrinary(grid, proceed);
+  if (!trinary) return trinary.error();
+  const std::array<std::uint8_t, 256> shades = shadesOf(grid.code(), *trinary);
+  disk::WrittenFile pgm(paths.pgm), yaml(paths.yaml);
+  pgm.write("P5\n" + std::to_string(grid.width()) + " " + std::to_string(grid.height()) + "\n255\n");
+  const std::size_t width = std::size_t(grid.width());
+  std::vector<std::uint8_t> out(width);
+  auto stopped = eachRow(grid, proceed, 0.3, 1, [&](const std::uint8_t* row) {
+    for (std::size_t u = 0; u < width; ++u) out[u] = shades[row[u]];
+    pgm.write(out.data(), out.size());
+    return pgm.good();
+  });
+  if (stopped) return stopped;
+  yaml.write(mapYamlText(reference, std::filesystem::path(paths.pgm).filename().string(), !*trinary));
+  yaml.finish();  // both are whole before the first is in its place
+  if (!yaml.good()) return yaml.place();
+  if (auto problem = pgm.place()) return problem;
+  return yaml.place();
+}
+
+std::string worldFileText(const map::GridReference& reference) {
+  const double across = reference.resolution_m * std::cos(reference.origin.yaw_rad);
+  const double along = reference.resolution_m * std::sin(reference.origin.yaw_rad);
+  const Eigen::Vector2d centre = reference.worldFromCell({0.5, 0.5});
+  std::string text;
+  // A column goes along the yaw, a row down goes against its normal: (sin, -cos).
+  for (const double number : {across, along, along, -across, centre.x(), centre.y()}) {
+    text += numberText(number) + "\n";
+  }
+  return text;
+}
+
+std::string mapYamlText(const map::GridReference& reference, const std::string& image, bool raw) {
+  return "image: " + quoted(image) + "\nmode: " + (raw ? "raw" : "trinary") +
+         "\nresolution: " + numberText(reference.resolution_m) + "\norigin: [" +
+         numberText(reference.origin.x_m) + ", " + numberText(reference.origin.y_m) + ", " +
+         numberText(reference.origin.yaw_rad) + "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+}
+
+}  // namespace mapwright::grids

@@ -1,0 +1,41 @@
+// Writing a grid as files that other programs read back to the same cells. Any thread.
+// Source: ROS map_server / nav2 map_io (map.yaml), ESRI world files.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "grids/grid_pyramid.h"
+#include "map/grid_reference.h"
+
+namespace mapwright::grids {
+
+// What a path may be ("-", a device, a link): disk::WrittenFile.
+
+/// 8-bit PNG of level 0, row by row. Gray codes: the bytes as they are (ClearGray: 128
+/// transparent). Occupancy code: the map_saver shades
+/// (254 free, 0 occupied, 205 unknown) when the cells are only those, else gray+alpha (intensity; unknown =
+/// transparent). nullopt = written (aside, then moved into place), else a sentence.
+std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::string& path,
+                                        const std::function<bool(double done)>& proceed = {});
+
+/// The two files of a map for map_server, given the path of either or the name without an ending.
+struct MapServerFiles {
+  std::string pgm, yaml;
+};
+MapServerFiles mapServerFiles(const std::string& path);
+
+/// `base`.pgm and `base`.yaml (given the path of either). Trinary with map_saver's shades when all cells are
+/// unknown, 0 or 100; else mode raw with the cells as bytes: map_server reads both back to the same cells.
+std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+                                          const std::string& path,
+                                          const std::function<bool(double done)>& proceed = {});
+
+/// The six lines of a world file (.pgw) for a picture of `reference` (rotation included): centre of the top
+/// left pixel.
+std::string worldFileText(const map::GridReference& reference);
+/// The text of map.yaml.
+std::string mapYamlText(const map::GridReference& reference, const std::string& image, bool raw);
+
+}  // namespace mapwright::grids

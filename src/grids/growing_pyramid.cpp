@@ -1,0 +1,172 @@
+#include "grids/growing_pyramid.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace mapwright::grids {
+
+namespace {
+
+constexpr int kEdge = GridPyramid::kTileEdge;
+
+}  // namespace
+
+GrowingPyramid::GrowingPyramid(int width, int height, CellCode code, Reduction reduction,
+                               const GridReducer& reducer, std::shared_ptr<TileCache> unpacked)
+    : width_(width),
+      height_(height),
+      code_(code),
+      reduction_(reduction),
+      reducer_(reducer),
+      store_(width, height, code, std::move(unpacked)),
+      rows_(store_.levels().size()),
+      live_(store_.levels().size()) {
+  for (int level = 0; level < levels(); ++level) {
+    pools_.push_back(std::make_unique<BandPool>(stride(level) * kEdge));
+  }
+}
+
+std::size_t GrowingPyramid::stride(int level) const {
+  return std::size_t(store_.levels()[std::size_t(level)].tiles_x) * kEdge;
+}
+
+GrowingPyramid::Band GrowingPyramid::takeBand() { return padded(*pools_[0], 0); }
+
+GrowingPyramid::Band GrowingPyramid::padded(BandPool& pool, int level) {
+  Band band = pool.take();
+  const std::size_t row_bytes = stride(level);
+  const std::size_t cells = std::size_t(levelWidth(level));
+  if (cells < row_bytes) {
+    const int rows = std::min(kEdge, levelHeight(level));
+    for (int row = 0; row < rows; ++row) {
+      std::memset(band.get() + std::size_t(row) * row_bytes + cells, store_.unknown(), row_bytes - cells);
+    }
+  }
+  return band;
+}
+
+GrowingPyramid::Band GrowingPyramid::bandAt(int level, int row) {
+  {
+    const std::lock_guard lock(live_mutex_);
+    const LiveBand& live = live_[std::size_t(level)];
+    if (live.cells != nullptr && live.tile_row == row / kEdge) return live.cells;
+  }
+  return padded(*pools_[std::size_t(level)], level);
+}
+
+void GrowingPyramid::addRows(const Band& band, int from, int to) {
+  advance(0, band, from, to);
+  std::size_t held = 0;
+  for (const auto& pool : pools_) held += pool->bytes();
+  band_bytes_.store(held, std::memory_order_relaxed);
+  rows_ready_.store(to, std::memory_order_release);
+}
+
+void GrowingPyramid::settle(int level, const Band& band, int from, int to) {
+  const int tile_row = from / kEdge;
+  rows_[std::size_t(level)] = to;
+  const bool full = to == (tile_row + 1) * kEdge || to == levelHeight(level);
+  if (full) keepTiles(level, band, tile_row, to - tile_row * kEdge);
+  const std::lock_guard lock(live_mutex_);
+  live_[std::size_t(level)] = full ? LiveBand{} : LiveBand{band, tile_row, to - tile_row * kEdge};
+}
+
+void GrowingPyramid::reduceInto(const Band& coarse, int level, int row, const Band& band) {
+  const int top = 2 * row / kEdge * kEdge;
+  const std::uint8_t* upper = band.get() + std::size_t(2 * row - top) * stride(level);
+  // An odd last row of the picture is its own partner.
+  const std::uint8_t* lower = 2 * row + 1 < levelHeight(level) ? upper + stride(level) : upper;
+  reducer_.reduceRow(upper, lower, std::size_t(levelWidth(level)),
+                     coarse.get() + std::size_t(row % kEdge) * stride(level + 1));
+}
+
+void GrowingPyramid::advance(int level, const Band& band, int from, int to) {
+  settle(level, band, from, to);
+  if (level + 1 == levels()) return;
+
+  const int coarse_from = from / 2;
+  const int coarse_to = to == levelHeight(level) ? (to + 1) / 2 : to / 2;
+  if (coarse_from == coarse_to) return;
+  const Band coarse = bandAt(level + 1, coarse_from);
+  for (int row = coarse_from; row < coarse_to; ++row) reduceInto(coarse, level, row, band);
+  advance(level + 1, coarse, coarse_from, coarse_to);
+}
+
+void GrowingPyramid::keepTiles(int level, const Band& band, int tile_row, int rows) {
+  const std::size_t row_bytes = stride(level);
+  std::array<std::uint8_t, TileStore::kTileCells> tile;
+  const int tiles = store_.levels()[std::size_t(level)].tiles_x;
+  for (int tile_x = 0; tile_x < tiles; ++tile_x) {
+    const std::uint8_t* from = band.get() + std::size_t(tile_x) * kEdge;
+    for (int row = 0; row < rows; ++row) {
+      std::memcpy(tile.data() + std::size_t(row) * kEdge, from + std::size_t(row) * row_bytes, kEdge);
+    }
+    std::memset(tile.data() + std::size_t(rows) * kEdge, store_.unknown(), std::size_t(kEdge - rows) * kEdge);
+    store_.put(level, tile_x, tile_row, tile.data());
+  }
+}
+
+void GrowingPyramid::finish() {
+  for (int level = 0; level < levels(); ++level) {
+    const int height = levelHeight(level);
+    const int row = rows_[std::size_t(level)];
+    if (row == height) continue;
+    const int begun = row % kEdge;  // rows of the unfinished band
+    if (begun > 0) {
+      const Band band = bandAt(level, row);
+      const int end = std::min(height, row - begun + kEdge);
+      std::memset(band.get() + std::size_t(begun) * stride(level), store_.unknown(),
+                  std::size_t(end - row) * stride(level));
+      if (row % 2 != 0 && level + 1 < levels()) {
+        const Band coarse = bandAt(level + 1, row / 2);
+        reduceInto(coarse, level, row / 2, band);
+        advance(level + 1, coarse, row / 2, row / 2 + 1);
+      }
+      settle(level, band, row, end);
+    }
+    const TileLevel& tiles = store_.levels()[std::size_t(level)];
+    for (int tile_y = (row + kEdge - 1) / kEdge; tile_y < tiles.tiles_y; ++tile_y) {
+      for (int tile_x = 0; tile_x < tiles.tiles_x; ++tile_x) {
+        store_.putUniform(level, tile_x, tile_y, store_.unknown());
+      }
+    }
+  }
+  pools_.clear();
+  band_bytes_.store(0, std::memory_order_relaxed);
+  rows_ready_.store(height_, std::memory_order_release);
+}
+
+std::optional<GridTile> GrowingPyramid::tile(int level, int tile_x, int tile_y) const {
+  if (auto kept = store_.get(level, tile_x, tile_y)) return kept;
+  if (auto live = liveTile(level, tile_x, tile_y)) return live;
+  // The band may have been kept between the two looks.
+  return store_.get(level, tile_x, tile_y);
+}
+
+std::optional<GridTile> GrowingPyramid::liveTile(int level, int tile_x, int tile_y) const {
+  if (level < 0 || level >= levels() || tile_x < 0 || tile_x >= store_.levels()[std::size_t(level)].tiles_x) {
+    return std::nullopt;
+  }
+  LiveBand live;
+  {
+    const std::lock_guard lock(live_mutex_);
+    live = live_[std::size_t(level)];
+  }
+  if (live.cells == nullptr || live.tile_row != tile_y) return std::nullopt;
+  // Rows that are shown are never written again, so they are read without the lock.
+  auto cells = std::shared_ptr<std::uint8_t[]>(new std::uint8_t[TileStore::kTileCells]);
+  const std::uint8_t* from = live.cells.get() + std::size_t(tile_x) * kEdge;
+  for (int row = 0; row < live.rows; ++row) {
+    std::memcpy(cells.get() + std::size_t(row) * kEdge, from + std::size_t(row) * stride(level), kEdge);
+  }
+  std::memset(cells.get() + std::size_t(live.rows) * kEdge, store_.unknown(),
+              std::size_t(kEdge - live.rows) * kEdge);
+  return GridTile{std::shared_ptr<const std::uint8_t>(cells, cells.get()), false, false};
+}
+
+std::size_t GrowingPyramid::bytes() const {
+  return store_.bytes() + band_bytes_.load(std::memory_order_relaxed);
+}
+
+}  // namespace mapwright::grids

@@ -1,0 +1,72 @@
+// A picture file as a stream of rows, whatever its format.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "grids/byte_source.h"
+#include "grids/grid_pyramid.h"
+
+namespace mapwright::grids {
+
+/// What the bytes of a row mean. Indexed: one byte a pixel, looked up in `table`. Else `channels` samples a
+/// pixel (gray, gray+alpha, RGB, RGBA), of 1 byte or of 2 (the high one first).
+struct PixelFormat {
+  struct Colour {
+    std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  };
+  int width = 0, height = 0;
+  bool indexed = false;
+  bool gray = false;       // no colours: one channel
+  bool has_alpha = false;  // a channel, or a transparent colour
+  int channels = 1;
+  int sample_bytes = 1;
+  int sample_max = 255;  // 65535, or maxval of a PGM
+  std::array<Colour, 256> table{};
+  std::optional<std::array<std::uint16_t, 3>> transparent;  // samples that mean alpha 0
+
+  std::size_t pixelBytes() const { return std::size_t(indexed ? 1 : channels * sample_bytes); }
+  std::size_t rowBytes() const { return std::size_t(width) * pixelBytes(); }
+};
+
+/// One thread. The size is within kMaxGridEdge and kMaxGridCells.
+class PictureRows {
+ public:
+  virtual ~PictureRows() = default;
+  virtual const PixelFormat& format() const = 0;
+  /// The next row from the top, format().rowBytes() bytes, valid until the next call. Null: there is no more,
+  /// because of problem() or because all came.
+  virtual const std::uint8_t* next() = 0;
+  /// The first row is next again. False: it cannot be had once more without opening the picture again.
+  virtual bool rewind() { return false; }
+  /// next() that has to read much before its first row gives up when `cancelled` becomes true.
+  virtual void stopWhen(const std::atomic<bool>&) {}
+  /// Called after the last row: what is wrong with the picture though all rows came.
+  virtual void checkEnd() {}
+  /// Half a sentence after "it is 60 x 60 pixels, but ": why rows are missing or not to be trusted; empty =
+  /// nothing.
+  const std::string& problem() const { return problem_; }
+
+ protected:
+  std::string problem_;
+};
+
+/// By signature; reads the header only.
+tl::expected<std::unique_ptr<PictureRows>, GridError> openPicture(ByteSource bytes);
+
+/// nullopt = fine, else a sentence.
+std::optional<GridError> whyNotThisSize(std::uint64_t width, std::uint64_t height);
+
+// The formats. Preconditions: the signature was recognised.
+tl::expected<std::unique_ptr<PictureRows>, GridError> openPng(ByteSource bytes);
+tl::expected<std::unique_ptr<PictureRows>, GridError> openPgm(ByteSource bytes);
+tl::expected<std::unique_ptr<PictureRows>, GridError> openBmp(ByteSource bytes);
+
+}  // namespace mapwright::grids

@@ -1,0 +1,30 @@
+// Room for something big that is written once and read once. One thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace mapwright::grids {
+
+/// Zeros at first. In memory when small; else in a temporary file without a name, whose room on the disk is
+/// taken beforehand so that a full disk is known at once.
+class ScratchBytes {
+ public:
+  static constexpr std::size_t kInMemory = std::size_t(64) << 20;
+  /// nullopt: there is no room.
+  static std::optional<ScratchBytes> take(std::size_t size);
+  ~ScratchBytes();
+  ScratchBytes(ScratchBytes&& other) noexcept;
+  ScratchBytes(const ScratchBytes&) = delete;
+  ScratchBytes& operator=(const ScratchBytes&) = delete;
+  ScratchBytes& operator=(ScratchBytes&&) = delete;
+  std::uint8_t* data() const { return data_; }
+
+ private:
+  ScratchBytes(std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+  std::uint8_t* data_;
+  std::size_t size_;
+};
+
+}  // namespace mapwright::grids

@@ -1,0 +1,54 @@
+#include "map/reason.h"
+
+namespace mapwright::map {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+bool isWordChar(char c) {
+  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c & 0x80);
+}
+
+/// The end of the number that begins at `at`: digits, grouped or with a fraction, and an exponent.
+std::size_t endOfNumber(const std::string& text, std::size_t at) {
+  const auto digitAt = [&](std::size_t i) { return i < text.size() && isDigit(text[i]); };
+  while (digitAt(at) || (at < text.size() && (text[at] == '.' || text[at] == ',') && digitAt(at + 1))) ++at;
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    const std::size_t sign = at + 1 < text.size() && (text[at + 1] == '+' || text[at + 1] == '-') ? 1 : 0;
+    if (digitAt(at + 1 + sign)) {
+      at += 1 + sign;
+      while (digitAt(at)) ++at;
+    }
+  }
+  return at;
+}
+
+}  // namespace
+
+std::string withoutNumbers(const std::string& text) {
+  std::string pattern;
+  pattern.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const bool minus =
+        text[i] == '-' && i + 1 < text.size() && isDigit(text[i + 1]) && (i == 0 || !isWordChar(text[i - 1]));
+    if (!minus && !isDigit(text[i])) {
+      pattern += text[i++];
+      continue;
+    }
+    pattern += '#';
+    i = endOfNumber(text, i + (minus ? 1 : 0));
+  }
+  return pattern;
+}
+
+std::string patternOf(const Reason& reason) {
+  std::string pattern = std::to_string(int(reason.code)) + '/' + std::to_string(int(reason.then));
+  for (const Argument& argument : reason.arguments) {
+    const auto* const text = std::get_if<std::string>(&argument);
+    pattern += '|' + (text ? withoutNumbers(*text) : std::string("#"));
+  }
+  for (const Reason& cause : reason.because) pattern += '(' + patternOf(cause) + ')';
+  return pattern;
+}
+
+}  // namespace mapwright::map

@@ -1,0 +1,41 @@
+// Recognising and unpacking the containers that cells and messages travel in. Pure functions, any thread.
+// Source: submap-textures.md, "`cells`: containers and cell layouts".
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <tl/expected.hpp>
+
+namespace mapwright::packed {
+
+enum class Container : std::uint8_t { Raw, Png, Gzip, Zlib };
+
+/// By signature only: the content may still turn out not to be one.
+Container sniffContainer(std::span<const std::uint8_t> bytes);
+
+/// Bytes on the heap that were never filled with zeros first: unlike a vector's, untouched ones cost no
+/// memory.
+struct ByteBuffer {
+  std::unique_ptr<std::uint8_t[]> data;
+  std::size_t size = 0;
+  std::span<const std::uint8_t> bytes() const { return {data.get(), size}; }
+};
+
+enum class UnpackFailure : std::uint8_t {
+  Corrupt,  // not a whole, valid stream
+  TooLong,  // more bytes than the limit
+};
+
+/// DEFLATE expands a byte to at most 1,032.
+inline constexpr std::size_t kMaxDeflateRatio = 1032;
+
+/// Unpacks a gzip stream (of one or several members) or a zlib stream to at most `limit` bytes; never takes
+/// more memory than that, nor more than `packed` could ever fill. What follows a complete stream is ignored.
+/// Precondition: container is Gzip or Zlib.
+tl::expected<ByteBuffer, UnpackFailure> unpack(Container container, std::span<const std::uint8_t> packed,
+                                               std::size_t limit);
+
+}  // namespace mapwright::packed

@@ -1,0 +1,110 @@
+#include "robot/files/file_address.h"
+
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+namespace mapwright::robot::files {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Address)
+};
+
+auto error(const QString& why) { return tl::make_unexpected(why); }
+
+/// nullopt unless all of `text` is 2 or 3 finite numbers.
+std::optional<geometry::Pose2> originFrom(const QString& text) {
+  const QStringList parts = text.split(QLatin1Char(','));
+  if (parts.size() != 2 && parts.size() != 3) return std::nullopt;
+  double values[3] = {0, 0, 0};
+  for (qsizetype i = 0; i < parts.size(); ++i) {
+    bool ok = false;
+    values[i] = parts[i].trimmed().toDouble(&ok);
+    if (!ok || !std::isfinite(values[i])) return std::nullopt;
+  }
+  return geometry::Pose2{values[0], values[1], values[2]};
+}
+
+std::optional<double> resolutionFrom(const QString& text) {
+  bool ok = false;
+  const double value = text.toDouble(&ok);
+  return ok && std::isfinite(value) && value > 0 ? std::optional(value) : std::nullopt;
+}
+
+/// A sentence about what is wrong with them; empty = nothing.
+QString whyNotOptions(const QUrlQuery& options) {
+  for (const auto& [name, value] : options.queryItems(QUrl::FullyDecoded)) {
+    const bool resolution = name == QLatin1String("resolution");
+    if (!resolution && name != QLatin1String("origin")) {
+      return Words::tr("file: knows resolution and origin after the ?, but not \"%1\".").arg(name);
+    }
+    if (resolution ? !resolutionFrom(value) : !originFrom(value)) {
+      return Words::tr("file: %1 cannot be \"%2\". Write for example ?resolution=0.05&origin=-10,-7.5.")
+          .arg(name, value);
+    }
+  }
+  return {};
+}
+
+/// What follows "file:", as a path.
+QString filePath(const QString& rest) {
+  if (!rest.startsWith(QLatin1String("//"))) return rest;
+  const QString encoded = rest.section(QLatin1Char('?'), 0, 0);
+  QString path = QUrl(QStringLiteral("file:") + encoded).toLocalFile();
+  if (rest.contains(QLatin1Char('?'))) path += QLatin1Char('?') + rest.section(QLatin1Char('?'), 1);
+  return path;
+}
+
+/// A description of a map, and no bare picture.
+bool whatSaysItsPlace(const QString& path) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  return suffix == QLatin1String("yaml") || suffix == QLatin1String("yml");
+}
+
+ParsedAddress parse(const QString& rest) {
+  QString path = filePath(rest), query;
+  // A file may have a ? in its name; where it exists, that is what is meant.
+  if (const auto mark = path.lastIndexOf(QLatin1Char('?')); mark >= 0 && !QFileInfo::exists(path)) {
+    query = path.mid(mark + 1);
+    path.truncate(mark);
+  }
+  if (path.isEmpty()) return error(Words::tr("Give the path of a map, for example file:maps/office.yaml."));
+  if (path.startsWith(QLatin1String("~/"))) path.replace(0, 1, QDir::homePath());
+  Address address;
+  address.options = QUrlQuery(query);
+  if (const QString why = whyNotOptions(address.options); !why.isEmpty()) return error(why);
+  if (!query.isEmpty() && whatSaysItsPlace(path))
+    return error(Words::tr("%1 says itself where its map lies: leave out what follows the ?.")
+                     .arg(QFileInfo(path).fileName()));
+  address.path = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+  address.text = QStringLiteral("file:") + address.path;
+  if (!query.isEmpty()) address.text += QLatin1Char('?') + query;
+  return address;
+}
+
+/// It exists as a path, looks like one, or ends like a map file.
+bool claims(const QString& typed) {
+  if (typed.contains(QLatin1String("://"))) return false;
+  const QString before_query = typed.section(QLatin1Char('?'), 0, 0);
+  return isMapFile(before_query) || QFileInfo::exists(typed) || QFileInfo::exists(before_query) ||
+         typed.startsWith(QLatin1Char('/')) || typed.startsWith(QLatin1String("./")) ||
+         typed.startsWith(QLatin1String("~/"));
+}
+
+}  // namespace
+
+AddressScheme addressScheme() {
+  return {QStringLiteral("file:"), QStringLiteral("file:/maps/office.yaml"), parse, claims};
+}
+
+PicturePlace placeOf(const Address& address) {
+  const auto option = [&](const char* name) {
+    return address.options.queryItemValue(QLatin1String(name), QUrl::FullyDecoded);
+  };
+  return {resolutionFrom(option("resolution")), originFrom(option("origin"))};
+}
+
+}  // namespace mapwright::robot::files

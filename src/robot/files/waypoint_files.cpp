@@ -1,0 +1,119 @@
+#include "robot/files/waypoint_files.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
+
+#include "disk/folder_lock.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
+
+namespace mapwright::robot::files {
+namespace {
+
+std::string revisionOf(const std::string& bytes) {
+  return QCryptographicHash::hash({bytes.data(), qsizetype(bytes.size())}, QCryptographicHash::Sha256)
+      .toHex()
+      .toStdString();
+}
+
+QString folderOf(const QString& path) { return QFileInfo(path).absolutePath(); }
+
+}  // namespace
+
+WaypointFiles::WaypointFiles(FileOptions options) : options_(std::move(options)) {}
+
+Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) const {
+  Place place{key, mapPathOf(options_.path, key), {}};
+  if (place.map.isEmpty())
+    return tl::make_unexpected(failure(place, map::FailureKind::RejectedByRobot, "There is no such map."));
+  // A picture that is described by a map.yaml and that map.yaml are one map.
+  const QStringList described_by = yamlsNaming(place.map);
+  const QString& named = described_by.size() == 1 ? described_by.front() : place.map;
+  place.path = QString::fromStdString(waypointPathOf(named.toStdString()));
+  return place;
+}
+
+map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, std::string detail) const {
+  map::Failure failure{kind, map::placesOf(place.key, QFileInfo(place.map).fileName().toStdString())};
+  failure.detail = std::move(detail);
+  failure.reason = map::FailureReason::Unfit;
+  return failure;
+}
+
+Outcome<WaypointFiles::Content> WaypointFiles::look(const Place& place) const {
+  const std::string path = place.path.toStdString();
+  Content content;
+  const auto unreadable = [&](const std::string& why) {
+    return tl::make_unexpected(failure(place, map::FailureKind::MalformedAnswer,
+                                       path + " cannot be read: " + why + ". It is left as it is."));
+  };
+  if (QFileInfo::exists(place.path) || QFileInfo(place.path).isSymLink()) {
+    auto bytes = disk::readFile(path, kMaxWaypointBytes + 1);
+    if (!bytes) return unreadable(bytes.error());
+    if (bytes->size() > kMaxWaypointBytes) return unreadable("it is larger than 64 MiB");
+    if (bytes->empty()) return unreadable("it is empty");
+    auto waypoints = parseWaypoints(*bytes);
+    if (!waypoints) return unreadable(waypoints.error());
+    content.bytes = std::move(*bytes);
+    content.waypoints = std::move(*waypoints);
+  }
+  content.waypoints.there = !content.bytes.empty();
+  content.waypoints.revision = revisionOf(content.bytes);
+  return content;
+}
+
+Outcome<StoredWaypoints> WaypointFiles::read(const map::MapKey& key) {
+  const auto place = placeOf(key);
+  if (!place) return tl::make_unexpected(place.error());
+  watch(place->path);
+  auto content = look(*place);
+  if (!content) return tl::make_unexpected(content.error());
+  return std::move(content->waypoints);
+}
+
+Outcome<WaypointReceipt> WaypointFiles::write(const map::MapKey& key, const WaypointRequest& request) {
+  const auto place = placeOf(key);
+  if (!place) return tl::make_unexpected(place.error());
+  const disk::FolderLock lock(folderOf(place->path).toStdString());
+  const auto content = look(*place);
+  if (!content) return tl::make_unexpected(content.error());
+  if (content->waypoints.revision != request.revision) {
+    return tl::make_unexpected(failure(*place, map::FailureKind::Conflict,
+                                       place->path.toStdString() + " has changed on disk meanwhile."));
+  }
+  const auto bytes = patchWaypoints(content->bytes, request.changes);
+  if (!bytes) return tl::make_unexpected(failure(*place, map::FailureKind::MalformedAnswer, bytes.error()));
+  if (auto trouble = disk::writeFile(place->path.toStdString(), *bytes))
+    return tl::make_unexpected(failure(*place, map::FailureKind::RejectedByRobot, std::move(*trouble)));
+  watch(place->path);
+  return WaypointReceipt{};
+}
+
+void WaypointFiles::watch(const QString& path) {
+  if (!watcher_) {
+    watcher_ = std::make_unique<QFileSystemWatcher>();
+    settle_ = std::make_unique<QTimer>();
+    settle_->setSingleShot(true);
+    settle_->setInterval(options_.settle);
+    connect(settle_.get(), &QTimer::timeout, this, &WaypointFiles::compare);
+    for (auto signal : {&QFileSystemWatcher::fileChanged, &QFileSystemWatcher::directoryChanged})
+      connect(watcher_.get(), signal, this, [this] { settle_->start(); });
+  }
+  stamps_[path] = stampOf(path);
+  // A file that is replaced by renaming is lost to the watcher; its folder tells.
+  watcher_->addPath(folderOf(path));
+  if (QFileInfo::exists(path)) watcher_->addPath(path);
+}
+
+void WaypointFiles::compare() {
+  bool any = false;
+  for (auto& [path, stamp] : stamps_) {
+    const std::string now = stampOf(path);
+    if (std::exchange(stamp, now) == now) continue;
+    any = true;
+    if (QFileInfo::exists(path)) watcher_->addPath(path);
+  }
+  if (any) Q_EMIT changed();
+}
+
+}  // namespace mapwright::robot::files

@@ -1,0 +1,51 @@
+// The waypoint lists of local maps: reads and writes them, and looks after those that were read. Lives on the
+// thread of MapFiles: shares may be slow.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <QFileSystemWatcher>
+#include <QTimer>
+
+#include "robot/files/map_files.h"
+#include "robot/files/waypoint_file.h"
+
+namespace mapwright::robot::files {
+
+class WaypointFiles : public QObject {
+  Q_OBJECT
+ public:
+  explicit WaypointFiles(FileOptions options);
+
+  Outcome<StoredWaypoints> read(const map::MapKey& key);
+  /// Another revision on disk than the request's is a FailureKind::Conflict.
+  Outcome<WaypointReceipt> write(const map::MapKey& key, const WaypointRequest& request);
+
+ Q_SIGNALS:
+  void changed();  // one that was read, by somebody else
+
+ private:
+  struct Place {
+    map::MapKey key;
+    QString map, path;  // path: of the list
+  };
+  Outcome<Place> placeOf(const map::MapKey& key) const;
+  /// `detail` is a whole sentence.
+  map::Failure failure(const Place& place, map::FailureKind kind, std::string detail) const;
+  struct Content {
+    std::string bytes;  // empty: there is no file
+    StoredWaypoints waypoints;
+  };
+  Outcome<Content> look(const Place& place) const;
+  void watch(const QString& path);
+  void compare();
+
+  FileOptions options_;
+  std::unique_ptr<QFileSystemWatcher> watcher_;
+  std::unique_ptr<QTimer> settle_;
+  std::map<QString, std::string> stamps_;  // of the lists that were read
+};
+
+}  // namespace mapwright::robot::files

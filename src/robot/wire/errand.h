@@ -1,0 +1,37 @@
+// A question while its robot's link works on it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "robot/call.h"
+
+namespace mapwright::robot::wire {
+
+/// What is under way for one question, so that it can be stopped together. Belongs to the thread of the link;
+/// may be made and let go of anywhere.
+class Errand {
+ public:
+  using Told = std::function<void(Progress)>;
+  explicit Errand(Told told = {}) : told_(std::move(told)) {}
+
+  /// Something has been begun that `stop` ends early, from within cancel(). Once cancelled, `stop` is called
+  /// at once. The number is for ended().
+  int begun(std::function<void()> stop);
+  void ended(int number) { under_way_.erase(number); }
+  /// Ends what is under way, and whatever is begun later.
+  void cancel();
+  void tell(Progress progress) const {
+    if (told_) told_(progress);
+  }
+
+ private:
+  Told told_;
+  std::map<int, std::function<void()>> under_way_;
+  int last_ = 0;
+  bool cancelled_ = false;
+};
+using ErrandPtr = std::shared_ptr<Errand>;
+
+}  // namespace mapwright::robot::wire

@@ -1,0 +1,95 @@
+#include "sentences/absence_sentence.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace mapwright::sentences {
+namespace {
+
+using robot::Absence;
+using robot::Capability;
+using Reason = robot::Absence::Reason;
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Absence)
+};
+
+QString argument(const Absence& absence) {
+  return absence.arguments.empty() ? QString() : QString::fromStdString(absence.arguments.front());
+}
+
+/// What there is none of, whatever the reason.
+QString nothing(Capability capability) {
+  switch (capability) {
+    case Capability::Submaps:
+      return Words::tr("There are no submaps here, only whole maps.");
+    case Capability::Catalogue:
+      return Words::tr("This robot does not tell which maps it keeps.");
+    case Capability::WholeMaps:
+      return Words::tr("This robot gives no whole map.");
+    case Capability::Overview:
+      return Words::tr("This robot offers no overview of its map.");
+    case Capability::Waypoints:
+      return Words::tr("This robot lists no waypoints.");
+    case Capability::WaypointEditing:
+      return Words::tr("This robot tells its waypoints, but takes no changes of them.");
+    case Capability::Live:
+      return Words::tr("Nothing live comes from here.");
+    case Capability::Administration:
+      return Words::tr("The maps of this robot cannot be changed from here.");
+  }
+  return {};
+}
+
+}  // namespace
+
+QString whyAbsent(Capability capability, const Absence& absence) {
+  switch (absence.reason) {
+    case Reason::NotOfThisKind:
+      break;
+    case Reason::ReadOnly:
+      return Words::tr("Read only: %1's interface offers no editing.").arg(argument(absence));
+    case Reason::NotYetHere:
+      if (capability == Capability::Live) {
+        return argument(absence).isEmpty()
+                   ? Words::tr("Its live pose: not yet in this version.")
+                   : Words::tr("Its live pose over rosbridge (%1): not yet in this version.")
+                         .arg(argument(absence));
+      }
+      return nothing(capability) + QLatin1Char(' ') + Words::tr("Not yet in this version.");
+    case Reason::FirmwareLacks:
+      return nothing(capability) + QLatin1Char(' ') +
+             Words::tr("Its firmware does not know the question (%1).").arg(argument(absence));
+    case Reason::LocalFiles:
+      if (capability == Capability::Live)
+        return Words::tr("A local map: there is no robot, so nothing moves on it.");
+      if (capability == Capability::Administration)
+        return Words::tr("Local maps are called like their files, and no robot works with them.");
+      break;
+  }
+  return nothing(capability);
+}
+
+QString limitsOf(robot::Robot& robot) {
+  QStringList limits;
+  const auto add = [&](Capability capability) {
+    const Absence absence = robot.whyNot(capability);
+    // Of files nobody expects it.
+    if (capability == Capability::Administration && absence.reason == Reason::LocalFiles) return;
+    const bool telling = absence.reason == Reason::ReadOnly || absence.reason == Reason::NotYetHere ||
+                         absence.reason == Reason::LocalFiles;
+    if (telling) limits << whyAbsent(capability, absence);
+  };
+  if (!robot.mapAdministration()) add(Capability::Administration);
+  if (!robot.liveTopics()) add(Capability::Live);
+  limits.removeDuplicates();
+  return limits.join(QLatin1Char(' '));
+}
+
+map::Reason lackOf(Capability capability, const Absence& absence) {
+  std::vector<map::Argument> arguments{std::int64_t(capability), std::int64_t(absence.reason)};
+  arguments.insert(arguments.end(), absence.arguments.begin(), absence.arguments.end());
+  return {map::ReasonCode::CapabilityLacking, std::move(arguments)};
+}
+
+}  // namespace mapwright::sentences

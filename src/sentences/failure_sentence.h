@@ -1,0 +1,14 @@
+// What people read about a request that failed.
+#pragma once
+
+#include <string>
+
+#include "map/failure.h"
+
+namespace mapwright::sentences {
+
+/// "It cannot be had: the robot answered 404 (not found): No such map." Plain text, without its subject,
+/// which whoever shows it names beside.
+std::string sentenceOf(const map::Failure& failure);
+
+}  // namespace mapwright::sentences

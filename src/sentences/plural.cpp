@@ -1,0 +1,77 @@
+#include "sentences/plural.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include <QCoreApplication>
+#include <QTranslator>
+
+#include "words/figures.h"
+
+namespace mapwright::sentences {
+namespace {
+
+struct Singular {
+  const char* plural;
+  const char* singular;
+};
+
+// tests/house compares it with what is written in the sources.
+constexpr Singular kSingulars[] = {
+    {"%1 alerts", "%1 alert"},
+    {"%1 answers", "%1 answer"},
+    {"%1 cells", "%1 cell"},
+    {"%1 changes", "%1 change"},
+    {"%1 maps", "%1 map"},
+    {"%1 problems", "%1 problem"},
+    {"%1 problems copied", "%1 problem copied"},
+    {"%1 slices", "%1 slice"},
+    {"%1 submaps", "%1 submap"},
+    {"%1 submaps are selected.", "%1 submap is selected."},
+    {"%1 trajectories", "%1 trajectory"},
+    {"%1 waypoints", "%1 waypoint"},
+    {"Loading %1 submaps", "Loading %1 submap"},
+    {"%1 older problems are not kept.", "%1 older problem is not kept."},
+    {"%1 submaps could not be read back from the disk: parts of the picture are empty.",
+     "%1 submap could not be read back from the disk: parts of the picture are empty."},
+    {"%1 rows without an id were left out.", "%1 row without an id was left out."},
+    {"%1 points without a place were left out.", "%1 point without a place was left out."},
+    {"%1 points more disagree with their pixels.", "%1 point more disagrees with its pixels."},
+    {"A message of %1 bytes is not a JSON object. It was left out.",
+     "A message of %1 byte is not a JSON object. It was left out."},
+    {"A binary message of %1 bytes is too short to be read. It was left out.",
+     "A binary message of %1 byte is too short to be read. It was left out."},
+    {"The robot's answer (%1 bytes) is cut off or is not a submap.",
+     "The robot's answer (%1 byte) is cut off or is not a submap."},
+};
+
+class EnglishPlurals : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+  bool isEmpty() const override { return false; }
+  QString translate(const char*, const char* text, const char*, int n) const override {
+    return n == 1 ? singularOf(text) : QString();
+  }
+};
+
+/// Asked last: translations that are installed later come before it.
+void speakEnglish() { QCoreApplication::installTranslator(new EnglishPlurals(QCoreApplication::instance())); }
+Q_COREAPP_STARTUP_FUNCTION(speakEnglish)
+
+}  // namespace
+
+QString counted(const QString& translated, qint64 count) {
+  return translated.arg(QString::fromStdString(words::grouped(count)));
+}
+
+int formOf(qint64 count) { return int(std::min<qint64>(count, std::numeric_limits<int>::max())); }
+
+QString singularOf(const char* plural) {
+  for (const Singular& known : kSingulars) {
+    if (std::strcmp(known.plural, plural) == 0) return QString::fromUtf8(known.singular);
+  }
+  return {};
+}
+
+}  // namespace mapwright::sentences

@@ -1,0 +1,13 @@
+// How people call what a problem is about.
+#pragma once
+
+#include <QString>
+
+#include "map/subject.h"
+
+namespace mapwright::sentences {
+
+/// "Submap 1-593", "Topic /map_v2", "Map 12", "Map \"Hall\"". Plain text.
+QString nameOf(const map::Subject& subject);
+
+}  // namespace mapwright::sentences

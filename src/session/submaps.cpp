@@ -1,0 +1,383 @@
+#include "session/submaps.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QPointer>
+
+namespace mapwright::session {
+namespace {
+
+constexpr int kTouchedEveryMs = 100;
+constexpr std::size_t kLongList = 2'000;  // from here on comparing is felt
+// Bodies that wait to be decoded are held whole: so many at most, or a fast disk would fill the memory.
+constexpr std::size_t kMostDecodes = 64;
+
+std::uint64_t ownerOf(map::SubmapId id) {
+  return (std::uint64_t(std::uint32_t(id.trajectory)) << 32) | std::uint32_t(id.index);
+}
+map::SubmapId idOf(std::uint64_t owner) {
+  return {std::int32_t(std::uint32_t(owner >> 32)), std::int32_t(std::uint32_t(owner))};
+}
+
+}  // namespace
+
+Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& options,
+                 std::function<submap::Millis()> monotonic, QObject* parent)
+    : QObject(parent),
+      source_(std::move(source)),
+      monotonic_(std::move(monotonic)),
+      scheduler_(options.scheduler),
+      share_(work::orOwn(options.workers)) {
+  // Both are told from any thread.
+  cells::TextureStore::Listener listener;
+  listener.lost = [this](std::uint64_t owner) {
+    QMetaObject::invokeMethod(
+        this, [this, owner] { lose(idOf(owner)); }, Qt::QueuedConnection);
+  };
+  listener.no_room = [this](const std::string& why) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, why] {
+          Q_EMIT problemFound({map::Severity::Warning,
+                               map::SubjectKind::SubmapMemory,
+                               {map::ReasonCode::MemoryUsedUp, {why}},
+                               map::ProblemCode::Unavailable});
+        },
+        Qt::QueuedConnection);
+  };
+  textures_ = cells::TextureStore::make(options.textures, std::move(listener));
+  for (QTimer* timer : {&wake_timer_, &touched_timer_}) timer->setSingleShot(true);
+  connect(&wake_timer_, &QTimer::timeout, this, &Submaps::pump);
+  connect(&touched_timer_, &QTimer::timeout, this, &Submaps::tellNow);
+}
+
+Submaps::~Submaps() {
+  share_.drop();
+  share_.waitForDone();
+  textures_->silence();
+}
+
+void Submaps::takeList(const map::SubmapList& list) {
+  if (still_) return;
+  if (!comparing_ && list.entries.size() < kLongList) {
+    takeDifference(submap::compareLists(book_.listedBefore(), list));
+    return;
+  }
+  next_list_ = list;  // one that has not been looked at yet is out of date
+  if (!comparing_) compareNext();
+}
+
+void Submaps::compareNext() {
+  comparing_ = true;
+  auto list = std::make_shared<const map::SubmapList>(std::move(*next_list_));
+  next_list_.reset();
+  // Before what waits to be decoded.
+  share_.start(work::Urgency::InView, [this, list = std::move(list), before = book_.listedBefore()] {
+    auto difference = std::make_shared<const submap::ListDifference>(submap::compareLists(before, *list));
+    QMetaObject::invokeMethod(
+        this,
+        [this, difference] {
+          comparing_ = false;
+          if (!still_) takeDifference(*difference);
+          if (!still_ && next_list_) compareNext();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void Submaps::takeDifference(const submap::ListDifference& difference) {
+  const bool first = !book_.listReceived();
+  const submap::BookChange change = book_.apply(difference);
+  if (change.new_session) {
+    ++generation_;
+    if (robot::SubmapSource* const source = source_(); !first && source) source->cancelAll();
+    scheduler_.setUuid(book_.uuid());
+    tally_.clear();
+    failure_reasons_.clear();
+    decoding_.clear();
+    lost_.clear();
+    asked_again_.clear();
+  }
+  for (const map::SubmapId id : scheduler_.listArrived()) note(id);
+  for (const map::SubmapId id : change.removed) {
+    scheduler_.unwant(id);
+    failure_reasons_.erase(id);
+    tally_.remove(id);
+    touched_.ids.push_back(id);
+  }
+  for (const map::SubmapId id : change.restarted) scheduler_.unwant(id);
+  for (const auto* ids : {&change.listed, &change.restarted}) {
+    for (const map::SubmapId id : *ids) {
+      const submap::SubmapRow* const row = book_.find(id);
+      if (row->pose_usable) scheduler_.want(id, row->entry.version);
+      note(id);
+    }
+  }
+  touched_.all |= change.new_session;
+  if (change.new_session) Q_EMIT restarted();
+  publish(change);
+  if (change.set_changed) {
+    tellNow();  // whoever lists them knows them before anybody counts
+    Q_EMIT listChanged();
+  } else {
+    tellSoon();
+  }
+  Q_EMIT listTaken(change.new_session);
+  pump();
+}
+
+void Submaps::publish(const submap::BookChange& change) {
+  for (const map::Recovery& recovery : change.recoveries) Q_EMIT recovered(recovery);
+  for (const map::Problem& problem : change.problems) Q_EMIT problemFound(problem);
+  if (!change.removed.empty()) Q_EMIT removed(change.removed);
+  if (!change.placed.empty()) Q_EMIT placed(change.placed);
+}
+
+void Submaps::setOnline(bool online) {
+  online_ = online;
+  if (online) pump();
+}
+
+void Submaps::retryNow() {
+  failure_reasons_.clear();
+  for (const map::SubmapId id : scheduler_.retryNow()) note(id);
+  tellSoon();
+  pump();
+}
+
+void Submaps::standStill() {
+  still_ = true;
+  still_bytes_ = qint64(textures_->bytesInMemory());  // those that nobody takes any more come and go
+  ++generation_;                                      // what is being decoded is not taken any more
+  share_.drop();
+  wake_timer_.stop();
+}
+
+void Submaps::pump() {
+  robot::SubmapSource* const source = source_();
+  if (!source || still_ || !online_ || decodes_ >= kMostDecodes) return;
+  for (const map::SubmapKey& key : scheduler_.take(monotonic_())) {
+    note(key.id);
+    tellSoon();
+    source->fetch(key, [self = QPointer<Submaps>(this)](map::SubmapAnswer answer) {
+      if (self) self->takeAnswer(std::move(answer));
+    });
+  }
+  const submap::Millis now = monotonic_();
+  if (const auto due = scheduler_.nextDue(now)) wake_timer_.start(std::max(1, int((*due - now).count())));
+}
+
+void Submaps::takeAnswer(map::SubmapAnswer answer) {
+  using Outcome = map::SubmapAnswer::Outcome;
+  if (still_) return;
+  if (answer.outcome != Outcome::Cancelled) Q_EMIT bodyCame(answer.bytes, answer.from_cache);
+  scheduler_.answered(answer.key, answer.outcome, answer.version, monotonic_());
+  const map::SubmapKey key = answer.key;
+  if (key.uuid == book_.uuid() && book_.find(key.id)) {
+    if (answer.outcome != Outcome::Ok && answer.outcome != Outcome::Cancelled) {
+      failure_reasons_[key.id] = answer.reason;
+      const bool missing = answer.outcome == Outcome::NotFound;
+      Q_EMIT problemFound({missing ? map::Severity::Warning : map::Severity::Error,
+                           map::subjectOf(key.id),
+                           {map::ReasonCode::VersionNotHad,
+                            {std::int64_t(key.version)},
+                            {answer.reason},
+                            missing ? map::Consequence::AskedAgainAtTheNext : map::Consequence::AskedAgain},
+                           map::ProblemCode::Unavailable,
+                           answer.failure});
+    }
+    if (answer.outcome == Outcome::Ok) {
+      failure_reasons_.erase(key.id);
+      Q_EMIT recovered({map::subjectOf(key.id), map::ProblemCode::Unavailable});
+      decode(std::move(answer));
+    }
+    note(key.id);
+  }
+  tellSoon();
+  pump();
+}
+
+void Submaps::decode(map::SubmapAnswer answer) {
+  ++decoding_[answer.key.id];
+  ++decodes_;
+  share_.start(work::Urgency::Wanted, [this, generation = generation_, held = std::move(answer)] {
+    Decoded decoded{generation, held.from_cache, submap::decode(held)};
+    for (const submap::Slice& slice : decoded.submap.slices) {
+      if (slice.texture) textures_->keep(*slice.texture, ownerOf(held.key.id));
+    }
+    const std::lock_guard lock(decoded_mutex_);
+    decoded_.push_back(std::move(decoded));
+    if (decoded_.size() == 1) {
+      QMetaObject::invokeMethod(
+          this, [this] { takeDecoded(); }, Qt::QueuedConnection);
+    }
+  });
+}
+
+void Submaps::takeDecoded() {
+  std::vector<Decoded> batch;
+  {
+    const std::lock_guard lock(decoded_mutex_);
+    batch.swap(decoded_);
+  }
+  decodes_ -= batch.size();
+  submap::BookChange change;
+  for (Decoded& decoded : batch) {
+    if (decoded.generation == generation_) take(std::move(decoded), change);
+  }
+  publish(change);
+  tellSoon();
+  pump();
+}
+
+void Submaps::take(Decoded decoded, submap::BookChange& change) {
+  const map::SubmapId id = decoded.submap.key.id;
+  if (const auto it = decoding_.find(id); it != decoding_.end() && --it->second <= 0) decoding_.erase(it);
+  const bool corrupt = std::any_of(decoded.submap.slices.begin(), decoded.submap.slices.end(),
+                                   [](const submap::Slice& slice) { return slice.corrupt.any(); });
+  if (corrupt) discard(decoded.submap.key, decoded.submap.version, decoded.from_cache);
+  lost_.erase(id);
+  const submap::BookChange one = book_.commit(std::move(decoded.submap));
+  change.placed.insert(change.placed.end(), one.placed.begin(), one.placed.end());
+  change.problems.insert(change.problems.end(), one.problems.begin(), one.problems.end());
+  change.recoveries.insert(change.recoveries.end(), one.recoveries.begin(), one.recoveries.end());
+  note(id);
+}
+
+void Submaps::discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache) {
+  robot::SubmapSource* const source = source_();
+  if (!source) return;
+  source->discard(key, answered_version);
+  // What lay on the disk may be broken where the robot's own answer is whole. That one is asked for once.
+  if (!from_cache) return;
+  const auto [asked, first] = asked_again_.try_emplace(key.id, key.version);
+  if (!first && asked->second == key.version) return;
+  asked->second = key.version;
+  scheduler_.again(key);
+}
+
+void Submaps::lose(map::SubmapId id) {
+  if (still_) {
+    lost_.insert(id);
+    return;
+  }
+  const submap::BookChange change = book_.lose(id);
+  if (change.placed.empty()) return;
+  lost_.insert(id);
+  scheduler_.again({book_.uuid(), id, book_.find(id)->entry.version});
+  note(id);
+  publish(change);
+  tellSoon();
+  pump();
+}
+
+void Submaps::note(map::SubmapId id) {
+  const submap::SubmapRow* const row = book_.find(id);
+  if (!row) return;
+  const geometry::WorldRect bounds = book_.bounds(id, slice_);
+  tally_.set(id, {status(id), row->drawable(slice_), row->visible, bounds});
+  if (!bounds.empty()) scheduler_.place(id, bounds.center(), !row->visible);
+  if (!touched_.all) touched_.ids.push_back(id);
+}
+
+void Submaps::noteAll() {
+  touched_.all = true;
+  for (const auto& [id, row] : book_.rows()) note(id);
+}
+
+void Submaps::tellNow() {
+  touched_timer_.stop();
+  TouchedRows rows = std::exchange(touched_, {});
+  if (rows.all) rows.ids.clear();
+  std::sort(rows.ids.begin(), rows.ids.end());
+  rows.ids.erase(std::unique(rows.ids.begin(), rows.ids.end()), rows.ids.end());
+  Q_EMIT touched(rows);
+}
+
+void Submaps::tellSoon() {
+  if (!touched_timer_.isActive()) touched_timer_.start(kTouchedEveryMs);
+}
+
+SubmapStatus Submaps::status(map::SubmapId id) const {
+  const submap::SubmapRow* row = book_.find(id);
+  if (!row) return SubmapStatus::Queued;
+  if (!row->pose_usable) return SubmapStatus::Unplaced;
+  const submap::FetchState fetch = scheduler_.state(id);
+  if (row->shown_version >= 0) {
+    const bool newer_coming = row->entry.version > row->shown_version &&
+                              (fetch == submap::FetchState::Queued || fetch == submap::FetchState::Fetching ||
+                               decoding_.contains(id));
+    if (newer_coming) return SubmapStatus::Updating;
+    if (fetch == submap::FetchState::Waiting) return SubmapStatus::Waiting;
+    const bool has_slice = std::size_t(slice_) < row->slices.size();
+    if (has_slice && row->slices[std::size_t(slice_)].texture) return SubmapStatus::OnScreen;
+    if (has_slice && row->slices[std::size_t(slice_)].corrupt.any()) return SubmapStatus::Corrupt;
+    return SubmapStatus::NoSlice;
+  }
+  if (decoding_.contains(id)) return SubmapStatus::Fetching;
+  switch (fetch) {
+    case submap::FetchState::Fetching:
+      return SubmapStatus::Fetching;
+    case submap::FetchState::Missing:
+      return SubmapStatus::Missing;
+    case submap::FetchState::Waiting:
+      return SubmapStatus::Waiting;
+    case submap::FetchState::Queued:
+    case submap::FetchState::Idle:
+      break;
+  }
+  return SubmapStatus::Queued;
+}
+
+map::Reason Submaps::reason(map::SubmapId id) const {
+  using map::ReasonCode;
+  const submap::SubmapRow* row = book_.find(id);
+  if (!row) return {};
+  if (row->pose_problem != ReasonCode::None) return {ReasonCode::CannotBePlaced, {}, {row->pose_problem}};
+  if (const auto it = failure_reasons_.find(id); it != failure_reasons_.end()) return it->second;
+  if (auto corrupt = row->corruptSlices(); !corrupt.empty())
+    return {ReasonCode::Slices, {}, std::move(corrupt)};
+  return row->stale_texture ? ReasonCode::OlderVersionListed : ReasonCode::None;
+}
+
+SubmapCounts Submaps::counts() const {
+  SubmapCounts counts = tally_.counts();
+  counts.list_received = book_.listReceived();
+  counts.texture_bytes = still_ ? still_bytes_ : qint64(textureBytes());
+  counts.fetching = scheduler_.underWay();
+  counts.queued = scheduler_.queued();
+  return counts;
+}
+
+bool Submaps::settled(int tries) const {
+  return book_.listReceived() && !comparing_ && decoding_.empty() && scheduler_.settled(tries);
+}
+
+void Submaps::setSlice(int slice) {
+  if (slice == slice_ || slice < 0) return;
+  slice_ = slice;
+  noteAll();
+  Q_EMIT sliceChanged();
+  tellSoon();
+}
+
+void Submaps::setVisible(const std::vector<map::SubmapId>& ids, bool visible) {
+  std::vector<map::SubmapId> changed;
+  for (const map::SubmapId id : ids) {
+    const submap::SubmapRow* row = book_.find(id);
+    if (!row || row->visible == visible) continue;
+    book_.setVisible(id, visible);
+    note(id);
+    changed.push_back(id);
+  }
+  if (changed.empty()) return;
+  Q_EMIT placed(changed);
+  tellSoon();
+}
+
+void Submaps::setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m) {
+  scheduler_.setView(visible_world, center_m);
+}
+
+}  // namespace mapwright::session

@@ -1,0 +1,130 @@
+// The submaps of one robot: listed, fetched, decoded, placed and counted. A service of the session;
+// GUI-thread object. Decoding, and comparing long lists, runs on the crew (architecture, decision 4).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "cells/texture_store.h"
+#include "geometry/rect.h"
+#include "robot/robot.h"
+#include "session/submap_counts.h"
+#include "session/submap_tally.h"
+#include "submap/fetch_scheduler.h"
+#include "submap/submap_book.h"
+#include "work/workers.h"
+
+namespace mapwright::session {
+
+/// Nothing here but restarts, a new choice of slice and what the user does to many submaps at once costs more
+/// the more submaps there are: lists are taken by their differences, counters are kept.
+class Submaps : public QObject {
+  Q_OBJECT
+ public:
+  struct Options {
+    submap::SchedulerOptions scheduler;
+    std::shared_ptr<work::Workers> workers = {};  // null = a crew of its own
+    cells::TextureStore::Options textures = {};
+  };
+  /// `source` gives what to ask for submaps, null while there is none.
+  Submaps(std::function<robot::SubmapSource*()> source, const Options& options,
+          std::function<submap::Millis()> monotonic, QObject* parent = nullptr);
+  ~Submaps() override;
+
+  /// A list came. What it changes shows at once, or, when it is long, as soon as it has been compared.
+  void takeList(const map::SubmapList& list);
+  /// Nothing new is asked for without a live link: the list may be of another session.
+  void setOnline(bool online);
+  void retryNow();
+  /// From now on nothing changes any more. Cannot be undone.
+  void standStill();
+
+  const submap::SubmapBook& book() const { return book_; }
+  /// Without those of the traffic.
+  SubmapCounts counts() const;
+  /// How many pictures were lost by the store, and could not be had again yet or at all.
+  int lost() const { return int(lost_.size()); }
+  std::size_t textureBytes() const { return textures_->bytesInMemory(); }
+  SubmapStatus status(map::SubmapId id) const;
+  map::Reason reason(map::SubmapId id) const;
+  bool settled(int tries) const;
+  geometry::WorldRect contentBounds() const { return tally_.contentBounds(); }
+
+  int slice() const { return slice_; }
+  void setSlice(int slice);
+  void setVisible(const std::vector<map::SubmapId>& ids, bool visible);
+  void setView(const geometry::WorldRect& visible_world, const Eigen::Vector2d& center_m);
+  /// touched() comes soon, though no row may look different.
+  void tellSoon();
+
+ Q_SIGNALS:
+  void restarted();    // a new SLAM session: every picture is gone. Comes first
+  void listChanged();  // submaps were added or removed, or the session is new
+  void placed(const std::vector<mapwright::map::SubmapId>& ids);
+  void removed(const std::vector<mapwright::map::SubmapId>& ids);
+  void listTaken(bool new_session);  // a list has come, and all that it changes is told
+  void sliceChanged();
+  /// At most 10 times a second, and when submaps come or go: then before listChanged().
+  void touched(const mapwright::session::TouchedRows& rows);
+  void problemFound(const mapwright::map::Problem& problem);
+  void recovered(const mapwright::map::Recovery& recovery);
+  void bodyCame(std::size_t body_bytes, bool from_cache);
+
+ private:
+  struct Decoded {
+    quint64 generation = 0;
+    bool from_cache = false;
+    submap::DecodedSubmap submap;
+  };
+  void compareNext();
+  void takeDifference(const submap::ListDifference& difference);
+  void publish(const submap::BookChange& change);
+  void pump();
+  void takeAnswer(map::SubmapAnswer answer);
+  void decode(map::SubmapAnswer answer);
+  void takeDecoded();
+  void take(Decoded decoded, submap::BookChange& change);
+  /// It cannot be decoded.
+  void discard(const map::SubmapKey& key, std::int32_t answered_version, bool from_cache);
+  /// The store lost the picture: it is fetched again.
+  void lose(map::SubmapId id);
+  /// Something about the submap is different: its row, its place in the line, the counters.
+  void note(map::SubmapId id);
+  void noteAll();
+  void tellNow();
+
+  std::function<robot::SubmapSource*()> source_;
+  std::function<submap::Millis()> monotonic_;
+  submap::SubmapBook book_;
+  submap::FetchScheduler scheduler_;
+  SubmapTally tally_;
+  std::unordered_map<map::SubmapId, map::Reason> failure_reasons_;
+  std::unordered_map<map::SubmapId, int> decoding_;
+  std::set<map::SubmapId> lost_;
+  std::unordered_map<map::SubmapId, std::int32_t> asked_again_;  // the version, after it could not be decoded
+  std::size_t decodes_ = 0;                                      // under way
+  std::optional<map::SubmapList> next_list_;                     // waits to be compared
+  bool comparing_ = false;
+  bool online_ = false, still_ = false;
+  qint64 still_bytes_ = 0;  // of textures, when it was told to stand still
+  int slice_ = 0;
+  quint64 generation_ = 0;
+  TouchedRows touched_;
+  QTimer wake_timer_, touched_timer_;
+  std::mutex decoded_mutex_;
+  std::vector<Decoded> decoded_;  // guarded by decoded_mutex_
+  std::shared_ptr<cells::TextureStore> textures_;
+  work::Share share_;  // after all that its jobs refer to
+};
+
+}  // namespace mapwright::session

@@ -1,0 +1,142 @@
+// `maps rename` and `maps load`: what a script sees of a change that was made, was not, or may have been.
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "simulator/simulator.h"
+
+using namespace mapwright;
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QString out, err;
+};
+
+}  // namespace
+
+class MapsChangeTest : public QObject {
+  Q_OBJECT
+  QTemporaryDir folder_;
+
+  Outcome run(const QStringList& arguments) const {
+    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
+      env.remove(QLatin1String(name));
+    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
+    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.filePath(QStringLiteral("config")));
+    QProcess process;
+    process.setProcessEnvironment(env);
+    process.setWorkingDirectory(folder_.path());
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
+    if (!process.waitForFinished(120'000)) return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+  }
+  Outcome run(const simulator::Simulator& robot, const QStringList& words, bool agibot = false) const {
+    const std::string address = agibot ? robot.aimdkAddress() : robot.address();
+    return run(QStringList{QStringLiteral("maps")} + words +
+               QStringList{QStringLiteral("--robot"), QString::fromStdString(address)});
+  }
+  static int changesIn(const simulator::Simulator& robot) {
+    int changes = 0;
+    for (const auto& record : robot.requestLog()) {
+      // Agibot's questions are POSTs, too.
+      changes += record.method == "GET" || record.target.starts_with("/rpc/") ? 0 : 1;
+    }
+    return changes;
+  }
+  static simulator::Options paused(const simulator::Faults& faults = {}) {
+    simulator::Options options;
+    options.paused = true;
+    options.faults = faults;
+    return options;
+  }
+
+ private Q_SLOTS:
+  void aNameIsOneLineOfText() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    for (const char* name : {"", "  ", "two\nlines", "bell\x07", "\x1b[31mred"}) {
+      const Outcome outcome =
+          run(robot, {QStringLiteral("rename"), QStringLiteral("2"), QString::fromUtf8(name)});
+      QVERIFY2(outcome.code == 2 && outcome.err.count(QLatin1Char('\n')) == 1, qPrintable(outcome.err));
+    }
+    QCOMPARE(changesIn(robot), 0);
+  }
+
+  void aMapIsCalledOtherwiseAndWorkedWith() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const QString name = QStringLiteral("Halle \"2\"\u202e 🏭");
+    const Outcome renamed = run(robot, {QStringLiteral("rename"), QStringLiteral("2"), name});
+    QVERIFY2(renamed.code == 0, qPrintable(renamed.err));
+    QCOMPARE(renamed.out, QStringLiteral("2  Halle \"2\" 🏭\n"));
+    const Outcome loaded =
+        run(robot, {QStringLiteral("load"), QStringLiteral("2"), QStringLiteral("--json")});
+    QVERIFY2(loaded.code == 0, qPrintable(loaded.err));
+    const QJsonObject row = QJsonDocument::fromJson(loaded.out.toUtf8()).object();
+    QCOMPARE(row[QLatin1String("id")].toString(), QStringLiteral("2"));
+    QCOMPARE(row[QLatin1String("name")].toString(), name);
+    QVERIFY(row[QLatin1String("current")].toBool());
+    QVERIFY(run(robot, {QStringLiteral("current")}).out.startsWith(QStringLiteral("2 ")));
+    QCOMPARE(changesIn(robot), 2);
+  }
+
+  void aChangeThatFailsSaysWhetherItWasMade_data() {
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* fault, int code, const char* says) {
+      QTest::newRow(fault) << QString::fromLatin1(fault) << code << QString::fromLatin1(says);
+    };
+    row("no such map", 4, "It has not been changed: the robot answered 404 (not found)");
+    row("it stumbles", 4, "Whether it has been changed is not known: the robot answered 50");
+    row("the answer is lost", 3, "Whether it has been changed is not known: the robot closed the connection");
+    row("it takes its time", 3, "Whether it has been changed is not known: it did not answer within 2 s");
+  }
+  void aChangeThatFailsSaysWhetherItWasMade() {
+    QFETCH(QString, fault);
+    QFETCH(int, code);
+    QFETCH(QString, says);
+    simulator::Faults faults;
+    if (fault == QLatin1String("it stumbles")) faults.write_error_rate = 1;
+    if (fault == QLatin1String("the answer is lost")) faults.lose_write_answers = 1;
+    if (fault == QLatin1String("it takes its time")) faults.write_latency_ms = 60'000;
+    simulator::Simulator robot(paused(faults));
+    QVERIFY(!robot.start());
+    QStringList words{QStringLiteral("rename"),
+                      fault == QLatin1String("no such map") ? QStringLiteral("99") : QStringLiteral("2"),
+                      QStringLiteral("Lobby")};
+    if (faults.write_latency_ms > 0) words << QStringLiteral("--timeout") << QStringLiteral("2");
+    const Outcome outcome = run(robot, words);
+    QVERIFY2(outcome.code == code, qPrintable(outcome.err));
+    QVERIFY2(outcome.err.contains(says), qPrintable(outcome.err));
+    QCOMPARE(outcome.err.count(QLatin1Char('\n')), 1);
+    QVERIFY(outcome.out.isEmpty());
+    QCOMPARE(changesIn(robot), 1);
+  }
+
+  void whatCannotBeChangedIsSaidBeforeAnythingIsSent() {
+    simulator::Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const Outcome agibot = run(
+        robot, {QStringLiteral("rename"), QStringLiteral("1764059676131"), QStringLiteral("Lobby")}, true);
+    QCOMPARE(agibot.code, 4);
+    QVERIFY2(agibot.err.contains(QStringLiteral("offers no editing")), qPrintable(agibot.err));
+    for (const char* id : {"mapping:1", "live", ""}) {
+      const Outcome wrong =
+          run(robot, {QStringLiteral("rename"), QString::fromLatin1(id), QStringLiteral("Lobby")});
+      QVERIFY2(wrong.code == 2, qPrintable(wrong.err));
+    }
+    QCOMPARE(run(robot, {QStringLiteral("rename"), QStringLiteral("2"), QString()}).code, 2);
+    QCOMPARE(run(robot, {QStringLiteral("rename"), QStringLiteral("2")}).code, 2);
+    QCOMPARE(run(robot, {QStringLiteral("load")}).code, 2);
+    QCOMPARE(changesIn(robot), 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(MapsChangeTest)
+#include "test_maps_change.moc"

@@ -1,0 +1,132 @@
+// A store of the tests' own: keeps waypoints in memory, one request for each of them like a robot with
+// services, or one for all like a file, and fails as it is told to.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+
+#include <QTimer>
+
+#include "robot/waypoint_store.h"
+
+namespace mapwright::test {
+
+inline map::Waypoint waypoint(const std::string& id, double x, double y, const std::string& name) {
+  map::Waypoint made;
+  made.id = id;
+  made.name = name;
+  made.position_m = {x, y};
+  return made;
+}
+
+class FakeWaypointStore : public robot::WaypointStore {
+  Q_OBJECT
+ public:
+  enum class Way { OneByOne, AllAtOnce };
+  explicit FakeWaypointStore(Way way) : way_(way) {}
+
+  robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::StoredWaypoints> reply) override {
+    ++reads;
+    return later([this, reply] {
+      if (unreadable) {
+        reply(tl::make_unexpected(map::Failure{map::FailureKind::Unreachable}));
+      } else {
+        reply(robot::StoredWaypoints{points, std::to_string(revision), {}, there});
+      }
+    });
+  }
+  std::vector<robot::WaypointRequest> plan(const robot::StoredWaypoints& now,
+                                           const std::vector<robot::WaypointChange>& changes) const override {
+    if (changes.empty()) return {};
+    if (way_ == Way::AllAtOnce) return {{changes, now.revision}};
+    std::vector<robot::WaypointRequest> requests;
+    for (const auto& change : changes) requests.push_back({{change}, now.revision});
+    return requests;
+  }
+  robot::Call perform(const map::MapKey&, const robot::WaypointRequest& request,
+                      robot::OutcomeTo<robot::WaypointReceipt> reply) override {
+    asked.push_back(request);
+    if (before_performing) before_performing();
+    if (hold) {
+      auto state = std::make_shared<robot::Call::State>();
+      // Weak: a state that holds itself would never go.
+      state->cancel = [this, held = std::weak_ptr(state), reply] {
+        QTimer::singleShot(0, this, [held, reply] {
+          if (const auto it = held.lock()) it->over = true;
+          reply(tl::make_unexpected(map::Failure{map::FailureKind::Cancelled, {}, map::Applied::No}));
+        });
+      };
+      return robot::Call(state);
+    }
+    std::optional<map::Failure> failure;
+    if (!failures.empty()) {
+      failure = failures.front();
+      failures.pop_front();
+    }
+    if (way_ == Way::AllAtOnce && request.revision != std::to_string(revision))
+      failure = map::Failure{map::FailureKind::Conflict};
+    // A lost answer: the robot has done it.
+    const bool does = !failure || failure->applied != map::Applied::No;
+    robot::WaypointReceipt receipt;
+    if (does) apply(request, receipt);
+    return later([reply, failure, receipt] {
+      if (failure) {
+        reply(tl::make_unexpected(*failure));
+      } else {
+        reply(receipt);
+      }
+    });
+  }
+  /// Somebody else changes it.
+  void put(const map::Waypoint& point) {
+    remove(point.id);
+    points.push_back(point);
+    ++revision;
+  }
+  void remove(const std::string& id) {
+    std::erase_if(points, [&](const map::Waypoint& one) { return one.id == id; });
+    ++revision;
+  }
+  const map::Waypoint* find(const std::string& name) const {
+    const auto found =
+        std::find_if(points.begin(), points.end(), [&](const auto& one) { return one.name == name; });
+    return found == points.end() ? nullptr : &*found;
+  }
+
+  std::vector<map::Waypoint> points;
+  int revision = 1, reads = 0;
+  bool hold = false, unreadable = false;
+  bool there = true;                  // the list, be it empty
+  std::deque<map::Failure> failures;  // of the next requests
+  std::vector<robot::WaypointRequest> asked;
+  std::function<void()> before_performing;
+
+ private:
+  template <typename Then>
+  robot::Call later(Then then) {
+    auto state = std::make_shared<robot::Call::State>();
+    QTimer::singleShot(0, this, [state, then] {
+      state->over = true;
+      then();
+    });
+    return robot::Call(state);
+  }
+  void apply(const robot::WaypointRequest& request, robot::WaypointReceipt& receipt) {
+    for (const auto& change : request.changes) {
+      remove(change.id);
+      if (!change.after) continue;
+      map::Waypoint made = *change.after;
+      made.id = change.id;
+      if (!change.before && way_ == Way::OneByOne) {
+        made.id = "robot-" + std::to_string(++last_id_);
+        receipt.ids[change.id] = made.id;
+      }
+      put(made);
+    }
+  }
+  Way way_;
+  int last_id_ = 0;
+};
+
+}  // namespace mapwright::test

@@ -1,0 +1,282 @@
+// Documents: undo and redo, gestures, states, and the three-way merge.
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "edit/waypoint_fields.h"
+
+using namespace mapwright;
+using namespace mapwright::edit;
+using map::Waypoint;
+
+namespace {
+
+Waypoint point(const std::string& id, double x = 0, double y = 0, const std::string& name = "P") {
+  Waypoint made;
+  made.id = id;
+  made.name = name;
+  made.position_m = {x, y};
+  return made;
+}
+
+Items<Waypoint> items(std::initializer_list<Waypoint> points) {
+  Items<Waypoint> made;
+  for (const Waypoint& one : points) made.emplace(one.id, one);
+  return made;
+}
+
+Waypoint moved(Waypoint from, double x) {
+  from.position_m.x() = x;
+  return from;
+}
+Waypoint renamed(Waypoint from, const std::string& name) {
+  from.name = name;
+  return from;
+}
+
+struct Desk {
+  Desk() { document.reset(items({point("a"), point("b", 5)})); }
+  void set(const Waypoint& to, Gesture gesture = 0) {
+    document.change({document.to(to.id, to)}, QStringLiteral("change"), gesture);
+  }
+  void remove(const Key& key) { document.change({document.to(key, std::nullopt)}, QStringLiteral("delete")); }
+  const Waypoint& at(const Key& key) const { return *document.find(key); }
+  WaypointDocument document;
+};
+
+}  // namespace
+
+class TestDocument : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void undoAndRedoExchangeValues() {
+    Desk desk;
+    desk.set(moved(point("a"), 3));
+    desk.remove("b");
+    desk.set(point("c", 9));
+    QCOMPARE(desk.document.items().size(), std::size_t(2));
+    for (int i = 0; i < 3; ++i) desk.document.undoStack().undo();
+    QVERIFY(desk.document.items() == items({point("a"), point("b", 5)}));
+    QVERIFY(desk.document.unsaved().empty());
+    for (int i = 0; i < 3; ++i) desk.document.undoStack().redo();
+    QVERIFY(desk.document.items() == items({moved(point("a"), 3), point("c", 9)}));
+    QCOMPARE(desk.document.unsaved(), (std::set<Key>{"a", "b", "c"}));
+  }
+
+  void movesOfOneGestureAreOneCommand() {
+    Desk desk;
+    for (int x = 1; x <= 5; ++x) desk.set(moved(point("a"), x), 7);
+    QCOMPARE(desk.document.undoStack().count(), 1);
+    desk.set(moved(point("a"), 6), 8);
+    QCOMPARE(desk.document.undoStack().count(), 2);
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.at("a").position_m.x(), 5.0);
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.at("a").position_m.x(), 0.0);
+  }
+
+  void aCommandThatEndsWhereItBeganVanishes() {
+    Desk desk;
+    desk.set(moved(point("a"), 1), 7);
+    desk.set(point("a"), 7);
+    QCOMPARE(desk.document.undoStack().count(), 0);
+    desk.set(point("a"));
+    QCOMPARE(desk.document.undoStack().count(), 0);
+    QVERIFY(!desk.document.undoStack().canUndo());
+  }
+
+  void oneSignalTellsWhatChanged() {
+    Desk desk;
+    std::vector<DocumentChange> told;
+    connect(&desk.document, &DocumentEvents::changed, this,
+            [&](const DocumentChange& change) { told.push_back(change); });
+    desk.document.change({desk.document.to("a", moved(point("a"), 3)), desk.document.to("b", std::nullopt),
+                          desk.document.to("c", point("c"))},
+                         QStringLiteral("much"));
+    QCOMPARE(told.size(), std::size_t(1));
+    QCOMPARE(told[0].changed, std::vector<Key>{"a"});
+    QCOMPARE(told[0].removed, std::vector<Key>{"b"});
+    QCOMPARE(told[0].added, std::vector<Key>{"c"});
+    desk.document.reset({});
+    QVERIFY(told.back().everything);
+  }
+
+  void statesTellUnsavedSentAndConfirmed() {
+    Desk desk;
+    desk.set(moved(point("a"), 3));
+    QCOMPARE(desk.document.state("a"), (ItemState{true, false, false}));
+    const auto changes = desk.document.changes();
+    QCOMPARE(changes.size(), std::size_t(1));
+    QVERIFY(same(changes[0].before, std::optional(point("a"))));
+    desk.document.markSent(changes);
+    QCOMPARE(desk.document.state("a"), (ItemState{true, true, false}));
+    desk.document.confirm(changes);
+    QCOMPARE(desk.document.state("a"), ItemState{});
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.document.state("a"), (ItemState{true, false, false}));  // saved is something else now
+  }
+
+  void whatIsEditedWhileItIsSentStaysUnsaved() {
+    Desk desk;
+    desk.set(moved(point("a"), 3));
+    desk.document.markSent(desk.document.changes());
+    desk.set(moved(point("a"), 4));
+    desk.document.endSending();                                        // whether it arrived is not known …
+    desk.document.take(items({moved(point("a"), 3), point("b", 5)}));  // … it did
+    QVERIFY(desk.document.conflicts().empty());
+    QCOMPARE(desk.at("a").position_m.x(), 4.0);
+    QCOMPARE(desk.document.state("a"), (ItemState{true, false, false}));
+  }
+
+  void aCreatedOneWhoseAnswerWasLostIsToldByWhatItIsLike() {
+    Desk desk;
+    desk.set(point("mine", 7, 7, "Dock"));
+    desk.document.markSent(desk.document.changes());
+    desk.document.endSending();
+    desk.document.take(items({point("a"), point("b", 5), point("41", 7, 7, "Dock")}));
+    QCOMPARE(desk.document.items().size(), std::size_t(3));
+    QVERIFY(desk.document.unsaved().empty());
+    QCOMPARE(desk.document.theirName("mine"), Key("41"));
+    desk.remove("mine");
+    desk.document.take(items({point("a"), point("b", 5), point("41", 7, 7, "Dock")}));
+    QCOMPARE(desk.document.items().size(), std::size_t(2));  // not back under its other name
+  }
+
+  void theirChangesComeInWhereIMadeNone() {
+    Desk desk;
+    desk.set(moved(point("a"), 3));
+    desk.document.take(items({point("a"), moved(point("b"), 8), point("c")}));
+    QCOMPARE(desk.at("b").position_m.x(), 8.0);
+    QVERIFY(desk.document.find("c"));
+    QCOMPARE(desk.document.unsaved(), std::set<Key>{"a"});
+    desk.document.take(items({point("a"), point("c")}));
+    QVERIFY(!desk.document.find("b"));
+    QVERIFY(desk.document.conflicts().empty());
+  }
+
+  void myRenameAndTheirMoveGoTogether() {
+    Desk desk;
+    desk.set(renamed(point("a"), "Dock"));
+    desk.document.take(items({moved(point("a"), 8), point("b", 5)}));
+    QVERIFY(desk.document.conflicts().empty());
+    QCOMPARE(desk.at("a").name, std::string("Dock"));
+    QCOMPARE(desk.at("a").position_m.x(), 8.0);
+    QVERIFY(desk.document.state("a").unsaved);
+    // Undoing my rename keeps their move.
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.at("a").name, std::string("P"));
+    QCOMPARE(desk.at("a").position_m.x(), 8.0);
+    QVERIFY(desk.document.unsaved().empty());
+  }
+
+  void conflictsAreValues_data() {
+    QTest::addColumn<bool>("base_there");
+    QTest::addColumn<double>("mine");    // 0 = deleted
+    QTest::addColumn<double>("theirs");  // likewise
+    QTest::addColumn<int>("kind");
+    QTest::newRow("both changed") << true << 3.0 << 4.0 << int(ConflictKind::BothChanged);
+    QTest::newRow("deleted here") << true << 0.0 << 4.0 << int(ConflictKind::DeletedHere);
+    QTest::newRow("deleted there") << true << 3.0 << 0.0 << int(ConflictKind::DeletedThere);
+    QTest::newRow("both added") << false << 3.0 << 4.0 << int(ConflictKind::BothAdded);
+  }
+  void conflictsAreValues() {
+    QFETCH(bool, base_there);
+    QFETCH(double, mine);
+    QFETCH(double, theirs);
+    QFETCH(int, kind);
+    const auto there = [](double x) { return x == 0 ? std::nullopt : std::optional(point("x", x)); };
+    const auto merged =
+        merge(base_there ? std::optional(point("x", 9)) : std::nullopt, there(mine), there(theirs));
+    QVERIFY(merged.conflict);
+    QCOMPARE(int(merged.conflict->kind), kind);
+    QVERIFY(same(decided(*merged.conflict, Side::Mine), there(mine)));
+    QVERIFY(same(decided(*merged.conflict, Side::Theirs), there(theirs)));
+  }
+
+  void bothDoingTheSameIsNoConflict() {
+    const std::optional<Waypoint> base = point("x"), moved_there = point("x", 3), none;
+    QVERIFY(!merge(base, moved_there, moved_there).conflict);
+    QVERIFY(!merge(base, none, none).conflict);
+    QVERIFY(!merge(none, moved_there, moved_there).conflict);
+  }
+
+  void whatDoesNotCollideIsMergedInAConflictToo() {
+    Desk desk;
+    Waypoint mine = renamed(moved(point("a"), 3), "Mine");
+    Waypoint theirs = moved(point("a"), 4);
+    theirs.tags = {"dock"};
+    desk.set(mine);
+    desk.document.take(items({theirs, point("b", 5)}));
+    QCOMPARE(desk.document.conflicts().at("a").fields, waypoint_field::kPosition);
+    QVERIFY(desk.document.state("a").changed_elsewhere);
+    QVERIFY(desk.document.changes().empty());  // nothing is sent before it is decided
+    desk.document.decide("a", Side::Theirs, QStringLiteral("theirs"));
+    QCOMPARE(desk.at("a").position_m.x(), 4.0);
+    QCOMPARE(desk.at("a").name, std::string("Mine"));
+    QCOMPARE(desk.at("a").tags, std::vector<std::string>{"dock"});
+    QCOMPARE(desk.document.state("a"), (ItemState{true, false, false}));
+  }
+
+  void myVersionCanBeKept() {
+    Desk desk;
+    desk.set(moved(point("a"), 3));
+    desk.document.take(items({moved(point("a"), 4), point("b", 5)}));
+    desk.document.decide("a", Side::Mine, QStringLiteral("mine"));
+    QCOMPARE(desk.at("a").position_m.x(), 3.0);
+    const auto changes = desk.document.changes();
+    QCOMPARE(changes.size(), std::size_t(1));
+    QCOMPARE(changes[0].before->position_m.x(), 4.0);  // their version is what mine replaces
+  }
+
+  void takingTheirsCanBeUndone() {
+    Desk desk;
+    desk.set(moved(point("a"), 3));
+    desk.document.take(items({point("b", 5)}));
+    QCOMPARE(int(desk.document.conflicts().at("a").kind), int(ConflictKind::DeletedThere));
+    desk.document.decide("a", Side::Theirs, QStringLiteral("theirs"));
+    QVERIFY(!desk.document.find("a"));
+    QVERIFY(desk.document.unsaved().empty());
+    desk.document.undoStack().undo();
+    QCOMPARE(desk.at("a").position_m.x(), 3.0);
+    QVERIFY(desk.document.state("a").unsaved);
+  }
+
+  void aConflictEndsByHandToo() {
+    Desk desk;
+    desk.set(moved(point("a"), 3));
+    desk.document.take(items({moved(point("a"), 4), point("b", 5)}));
+    desk.set(moved(point("a"), 4));
+    QVERIFY(desk.document.conflicts().empty());
+    QVERIFY(desk.document.unsaved().empty());
+  }
+
+  void whatTheStoreKeepsBesideFollowsTheStore() {
+    Desk desk;
+    desk.set(renamed(point("a"), "Dock"));
+    Waypoint theirs = point("a");
+    theirs.source = "{\"height\": 3}";
+    desk.document.take(items({theirs, point("b", 5)}));
+    QCOMPARE(desk.at("a").source, theirs.source);
+    QCOMPARE(desk.at("a").name, std::string("Dock"));
+  }
+
+  void olderChangesAreMadeAgain() {
+    Desk desk;
+    desk.document.reset(items({moved(point("a"), 8), point("b", 5)}));
+    desk.document.rebase({{"a", point("a"), renamed(point("a"), "Dock")},
+                          {"b", point("b", 4), point("b", 6)},
+                          {"c", std::nullopt, point("c")}},
+                         QStringLiteral("draft"));
+    QCOMPARE(desk.at("a").name, std::string("Dock"));
+    QCOMPARE(desk.at("a").position_m.x(), 8.0);
+    QVERIFY(desk.document.find("c"));
+    QCOMPARE(desk.document.conflicts().size(), std::size_t(1));
+    QCOMPARE(desk.document.conflicts().at("b").theirs->position_m.x(), 5.0);
+    QCOMPARE(desk.document.undoStack().count(), 1);
+    desk.document.undoStack().undo();
+    QVERIFY(desk.document.unsaved().empty());
+    QVERIFY(desk.document.conflicts().empty());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestDocument)
+#include "test_document.moc"

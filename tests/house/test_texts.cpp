@@ -1,0 +1,165 @@
+// What people read can be translated: no sentence of the window and the command line stands outside of tr(),
+// and what is counted has its singular.
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+#include "sentences/plural.h"
+
+using namespace mapwright;
+
+namespace {
+
+// Declared before the texts below, which moc does not read well.
+class TestTexts : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void sentencesOutsideOfTrAreFound();
+  void whatPeopleReadCanBeTranslated();
+  void whatIsCountedHasItsSingular();
+  void oneAndManyReadWell();
+};
+
+/// A text in the sources, its parts joined, with the code right before it.
+struct Literal {
+  QString text, before, after;
+  int line = 0;
+};
+
+/// All but comments, raw texts (JSON, YAML, shaders) and single characters.
+QList<Literal> literalsOf(const QString& source) {
+  static const QRegularExpression token(
+      QStringLiteral(
+          "//[^\\n]*|/\\*.*?\\*/|"
+          "R\"([^(]*)\\(.*?\\)\\1\"|'(?:\\\\[^']+|[^'\\\\\\n])'|\"((?:\\\\.|[^\"\\\\\\n])*)\"|\\w+|\\s+|."),
+      QRegularExpression::DotMatchesEverythingOption);
+  QList<Literal> literals;
+  QString code;
+  bool open = false;
+  int line = 1;
+  for (auto it = token.globalMatch(source); it.hasNext();) {
+    const auto match = it.next();
+    const QString word = match.captured(0);
+    const bool blank = word.trimmed().isEmpty() || word.startsWith(QLatin1String("//")) ||
+                       word.startsWith(QLatin1String("/*"));
+    if (word.startsWith(QLatin1Char('"'))) {
+      if (!open) literals.append({{}, code.right(120), {}, line});
+      literals.last().text += match.captured(2);
+      open = true;
+    } else if (!blank) {
+      if (open) literals.last().after = word;
+      open = false;
+    }
+    code += blank ? QStringLiteral(" ") : word;
+    line += int(word.count(QLatin1Char('\n')));
+  }
+  return literals;
+}
+
+/// Several words that begin large or end with a full stop.
+bool isSentence(const QString& text) {
+  static const QRegularExpression words(QStringLiteral("[a-z]{2,},? [a-z]")),
+      begins(QStringLiteral("^[A-Z][a-z]")), ends(QStringLiteral("[a-z)]\\.$")),
+      places(QStringLiteral("%[0-9n]"));
+  QString plain = text;
+  plain.replace(places, QStringLiteral("x"));
+  plain = plain.trimmed();
+  return plain.contains(words) && (plain.contains(begins) || plain.contains(ends));
+}
+
+bool isTranslated(const Literal& literal) {
+  static const QRegularExpression call(QStringLiteral(
+      "(\\b(tr|QT_TR_NOOP)\\s*\\(|\\b(translate|QT_TRANSLATE_NOOP)\\s*\\(\\s*\"[^\"]*\"\\s*,)\\s*$"));
+  return literal.before.contains(call);
+}
+
+template <typename See>
+void eachLiteral(const QStringList& tops, See see) {
+  const QDir sources(QStringLiteral(MAPWRIGHT_SOURCES));
+  for (const QString& top : tops) {
+    QDirIterator it(sources.filePath(top), {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                    QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+      const QString path = it.next();
+      if (path.contains(QLatin1String("/app/bench/"))) continue;  // a program for those who build it
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      for (const Literal& literal : literalsOf(QString::fromUtf8(file.readAll())))
+        see(QStringLiteral("%1:%2").arg(sources.relativeFilePath(path)).arg(literal.line), literal);
+    }
+  }
+}
+
+void TestTexts::sentencesOutsideOfTrAreFound() {
+  const auto wrong = [](const char* code) {
+    QStringList found;
+    for (const Literal& literal : literalsOf(QString::fromUtf8(code))) {
+      if (isSentence(literal.text) && !isTranslated(literal)) found << literal.text;
+    }
+    return found.join(QLatin1Char('|'));
+  };
+  QCOMPARE(wrong("fail(QStringLiteral(\"The map is \" /* of */ \"gone.\"), 10'000);"),
+           QStringLiteral("The map is gone."));
+  QCOMPARE(wrong("say(\"it is %1.\");"), QStringLiteral("it is %1."));
+  QCOMPARE(wrong("say(tr(\"The map is gone.\"), Words::tr(\"It is \"\n"
+                 "      \"back.\"), QCoreApplication::translate(\"window\", \"It is here.\"), '\"'); // "
+                 "\"Not a text.\""),
+           QString());
+  QCOMPARE(wrong("setObjectName(\"compareBar\"); json[\"cell_area_m2\"]; option(\"--no-binary\");"),
+           QString());
+}
+
+void TestTexts::whatPeopleReadCanBeTranslated() {
+  const QSet<QString> allowed{
+      QStringLiteral("Ground floor, east"),  // how wide a name may be
+  };
+  int translated = 0;
+  QStringList wrong;
+  eachLiteral({QStringLiteral("ui"), QStringLiteral("app"), QStringLiteral("src/sentences"),
+               QStringLiteral("src/session"), QStringLiteral("src/submap"), QStringLiteral("src/robot/wire"),
+               QStringLiteral("src/robot/axbot"), QStringLiteral("src/robot/aimdk")},
+              [&](const QString& where, const Literal& literal) {
+                if (!isSentence(literal.text) || where.startsWith(QLatin1String("src/sentences/plural.cpp")))
+                  return;
+                if (isTranslated(literal)) {
+                  ++translated;
+                } else if (!allowed.contains(literal.text)) {
+                  wrong << where + QLatin1String(": ") + literal.text;
+                }
+              });
+  QVERIFY(translated > 400);
+  QVERIFY2(wrong.isEmpty(), qPrintable(QLatin1Char('\n') + wrong.join(QLatin1Char('\n'))));
+}
+
+void TestTexts::whatIsCountedHasItsSingular() {
+  QSet<QString> counted;
+  eachLiteral({QStringLiteral("ui"), QStringLiteral("app"), QStringLiteral("src")},
+              [&](const QString&, const Literal& literal) {
+                if (isTranslated(literal) && literal.after == QLatin1String(",")) counted << literal.text;
+              });
+  QVERIFY(counted.size() > 15);
+  for (const QString& text : std::as_const(counted)) {
+    const QString one = sentences::singularOf(text.toUtf8().constData());
+    QVERIFY2(!one.isEmpty() && one != text, qPrintable(text));
+    QVERIFY2(one.contains(QLatin1String("%1")), qPrintable(one));
+  }
+}
+
+void TestTexts::oneAndManyReadWell() {
+  const auto maps = [](qint64 n) {
+    return sentences::counted(QCoreApplication::translate("test", "%1 maps", nullptr, sentences::formOf(n)),
+                              n);
+  };
+  QCOMPARE(maps(0), QStringLiteral("0 maps"));
+  QCOMPARE(maps(1), QStringLiteral("1 map"));
+  QCOMPARE(maps(12'480), QStringLiteral("12,480 maps"));
+  QCOMPARE(maps(5'000'000'000), QStringLiteral("5,000,000,000 maps"));
+}
+
+}  // namespace
+
+QTEST_GUILESS_MAIN(TestTexts)
+#include "test_texts.moc"

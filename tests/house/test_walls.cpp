@@ -1,0 +1,220 @@
+// The walls of the house: what a room cannot include, and that docs/architecture.md tells the same.
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QtTest>
+
+namespace {
+
+struct Room {
+  QString name, folder, prefix;
+  QStringList uses, include_folders;
+};
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QList<Room> roomsOfTheBuild() {
+  QList<Room> rooms;
+  const auto words = [](const QString& text) { return text.split(QLatin1Char(','), Qt::SkipEmptyParts); };
+  for (const QString& line :
+       QString::fromUtf8(contentOf(QStringLiteral(MAPWRIGHT_WALLS))).split(QLatin1Char('\n'))) {
+    const QStringList parts = line.split(QLatin1Char('|'));
+    if (parts.size() == 5) rooms << Room{parts[0], parts[1], parts[2], words(parts[3]), words(parts[4])};
+  }
+  return rooms;
+}
+
+/// The room's own headers, as others would write them.
+QStringList headersOf(const Room& room, const QList<Room>& rooms) {
+  QStringList headers;
+  const QDir folder(QStringLiteral(MAPWRIGHT_SOURCES "/") + room.folder);
+  QDirIterator it(folder.path(), {QStringLiteral("*.h")}, QDir::Files, QDirIterator::Subdirectories);
+  while (it.hasNext()) {
+    const QString inside = folder.relativeFilePath(it.next());
+    const QString path = room.folder + QLatin1Char('/') + inside;
+    const bool of_inner_room = std::any_of(rooms.begin(), rooms.end(), [&](const Room& other) {
+      return other.folder.startsWith(room.folder + QLatin1Char('/')) &&
+             path.startsWith(other.folder + QLatin1Char('/'));
+    });
+    if (!of_inner_room) headers << room.prefix + QLatin1Char('/') + inside;
+  }
+  return headers;
+}
+
+/// What the compiler says to `source` with the include folders of the room.
+struct Compiled {
+  int code = -1;
+  QByteArray out, errors;
+};
+Compiled compile(const Room& room, const QByteArray& source, const QStringList& options) {
+  QStringList arguments{QStringLiteral("-std=c++20"), QStringLiteral("-x"), QStringLiteral("c++")};
+  arguments << options;
+  for (const QString& folder : room.include_folders) arguments << QStringLiteral("-I") + folder;
+  QProcess compiler;
+  // An include in quotes is looked for beside the source first, and this source is wherever the compiler is.
+  compiler.setWorkingDirectory(QFileInfo(QStringLiteral(MAPWRIGHT_WALLS)).absolutePath());
+  compiler.start(QStringLiteral(MAPWRIGHT_COMPILER), arguments << QStringLiteral("-"));
+  compiler.write(source);
+  compiler.closeWriteChannel();
+  if (!compiler.waitForFinished(120'000)) return {};
+  return {compiler.exitCode(), compiler.readAllStandardOutput(), compiler.readAllStandardError()};
+}
+
+QStringList sorted(QStringList words) {
+  words.sort();
+  return words;
+}
+
+class TestWalls : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { QVERIFY(roomsOfTheBuild().size() >= 20); }
+  void aRoomReachesEveryHeaderOfTheRoomsThatItNamesAndNoOther();
+  void aForbiddenIncludeDoesNotCompile();
+  void noFileStepsAroundTheWalls();
+  void noTopicAndNoBackEndIsNamedWhereRobotsAreAlike();
+  void theDocumentTellsTheSameWalls();
+  void noControllerOfTheWindowKnowsAnother();
+};
+
+void TestWalls::aRoomReachesEveryHeaderOfTheRoomsThatItNamesAndNoOther() {
+  const QList<Room> rooms = roomsOfTheBuild();
+  for (const Room& room : rooms) {
+    QByteArray source;
+    for (const Room& other : rooms) {
+      for (const QString& header : headersOf(other, rooms)) {
+        source += "#if __has_include(\"" + header.toUtf8() + "\")\nreaches " + other.name.toUtf8() + ' ' +
+                  header.toUtf8() + "\n#else\nmisses " + other.name.toUtf8() + ' ' + header.toUtf8() +
+                  "\n#endif\n";
+      }
+    }
+    const Compiled compiled = compile(room, source, {QStringLiteral("-E"), QStringLiteral("-P")});
+    QVERIFY2(compiled.code == 0, compiled.errors.constData());
+    for (const QByteArray& line : compiled.out.split('\n')) {
+      const QList<QByteArray> words = line.split(' ');
+      if (words.size() < 3) continue;
+      const QString other = QString::fromUtf8(words[1]);
+      const bool may = other == room.name || room.uses.contains(other);
+      const bool does = words[0] == "reaches";
+      QVERIFY2(may == does,
+               qPrintable(QStringLiteral("%1 %2 %3")
+                              .arg(room.name,
+                                   may ? QStringLiteral("cannot include") : QStringLiteral("may not include"),
+                                   QString::fromUtf8(line))));
+    }
+  }
+}
+
+void TestWalls::aForbiddenIncludeDoesNotCompile() {
+  const QList<Room> rooms = roomsOfTheBuild();
+  const auto named = [&](const char* name) {
+    return *std::find_if(rooms.begin(), rooms.end(),
+                         [&](const Room& room) { return room.name == QLatin1String(name); });
+  };
+  const QStringList check{QStringLiteral("-fsyntax-only")};
+  // Through a neighbour, into a folder inside a neighbour's, and upwards.
+  for (const auto& [room, header] :
+       {std::pair{"axbot", "disk/written_file.h"}, std::pair{"submap", "packed/unpack.h"},
+        std::pair{"map", "robot/axbot/robot_urls.h"}, std::pair{"words", "map/problem.h"}}) {
+    const Compiled refused = compile(named(room), QByteArray("#include \"") + header + "\"\n", check);
+    QVERIFY2(refused.code != 0 && refused.errors.contains("No such file"), header);
+  }
+  const Compiled allowed = compile(named("words"), "#include \"words/figures.h\"\n", check);
+  QVERIFY2(allowed.code == 0, allowed.errors.constData());
+}
+
+void TestWalls::noFileStepsAroundTheWalls() {
+  static const QRegularExpression upwards(QStringLiteral(R"(#\s*include\s*["<][^">]*\.\./)"));
+  for (const char* top : {"src", "ui", "app"}) {
+    QDirIterator it(QStringLiteral(MAPWRIGHT_SOURCES "/") + QLatin1String(top),
+                    {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                    QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+      const QString path = it.next();
+      QVERIFY2(!QString::fromUtf8(contentOf(path)).contains(upwards), qPrintable(path));
+    }
+  }
+}
+
+void TestWalls::noControllerOfTheWindowKnowsAnother() {
+  const QDir window(QStringLiteral(MAPWRIGHT_SOURCES "/ui/window"));
+  static const QRegularExpression kOfOne(
+      QStringLiteral("#include \"window/((\\w+)/\\w+_control(?:ler)?\\.h)\""));
+  QDirIterator it(window.path(), {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                  QDirIterator::Subdirectories);
+  QSet<QString> controllers;
+  while (it.hasNext()) {
+    const QString path = it.next();
+    const QString inside = window.relativeFilePath(path);
+    auto matches = kOfOne.globalMatch(QString::fromUtf8(contentOf(path)));
+    while (matches.hasNext()) {
+      const QRegularExpressionMatch match = matches.next();
+      if (match.captured(2) == QLatin1String("map"))
+        continue;  // CompareControl is no controller of the window
+      controllers << match.captured(1);
+      const bool knows_all = inside == QLatin1String("main_window.cpp");
+      QVERIFY2(knows_all || inside.startsWith(match.captured(2) + QLatin1Char('/')),
+               qPrintable(inside + QStringLiteral(" knows ") + match.captured(1)));
+    }
+  }
+  QVERIFY(controllers.size() >= 12);
+}
+
+void TestWalls::noTopicAndNoBackEndIsNamedWhereRobotsAreAlike() {
+  const QString sources = QStringLiteral(MAPWRIGHT_SOURCES "/");
+  static const QRegularExpression literal(QStringLiteral("\"(/[a-z0-9_/]+)\""));
+  QSet<QString> topics;
+  for (const char* file : {"stream_topics.cpp", "parse_topics.cpp"}) {
+    const QString text =
+        QString::fromUtf8(contentOf(sources + QStringLiteral("src/robot/axbot/") + QLatin1String(file)));
+    for (auto it = literal.globalMatch(text); it.hasNext();) topics << it.next().captured(1);
+  }
+  QVERIFY(topics.contains(QStringLiteral("/map_v2")) && topics.size() > 30);
+  static const QRegularExpression back_end(QStringLiteral("robot(/|::)(axbot|aimdk)\\b|\\bBackend::"));
+  for (const char* top : {"ui", "src/session", "src/sentences", "app"}) {
+    QDirIterator it(sources + QLatin1String(top), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
+                    QDir::Files, QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+      const QString path = it.next();
+      if (path.contains(QLatin1String("/app/bench/"))) continue;  // plays a robot
+      const QString text = QString::fromUtf8(contentOf(path));
+      for (auto found = literal.globalMatch(text); found.hasNext();) {
+        const QString name = found.next().captured(1);
+        QVERIFY2(!topics.contains(name), qPrintable(path + QLatin1String(": ") + name));
+      }
+      // The composition root makes them.
+      if (qstrcmp(top, "app") != 0) QVERIFY2(!text.contains(back_end), qPrintable(path));
+    }
+  }
+}
+
+void TestWalls::theDocumentTellsTheSameWalls() {
+  QMap<QString, QStringList> told;
+  const QByteArray document = contentOf(QStringLiteral(MAPWRIGHT_SOURCES "/docs/architecture.md"));
+  for (const QString& line : QString::fromUtf8(document).split(QLatin1Char('\n'))) {
+    static const QRegularExpression row(QStringLiteral(R"(^\| `([a-z/]+)` \|.*\| ([a-z, -]+) \|$)"));
+    const auto match = row.match(line);
+    if (!match.hasMatch()) continue;
+    QStringList uses;
+    for (const QString& word : match.captured(2).split(QLatin1Char(','))) {
+      if (word.trimmed() != QLatin1String("-")) uses << word.trimmed();
+    }
+    told[match.captured(1)] = uses;
+  }
+  for (const Room& room : roomsOfTheBuild()) {
+    QVERIFY2(told.contains(room.folder), qPrintable(room.folder));
+    QCOMPARE(room.folder + QLatin1Char(' ') + sorted(told[room.folder]).join(QLatin1Char(' ')),
+             room.folder + QLatin1Char(' ') + sorted(room.uses).join(QLatin1Char(' ')));
+  }
+}
+
+}  // namespace
+
+QTEST_APPLESS_MAIN(TestWalls)
+#include "test_walls.moc"

@@ -1,0 +1,157 @@
+// What the program takes of the computer: shown, copied, and chosen for the next start.
+#include <future>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+
+#include "window/help/diagnostics_dialog.h"
+#include "window/help/work_settings.h"
+#include "window/look/plain_label.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::Bench;
+
+class WindowDiagnosticsTest : public QObject {
+  Q_OBJECT
+ private:
+  static DiagnosticsDialog* openDialog(Bench& bench) {
+    bench.action("diagnostics")->trigger();
+    auto* const dialog = bench.window->findChild<DiagnosticsDialog*>();
+    (void)QTest::qWaitForWindowActive(dialog);
+    return dialog;
+  }
+  static QStringList shownIn(const DiagnosticsDialog& dialog) {
+    QStringList texts;
+    for (const PlainLabel* label : dialog.findChildren<PlainLabel*>()) texts << label->text();
+    return texts;
+  }
+
+ private Q_SLOTS:
+  void tellsWhatIsHeldOfWhatIsAllowed() {
+    Bench bench;
+    bench.budgets = work::budgetsFrom(std::size_t(200) << 20);
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(test::kAddress));
+    bench.load();
+    DiagnosticsDialog* const dialog = openDialog(bench);
+    QVERIFY(dialog && dialog->isVisible());
+    const work::Budgets held = window.session()->memory() + window.mapScene()->memory();
+    QVERIFY(held.textures > 0);
+    const QStringList lines = dialog->text().split(QLatin1Char('\n'));
+    QVERIFY(lines.contains(QStringLiteral("Cells of submaps\t%1\t80.0")
+                               .arg(double(held.textures) / double(1 << 20), 0, 'f', 1)));
+    QVERIFY(lines.last().startsWith(QLatin1String("All\t")) &&
+            lines.last().endsWith(QLatin1String("\t200.0")));
+  }
+
+  void followsWhatGoesOn() {
+    Bench bench;
+    bench.workers = std::make_shared<work::Workers>(3);
+    bench.open();
+    DiagnosticsDialog* const dialog = openDialog(bench);
+    const auto crew = [&] { return shownIn(*dialog).mid(5, 3); };
+    QCOMPARE(crew(), QStringList({QStringLiteral("3"), QStringLiteral("0"), QStringLiteral("0")}));
+    std::promise<void> gate;
+    work::Share other(bench.workers);
+    other.startLong([opened = gate.get_future().share()] { opened.wait(); });
+    QTRY_COMPARE(crew(), QStringList({QStringLiteral("3"), QStringLiteral("1"), QStringLiteral("0")}));
+    gate.set_value();
+    QVERIFY(other.waitForDone());
+    QTRY_COMPARE(crew(), QStringList({QStringLiteral("3"), QStringLiteral("0"), QStringLiteral("0")}));
+  }
+
+  void isCopiedAsLinesOfWordsAndFigures() {
+    Bench bench;
+    bench.workers = std::make_shared<work::Workers>(3);
+    bench.open();
+    DiagnosticsDialog* const dialog = openDialog(bench);
+    QTest::mouseClick(dialog->copyButton(), Qt::LeftButton);
+    const QString copied = QGuiApplication::clipboard()->text();
+    QCOMPARE(copied, dialog->text());
+    QVERIFY(copied.startsWith(QLatin1String("Background work\tThreads\tBusy\tWaiting\nJobs\t3\t0\t0\n")));
+  }
+
+  void openedAgainItIsTheSameOne() {
+    Bench bench;
+    bench.open();
+    DiagnosticsDialog* const dialog = openDialog(bench);
+    QCOMPARE(openDialog(bench), dialog);
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!bench.window->findChild<DiagnosticsDialog*>());
+    QVERIFY(openDialog(bench)->isVisible());
+  }
+
+  void whatIsChosenIsKeptForTheNextStart() {
+    Bench bench;
+    bench.open();
+    DiagnosticsDialog* dialog = openDialog(bench);
+    QVERIFY(workSettingsIn(bench.settings).settings == WorkSettings{});
+    const auto type = [](QSpinBox* box, const QString& text) {
+      box->setFocus();
+      box->selectAll();
+      QTest::keyClicks(box, text);
+      QTest::keyClick(box, Qt::Key_Return);
+    };
+    type(dialog->threadsBox(), QStringLiteral("2"));
+    type(dialog->memoryBox(), QStringLiteral("1024"));
+    QCOMPARE(workSettingsIn(bench.settings).settings.threads, 2);
+    QCOMPARE(workSettingsIn(bench.settings).settings.budget_mb, 1024);
+    QCOMPARE(WorkSettings({2, 1024}).budgets().all() >> 20, std::size_t(1023));  // shares are whole bytes
+    delete dialog;
+    dialog = openDialog(bench);
+    QCOMPARE(dialog->threadsBox()->value(), 2);
+    QCOMPARE(dialog->memoryBox()->value(), 1024);
+    dialog->threadsBox()->setValue(dialog->threadsBox()->minimum());
+    dialog->memoryBox()->setValue(dialog->memoryBox()->minimum());
+    QVERIFY(!bench.settings.contains(QStringLiteral("work/threads")));
+    QVERIFY(!bench.settings.contains(QStringLiteral("memory/budget_mb")));
+  }
+
+  void ofNonsenseTheUsualIsTakenAndItIsSaid_data() {
+    QTest::addColumn<QVariant>("threads");
+    QTest::addColumn<QVariant>("budget_mb");
+    QTest::addColumn<int>("sentences");
+    QTest::addColumn<int>("taken_threads");
+    QTest::addColumn<int>("taken_mb");
+    QTest::newRow("nothing") << QVariant() << QVariant() << 0 << 0 << 0;
+    QTest::newRow("zero is the usual") << QVariant(0) << QVariant(0) << 0 << 0 << 0;
+    QTest::newRow("numbers") << QVariant(8) << QVariant(2048.0) << 0 << 8 << 2048;
+    QTest::newRow("the limits") << QVariant(256) << QVariant(128) << 0 << 256 << 128;
+    QTest::newRow("beyond the limits") << QVariant(257) << QVariant(127) << 2 << 0 << 0;
+    QTest::newRow("negative") << QVariant(-1) << QVariant(-640) << 2 << 0 << 0;
+    QTest::newRow("too large") << QVariant(1e30) << QVariant(qlonglong(1) << 40) << 2 << 0 << 0;
+    QTest::newRow("words") << QVariant(QStringLiteral("<b>all\x1b</b>")) << QVariant(1.5) << 2 << 0 << 0;
+  }
+  void ofNonsenseTheUsualIsTakenAndItIsSaid() {
+    QFETCH(QVariant, threads);
+    QFETCH(QVariant, budget_mb);
+    QFETCH(int, sentences);
+    QFETCH(int, taken_threads);
+    QFETCH(int, taken_mb);
+    Bench bench;
+    if (threads.isValid()) bench.settings.setValue(QStringLiteral("work/threads"), threads);
+    if (budget_mb.isValid()) bench.settings.setValue(QStringLiteral("memory/budget_mb"), budget_mb);
+    const KeptWorkSettings kept = workSettingsIn(bench.settings);
+    QCOMPARE(kept.nonsense.size(), sentences);
+    QVERIFY((kept.settings == WorkSettings{taken_threads, taken_mb}));
+    if (sentences == 0) return;
+    QVERIFY(kept.nonsense[0].contains(QLatin1String("work/threads")));
+    QVERIFY(kept.nonsense[0].contains(bench.settings.fileName()));
+    QVERIFY(!kept.nonsense[0].contains(QLatin1Char('\x1b')));
+    bench.open();
+    QStringList said;
+    for (const QLabel* label : openDialog(bench)->findChildren<QLabel*>()) {
+      if (label->textFormat() == Qt::PlainText) said << label->text();
+    }
+    QCOMPARE(said, kept.nonsense);
+  }
+};
+
+QTEST_MAIN(WindowDiagnosticsTest)
+#include "test_window_diagnostics.moc"

@@ -1,0 +1,559 @@
+// Waypoints in the window: on the map by hand, in the list, saved, merged, left.
+#include <QAction>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableView>
+#include <QtTest>
+
+#include "../edit/fake_waypoint_store.h"
+#include "window/action_bars.h"
+#include "window/map/hit_list.h"
+#include "window/map/map_overlay.h"
+#include "window/map/notice_bar.h"
+#include "window/map/toast_stack.h"
+#include "window/waypoints/name_editor.h"
+#include "window/waypoints/waypoint_form.h"
+#include "window/waypoints/waypoint_text.h"
+#include "window/waypoints/waypoint_tool.h"
+#include "window/waypoints/waypoints_controller.h"
+#include "window/waypoints/waypoints_dock.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::FakeWaypointStore;
+using test::waypoint;
+
+namespace {
+
+/// A window on a robot of one map of 4 m x 3 m whose waypoints can be changed; 1 cm a pixel, its middle in
+/// the middle.
+struct Desk : test::Bench {
+  ~Desk() { window.reset(); }  // before what its robot keeps
+  Desk() {
+    store.points = {waypoint("a", 1, 1, "Dock"), waypoint("b", 3, 2, "Kitchen")};
+    prepare = [this](test::FakeRobot& made) {
+      made.has_catalogue = true;
+      made.has_submaps = false;
+      made.maps.entries = {test::catalogued("1", "Ground floor"), test::catalogued("2", "Attic")};
+      made.maps.entries[0].is_current = true;
+      if (writable) made.waypoint_store = &store;
+      if (!told.points.empty()) made.told_waypoints = &told;
+    };
+    edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
+    edit.later = [](std::chrono::milliseconds, const std::function<void()>&) {};
+  }
+  void start() {
+    open();
+    QVERIFY(!window->connectTo(test::kAddress));
+    QTRY_VERIFY(editing().document());
+    look();
+  }
+  void look() {
+    geometry::ViewTransform camera = window->mapScene()->view();
+    camera.center_m = {2, 1.5};
+    camera.scale_m_per_px = 0.01;
+    window->view()->moveTo(camera, false);
+  }
+  WaypointsController& control() { return *window->waypoints(); }
+  WaypointEditing& editing() { return *control().editing(); }
+  WaypointsDock& dock() { return *control().dock(); }
+  const edit::Items<map::Waypoint>& items() { return editing().document()->items(); }
+  QUndoStack& undo() { return editing().document()->undoStack(); }
+  QPoint px(double x, double y) {
+    const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
+    return {qRound(at.x()), qRound(at.y())};
+  }
+  void take() {
+    key(Qt::Key_W);
+    QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
+  }
+  void click(const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseClick(window->view()->viewport(), Qt::LeftButton, modifiers, at);
+  }
+  void moveTo(const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
+    QMouseEvent move(QEvent::MouseMove, at, window->view()->viewport()->mapToGlobal(at), Qt::NoButton,
+                     Qt::LeftButton, modifiers);
+    QApplication::sendEvent(window->view()->viewport(), &move);
+  }
+  void press(const QPoint& at) { QTest::mousePress(window->view()->viewport(), Qt::LeftButton, {}, at); }
+  void release(const QPoint& at) { QTest::mouseRelease(window->view()->viewport(), Qt::LeftButton, {}, at); }
+  void drag(const QPoint& from, const QPoint& to) {
+    press(from);
+    moveTo((from + to) / 2, Qt::AltModifier);
+    moveTo(to, Qt::AltModifier);
+    QTest::mouseRelease(window->view()->viewport(), Qt::LeftButton, Qt::AltModifier, to);
+  }
+  void answer(QMessageBox::StandardButton button) {
+    QTRY_VERIFY(control().question());
+    control().question()->button(button)->click();
+  }
+  void keepAsDraft() {
+    QTRY_VERIFY(control().question());
+    control().question()->findChild<QPushButton*>(QStringLiteral("keepDraft"))->click();
+  }
+  NoticeBar* notice() { return window->overlay()->editNotice(); }
+  bool near(const edit::Key& key, double x, double y) {
+    const map::Waypoint* const point = editing().find(key);
+    return point && (point->position_m - Eigen::Vector2d(x, y)).norm() < 0.011;
+  }
+
+  FakeWaypointStore store{FakeWaypointStore::Way::AllAtOnce};
+  map::WaypointList told;
+  bool writable = true;
+};
+
+}  // namespace
+
+class TestWindowWaypoints : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void showsTheListAndDrawsIt() {
+    Desk desk;
+    desk.start();
+    QCOMPARE(desk.dock().model()->rowCount(), 2);
+    const QImage with = desk.window->mapPicture();
+    desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, false);
+    QVERIFY(desk.window->mapPicture() != with);
+    QVERIFY2(desk.dock().statusShown().contains(QLatin1String("2 waypoints.")),
+             qPrintable(desk.dock().statusShown()));
+  }
+
+  void aClickAddsOneAndOffersItsName() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(2, 2));
+    QCOMPARE(desk.items().size(), std::size_t(3));
+    NameEditor* const editor = desk.control().nameEditor();
+    QVERIFY(editor->isVisible());
+    QCOMPARE(editor->selectedText(), QStringLiteral("Waypoint 1"));
+    QTest::keyClicks(editor, QStringLiteral("Lift w"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QVERIFY(!editor->isVisible());
+    QVERIFY(desk.window->view()->hasFocus());
+    const edit::Key key = *desk.editing().selected().begin();
+    QCOMPARE(desk.editing().find(key)->name, std::string("Lift w"));
+    QVERIFY(desk.near(key, 2, 2));
+    // One hand's work, one step back.
+    QTest::keyClick(desk.window->view(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(desk.items().size(), std::size_t(2));
+    QTest::keyClick(desk.window->view(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(desk.editing().find(key)->name, std::string("Lift w"));
+  }
+
+  void escKeepsTheNameThatWasOffered() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(2, 2));
+    QTest::keyClicks(desk.control().nameEditor(), QStringLiteral("x"));
+    QTest::keyClick(desk.control().nameEditor(), Qt::Key_Escape);
+    QCOMPARE(desk.editing().only()->name, std::string("Waypoint 1"));
+    desk.click(desk.px(2.5, 2.5));
+    QCOMPARE(desk.editing().only()->name, std::string("Waypoint 2"));
+  }
+
+  void aClickSelectsAndADragMoves() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(1, 1));
+    QCOMPARE(desk.items().size(), std::size_t(2));
+    QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"a"});
+    QCOMPARE(desk.dock().table()->selectionModel()->selectedRows().size(), 1);
+    const Eigen::Vector2d center = desk.window->mapScene()->view().center_m;
+    desk.drag(desk.px(1, 1), desk.px(1.5, 2.5));
+    QVERIFY(desk.near("a", 1.5, 2.5));
+    QCOMPARE(desk.undo().count(), 1);
+    QCOMPARE(desk.window->mapScene()->view().center_m, center);  // the map stood still
+    desk.undo().undo();
+    QVERIFY(desk.near("a", 1, 1));
+    desk.drag(desk.px(2, 2.8), desk.px(2.2, 2.8));  // beside them it pans
+    QVERIFY(desk.window->mapScene()->view().center_m != center);
+  }
+
+  void severalMoveTogether() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(1, 1));
+    desk.click(desk.px(3, 2), Qt::ShiftModifier);
+    QCOMPARE(desk.editing().selected().size(), std::size_t(2));
+    desk.drag(desk.px(1, 1), desk.px(1.5, 1));
+    QVERIFY(desk.near("a", 1.5, 1) && desk.near("b", 3.5, 2));
+    QCOMPARE(desk.undo().count(), 1);
+  }
+
+  void aDragIsSeenAndEscCancelsIt() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    const QImage before = desk.window->mapPicture();
+    desk.press(desk.px(1, 1));
+    desk.moveTo(desk.px(1.5, 2.5), Qt::AltModifier);
+    QVERIFY(desk.editing().preview().contains("a"));
+    QVERIFY(desk.window->mapPicture() != before);
+    QVERIFY(desk.near("a", 1, 1));  // not true before the hand lets go
+    QTest::keyClick(desk.window->view(), Qt::Key_Escape);
+    QVERIFY(desk.editing().preview().empty());
+    desk.moveTo(desk.px(2, 2));
+    desk.release(desk.px(2, 2));
+    QVERIFY(desk.near("a", 1, 1));
+    QCOMPARE(desk.undo().count(), 0);
+    QCOMPARE(desk.items().size(), std::size_t(2));
+  }
+
+  void theHandleTurns() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(1, 1));
+    const auto handle = desk.control().tool()->handle();
+    QVERIFY(handle);
+    desk.drag(handle->toPoint(), desk.px(1, 2));
+    QVERIFY(std::abs(*desk.editing().find("a")->yaw_rad - 1.5708) < 0.02);
+    QVERIFY(desk.near("a", 1, 1));
+    QVERIFY2(
+        std::abs(desk.control().tool()->handle()->y() - (desk.px(1, 1).y() - WaypointTool::kHandlePx)) < 2,
+        "up");
+  }
+
+  void keysNudgeRenameAndDelete() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    const double cell = desk.editing().cell();
+    desk.click(desk.px(1, 1));
+    const Eigen::Vector2d center = desk.window->mapScene()->view().center_m;
+    for (int i = 0; i < 3; ++i) desk.key(Qt::Key_Right);
+    desk.key(Qt::Key_Up, Qt::ShiftModifier);
+    QVERIFY((desk.editing().find("a")->position_m - Eigen::Vector2d(1 + 3 * cell, 1 + 10 * cell)).norm() <
+            1e-9);
+    QCOMPARE(desk.undo().count(), 1);
+    QCOMPARE(desk.window->mapScene()->view().center_m, center);
+    desk.key(Qt::Key_F2);
+    QVERIFY(desk.control().nameEditor()->isVisible());
+    QTest::keyClicks(desk.control().nameEditor(), QStringLiteral("Charger"));
+    QTest::keyClick(desk.control().nameEditor(), Qt::Key_Enter);
+    QCOMPARE(desk.editing().find("a")->name, std::string("Charger"));
+    desk.key(Qt::Key_Delete);
+    QVERIFY(!desk.editing().find("a"));
+    QVERIFY(desk.editing().selected().empty());
+    desk.key(Qt::Key_Left);  // with nothing selected the arrows are the map's
+    QVERIFY(desk.window->mapScene()->view().center_m != center);
+    desk.key(Qt::Key_Escape);
+    QVERIFY(desk.window->view()->tool() != desk.control().tool());
+  }
+
+  void spaceIsAHandThatGivesBackTheTool() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    const Eigen::Vector2d center = desk.window->mapScene()->view().center_m;
+    QTest::keyPress(desk.window->view(), Qt::Key_Space);
+    QVERIFY(desk.window->view()->activeTool() != desk.control().tool());
+    desk.click(desk.px(2, 2));
+    desk.drag(desk.px(1, 1), desk.px(1.5, 1));
+    QTest::keyRelease(desk.window->view(), Qt::Key_Space);
+    QCOMPARE(desk.window->view()->activeTool(), static_cast<MapTool*>(desk.control().tool()));
+    QCOMPARE(desk.items().size(), std::size_t(2));
+    QVERIFY(desk.near("a", 1, 1));
+    QVERIFY(desk.window->mapScene()->view().center_m != center);
+  }
+
+  void theFormChangesWhatIsSelected() {
+    Desk desk;
+    desk.start();
+    QVERIFY(!desk.dock().form()->isEnabled());
+    desk.dock().table()->selectRow(0);
+    QVERIFY(desk.dock().form()->isEnabled());
+    QLineEdit* const name = desk.dock().form()->nameEdit();
+    QCOMPARE(name->text(), QStringLiteral("Dock"));
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, QStringLiteral("<b>Bold</b>"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QCOMPARE(desk.editing().find("a")->name, std::string("<b>Bold</b>"));
+    const QModelIndex row = desk.dock().model()->indexOf("a");
+    QCOMPARE(row.data().toString(), QStringLiteral("<b>Bold</b>"));
+    QVERIFY(!row.data(Qt::ToolTipRole).toString().contains(QLatin1String("<b>Bold")));
+    QVERIFY(!row.siblingAtColumn(WaypointsModel::StateColumn).data(Qt::DecorationRole).isNull());
+    QVERIFY(row.siblingAtColumn(WaypointsModel::StateColumn)
+                .data(Qt::AccessibleTextRole)
+                .toString()
+                .contains(QLatin1String("Not saved")));
+  }
+
+  void theFilterFindsNamesAndTags() {
+    Desk desk;
+    desk.store.points[1].tags = {"charger"};
+    desk.start();
+    desk.dock().filterEdit()->setText(QStringLiteral("CHARG"));
+    QCOMPARE(desk.dock().table()->model()->rowCount(), 1);
+    desk.dock().filterEdit()->setText(QStringLiteral("nothing like it"));
+    QVERIFY(!desk.dock().emptyShown().isEmpty());
+  }
+
+  void saveWritesAndTheTitleTells() {
+    Desk desk;
+    desk.start();
+    QVERIFY(!desk.action("save")->isEnabled());
+    const QString title = desk.window->windowTitle();
+    desk.take();
+    desk.drag(desk.px(1, 1), desk.px(1.5, 1));
+    QCOMPARE(desk.window->windowTitle(), QStringLiteral("• ") + title);
+    QVERIFY(desk.action("save")->isEnabled());
+    desk.key(Qt::Key_S, Qt::ControlModifier);
+    QTRY_VERIFY(!desk.control().unsaved());
+    QVERIFY(std::abs(desk.store.find("Dock")->position_m.x() - 1.5) < 0.011);
+    QCOMPARE(desk.window->windowTitle(), title);
+    QTRY_VERIFY(
+        desk.window->overlay()->toasts()->texts().join(QLatin1Char('|')).contains(QLatin1String("saved")));
+    QVERIFY(!desk.action("save")->isEnabled());
+    QVERIFY(desk.action("undo")->isEnabled());  // what is saved can be undone, and saved again
+  }
+
+  void aNameWithAnAmpersandIsWholeInTheMenu() {
+    Desk desk;
+    desk.start();
+    desk.editing().rename("a", QStringLiteral("R&D"));
+    desk.editing().rename("a", QStringLiteral("Lab"));
+    QCOMPARE(desk.action("undo")->text(), QStringLiteral("&Undo rename R&&D"));
+    QCOMPARE(plainActionText(*desk.action("undo")), QStringLiteral("Undo rename R&D"));
+    desk.action("undo")->trigger();
+    QCOMPARE(desk.editing().find("a")->name, std::string("R&D"));
+    QCOMPARE(plainActionText(*desk.action("redo")), QStringLiteral("Redo rename R&D"));
+  }
+
+  void whatCannotBeSavedStaysAndIsSaid() {
+    Desk desk;
+    desk.start();
+    desk.editing().add({2, 2});
+    map::Failure failure{map::FailureKind::RejectedByRobot};
+    failure.detail = "the <disk> is full";
+    failure.reason = map::FailureReason::Unfit;
+    desk.store.failures = {failure};
+    desk.action("save")->trigger();
+    QTRY_VERIFY(desk.dock().statusShown().contains(QLatin1String("The <disk> is full.")));
+    QVERIFY(desk.control().unsaved());
+    desk.action("save")->trigger();
+    QTRY_VERIFY(!desk.control().unsaved());
+  }
+
+  void leavingWithChangesAsks_data() {
+    QTest::addColumn<int>("way");
+    QTest::newRow("close") << 0;
+    QTest::newRow("another map") << 1;
+    QTest::newRow("another robot") << 2;
+    QTest::newRow("disconnect") << 3;
+  }
+  void leavingWithChangesAsks() {
+    QFETCH(int, way);
+    Desk desk;
+    desk.start();
+    desk.editing().add({2, 2});
+    const auto leave = [&] {
+      if (way == 0) desk.window->close();
+      if (way == 1) desk.window->openMap({map::MapKind::Stored, "2"});
+      if (way == 2) (void)desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090"));
+      if (way == 3) desk.action("disconnect")->trigger();
+    };
+    const auto left = [&] {
+      if (way == 0) return !desk.window->isVisible();
+      if (way == 1) return desk.window->session()->wholeMap().key().id == "2";
+      if (way == 2) return desk.window->session()->robot().address().contains(QLatin1String("2.8"));
+      return desk.window->session() == nullptr;
+    };
+    leave();
+    desk.answer(QMessageBox::Cancel);
+    QVERIFY(!left());
+    QVERIFY(desk.control().unsaved());
+    leave();
+    desk.answer(QMessageBox::Save);
+    QTRY_VERIFY(left());
+    QCOMPARE(desk.store.points.size(), std::size_t(3));
+  }
+
+  void discardingLeavesNothingBehind() {
+    Desk desk;
+    desk.start();
+    desk.editing().add({2, 2});
+    desk.window->close();
+    desk.answer(QMessageBox::Discard);
+    QTRY_VERIFY(!desk.window->isVisible());
+    desk.window.reset();
+    QCOMPARE(desk.store.points.size(), std::size_t(2));
+    QVERIFY(QDir(desk.edit.drafts_folder).entryList(QDir::Files).isEmpty());
+  }
+
+  void whatIsKeptAsADraftIsOfferedAgain() {
+    Desk desk;
+    desk.start();
+    desk.editing().add({2, 2});
+    desk.window->close();
+    desk.keepAsDraft();
+    QTRY_VERIFY(!desk.window->isVisible());
+    desk.start();
+    QTRY_VERIFY(desk.notice()->isVisible());
+    QVERIFY2(desk.notice()->sentence().contains(QLatin1String("not saved: 1 change.")),
+             qPrintable(desk.notice()->sentence()));
+    QCOMPARE(desk.items().size(), std::size_t(2));
+    desk.notice()->offerButton()->click();
+    QCOMPARE(desk.items().size(), std::size_t(3));
+    QVERIFY(desk.control().unsaved());
+    QVERIFY(!desk.notice()->isVisible());
+  }
+
+  void aDraftCanBeThrownAway() {
+    Desk desk;
+    desk.start();
+    desk.editing().add({2, 2});
+    desk.window.reset();  // the program ends: what is there is kept
+    desk.start();
+    QTRY_VERIFY(desk.notice()->secondButton()->isVisible());
+    desk.notice()->secondButton()->click();
+    QVERIFY(!desk.notice()->isVisible());
+    QVERIFY(QDir(desk.edit.drafts_folder).entryList({QStringLiteral("*.json")}).isEmpty());
+  }
+
+  void changesFromElsewhereMergeOrAreToBeChosenFrom() {
+    Desk desk;
+    desk.start();
+    desk.editing().select({"a"});
+    desk.editing().moveSelected({0.5, 0});
+    desk.store.put(waypoint("b", 3, 2, "Kitchen renamed"));
+    Q_EMIT desk.store.changed();
+    QTRY_COMPARE(desk.editing().find("b")->name, std::string("Kitchen renamed"));
+    QVERIFY(desk.dock().conflictShown().isEmpty());
+    desk.store.put(waypoint("a", 0.5, 0.5, "Dock"));
+    Q_EMIT desk.store.changed();
+    QTRY_VERIFY(!desk.dock().conflictShown().isEmpty());
+    QVERIFY2(desk.dock().conflictShown().contains(
+                 QLatin1String("Here: position 1.500, 1.000 m. Elsewhere: position 0.500, 0.500 m.")),
+             qPrintable(desk.dock().conflictShown()));
+    QVERIFY(desk.notice()->isVisible());
+    QVERIFY(!desk.dock().saveButton()->isEnabled());
+    desk.dock().theirsButton()->click();
+    QVERIFY(desk.near("a", 0.5, 0.5));
+    QVERIFY(desk.dock().conflictShown().isEmpty() && !desk.notice()->isVisible());
+  }
+
+  void theMenuOfTheMapAddsOneWhereItWasOpened() {
+    Desk desk;
+    desk.start();
+    const auto offered = [&] {
+      auto menu = std::make_unique<QMenu>();
+      window::fillMapMenu(*menu, desk.window->actionList(), {12.5, 3.25});
+      return menu;
+    };
+    const auto menu = offered();
+    const auto actions = menu->actions();
+    const auto add = std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
+      return action->text().contains(QLatin1String("waypoint here"));
+    });
+    QVERIFY(add != actions.end());
+    const std::size_t before = desk.items().size();
+    (*add)->trigger();
+    QCOMPARE(desk.items().size(), before + 1);
+    QVERIFY(desk.editing().only());
+    QCOMPARE(desk.editing().only()->position_m, Eigen::Vector2d(12.5, 3.25));
+    desk.window->leaveRobot();
+    const auto none = offered();
+    for (const QAction* action : none->actions())
+      QVERIFY(!action->text().contains(QLatin1String("waypoint here")));
+  }
+
+  void aRobotThatTakesNoChangesShowsThemReadOnly() {
+    Desk desk;
+    desk.writable = false;
+    desk.told.points = {waypoint("7", 1, 1, "Gate"), waypoint("7", 2, 2, "Second of that id")};
+    desk.start();
+    QTRY_COMPARE(desk.dock().model()->rowCount(), 2);
+    QVERIFY(!desk.editing().editable());
+    QVERIFY(!desk.dock().addButton()->isEnabled());
+    QVERIFY(desk.dock().statusShown().contains(QLatin1String("takes no changes")));
+    desk.take();
+    desk.click(desk.px(2, 0.5));
+    desk.drag(desk.px(1, 1), desk.px(1.5, 1));
+    QVERIFY(desk.near("7", 1, 1));
+    desk.key(Qt::Key_Delete);
+    QCOMPARE(desk.items().size(), std::size_t(2));
+    QVERIFY(!desk.control().unsaved());
+  }
+
+  void aRobotWithoutWaypointsSaysSo() {
+    Desk desk;
+    desk.writable = false;
+    desk.open();
+    QVERIFY(!desk.action("waypointTool")->isEnabled());
+    QVERIFY(!desk.dock().emptyShown().isEmpty());
+    QVERIFY(!desk.window->connectTo(test::kAddress));
+    QTRY_VERIFY(desk.window->session()->wholeMap().cells());
+    QVERIFY(!desk.action("waypointTool")->isEnabled());
+    QVERIFY(desk.dock().emptyShown().contains(QLatin1String("no waypoints")));
+    QVERIFY(desk.action("waypointTool")->toolTip().contains(QLatin1String("no waypoints")));
+  }
+
+  void thousandsAreFoundAtOnce() {
+    Desk desk;
+    desk.store.points.clear();
+    for (int i = 0; i < 10'000; ++i)
+      desk.store.points.push_back(
+          waypoint("p" + std::to_string(i), 10 + i % 100, 10 + i / 100, "P" + std::to_string(i)));
+    desk.start();
+    QCOMPARE(desk.dock().model()->rowCount(), 10'000);
+    desk.window->view()->lookAt({50, 50}, false);
+    desk.take();
+    desk.click(desk.px(50, 50));
+    QCOMPARE(desk.editing().only()->position_m, Eigen::Vector2d(50, 50));
+    desk.key(Qt::Key_Delete);
+    QCOMPARE(desk.dock().model()->rowCount(), 9'999);
+    desk.click(desk.px(50, 50));  // nothing lies there any more
+    QCOMPARE(desk.items().size(), std::size_t(10'000));
+  }
+
+  void handsSnapToThingsAndToTheGrid() {
+    scene::MapScene scene({});
+    geometry::ViewTransform camera = scene.view();
+    camera.scale_m_per_px = 0.01;
+    scene.setView(camera);
+    HitList hits(scene);
+    PointIndex points;
+    hits.add(scene::Layer::Waypoints, &points);
+    points.put("near", {0.05, 0});
+    points.put("nearer", {0.03, 0});
+    points.put("nowhere", {std::nan(""), 0});
+    QCOMPARE(points.size(), std::size_t(2));
+    const auto found = hits.at({0, 0}, 9);
+    QCOMPARE(found.size(), std::size_t(2));
+    QCOMPARE(found[0].key, std::string("nearer"));
+    QVERIFY(std::abs(found[0].distance_px - 3) < 1e-9);
+    const auto none = [](const Hit&) { return false; };
+    QCOMPARE(snap(scene, hits, {0, 0}, {}, 9, none).world_m, Eigen::Vector2d(0.03, 0));
+    QCOMPARE(snap(scene, hits, {0, 0}, {}, 9, [](const Hit& hit) { return hit.key == "nearer"; }).world_m,
+             Eigen::Vector2d(0.05, 0));
+    QCOMPARE(snap(scene, hits, {0.01, 0.02}, Qt::AltModifier, 9, none).world_m, Eigen::Vector2d(0.01, 0.02));
+    const Snapped grid = snap(scene, hits, {0.96, 1.04}, Qt::ControlModifier, 9, none);
+    QVERIFY((grid.world_m - Eigen::Vector2d(1, 1)).norm() < 1e-9);
+    points.put("nearer", {5, 5});
+    QCOMPARE(hits.at({0, 0}, 9).size(), std::size_t(1));
+    scene.setLayerVisible(scene::Layer::Waypoints, false);
+    QVERIFY(hits.at({0, 0}, 9).empty());
+  }
+
+  void wordsAreRight() {
+    QCOMPARE(tagsFrom(QStringLiteral(" a, ,b c,")), (std::vector<std::string>{"a", "b c"}));
+    QCOMPARE(yawText(1.5707963267948966), QStringLiteral("90.0°"));
+    QCOMPARE(yawText({}), QString());
+    QCOMPARE(waypointsText(10'000), QStringLiteral("10,000 waypoints"));
+    map::Waypoint nameless;
+    nameless.id = "17";
+    QCOMPARE(shortWaypointName(nameless), QStringLiteral("17"));
+  }
+};
+
+QTEST_MAIN(TestWindowWaypoints)
+#include "test_window_waypoints.moc"

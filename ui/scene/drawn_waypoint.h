@@ -1,0 +1,36 @@
+// Waypoints as the map shows them while they can be edited.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QPainter>
+
+#include "map/catalogue.h"
+#include "map/waypoint.h"
+
+namespace mapwright::scene {
+
+/// How it stands towards where it is kept: told by shape and colour. Disc, square, framed square, triangle.
+enum class WaypointMark { Saved, Unsaved, Sent, Conflict };
+
+struct DrawnWaypoint {
+  std::string name;
+  Eigen::Vector2d position_m{0, 0};
+  std::optional<double> yaw_rad;
+  WaypointMark mark = WaypointMark::Saved;
+  bool selected = false;
+};
+
+/// The waypoints of one map.
+struct DrawnWaypoints {
+  map::MapKey map;
+  std::vector<DrawnWaypoint> points;
+};
+
+/// The shape of a mark, `radius` pixels around `at`.
+void paintWaypointMark(QPainter& painter, const QPointF& at, double radius, WaypointMark mark,
+                       const QColor& fill, const QColor& edge);
+
+}  // namespace mapwright::scene

@@ -1,0 +1,19 @@
+// Menus and tool bar out of what is registered: nothing here knows a single action.
+#pragma once
+
+#include <Eigen/Core>
+
+class QMenu;
+class QMenuBar;
+class QToolBar;
+
+namespace mapwright::window {
+
+class Actions;
+
+void fillMenuBar(QMenuBar& bar, const Actions& actions);
+void fillToolBar(QToolBar& bar, const Actions& actions);
+/// The menu of the map at a point, world metres.
+void fillMapMenu(QMenu& menu, const Actions& actions, const Eigen::Vector2d& world_m);
+
+}  // namespace mapwright::window

@@ -1,0 +1,266 @@
+#include "window/connection/connection_controller.h"
+
+#include <utility>
+
+#include <QDir>
+
+#include "sentences/absence_sentence.h"
+#include "window/connection/robot_menus.h"
+#include "window/current_session.h"
+#include "window/dialogs/certificate_dialog.h"
+#include "window/dialogs/connect_dialog.h"
+#include "window/dialogs/trusted_certificates.h"
+#include "window/map/empty_state.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/notice_bar.h"
+#include "window/map/toast_stack.h"
+#include "window/notices.h"
+#include "window/on_screen.h"
+#include "window/status/connection_chip.h"
+#include "window/unsaved_changes.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+
+using robot::ConnectionPhase;
+
+ConnectionController::ConnectionController(WindowContext& context, Connect make_robot, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      make_robot_(std::move(make_robot)),
+      recents_(context.settings, context.addresses) {
+  menus_ = new RobotMenus(context_.window, context_.actions, recents_, context_.current, this);
+  connect(menus_, &RobotMenus::addressWanted, this, &ConnectionController::goTo);
+  addActions();
+  wireCard();
+  connect(&context_.current, &CurrentSession::stateChanged, this, &ConnectionController::refresh);
+  context_.actions.placeOnBar({BarGroup::Robot, 10}, [this](QWidget* parent_widget) {
+    chip_ = new ConnectionChip(parent_widget);
+    chip_->setMenu(menus_->makeChipMenu(chip_));
+    return chip_;
+  });
+}
+
+void ConnectionController::addActions() {
+  context_.actions.add({.id = "connect",
+                        .text = tr("&Connect…"),
+                        .icon = "connect",
+                        .keys = {"Ctrl+O"},
+                        .tip = tr("Connect to a robot"),
+                        .menu = {MenuGroup::Places, 10}},
+                       this, &ConnectionController::openDialog);
+  context_.actions.add({.id = "demo",
+                        .text = tr("Try the &demo robot"),
+                        .icon = "demo",
+                        .tip = tr("Connect to a simulated robot inside this program"),
+                        .menu = {MenuGroup::Places, 40}},
+                       this, [this] { goTo(QStringLiteral("demo:")); });
+  retry_ = context_.actions.add({.id = "retry",
+                                 .text = tr("&Retry now"),
+                                 .icon = "retry",
+                                 .keys = {"F5"},
+                                 .tip = tr("Reconnect, and ask again for everything that failed"),
+                                 .menu = {MenuGroup::Link, 10}},
+                                this, &ConnectionController::retry);
+  disconnect_ = context_.actions.add({.id = "disconnect",
+                                      .text = tr("D&isconnect"),
+                                      .icon = "disconnect",
+                                      .tip = tr("Leave this robot"),
+                                      .menu = {MenuGroup::Link, 20}},
+                                     this, &ConnectionController::leave);
+}
+
+void ConnectionController::wireCard() {
+  EmptyStateCard* const card = context_.overlay.card();
+  const auto on = [this, card](auto signal, auto what) { connect(card, signal, this, what); };
+  on(&EmptyStateCard::connectWanted, &ConnectionController::openDialog);
+  on(&EmptyStateCard::secretWanted, &ConnectionController::enterSecret);
+  on(&EmptyStateCard::demoWanted, [this] { goTo(QStringLiteral("demo:")); });
+  on(&EmptyStateCard::retryWanted, &ConnectionController::retry);
+  on(&EmptyStateCard::certificateWanted, &ConnectionController::openCertificate);
+  on(&EmptyStateCard::cancelWanted, &ConnectionController::leave);
+  on(&EmptyStateCard::fileWanted, &ConnectionController::fileWanted);
+}
+
+std::optional<QString> ConnectionController::connectTo(const QString& address, const QByteArray& secret) {
+  auto robot = make_robot_(address, secret);
+  if (!robot) return robot.error();
+  if (!*robot) return tr("This address gives no robot.");
+  // Shared, because what is called later has to be copyable.
+  context_.unsaved.whenMayLeave([this,
+                                 made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)),
+                                 address] { begin(std::move(*made), address); });
+  return std::nullopt;
+}
+
+void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const QString& address) {
+  recents_.add(address, QDateTime::currentDateTime());
+  noteSettings();
+  context_.current.begin(std::move(robot));
+  context_.view.setFocus();
+}
+
+void ConnectionController::leave() {
+  context_.unsaved.whenMayLeave([this] { context_.current.leave(); });
+}
+
+void ConnectionController::goTo(const QString& address) {
+  if (const auto error = connectTo(address)) context_.overlay.toasts()->add(Mark::Bad, *error);
+}
+
+void ConnectionController::startWith(const QString& address) {
+  const auto error = connectTo(address);
+  if (!error) return;
+  context_.notices.set(NoticeRank::Link, {Mark::Bad, QStringLiteral("%1: %2").arg(address, *error),
+                                          tr("Connect…"), [this] { openDialog(); }});
+}
+
+void ConnectionController::retry() {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  const session::MapSlot& slot = session->wholeMap();
+  const bool map_failed = slot.phase() == session::MapSlot::Phase::Failed || slot.broken();
+  session->retryNow();
+  if (map_failed) session->openMap(slot.key());
+}
+
+void ConnectionController::openDialog() {
+  ConnectDialog dialog(
+      recents_,
+      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); },
+      &context_.window);
+  const QString address = context_.current.address();
+  if (!address.isEmpty() && !address.startsWith(QLatin1String("demo"))) dialog.setAddress(address);
+  dialog.exec();
+}
+
+ConnectDialog* ConnectionController::secretDialog() const {
+  return context_.window.findChild<ConnectDialog*>();
+}
+
+void ConnectionController::enterSecret() {
+  const session::Session* const session = context_.current.session();
+  if (!session || secretDialog()) return;
+  auto* const dialog = new ConnectDialog(
+      recents_,
+      [this](const QString& address, const QByteArray& secret) { return connectTo(address, secret); },
+      &context_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+  // Once it is shown, so that the focus stays.
+  dialog->askForSecret(context_.current.address(), session->connection().reason);
+}
+
+void ConnectionController::openCertificate() {
+  const session::Session* const session = context_.current.session();
+  const auto certificate = session ? session->connection().certificate : std::nullopt;
+  if (!certificate || context_.window.findChild<CertificateDialog*>()) return;
+  auto* const dialog = new CertificateDialog(*certificate, &context_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, decided = *certificate] {
+    // The robot may have been left meanwhile, or shows yet another one.
+    session::Session* const present = context_.current.session();
+    if (!present || present->connection().certificate != decided) return;
+    TrustedCertificates(context_.settings).trust(decided.host, decided.sha256);
+    present->robot().trustCertificate(decided.sha256);
+  });
+  dialog->open();
+}
+
+void ConnectionController::setSession(session::Session* session) {
+  last_uuid_.clear();
+  if (!session) return;
+  connect(session, &session::Session::identityChanged, this, &ConnectionController::noteIdentity);
+  connect(session, &session::Session::sessionRestarted, this, &ConnectionController::noteRestart);
+}
+
+void ConnectionController::noteSettings() {
+  QSettings& settings = context_.settings;
+  settings.sync();
+  if (settings.status() == QSettings::NoError || std::exchange(settings_told_, true)) return;
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("The layout and the recent robots cannot be kept: %1 cannot be written. Is the disk full?")
+          .arg(QDir::toNativeSeparators(settings.fileName())));
+}
+
+void ConnectionController::noteIdentity() {
+  const session::Session* const session = context_.current.session();
+  if (!session) return;
+  const robot::RobotIdentity identity = session->robot().identity();
+  const QString name = identity.name.isEmpty() ? identity.serial : identity.name;
+  if (!name.isEmpty()) recents_.setName(context_.current.address(), name);
+}
+
+void ConnectionController::noteRestart() {
+  const session::Session* const session = context_.current.session();
+  if (!session) return;
+  const QString uuid = QString::fromStdString(session->book().uuid());
+  if (uuid == last_uuid_) return;
+  if (!last_uuid_.isEmpty() && !uuid.isEmpty()) {
+    context_.overlay.toasts()->add(Mark::Warning,
+                                   tr("The robot started a new SLAM session. The map of before is gone."));
+  }
+  last_uuid_ = uuid;
+}
+
+void ConnectionController::setSafety(const SafetyText& text) {
+  if (chip_) chip_->setSafety(text);
+}
+
+void ConnectionController::refresh() {
+  const session::Session* const session = context_.current.session();
+  retry_->setEnabled(session != nullptr);
+  disconnect_->setEnabled(session != nullptr);
+  context_.scene.setStale(session && session->staleSince().has_value());
+  if (chip_) refreshChip();
+  refreshNotices();
+}
+
+void ConnectionController::refreshChip() {
+  const session::Session* const session = context_.current.session();
+  if (!session) {
+    chip_->setRobot(tr("No robot"), Mark::Neutral, {}, tr("Connect to a robot"));
+    return;
+  }
+  const robot::RobotIdentity identity = session->robot().identity();
+  const robot::ConnectionState connection = session->connection();
+  QStringList detail{context_.current.address()};
+  if (!identity.model.isEmpty()) detail << tr("Model %1").arg(identity.model);
+  if (!identity.serial.isEmpty()) detail << tr("Serial number %1").arg(identity.serial);
+  if (!identity.version.isEmpty()) detail << tr("Version %1").arg(identity.version);
+  const StateText state = connectionText(connection);
+  detail << state.text;
+  chip_->setRobot(robotCalled(session->robot()), state.mark, connectionWord(connection.phase),
+                  detail.join(QLatin1Char('\n')));
+}
+
+void ConnectionController::refreshNotices() {
+  session::Session* const session = context_.current.session();
+  Notice link, limits;
+  const auto since = session ? session->staleSince() : std::nullopt;
+  if (since && (session->counts().shown > 0 || session->wholeMap().cells())) {
+    const robot::ConnectionState connection = session->connection();
+    const bool refused = connection.phase == ConnectionPhase::Refused;
+    link.mark = refused ? Mark::Bad : Mark::Warning;
+    link.sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
+    if (refused && !connection.reason.isEmpty())
+      link.sentence += QLatin1Char(' ') + words::asSentence(connection.reason);
+    if (wantsSecret(connection)) {
+      link.offer = tr("Enter secret…");
+      link.take = [this] { enterSecret(); };
+    } else if (connection.certificate) {
+      link.offer = tr("Certificate…");
+      link.take = [this] { openCertificate(); };
+    } else {
+      link.offer = tr("Retry now");
+      link.take = [this] { retry(); };
+    }
+  }
+  if (session) limits = {.sentence = sentences::limitsOf(session->robot()), .closable = true};
+  context_.notices.set(NoticeRank::Link, std::move(link));
+  context_.notices.set(NoticeRank::Limits, std::move(limits));
+}
+
+}  // namespace mapwright::window

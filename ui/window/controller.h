@@ -1,0 +1,43 @@
+// A capability of the window: its dock, actions and tools, in a folder of its own. The window makes it and
+// tells it which robot is there; controllers do not know each other. What one wants of another is a signal
+// that the window connects.
+#pragma once
+
+#include <functional>
+
+#include <QObject>
+#include <QSettings>
+
+#include "session/session.h"
+
+namespace mapwright::window {
+
+class Controller : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+  /// Another robot, or none (null). What belonged to the last one must not be touched afterwards. The scene
+  /// shows it already, or still.
+  virtual void setSession(session::Session* /*session*/) {}
+  /// Once, when the window and all controllers are made.
+  virtual void recall(const QSettings& /*settings*/) {}
+  virtual void remember(QSettings& /*settings*/) {}
+  /// Back to how it was at first: "Reset layout".
+  virtual void reset() {}
+  /// Esc that nothing else wanted. True: it was left, and nobody else is asked.
+  virtual bool escape() { return false; }
+
+  /// Something would be lost if the present map were left.
+  virtual bool unsaved() const { return false; }
+  /// Saves it, if there is anything.
+  virtual void save() {}
+  /// The present map is about to be left: calls `then` when it may be, at once where nothing is unsaved; else
+  /// asks first, and never calls it when the user wants to stay.
+  virtual void beforeLeaving(std::function<void()> then) { then(); }
+
+ Q_SIGNALS:
+  void unsavedChanged();
+};
+
+}  // namespace mapwright::window

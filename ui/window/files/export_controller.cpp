@@ -1,0 +1,176 @@
+#include "window/files/export_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <QClipboard>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QPainter>
+#include <QStandardPaths>
+
+#include "robot/address.h"
+#include "scene/write_picture.h"
+#include "window/current_session.h"
+#include "window/dialogs/export_dialog.h"
+#include "window/files/export_map.h"
+#include "window/files/folders.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
+
+namespace mapwright::window {
+
+namespace {
+
+const QString kExportFolderKey = QStringLiteral("export/folder");
+const QString kPictureFolderKey = QStringLiteral("screenshot/folder");
+
+/// Where the pixels of the view lie in the world.
+map::GridReference referenceOf(const geometry::ViewTransform& view, const QSize& pixels) {
+  map::GridReference reference;
+  reference.width = pixels.width();
+  reference.height = pixels.height();
+  reference.resolution_m = view.scale_m_per_px * view.width_px / std::max(1, pixels.width());
+  const Eigen::Vector2d corner = view.worldFromPixel({0, double(view.height_px)});
+  reference.origin = {corner.x(), corner.y(), -view.rotation_rad};
+  return reference;
+}
+
+}  // namespace
+
+ExportController::ExportController(WindowContext& context,
+                                   std::function<QStringList(const QString& picture)> yamls_naming,
+                                   QObject* parent)
+    : Controller(parent), context_(context), yamls_naming_(std::move(yamls_naming)) {
+  export_ = context_.actions.add({.id = "export",
+                                  .text = tr("E&xport…"),
+                                  .icon = "export",
+                                  .keys = {"Ctrl+E"},
+                                  .tip = tr("Write the map on screen into a file"),
+                                  .menu = {MenuGroup::WholeMap, 20},
+                                  .map_menu = {MapMenuGroup::Copies, 30}},
+                                 this, &ExportController::exportMap);
+  context_.actions.add({.id = "screenshotCopy",
+                        .text = tr("Copy pict&ure"),
+                        .icon = "copy",
+                        .keys = {"Ctrl+Shift+C"},
+                        .tip = tr("Copy the map as a picture"),
+                        .menu = {MenuGroup::Copies, 20},
+                        .map_menu = {MapMenuGroup::Copies, 10}},
+                       this, &ExportController::copyPicture);
+  context_.actions.add({.id = "screenshotSave",
+                        .text = tr("&Save picture…"),
+                        .icon = "screenshot",
+                        .keys = {"Ctrl+Shift+S"},
+                        .tip = tr("Save the map as a PNG picture"),
+                        .menu = {MenuGroup::Copies, 30},
+                        .bar = {BarGroup::Places, 20},
+                        .map_menu = {MapMenuGroup::Copies, 20}},
+                       this, &ExportController::askAndSavePicture);
+  connect(&context_.current, &CurrentSession::stateChanged, this,
+          [this] { export_->setEnabled(context_.current.session() != nullptr); });
+}
+
+ExportDialog* ExportController::dialog() const { return dialog_; }
+
+QImage ExportController::mapPicture() const {
+  const double ratio = context_.view.devicePixelRatioF();
+  const QSize size = context_.view.viewport()->size();
+  QImage image(size * ratio, QImage::Format_RGB32);
+  image.setDevicePixelRatio(ratio);
+  image.fill(context_.scene.theme().map.unknown);
+  QPainter painter(&image);
+  painter.setRenderHints(context_.view.renderHints());
+  context_.scene.render(&painter, QRectF(QPointF(0, 0), QSizeF(size)), QRectF(QPointF(0, 0), QSizeF(size)),
+                        Qt::IgnoreAspectRatio);
+  return image;
+}
+
+std::optional<QString> ExportController::saveMapPicture(const QString& path) {
+  if (!firstOwnSource({path}, sourceFiles()).isEmpty()) {
+    return tr("%1 is a file that this map is read from. Choose another name.")
+        .arg(QDir::toNativeSeparators(path));
+  }
+  return scene::writePicture(mapPicture(), path);
+}
+
+void ExportController::copyPicture() {
+  QGuiApplication::clipboard()->setImage(mapPicture());
+  context_.overlay.toasts()->add(Mark::Good, tr("Picture copied"));
+}
+
+void ExportController::askAndSavePicture() {
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  const QDir folder(folderToWriteInto({context_.settings.value(kPictureFolderKey).toString(), pictures}));
+  const QString proposed =
+      folder.filePath(QStringLiteral("mapwright-%1.png")
+                          .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
+  QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the map as a picture"), proposed,
+                                              tr("PNG pictures (*.png)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) path += QLatin1String(".png");
+  context_.settings.setValue(kPictureFolderKey, QFileInfo(path).absolutePath());
+  if (const auto error = saveMapPicture(path)) {
+    context_.overlay.toasts()->add(Mark::Bad, *error);
+  } else {
+    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+  }
+}
+
+std::vector<std::string> ExportController::sourceFiles() const {
+  const session::Session* const session = context_.current.session();
+  if (!session) return {};
+  const session::MapSlot& slot = session->wholeMap();
+  const auto address = context_.addresses.parse(session->robot().address());
+  std::vector<std::string> files;
+  if (address) files = robot::localFiles(*address, slot.key().id, slot.shown().path);
+  if (files.empty() || slot.shown().path.empty() || !yamls_naming_) return files;
+  for (const QString& yaml : yamls_naming_(QString::fromStdString(slot.shown().path)))
+    files.push_back(yaml.toStdString());
+  return files;
+}
+
+void ExportController::exportMap() {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  const session::MapSlot& slot = session->wholeMap();
+  ExportOffer offer;
+  offer.submaps = context_.scene.placedTextures();
+  double finest = std::numeric_limits<double>::infinity();
+  for (const render::PlacedTexture& placed : offer.submaps) {
+    if (placed.texture->resolutionM() > 0) finest = std::min(finest, placed.texture->resolutionM());
+  }
+  if (std::isfinite(finest)) offer.submap_resolution_m = finest;
+  if (slot.cells() && slot.cells()->complete() && slot.settled()) {
+    offer.whole = WholeMapExport{slot.cells(), slot.reference()};
+  } else {
+    offer.why_not_whole = slot.cells() ? tr("The map is still being read.")
+                                       : tr("No whole map is open, and no submaps are there.");
+  }
+  offer.prefers_submaps = !offer.whole || !context_.scene.layerVisible(scene::Layer::WholeMap);
+  offer.name = slot.cells() && !offer.prefers_submaps ? mapCalled(slot.name(), slot.key())
+                                                      : session->robot().identity().name;
+  if (offer.name.trimmed().isEmpty()) offer.name = QStringLiteral("map");
+  offer.view = [this] {
+    const QImage picture = mapPicture();
+    return ViewExport{picture, referenceOf(context_.scene.view(), picture.size())};
+  };
+  offer.sources = sourceFiles();
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  offer.folder = folderToWriteInto({context_.settings.value(kExportFolderKey).toString(), documents});
+  delete dialog_;
+  dialog_ = new ExportDialog(std::move(offer), context_.workers, &context_.window);
+  dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog_, &ExportDialog::exported, this, [this](const QString& path) {
+    context_.settings.setValue(kExportFolderKey, QFileInfo(path).absolutePath());
+    context_.overlay.toasts()->add(Mark::Good, tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+  });
+  dialog_->open();
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,78 @@
+#include "window/files/files_controller.h"
+
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+
+#include "window/files/folders.h"
+#include "window/files/map_files.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
+
+namespace mapwright::window {
+
+FilesController::FilesController(WindowContext& context, PicturePlacing& placing, QObject* parent)
+    : Controller(parent), context_(context), placing_(placing) {
+  context_.actions.add({.id = "openFile",
+                        .text = tr("&Open map file…"),
+                        .icon = "open",
+                        .keys = {"Ctrl+Shift+O"},
+                        .tip = tr("Open a map.yaml or a picture of a map from this computer"),
+                        .menu = {MenuGroup::Places, 20}},
+                       this, &FilesController::choose);
+  // What is dropped on the map is dropped on the window.
+  context_.window.setAcceptDrops(true);
+  context_.view.setAcceptDrops(false);
+  context_.view.viewport()->setAcceptDrops(false);
+  context_.window.installEventFilter(this);
+}
+
+void FilesController::choose() {
+  const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Open a map file"),
+                                                    lastMapFolder(context_.settings), mapFileFilter());
+  if (path.isEmpty()) return;
+  rememberMapFolder(context_.settings, QFileInfo(path).absolutePath());
+  open(path);
+}
+
+void FilesController::open(const QString& path) {
+  const QFileInfo info(path);
+  const auto refuse = [this](const QString& sentence) {
+    context_.overlay.toasts()->add(Mark::Bad, sentence);
+  };
+  if (!info.exists()) {
+    refuse(tr("%1 is not there.").arg(QDir::toNativeSeparators(path)));
+  } else if (info.isDir() || isMapYaml(path)) {
+    Q_EMIT addressWanted(fileAddress(path));
+  } else if (isBarePicture(path)) {
+    placing_.place(path, tr("Open"), [this](const QString& address) { Q_EMIT addressWanted(address); });
+  } else {
+    refuse(tr("%1 is no map: a map.yaml or a picture (PNG, PGM, BMP) is needed.")
+               .arg(info.fileName().left(120)));
+  }
+}
+
+bool FilesController::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != &context_.window) return Controller::eventFilter(watched, event);
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::Drop) {
+    auto* const drop = static_cast<QDropEvent*>(event);  // a QDragEnterEvent is one too
+    const QString path = droppedMap(drop->mimeData()->urls());
+    const bool enters = event->type() == QEvent::DragEnter;
+    if (!enters) context_.overlay.setHint(context_.view.tool()->hint());
+    event->setAccepted(false);
+    if (path.isEmpty()) return true;
+    drop->acceptProposedAction();
+    enters ? context_.overlay.setHint(tr("Drop to open this map")) : open(path);
+    return true;
+  }
+  if (event->type() == QEvent::DragLeave) {
+    context_.overlay.setHint(context_.view.tool()->hint());
+    return true;
+  }
+  return Controller::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window

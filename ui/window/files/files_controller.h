@@ -1,0 +1,30 @@
+// Map files of this computer: chosen, dropped on the window.
+#pragma once
+
+#include "window/controller.h"
+#include "window/files/picture_placing.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class FilesController : public Controller {
+  Q_OBJECT
+ public:
+  FilesController(WindowContext& context, PicturePlacing& placing, QObject* parent = nullptr);
+
+  void choose();
+  /// A map.yaml, a picture (asks how it lies) or a folder. What cannot be opened becomes a toast.
+  void open(const QString& path);
+
+ Q_SIGNALS:
+  void addressWanted(const QString& address);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  WindowContext& context_;
+  PicturePlacing& placing_;
+};
+
+}  // namespace mapwright::window

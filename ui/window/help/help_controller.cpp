@@ -1,0 +1,74 @@
+#include "window/help/help_controller.h"
+
+#include <QDialog>
+
+#include "window/clipboard.h"
+#include "window/current_session.h"
+#include "window/dialogs/command_palette.h"
+#include "window/dialogs/shortcut_sheet.h"
+#include "window/help/diagnostics_dialog.h"
+
+namespace mapwright::window {
+
+HelpController::HelpController(WindowContext& context, QObject* parent)
+    : Controller(parent), context_(context) {
+  QWidget* const window = &context.window;
+  Actions& actions = context.actions;
+  actions.add({.id = "palette",
+               .text = tr("&Commands…"),
+               .icon = "palette",
+               .keys = {"Ctrl+K"},
+               .tip = tr("Find any command by its name"),
+               .menu = {MenuGroup::Finding, 10},
+               .bar = {BarGroup::FarEnd, 10}},
+              window, [&actions, window] {
+                auto* const palette = new CommandPalette(actions, window);
+                palette->setAttribute(Qt::WA_DeleteOnClose);
+                palette->open();
+              });
+  actions.add({.id = "shortcuts",
+               .text = tr("&Keys and gestures"),
+               .icon = "keyboard",
+               .keys = {"?", "F1"},
+               .reach = Reach::OutsideText,
+               .tip = tr("All keys on one page"),
+               .menu = {MenuGroup::Finding, 20}},
+              window, [&actions, window] { makeShortcutSheet(actions, window)->open(); });
+  actions.add({.id = "diagnostics",
+               .text = tr("&Diagnostics"),
+               .icon = "settings",
+               .tip = tr("Threads and memory: what is taken now, and what may be"),
+               .menu = {MenuGroup::About, 5}},
+              this, &HelpController::showDiagnostics);
+  actions.add({.id = "about",
+               .text = tr("&About mapwright"),
+               .icon = "info",
+               .tip = tr("Version and licences"),
+               .menu = {MenuGroup::About, 10}},
+              window, [window] { makeAboutBox(window)->open(); });
+}
+
+HelpController::~HelpController() { delete diagnostics_; }
+
+void HelpController::showDiagnostics() {
+  // Beside the window, not in front of it: one looks at it while something is done there.
+  if (!diagnostics_) {
+    const auto look = [&context = context_] {
+      Diagnostics now{context.workers->threads(), context.workers->running(), context.workers->waiting(),
+                      context.scene.memory(), context.budgets};
+      if (const session::Session* const session = context.current.session()) {
+        now.held = now.held + session->memory();
+      }
+      return now;
+    };
+    diagnostics_ = new DiagnosticsDialog(look, context_.settings, &context_.window);
+    diagnostics_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(diagnostics_, &DiagnosticsDialog::copyWanted, this,
+            [this](const QString& text) { copyText(context_.overlay, text, tr("Diagnostics copied")); });
+  }
+  diagnostics_->show();
+  diagnostics_->raise();
+  diagnostics_->activateWindow();
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,33 @@
+// How much of the computer the program takes: threads and memory, as kept in the settings.
+#pragma once
+
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include "work/budgets.h"
+
+namespace mapwright::window {
+
+/// 0 = as usual: a thread a processor, work::kUsualBudget.
+struct WorkSettings {
+  int threads = 0;
+  int budget_mb = 0;
+
+  static constexpr int kMostThreads = 256;
+  static constexpr int kLeastMb = int(work::kLeastBudget >> 20), kUsualMb = int(work::kUsualBudget >> 20),
+                       kMostMb = 1 << 20;
+
+  work::Budgets budgets() const;
+  bool operator==(const WorkSettings&) const = default;
+};
+
+/// What is kept there. Of what makes no sense the usual is taken, and a sentence says so.
+struct KeptWorkSettings {
+  WorkSettings settings;
+  QStringList nonsense;
+};
+KeptWorkSettings workSettingsIn(const QSettings& settings);
+void keepWorkSettings(QSettings& settings, const WorkSettings& wanted);
+
+}  // namespace mapwright::window

@@ -1,0 +1,86 @@
+#include "window/inspector/inspector_controller.h"
+
+#include <QLineEdit>
+#include <QMenu>
+
+#include "window/clipboard.h"
+#include "window/current_session.h"
+#include "window/docks/inspector_controls.h"
+#include "window/docks/inspector_dock.h"
+#include "window/look/icons.h"
+#include "window/map/map_overlay.h"
+#include "window/map/toast_stack.h"
+#include "window/panels.h"
+#include "window/status/window_status_bar.h"
+#include "window/viewpoint.h"
+
+namespace mapwright::window {
+
+InspectorController::InspectorController(WindowContext& context, QAction* show_ids, QAction* show_outlines,
+                                         QObject* parent)
+    : Controller(parent),
+      context_(context),
+      dock_(new InspectorDock(&context.scene, show_ids, show_outlines, &context.window)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 20, .menu_rank = 30});
+  context_.actions.add({.id = "filter",
+                        .text = tr("Filter &submaps"),
+                        .icon = "filter",
+                        .keys = {"Ctrl+F"},
+                        .tip = tr("Go to the filter of the SLAM inspector"),
+                        .menu = {MenuGroup::Window, 10}},
+                       this, &InspectorController::goToFilter);
+  addToMapMenu();
+  connect(dock_, &InspectorDock::locateWanted, this, &InspectorController::locate);
+  connect(dock_, &InspectorDock::colorModeWanted, this, &InspectorController::colorModeWanted);
+  connect(dock_, &InspectorDock::counted, &context_.bar, &WindowStatusBar::recount);
+  connect(dock_, &InspectorDock::copyWanted, this,
+          [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
+}
+
+void InspectorController::addToMapMenu() {
+  context_.actions.placeOnMapMenu({MapMenuGroup::Submap, 10}, [this](QMenu& menu,
+                                                                     const Eigen::Vector2d& world) {
+    const auto id = context_.scene.submapAt(world);
+    if (!id || !context_.current.session()) return;
+    const QString name = QString::fromStdString(map::toText(*id));
+    menu.addAction(themedIcon(QStringLiteral("submaps")), tr("Select submap %1").arg(name), this, [this, id] {
+      dock_->show();
+      dock_->select(*id);
+    });
+    menu.addAction(themedIcon(QStringLiteral("eye-off")), tr("Hide submap %1").arg(name), this, [this, id] {
+      if (session::Session* const session = context_.current.session()) session->setVisible({*id}, false);
+    });
+  });
+}
+
+void InspectorController::setColorMode(render::ColorMode mode) { dock_->setColorMode(mode); }
+
+void InspectorController::clickedOnMap(const Eigen::Vector2d& world_m) {
+  if (!context_.scene.highlightedAt(world_m)) dock_->clearSelection();
+}
+
+void InspectorController::setSession(session::Session* session) { dock_->setSession(session); }
+
+bool InspectorController::escape() {
+  const bool pointed_at = !context_.scene.highlighted().empty();
+  dock_->clearSelection();
+  return pointed_at;
+}
+
+void InspectorController::locate(map::SubmapId id) {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  const geometry::WorldRect bounds = session->book().bounds(id, session->slice());
+  if (!bounds.empty()) return context_.viewpoint.lookAt(bounds);
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("Submap %1 has no usable pose, so it lies nowhere.").arg(QString::fromStdString(map::toText(id))));
+}
+
+void InspectorController::goToFilter() {
+  context_.panels.open(dock_);
+  dock_->controls()->filterEdit()->setFocus();
+  dock_->controls()->filterEdit()->selectAll();
+}
+
+}  // namespace mapwright::window

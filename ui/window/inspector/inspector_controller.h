@@ -1,0 +1,37 @@
+// The SLAM inspector, and what the map has to say about single submaps.
+#pragma once
+
+#include "window/controller.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class InspectorDock;
+
+class InspectorController : public Controller {
+  Q_OBJECT
+ public:
+  /// The two actions are those that switch the ids and the outlines of the submaps.
+  InspectorController(WindowContext& context, QAction* show_ids, QAction* show_outlines,
+                      QObject* parent = nullptr);
+
+  InspectorDock* dock() const { return dock_; }
+  void setColorMode(render::ColorMode mode);
+  /// A click on the map that is about nothing in particular.
+  void clickedOnMap(const Eigen::Vector2d& world_m);
+  void setSession(session::Session* session) override;
+  bool escape() override;
+
+ Q_SIGNALS:
+  void colorModeWanted(mapwright::render::ColorMode mode);
+
+ private:
+  void addToMapMenu();
+  void locate(map::SubmapId id);
+  void goToFilter();
+
+  WindowContext& context_;
+  InspectorDock* dock_;
+};
+
+}  // namespace mapwright::window

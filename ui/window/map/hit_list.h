@@ -1,0 +1,72 @@
+// What lies under the hand: the things of all layers that can be taken, nearest first.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/rect.h"
+#include "scene/layer.h"
+#include "scene/map_scene.h"
+
+namespace mapwright::window {
+
+/// Points in the world by key, found by place: in an R-tree, so that a large map costs no more than a small
+/// one.
+class PointIndex {
+ public:
+  PointIndex();
+  ~PointIndex();
+  void clear();
+  /// Adds or moves. A place that is not finite is none: the key is forgotten.
+  void put(const std::string& key, const Eigen::Vector2d& world_m);
+  void remove(const std::string& key);
+  std::size_t size() const;
+  void within(const geometry::WorldRect& area,
+              const std::function<void(const std::string& key, const Eigen::Vector2d& world_m)>& found) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+struct Hit {
+  scene::Layer layer;
+  std::string key;
+  Eigen::Vector2d world_m{0, 0};
+  double distance_px = 0;
+};
+
+class HitList {
+ public:
+  /// `scene` must outlive this.
+  explicit HitList(const scene::MapScene& scene) : scene_(scene) {}
+  /// The things of a layer that can be hit while it is shown. Not owned; must outlive this.
+  void add(scene::Layer layer, const PointIndex* points) { sources_.push_back({layer, points}); }
+  /// All within `reach_px`, nearest first.
+  std::vector<Hit> at(const Eigen::Vector2d& world_m, double reach_px) const;
+
+ private:
+  struct Source {
+    scene::Layer layer;
+    const PointIndex* points;
+  };
+  const scene::MapScene& scene_;
+  std::vector<Source> sources_;
+};
+
+/// Where a hand that lets go near something lets go.
+struct Snapped {
+  enum class To { Nothing, Thing, Grid };
+  Eigen::Vector2d world_m{0, 0};
+  To to = To::Nothing;
+};
+
+/// With Ctrl to the lines of the grid, with Alt to nothing; else to the nearest thing within reach, but for
+/// those that `ignored` tells of (what is being moved).
+Snapped snap(const scene::MapScene& scene, const HitList& hits, const Eigen::Vector2d& world_m,
+             Qt::KeyboardModifiers modifiers, double reach_px,
+             const std::function<bool(const Hit&)>& ignored);
+
+}  // namespace mapwright::window

@@ -1,0 +1,46 @@
+// The maps that the robot keeps, and the one that is open here.
+#pragma once
+
+#include <optional>
+
+#include "window/controller.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class MapsDock;
+
+class MapsController : public Controller {
+  Q_OBJECT
+ public:
+  explicit MapsController(WindowContext& context, QObject* parent = nullptr);
+
+  MapsDock* dock() const { return dock_; }
+  void setSession(session::Session* session) override;
+  /// Shows a map of the catalogue without loading it on the robot.
+  void open(const map::MapKey& key);
+
+ Q_SIGNALS:
+  void compareWanted(const mapwright::map::MapKey& key);
+  /// The open map is read, and is to be exported.
+  void exportWanted();
+  void retryWanted();
+
+ private:
+  bool catalogueComesFirst() const;
+  void show(const map::MapKey& key);
+  void openToExport(const map::MapKey& key);
+  void noteChange();
+  void noteOtherFile();
+  void fitNew();
+  void refreshNotice();
+
+  WindowContext& context_;
+  MapsDock* dock_;
+  /// The next whole map is one that the user asked for: look at it.
+  bool fit_next_ = false;
+  std::optional<map::MapKey> fitted_;
+  std::optional<map::MapKey> export_when_read_;
+};
+
+}  // namespace mapwright::window

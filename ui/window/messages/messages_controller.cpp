@@ -1,0 +1,21 @@
+#include "window/messages/messages_controller.h"
+
+#include "window/clipboard.h"
+#include "window/docks/messages_dock.h"
+#include "window/map/map_overlay.h"
+#include "window/panels.h"
+
+namespace mapwright::window {
+
+MessagesController::MessagesController(WindowContext& context, QObject* parent)
+    : Controller(parent), dock_(new MessagesDock({}, &context.window)) {
+  context.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 10, .menu_rank = 60, .open = false});
+  connect(dock_, &MessagesDock::copyWanted, &context.overlay,
+          [overlay = &context.overlay](const QString& text, const QString& said) {
+            copyText(*overlay, text, said);
+          });
+}
+
+void MessagesController::setSession(session::Session* session) { dock_->setSession(session); }
+
+}  // namespace mapwright::window

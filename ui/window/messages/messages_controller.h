@@ -1,0 +1,23 @@
+// Every message of the robot as it comes.
+#pragma once
+
+#include "window/controller.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class MessagesDock;
+
+class MessagesController : public Controller {
+  Q_OBJECT
+ public:
+  explicit MessagesController(WindowContext& context, QObject* parent = nullptr);
+
+  MessagesDock* dock() const { return dock_; }
+  void setSession(session::Session* session) override;
+
+ private:
+  MessagesDock* dock_;
+};
+
+}  // namespace mapwright::window

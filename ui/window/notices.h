@@ -1,0 +1,45 @@
+// The strip above the map, which several controllers want: the first one that has something to say gets it.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include <QObject>
+#include <QSet>
+#include <QString>
+
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+class NoticeBar;
+
+/// Who goes before whom.
+enum class NoticeRank { Link, Map, Limits };
+
+struct Notice {
+  Mark mark = Mark::Neutral;
+  QString sentence;  // plain text; empty = nothing to say
+  QString offer = {};
+  std::function<void()> take = {};  // the offer
+  bool closable = false;            // once closed, the same sentence does not come again
+};
+
+class Notices : public QObject {
+  Q_OBJECT
+ public:
+  /// `bar` must outlive this.
+  explicit Notices(NoticeBar* bar, QObject* parent = nullptr);
+  void set(NoticeRank rank, Notice notice);
+  void clear(NoticeRank rank) { set(rank, {}); }
+
+ private:
+  const Notice* first() const;
+  void show();
+
+  NoticeBar* bar_;
+  std::map<NoticeRank, Notice> wanted_;
+  QSet<QString> dismissed_;
+};
+
+}  // namespace mapwright::window

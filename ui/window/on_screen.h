@@ -1,0 +1,22 @@
+// What is on screen, in words. Pure functions of the session and the scene; names in them are one line of
+// plain text.
+#pragma once
+
+#include <QString>
+
+#include "scene/map_scene.h"
+#include "session/session.h"
+#include "window/map/empty_state.h"
+
+namespace mapwright::window {
+
+bool comparing(const scene::MapScene& scene);
+MapsInView mapsInView(const scene::MapScene& scene);
+/// Its name, or what else tells it from others.
+QString robotCalled(const robot::Robot& robot);
+/// The map that the submaps belong to; empty where none is known.
+QString submapsOf(session::Session* session, const scene::MapScene& scene);
+/// "Ground floor – dock-3 – mapwright". Null: no robot.
+QString windowTitle(session::Session* session, const scene::MapScene& scene);
+
+}  // namespace mapwright::window

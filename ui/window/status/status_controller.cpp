@@ -1,0 +1,34 @@
+#include "window/status/status_controller.h"
+
+#include "window/current_session.h"
+#include "window/map/map_overlay.h"
+#include "window/on_screen.h"
+#include "window/status/window_status_bar.h"
+#include "window/unsaved_changes.h"
+
+namespace mapwright::window {
+
+StatusController::StatusController(WindowContext& context, QObject* parent)
+    : Controller(parent), context_(context) {
+  connect(&context_.current, &CurrentSession::stateChanged, this, &StatusController::refresh);
+  connect(&context_.unsaved, &UnsavedChanges::changed, this, &StatusController::refreshTitle);
+}
+
+void StatusController::setSession(session::Session* session) { context_.bar.setSession(session); }
+
+void StatusController::refresh() {
+  session::Session* const session = context_.current.session();
+  const MapsInView in_view = mapsInView(context_.scene);
+  context_.overlay.card()->setState(emptyState(session, in_view));
+  const bool submaps_left_out = context_.scene.robotPlace().drawn == scene::ScreenPart::None;
+  context_.bar.setInView(in_view.submaps && !submaps_left_out, in_view.whole,
+                         submapsOf(session, context_.scene));
+  refreshTitle();
+}
+
+void StatusController::refreshTitle() {
+  const QString title = windowTitle(context_.current.session(), context_.scene);
+  context_.window.setWindowTitle(context_.unsaved.any() ? QStringLiteral("• %1").arg(title) : title);
+}
+
+}  // namespace mapwright::window

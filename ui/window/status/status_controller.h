@@ -1,0 +1,22 @@
+// How things stand, for those who look: the status bar, the title, the card in the middle of an empty map.
+#pragma once
+
+#include "window/controller.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class StatusController : public Controller {
+  Q_OBJECT
+ public:
+  explicit StatusController(WindowContext& context, QObject* parent = nullptr);
+  void setSession(session::Session* session) override;
+
+ private:
+  void refresh();
+  void refreshTitle();
+
+  WindowContext& context_;
+};
+
+}  // namespace mapwright::window

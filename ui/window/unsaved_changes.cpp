@@ -1,0 +1,31 @@
+#include "window/unsaved_changes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "window/controller.h"
+
+namespace mapwright::window {
+
+void UnsavedChanges::watch(Controller* controller) {
+  controllers_.push_back(controller);
+  connect(controller, &Controller::unsavedChanged, this, &UnsavedChanges::changed);
+}
+
+bool UnsavedChanges::any() const {
+  return std::any_of(controllers_.begin(), controllers_.end(),
+                     [](const Controller* controller) { return controller->unsaved(); });
+}
+
+void UnsavedChanges::save() {
+  for (Controller* controller : controllers_) controller->save();
+}
+
+void UnsavedChanges::whenMayLeave(std::function<void()> then) {
+  // From the last one to the first, so that the first is asked first.
+  for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it)
+    then = [controller = *it, then = std::move(then)] { controller->beforeLeaving(then); };
+  then();
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,35 @@
+// What would be lost if the present map were left: of all controllers together. Whoever is about to leave it
+// asks here.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QObject>
+
+namespace mapwright::window {
+
+class Controller;
+
+class UnsavedChanges : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+  /// Not owned; must outlive all questions.
+  void watch(Controller* controller);
+
+  bool any() const;
+  void save();
+  /// Calls `then` when the present map may be left: at once, or after the user has said what becomes of what
+  /// is not saved, or never. Each controller is asked in its turn, since each may ask.
+  void whenMayLeave(std::function<void()> then);
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  std::vector<Controller*> controllers_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,35 @@
+// Light or dark, and the full screen.
+#pragma once
+
+#include "window/controller.h"
+#include "window/look/theme.h"
+#include "window/window_context.h"
+
+class QActionGroup;
+
+namespace mapwright::window {
+
+/// Gives the program and the map the look that was chosen last. Before any widget is made: they take their
+/// sizes from its style.
+void showChosenTheme(const QSettings& settings, scene::MapScene& scene);
+
+class AppearanceController : public Controller {
+  Q_OBJECT
+ public:
+  explicit AppearanceController(WindowContext& context, QObject* parent = nullptr);
+
+  ThemeChoice theme() const { return theme_; }
+  void setTheme(ThemeChoice choice);
+  void remember(QSettings& settings) override;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  WindowContext& context_;
+  ThemeChoice theme_;
+  QActionGroup* themes_;
+  QAction* full_screen_;
+};
+
+}  // namespace mapwright::window

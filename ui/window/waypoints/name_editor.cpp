@@ -1,0 +1,70 @@
+#include "window/waypoints/name_editor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QKeyEvent>
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kWidthPx = 180, kAsidePx = 12, kLongestName = 500;
+
+}  // namespace
+
+NameEditor::NameEditor(QWidget* map) : QLineEdit(map) {
+  setMaxLength(kLongestName);
+  setAccessibleName(tr("Name of the waypoint"));
+  hide();
+}
+
+void NameEditor::ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then) {
+  finish();
+  const int height = sizeHint().height();
+  const QRect room = parentWidget()->rect().adjusted(4, 4, -4, -4);
+  const int x =
+      std::clamp(int(at.x()) + kAsidePx, room.left(), std::max(room.left(), room.right() - kWidthPx));
+  const int y =
+      std::clamp(int(at.y()) - height / 2, room.top(), std::max(room.top(), room.bottom() - height));
+  setGeometry(x, y, kWidthPx, height);
+  setText(name);
+  selectAll();
+  then_ = std::move(then);
+  show();
+  raise();
+  setFocus();
+}
+
+void NameEditor::finish() { close(true); }
+
+void NameEditor::close(bool take) {
+  if (!then_) return;
+  const auto then = std::exchange(then_, nullptr);
+  hide();
+  if (take) then(text());
+}
+
+void NameEditor::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      close(true);
+      break;
+    case Qt::Key_Escape:
+      close(false);
+      break;
+    default:
+      return QLineEdit::keyPressEvent(event);
+  }
+  event->accept();
+  Q_EMIT closed();
+}
+
+void NameEditor::focusOutEvent(QFocusEvent* event) {
+  QLineEdit::focusOutEvent(event);
+  // Its own context menu is no end.
+  if (event->reason() != Qt::PopupFocusReason) close(true);
+}
+
+}  // namespace mapwright::window

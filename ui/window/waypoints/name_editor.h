@@ -1,0 +1,32 @@
+// A line to type a name into, on the map beside what it names.
+#pragma once
+
+#include <functional>
+
+#include <QLineEdit>
+
+namespace mapwright::window {
+
+class NameEditor : public QLineEdit {
+  Q_OBJECT
+ public:
+  explicit NameEditor(QWidget* map);
+  /// Offers `name` for editing beside `at` (viewport pixels). What is typed goes to `then` with Enter or when
+  /// the focus goes elsewhere; Esc leaves the name as it was.
+  void ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then);
+  /// Takes what has been typed so far.
+  void finish();
+
+ Q_SIGNALS:
+  void closed();  // by a key: the focus is nowhere
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void close(bool take);
+  std::function<void(const QString&)> then_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,75 @@
+// What can be done with the waypoints on screen: the one set of operations behind the tool, the table and the
+// form, and what is selected.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QObject>
+#include <QPointer>
+
+#include "edit/waypoint_fields.h"
+
+namespace mapwright::window {
+
+/// Where waypoints are while a hand moves them, before it lets go.
+using WaypointPreview = std::map<edit::Key, map::Waypoint>;
+
+class WaypointEditing : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+  /// The list to work on; null = there is none. `why_not`: why it can only be looked at; empty = it can be
+  /// changed. `cell_m`: what a nudge is worth.
+  void setDocument(edit::WaypointDocument* document, const QString& why_not);
+  void setCell(double cell_m) { cell_m_ = cell_m; }
+  edit::WaypointDocument* document() const { return document_; }
+  bool editable() const { return document_ && why_not_.isEmpty(); }
+  QString whyNot() const { return why_not_; }
+  double cell() const { return cell_m_; }
+  const map::Waypoint* find(const edit::Key& key) const { return document_ ? document_->find(key) : nullptr; }
+
+  const std::set<edit::Key>& selected() const { return selected_; }
+  /// The only one selected; null = none or several.
+  const map::Waypoint* only() const { return selected_.size() == 1 ? find(*selected_.begin()) : nullptr; }
+  void select(std::set<edit::Key> keys);
+  void toggle(const edit::Key& key);
+
+  /// A hand's movement that becomes one command.
+  edit::Gesture newGesture() { return ++last_gesture_; }
+
+  /// A new one with a name that no other has; it is selected.
+  edit::Key add(const Eigen::Vector2d& world_m, edit::Gesture gesture = 0);
+  void rename(const edit::Key& key, const QString& name, edit::Gesture gesture = 0);
+  /// One item as it is to be; `what`: the name of the command.
+  void set(const edit::Key& key, const map::Waypoint& to, const QString& what, edit::Gesture gesture = 0);
+  void removeSelected();
+  void moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture = 0);
+
+  /// While a hand moves them they are drawn here; empty = where they are.
+  const WaypointPreview& preview() const { return preview_; }
+  void setPreview(WaypointPreview preview);
+  /// Makes the preview true, as one command.
+  void applyPreview(const QString& what);
+
+ Q_SIGNALS:
+  void opened();  // another document, or none
+  void selectionChanged();
+  void previewChanged();
+  void renameWanted(const std::string& key, quint64 gesture);  // by typing, where the list is on screen
+
+ private:
+  void takeChange(const edit::DocumentChange& change);
+  QString called(const std::set<edit::Key>& keys) const;
+
+  QPointer<edit::WaypointDocument> document_;
+  QString why_not_;
+  double cell_m_ = 0.05;
+  std::set<edit::Key> selected_;
+  WaypointPreview preview_;
+  edit::Gesture last_gesture_ = 0;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,149 @@
+#include "window/waypoints/waypoint_form.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+#include "geometry/pose.h"
+#include "window/waypoints/waypoint_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr double kFarthestM = 1e9;
+constexpr double kNoHeading = -181;  // the least value of its field stands for none
+constexpr int kLongestName = 500;
+
+QDoubleSpinBox* metres(const QString& accessible, QWidget* parent) {
+  auto* box = new QDoubleSpinBox(parent);
+  box->setLocale(QLocale::c());
+  box->setRange(-kFarthestM, kFarthestM);
+  box->setDecimals(3);
+  box->setSingleStep(0.05);
+  box->setSuffix(QStringLiteral(" m"));
+  box->setKeyboardTracking(false);
+  box->setAlignment(Qt::AlignRight);
+  box->setMinimumWidth(60);
+  box->setAccessibleName(accessible);
+  return box;
+}
+
+}  // namespace
+
+WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
+    : QWidget(parent),
+      editing_(editing),
+      name_(new QLineEdit(this)),
+      tags_(new QLineEdit(this)),
+      x_(metres(tr("x of the waypoint"), this)),
+      y_(metres(tr("y of the waypoint"), this)),
+      yaw_(new QDoubleSpinBox(this)) {
+  name_->setMaxLength(kLongestName);
+  name_->setAccessibleName(tr("Name of the waypoint"));
+  tags_->setAccessibleName(tr("Tags of the waypoint"));
+  tags_->setPlaceholderText(tr("separated by commas"));
+  yaw_->setLocale(QLocale::c());
+  yaw_->setRange(kNoHeading, 180);
+  yaw_->setSpecialValueText(tr("none"));
+  yaw_->setDecimals(1);
+  yaw_->setSingleStep(5);
+  yaw_->setSuffix(QString(QChar(0xb0)));
+  yaw_->setKeyboardTracking(false);
+  yaw_->setAlignment(Qt::AlignRight);
+  yaw_->setAccessibleName(tr("Heading of the waypoint"));
+  yaw_->setToolTip(tr("Counter-clockwise from the x axis of the map"));
+
+  auto* place = new QHBoxLayout;
+  place->setSpacing(4);
+  place->addWidget(x_, 1);
+  place->addWidget(y_, 1);
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(8, 6, 8, 6);
+  form->setHorizontalSpacing(8);
+  form->setVerticalSpacing(4);
+  form->addRow(tr("Name"), name_);
+  form->addRow(tr("x, y"), place);
+  form->addRow(tr("Heading"), yaw_);
+  form->addRow(tr("Tags"), tags_);
+
+  connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointForm::refresh);
+  connect(editing_, &WaypointEditing::previewChanged, this, &WaypointForm::refresh);
+  connect(editing_, &WaypointEditing::opened, this, [this] {
+    if (editing_->document())
+      connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointForm::refresh);
+    refresh();
+  });
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    if (refreshing_ || !name_->isModified()) return;
+    name_->setModified(false);
+    // A name of nothing is none: the one of before stays.
+    editing_->rename(shown_, name_->text());
+    refresh();
+  });
+  connect(tags_, &QLineEdit::editingFinished, this, [this] {
+    if (refreshing_ || !tags_->isModified()) return;
+    tags_->setModified(false);
+    apply(tr("tag %1"), edit::waypoint_field::kTags,
+          [this](map::Waypoint& to) { to.tags = tagsFrom(tags_->text()); });
+  });
+  // Only what was typed is set: what the other field shows rounded stays as exact as it was.
+  for (const auto& [box, axis] : {std::pair(x_, 0), std::pair(y_, 1)}) {
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, axis = axis](double metres) {
+      apply(tr("move %1"), edit::waypoint_field::kPosition,
+            [&](map::Waypoint& to) { to.position_m[axis] = metres; });
+    });
+  }
+  connect(yaw_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
+    apply(tr("turn %1"), edit::waypoint_field::kYaw, [&](map::Waypoint& to) {
+      to.yaw_rad =
+          degrees <= kNoHeading ? std::nullopt : std::optional(geometry::radiansFromDegrees(degrees));
+    });
+  });
+  refresh();
+}
+
+void WaypointForm::apply(const QString& what, edit::FieldMask field,
+                         const std::function<void(map::Waypoint&)>& change) {
+  const map::Waypoint* const now = editing_->find(shown_);
+  if (refreshing_ || !now) return;
+  map::Waypoint to = *now;
+  change(to);
+  if (last_field_ != field) gesture_ = editing_->newGesture();
+  last_field_ = field;
+  editing_->set(shown_, to, what.arg(shortWaypointName(*now)), gesture_);
+}
+
+void WaypointForm::refresh() {
+  refreshing_ = true;
+  const map::Waypoint* point = editing_->only();
+  const edit::Key key = point ? *editing_->selected().begin() : edit::Key();
+  if (std::exchange(shown_, key) != key) last_field_ = 0;
+  if (const auto preview = editing_->preview().find(key); preview != editing_->preview().end())
+    point = &preview->second;
+  setEnabled(point && editing_->editable());
+  const auto show = [](QLineEdit* edit, const QString& text) {
+    if (edit->hasFocus() && edit->isModified()) return;  // somebody is typing
+    if (edit->text() != text) edit->setText(text);
+  };
+  show(name_, point ? QString::fromStdString(point->name) : QString());
+  show(tags_, point ? tagsText(point->tags) : QString());
+  const auto number = [](QDoubleSpinBox* box, double value) {
+    const QSignalBlocker quiet(box);
+    box->setValue(value);
+  };
+  number(x_, point ? point->position_m.x() : 0);
+  number(y_, point ? point->position_m.y() : 0);
+  number(yaw_, point && point->yaw_rad
+                   ? geometry::degreesFromRadians(geometry::normalizeAngle(*point->yaw_rad))
+                   : kNoHeading);
+  if (!point) {
+    for (QDoubleSpinBox* box : {x_, y_, yaw_}) box->clear();  // the text alone
+  }
+  refreshing_ = false;
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,126 @@
+#include "window/waypoints/waypoint_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "geometry/pose.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/plural.h"
+#include "window/status/status_text.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(mapwright::window::Waypoints)
+};
+
+QString number(double value, int decimals) { return QLocale::c().toString(value, 'f', decimals); }
+
+QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fields) {
+  using namespace edit::waypoint_field;
+  if (!point) return Words::tr("deleted");
+  QStringList parts;
+  if (fields & kName) parts << Words::tr("name “%1”").arg(shortWaypointName(*point));
+  if (fields & kPosition)
+    parts << Words::tr("position %1, %2 m")
+                 .arg(number(point->position_m.x(), 3), number(point->position_m.y(), 3));
+  if (fields & kYaw)
+    parts << (point->yaw_rad ? Words::tr("heading %1").arg(yawText(point->yaw_rad))
+                             : Words::tr("no heading"));
+  if (fields & kTags)
+    parts << (point->tags.empty() ? Words::tr("no tags") : Words::tr("tags %1").arg(tagsText(point->tags)));
+  if (fields & kType) parts << Words::tr("type %1").arg(words::plainName(point->type).left(40));
+  return parts.isEmpty() ? Words::tr("as it was") : parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString shortWaypointName(const map::Waypoint& point, int limit) {
+  QString text = words::plainName(point.name);
+  if (text.isEmpty()) text = words::plainName(point.id);
+  return text.size() > limit ? text.left(limit - 1) + QChar(0x2026) : text;
+}
+
+QString tagsText(const std::vector<std::string>& tags) {
+  QStringList texts;
+  for (const std::string& tag : tags) texts << words::plainName(tag);
+  return texts.join(QStringLiteral(", "));
+}
+
+std::vector<std::string> tagsFrom(const QString& text) {
+  std::vector<std::string> tags;
+  for (const QString& tag : text.split(QLatin1Char(','))) {
+    if (!tag.trimmed().isEmpty()) tags.push_back(tag.trimmed().toStdString());
+  }
+  return tags;
+}
+
+QString yawText(const std::optional<double>& yaw_rad) {
+  if (!yaw_rad) return {};
+  return number(geometry::degreesFromRadians(geometry::normalizeAngle(*yaw_rad)), 1) + QChar(0xb0);
+}
+
+QString waypointsText(qsizetype count) {
+  return sentences::counted(Words::tr("%1 waypoints", nullptr, sentences::formOf(count)), count);
+}
+
+QString changesText(qsizetype count) {
+  return sentences::counted(Words::tr("%1 changes", nullptr, sentences::formOf(count)), count);
+}
+
+QString stateText(const edit::ItemState& state) {
+  if (state.changed_elsewhere) return Words::tr("Changed here and elsewhere: choose which is right.");
+  if (state.sent) return Words::tr("Sent, not confirmed yet.");
+  return state.unsaved ? Words::tr("Not saved yet.") : QString();
+}
+
+QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
+  edit::FieldMask mine = conflict.fields, theirs = conflict.fields;
+  if (!conflict.mine || !conflict.theirs) {
+    mine = conflict.mine && conflict.base ? edit::difference(*conflict.mine, *conflict.base) : 0;
+    theirs = conflict.theirs && conflict.base ? edit::difference(*conflict.theirs, *conflict.base) : 0;
+  }
+  return Words::tr("Here: %1. Elsewhere: %2.")
+      .arg(fieldsText(conflict.mine, mine), fieldsText(conflict.theirs, theirs));
+}
+
+QString failureText(const map::Failure& failure) {
+  using map::FailureKind;
+  QString text;
+  if (!failure.detail.empty() || !failure.robot_code.empty()) {
+    text = words::plainLine(QString::fromStdString(sentences::sentenceOf(failure)));
+  } else {
+    switch (failure.kind) {
+      case FailureKind::Unreachable:
+        text = Words::tr("The connection is gone.");
+        break;
+      case FailureKind::TimedOut:
+        text = Words::tr("No answer came in time.");
+        break;
+      case FailureKind::Cancelled:
+        text = Words::tr("It was cancelled.");
+        break;
+      case FailureKind::Conflict:
+        text = Words::tr("Somebody else changed them meanwhile.");
+        break;
+      default:
+        text = Words::tr("It was refused.");
+    }
+  }
+  if (failure.applied == map::Applied::Maybe)
+    text += QLatin1Char(' ') + Words::tr("Whether it was applied is not known; saving again looks first.");
+  return text;
+}
+
+QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {
+  const bool today = draft.made.date() == now.date();
+  const QString when =
+      today ? Words::tr("today %1").arg(QLocale::c().toString(draft.made, QStringLiteral("HH:mm:ss")))
+            : QLocale::c().toString(draft.made, QStringLiteral("d MMMM yyyy HH:mm"));
+  return Words::tr("There is a draft of these waypoints of %1 that was not saved: %2.")
+      .arg(when, changesText(qsizetype(draft.changes.size())));
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,32 @@
+// The words about waypoints. Pure functions, so that they can be checked.
+#pragma once
+
+#include <QString>
+
+#include "edit/open_waypoints.h"
+
+namespace mapwright::window {
+
+/// A name, or what stands for it, as one line that is not too long for a menu.
+QString shortWaypointName(const map::Waypoint& point, int limit = 40);
+/// "dock, charger".
+QString tagsText(const std::vector<std::string>& tags);
+/// The reverse of what people type: separated by commas, without blanks around them and empty ones.
+std::vector<std::string> tagsFrom(const QString& text);
+/// "90.0°", empty without a heading.
+QString yawText(const std::optional<double>& yaw_rad);
+/// "1 waypoint", "12 waypoints".
+QString waypointsText(qsizetype count);
+/// "3 changes".
+QString changesText(qsizetype count);
+
+/// How an item stands, in words; empty when it is as it is kept.
+QString stateText(const edit::ItemState& state);
+/// "Changed here: position 1.000, 2.000. Changed elsewhere: position 4.000, 2.000."
+QString conflictText(const edit::Conflict<map::Waypoint>& conflict);
+/// What went wrong, and what of it was applied.
+QString failureText(const map::Failure& failure);
+/// "There is a draft of these waypoints of today 19:20:05 that was not saved: 3 changes."
+QString offerText(const edit::WaypointDraft& draft, const QDateTime& now);
+
+}  // namespace mapwright::window

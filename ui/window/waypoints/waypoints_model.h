@@ -1,0 +1,45 @@
+// The rows of the waypoint list: follows a document change by change.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include <QAbstractTableModel>
+#include <QPointer>
+
+#include "edit/waypoint_fields.h"
+
+namespace mapwright::window {
+
+class WaypointsModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { StateColumn, NameColumn, XColumn, YColumn, YawColumn, TagsColumn, kColumns };
+  /// What rows are sorted by.
+  static constexpr int kSortRole = Qt::UserRole + 1;
+
+  using QAbstractTableModel::QAbstractTableModel;
+  /// null = none.
+  void setDocument(edit::WaypointDocument* document);
+
+  edit::Key key(const QModelIndex& index) const;  // empty = none
+  QModelIndex indexOf(const edit::Key& key, int column = NameColumn) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  void take(const edit::DocumentChange& change);
+  void begin();
+  void number(std::size_t from);
+  QVariant text(const map::Waypoint& point, int column) const;
+  QVariant sortValue(const edit::Key& key, const map::Waypoint& point, int column) const;
+
+  QPointer<edit::WaypointDocument> document_;
+  std::vector<edit::Key> rows_;
+  std::unordered_map<edit::Key, int> row_of_;
+};
+
+}  // namespace mapwright::window
