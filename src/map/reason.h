@@ -118,6 +118,22 @@ enum class ReasonCode {
   NoReadablePoints,
   PointsWithoutScale,
 
+  // Messages of ROS.
+  RosFieldMissing,   // field
+  RosFieldWrong,     // field, its value
+  RosLengthDiffers,  // field, how many it holds, how many are needed
+  RosGridEmpty,      // width, height
+  RosTurnIsZero,
+  RosCellsOutOfRange,  // how many
+  RosPatchOutside,     // its width and height, x and y, width and height of the grid
+  RosPointsThinned,    // how many came, of which each n-th is shown
+  // Where the frames of ROS lie to each other.
+  RosFrameUnknown,     // frame
+  RosFramesApart,      // frame, the other one
+  RosTransformTooOld,  // child, parent
+  RosTransformTooNew,  // child, parent
+  RosTransformLoop,    // child, parent
+
   // The robot itself.
   AnswersNotKept,  // because: why
   MapsNotKept,     // folder; because: why

@@ -250,6 +250,46 @@ QString ofMessages(ReasonCode code, int count) {
   }
 }
 
+QString ofRos(ReasonCode code, int count) {
+  switch (code) {
+    case ReasonCode::RosFieldMissing:
+      return Words::tr("Its field %1 is missing or cannot be read.");
+    case ReasonCode::RosFieldWrong:
+      return Words::tr("Its field %1 is %2, which cannot be.");
+    case ReasonCode::RosLengthDiffers:
+      return Words::tr("Its field %1 holds %2 values, but its other fields say %3.");
+    case ReasonCode::RosGridEmpty:
+      return Words::tr("It has no cells: it is %1 x %2.");
+    case ReasonCode::RosTurnIsZero:
+      return Words::tr("Its orientation is no rotation (a zero quaternion). It is shown with yaw 0.");
+    case ReasonCode::RosCellsOutOfRange:
+      return Words::tr("%1 cells are neither -1 nor 0 to 100. They are shown as unknown.", nullptr, count);
+    case ReasonCode::RosPatchOutside:
+      return Words::tr(
+          "An update of %1 x %2 cells at %3, %4 does not lie in its %5 x %6 cells. It was left out.");
+    case ReasonCode::RosPointsThinned:
+      return Words::tr("It has %1 points, too many to be drawn. One of every %2 is shown.");
+    case ReasonCode::RosFrameUnknown:
+      return Words::tr("The robot has sent no transform of the frame %1 yet, so it cannot be placed.");
+    case ReasonCode::RosFramesApart:
+      return Words::tr("No transforms connect the frame %1 to the frame %2, so it cannot be placed.");
+    case ReasonCode::RosTransformTooOld:
+      return Words::tr(
+          "It is older than the transforms of %1 in %2 that are kept, so it cannot be placed. The clocks of "
+          "the robot may differ.");
+    case ReasonCode::RosTransformTooNew:
+      return Words::tr(
+          "It is newer than the last transform of %1 in %2, so it cannot be placed. Whoever sends that "
+          "transform may be late, or may have stopped.");
+    case ReasonCode::RosTransformLoop:
+      return Words::tr(
+          "A transform of %1 in %2 would close a loop of frames. It was left out: two nodes of the robot "
+          "contradict each other.");
+    default:
+      return {};
+  }
+}
+
 QString ofTheRobot(ReasonCode code) {
   switch (code) {
     case ReasonCode::AnswersNotKept:
@@ -351,7 +391,7 @@ QString withCauses(const Reason& reason, const QString& text) {
 QString templateOf(ReasonCode code, int count) {
   if (code == ReasonCode::Said) return QStringLiteral("%1");
   for (const QString& text : {ofSubmaps(code, count), ofPlaces(code), ofMaps(code, count), ofFiles(code),
-                              ofMessages(code, count), ofTheRobot(code)}) {
+                              ofMessages(code, count), ofRos(code, count), ofTheRobot(code)}) {
     if (!text.isEmpty()) return text;
   }
   return {};  // None, and what is put together otherwise

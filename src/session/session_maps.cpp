@@ -20,6 +20,7 @@ map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& liv
   map.key = {map::MapKind::Live, {}};
   if (live.map_info) map.name = live.map_info->name;
   map.grid = message.grid;
+  map.reading = message.reading;
   map.bytes = message.png;
   map.fingerprint = message.fingerprint;
   return map;
