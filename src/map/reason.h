@@ -133,6 +133,33 @@ enum class ReasonCode {
   RosTransformTooOld,  // child, parent
   RosTransformTooNew,  // child, parent
   RosTransformLoop,    // child, parent
+  // Topics of ROS that are asked for and silent.
+  TopicSilent,       // because: what is known of why
+  TopicNotListed,
+  TopicNobodySends,
+  TopicsNotTold,
+  TopicListedOnly,
+  // A manager of maps (KABAM).
+  NoAnswerInTime,
+  LinkBrokeOff,
+  NotConnected,
+  AnswerWithoutResult,
+  ResultMapUnknown,
+  ResultNameTaken,  // name
+  ResultWaypointUnknown,
+  ResultUndefined,
+  ResultInvalid,
+  ResultInvalidLoad,
+  ResultAlreadyLoaded,
+  ResultUnknown,         // its code
+  NotConfirmed,          // seconds
+  TagsNotTaken,          // name
+  ChangedMeanwhile,      // name
+  ListsNotTold,
+  OnlyCurrentMapSent,
+  MessageNotUnderstood,
+  WaypointTurnIsZero,    // name
+  WaypointInOtherFrame,  // name, frame, the map's frame
 
   // The robot itself.
   AnswersNotKept,  // because: why

@@ -52,6 +52,7 @@ const std::vector<Rule>& rules() {
        "geometry_msgs/PolygonStamped",
        {"local_costmap/published_footprint", "local_costmap/footprint", "published_footprint", "footprint"}},
       {Stream::Planning, Form::PoseStamped, "geometry_msgs/PoseStamped", {"current_goal", "goal_pose"}},
+      {Stream::SeenObjects, Form::Markers, "visualization_msgs/MarkerArray", {"markers", "objects"}},
       {Stream::Battery, Form::Battery, "sensor_msgs/BatteryState", {"battery_state", "battery"}, true},
   };
   return all;

@@ -24,6 +24,7 @@ enum class Form {
   PointCloud,          // sensor_msgs/PointCloud2
   Polygon,             // geometry_msgs/PolygonStamped
   Battery,             // sensor_msgs/BatteryState
+  Markers,             // visualization_msgs/MarkerArray
   Tf,                  // tf2_msgs/TFMessage (tf/tfMessage of old)
   StaticTf,
 };

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "robot/ros/map_values.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::ros {
@@ -20,48 +21,14 @@ map::GridKind kindOf(Stream stream) {
                                          : map::GridKind::WholeMap;
 }
 
-map::Polyline moved(const map::Polyline& points, const Transform3& transform) {
-  map::Polyline there;
-  there.reserve(points.size());
-  for (const Eigen::Vector2d& point : points)
-    there.push_back(transform.apply({point.x(), point.y(), 0}).head<2>());
-  return there;
-}
-
-std::shared_ptr<const std::vector<map::CloudPoint>> moved(const std::vector<map::CloudPoint>& points,
-                                                          const Transform3& transform) {
-  auto there = std::make_shared<std::vector<map::CloudPoint>>(points);
-  const Eigen::Matrix3d turn = transform.q.toRotationMatrix();
-  for (map::CloudPoint& point : *there) {
-    const Eigen::Vector3d at = turn * Eigen::Vector3d(point.x_m, point.y_m, point.z_m) + transform.t_m;
-    point.x_m = at.x();
-    point.y_m = at.y();
-    point.z_m = float(at.z());
-  }
-  return there;
-}
-
-Transform3 standing(const geometry::Pose2& pose) {
-  Transform3 transform;
-  transform.t_m = {pose.x_m, pose.y_m, 0};
-  transform.q = Eigen::Quaterniond(Eigen::AngleAxisd(pose.yaw_rad, Eigen::Vector3d::UnitZ()));
-  return transform;
-}
-
-const Header& headerOf(const std::variant<Grid, Outline, Points, Placed>& content) {
-  return std::visit([](const auto& one) -> const Header& { return one.header; }, content);
-}
-
-std::optional<double> finite(const Field& field) { return field.number(); }
-
 /// sensor_msgs/BatteryState: percentage 0..1, NaN where it is not measured.
 map::BatteryState readBattery(const Field& msg) {
   map::BatteryState battery;
-  battery.level = finite(msg["percentage"]);
+  battery.level = msg["percentage"].number();
   // Some drivers count to a hundred.
   if (battery.level && *battery.level > 1 && *battery.level <= 100) *battery.level /= 100;
-  battery.voltage_v = finite(msg["voltage"]);
-  battery.current_a = finite(msg["current"]);
+  battery.voltage_v = msg["voltage"].number();
+  battery.current_a = msg["current"].number();
   const auto status = msg["power_supply_status"].integer();
   battery.supply = status == 1 ? "charging" : status == 2 ? "discharging" : status == 4 ? "full" : "";
   return battery;
@@ -80,6 +47,7 @@ void RosWorld::forget(const std::string& topic) {
   grids_.erase(topic);
   waiting_.erase(topic);
   told_poses_.erase(topic);
+  boards_.erase(topic);
 }
 
 void RosWorld::forgetAll() {
@@ -88,6 +56,7 @@ void RosWorld::forgetAll() {
   grids_.clear();
   waiting_.clear();
   told_poses_.clear();
+  boards_.clear();
 }
 
 std::string RosWorld::robotFrame() const {
@@ -124,27 +93,25 @@ std::string RosWorld::fixedFrame() const {
 
 tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const Placed& placed) const {
   const std::string fixed = fixedFrame();
-  const std::string& frame = placed.header.frame.empty() ? fixed : placed.header.frame;
-  auto found = transforms_.find(fixed, frame, placed.header.stamp_s);
-  // A pose that is told once and not again may be older than what is known of its frame.
+  // A pose may be told once and not again: its frame counts as it lies now.
+  const auto found = transforms_.find(fixed, placed.header.frame.empty() ? fixed : placed.header.frame, {});
   if (!found) return tl::make_unexpected(found.error());
-  return (*found * standing(placed.pose)).flat();
+  return placedIn(placed, *found);
 }
 
 std::optional<tl::expected<geometry::Pose2, map::Reason>> RosWorld::pose() const {
   using Pose = tl::expected<geometry::Pose2, map::Reason>;
   std::optional<map::Reason> why;
   if (const std::string robot = robotFrame(); !robot.empty()) {
-    if (const auto found = transforms_.find(fixedFrame(), robot, {})) return Pose(found->flat());
-    else why = reasonOf(found.error());
+    const auto found = transforms_.find(fixedFrame(), robot, {});
+    if (found) return Pose(found->flat());
+    why = reasonOf(found.error());
   }
   // Where it is on the map goes before where its wheels say that it is.
   for (const Form form : {Form::PoseWithCovariance, Form::PoseStamped, Form::Odometry}) {
     for (const auto& [topic, told] : told_poses_) {
       if (told.form != form) continue;
-      Placed latest = told.placed;
-      latest.header.stamp_s.reset();
-      const auto pose = inFixedFrame(latest);
+      const auto pose = inFixedFrame(told.placed);
       if (pose) return Pose(*pose);
       if (!why) why = reasonOf(pose.error());
     }
@@ -240,6 +207,18 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
              }
            });
       break;
+    case Form::Markers: {
+      auto markers = readMarkers(msg);
+      if (!markers) {
+        result.unreadable = std::move(markers.error());
+        break;
+      }
+      MarkerBoard& board = boards_[source.topic];
+      board.take(*markers, received_s);
+      board.expire(received_s);
+      taking(Board{{}, board.markers()});
+      break;
+    }
     case Form::Battery:
       result.message = readBattery(msg);
       break;
@@ -248,7 +227,23 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
   return results;
 }
 
+const Header& RosWorld::headerOf(const Content& content) {
+  return std::visit([](const auto& one) -> const Header& { return one.header; }, content);
+}
+
+RosWorld::Placing RosWorld::boxes(const std::vector<Marker>& markers) const {
+  map::SeenObjectsMessage seen;
+  for (const Marker& marker : markers) {
+    const auto found = transforms_.find(
+        fixedFrame(), marker.header.frame.empty() ? fixedFrame() : marker.header.frame, {});
+    if (!found) return tl::make_unexpected(found.error());
+    if (auto box = boxOf(marker, *found)) seen.objects.push_back(std::move(*box));
+  }
+  return seen;
+}
+
 RosWorld::Placing RosWorld::place(const Source& source, const Content& content) const {
+  if (const auto* board = std::get_if<Board>(&content)) return boxes(board->markers);
   const Header& header = headerOf(content);
   const std::string fixed = fixedFrame();
   // The outline of the robot is drawn around the robot.
@@ -258,29 +253,21 @@ RosWorld::Placing RosWorld::place(const Source& source, const Content& content) 
       transforms_.find(into, header.frame.empty() ? into : header.frame, header.stamp_s);
   if (!found) return tl::make_unexpected(found.error());
   if (const auto* grid = std::get_if<Grid>(&content)) {
-    map::GridMessage message;
-    message.topic = source.topic;
-    message.kind = kindOf(source.stream);
-    message.grid = {grid->width, grid->height, grid->resolution_m,
-                    (*found * standing(grid->origin)).flat()};
-    auto picture = std::make_shared<const std::string>(pgmOf(*grid));
-    message.fingerprint = wire::fingerprint(*picture);
-    message.png = std::move(picture);
-    message.reading.mode = map::CellReading::Mode::Raw;
+    map::GridMessage message = gridMessage(*grid, source.topic, kindOf(source.stream), *found);
+    message.fingerprint = wire::fingerprint(*message.png);
     return message;
   }
   if (const auto* outline = std::get_if<Outline>(&content)) {
-    map::Polyline points = moved(outline->points, *found);
+    map::Polyline points = placedIn(*outline, *found);
     if (source.stream == Stream::Path) return map::PathMessage{std::move(points)};
     if (source.stream == Stream::LocalPath) return map::LocalPathMessage{0, std::nullopt, std::move(points)};
     map::RobotModel model;
     model.footprint = std::move(points);
     return model;
   }
-  if (const auto* cloud = std::get_if<Points>(&content))
-    return map::PointCloudMessage{source.topic, moved(cloud->points, *found)};
+  if (const auto* cloud = std::get_if<Points>(&content)) return placedIn(*cloud, source.topic, *found);
   map::PlanningState planning;
-  planning.targets = {(*found * standing(std::get<Placed>(content).pose)).flat()};
+  planning.targets = {placedIn(std::get<Placed>(content), *found)};
   return planning;
 }
 

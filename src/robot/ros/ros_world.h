@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "map/live_topics.h"
+#include "robot/ros/marker_board.h"
 #include "robot/ros/read_messages.h"
 #include "robot/ros/ros_topics.h"
 #include "robot/ros/transforms.h"
@@ -60,7 +61,11 @@ class RosWorld {
   const Transforms& transforms() const { return transforms_; }
 
  private:
-  using Content = std::variant<Grid, Outline, Points, Placed>;
+  struct Board {
+    Header header;  // with its frame empty: each marker has its own
+    std::vector<Marker> markers;
+  };
+  using Content = std::variant<Grid, Outline, Points, Placed, Board>;
   struct Waiting {
     Source source;
     Content content;
@@ -72,7 +77,9 @@ class RosWorld {
   void takeTf(const Source& source, const Field& msg, WorldResult& result);
   void takePatch(const Source& source, const Field& msg, WorldResult& result);
   void takeContent(const Source& source, Content content, WorldResult& result);
+  static const Header& headerOf(const Content& content);
   Placing place(const Source& source, const Content& content) const;
+  Placing boxes(const std::vector<Marker>& markers) const;
   WorldResults placeWaiting();
   tl::expected<geometry::Pose2, Transforms::Missing> inFixedFrame(const Placed& placed) const;
 
@@ -86,7 +93,8 @@ class RosWorld {
     Form form;
     Placed placed;
   };
-  std::map<std::string, Told> told_poses_;  // by topic
+  std::map<std::string, Told> told_poses_;    // by topic
+  std::map<std::string, MarkerBoard> boards_;  // by topic
 };
 
 }  // namespace mapwright::robot::ros
