@@ -29,7 +29,7 @@ class TestRosbridgeFrame : public QObject {
   void numbersThatAreNoneAreNull() {
     const auto frame =
         json(R"({"a":[NaN,1,Infinity,-Infinity,nan,inf],"b":1e999,"c":123456789012345678901234567890,)"
-             R"("d":18446744073709551615,"e":"NaN, \"Infinity\"","f":null,"g":-1.5e-3})");
+             R"("d":18446744073709551615,"e":"NaN, \u0022Infinity\u0022","f":null,"g":-1.5e-3})");
     QCOMPARE(frame->fault(), Fault::None);
     const Field root = frame->root();
     QCOMPARE(root["a"].size(), std::size_t(6));
@@ -42,6 +42,12 @@ class TestRosbridgeFrame : public QObject {
     QCOMPARE(root["g"].number(), -1.5e-3);
   }
 
+  void whatLooksLikeANumberInATextStays() {
+    const auto frame = json("{\"a\":NaN,\"t\":\"\\\"NaN\\\\\",\"u\":-Infinity}");
+    QCOMPARE(frame->root()["t"].text(), std::string("\"NaN\\"));
+    QVERIFY(frame->root()["u"].isNull());
+  }
+
   void textThatIsNoneIsMadeReadable() {
     QCOMPARE(QString::fromStdString(json(R"({"t":"a\ud800b\udc00\ud83d\ude00"})")->root()["t"].text()),
              QStringLiteral("a\uFFFDb\uFFFD") + QString::fromUtf8("\xf0\x9f\x98\x80"));
@@ -52,7 +58,8 @@ class TestRosbridgeFrame : public QObject {
   void aPictureIsTheMessageThatItHolds() {
     for (int length = 1; length < 40; ++length) {
       const QByteArray name(length, 'n');
-      const QByteArray frame = pictureFrame(R"({"op":"publish","topic":"/m","msg":{"s":")" + name + R"("}})");
+      const QByteArray frame =
+          pictureFrame("{\"op\":\"publish\",\"topic\":\"/m\",\"msg\":{\"s\":\"" + name + "\"}}");
       const auto read = json(frame);
       QCOMPARE(read->fault(), Fault::None);
       QCOMPARE(read->root()["op"].text(), std::string("publish"));
@@ -72,7 +79,7 @@ class TestRosbridgeFrame : public QObject {
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
     gray.save(&buffer, "PNG");
-    const auto wrapped = [](const QByteArray& data) { return R"({"op":"png","data":")" + data + R"("})"; };
+    const auto wrapped = [](const QByteArray& data) { return "{\"op\":\"png\",\"data\":\"" + data + "\"}"; };
     for (const QByteArray& text :
          {wrapped(png.toBase64()), wrapped("!"), wrapped(""), QByteArray(R"({"op":"png"})"),
           QByteArray(R"({"op":"png","data":7})"), pictureFrame("no message"),
@@ -85,8 +92,8 @@ class TestRosbridgeFrame : public QObject {
 
   void aPictureThatClaimsMoreThanItsBytesCanHoldIsRefusedBeforeMemoryIsTaken() {
     QByteArray png = pictureOf(QByteArray(3000, 'x'));
-    QVERIFY(textOfPng({png.constData(), std::size_t(png.size())}, 3000));
-    QVERIFY(!textOfPng({png.constData(), std::size_t(png.size())}, 2999));
+    QVERIFY(textOfPng({png.constData(), std::size_t(png.size())}, 31 * 33 * 3));
+    QVERIFY(!textOfPng({png.constData(), std::size_t(png.size())}, 31 * 33 * 3 - 1));
     // Width and height of the header are bytes 16 to 23; a checksum follows.
     const auto claimed = [&](quint32 width, quint32 height) {
       QByteArray header(8, '\0');

@@ -57,15 +57,16 @@ std::optional<std::string_view> rawText(const Field& field) {
 /// Written in lines or not, with and without padding.
 std::optional<std::string> fromBase64(std::string_view text, std::size_t max) {
   if (text.size() / 2 > max) return std::nullopt;
-  constexpr auto kStrict = QByteArray::Base64Encoding | QByteArray::AbortOnBase64DecodingErrors;
-  auto result =
-      QByteArray::fromBase64Encoding(QByteArray::fromRawData(text.data(), qsizetype(text.size())), kStrict);
-  if (!result && text.find_first_of(" \t\r\n") != std::string_view::npos) {
-    std::string dense(text);
+  std::string dense;
+  if (text.find_first_of(" \t\r\n") != std::string_view::npos) {
+    dense = text;
     std::erase_if(dense, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
-    result = QByteArray::fromBase64Encoding(QByteArray::fromRawData(dense.data(), qsizetype(dense.size())),
-                                            kStrict);
+    text = dense;
   }
+  const std::size_t digits = text.find_last_not_of('=') + 1;  // npos + 1 is 0
+  if (digits % 4 == 1) return std::nullopt;
+  const auto result = QByteArray::fromBase64Encoding(
+      QByteArray::fromRawData(text.data(), qsizetype(text.size())), QByteArray::AbortOnBase64DecodingErrors);
   if (!result || std::size_t((*result).size()) > max) return std::nullopt;
   return (*result).toStdString();
 }
