@@ -28,7 +28,7 @@ RosRobot::RosRobot(QString address, LinkOptions options, QObject* parent)
   link_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("ros link"));
   connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
-  wire();
+  listen();
   thread_.start();
 }
 
@@ -39,7 +39,7 @@ RosRobot::~RosRobot() {
   thread_.wait();
 }
 
-void RosRobot::wire() {
+void RosRobot::listen() {
   connect(link_, &RosLink::stateChanged, this, [this](const ConnectionState& state) {
     if (state == state_) return;
     state_ = state;

@@ -32,7 +32,7 @@ class RosRobot : public Robot {
   Absence whyNot(Capability capability) const override;
 
  private:
-  void wire();
+  void listen();
   void takeMail();
 
   QString address_;
