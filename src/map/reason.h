@@ -134,7 +134,7 @@ enum class ReasonCode {
   RosTransformTooNew,  // child, parent
   RosTransformLoop,    // child, parent
   // Topics of ROS that are asked for and silent.
-  TopicSilent,       // because: what is known of why
+  TopicSilent,  // because: what is known of why
   TopicNotListed,
   TopicNobodySends,
   TopicsNotTold,
@@ -151,10 +151,10 @@ enum class ReasonCode {
   ResultInvalid,
   ResultInvalidLoad,
   ResultAlreadyLoaded,
-  ResultUnknown,         // its code
-  NotConfirmed,          // seconds
-  TagsNotTaken,          // name
-  ChangedMeanwhile,      // name
+  ResultUnknown,     // its code
+  NotConfirmed,      // seconds
+  TagsNotTaken,      // name
+  ChangedMeanwhile,  // name
   ListsNotTold,
   OnlyCurrentMapSent,
   MessageNotUnderstood,

@@ -111,8 +111,8 @@ class Session : public QObject {
   /// A coarse picture of the SLAM map, until every submap is in.
   const MapSlot& overview() const { return overview_; }
   const LayerGrids& layerGrids() const { return layer_grids_; }
-  /// The map whose named places belong to what `slot` shows: it itself; of what the robot sends, the stored one
-  /// that it works with. nullopt: that is not known, or it keeps none.
+  /// The map whose named places belong to what `slot` shows: it itself; of what the robot sends, the stored
+  /// one that it works with. nullopt: that is not known, or it keeps none.
   std::optional<map::MapKey> placesOf(const MapSlot& slot) const;
   /// Shows a map without loading it on the robot. MapKind::Live: what the robot sends, from now on.
   void openMap(const map::MapKey& key);
@@ -195,9 +195,9 @@ class Session : public QObject {
     bool operator==(const Wish&) const = default;
   };
   std::map<QString, Wish> wants_;
-  Wish wanted_;                              // all of them together
-  QSet<QString> retired_topics_;             // wanted once and no more: what still comes of them is not taken
-  QStringList wanted_topics_;                // every topic that may come of it
+  Wish wanted_;                   // all of them together
+  QSet<QString> retired_topics_;  // wanted once and no more: what still comes of them is not taken
+  QStringList wanted_topics_;     // every topic that may come of it
   std::map<const MapSlot*, map::MapKey> live_places_;  // whose places were asked for last
   std::optional<submap::Millis> listed_at_;  // when the catalogue came last; nullopt when it failed since
   Catalogue catalogue_;

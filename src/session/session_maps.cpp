@@ -207,21 +207,20 @@ void Session::askForPlaces(MapSlot& slot, const map::MapKey& key, std::function<
   if (!robot_->waypointSource()) return;
   const map::CatalogueEntry* const entry = catalogue_.find(key);
   slot.awaitWaypoints(true);
-  robot_->waypointSource()->waypoints(
-      key, [this, still_wanted = std::move(still_wanted), &slot,
-            places = map::placesOf(key, entry ? entry->name : std::string())](
-               robot::Outcome<map::WaypointList> answer) {
-        if (!still_wanted()) return;
-        slot.awaitWaypoints(false);
-        if (answer) {
-          slot.setWaypoints(std::move(*answer));
-        } else {
-          map::Problem problem = map::problemOf(answer.error());
-          problem.subject = places;
-          problem.code = map::ProblemCode::Unavailable;
-          report(problem);
-        }
-      });
+  robot_->waypointSource()->waypoints(key, [this, still_wanted = std::move(still_wanted), &slot,
+                                            places = map::placesOf(key, entry ? entry->name : std::string())](
+                                               robot::Outcome<map::WaypointList> answer) {
+    if (!still_wanted()) return;
+    slot.awaitWaypoints(false);
+    if (answer) {
+      slot.setWaypoints(std::move(*answer));
+    } else {
+      map::Problem problem = map::problemOf(answer.error());
+      problem.subject = places;
+      problem.code = map::ProblemCode::Unavailable;
+      report(problem);
+    }
+  });
 }
 
 void Session::retryMaps() {

@@ -53,7 +53,8 @@ class AxbotLink : public QObject {
   Q_OBJECT
  public:
   /// Large messages go into `mailbox`, frames to whoever sits in `tap`: both are shared with others.
-  AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox, std::shared_ptr<wire::TapPlace> tap);
+  AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
+            std::shared_ptr<wire::TapPlace> tap);
   ~AxbotLink() override;
 
   void open();

@@ -39,8 +39,7 @@ class KabamAdministration : public MapAdministration {
  public:
   /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
   /// applied.
-  KabamAdministration(Line line, std::function<void()> changed)
-      : line_(line), changed_(std::move(changed)) {}
+  KabamAdministration(Line line, std::function<void()> changed) : line_(line), changed_(std::move(changed)) {}
   Call rename(const map::MapKey& key, const std::string& name, OutcomeTo<map::CatalogueEntry> reply) override;
   Call load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
 

@@ -220,15 +220,18 @@ QByteArray getWaypointArgs(const std::string& map_id) {
 }
 
 QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_name) {
-  return compact({{QStringLiteral("map_id"), text(map_id)},
-                  {QStringLiteral("loc_waypoint_name"), text(waypoint_name)}});
+  return compact(
+      {{QStringLiteral("map_id"), text(map_id)}, {QStringLiteral("loc_waypoint_name"), text(waypoint_name)}});
 }
 
 QByteArray renameMapArgs(const KabamMap& map, const std::string& label) {
   // The header is left to the server: those of ROS 1 and ROS 2 differ, and what is omitted is zero.
-  const QJsonObject no_image{{QStringLiteral("height"), 0},       {QStringLiteral("width"), 0},
-                             {QStringLiteral("encoding"), QString()}, {QStringLiteral("is_bigendian"), 0},
-                             {QStringLiteral("step"), 0},         {QStringLiteral("data"), QString()}};
+  const QJsonObject no_image{{QStringLiteral("height"), 0},
+                             {QStringLiteral("width"), 0},
+                             {QStringLiteral("encoding"), QString()},
+                             {QStringLiteral("is_bigendian"), 0},
+                             {QStringLiteral("step"), 0},
+                             {QStringLiteral("data"), QString()}};
   // An archived map stays archived, whoever reads the flag.
   return compact({{QStringLiteral("map_id"), text(map.id)},
                   {QStringLiteral("updated_image"), no_image},

@@ -23,7 +23,7 @@ struct KabamMap {
   bool operator==(const KabamMap&) const = default;
 };
 struct KabamCurrent {
-  KabamMap map;  // its id may be empty: there is none
+  KabamMap map;       // its id may be empty: there is none
   std::string state;  // IDLE, MAPPING, ACTIVE, or whatever it says
   std::optional<double> created_s, updated_s;
   bool operator==(const KabamCurrent&) const = default;
@@ -36,9 +36,9 @@ const std::string& calledOf(const KabamMap& map);
 std::optional<std::vector<KabamMap>> readMapList(const Field& msg, bool archived);
 std::optional<KabamCurrent> readMapInfo(const Field& msg);
 
-/// MapWaypointList as waypoints of the map `map_id`, in the frame `fixed_frame`; nullopt: it is none. Left out, with
-/// a note: those without id or place, the second of an id, those in another frame. Those of another map are
-/// left out silently.
+/// MapWaypointList as waypoints of the map `map_id`, in the frame `fixed_frame`; nullopt: it is none. Left
+/// out, with a note: those without id or place, the second of an id, those in another frame. Those of another
+/// map are left out silently.
 std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string& map_id,
                                              const std::string& fixed_frame);
 /// What tells one list from another.

@@ -90,9 +90,8 @@ std::vector<WaypointRequest> planWaypoints(const StoredWaypoints& now,
     // One whose name is free, or held by somebody who will not let go: that the robot has to refuse.
     const auto next = std::find_if(renamed.begin(), renamed.end(), [&](const WaypointChange& change) {
       const auto held = holder(change.after->name);
-      return held == names.end() || std::none_of(renamed.begin(), renamed.end(), [&](const auto& other) {
-               return other.id == held->first;
-             });
+      return held == names.end() || std::none_of(renamed.begin(), renamed.end(),
+                                                 [&](const auto& other) { return other.id == held->first; });
     });
     if (next != renamed.end()) {
       names[next->id] = next->after->name;

@@ -117,8 +117,10 @@ void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject
                                std::function<void(std::optional<map::Failure>)> then) {
   await(
       errand, patience_.lists, [this] { return book_.listed(); },
-      [subject, then = std::move(then)](Awaited how) {
-        if (how == Awaited::Held) return then(std::nullopt);
+      [this, subject, then = std::move(then)](Awaited how) {
+        // A manager without a current map may say nothing of it.
+        const bool enough = how == Awaited::TooLate && book_.partlyListed();
+        if (how == Awaited::Held || enough) return then(std::nullopt);
         map::Failure failure;
         failure.subject = subject;
         failure.kind = map::FailureKind::Cancelled;
@@ -188,8 +190,7 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
                }
                // Somebody else may have been quicker; of the current map the topic tells.
                const WaypointChange& change = request.changes.front();
-               const auto stored =
-                   book_.isCurrent(key.id) ? book_.waypoints(fixed_frame_()) : std::nullopt;
+               const auto stored = book_.isCurrent(key.id) ? book_.waypoints(fixed_frame_()) : std::nullopt;
                const map::Waypoint* const kept = stored ? find(*stored, change.id) : nullptr;
                if (stored && change.before && (!kept || !sameAsKept(*kept, *change.before))) {
                  return reply(fail({.kind = map::FailureKind::Conflict,
@@ -201,8 +202,8 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
              });
 }
 
-void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key,
-                         const WaypointRequest& asked, OutcomeTo<WaypointReceipt> reply) {
+void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& asked,
+                         OutcomeTo<WaypointReceipt> reply) {
   const auto change = std::make_shared<Change>();
   change->key = key;
   change->what = asked.changes.front();
@@ -210,8 +211,8 @@ void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key,
   const WaypointService service = serviceOf(change->what);
   const bool creates = service == WaypointService::Create, deletes = service == WaypointService::Delete;
   const map::Waypoint& point = deletes ? *change->what.before : *change->what.after;
-  const QByteArray message = waypointJson(point, creates ? std::string() : change->what.id, key.id,
-                                          fixed_frame_());
+  const QByteArray message =
+      waypointJson(point, creates ? std::string() : change->what.id, key.id, fixed_frame_());
   call(errand, client_, request(nameOf(service), manageWaypointArgs(message, deletes)),
        [this, errand, change, name = point.name](const CallAnswer& answer) {
          const map::Subject subject = map::placesOf(change->key);
@@ -225,8 +226,7 @@ void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key,
            return confirm(errand, change, std::move(failure));
          }
          auto failure = waypointResult(answer.values, subject, name);
-         if (failure && failure->applied == map::Applied::No)
-           return change->reply(fail(std::move(*failure)));
+         if (failure && failure->applied == map::Applied::No) return change->reply(fail(std::move(*failure)));
          const Field response = answer.values["waypoint_response"];
          change->id = response.isText() ? response.text() : response["id"].text();
          confirm(errand, change, std::move(failure));
@@ -240,9 +240,8 @@ KabamRequests::Shown KabamRequests::shownIn(const StoredWaypoints& stored, Chang
   if (!shown && !what.before) {
     // Who created it did not say which one it is.
     const auto found =
-        std::find_if(stored.points.begin(), stored.points.end(), [&](const map::Waypoint& point) {
-          return sameBesidesTags(point, *what.after);
-        });
+        std::find_if(stored.points.begin(), stored.points.end(),
+                     [&](const map::Waypoint& point) { return sameBesidesTags(point, *what.after); });
     if (found != stored.points.end()) shown = &*found;
   }
   if (!shown || !sameBesidesTags(*shown, *what.after)) return Shown::NotYet;
@@ -264,7 +263,8 @@ void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& chan
           return *shown == Shown::Done;
         },
         [this, change, shown, doubt = std::move(doubt)](Awaited how) {
-          endChange(change, *shown, how == Awaited::Cancelled ? cancelled(map::placesOf(change->key)) : doubt);
+          endChange(change, *shown,
+                    how == Awaited::Cancelled ? cancelled(map::placesOf(change->key)) : doubt);
         });
     return;
   }
@@ -322,9 +322,9 @@ void KabamRequests::rename(const wire::ErrandPtr& errand, const map::MapKey& key
                answer.kind == CallAnswer::Kind::Answered
                    ? updateMapResult(answer.values, subject)
                    : std::optional(failed(answer, subject, map::AskedFor::Change));
-           if (failure && (failure->applied == map::Applied::No ||
-                           failure->kind == map::FailureKind::Cancelled ||
-                           failure->kind == map::FailureKind::Unreachable))
+           if (failure &&
+               (failure->applied == map::Applied::No || failure->kind == map::FailureKind::Cancelled ||
+                failure->kind == map::FailureKind::Unreachable))
              return reply(fail(std::move(*failure)));
            confirmMap(
                errand, key,
@@ -351,9 +351,9 @@ void KabamRequests::load(const wire::ErrandPtr& errand, const map::MapKey& key, 
            // What was asked for holds already.
            const bool holds = failure && failure->robot_code == kAlreadyLoaded && book_.isCurrent(key.id);
            if (holds) return reply(*book_.entry(key.id));
-           if (failure && (failure->applied == map::Applied::No ||
-                           failure->kind == map::FailureKind::Cancelled ||
-                           failure->kind == map::FailureKind::Unreachable))
+           if (failure &&
+               (failure->applied == map::Applied::No || failure->kind == map::FailureKind::Cancelled ||
+                failure->kind == map::FailureKind::Unreachable))
              return reply(fail(std::move(*failure)));
            confirmMap(
                errand, key, [this, key] { return book_.isCurrent(key.id); }, std::move(failure), reply);

@@ -20,10 +20,10 @@
 namespace mapwright::robot::ros {
 
 struct KabamPatience {
-  std::chrono::milliseconds call{10'000};       // for an answer
-  std::chrono::milliseconds lists{5'000};       // for the first messages of the topics
-  std::chrono::milliseconds confirm{5'000};     // for the topics to show a change
-  std::chrono::milliseconds look_again{500};    // at the waypoints of a map that no topic tells of
+  std::chrono::milliseconds call{10'000};     // for an answer
+  std::chrono::milliseconds lists{5'000};     // for the first messages of the topics
+  std::chrono::milliseconds confirm{5'000};   // for the topics to show a change
+  std::chrono::milliseconds look_again{500};  // at the waypoints of a map that no topic tells of
 };
 
 class KabamRequests : public QObject {

@@ -1,4 +1,5 @@
-// What the result codes of KABAM's services mean. Pure. Source: kabam.md (each service has an enum of its own).
+// What the result codes of KABAM's services mean. Pure. Source: kabam.md (each service has an enum of its
+// own).
 #pragma once
 
 #include <optional>
@@ -9,8 +10,8 @@
 
 namespace mapwright::robot::ros {
 
-/// nullopt: it was done. Else why not, about `subject`; a code that nobody knows is named by its number. `name`:
-/// that the waypoint was to have.
+/// nullopt: it was done. Else why not, about `subject`; a code that nobody knows is named by its number.
+/// `name`: that the waypoint was to have.
 std::optional<map::Failure> waypointResult(const net::rosbridge::Field& values, map::Subject subject,
                                            const std::string& name);
 std::optional<map::Failure> updateMapResult(const net::rosbridge::Field& values, map::Subject subject);

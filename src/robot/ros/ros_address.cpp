@@ -67,8 +67,7 @@ AddressScheme rosAddressScheme() { return schemeOf("ros+"); }
 AddressScheme kabamAddressScheme() { return schemeOf("kabam+"); }
 
 std::string namespaceOf(const Address& address) {
-  std::string ns =
-      address.options.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded).toStdString();
+  std::string ns = address.options.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded).toStdString();
   while (!ns.empty() && ns.back() == '/') ns.pop_back();
   return ns;
 }

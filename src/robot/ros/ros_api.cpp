@@ -139,8 +139,7 @@ void RosApi::askTypes(const LookPtr& look) {
   }
 }
 
-void RosApi::countPublishers(const std::string& topic,
-                             std::function<void(std::optional<std::size_t>)> then) {
+void RosApi::countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then) {
   ask("/rosapi/publishers", withText("topic", topic), [then = std::move(then)](const CallAnswer& answer) {
     const Field publishers = answered(answer) ? answer.values["publishers"] : Field();
     then(publishers.isList() ? std::optional(publishers.size()) : std::nullopt);

@@ -7,7 +7,8 @@ namespace mapwright::robot::ros {
 Call Catalogue::list(OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
   return wire::askAcross(
       line_.asker, line_.link, lists_, map::Subject(map::SubjectKind::Catalogue, map::kMapsPart),
-      std::move(reply), [](RosLink& link, auto errand, auto answer) { link.list(errand, std::move(answer)); });
+      std::move(reply),
+      [](RosLink& link, auto errand, auto answer) { link.list(errand, std::move(answer)); });
 }
 
 Call Catalogue::describe(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
@@ -51,7 +52,8 @@ QStringList Topics::topicsOf(map::Stream stream) const {
 }
 
 void Topics::setWanted(const map::Streams& streams, const QStringList& topics) {
-  QMetaObject::invokeMethod(line_.link, [link = line_.link, streams, topics] { link->setWanted(streams, topics); });
+  QMetaObject::invokeMethod(line_.link,
+                            [link = line_.link, streams, topics] { link->setWanted(streams, topics); });
 }
 
 void Topics::setBasics(const Basics& basics) {

@@ -1,5 +1,5 @@
-// What a ROS robot can be asked for whatever runs on it: one object each, on the thread of the robot. They ask
-// the link on its own thread and hand over what comes back.
+// What a ROS robot can be asked for whatever runs on it: one object each, on the thread of the robot. They
+// ask the link on its own thread and hand over what comes back.
 #pragma once
 
 #include <memory>

@@ -68,9 +68,8 @@ void RosLink::wireClient() {
     if (serious)
       report(map::Severity::Warning, {map::ReasonCode::ItAnswered, {words.left(300).toStdString()}});
   });
-  connect(client_.get(), &Client::odd, this, [this] {
-    report(map::Severity::Info, {map::ReasonCode::MessageNotUnderstood});
-  });
+  connect(client_.get(), &Client::odd, this,
+          [this] { report(map::Severity::Info, {map::ReasonCode::MessageNotUnderstood}); });
 }
 
 void RosLink::wireParts() {
@@ -191,7 +190,8 @@ void RosLink::publishState() {
 
 void RosLink::report(map::Severity severity, map::Reason reason) {
   const QString host = QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port());
-  Q_EMIT problemFound({severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)});
+  Q_EMIT problemFound(
+      {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)});
 }
 
 void RosLink::look() {

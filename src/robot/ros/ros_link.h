@@ -1,5 +1,5 @@
-// The network half of a ROS robot behind a rosbridge server. Lives on a thread of its own; values go in and out
-// by queued calls. Source: rosbridge.md, kabam.md.
+// The network half of a ROS robot behind a rosbridge server. Lives on a thread of its own; values go in and
+// out by queued calls. Source: rosbridge.md, kabam.md.
 #pragma once
 
 #include <chrono>
@@ -38,9 +38,9 @@ struct LinkOptions {
   bool kabam_only = false;  // without a map manager it is not the robot that was meant
   net::Trust trust;
   net::rosbridge::ClientOptions client;
-  std::chrono::milliseconds look_every{10'000};   // which topics and services there are
+  std::chrono::milliseconds look_every{10'000};  // which topics and services there are
   std::chrono::milliseconds look_patience{3'000};
-  std::chrono::milliseconds pose_every{50};       // told at most so often
+  std::chrono::milliseconds pose_every{50};  // told at most so often
   std::chrono::milliseconds map_patience{10'000};
   RosSubscriptions::Patience topics;
   KabamPatience kabam;
@@ -92,8 +92,10 @@ class RosLink : public QObject {
   void waypointsChanged();
 
  private:
+  /// What was told of a topic last, and when: the same is not told at the rate of its messages.
   struct Trouble {
-    bool unreadable = false, unplaced = false, odd = false;
+    map::Reason reason;
+    qint64 told_ms = 0;
   };
   /// A question that waits until it is known what the robot can do.
   struct Early {
@@ -116,8 +118,7 @@ class RosLink : public QObject {
   void take(const net::rosbridge::TopicMessage& message);
   void takeOfManager(const net::rosbridge::TopicMessage& message);
   void tell(WorldResult result);
-  void note(const std::string& topic, bool Trouble::* what, map::ProblemCode code,
-            const std::optional<map::Reason>& reason);
+  void note(const std::string& topic, map::ProblemCode code, const std::optional<map::Reason>& reason);
   void forgetTrouble(const std::string& topic);
   void tellPose();
   void emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
@@ -145,13 +146,13 @@ class RosLink : public QObject {
   std::vector<Source> sources_;
   bool wanted_ = false, watching_ = false;
   bool looking_ = false;
-  bool known_ = false;        // what this connection's robot has
-  bool was_known_ = false;    // on a connection before
+  bool known_ = false;      // what this connection's robot has
+  bool was_known_ = false;  // on a connection before
   bool has_manager_ = false;
   bool refused_ = false;
   int round_ = 0;  // of connections
   std::list<EarlyPtr> early_;
-  std::map<std::string, Trouble> troubles_;  // by topic
+  std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic
   wire::RawLimit raw_limit_;
   QElapsedTimer clock_, pose_told_, pose_missing_;
   std::optional<geometry::Pose2> last_pose_;

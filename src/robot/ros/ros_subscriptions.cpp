@@ -54,9 +54,7 @@ Subscription subscriptionFor(const Source& source) {
   return wanted;
 }
 
-bool isTransform(const Source& source) {
-  return source.form == Form::Tf || source.form == Form::StaticTf;
-}
+bool isTransform(const Source& source) { return source.form == Form::Tf || source.form == Form::StaticTf; }
 
 }  // namespace
 
@@ -203,7 +201,9 @@ void RosSubscriptions::tellSilence(const std::string& topic) {
     if (asked == self->asked_.end() || !asked->second.told) return;
     const map::Severity severity =
         asked->second.wanted.necessary ? map::Severity::Warning : map::Severity::Info;
-    Q_EMIT self->problemFound({severity, subjectOf(topic), {map::ReasonCode::TopicSilent, {}, {why}},
+    Q_EMIT self->problemFound({severity,
+                               subjectOf(topic),
+                               {map::ReasonCode::TopicSilent, {}, {why}},
                                map::ProblemCode::Unavailable});
   };
   if (!found_.topics) return tell(map::ReasonCode::TopicsNotTold);

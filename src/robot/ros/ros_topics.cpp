@@ -120,8 +120,8 @@ std::vector<Source> usualSources(const std::string& ns) {
   std::vector<Source> sources;
   for (const UsualName& usual : kUsualNames) {
     // What several robots share is called the same for all of them.
-    const bool shared = usual.form == Form::Tf || usual.form == Form::StaticTf ||
-                        usual.stream == Stream::WholeMap;
+    const bool shared =
+        usual.form == Form::Tf || usual.form == Form::StaticTf || usual.stream == Stream::WholeMap;
     if (!ns.empty()) addGrids(sources, {usual.stream, usual.form, ns + usual.topic, {}, {}, false}, {});
     if (ns.empty() || shared) addGrids(sources, {usual.stream, usual.form, usual.topic, {}, {}, false}, {});
   }
@@ -150,8 +150,7 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& foun
       if (rank == rule.tails.size() && !rule.any) continue;
       fitting.push_back({{!below(topic.name, ns), rank, topic.name.size(), topic.name}, &topic});
     }
-    std::sort(fitting.begin(), fitting.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::sort(fitting.begin(), fitting.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t i = 0; i < fitting.size() && i < rule.most; ++i)
       addGrids(sources, {rule.stream, rule.form, fitting[i].second->name, fitting[i].second->type, {}, true},
                found);

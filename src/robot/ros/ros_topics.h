@@ -40,9 +40,9 @@ struct Source {
   map::Stream stream = map::Stream::Pose;
   Form form = Form::Grid;
   std::string topic;
-  std::string type;     // as the server writes it; empty = not known, or not asked
-  std::string base;     // of a patch: the topic of the grid that it changes
-  bool found = false;   // the server says that it is there
+  std::string type;    // as the server writes it; empty = not known, or not asked
+  std::string base;    // of a patch: the topic of the grid that it changes
+  bool found = false;  // the server says that it is there
   bool operator==(const Source&) const = default;
 };
 

@@ -216,7 +216,9 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       MarkerBoard& board = boards_[source.topic];
       board.take(*markers, received_s);
       board.expire(received_s);
-      taking(Board{{}, board.markers()});
+      Board shown;  // made member by member: g++ 12 takes it for uninitialised otherwise
+      shown.markers = board.markers();
+      taking(std::move(shown));
       break;
     }
     case Form::Battery:
@@ -234,8 +236,8 @@ const Header& RosWorld::headerOf(const Content& content) {
 RosWorld::Placing RosWorld::boxes(const std::vector<Marker>& markers) const {
   map::SeenObjectsMessage seen;
   for (const Marker& marker : markers) {
-    const auto found = transforms_.find(
-        fixedFrame(), marker.header.frame.empty() ? fixedFrame() : marker.header.frame, {});
+    const auto found =
+        transforms_.find(fixedFrame(), marker.header.frame.empty() ? fixedFrame() : marker.header.frame, {});
     if (!found) return tl::make_unexpected(found.error());
     if (auto box = boxOf(marker, *found)) seen.objects.push_back(std::move(*box));
   }
@@ -249,8 +251,7 @@ RosWorld::Placing RosWorld::place(const Source& source, const Content& content) 
   // The outline of the robot is drawn around the robot.
   const std::string into = source.stream == Stream::Model ? robotFrame() : fixed;
   if (into.empty()) return tl::make_unexpected(Missing{Missing::Kind::UnknownFrame, fixed, "base_link"});
-  const auto found =
-      transforms_.find(into, header.frame.empty() ? into : header.frame, header.stamp_s);
+  const auto found = transforms_.find(into, header.frame.empty() ? into : header.frame, header.stamp_s);
   if (!found) return tl::make_unexpected(found.error());
   if (const auto* grid = std::get_if<Grid>(&content)) {
     map::GridMessage message = gridMessage(*grid, source.topic, kindOf(source.stream), *found);

@@ -30,12 +30,12 @@ struct WorldResult {
 };
 using WorldResults = std::vector<WorldResult>;
 
-/// All that is kept between two messages. The fixed frame is that of the map; without a map it is called `map`,
-/// and where there is no such frame, it is the root of the robot's own. What needs a transform that is not
-/// there is not placed: a transform is waited for, then named, never guessed. One thread.
+/// All that is kept between two messages. The fixed frame is that of the map; without a map it is called
+/// `map`, and where there is no such frame, it is the root of the robot's own. What needs a transform that is
+/// not there is not placed: a transform is waited for, then named, never guessed. One thread.
 class RosWorld {
  public:
-  static constexpr double kPatienceS = 1;    // for a transform, before its absence is told
+  static constexpr double kPatienceS = 1;     // for a transform, before its absence is told
   static constexpr std::size_t kWaiting = 8;  // messages of a topic
 
   /// `ns`: frames below this namespace are looked for first.
@@ -93,7 +93,7 @@ class RosWorld {
     Form form;
     Placed placed;
   };
-  std::map<std::string, Told> told_poses_;    // by topic
+  std::map<std::string, Told> told_poses_;     // by topic
   std::map<std::string, MarkerBoard> boards_;  // by topic
 };
 
