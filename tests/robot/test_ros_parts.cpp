@@ -265,8 +265,15 @@ class RosPartsTest : public QObject {
   void theFixedFrameIsTheRootWhereThereIsNoMap() {
     RosWorld world;
     QCOMPARE(world.fixedFrame(), std::string("map"));
-    give(world, kTf, tf("odom", "base_link", 0, 0, 0, kNow));
+    // What never changes comes first, and its root is nobody's map.
+    give(world, kStatic, tf("base_link", "laser", 0, 0, 0, 0), kNow);
+    QCOMPARE(world.fixedFrame(), std::string("map"));
+    give(world, kTf, tf("odom", "base_link", 0, 0, 0, kNow), kNow + 0.5);
+    QCOMPARE(world.fixedFrame(), std::string("map"));  // which may still come
+    give(world, kTf, tf("odom", "base_link", 0, 0, 0, kNow + 1), kNow + 1.1);
     QCOMPARE(world.fixedFrame(), std::string("odom"));
+    give(world, kTf, tf("map", "odom", 0, 0, 0, kNow + 1), kNow + 1.2);
+    QCOMPARE(world.fixedFrame(), std::string("map"));
   }
 
   void theOutlineIsThatOfTheRobot() {

@@ -29,7 +29,8 @@ struct KabamPatience {
 class KabamRequests : public QObject {
   Q_OBJECT
  public:
-  /// `client` and what `fixed_frame` looks at outlive this. `fixed_frame`: the one that waypoints lie in.
+  /// `client` and what `fixed_frame` looks at outlive this. `fixed_frame`: that of the map, which waypoints
+  /// lie in; empty = not known.
   KabamRequests(net::rosbridge::Client& client, KabamPatience patience,
                 std::function<std::string()> fixed_frame, QObject* parent = nullptr);
 

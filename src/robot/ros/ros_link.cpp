@@ -41,7 +41,7 @@ void RosLink::start() {
   client_ = std::make_unique<net::rosbridge::Client>(options_.url, std::move(client));
   client_->setTrust(options_.trust);
   api_ = std::make_unique<RosApi>(*client_, options_.look_patience);
-  kabam_ = std::make_unique<KabamRequests>(*client_, options_.kabam, [this] { return world_.fixedFrame(); });
+  kabam_ = std::make_unique<KabamRequests>(*client_, options_.kabam, [this] { return world_.mapFrame(); });
   subscriptions_ = std::make_unique<RosSubscriptions>(*client_, *api_, options_.topics);
   live_map_ = std::make_unique<LiveMap>(options_.map_patience);
   look_timer_ = std::make_unique<QTimer>();

@@ -53,6 +53,7 @@ void RosWorld::forget(const std::string& topic) {
 void RosWorld::forgetAll() {
   transforms_ = {};
   map_frame_.clear();
+  first_transform_s_ = latest_s_ = 0;
   grids_.clear();
   waiting_.clear();
   told_poses_.clear();
@@ -83,12 +84,13 @@ std::string RosWorld::fixedFrame() const {
   if (!map_frame_.empty()) return map_frame_;
   const std::vector<std::string> frames = transforms_.frames();
   if (frames.empty() || std::binary_search(frames.begin(), frames.end(), kMap)) return kMap;
-  const std::vector<std::string> roots = transforms_.roots();
+  // Transforms come by and by, those that never change first: their root is none before the others had time.
+  if (latest_s_ - first_transform_s_ < kPatienceS) return kMap;
   const std::string robot = robotFrame();
-  for (const std::string& root : roots) {
-    if (!robot.empty() && transforms_.find(root, robot, {})) return root;
+  for (const std::string& root : transforms_.roots()) {
+    if (!robot.empty() && root != robot && transforms_.find(root, robot, {})) return root;
   }
-  return roots.empty() ? kMap : roots.front();
+  return kMap;
 }
 
 tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const Placed& placed) const {
@@ -123,6 +125,8 @@ std::optional<tl::expected<geometry::Pose2, map::Reason>> RosWorld::pose() const
 void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& result) {
   for (const TfRow& row : readTf(msg))
     transforms_.take(row.parent, row.child, row.transform, row.stamp_s, source.form == Form::StaticTf);
+  if (first_transform_s_ == 0) first_transform_s_ = result.received_s;
+  latest_s_ = result.received_s;
   for (const Missing& loop : transforms_.loops()) result.notes.push_back(reasonOf(loop));
 }
 

@@ -31,8 +31,9 @@ struct WorldResult {
 using WorldResults = std::vector<WorldResult>;
 
 /// All that is kept between two messages. The fixed frame is that of the map; without a map it is called
-/// `map`, and where there is no such frame, it is the root of the robot's own. What needs a transform that is
-/// not there is not placed: a transform is waited for, then named, never guessed. One thread.
+/// `map`, and where no such frame has come a while after the first transform, it is the root of the robot's
+/// own. What needs a transform that is not there is not placed: a transform is waited for, then named, never
+/// guessed. One thread.
 class RosWorld {
  public:
   static constexpr double kPatienceS = 1;     // for a transform, before its absence is told
@@ -53,6 +54,8 @@ class RosWorld {
   void forgetAll();
 
   std::string fixedFrame() const;
+  /// That of the map, as the map says itself; empty while none has come.
+  const std::string& mapFrame() const { return map_frame_; }
   /// base_link or base_footprint, whatever stands before it; empty while none of them is known.
   std::string robotFrame() const;
   /// Where the robot is in the fixed frame, now: by transforms, else by the best topic that tells. nullopt:
@@ -86,6 +89,7 @@ class RosWorld {
   std::string ns_;
   Transforms transforms_;
   std::string map_frame_;
+  double first_transform_s_ = 0, latest_s_ = 0;  // when they came; 0 = none yet
   std::set<std::string> kept_topics_;
   std::map<std::string, Grid> grids_;  // by topic
   std::map<std::string, std::deque<Waiting>> waiting_;
