@@ -30,6 +30,8 @@ constexpr double kConnectWithinS = 10;
 constexpr int kLookEveryMs = 20;
 constexpr double kTopicsWithinS = 3;  // live layers, after connecting
 constexpr double kNoteEveryS = 0.25;
+// Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some, too.
+constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
 
 bool wantsSubmapsOf(const SnapshotOptions& options) {
   return options.mode == SnapshotMode::Submaps || options.layers.contains(scene::Layer::Submaps);
@@ -203,6 +205,9 @@ void SnapshotRun::look() {
   }
   if (!options_.settle_s && everythingIn() && topicsIn()) {
     paint(true);
+  } else if (goneForGood() && somethingIn()) {
+    notes_ << Words::tr("Not everything had arrived.") + whatOfTheLink();
+    paint(false);
   } else if (seconds() - noted_s_ > std::max(kNoteEveryS, 20 * note_took_s_)) {
     // Counting a hundred thousand submaps takes a moment: that may not be all that is done.
     noteStanding();
@@ -256,6 +261,15 @@ bool SnapshotRun::everythingIn() const {
   const bool points_in =
       !options_.layers.contains(scene::Layer::Waypoints) || !session_.wholeMap().waypointsAwaited();
   return map_.grid() && session_.wholeMap().settled() && points_in;
+}
+
+bool SnapshotRun::goneForGood() const {
+  if (options_.settle_s || session_.connection().phase == robot::ConnectionPhase::Online) return false;
+  return options_.timeout_s - seconds() < std::min(kDrawShare * options_.timeout_s, kDrawAtMostS);
+}
+
+bool SnapshotRun::somethingIn() const {
+  return wantsWhole() ? map_.grid().has_value() : session_.counts().texture_bytes > 0;
 }
 
 void SnapshotRun::timeOut() {

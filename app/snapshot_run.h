@@ -78,6 +78,9 @@ class SnapshotRun : public QObject {
   bool wantsWhole() const;
   bool topicsIn() const;
   bool everythingIn() const;
+  bool somethingIn() const;
+  /// The link is lost, and it is about time to draw what has come.
+  bool goneForGood() const;
   void fail(int exit_code, const QString& sentence);
   void finish(int exit_code);
   SnapshotContent chooseContent() const;
