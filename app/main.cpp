@@ -121,6 +121,30 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_flag("--json", words.json, help(Words::tr("Print the report on standard output")));
 }
 
+using robot::MapChange;
+
+/// A `mapwright maps …` that changes something.
+struct MapChangeCommand {
+  MapChange change;
+  const char* name;
+  QString about;
+  bool of_one_map, names;
+};
+
+std::vector<MapChangeCommand> mapChangeCommands() {
+  return {
+      {MapChange::Rename, "rename", Words::tr("Call a stored map otherwise"), true, true},
+      {MapChange::Load, "load", Words::tr("Make a stored map the one that the robot works with"), true,
+       false},
+      {MapChange::Archive, "archive", Words::tr("Put a stored map away"), true, false},
+      {MapChange::Unarchive, "unarchive", Words::tr("Take a map out of the archive"), true, false},
+      {MapChange::Delete, "delete", Words::tr("Delete a stored map (--yes)"), true, false},
+      {MapChange::StartMapping, "start-mapping", Words::tr("Let the robot begin a new map"), false, false},
+      {MapChange::StopMapping, "stop-mapping", Words::tr("End mapping; save keeps what has been mapped"),
+       false, false},
+      {MapChange::Save, "save", Words::tr("Keep what has been mapped, under a name"), false, true}};
+}
+
 void addMaps(CLI::App& cli, CommandLine& line) {
   CLI::App* maps = cli.add_subcommand(
       "maps", help(Words::tr("The maps that a robot or a folder keeps: list, export, compare, change")));
@@ -184,13 +208,19 @@ void addMaps(CLI::App& cli, CommandLine& line) {
                    help(Words::tr("Write the difference as a PNG; - is the standard output")));
   diff->add_flag("--force", words.force, help(Words::tr("Write even over a file that a map is read from")));
   diff->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  CLI::App* rename = addOne("rename", help(Words::tr("Call a stored map otherwise")));
-  CLI::App* load = addOne("load", help(Words::tr("Make a stored map the one that the robot works with")));
-  for (CLI::App* command : {rename, load}) {
-    command->add_option("id", words.id, help(Words::tr("A stored map by its id")))->required();
+  for (const MapChangeCommand& one : mapChangeCommands()) {
+    CLI::App* command = addOne(one.name, help(one.about));
     command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+    if (one.of_one_map)
+      command->add_option("id", words.id, help(Words::tr("A stored map by its id")))->required();
+    if (one.names)
+      command->add_option("name", words.label, help(Words::tr("Its name from now on")))->required();
+    if (one.change == MapChange::Load)
+      command->add_option("--waypoint", words.place,
+                          help(Words::tr("The name of the waypoint where the robot stands")));
+    if (one.change == MapChange::Delete)
+      command->add_flag("--yes", words.yes, help(Words::tr("Needed: it cannot be had back")));
   }
-  rename->add_option("name", words.label, help(Words::tr("Its name from now on")))->required();
 }
 
 void addSimulate(CLI::App& cli, CommandLine& line) {
@@ -351,8 +381,9 @@ int run(int argc, char** argv) {
     if (maps->got_subcommand("current")) return app::mapsCurrent(line.maps, argc, argv);
     if (maps->got_subcommand("show")) return app::mapsShow(line.maps, argc, argv);
     if (maps->got_subcommand("export")) return app::mapsExport(line.maps, argc, argv);
-    if (maps->got_subcommand("rename")) return app::mapsRename(line.maps, argc, argv);
-    if (maps->got_subcommand("load")) return app::mapsLoad(line.maps, argc, argv);
+    for (const MapChangeCommand& one : mapChangeCommands()) {
+      if (maps->got_subcommand(one.name)) return app::mapsChange(one.change, line.maps, argc, argv);
+    }
     return app::mapsDiff(line.maps, argc, argv);
   }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining());

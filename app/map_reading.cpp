@@ -18,6 +18,7 @@
 #include "scene/layer.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/obstacle_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {
@@ -122,12 +123,17 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   return reading;
 }
 
-CommandResult<map::CatalogueEntry> MapReading::change(const Ask& ask) {
+CommandResult<map::CatalogueEntry> MapReading::change(const robot::MapOrder& order) {
   robot::MapAdministration* const maps = session_.robot().mapAdministration();
   if (!maps) return tl::make_unexpected(lacks(robot::Capability::Administration));
+  const auto obstacle = maps->obstacle(order.change, nullptr);
+  if (obstacle == robot::Obstacle::NotOffered) {
+    return tl::make_unexpected(
+        failure(local() ? kUsage : kRobotError, sentences::whyNotNow(order.change, *obstacle)));
+  }
   // Shared: an outcome may still come when nobody waits for it any more.
   const auto outcome = std::make_shared<std::optional<robot::Outcome<map::CatalogueEntry>>>();
-  const robot::Call call = ask(*maps, [outcome](auto given) { *outcome = std::move(given); });
+  const robot::Call call = maps->carryOut(order, [outcome](auto given) { *outcome = std::move(given); });
   const bool in_time = waitUntil([&] { return outcome->has_value(); });
   if (!in_time) {
     call.cancel();

@@ -14,6 +14,7 @@
 #include "app/report.h"
 #include "app/robot_access.h"
 #include "render/sample_grid.h"
+#include "robot/map_administration.h"
 #include "session/session.h"
 #include "work/workers.h"
 
@@ -44,8 +45,7 @@ class MapReading {
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
   /// Asks for a change of one of its maps, and waits for what comes of it. A change that is under way when
   /// the time is over is given up, and the failure says whether it may have been made.
-  using Ask = std::function<robot::Call(robot::MapAdministration&, robot::OutcomeTo<map::CatalogueEntry>)>;
-  CommandResult<map::CatalogueEntry> change(const Ask& ask);
+  CommandResult<map::CatalogueEntry> change(const robot::MapOrder& order);
   QString nameOfMap() const { return name_; }
   /// The local files that the map was read from.
   std::vector<std::string> sourceFiles() const;

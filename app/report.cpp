@@ -57,6 +57,7 @@ QJsonObject entryJson(const map::CatalogueEntry& row) {
                                             : row.key.kind == map::MapKind::File  ? QStringLiteral("file")
                                                                                   : QStringLiteral("map")},
                    {QStringLiteral("current"), row.is_current},
+                   {QStringLiteral("archived"), row.is_archived},
                    {QStringLiteral("map_version"), jsonOr(row.map_version)},
                    {QStringLiteral("overlays_version"), jsonOr(row.overlays_version)},
                    {QStringLiteral("created"), row.created_s ? QJsonValue(*row.created_s) : QJsonValue()},

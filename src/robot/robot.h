@@ -123,19 +123,6 @@ class OverviewSource {
   virtual Call fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply) = 0;
 };
 
-/// Capability: the stored maps called otherwise, and another one worked with. Nothing is sent twice: where
-/// the failure's applied is Maybe, whoever asked looks into the catalogue before asking again. What the robot
-/// makes of it is told by the answer and by mapsChanged().
-class MapAdministration {
- public:
-  virtual ~MapAdministration() = default;
-  /// The answer is the map as the robot tells it now, its name as well.
-  virtual Call rename(const map::MapKey& key, const std::string& name,
-                      OutcomeTo<map::CatalogueEntry> reply) = 0;
-  /// Makes it the map that the robot works with. The answer is that map.
-  virtual Call load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) = 0;
-};
-
 /// Capability: the named places of a map (read only).
 class WaypointSource {
  public:
@@ -194,7 +181,8 @@ class LiveTopics {
   virtual void setTap(FrameTap tap) = 0;
 };
 
-class WaypointStore;  // robot/waypoint_store.h
+class MapAdministration;  // robot/map_administration.h
+class WaypointStore;      // robot/waypoint_store.h
 
 class Robot : public QObject {
   Q_OBJECT

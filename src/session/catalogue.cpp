@@ -54,7 +54,8 @@ void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
     failure_ = map::FailureKind::None;
     as_of_ = QDateTime::currentDateTime();
     const auto rank = [](const map::CatalogueEntry& row) {
-      return std::tuple(int(row.key.kind), row.index.value_or(1 << 30), -row.created_s.value_or(0));
+      return std::tuple(int(row.key.kind), row.is_archived, row.index.value_or(1 << 30),
+                        -row.created_s.value_or(0));
     };
     std::stable_sort(answer->begin(), answer->end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });

@@ -34,7 +34,8 @@ class Catalogue : public QObject {
   QString error() const { return error_; }
   map::FailureKind failure() const { return failure_; }
   std::optional<QDateTime> asOf() const { return as_of_; }
-  /// Stored maps first, then mappings; each newest first, the robot's own order where it has one.
+  /// Stored maps first, then archived ones, then mappings; each newest first, the robot's own order where it
+  /// has one.
   const std::vector<map::CatalogueEntry>& entries() const { return entries_; }
   const map::CatalogueEntry* find(const map::MapKey& key) const;
   const map::CatalogueEntry* current() const;

@@ -142,6 +142,17 @@ class MapsChangeTest : public QObject {
         robot, {QStringLiteral("rename"), QStringLiteral("1764059676131"), QStringLiteral("Lobby")}, true);
     QCOMPARE(agibot.code, 4);
     QVERIFY2(agibot.err.contains(QStringLiteral("offers no editing")), qPrintable(agibot.err));
+    for (const QStringList& words :
+         {QStringList{QStringLiteral("archive"), QStringLiteral("2")},
+          QStringList{QStringLiteral("delete"), QStringLiteral("2"), QStringLiteral("--yes")},
+          QStringList{QStringLiteral("start-mapping")},
+          QStringList{QStringLiteral("save"), QStringLiteral("Lobby")}}) {
+      const Outcome not_offered = run(robot, words);
+      QVERIFY2(not_offered.code == 4, qPrintable(not_offered.err));
+      QCOMPARE(not_offered.err.count(QLatin1Char('\n')), 1);
+    }
+    const Outcome unsure = run(robot, {QStringLiteral("delete"), QStringLiteral("2")});
+    QVERIFY2(unsure.code == 2 && unsure.err.contains(QStringLiteral("--yes")), qPrintable(unsure.err));
     for (const char* id : {"mapping:1", "live", ""}) {
       const Outcome wrong =
           run(robot, {QStringLiteral("rename"), QString::fromLatin1(id), QStringLiteral("Lobby")});

@@ -11,9 +11,11 @@
 #include <QToolBar>
 
 #include "window/action_bars.h"
+#include "window/administration/administration_controller.h"
 #include "window/compare/compare_controller.h"
 #include "window/connection/connection_controller.h"
 #include "window/current_session.h"
+#include "window/docks/maps_dock.h"
 #include "window/edit/edit_controller.h"
 #include "window/files/export_controller.h"
 #include "window/files/files_controller.h"
@@ -147,6 +149,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(waypoints_);
   make(problems_);
   make(maps_);
+  make(administration_);
   make(robot_);
   make(messages_);
   make(files_, *placing_);
@@ -164,6 +167,7 @@ void MainWindow::connectControllers() {
   connect(layers_, &LayersController::colorModeChanged, inspector_, &InspectorController::setColorMode);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
+  connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
   connect(maps_, &MapsController::retryWanted, connection_, &ConnectionController::retry);
   connect(problems_, &ProblemsController::retryWanted, connection_, &ConnectionController::retry);
   connect(robot_, &RobotController::safetyChanged, connection_, &ConnectionController::setSafety);

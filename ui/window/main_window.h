@@ -28,6 +28,7 @@
 
 namespace mapwright::window {
 
+class AdministrationController;
 class AppearanceController;
 class CompareControl;
 class CompareController;
@@ -106,7 +107,8 @@ class MainWindow : public QMainWindow {
   CompareControl* comparison() const;
   PictureDialog* pictureDialog() const;  // null: not open
   ExportDialog* exportDialog() const;    // null: not open
-  ConnectDialog* secretDialog() const;   // null: not open
+  AdministrationController* administration() const { return administration_; }
+  ConnectDialog* secretDialog() const;  // null: not open
   ProblemsDock* problems() const;
   WindowStatusBar* bar() const { return bar_; }
   MapOverlay* overlay() const { return overlay_; }
@@ -163,6 +165,7 @@ class MainWindow : public QMainWindow {
   InspectorController* inspector_ = nullptr;
   LayersController* layers_ = nullptr;
   MapsController* maps_ = nullptr;
+  AdministrationController* administration_ = nullptr;
   MessagesController* messages_ = nullptr;
   PicturePlacing* placing_ = nullptr;
   ProblemsController* problems_ = nullptr;

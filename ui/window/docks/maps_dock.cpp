@@ -176,6 +176,7 @@ void MapsDock::showMenu(const QPoint& at) {
                  [this, key] { Q_EMIT compareWanted(*key); });
   menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,
                  [this, key] { Q_EMIT exportWanted(*key); });
+  Q_EMIT menuOpening(&menu, *key);
   if (!key->id.empty()) {
     menu.addSeparator();
     menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy id"), this, [this, key] {
