@@ -30,7 +30,8 @@ constexpr double kConnectWithinS = 10;
 constexpr int kLookEveryMs = 20;
 constexpr double kTopicsWithinS = 3;  // live layers, after connecting
 constexpr double kNoteEveryS = 0.25;
-// Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some, too.
+// Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some,
+// too.
 constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
 
 bool wantsSubmapsOf(const SnapshotOptions& options) {

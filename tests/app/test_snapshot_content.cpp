@@ -145,7 +145,8 @@ class SnapshotContentTest : public QObject {
     QCOMPARE(report[QLatin1String("submaps")].toObject()[QLatin1String("drawn")].toInt(), 1);
     QVERIFY(report[QLatin1String("painted")].toDouble() == 1);
     QVERIFY(grayInTheMiddle("gone.png") >= 0);
-    QVERIFY(run_->warnings().join(QLatin1Char(' ')).contains(QLatin1String("connection to the robot was lost")));
+    QVERIFY(
+        run_->warnings().join(QLatin1Char(' ')).contains(QLatin1String("connection to the robot was lost")));
     QVERIFY(!run_->warnings().join(QLatin1Char(' ')).contains(QLatin1String("--timeout")));
   }
 

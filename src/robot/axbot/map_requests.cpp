@@ -388,41 +388,39 @@ void MapRequests::change(Errand errand, net::HttpMethod method, const QString& p
   net::HttpRequest request = requestTo(urlOnRobot(base_, path));
   request.method = method;
   request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
-  wire::send(errand, http_, request,
-             [this, errand, key, holds = std::move(holds),
-              reply = std::move(reply)](const net::HttpAnswer& answer) {
-               if (answer.ok()) {
-                 // What answers to a change hold differs with the firmware: what has become of the map is
-                 // asked for.
-                 lookAt(errand, key, [reply](Outcome<map::CatalogueEntry> now) {
-                   if (!now) {
-                     now.error().asked_for = map::AskedFor::Change;
-                     now.error().applied = map::Applied::Yes;
-                   }
-                   reply(std::move(now));
-                 });
-                 return;
-               }
-               const map::Failure failure =
-                   wire::failed(answer, map::subjectOf(key), map::AskedFor::Change);
-               if (failure.applied != map::Applied::Maybe || failure.kind == map::FailureKind::Cancelled) {
-                 reply(fail(failure));
-                 return;
-               }
-               // A look may tell what the answer would have. That it does not hold yet tells nothing: the robot
-               // may still be at it.
-               lookAt(errand, key, [holds, failure, reply](Outcome<map::CatalogueEntry> now) {
-                 if (now && holds(*now)) {
-                   reply(std::move(now));
-                 } else {
-                   reply(fail(failure));
-                 }
-               });
-             });
+  wire::send(
+      errand, http_, request,
+      [this, errand, key, holds = std::move(holds), reply = std::move(reply)](const net::HttpAnswer& answer) {
+        if (answer.ok()) {
+          // What answers to a change hold differs with the firmware: what has become of the map is
+          // asked for.
+          lookAt(errand, key, [reply](Outcome<map::CatalogueEntry> now) {
+            if (!now) {
+              now.error().asked_for = map::AskedFor::Change;
+              now.error().applied = map::Applied::Yes;
+            }
+            reply(std::move(now));
+          });
+          return;
+        }
+        const map::Failure failure = wire::failed(answer, map::subjectOf(key), map::AskedFor::Change);
+        if (failure.applied != map::Applied::Maybe || failure.kind == map::FailureKind::Cancelled) {
+          reply(fail(failure));
+          return;
+        }
+        // A look may tell what the answer would have. That it does not hold yet tells nothing: the robot
+        // may still be at it.
+        lookAt(errand, key, [holds, failure, reply](Outcome<map::CatalogueEntry> now) {
+          if (now && holds(*now)) {
+            reply(std::move(now));
+          } else {
+            reply(fail(failure));
+          }
+        });
+      });
 }
 
-void MapRequests::lookAt(const Errand& errand, const map::MapKey& key,
-                         OutcomeTo<map::CatalogueEntry> reply) {
+void MapRequests::lookAt(const Errand& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
   getJson(errand, kCurrentMapPath,
           [this, errand, key, reply = std::move(reply)](const net::HttpAnswer& current) {
             const CurrentMap of_robot = current.ok() ? parseCurrentMap(view(current.body)) : CurrentMap();
