@@ -8,6 +8,7 @@
 #include "app/snapshot_picture.h"
 #include "scene/map_scene.h"
 #include "scene/write_picture.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -82,7 +83,8 @@ class ScenePicture : public SnapshotPicture {
     const QRectF whole(QPointF(0, 0), QSizeF(options_.size_px));
     scene_.render(&painter, whole, whole);
     painter.end();
-    return scene::writePicture(image, path);
+    const auto problem = scene::writePicture(image, path);
+    return problem ? std::optional(sentences::wordsOf(*problem)) : std::nullopt;
   }
 
  private:
