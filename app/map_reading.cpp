@@ -19,6 +19,7 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/obstacle_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {
@@ -158,14 +159,13 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
     return tl::make_unexpected(lacks(robot::Capability::Catalogue));
   }
   if (!catalogue.asOf() && !catalogue.loading()) catalogue.refresh();
-  if (!waitUntil(
-          [&] { return !catalogue.loading() && (catalogue.asOf() || !catalogue.error().isEmpty()); })) {
+  if (!waitUntil([&] { return !catalogue.loading() && (catalogue.asOf() || catalogue.failure()); })) {
     return tl::make_unexpected(failure(exitCodeOf(map::FailureKind::TimedOut),
                                        Words::tr("It did not answer within %1 s.").arg(time_.timeout_s)));
   }
-  if (!catalogue.error().isEmpty()) {
-    return tl::make_unexpected(
-        failure(local() ? kUsage : exitCodeOf(catalogue.failure()), catalogue.error()));
+  if (catalogue.failure()) {
+    return tl::make_unexpected(failure(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
+                                       QString::fromStdString(sentences::sentenceOf(*catalogue.failure()))));
   }
   // A part of the list that could not be had is a problem of its own.
   complete_ = complete_ && problems(map::Severity::Warning).isEmpty();
@@ -266,7 +266,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                                  .arg(counts.listed)
                                  .arg(time_.timeout_s)));
   }
-  if (!made) return tl::make_unexpected(failure(kRobotError, QString::fromStdString(made.error())));
+  if (!made) return tl::make_unexpected(failure(kRobotError, sentences::wordsOf(made.error())));
   return render::PlacedGrid{made->cells, made->reference};
 }
 

@@ -21,8 +21,10 @@
 #include "app/robot_factory.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
+#include "reasons/file_reason.h"
 #include "robot/address.h"
 #include "sentences/plural.h"
+#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -33,6 +35,8 @@ class Words {
 };
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QString notWritten(const disk::Fault& fault) { return sentences::wordsOf(reasons::notWritten(fault)); }
 
 void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(json.toJson()).constData()); }
 
@@ -287,13 +291,13 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (words.world_file) {
       placing.emplace(world_file.toStdString());
       placing->write(grids::worldFileText(placed->reference));
-      if (!placing->finish()) return wrong(text(*placing->place()));
+      if (!placing->finish()) return wrong(notWritten(*placing->place()));
     }
     const auto error = png ? grids::writeGridPng(*placed->cells, words.output)
                            : grids::writeMapServer(*placed->cells, placed->reference, words.output);
-    if (error) return wrong(text(*error));
+    if (error) return wrong(sentences::wordsOf(*error));
     if (placing) {
-      if (const auto problem = placing->place()) return wrong(text(*problem));
+      if (const auto fault = placing->place()) return wrong(notWritten(*fault));
     }
     if (!printed && !isStandardOutput(text(words.report))) {
       const map::GridReference& grid = placed->reference;

@@ -11,7 +11,9 @@
 #include <QJsonDocument>
 
 #include "disk/written_file.h"
+#include "reasons/file_reason.h"
 #include "sentences/problem_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 
@@ -103,9 +105,9 @@ QString firstOf(const QStringList& lines) {
 }
 
 std::optional<QString> writeReport(const QString& path, const QJsonObject& report) {
-  const auto problem =
+  const auto fault =
       disk::writeFile(path.toStdString(), words::escapedJson(QJsonDocument(report).toJson()).toStdString());
-  return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
+  return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
 }
 
 bool writeReportInHaste(const QString& path, const QJsonObject& report) {

@@ -15,6 +15,7 @@
 #include "app/robot_factory.h"
 #include "robot/address.h"
 #include "scene/write_picture.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -157,11 +158,12 @@ geometry::ViewTransform SnapshotRun::chooseView() const {
 QString SnapshotRun::whatOfTheLink() const {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Online) return {};
-  return QLatin1Char(' ') + Words::tr("The connection to the robot was lost. %1").arg(link.reason);
+  return QLatin1Char(' ') +
+         Words::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
 }
 
 QString SnapshotRun::noConnection() const {
-  const QString reason = session_.connection().reason;
+  const QString reason = sentences::wordsOf(session_.connection().reason);
   return Words::tr("%1: no connection within %2 s.%3")
       .arg(options_.robot, QString::number(options_.timeout_s),
            reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
@@ -379,9 +381,9 @@ void SnapshotRun::paint(bool settled) {
 void SnapshotRun::write() {
   if (done_) return;
   made_ = picture_->made();
-  if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt; grid && !grid->cells->trouble().empty()) {
+  if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt; grid && grid->cells->trouble().any()) {
     complete_ = false;
-    notes_.prepend(QString::fromStdString(grid->cells->trouble()));
+    notes_.prepend(sentences::wordsOf(grid->cells->trouble()));
   }
   if (session_.lostPictures() > 0) {
     complete_ = false;

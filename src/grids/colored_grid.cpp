@@ -166,21 +166,23 @@ class Quantiser {
 
 bool isPlainGray(const PixelFormat& format) { return format.gray && !format.has_alpha; }
 
-GridError brokenOff(const PixelFormat& format, int came, const std::string& problem) {
-  return GridError{"It says that it is " + words::dimensions(format.width, format.height) + " pixels, but " +
-                   problem + " after " + words::grouped(came) + (came == 1 ? " row." : " rows.")};
+map::Reason brokenOff(const PixelFormat& format, int came, const map::Reason& problem) {
+  return {map::ReasonCode::PictureEndsEarlyUnused,
+          {words::grouped(came), words::dimensions(format.width, format.height)},
+          {problem}};
 }
 
 }  // namespace
 
-tl::expected<ColoredGrid, GridError> decodeColors(std::shared_ptr<const std::string> bytes,
-                                                  std::int64_t max_cells, const Means& means) {
+tl::expected<ColoredGrid, map::Reason> decodeColors(std::shared_ptr<const std::string> bytes,
+                                                    std::int64_t max_cells, const Means& means) {
   auto rows = openPicture(ByteSource(std::move(bytes)));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();
   if (std::int64_t(format.width) * format.height > max_cells) {
-    return tl::unexpected(GridError{"It is " + words::dimensions(format.width, format.height) +
-                                    " pixels, and at most " + words::grouped(max_cells) + " are read."});
+    return tl::unexpected(
+        map::Reason(map::ReasonCode::PictureTooLargeForLayer,
+                    {words::dimensions(format.width, format.height), words::grouped(max_cells)}));
   }
   const bool gray = isPlainGray(format);
   Quantiser quantiser(format);

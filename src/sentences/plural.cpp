@@ -42,6 +42,11 @@ constexpr Singular kSingulars[] = {
      "A message of %1 byte is not a JSON object. It was left out."},
     {"A binary message of %1 bytes is too short to be read. It was left out.",
      "A binary message of %1 byte is too short to be read. It was left out."},
+    {"%1 bytes where %2 (or %3) were expected", "%1 byte where %2 (or %3) were expected"},
+    {"It says that it is %2 pixels, but %3 after %1 rows. The rest is shown as unknown.",
+     "It says that it is %2 pixels, but %3 after %1 row. The rest is shown as unknown."},
+    {"It says that it is %2 pixels, but %3 after %1 rows.",
+     "It says that it is %2 pixels, but %3 after %1 row."},
     {"The robot's answer (%1 bytes) is cut off or is not a submap.",
      "The robot's answer (%1 byte) is cut off or is not a submap."},
 };

@@ -61,7 +61,7 @@ void Session::wireMaps() {
           [this] { catalogue_.setSource(robot_->mapCatalogue()); });
   connect(&catalogue_, &Catalogue::changed, this, [this] {
     if (catalogue_.loading()) return;
-    const bool came = catalogue_.asOf() && catalogue_.error().isEmpty();
+    const bool came = catalogue_.asOf() && !catalogue_.failure();
     listed_at_ = came ? std::optional(now()) : std::nullopt;
     openFirstMap();
   });

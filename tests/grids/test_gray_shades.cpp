@@ -35,7 +35,7 @@ std::shared_ptr<const GridPyramid> readOf(const std::string& bytes, std::string*
     if (!opened) return nullptr;
     const std::atomic<bool> cancelled{false};
     const auto error = (*opened)->read(cancelled, {});
-    if (error && problem) *problem = error->sentence;
+    if (error && problem) *problem = sentences::wordsOf(*error).toStdString();
     if (options.code && (*opened)->otherCode()) return nullptr;  // once is enough
     options.code = (*opened)->otherCode();
     if (!options.code) return (*opened)->pyramid();
@@ -192,4 +192,5 @@ class TestGrayShades : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestGrayShades)
+#include "sentences/reason_sentence.h"
 #include "test_gray_shades.moc"

@@ -19,7 +19,7 @@ struct Read {
 Read readAll(std::string bytes) {
   const auto shared = test::shared(std::move(bytes));
   auto opened = openGrid(shared, {});
-  if (!opened) return {nullptr, opened.error().sentence, {}};
+  if (!opened) return {nullptr, sentences::wordsOf(opened.error()).toStdString(), {}};
   const std::atomic<bool> cancelled{false};
   auto error = (*opened)->read(cancelled, {});
   GridOptions again;
@@ -28,7 +28,7 @@ Read readAll(std::string bytes) {
     opened = openGrid(shared, again);
     error = (*opened)->read(cancelled, {});
   }
-  return {(*opened)->pyramid(), {}, error ? error->sentence : std::string()};
+  return {(*opened)->pyramid(), {}, error ? sentences::wordsOf(*error).toStdString() : std::string()};
 }
 
 bool says(const std::string& sentence, const char* words) {
@@ -324,4 +324,5 @@ class TestGridDamage : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestGridDamage)
+#include "sentences/reason_sentence.h"
 #include "test_grid_damage.moc"

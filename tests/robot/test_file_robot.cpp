@@ -135,7 +135,7 @@ class FileRobotTest : public QObject {
     write(QStringLiteral("a.yaml"), yaml);
     const auto robot = open(QStringLiteral("a.yaml"));
     QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
-    QVERIFY(!robot->connection().reason.isEmpty());
+    QVERIFY(robot->connection().reason.any());
   }
 
   void deepNestingAndLongTextsAreRefused() {
@@ -252,7 +252,7 @@ class FileRobotTest : public QObject {
       QCOMPARE(::mkfifo(QFile::encodeName(path(QLatin1String(name))).constData(), 0600), 0);
       const auto robot = open(QLatin1String(name));
       QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
-      QVERIFY(robot->connection().reason.contains(QLatin1String(name)));
+      QVERIFY(sentences::wordsOf(robot->connection().reason).contains(QLatin1String(name)));
       QVERIFY(!fetch(*robot));
     }
     write(QStringLiteral("office.yaml"), QByteArray(kYaml).replace("office.pgm", "pipe.pgm"));
@@ -352,4 +352,5 @@ class FileRobotTest : public QObject {
 };
 
 QTEST_GUILESS_MAIN(FileRobotTest)
+#include "sentences/reason_sentence.h"
 #include "test_file_robot.moc"

@@ -612,7 +612,8 @@ class SessionMapsTest : public QObject {
     QCOMPARE(robot_->lists.size(), std::size_t(1));
     auto replies = std::exchange(robot_->lists, {});
     replies[0](tl::make_unexpected(test::failed("The robot answered 500.")));
-    QCOMPARE(session_->catalogue().error(), QStringLiteral("The robot answered 500."));
+    QVERIFY(session_->catalogue().failure());
+    QCOMPARE(session_->catalogue().failure()->detail, std::string("The robot answered 500."));
     QCOMPARE(session_->catalogue().entries().size(), std::size_t(1));
     QCOMPARE(robot_->lists.size(), std::size_t(1));
   }

@@ -12,6 +12,7 @@
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/stream_topics.h"
 #include "robot/wire/http_failure.h"
+#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -91,12 +92,12 @@ void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
-    cache_->setTrouble([this](const QString& why) {
+    cache_->setTrouble([this](const net::Reason& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
                            {map::ReasonCode::AnswersNotKept,
                             {},
-                            {map::said(why.toStdString())},
+                            {wire::reasonOf(why)},
                             map::Consequence::AskedAgainEachTime}});
     });
   }
@@ -214,8 +215,8 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    Q_EMIT problemFound(
-        problem(map::Severity::Info, {map::ReasonCode::DoesNotSayWhatItIs, {answer.sentence.toStdString()}}));
+    Q_EMIT problemFound(problem(map::Severity::Info,
+                                {map::ReasonCode::DoesNotSayWhatItIs, {}, {wire::reasonOf(answer.reason)}}));
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -405,7 +406,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   } else {
     answer.key = key;
     answer.bytes = std::size_t(http.body.size());
-    answer.reason = map::said(http.sentence.toStdString());
+    answer.reason = wire::reasonOf(http.reason);
     answer.failure = wire::failureOf(http);
     answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
                      : http.status == 404                          ? Outcome::NotFound
@@ -428,12 +429,11 @@ void AxbotLink::cancelAll() {
   for (const auto& [ticket, fetch] : under_way_) http_->cancel(fetch.request);
 }
 
-QString AxbotLink::whyNot() const {
-  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return socket_->reason();
-  return tr("something answers at %1:%2, but not as an Autoxing robot: %3. Check the address and the port.")
-      .arg(options_.base.host())
-      .arg(options_.base.port())
-      .arg(socket_->reason());
+map::Reason AxbotLink::whyNot() const {
+  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return wire::reasonOf(socket_->reason());
+  const std::string host =
+      QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port()).toStdString();
+  return {map::ReasonCode::NoAutoxingRobotThere, {host}, {wire::reasonOf(socket_->reason())}};
 }
 
 void AxbotLink::trust(const QByteArray& pinned_sha256) {
@@ -456,7 +456,7 @@ void AxbotLink::publishState() {
   switch (socket_->state()) {
     case State::Open:
       state.phase = ConnectionPhase::Online;
-      state.reason.clear();
+      state.reason = {};
       state.failure = map::FailureKind::None;
       break;
     case State::Connecting:
@@ -467,7 +467,7 @@ void AxbotLink::publishState() {
       break;
     case State::Closed:
       state.phase = wanted_ ? ConnectionPhase::Refused : ConnectionPhase::Offline;
-      if (!wanted_) state.reason.clear();
+      if (!wanted_) state.reason = {};
       if (wanted_ && (socket_->handshakeStatus() == 401 || socket_->handshakeStatus() == 403))
         state.failure = map::FailureKind::Refused;
       break;

@@ -8,6 +8,7 @@
 #include "robot/axbot/robot_urls.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
+#include "robot/wire/net_reason.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::axbot {
@@ -324,13 +325,12 @@ void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::str
                if (answer.ok()) {
                  add(fetch->map, view(answer.body));
                } else {
-                 fetch->map.notes.push_back({map::Severity::Info,
-                                             map::subjectOf(fetch->map.key),
-                                             {map::ReasonCode::FileNotHad,
-                                              {file.toStdString()},
-                                              {map::said(answer.sentence.toStdString())}},
-                                             map::ProblemCode::Unavailable,
-                                             wire::failureOf(answer)});
+                 fetch->map.notes.push_back(
+                     {map::Severity::Info,
+                      map::subjectOf(fetch->map.key),
+                      {map::ReasonCode::FileNotHad, {file.toStdString()}, {wire::reasonOf(answer.reason)}},
+                      map::ProblemCode::Unavailable,
+                      wire::failureOf(answer)});
                }
                fetch->finishPart();
              });

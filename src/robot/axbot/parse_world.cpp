@@ -1,10 +1,15 @@
 #include <algorithm>
-#include <array>
+
+#include <QCoreApplication>
 
 #include "robot/axbot/topic_subjects.h"
 
 namespace mapwright::robot::axbot {
 namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(SeenObjects)
+};
 
 using wire::Json;
 
@@ -101,7 +106,7 @@ map::TopicMessage rack(const Json& message) {
     const auto given = wire::member(message, {name});
     if (!seen || !given) continue;
     // Seen from above: width along x, height along y.
-    const auto found = box(*given, name == std::string_view("rack_box") ? "rack" : "rack (aligned)",
+    const auto found = box(*given, (name == std::string_view("rack_box") ? Words::tr("rack") : Words::tr("rack (aligned)")).toStdString(),
                            wire::number(*given, {"width"}), wire::number(*given, {"height", "depth"}),
                            isRobotFrame(message));
     if (found) rack.racks.push_back(*found);
@@ -111,11 +116,22 @@ map::TopicMessage rack(const Json& message) {
 
 /// VisualObjectLabel of the robot's reference.
 std::string objectLabel(const Json& row) {
-  constexpr std::array<const char*, 6> kLabels{"",         "person",      "platform hand truck",
-                                               "scaffold", "queue stand", "portable grandstand"};
-  const auto label = wire::integer(row, {"label"});
-  if (label && *label >= 0 && *label < std::int64_t(kLabels.size())) return kLabels[std::size_t(*label)];
-  return wire::text(row, {"label"});
+  switch (wire::integer(row, {"label"}).value_or(-1)) {
+    case 0:
+      return {};
+    case 1:
+      return Words::tr("person").toStdString();
+    case 2:
+      return Words::tr("platform hand truck").toStdString();
+    case 3:
+      return Words::tr("scaffold").toStdString();
+    case 4:
+      return Words::tr("queue stand").toStdString();
+    case 5:
+      return Words::tr("portable grandstand").toStdString();
+    default:
+      return wire::text(row, {"label"});
+  }
 }
 
 map::TopicMessage seenObjects(const Json& message) {

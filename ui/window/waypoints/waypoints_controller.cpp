@@ -9,6 +9,7 @@
 #include "scene/drawn_waypoint.h"
 #include "scene/layer_item.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
@@ -135,8 +136,9 @@ void WaypointsController::openList(const map::MapKey& key) {
                                                 session_->robot().address(), context_.edit);
   connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::noteSaving);
   connect(list_.get(), &edit::OpenWaypoints::draftTroubleChanged, this, &WaypointsController::refresh);
-  connect(list_.get(), &edit::OpenWaypoints::remarked, this,
-          [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
+  connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const map::Reason& remark) {
+    context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
+  });
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
     if (list_->submission().done() > 0)
       context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
@@ -187,7 +189,8 @@ void WaypointsController::closeList() {
     list_->robotGone();
     // What is not saved stays as a draft; where that is impossible somebody has to know.
     if (const auto trouble = list_->unsaved() ? list_->keepDraft() : std::nullopt)
-      context_.overlay.toasts()->add(Mark::Bad, tr("The changes of waypoints are lost. %1").arg(*trouble));
+      context_.overlay.toasts()->add(
+          Mark::Bad, tr("The changes of waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
     list_->disconnect(this);
     list_->document().disconnect(this);
     list_.reset();
@@ -291,11 +294,11 @@ void WaypointsController::refresh() {
 
 void WaypointsController::refreshNotice() {
   NoticeBar* const notice = context_.overlay.editNotice();
-  if (list_ && !list_->draftTrouble().isEmpty()) {
-    return notice->setNotice(
-        Mark::Bad,
-        tr("Changes of waypoints are not kept safe: save them soon. %1").arg(list_->draftTrouble()),
-        tr("Show"));
+  if (list_ && list_->draftTrouble().any()) {
+    return notice->setNotice(Mark::Bad,
+                             tr("Changes of waypoints are not kept safe: save them soon. %1")
+                                 .arg(sentences::wordsOf(list_->draftTrouble())),
+                             tr("Show"));
   }
   if (list_ && !list_->offered().empty()) {
     notice->setNotice(Mark::Warning, offerText(list_->offered().front(), context_.edit.now()), tr("Restore"));
@@ -388,7 +391,7 @@ void WaypointsController::answer(int button) {
     then();
   } else if (button == kKeep) {
     if (const auto trouble = list_->keepDraft()) {
-      context_.overlay.toasts()->add(Mark::Bad, *trouble);
+      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
     } else {
       may_leave_ = true;
       then();

@@ -274,7 +274,7 @@ void WaypointsDock::refresh() {
   form_->setVisible(document != nullptr);
   const bool bad =
       list_ && (list_->failure() || list_->submission().phase() == edit::SubmissionPhase::Stopped ||
-                !list_->draftTrouble().isEmpty());
+                list_->draftTrouble().any());
   status_->setText(statusText());
   status_->setToolTip(plainToolTip(status_->text()));  // where there is no room for all of it
   status_->setVisible(!status_->text().isEmpty());
@@ -316,7 +316,7 @@ QString WaypointsDock::statusText() const {
               tr("%1 of %2 requests were carried out.").arg(submission.done()).arg(submission.rows().size());
     parts << text;
   }
-  if (!list_->draftTrouble().isEmpty()) parts << tr("No draft is kept.");
+  if (list_->draftTrouble().any()) parts << tr("No draft is kept.");
   const auto unsaved = qsizetype(document->unsaved().size());
   QString count = waypointsText(qsizetype(document->items().size()));
   if (unsaved > 0) count += tr(", %1 not saved").arg(changesText(unsaved));
