@@ -46,6 +46,10 @@ MapWish::State MapWish::look(double online_for_s) {
     fail(local() ? kUsage : exitCodeOf(slot.failure()), sentences::sentenceOf(slot.remark()));
   }
   if (failed_) return State::Failed;
+  // Whose waypoints they are is told by the list of maps.
+  const bool whose = with_points_ && key_->kind == map::MapKind::Live && session_.robot().waypointSource();
+  if (whose && !session_.catalogue().asked()) session_.catalogue().refresh();
+  if (whose && session_.catalogue().loading()) return State::Waiting;
   const bool here = slot.settled() && shown() && !(with_points_ && slot.waypointsAwaited());
   return here ? State::Here : State::Waiting;
 }

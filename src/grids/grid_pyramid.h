@@ -145,13 +145,20 @@ tl::expected<std::unique_ptr<GridReading>, map::Reason> openGridFile(const std::
                                                                      const GridOptions& options);
 
 /// A small picture in colours: its cells are indices into `palette` (0xAARRGGBB, not premultiplied). Exact up
-/// to 256 colours, beyond that the nearest of a fixed set. Gray pictures: index = gray, palette empty.
+/// to 256 colours, beyond that the nearest of a fixed set. Gray pictures: index = gray, palette empty. Costs
+/// (decodeOccupancy): index = occupancy, palette empty.
 struct ColoredGrid {
   std::shared_ptr<const GridPyramid>
-      indices;  // code Gray, reduction OccupiedWins over rank: see colored_grid.cpp
+      indices;  // code Gray (or Occupancy), reduction OccupiedWins over rank: see colored_grid.cpp
   std::vector<std::uint32_t> palette;
 };
 tl::expected<ColoredGrid, map::Reason> decodeColors(std::shared_ptr<const std::string> bytes,
                                                     std::int64_t max_cells, const Means& means = {});
+
+/// A small picture whose bytes are read as occupancy (any mode but Picture): its cells are of
+/// CellCode::Occupancy, palette empty. Blocks until all is read.
+tl::expected<ColoredGrid, map::Reason> decodeOccupancy(std::shared_ptr<const std::string> bytes,
+                                                       const map::CellReading& reading,
+                                                       std::int64_t max_cells, const Means& means = {});
 
 }  // namespace mapwright::grids

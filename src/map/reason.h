@@ -215,6 +215,51 @@ enum class ReasonCode {
   NoReadablePoints,
   PointsWithoutScale,
 
+  // Messages of ROS.
+  RosFieldMissing,   // field
+  RosFieldWrong,     // field, its value
+  RosLengthDiffers,  // field, how many it holds, how many are needed
+  RosGridEmpty,      // width, height
+  RosTurnIsZero,
+  RosCellsOutOfRange,  // how many
+  RosPatchOutside,     // its width and height, x and y, width and height of the grid
+  RosPointsThinned,    // how many came, of which each n-th is shown
+  // Where the frames of ROS lie to each other.
+  RosFrameUnknown,     // frame
+  RosFramesApart,      // frame, the other one
+  RosTransformTooOld,  // child, parent
+  RosTransformTooNew,  // child, parent
+  RosTransformLoop,    // child, parent
+  // Topics of ROS that are asked for and silent.
+  TopicSilent,  // because: what is known of why
+  TopicNotListed,
+  TopicNobodySends,
+  TopicsNotTold,
+  TopicListedOnly,
+  // A manager of maps (KABAM).
+  NoAnswerInTime,
+  LinkBrokeOff,
+  NotConnected,
+  AnswerWithoutResult,
+  ResultMapUnknown,
+  ResultNameTaken,  // name
+  ResultWaypointUnknown,
+  ResultUndefined,
+  ResultInvalid,
+  ResultInvalidLoad,
+  ResultAlreadyLoaded,
+  ResultNothingToSave,
+  ResultMapNameTaken,  // name
+  ResultUnknown,       // its code
+  NotConfirmed,        // seconds
+  TagsNotTaken,        // name
+  ChangedMeanwhile,    // name
+  ListsNotTold,
+  OnlyCurrentMapSent,
+  MessageNotUnderstood,
+  WaypointTurnIsZero,    // name
+  WaypointInOtherFrame,  // name, frame, the map's frame
+
   // The robot itself.
   AnswersNotKept,  // because: why
   MapsNotKept,     // folder; because: why
@@ -257,6 +302,8 @@ enum class ReasonCode {
   ConnectionRejected,    // HTTP status
   MessageTooLong,        // the most bytes
   NoAutoxingRobotThere,  // host; because: how it answers
+  NoRosbridgeThere,      // likewise
+  NoMapManagerThere,     // host
   NoAgibotRobotThere,    // because: how it answers
   FolderNotMade,         // path
   FileNotRemoved,        // path, the system's words

@@ -37,6 +37,8 @@ constexpr Singular kSingulars[] = {
      "%1 submap could not be read back from the disk: parts of the picture are empty."},
     {"%1 rows without an id were left out.", "%1 row without an id was left out."},
     {"%1 points without a place were left out.", "%1 point without a place was left out."},
+    {"%1 cells are neither -1 nor 0 to 100. They are shown as unknown.",
+     "%1 cell is neither -1 nor 0 to 100. It is shown as unknown."},
     {"%1 points more disagree with their pixels.", "%1 point more disagrees with its pixels."},
     {"A message of %1 bytes is not a JSON object. It was left out.",
      "A message of %1 byte is not a JSON object. It was left out."},

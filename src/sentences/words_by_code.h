@@ -12,5 +12,6 @@ QString wordsOfSubmaps(map::ReasonCode code, int count);
 QString wordsOfMaps(map::ReasonCode code, int count);
 QString wordsOfFiles(map::ReasonCode code, int count);
 QString wordsOfLinks(map::ReasonCode code, int count);
+QString wordsOfRos(map::ReasonCode code, int count);
 
 }  // namespace mapwright::sentences

@@ -12,6 +12,7 @@
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/stream_topics.h"
 #include "robot/wire/http_failure.h"
+#include "robot/wire/link_state.h"
 #include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::axbot {
@@ -46,25 +47,6 @@ QString memberText(const QJsonObject& object, std::initializer_list<const char*>
                             : QString();
 }
 
-map::FailureKind failureOf(net::WebSocketLink::Fault fault) {
-  using Fault = net::WebSocketLink::Fault;
-  switch (fault) {
-    case Fault::None:
-      break;
-    case Fault::Unreachable:
-      return map::FailureKind::Unreachable;
-    case Fault::TimedOut:
-      return map::FailureKind::TimedOut;
-    case Fault::Refused:
-      return map::FailureKind::Refused;
-    case Fault::NotAWebSocket:
-      return map::FailureKind::NotARobot;
-    case Fault::Certificate:
-      return map::FailureKind::Certificate;
-  }
-  return map::FailureKind::None;
-}
-
 QUrl socketUrl(const QUrl& base, bool binary) {
   QUrl url = base;
   url.setScheme(base.scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
@@ -77,7 +59,7 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
 
-AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox,
+AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
                      std::shared_ptr<wire::TapPlace> tap)
     : options_(std::move(options)), mailbox_(std::move(mailbox)), tap_(std::move(tap)) {}
 
@@ -319,7 +301,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
     topics_confirmed_ = true;
     list_timer_->stop();
   }
-  const bool by_mail = TopicMailbox::takes(message);
+  const bool by_mail = wire::TopicMailbox::takes(message);
   map::StampedMessage stamped{std::move(message), options_.wall_s(), std::nullopt, topic};
   if (!by_mail) {
     Q_EMIT topicReceived(stamped);
@@ -445,33 +427,8 @@ void AxbotLink::trust(const QByteArray& pinned_sha256) {
 }
 
 void AxbotLink::publishState() {
-  using State = net::WebSocketLink::State;
-  ConnectionState state;
-  state.reason = whyNot();
-  state.failure = failureOf(socket_->fault());
-  if (const auto fault = socket_->certificate()) state.certificate = wire::untrusted(*fault);
-  state.attempt = socket_->attempt();
-  state.retry_in_ms = socket_->retryInMs();
-  state.round_trip_ms = socket_->roundTripMs();
-  switch (socket_->state()) {
-    case State::Open:
-      state.phase = ConnectionPhase::Online;
-      state.reason = {};
-      state.failure = map::FailureKind::None;
-      break;
-    case State::Connecting:
-      state.phase = state.attempt <= 1 ? ConnectionPhase::Connecting : ConnectionPhase::Interrupted;
-      break;
-    case State::Waiting:
-      state.phase = ConnectionPhase::Interrupted;
-      break;
-    case State::Closed:
-      state.phase = wanted_ ? ConnectionPhase::Refused : ConnectionPhase::Offline;
-      if (!wanted_) state.reason = {};
-      if (wanted_ && (socket_->handshakeStatus() == 401 || socket_->handshakeStatus() == 403))
-        state.failure = map::FailureKind::Refused;
-      break;
-  }
+  ConnectionState state = wire::stateOf(*socket_, wanted_);
+  if (state.reason.any()) state.reason = whyNot();
   Q_EMIT stateChanged(state);
 }
 

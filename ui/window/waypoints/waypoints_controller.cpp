@@ -108,11 +108,19 @@ void WaypointsController::addActions() {
 }
 
 void WaypointsController::setSession(session::Session* session) {
-  if (session_) session_->wholeMap().disconnect(this);
+  if (session_) {
+    session_->wholeMap().disconnect(this);
+    session_->catalogue().disconnect(this);
+    session_->robot().disconnect(this);
+  }
   closeList();
   session_ = session;
-  if (session_)
+  if (session_) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &WaypointsController::syncMap);
+    // Which map the robot works with, and what can be done with its waypoints.
+    connect(&session_->catalogue(), &session::Catalogue::changed, this, &WaypointsController::syncMap);
+    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &WaypointsController::syncMap);
+  }
   syncMap();
   refresh();
 }
@@ -120,9 +128,11 @@ void WaypointsController::setSession(session::Session* session) {
 void WaypointsController::syncMap() {
   const session::MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
   std::optional<map::MapKey> key;
-  if (slot && slot->cells() && slot->shown().key.kind != map::MapKind::Live) key = slot->shown().key;
+  if (slot && slot->cells()) key = session_->placesOf(*slot);
   if (slot && slot->cells()) editing_.setCell(slot->reference().resolution_m);
-  if (key != open_map_) {
+  const bool store_went = list_ && session_ && !session_->robot().waypointStore();
+  const bool store_came = !list_ && key && session_->robot().waypointStore();
+  if (key != open_map_ || store_went || store_came) {
     closeList();
     open_map_ = key;
     if (key && session_->robot().waypointStore()) openList(*key);
