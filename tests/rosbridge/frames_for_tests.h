@@ -7,6 +7,8 @@
 #include <QByteArray>
 #include <QCborStreamWriter>
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 
 #include "net/rosbridge/frame.h"
 
@@ -53,6 +55,16 @@ inline QByteArray pictureOf(QByteArray text) {
 
 inline QByteArray pictureFrame(const QByteArray& text) {
   return R"({"op":"png","data":")" + pictureOf(text).toBase64() + R"("})";
+}
+
+/// {"op":"fragment","id":…,"num":…,"total":…,"data":…}
+inline QByteArray pieceFrame(const QJsonValue& id, int number, double total, const QByteArray& data) {
+  return QJsonDocument(QJsonObject{{QStringLiteral("op"), QStringLiteral("fragment")},
+                                   {QStringLiteral("id"), id},
+                                   {QStringLiteral("num"), number},
+                                   {QStringLiteral("total"), total},
+                                   {QStringLiteral("data"), QString::fromUtf8(data)}})
+      .toJson(QJsonDocument::Compact);
 }
 
 }  // namespace mapwright::net::rosbridge::testing
