@@ -68,7 +68,8 @@ struct Layout {
 };
 
 Read<Layout> readLayout(const Field& msg) {
-  constexpr std::int64_t kMost = std::int64_t(1) << 32;
+  // More would not fit into the data; products of two of them are numbers still.
+  constexpr std::int64_t kMost = std::int64_t(kMostCloudBytes);
   Layout layout;
   const auto take = [&](const char* name, std::size_t& to) -> std::optional<map::Reason> {
     const auto value = msg[name].integer();
@@ -83,7 +84,7 @@ Read<Layout> readLayout(const Field& msg) {
   }
   if (layout.point_step == 0) return fieldWrong("point_step", 0);
   const auto row_step = msg["row_step"].integer();
-  const std::size_t packed = layout.width * layout.point_step;  // below 2^64
+  const std::size_t packed = layout.width * layout.point_step;
   // Senders of clouds in one row often leave it out.
   layout.row_step = row_step && *row_step > 0 ? std::size_t(*row_step) : packed;
   if (layout.height > 1 && layout.row_step < packed) return fieldWrong("row_step", double(layout.row_step));
@@ -147,12 +148,12 @@ Read<Points> readPointCloud2(const Field& msg) {
   const Layout& of = *layout;
   const auto data = msg["data"].bytes(kMostCloudBytes);
   if (!data) return fieldMissing("data");
-  const std::size_t count = of.width == 0 || of.height == 0 ? 0 : of.width * of.height;  // below 2^64
+  const std::size_t count = of.width * of.height;
   if (count > 0) {
     // By division: the numbers of a message may be chosen so that their product is small again.
     const std::size_t last_row = of.width * of.point_step;
-    const bool rows_fit = of.width <= kMostCloudBytes / of.point_step && last_row <= data->size() &&
-                          (of.height == 1 || of.height - 1 <= (data->size() - last_row) / of.row_step);
+    const bool rows_fit =
+        last_row <= data->size() && of.height - 1 <= (data->size() - last_row) / of.row_step;
     if (!rows_fit) {
       return tl::unexpected(map::Reason(
           map::ReasonCode::RosLengthDiffers,
