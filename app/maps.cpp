@@ -19,6 +19,7 @@
 #include "app/report.h"
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
+#include "app/table.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
 #include "reasons/file_reason.h"
@@ -43,23 +44,6 @@ void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(jso
 QString dateText(std::optional<double> epoch_s) {
   if (!epoch_s || !(*epoch_s > 0) || *epoch_s > 4e11) return QStringLiteral("-");
   return QDateTime::fromMSecsSinceEpoch(qint64(*epoch_s * 1000)).toString(QStringLiteral("yyyy-MM-dd hh:mm"));
-}
-
-/// Columns as wide as their widest cell; names last, for they may be of any width.
-void printTable(const std::vector<QStringList>& rows) {
-  std::vector<qsizetype> widths;
-  for (const QStringList& row : rows) {
-    widths.resize(std::max(widths.size(), std::size_t(row.size())));
-    for (qsizetype i = 0; i < row.size(); ++i)
-      widths[std::size_t(i)] = std::max(widths[std::size_t(i)], row[i].size());
-  }
-  for (const QStringList& row : rows) {
-    QString line;
-    for (qsizetype i = 0; i < row.size(); ++i) {
-      line += i + 1 == row.size() ? row[i] : row[i].leftJustified(widths[std::size_t(i)] + 2);
-    }
-    std::printf("%s\n", qUtf8Printable(words::plainLine(line)));
-  }
 }
 
 QStringList rowOf(const map::CatalogueEntry& row) {

@@ -35,6 +35,7 @@ constexpr Singular kSingulars[] = {
     {"%1 older problems are not kept.", "%1 older problem is not kept."},
     {"%1 submaps could not be read back from the disk: parts of the picture are empty.",
      "%1 submap could not be read back from the disk: parts of the picture are empty."},
+    {"%1 features that are no points were left out.", "%1 feature that is no point was left out."},
     {"%1 rows without an id were left out.", "%1 row without an id was left out."},
     {"%1 points without a place were left out.", "%1 point without a place was left out."},
     {"%1 cells are neither -1 nor 0 to 100. They are shown as unknown.",
