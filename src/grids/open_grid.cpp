@@ -45,7 +45,7 @@ KeptPyramid::Again readAgain(const ByteSource& bytes, const GridOptions& options
     }
     (*rows)->checkEnd();
     builder->finish();
-    return (*rows)->problem().empty() ? builder->pyramid() : nullptr;
+    return !(*rows)->problem().any() ? builder->pyramid() : nullptr;
   };
 }
 

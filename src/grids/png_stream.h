@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "grids/byte_source.h"
+#include "map/reason.h"
 
 struct inflate_state;
 
