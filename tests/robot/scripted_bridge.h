@@ -1,5 +1,5 @@
-// A rosbridge server for one test: it answers with what it is told to, latches what it is given, and notes what
-// it was asked.
+// A rosbridge server for one test: it answers with what it is told to, latches what it is given, and notes
+// what it was asked.
 #pragma once
 
 #include <functional>
@@ -88,7 +88,8 @@ class ScriptedBridge {
   QList<QJsonObject> argumentsOf(const QString& service) const {
     QList<QJsonObject> all;
     for (const QJsonObject& one : asked) {
-      if (one[QLatin1String("op")] == QLatin1String("call_service") && one[QLatin1String("service")] == service)
+      if (one[QLatin1String("op")] == QLatin1String("call_service") &&
+          one[QLatin1String("service")] == service)
         all << one[QLatin1String("args")].toObject();
     }
     return all;
@@ -116,7 +117,8 @@ class ScriptedBridge {
     const QJsonObject publish{{QStringLiteral("op"), QStringLiteral("publish")},
                               {QStringLiteral("topic"), topic},
                               {QStringLiteral("msg"), msg}};
-    if (subscriptionOf(topic)[QLatin1String("compression")] != QLatin1String("cbor")) return write(peer, publish);
+    if (subscriptionOf(topic)[QLatin1String("compression")] != QLatin1String("cbor"))
+      return write(peer, publish);
     if (lost_in_cbor.contains(topic)) return;
     peer.sendBinaryMessage(QCborValue(QCborMap::fromJsonObject(publish)).toCbor());
   }

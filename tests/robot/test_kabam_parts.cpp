@@ -54,8 +54,8 @@ QStringList told(const std::vector<WaypointRequest>& requests) {
     const auto name = [](const std::optional<map::Waypoint>& point) {
       return point ? QString::fromStdString(point->name) : QStringLiteral("-");
     };
-    lines << QStringLiteral("%1 %2>%3").arg(QLatin1String(nameOf(serviceOf(change))), name(change.before),
-                                            name(change.after));
+    lines << QStringLiteral("%1 %2>%3")
+                 .arg(QLatin1String(nameOf(serviceOf(change))), name(change.before), name(change.after));
   }
   return lines;
 }
@@ -77,7 +77,8 @@ tl::expected<std::map<std::string, map::Waypoint>, QString> carriedOut(
     }
     for (const auto& [id, other] : points) {
       if (id != change.id && other.name == change.after->name)
-        return tl::make_unexpected(QStringLiteral("%1 is called twice").arg(QString::fromStdString(other.name)));
+        return tl::make_unexpected(
+            QStringLiteral("%1 is called twice").arg(QString::fromStdString(other.name)));
     }
     points[change.id] = *change.after;
   }
@@ -144,8 +145,10 @@ class KabamPartsTest : public QObject {
     QVERIFY(message.contains(QLatin1String("id")));
     QCOMPARE(message[QLatin1String("frame_id")].toString(), QStringLiteral("world"));
     QCOMPARE(message[QLatin1String("map_id")].toString(), QStringLiteral("m1"));
-    QCOMPARE(message[QLatin1String("pose")][QLatin1String("orientation")][QLatin1String("w")].toDouble(), 1.0);
-    QVERIFY(message[QLatin1String("pose")][QLatin1String("position")].toObject().contains(QLatin1String("z")));
+    QCOMPARE(message[QLatin1String("pose")][QLatin1String("orientation")][QLatin1String("w")].toDouble(),
+             1.0);
+    QVERIFY(
+        message[QLatin1String("pose")][QLatin1String("position")].toObject().contains(QLatin1String("z")));
   }
 
   void whatCannotBeUsedIsLeftOutAndTold() {
@@ -170,12 +173,15 @@ class KabamPartsTest : public QObject {
       const Sent sent = byJson(text);
       return book.take(topic, sent.frame, sent.msg);
     };
-    give("/map_manager/map_list",
-         R"({"maps":[{"map_id":"1","map_name":"a","map_label":"Hall"},{"map_id":"2","map_name":"b","map_label":""},)"
-         R"({"map_id":"3","map_name":"c","map_label":"Old"},{"map_name":"nameless"}]})");
+    give(
+        "/map_manager/map_list",
+        R"({"maps":[{"map_id":"1","map_name":"a","map_label":"Hall"},{"map_id":"2","map_name":"b","map_label":""},)"
+        R"({"map_id":"3","map_name":"c","map_label":"Old"},{"map_name":"nameless"}]})");
     QVERIFY(!book.listed());
     give("/map_manager/archived_map_list", R"({"maps":[{"map_id":"3","map_name":"c","map_label":"Old"}]})");
-    QVERIFY(give("/map_manager/current_map_info", R"({"map_id":"2","map_name":"b","map_manager_state":"ACTIVE"})").maps);
+    QVERIFY(
+        give("/map_manager/current_map_info", R"({"map_id":"2","map_name":"b","map_manager_state":"ACTIVE"})")
+            .maps);
     QVERIFY(book.listed());
     QVERIFY(!give("/map", "{}").own);
     const auto entries = book.entries();
@@ -194,11 +200,13 @@ class KabamPartsTest : public QObject {
     map::Waypoint moved = b, tagged = c;
     moved.position_m.x() = 5;
     tagged.tags = {"free"};
-    const auto requests = planWaypoints(list({a, b, c}), {change(a, called(a, "x")), change(b, moved),
-                                                          change(c, tagged), {"n", {}, point("n", "new")}});
-    QCOMPARE(told(requests),
-             (QStringList{QStringLiteral("rename_waypoint a>x"), QStringLiteral("create_waypoint ->new"),
-                          QStringLiteral("reposition_waypoint b>b"), QStringLiteral("reposition_waypoint c>c")}));
+    const auto requests = planWaypoints(
+        list({a, b, c}),
+        {change(a, called(a, "x")), change(b, moved), change(c, tagged), {"n", {}, point("n", "new")}});
+    QCOMPARE(
+        told(requests),
+        (QStringList{QStringLiteral("rename_waypoint a>x"), QStringLiteral("create_waypoint ->new"),
+                     QStringLiteral("reposition_waypoint b>b"), QStringLiteral("reposition_waypoint c>c")}));
     QVERIFY(planWaypoints(list({a}), {}).empty());
   }
 
@@ -228,7 +236,8 @@ class KabamPartsTest : public QObject {
   void ringsAndChainsOfNamesComeOut() {
     std::vector<map::Waypoint> points;
     std::vector<WaypointChange> changes;
-    for (int i = 0; i < 6; ++i) points.push_back(point(qPrintable(QString::number(i)), qPrintable(QString::number(i))));
+    for (int i = 0; i < 6; ++i)
+      points.push_back(point(qPrintable(QString::number(i)), qPrintable(QString::number(i))));
     // 0>1>2>0 is a ring; 3>4>5>free a chain.
     const char* names[] = {"1", "2", "0", "4", "5", "free"};
     for (std::size_t i = 0; i < 6; ++i) changes.push_back(change(points[i], called(points[i], names[i])));
@@ -243,7 +252,8 @@ class KabamPartsTest : public QObject {
     const map::Waypoint a = point("1", "a"), b = point("2", "b");
     const auto now = list({a, b});
     const auto requests = planWaypoints(
-        now, {{"n", {}, point("n", "a")}, change(b, called(b, "c")), {"m", {}, point("m", "b")}, {"1", a, {}}});
+        now,
+        {{"n", {}, point("n", "a")}, change(b, called(b, "c")), {"m", {}, point("m", "b")}, {"1", a, {}}});
     QVERIFY(carriedOut(now, requests));
     QCOMPARE(told(requests).first(), QStringLiteral("delete_waypoint a>-"));
   }

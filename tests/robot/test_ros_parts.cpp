@@ -51,8 +51,12 @@ const Source kTf{Stream::Pose, Form::Tf, "/tf", {}, {}, true};
 const Source kStatic{Stream::Pose, Form::StaticTf, "/tf_static", {}, {}, true};
 const Source kMap{Stream::WholeMap, Form::Grid, "/map", {}, {}, true};
 const Source kLocal{Stream::CostmapHigh, Form::Grid, "/local_costmap/costmap", {}, {}, true};
-const Source kPatches{Stream::CostmapHigh, Form::GridPatch, "/local_costmap/costmap_updates", {},
-                      "/local_costmap/costmap", true};
+const Source kPatches{Stream::CostmapHigh,
+                      Form::GridPatch,
+                      "/local_costmap/costmap_updates",
+                      {},
+                      "/local_costmap/costmap",
+                      true};
 const Source kPath{Stream::LocalPath, Form::Path, "/local_plan", {}, {}, true};
 const Source kFootprint{Stream::Model, Form::Polygon, "/footprint", {}, {}, true};
 const Source kAmcl{Stream::Pose, Form::PoseWithCovariance, "/amcl_pose", {}, {}, true};
@@ -131,15 +135,15 @@ class RosPartsTest : public QObject {
   // Topics.
 
   void topicsAreFoundByTypeAndName() {
-    const std::vector<FoundTopic> found{{"/move_base/global_costmap/costmap", "nav_msgs/OccupancyGrid"},
-                                        {"/move_base/global_costmap/costmap_updates",
-                                         "map_msgs/OccupancyGridUpdate"},
-                                        {"/robot/map", "nav_msgs/msg/OccupancyGrid"},
-                                        {"/front/scan", "sensor_msgs/LaserScan"},
-                                        {"/rear_lidar", "sensor_msgs/LaserScan"},
-                                        {"/move_base/NavfnROS/plan", "nav_msgs/Path"},
-                                        {"/map", "std_msgs/String"},
-                                        {"/tf", "tf2_msgs/TFMessage"}};
+    const std::vector<FoundTopic> found{
+        {"/move_base/global_costmap/costmap", "nav_msgs/OccupancyGrid"},
+        {"/move_base/global_costmap/costmap_updates", "map_msgs/OccupancyGridUpdate"},
+        {"/robot/map", "nav_msgs/msg/OccupancyGrid"},
+        {"/front/scan", "sensor_msgs/LaserScan"},
+        {"/rear_lidar", "sensor_msgs/LaserScan"},
+        {"/move_base/NavfnROS/plan", "nav_msgs/Path"},
+        {"/map", "std_msgs/String"},
+        {"/tf", "tf2_msgs/TFMessage"}};
     const auto all = sourcesOf(found, {});
     QCOMPARE(names(sourcesFor(Stream::WholeMap, all)), QStringList{QStringLiteral("/robot/map")});
     QCOMPARE(names(sourcesFor(Stream::CostmapLow, all)),
@@ -148,13 +152,13 @@ class RosPartsTest : public QObject {
     QVERIFY(sourcesFor(Stream::CostmapHigh, all).empty());
     QCOMPARE(names(sourcesFor(Stream::Cloud, all)),
              (QStringList{QStringLiteral("/front/scan"), QStringLiteral("/rear_lidar")}));
-    QCOMPARE(names(sourcesFor(Stream::Path, all)),
-             QStringList{QStringLiteral("/move_base/NavfnROS/plan")});
+    QCOMPARE(names(sourcesFor(Stream::Path, all)), QStringList{QStringLiteral("/move_base/NavfnROS/plan")});
     QCOMPARE(sourcesFor(Stream::WholeMap, all).front().type, std::string("nav_msgs/msg/OccupancyGrid"));
   }
 
   void aCostmapIsNoMap() {
-    const auto all = sourcesOf(std::vector<FoundTopic>{{"/local_costmap/costmap", "nav_msgs/OccupancyGrid"}}, {});
+    const auto all =
+        sourcesOf(std::vector<FoundTopic>{{"/local_costmap/costmap", "nav_msgs/OccupancyGrid"}}, {});
     QVERIFY(sourcesFor(Stream::WholeMap, all).empty());
   }
 
@@ -229,8 +233,7 @@ class RosPartsTest : public QObject {
   void anUpdateChangesTheGridThatItBelongsTo() {
     RosWorld world;
     world.keepGrids({"/local_costmap/costmap"});
-    const QByteArray patch =
-        "{" + header("map", kNow) + R"(,"x":1,"y":0,"width":1,"height":2,"data":[7,8]})";
+    const QByteArray patch = "{" + header("map", kNow) + R"(,"x":1,"y":0,"width":1,"height":2,"data":[7,8]})";
     QVERIFY(!messageOf<map::GridMessage>(give(world, kPatches, patch)));  // of nothing
     give(world, kLocal, grid("map", kNow));
     const auto changed = messageOf<map::GridMessage>(give(world, kPatches, patch));

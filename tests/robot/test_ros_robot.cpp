@@ -27,9 +27,10 @@ QString text(const char* latin) { return QString::fromLatin1(latin); }
 const QByteArray kUpright = R"({"x":0,"y":0,"z":0,"w":1})";
 
 QJsonObject grid(int cell = 0) {
-  return json(R"({"header":{"frame_id":"map","stamp":{"secs":5,"nsecs":0}},"info":{"resolution":0.05,"width":2,)"
-              R"("height":1,"origin":{"position":{"x":1,"y":2,"z":0},"orientation":)" +
-              kUpright + R"(}},"data":[)" + QByteArray::number(cell) + ",100]}");
+  return json(
+      R"({"header":{"frame_id":"map","stamp":{"secs":5,"nsecs":0}},"info":{"resolution":0.05,"width":2,)"
+      R"("height":1,"origin":{"position":{"x":1,"y":2,"z":0},"orientation":)" +
+      kUpright + R"(}},"data":[)" + QByteArray::number(cell) + ",100]}");
 }
 
 QJsonObject tf(const char* parent, const char* child, double x) {
@@ -41,12 +42,13 @@ QJsonObject tf(const char* parent, const char* child, double x) {
 
 QByteArray waypoint(const char* id, const char* name, double x, const char* map = "m1") {
   return R"({"id":")" + QByteArray(id) + R"(","name":")" + name +
-         R"(","frame_id":"map","waypoint_tags":["a"],"map_id":")" + map +
-         R"(","pose":{"position":{"x":)" + QByteArray::number(x) + R"(,"y":0,"z":0},"orientation":)" + kUpright +
-         "}}";
+         R"(","frame_id":"map","waypoint_tags":["a"],"map_id":")" + map + R"(","pose":{"position":{"x":)" +
+         QByteArray::number(x) + R"(,"y":0,"z":0},"orientation":)" + kUpright + "}}";
 }
 
-QJsonObject waypoints(const QByteArrayList& rows) { return json(R"({"waypoints":[)" + rows.join(',') + "]}"); }
+QJsonObject waypoints(const QByteArrayList& rows) {
+  return json(R"({"waypoints":[)" + rows.join(',') + "]}");
+}
 
 template <typename T, typename Ask>
 Outcome<T> answerTo(Ask ask) {
@@ -120,7 +122,8 @@ class RosRobotTest : public QObject {
   /// A map manager with two maps and two waypoints on the first.
   void manage() {
     const auto topic = [&](const char* name, const char* type, const QJsonObject& msg) {
-      server_->advertise(text("/map_manager/") + QLatin1String(name), text("kabam_msgs/") + QLatin1String(type));
+      server_->advertise(text("/map_manager/") + QLatin1String(name),
+                         text("kabam_msgs/") + QLatin1String(type));
       server_->latch(text("/map_manager/") + QLatin1String(name), msg);
     };
     topic("current_map_info", "MapInfo",
@@ -129,7 +132,8 @@ class RosRobotTest : public QObject {
           json(R"({"maps":[{"map_id":"m1","map_name":"one","map_label":"One"},)"
                R"({"map_id":"m2","map_name":"two","map_label":"Two"}]})"));
     topic("archived_map_list", "MapList", json(R"({"maps":[]})"));
-    topic("current_map_waypoints", "MapWaypointList", waypoints({waypoint("w1", "Dock", 1), waypoint("w2", "Desk", 2)}));
+    topic("current_map_waypoints", "MapWaypointList",
+          waypoints({waypoint("w1", "Dock", 1), waypoint("w2", "Desk", 2)}));
     for (const char* name : {"load_map", "rename_map", "get_waypoint", "create_waypoint", "delete_waypoint",
                              "rename_waypoint", "reposition_waypoint"}) {
       server_->serve(text("/map_manager/") + QLatin1String(name),
@@ -179,8 +183,8 @@ class RosRobotTest : public QObject {
     QVERIFY(server_->timesCalled(QStringLiteral("/rosapi/topics")) >= 1);
     QVERIFY(robot_->liveTopics()->known().contains(QLatin1String("/map")));
     QVERIFY(!robot_->waypointStore() && !robot_->mapAdministration());
-    const QString why = sentences::whyAbsent(Capability::WaypointEditing,
-                                             robot_->whyNot(Capability::WaypointEditing));
+    const QString why =
+        sentences::whyAbsent(Capability::WaypointEditing, robot_->whyNot(Capability::WaypointEditing));
     QVERIFY2(why.contains(QLatin1String("KABAM")), qPrintable(why));
     robot_->disconnectFromRobot();
     QTRY_VERIFY(isIn(ConnectionPhase::Offline));
@@ -282,8 +286,8 @@ class RosRobotTest : public QObject {
     server_->advertise(QStringLiteral("/local_plan"), QStringLiteral("nav_msgs/Path"));
     const QByteArray header = R"("header":{"frame_id":"odom","stamp":{"secs":5,"nsecs":0}})";
     server_->latch(QStringLiteral("/local_plan"),
-                   json("{" + header + R"(,"poses":[{)" + header + R"(,"pose":{"position":{"x":1,"y":0,"z":0},"orientation":)" +
-                        kUpright + "}}]}"));
+                   json("{" + header + R"(,"poses":[{)" + header +
+                        R"(,"pose":{"position":{"x":1,"y":0,"z":0},"orientation":)" + kUpright + "}}]}"));
     QVERIFY(online());
     want({Stream::LocalPath});
     QTRY_VERIFY(problemOf("/local_plan", map::ProblemCode::Unplaced));
@@ -334,11 +338,13 @@ class RosRobotTest : public QObject {
         [&](auto reply) { return robot_->mapCatalogue()->list(reply); });
     QVERIFY(entries && entries->size() == 1);
     QVERIFY(entries->front().key.kind == map::MapKind::Live && entries->front().is_current);
-    const auto whole = answerTo<map::WholeMap>(
-        [&](auto reply) { return robot_->wholeMapSource()->fetch({map::MapKind::Live, {}}, reply); });
+    const auto whole = answerTo<map::WholeMap>([&](auto reply) {
+      return robot_->wholeMapSource()->fetch({map::MapKind::Live, {}}, reply);
+    });
     QVERIFY(whole && whole->reading.mode == map::CellReading::Mode::Raw);
-    const auto other = answerTo<map::WholeMap>(
-        [&](auto reply) { return robot_->wholeMapSource()->fetch({map::MapKind::Stored, "7"}, reply); });
+    const auto other = answerTo<map::WholeMap>([&](auto reply) {
+      return robot_->wholeMapSource()->fetch({map::MapKind::Stored, "7"}, reply);
+    });
     QVERIFY(!other && other.error().kind == map::FailureKind::RejectedByRobot);
   }
 
@@ -408,7 +414,8 @@ class RosRobotTest : public QObject {
     QVERIFY(stored && stored->points.size() == 2);
     QCOMPARE(server_->timesCalled(QStringLiteral("/map_manager/get_waypoint")), 0);
     serve("get_waypoint", [](const QJsonObject& args) {
-      return QJsonObject{{text("waypoints"), waypoints({waypoint("w9", "Far", 9, args[text("map_id")].toString().toUtf8())})}};
+      return QJsonObject{{text("waypoints"),
+                          waypoints({waypoint("w9", "Far", 9, args[text("map_id")].toString().toUtf8())})}};
     });
     const auto other = read("m2");
     QVERIFY(other && other->points.size() == 1 && other->points.front().name == "Far");
@@ -419,7 +426,8 @@ class RosRobotTest : public QObject {
     manage();
     serve("reposition_waypoint", [&](const QJsonObject& args) {
       QTimer::singleShot(30, this, [this, args] {
-        showWaypoints({QJsonDocument(args[text("waypoint_info")].toObject()).toJson(), waypoint("w2", "Desk", 2)});
+        showWaypoints(
+            {QJsonDocument(args[text("waypoint_info")].toObject()).toJson(), waypoint("w2", "Desk", 2)});
       });
       return json(R"({"result":3})");
     });
@@ -504,8 +512,9 @@ class RosRobotTest : public QObject {
     QVERIFY(online());
     const auto receipt = perform({"w1", kept("w1"), {}});
     QVERIFY(receipt);
-    QCOMPARE(server_->argumentsOf(QStringLiteral("/map_manager/delete_waypoint")).first()[text("delete_waypoint")],
-             QJsonValue(true));
+    QCOMPARE(
+        server_->argumentsOf(QStringLiteral("/map_manager/delete_waypoint")).first()[text("delete_waypoint")],
+        QJsonValue(true));
   }
 
   void tagsThatTheRobotKeepsAreTold() {
@@ -539,9 +548,11 @@ class RosRobotTest : public QObject {
   void aMapIsRenamedWhenTheListSaysSo() {
     manage();
     serve("rename_map", [&](const QJsonObject& args) {
-      server_->latch(QStringLiteral("/map_manager/map_list"),
-                     json(R"({"maps":[{"map_id":"m1","map_name":"one","map_label":"One"},{"map_id":"m2","map_name":"two","map_label":")" +
-                          args[text("new_map_label")].toString().toUtf8() + R"("}]})"));
+      server_->latch(
+          QStringLiteral("/map_manager/map_list"),
+          json(
+              R"({"maps":[{"map_id":"m1","map_name":"one","map_label":"One"},{"map_id":"m2","map_name":"two","map_label":")" +
+              args[text("new_map_label")].toString().toUtf8() + R"("}]})"));
       return json(R"({"result":0})");
     });
     QVERIFY(online());
@@ -559,8 +570,9 @@ class RosRobotTest : public QObject {
     manage();
     serve("load_map", [&](const QJsonObject& args) {
       if (args[text("map_id")].toString() == QLatin1String("m1")) return json(R"({"result":2})");
-      server_->latch(QStringLiteral("/map_manager/current_map_info"),
-                     json(R"({"map_id":"m2","map_name":"two","map_label":"Two","map_manager_state":"ACTIVE"})"));
+      server_->latch(
+          QStringLiteral("/map_manager/current_map_info"),
+          json(R"({"map_id":"m2","map_name":"two","map_label":"Two","map_manager_state":"ACTIVE"})"));
       return json(R"({"result":0})");
     });
     QVERIFY(online());
@@ -577,7 +589,10 @@ class RosRobotTest : public QObject {
     QVERIFY(!changed.isEmpty());
     const auto unknown = load("m5");
     QVERIFY(!unknown && unknown.error().reason == map::FailureReason::NotThere);
-    QCOMPARE(server_->argumentsOf(QStringLiteral("/map_manager/load_map")).first()[text("loc_waypoint_name")].toString(), QString());
+    QCOMPARE(server_->argumentsOf(QStringLiteral("/map_manager/load_map"))
+                 .first()[text("loc_waypoint_name")]
+                 .toString(),
+             QString());
   }
 };
 

@@ -32,6 +32,8 @@ class KabamBook {
 
   /// Both lists and the current one have come.
   bool listed() const { return active_ && archived_ && current_; }
+  /// Enough for a list, should the rest stay silent.
+  bool partlyListed() const { return active_.has_value() || archived_.has_value(); }
   /// Each map once: the active ones, then the archived ones. What stands in both lists is archived.
   std::vector<KabamMap> maps() const;
   std::optional<KabamMap> find(const std::string& id) const;

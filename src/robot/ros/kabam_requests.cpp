@@ -97,8 +97,10 @@ void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject
                                std::function<void(std::optional<map::Failure>)> then) {
   await(
       errand, patience_.lists, [this] { return book_.listed(); },
-      [subject, then = std::move(then)](Awaited how) {
-        if (how == Awaited::Held) return then(std::nullopt);
+      [this, subject, then = std::move(then)](Awaited how) {
+        // A manager without a current map may say nothing of it.
+        const bool enough = how == Awaited::TooLate && book_.partlyListed();
+        if (how == Awaited::Held || enough) return then(std::nullopt);
         map::Failure failure;
         failure.subject = subject;
         failure.kind = map::FailureKind::Cancelled;

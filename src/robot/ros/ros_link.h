@@ -90,8 +90,10 @@ class RosLink : public QObject {
   void waypointsChanged();
 
  private:
+  /// What was told of a topic last, and when: the same is not told at the rate of its messages.
   struct Trouble {
-    bool unreadable = false, unplaced = false, odd = false;
+    map::Reason reason;
+    qint64 told_ms = 0;
   };
   /// A question that waits until it is known what the robot can do.
   struct Early {
@@ -114,8 +116,7 @@ class RosLink : public QObject {
   void take(const net::rosbridge::TopicMessage& message);
   void takeOfManager(const net::rosbridge::TopicMessage& message);
   void tell(WorldResult result);
-  void note(const std::string& topic, bool Trouble::*what, map::ProblemCode code,
-            const std::optional<map::Reason>& reason);
+  void note(const std::string& topic, map::ProblemCode code, const std::optional<map::Reason>& reason);
   void forgetTrouble(const std::string& topic);
   void tellPose();
   void emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
@@ -149,7 +150,7 @@ class RosLink : public QObject {
   bool refused_ = false;
   int round_ = 0;  // of connections
   std::list<EarlyPtr> early_;
-  std::map<std::string, Trouble> troubles_;  // by topic
+  std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic
   wire::RawLimit raw_limit_;
   QElapsedTimer clock_, pose_told_, pose_missing_;
   std::optional<geometry::Pose2> last_pose_;

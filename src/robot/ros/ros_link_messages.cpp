@@ -14,6 +14,8 @@ using net::rosbridge::TopicMessage;
 constexpr qint64 kPoseAnywayMs = 1'000;   // a robot that stands still is told of, too
 constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
 
+constexpr qint64 kTellAgainMs = 5'000;
+
 map::Subject topicSubject(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
 
 RawMessage rawOf(const TopicMessage& message) {
@@ -53,7 +55,7 @@ void RosLink::takeOfManager(const TopicMessage& message) {
   if (!taken.own) return;
   const std::optional<map::Reason> odd =
       taken.readable ? std::nullopt : std::optional<map::Reason>(map::ReasonCode::MessageNotUnderstood);
-  note(message.topic, &Trouble::unreadable, map::ProblemCode::Unreadable, odd);
+  note(message.topic, map::ProblemCode::Unreadable, odd);
   if (taken.maps && book.current() && !book.current()->map.id.empty())
     emitTopic(book.topics().front(), book.mapInfo(), message.received_s, std::nullopt);
   if (taken.maps) {
@@ -66,13 +68,11 @@ void RosLink::takeOfManager(const TopicMessage& message) {
 
 void RosLink::tell(WorldResult result) {
   const std::string topic = result.topic;
-  if (result.message || result.unreadable)
-    note(topic, &Trouble::unreadable, map::ProblemCode::Unreadable, result.unreadable);
-  if (result.message || result.unplaced)
-    note(topic, &Trouble::unplaced, map::ProblemCode::Unplaced, result.unplaced);
+  if (result.message || result.unreadable) note(topic, map::ProblemCode::Unreadable, result.unreadable);
+  if (result.message || result.unplaced) note(topic, map::ProblemCode::Unplaced, result.unplaced);
   std::optional<map::Reason> odd;
   if (!result.notes.empty()) odd = result.notes.front();
-  if (!result.unreadable) note(topic, &Trouble::odd, map::ProblemCode::Odd, odd);
+  if (!result.unreadable) note(topic, map::ProblemCode::Odd, odd);
   if (!result.message) return;
   const auto* const grid = std::get_if<map::GridMessage>(&*result.message);
   const bool whole = grid && grid->kind == map::GridKind::WholeMap;
@@ -80,25 +80,25 @@ void RosLink::tell(WorldResult result) {
   emitTopic(topic, std::move(*result.message), result.received_s, result.recorded_s);
 }
 
-void RosLink::note(const std::string& topic, bool Trouble::*what, map::ProblemCode code,
+void RosLink::note(const std::string& topic, map::ProblemCode code,
                    const std::optional<map::Reason>& reason) {
   if (reason) {
-    troubles_[topic].*what = true;
+    Trouble& trouble = troubles_[topic][code];
+    const qint64 now = clock_.elapsed();
+    if (trouble.reason == *reason && now - trouble.told_ms < kTellAgainMs) return;
+    trouble = {*reason, now};
     Q_EMIT problemFound({map::Severity::Warning, topicSubject(topic), *reason, code});
     return;
   }
-  const auto trouble = troubles_.find(topic);
-  if (trouble == troubles_.end() || !std::exchange(trouble->second.*what, false)) return;
+  const auto troubles = troubles_.find(topic);
+  if (troubles == troubles_.end() || troubles->second.erase(code) == 0) return;
   Q_EMIT recovered({topicSubject(topic), code});
 }
 
 void RosLink::forgetTrouble(const std::string& topic) {
-  const auto trouble = troubles_.extract(topic);
-  if (trouble.empty()) return;
-  const Trouble& was = trouble.mapped();
-  if (was.unreadable) Q_EMIT recovered({topicSubject(topic), map::ProblemCode::Unreadable});
-  if (was.unplaced) Q_EMIT recovered({topicSubject(topic), map::ProblemCode::Unplaced});
-  if (was.odd) Q_EMIT recovered({topicSubject(topic), map::ProblemCode::Odd});
+  const auto troubles = troubles_.extract(topic);
+  if (troubles.empty()) return;
+  for (const auto& [code, trouble] : troubles.mapped()) Q_EMIT recovered({topicSubject(topic), code});
 }
 
 void RosLink::tellPose() {
@@ -110,11 +110,11 @@ void RosLink::tellPose() {
     if (!pose_missing_.isValid()) pose_missing_.start();
     if (pose_missing_.elapsed() < kPoseMissingMs) return;
     pose_missing_.start();
-    note(topic, &Trouble::unplaced, map::ProblemCode::Unplaced, pose->error());
+    note(topic, map::ProblemCode::Unplaced, pose->error());
     return;
   }
   pose_missing_.invalidate();
-  note(topic, &Trouble::unplaced, map::ProblemCode::Unplaced, std::nullopt);
+  note(topic, map::ProblemCode::Unplaced, std::nullopt);
   const bool again = !pose_told_.isValid() || pose_told_.elapsed() >= kPoseAnywayMs;
   if (last_pose_ == **pose && !again) return;
   last_pose_ = **pose;

@@ -216,7 +216,9 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       MarkerBoard& board = boards_[source.topic];
       board.take(*markers, received_s);
       board.expire(received_s);
-      taking(Board{{}, board.markers()});
+      Board shown;  // made member by member: g++ 12 takes it for uninitialised otherwise
+      shown.markers = board.markers();
+      taking(std::move(shown));
       break;
     }
     case Form::Battery:
