@@ -127,7 +127,7 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
                   this,
                   [this] {
                     const robot::MapAdministration* const still = maps();
-                    if (still && !robots->obstacle(MapChange::Save, nullptr)) ask(MapChange::Save, nullptr);
+                    if (still && !still->obstacle(MapChange::Save, nullptr)) ask(MapChange::Save, nullptr);
                   },
                   Qt::QueuedConnection);
             }
