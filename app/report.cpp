@@ -46,9 +46,11 @@ QJsonObject trafficJson(const session::SubmapCounts& counts) {
 }
 
 QJsonObject gridJson(const map::GridReference& grid) {
-  return {{QStringLiteral("size"), QJsonArray{grid.width, grid.height}},
-          {QStringLiteral("resolution"), grid.resolution_m},
-          {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
+  const bool size_known = grid.width > 0 && grid.height > 0;  // else its picture was not opened
+  return {
+      {QStringLiteral("size"), size_known ? QJsonValue(QJsonArray{grid.width, grid.height}) : QJsonValue()},
+      {QStringLiteral("resolution"), grid.resolution_m},
+      {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
 }
 
 QJsonObject entryJson(const map::CatalogueEntry& row) {

@@ -34,6 +34,7 @@ constexpr double kNoteEveryS = 0.25;
 // Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some,
 // too.
 constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
+constexpr double kListWithinS = 8, kListAtLeastS = 3;  // where a whole map can be drawn instead
 
 bool wantsSubmapsOf(const SnapshotOptions& options) {
   return options.mode == SnapshotMode::Submaps || options.layers.contains(scene::Layer::Submaps);
@@ -82,7 +83,8 @@ SnapshotRun::Standing SnapshotRun::StandingBoard::take() const {
 }
 
 SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start)
-    : options_(decided(std::move(options), *robot)),
+    : automatic_(options.mode == SnapshotMode::Automatic),
+      options_(decided(std::move(options), *robot)),
       session_(std::move(robot), sessionOptions(options_, workers_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
@@ -200,9 +202,35 @@ bool SnapshotRun::connected() {
   return true;
 }
 
+double SnapshotRun::listWithin() const {
+  return std::clamp(options_.timeout_s / 4, kListAtLeastS, kListWithinS);
+}
+
+bool SnapshotRun::wantsWholeInstead() const {
+  const robot::Robot& robot = session_.robot();
+  const bool for_submaps = options_.slice != 0 || options_.colors != render::ColorMode::Normal ||
+                           options_.layers.contains(scene::Layer::Submaps);
+  return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps &&
+         !session_.book().listReceived() && seconds() - connected_s_ > listWithin() &&
+         robot.wholeMapSource() != nullptr;
+}
+
+void SnapshotRun::takeWholeInstead() {
+  options_.mode = SnapshotMode::Whole;
+  whole_asked_s_ = seconds() - connected_s_;
+  shown_instead_ =
+      Words::tr(
+          "The robot sent no submap list within %1 s: its whole map is drawn instead. --mode submaps waits "
+          "longer.")
+          .arg(listWithin());
+  notes_ << shown_instead_;
+  live_layers_.ask(options_.layers, true);
+}
+
 void SnapshotRun::look() {
   if (done_ || chosen_ || !connected()) return;
-  if (wantsWhole() && map_.look(seconds() - connected_s_) == MapWish::State::Failed) {
+  if (wantsWholeInstead()) takeWholeInstead();
+  if (wantsWhole() && map_.look(seconds() - connected_s_ - whole_asked_s_) == MapWish::State::Failed) {
     fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
     return;
   }

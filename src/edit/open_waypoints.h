@@ -55,6 +55,8 @@ class OpenWaypoints : public QObject {
   /// gone on with by save() again.
   void save();
   bool saving() const { return submission_.running(); }
+  /// There is something to be saved, it is not under way, and no conflict waits to be decided.
+  bool maySave() const { return unsaved() && !saving() && document_.conflicts().empty(); }
   const WaypointSubmission& submission() const { return submission_; }
   void cancelSaving() { submission_.cancel(); }
   /// No answer comes any more; nothing can be saved.

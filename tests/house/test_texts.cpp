@@ -62,9 +62,8 @@ QList<Literal> literalsOf(const QString& source) {
 /// Several words that begin large or end with a full stop, or three and more in a row.
 bool isSentence(const QString& text) {
   static const QRegularExpression words(QStringLiteral("[a-z]{2,},? [a-z]")),
-      several(QStringLiteral("\\b[a-z]+,? [a-z]+,? [a-z]{2,}\\b")),
-      begins(QStringLiteral("^[A-Z][a-z]")), ends(QStringLiteral("[a-z)]\\.$")),
-      places(QStringLiteral("%[0-9n]"));
+      several(QStringLiteral("\\b[a-z]+,? [a-z]+,? [a-z]{2,}\\b")), begins(QStringLiteral("^[A-Z][a-z]")),
+      ends(QStringLiteral("[a-z)]\\.$")), places(QStringLiteral("%[0-9n]"));
   QString plain = text;
   plain.replace(places, QStringLiteral("x"));
   plain = plain.trimmed();

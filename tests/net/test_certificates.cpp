@@ -82,8 +82,7 @@ class TestCertificates : public QObject {
     add("expired", true, {Kind::Expired}, {QStringLiteral("2021-03-04")});
     add("not_yet_valid", true, {Kind::NotYetValid}, {QStringLiteral("2119-05-06")});
     add("signed_other_name", true, {Kind::OtherName}, {QStringLiteral("robot8.example")});
-    add("other_name", false, {Kind::OtherName, Kind::SelfSigned},
-        {QStringLiteral("robot8.example")});
+    add("other_name", false, {Kind::OtherName, Kind::SelfSigned}, {QStringLiteral("robot8.example")});
   }
   void whatIsNotTrustedIsToldWithItsReasonAndSeesNothing() {
     QFETCH(bool, web_socket);
@@ -106,9 +105,8 @@ class TestCertificates : public QObject {
     QStringList details;
     for (const Reason& why : ending.reason.because) details << why.arguments;
     QCOMPARE(details, words);
-    QCOMPARE(ending.reason.arguments,
-             (QStringList{QStringLiteral("127.0.0.1:%1").arg(server.port()),
-                          fingerprintText(testing::sha256(certificate))}));
+    QCOMPARE(ending.reason.arguments, (QStringList{QStringLiteral("127.0.0.1:%1").arg(server.port()),
+                                                   fingerprintText(testing::sha256(certificate))}));
     QVERIFY(server.seen.isEmpty());
   }
 

@@ -88,6 +88,14 @@ class FileRobotTest : public QObject {
     QVERIFY(list->at(0).grid.has_value());
   }
 
+  void filesComeInTheOrderOfTheirNamesAndNumbers() {
+    for (const char* name : {"floor10.png", "Floor2.png", "annex.png", "floor1.png"})
+      write(QLatin1String(name), "no picture");
+    QCOMPARE(mapFilesIn(folder_->path()),
+             (QStringList{QStringLiteral("annex.png"), QStringLiteral("floor1.png"),
+                          QStringLiteral("Floor2.png"), QStringLiteral("floor10.png")}));
+  }
+
   void modesNegateAndSpellingsAreUnderstood() {
     const std::string base = "image: a.png\nresolution: '5e-2'\norigin: [0, 0]\n";
     QCOMPARE(parseMapYaml(base + "mode: scale\nnegate: true\n")->reading.mode, map::CellReading::Mode::Scale);

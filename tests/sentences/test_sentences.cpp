@@ -215,7 +215,9 @@ class SentencesTest : public QObject {
          Consequence::PictureBeforeStays});
     row("Waypoints of Map 7: /b.json cannot be written: no file can be made in / (Permission denied).",
         map::placesOf({map::MapKind::Stored, "7"}),
-        {ReasonCode::FileNotWritten, {"/b.json"}, {{ReasonCode::NoFileInFolder, {"/", "Permission denied"}}}});
+        {ReasonCode::FileNotWritten,
+         {"/b.json"},
+         {{ReasonCode::NoFileInFolder, {"/", "Permission denied"}}}});
     row("Map 7: This robot gives no whole map.", map::subjectOf({map::MapKind::Stored, "7"}),
         sentences::lackOf(Capability::WholeMaps, {}));
   }

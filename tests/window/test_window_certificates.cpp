@@ -25,8 +25,7 @@ robot::ConnectionState refused(const QString& sha256, const QString& pinned = {}
   robot::ConnectionState state;
   state.phase = robot::ConnectionPhase::Refused;
   state.failure = map::FailureKind::Certificate;
-  state.reason =
-      map::said("the certificate of 192.0.2.7:8090 is not trusted: it is self-signed");
+  state.reason = map::said("the certificate of 192.0.2.7:8090 is not trusted: it is self-signed");
   robot::UntrustedCertificate certificate;
   certificate.host = kHost;
   certificate.why = {map::ReasonCode::SelfSigned};

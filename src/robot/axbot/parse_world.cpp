@@ -13,6 +13,26 @@ class Words {
 
 using wire::Json;
 
+/// VisualObjectLabel of the robot's reference; a null text for others.
+QString nameOf(std::int64_t label) {
+  switch (label) {
+    case 1:
+      return Words::tr("person");
+    case 2:
+      return Words::tr("platform hand truck");
+    case 3:
+      return Words::tr("scaffold");
+    case 4:
+      return Words::tr("queue stand");
+    case 5:
+      return Words::tr("portable grandstand");
+    default:
+      return {};
+  }
+}
+
+QString rackName(bool aligned) { return aligned ? Words::tr("rack (aligned)") : Words::tr("rack"); }
+
 bool isRobotFrame(const Json& object) {
   const std::string frame = wire::text(object, {"frame", "frame_id"});
   return frame == "base_link" || frame == "base_footprint" || frame == "robot";
@@ -106,7 +126,7 @@ map::TopicMessage rack(const Json& message) {
     const auto given = wire::member(message, {name});
     if (!seen || !given) continue;
     // Seen from above: width along x, height along y.
-    const auto found = box(*given, (name == std::string_view("rack_box") ? Words::tr("rack") : Words::tr("rack (aligned)")).toStdString(),
+    const auto found = box(*given, rackName(name != std::string_view("rack_box")).toStdString(),
                            wire::number(*given, {"width"}), wire::number(*given, {"height", "depth"}),
                            isRobotFrame(message));
     if (found) rack.racks.push_back(*found);
@@ -114,24 +134,11 @@ map::TopicMessage rack(const Json& message) {
   return rack;
 }
 
-/// VisualObjectLabel of the robot's reference.
 std::string objectLabel(const Json& row) {
-  switch (wire::integer(row, {"label"}).value_or(-1)) {
-    case 0:
-      return {};
-    case 1:
-      return Words::tr("person").toStdString();
-    case 2:
-      return Words::tr("platform hand truck").toStdString();
-    case 3:
-      return Words::tr("scaffold").toStdString();
-    case 4:
-      return Words::tr("queue stand").toStdString();
-    case 5:
-      return Words::tr("portable grandstand").toStdString();
-    default:
-      return wire::text(row, {"label"});
-  }
+  const auto label = wire::integer(row, {"label"});
+  if (label == 0) return {};
+  const QString name = nameOf(label.value_or(-1));
+  return name.isEmpty() ? wire::text(row, {"label"}) : name.toStdString();
 }
 
 map::TopicMessage seenObjects(const Json& message) {

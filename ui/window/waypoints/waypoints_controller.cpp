@@ -299,7 +299,10 @@ void WaypointsController::refresh() {
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   revert_action_->setEnabled(unsaved());
   refreshNotice();
-  if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
+  const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
+  was_unsaved_ = unsaved();
+  could_save_ = maySave();
+  if (changed) Q_EMIT unsavedChanged();
 }
 
 void WaypointsController::refreshNotice() {
@@ -337,6 +340,8 @@ void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
   if (!point || !editing_.editable()) return;
   const QPointF at = scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m));
   if (!QRectF(context_.view.viewport()->rect()).contains(at)) context_.view.lookAt(point->position_m, false);
+  // All that is typed is one step, and one with what made the waypoint.
+  if (gesture == 0) gesture = editing_.newGesture();
   name_editor_->ask(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)),
                     QString::fromStdString(point->name),
                     [this, key, gesture](const QString& name) { editing_.rename(key, name, gesture); });
