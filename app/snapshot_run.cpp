@@ -206,8 +206,8 @@ double SnapshotRun::listWithin() const {
   return std::clamp(options_.timeout_s / 4, kListAtLeastS, kListWithinS);
 }
 
-bool SnapshotRun::wantsWholeInstead() const {
-  const robot::Robot& robot = session_.robot();
+bool SnapshotRun::wantsWholeInstead() {
+  robot::Robot& robot = session_.robot();
   const bool for_submaps = options_.slice != 0 || options_.colors != render::ColorMode::Normal ||
                            options_.layers.contains(scene::Layer::Submaps);
   return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps &&

@@ -65,7 +65,7 @@ class SnapshotRun : public QObject {
   void look();  // whatever may have changed: is it time for the next step?
   bool connected();
   /// The mode was not chosen by anybody, no list of submaps comes, and a whole map can be had.
-  bool wantsWholeInstead() const;
+  bool wantsWholeInstead();
   void takeWholeInstead();
   void tellProgress();
   void noteStanding();

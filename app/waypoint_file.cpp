@@ -8,7 +8,9 @@
 #include "app/waypoint_csv.h"
 #include "app/waypoint_json.h"
 #include "disk/read_file.h"
+#include "reasons/file_reason.h"
 #include "robot/files/waypoint_file.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -43,7 +45,8 @@ WantedFile readWantedFile(const std::string& path, const std::string& format) {
   if (!kind) return tl::make_unexpected(kind.error());
   const auto bytes = disk::readFile(path, kMaxWantedBytes + 1);
   if (!bytes)
-    return tl::make_unexpected(Words::tr("%1 cannot be read: %2.").arg(text(path), text(bytes.error())));
+    return tl::make_unexpected(Words::tr("%1 cannot be read: %2.")
+                                   .arg(text(path), sentences::wordsOf(reasons::causeOf(bytes.error()))));
   if (bytes->size() > kMaxWantedBytes)
     return tl::make_unexpected(Words::tr("%1 is larger than 64 MiB.").arg(text(path)));
   WantedFile wanted = *kind == WaypointFileKind::Csv ? wantedFromCsv(*bytes) : wantedFromGeoJson(*bytes);

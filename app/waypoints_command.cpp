@@ -16,7 +16,9 @@
 #include "app/waypoint_steps.h"
 #include "disk/written_file.h"
 #include "geometry/pose.h"
+#include "reasons/file_reason.h"
 #include "sentences/plural.h"
+#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -101,7 +103,8 @@ int waypointsExport(const WaypointsWords& words, int& argc, char** argv) {
     const std::string bytes = *kind == WaypointFileKind::Csv
                                   ? waypointsCsv(list->stored.points, list->mapId())
                                   : waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
-    if (const auto trouble = disk::writeFile(words.output, bytes)) return wrong(text(*trouble));
+    if (const auto trouble = disk::writeFile(words.output, bytes))
+      return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
     if (!isStandardOutput(output) && !isStandardOutput(text(words.report))) {
       const auto count = qint64(list->stored.points.size());
       std::printf("%s: %s\n", qUtf8Printable(oneLine(output)),

@@ -13,6 +13,8 @@
 #include "app/waypoint_sending.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "reasons/file_reason.h"
+#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -96,7 +98,7 @@ int waypointsPlan(const WaypointsWords& words, int& argc, char** argv) {
                               itemsOf(list->stored.points), *edits};
       const QByteArray bytes = planBytes(plan, callsOf(*list, *edits));
       if (const auto trouble = disk::writeFile(words.output, bytes.toStdString()))
-        return wrong(text(*trouble));
+        return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
     }
     const bool taken = isStandardOutput(output) || isStandardOutput(text(words.report));
     if (!taken) printPreview(*list, {*edits, {}}, words.json);
@@ -110,7 +112,9 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
     // A plan holds its base, and what is to become of it.
     constexpr std::size_t kMost = 4 * kMaxWantedBytes;
     const auto bytes = disk::readFile(words.file, kMost + 1);
-    if (!bytes) return wrong(Words::tr("%1 cannot be read: %2.").arg(file, text(bytes.error())));
+    if (!bytes)
+      return wrong(
+          Words::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
     if (bytes->size() > kMost) return wrong(Words::tr("%1 is larger than 256 MiB.").arg(file));
     const auto plan = planFromBytes(*bytes);
     if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
