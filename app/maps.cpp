@@ -47,7 +47,9 @@ QString dateText(std::optional<double> epoch_s) {
 }
 
 QStringList rowOf(const map::CatalogueEntry& row) {
-  const QString version = row.map_version ? QStringLiteral("v%1").arg(*row.map_version) : text(row.state);
+  const QString version = row.is_archived   ? Words::tr("archived")
+                          : row.map_version ? QStringLiteral("v%1").arg(*row.map_version)
+                                            : text(row.state);
   return {row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
           version.isEmpty() ? QStringLiteral("-") : version,
           dateText(row.modified_s ? row.modified_s : row.created_s), words::plainName(row.name)};

@@ -234,6 +234,7 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   if (first || other) Q_EMIT mapManagerKnown(has_manager_);
   sync();
   if (!first) return;
+  known_since_.start();
   publishState();
   const auto early = early_;
   for (const EarlyPtr& one : early) endEarly(one, std::nullopt);

@@ -152,6 +152,7 @@ class RosLink : public QObject {
   std::list<EarlyPtr> early_;
   std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic
   wire::RawLimit raw_limit_;
+  QElapsedTimer known_since_;  // of this connection
   QElapsedTimer clock_, pose_told_, pose_missing_;
   std::optional<geometry::Pose2> last_pose_;
 };

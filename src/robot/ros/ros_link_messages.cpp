@@ -12,6 +12,7 @@ namespace {
 using net::rosbridge::TopicMessage;
 
 constexpr qint64 kPoseAnywayMs = 1'000;   // a robot that stands still is told of, too
+constexpr qint64 kMapFrameMs = 3'000;     // for a map to say what its frame is called
 constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
 
 constexpr qint64 kTellAgainMs = 5'000;
@@ -102,6 +103,10 @@ void RosLink::forgetTrouble(const std::string& topic) {
 }
 
 void RosLink::tellPose() {
+  // The first transforms to come may be those of the wheels alone: where there is a map, its frame is waited
+  // for, or the robot would seem to jump when it comes.
+  const bool map_expected = !sourcesFor(map::Stream::WholeMap, sources_).empty();
+  if (map_expected && !world_.fixedByMap() && known_since_.elapsed() < kMapFrameMs) return;
   const auto pose = world_.pose();
   const std::vector<Source> sources = sourcesFor(map::Stream::Pose, sources_);
   if (!pose || sources.empty()) return;

@@ -79,6 +79,11 @@ std::string RosWorld::robotFrame() const {
   return {};
 }
 
+bool RosWorld::fixedByMap() const {
+  const std::vector<std::string> frames = transforms_.frames();
+  return !map_frame_.empty() || std::binary_search(frames.begin(), frames.end(), kMap);
+}
+
 std::string RosWorld::fixedFrame() const {
   if (!map_frame_.empty()) return map_frame_;
   const std::vector<std::string> frames = transforms_.frames();
