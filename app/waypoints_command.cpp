@@ -2,12 +2,10 @@
 #include <cstdio>
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/output_paths.h"
-#include "app/robot_factory.h"
 #include "app/table.h"
 #include "app/waypoint_csv.h"
 #include "app/waypoint_file.h"

@@ -108,7 +108,7 @@ class WaypointPlanTest : public QObject {
     }
     // Somebody does not want the deletion.
     const auto less = app::planFromBytes(withChanges(bytes, [](QJsonArray& changes) {
-      for (int i = changes.size() - 1; i >= 0; --i) {
+      for (qsizetype i = changes.size() - 1; i >= 0; --i) {
         if (changes[i].toObject()[QStringLiteral("kind")].toString() == QStringLiteral("delete"))
           changes.removeAt(i);
       }

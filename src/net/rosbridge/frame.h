@@ -31,6 +31,7 @@ class Frame {
 
   /// Never null: what cannot be read has a fault() and a null root(). A {"op":"png"} is unwrapped: the root
   /// is the message that its picture holds.
+  /// `bytes` own what they hold (not QByteArray::fromRawData): a CBOR frame shares them.
   static std::shared_ptr<const Frame> read(const QByteArray& bytes, Wire wire,
                                            const FrameLimits& limits = {});
   ~Frame();

@@ -55,7 +55,7 @@ std::string unescaped(std::string_view literal) {
 }  // namespace
 
 std::optional<QString> callRequest(const QString& id, const std::string& service, const QByteArray& args) {
-  if (!isObject(args)) return std::nullopt;
+  if (service.empty() || !isObject(args)) return std::nullopt;  // without a service there is no answer, ever
   QJsonObject request;
   request[QLatin1String("op")] = QLatin1String("call_service");
   request[QLatin1String("id")] = id;
