@@ -5,7 +5,9 @@
 
 #include "cells/decode_cells.h"
 #include "packed_samples.h"
+#include "sentences/reason_sentence.h"
 
+using namespace mapwright;
 using namespace mapwright::cells;
 using samples::Bytes;
 using samples::Colour;
@@ -162,5 +164,4 @@ class TestDecodeGarbage : public QObject {
 };
 
 QTEST_APPLESS_MAIN(TestDecodeGarbage)
-#include "sentences/reason_sentence.h"
 #include "test_decode_garbage.moc"

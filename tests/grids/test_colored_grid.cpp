@@ -3,6 +3,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -171,5 +172,4 @@ class TestColoredGrid : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestColoredGrid)
-#include "sentences/reason_sentence.h"
 #include "test_colored_grid.moc"

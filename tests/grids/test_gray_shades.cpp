@@ -5,6 +5,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -192,5 +193,4 @@ class TestGrayShades : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestGrayShades)
-#include "sentences/reason_sentence.h"
 #include "test_gray_shades.moc"

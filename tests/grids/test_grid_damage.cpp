@@ -3,6 +3,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -324,5 +325,4 @@ class TestGridDamage : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestGridDamage)
-#include "sentences/reason_sentence.h"
 #include "test_grid_damage.moc"

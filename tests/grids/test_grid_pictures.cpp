@@ -6,6 +6,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -316,5 +317,4 @@ class TestGridPictures : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestGridPictures)
-#include "sentences/reason_sentence.h"
 #include "test_grid_pictures.moc"

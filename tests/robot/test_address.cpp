@@ -106,7 +106,7 @@ class AddressTest : public QObject {
     const QStringList examples = known().examples();
     QVERIFY(!examples.isEmpty());
     for (const QString& example : examples) QVERIFY2(known().isAddress(example), qPrintable(example));
-    QVERIFY(robot::Addresses().examples().isEmpty());
+    QVERIFY(Addresses().examples().isEmpty());
   }
 
   void badAddressesAreRefusedWithASentence_data() {

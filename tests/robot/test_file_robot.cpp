@@ -12,6 +12,7 @@
 #include "robot/files/read_map_yaml.h"
 #include "robot/files/yaml_shelf.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -360,5 +361,4 @@ class FileRobotTest : public QObject {
 };
 
 QTEST_GUILESS_MAIN(FileRobotTest)
-#include "sentences/reason_sentence.h"
 #include "test_file_robot.moc"

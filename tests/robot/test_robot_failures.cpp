@@ -8,6 +8,7 @@
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
 #include "scripted_robot.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -256,5 +257,4 @@ class RobotFailuresTest : public QObject {
 };
 
 QTEST_GUILESS_MAIN(RobotFailuresTest)
-#include "sentences/reason_sentence.h"
 #include "test_robot_failures.moc"

@@ -10,6 +10,8 @@
 
 #include "robot/files/file_robot.h"
 #include "robot/files/waypoint_file.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -312,6 +314,4 @@ class TestWaypointFile : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestWaypointFile)
-#include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
 #include "test_waypoint_file.moc"
