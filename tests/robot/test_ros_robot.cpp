@@ -603,7 +603,7 @@ class RosRobotTest : public QObject {
   void mapsAreArchivedTakenOutAndDeletedWhenTheListsSaySo() {
     manage();
     const auto put = [&](const char* list, const char* rows) {
-      server_->latch(text("/map_manager/") + text(list), json(QByteArray(R"({"maps":[)") + rows + "]}"));
+      server_->latch(text("/map_manager/") + text(list), json(QByteArray("{\"maps\":[") + rows + "]}"));
     };
     constexpr const char* kOne = R"({"map_id":"m1","map_name":"one","map_label":"One"})";
     constexpr const char* kTwo = R"({"map_id":"m2","map_name":"two","map_label":"Two"})";
@@ -640,9 +640,9 @@ class RosRobotTest : public QObject {
   void mappingIsStartedStoppedAndSavedAsItsStateAllows() {
     manage();
     const auto state = [&](const char* now) {
-      server_->latch(text("/map_manager/current_map_info"),
-                     json(QByteArray(R"({"map_id":"","map_name":"","map_label":"","map_manager_state":")") +
-                          now + R"("})"));
+      const QByteArray begins =
+          "{\"map_id\":\"\",\"map_name\":\"\",\"map_label\":\"\",\"map_manager_state\":\"";
+      server_->latch(text("/map_manager/current_map_info"), json(begins + now + "\"}"));
     };
     serve("start_mapping", [&](const QJsonObject&) {
       state("MAPPING");

@@ -664,7 +664,7 @@ class SessionMapsTest : public QObject {
     goOnline();
     std::exchange(robot_->lists,
                   {})[0](tl::make_unexpected(test::failed("It broke off.", map::FailureKind::Unreachable)));
-    QCOMPARE(session_->catalogue().failure(), map::FailureKind::Unreachable);
+    QCOMPARE(session_->catalogue().failure()->kind, map::FailureKind::Unreachable);
     robot_->setPhase(robot::ConnectionPhase::Interrupted);
     goOnline();
     QCOMPARE(robot_->lists.size(), std::size_t(1));
