@@ -163,6 +163,7 @@ class Session : public QObject {
   void forgetUnwanted();
   void openInto(MapSlot& slot, const map::MapKey& key);
   void askForPlaces(MapSlot& slot, const map::MapKey& key, std::function<bool()> still_wanted);
+  std::optional<map::MapKey> placesOfLiveMap() const;
   void followLivePlaces();  // the places of the map that the robot sends
   void readLivePlacesAgain();
   void openFirstMap();

@@ -173,7 +173,10 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
 
 std::optional<map::MapKey> Session::placesOf(const MapSlot& slot) const {
   const map::MapKey& key = slot.cells() ? slot.shown().key : slot.key();
-  if (key.kind != map::MapKind::Live) return key;
+  return key.kind == map::MapKind::Live ? placesOfLiveMap() : key;
+}
+
+std::optional<map::MapKey> Session::placesOfLiveMap() const {
   const map::CatalogueEntry* const current = catalogue_.current();
   if (!robot_->waypointSource() || !current || current->key.kind == map::MapKind::Live) return std::nullopt;
   return current->key;
@@ -188,7 +191,7 @@ void Session::followLivePlaces() {
   if (still_) return;
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
     const bool live = slot->key().kind == map::MapKind::Live && slot->phase() != MapSlot::Phase::Empty;
-    const auto places = live ? placesOf(*slot) : std::nullopt;
+    const auto places = live ? placesOfLiveMap() : std::nullopt;
     const auto asked = live_places_.find(slot);
     if (!places) {
       if (live && asked != live_places_.end()) slot->setWaypoints({});
@@ -198,7 +201,8 @@ void Session::followLivePlaces() {
     if (asked != live_places_.end() && asked->second == *places) continue;
     live_places_[slot] = *places;
     askForPlaces(*slot, *places, [self = QPointer<Session>(this), slot, key = *places] {
-      return self && !self->still_ && slot->key().kind == map::MapKind::Live && self->placesOf(*slot) == key;
+      return self && !self->still_ && slot->key().kind == map::MapKind::Live &&
+             self->placesOfLiveMap() == key;
     });
   }
 }
@@ -271,6 +275,7 @@ void Session::takeFrame() {
   const map::MapKey live_map{map::MapKind::Live, {}};
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
     if (!(slot->key() == live_map) || live_.grids.contains(map::GridKind::WholeMap)) continue;
+    live_places_.erase(slot);
     slot->clear();  // or its picture would stay until the new one is whole
     openInto(*slot, live_map);
   }
