@@ -43,7 +43,11 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
   const auto is = [&](auto... names) { return ((name == names) || ...); };
   const std::string which = help(Words::tr("Its id, or its name where no other one has it"));
   if (is("get", "rename", "move", "tag"))
-    command.add_option("id", words.which, which)->required()->expected(1);
+    // One word: a list would take the name behind it, too.
+    command
+        .add_option_function<std::string>(
+            "id", [&words](const std::string& id) { words.which = {id}; }, which)
+        ->required();
   if (is("delete"))
     command.add_option("ids", words.which, help(Words::tr("Their ids, or names")))->required();
   if (is("create", "rename"))

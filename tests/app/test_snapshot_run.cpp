@@ -207,7 +207,7 @@ class SnapshotRunTest : public QObject {
     simulator::Options robot = frozen();
     robot.faults.silent_websocket = true;
     SnapshotOptions options = small(QStringLiteral("instead.png"));
-    options.timeout_s = 16;
+    options.timeout_s = 30;
     QJsonObject report;
     QCOMPARE(take(options, robot, &report), int(app::kDone));
     QCOMPARE(report[QLatin1String("mode")].toString(), QStringLiteral("whole"));

@@ -298,5 +298,5 @@ class TestDecodeCells : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDecodeCells)
+QTEST_GUILESS_MAIN(TestDecodeCells)
 #include "test_decode_cells.moc"

@@ -163,5 +163,5 @@ class TestDecodeGarbage : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDecodeGarbage)
+QTEST_GUILESS_MAIN(TestDecodeGarbage)
 #include "test_decode_garbage.moc"

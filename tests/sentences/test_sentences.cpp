@@ -196,12 +196,12 @@ class SentencesTest : public QObject {
         {ReasonCode::VersionBroken,
          {5},
          {{ReasonCode::OneSlice, {0}, {{ReasonCode::BytesUnexpected, {"1", "3,200", "6,400"}}}}}});
-    row("Robot: Something answers at 10.0.0.7:80, but not as an Autoxing robot: the robot refused the "
+    row("Robot: something answers at 10.0.0.7:80, but not as an Autoxing robot: the robot refused the "
         "connection: 404 (not found). Check the address and the port.",
         SubjectKind::Robot,
         {ReasonCode::NoAutoxingRobotThere, {"10.0.0.7:80"}, {{ReasonCode::ConnectionRejected, {404}}}});
-    row("Robot: The certificate of 10.0.0.7:8443 is not trusted: it is self-signed; it has expired on "
-        "2021-03-04. Its SHA-256 fingerprint: AB:CD.",
+    row("Robot: the certificate of 10.0.0.7:8443 is not trusted: it is self-signed; it has expired on "
+        "2021-03-04. Its SHA-256 fingerprint: AB:CD",
         SubjectKind::Robot,
         {ReasonCode::CertificateUntrusted,
          {"10.0.0.7:8443", "AB:CD"},

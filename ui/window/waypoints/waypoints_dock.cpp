@@ -40,6 +40,9 @@ void secondary(QLabel* label, bool bad) {
 class WaypointFilter : public QSortFilterProxyModel {
  public:
   explicit WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+    // The C locale compares bytes, whatever is asked of it.
+    if (order_.locale().language() == QLocale::C)
+      order_.setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
     order_.setNumericMode(true);
     order_.setCaseSensitivity(Qt::CaseInsensitive);
   }
