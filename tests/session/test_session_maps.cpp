@@ -669,7 +669,7 @@ class SessionMapsTest : public QObject {
     goOnline();
     QCOMPARE(robot_->lists.size(), std::size_t(1));
     robot_->answerList({FakeRobot::entry("1", true)});
-    QCOMPARE(session_->catalogue().failure(), map::FailureKind::None);
+    QVERIFY(!session_->catalogue().failure());
   }
 };
 
