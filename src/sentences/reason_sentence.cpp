@@ -150,7 +150,8 @@ QString consequenceOf(Consequence consequence) {
 }
 
 QString wordsOf(const Reason& reason) {
-  if (reason.code == ReasonCode::CapabilityLacking) return ended(reason, withCauses(reason, lackWords(reason)));
+  if (reason.code == ReasonCode::CapabilityLacking)
+    return ended(reason, withCauses(reason, lackWords(reason)));
   const QString text = templateOf(reason.code, countIn(reason));
   std::vector<map::Argument> arguments = reason.arguments;
   if (const auto* const status = arguments.empty() ? nullptr : std::get_if<std::int64_t>(&arguments[0]);
