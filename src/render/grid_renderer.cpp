@@ -96,6 +96,20 @@ class GridRenderer::Impl {
     changed();
   }
 
+  void cellsChanged(const geometry::WorldRect& where) {
+    if (!placed_ || where.empty()) return;
+    ++generation_;
+    // A pixel shows what the cells around it come to, so it reaches over the edge.
+    geometry::WorldRect reach = where;
+    const double margin_m = tiles_.view().scale_m_per_px + placed_->reference.resolution_m;
+    for (const double way : {-margin_m, margin_m}) {
+      reach.extend({where.min_x + way, where.min_y + way});
+      reach.extend({where.max_x + way, where.max_y + way});
+    }
+    tiles_.touch({reach}, generation_, [](ViewTile&) {});
+    changed();
+  }
+
   void setPalette(const GridPalette& palette) {
     if (palette == palette_) return;
     palette_ = palette;
@@ -323,6 +337,7 @@ void GridRenderer::setGrid(std::optional<PlacedGrid> placed, std::optional<Place
 }
 const std::optional<PlacedGrid>& GridRenderer::grid() const { return impl_->placed(); }
 void GridRenderer::rowsArrived() { impl_->rowsArrived(); }
+void GridRenderer::cellsChanged(const geometry::WorldRect& where) { impl_->cellsChanged(where); }
 void GridRenderer::setPalette(const GridPalette& palette) { impl_->setPalette(palette); }
 void GridRenderer::setView(const geometry::ViewTransform& view) { impl_->setView(view); }
 void GridRenderer::setActive(bool active) { impl_->setActive(active); }
