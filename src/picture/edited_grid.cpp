@@ -39,6 +39,15 @@ TileState EditedGrid::own(const TilePlace& place) const {
   return found == tiles_.end() ? TileState{} : found->second;
 }
 
+std::vector<TilePlace> EditedGrid::changedTiles() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<TilePlace> places;
+  for (const auto& [place, state] : tiles_) {
+    if (place.level == 0) places.push_back(place);
+  }
+  return places;
+}
+
 void EditedGrid::exchange(const Patch& patch, TileState TileChange::*side) {
   const std::lock_guard lock(mutex_);
   for (const auto& [place, change] : patch.tiles) {

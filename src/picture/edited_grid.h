@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <vector>
 
 #include "grids/grid_pyramid.h"
 #include "picture/patch.h"
@@ -37,6 +38,8 @@ class EditedGrid final : public grids::GridPyramid {
 
   /// The changed tile, or one without cells where it is as in the base.
   TileState own(const TilePlace& place) const;
+  /// Places of level 0 that own() has tiles of.
+  std::vector<TilePlace> changedTiles() const;
   /// A patch is made for the grid as it stands (Canvas), or is the next to be undone or redone.
   void apply(const Patch& patch);
   void revert(const Patch& patch);

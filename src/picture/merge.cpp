@@ -36,23 +36,33 @@ CellRect differingRect(const std::uint8_t* one, const std::uint8_t* other) {
 
 }  // namespace
 
+void DifferenceCount::recount(const EditedGrid& one, const EditedGrid& other, const TilePlace& place) {
+  std::int64_t count = 0;
+  if (!(one.own(place) == other.own(place))) {
+    const auto mine = one.tile(0, place.x, place.y), theirs = other.tile(0, place.x, place.y);
+    if (mine && theirs) count = differing(mine->cells.get(), theirs->cells.get());
+  }
+  if (const auto found = tiles.find(place); found != tiles.end()) {
+    cells -= found->second;
+    tiles.erase(found);
+  }
+  if (count == 0) return;
+  cells += count;
+  tiles[place] = count;
+}
+
 void DifferenceCount::recount(const EditedGrid& one, const EditedGrid& other, const Patch& touched) {
   for (const auto& [place, change] : touched.tiles) {
-    if (place.level != 0) continue;
-    std::int64_t count = 0;
-    if (!(one.own(place) == other.own(place))) {
-      const auto mine = one.tile(0, place.x, place.y), theirs = other.tile(0, place.x, place.y);
-      if (mine && theirs) count = differing(mine->cells.get(), theirs->cells.get());
-    }
-    const auto found = tiles.find(place);
-    if (found != tiles.end()) {
-      cells -= found->second;
-      tiles.erase(found);
-    }
-    if (count == 0) continue;
-    cells += count;
-    tiles[place] = count;
+    if (place.level == 0) recount(one, other, place);
   }
+}
+
+DifferenceCount DifferenceCount::between(const EditedGrid& one, const EditedGrid& other) {
+  DifferenceCount count;
+  for (const EditedGrid* grid : {&one, &other}) {
+    for (const TilePlace& place : grid->changedTiles()) count.recount(one, other, place);
+  }
+  return count;
 }
 
 bool sameShape(const grids::GridPyramid& one, const grids::GridPyramid& other) {
@@ -74,6 +84,27 @@ Patch differenceTo(const EditedGrid& grid, const grids::GridPyramid& other,
     }
   }
   return canvas.take();
+}
+
+std::vector<CellRect> changedRuns(const EditedGrid& grid, const Patch& patch, std::size_t most) {
+  std::vector<CellRect> runs;
+  for (const auto& [place, change] : patch.tiles) {
+    if (place.level != 0 || !change.after.cells) continue;
+    const auto before = grid.tile(0, place.x, place.y);
+    if (!before) continue;
+    const std::uint8_t *was = before->cells.get(), *is = change.after.cells.get();
+    for (int v = 0; v < kEdge; ++v, was += kEdge, is += kEdge) {
+      if (std::memcmp(was, is, kEdge) == 0) continue;
+      for (int u = 0; u < kEdge; ++u) {
+        if (was[u] == is[u]) continue;
+        const int from = u;
+        while (u + 1 < kEdge && was[u + 1] != is[u + 1]) ++u;
+        if (runs.size() == most) return runs;
+        runs.push_back(CellRect{from, v, u + 1, v + 1}.moved(place.x * kEdge, place.y * kEdge));
+      }
+    }
+  }
+  return runs;
 }
 
 Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& base, bool take_theirs) {

@@ -5,18 +5,23 @@
 #include <atomic>
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include "picture/canvas.h"
 
 namespace mapwright::picture {
 
-/// Cells of `one` that are others in `other`, by tile of level 0; tiles without any are left out. `only`:
-/// tiles that may differ, others are not looked at; null = all.
+/// How many cells of one grid are others in another one of the same base, by tile of level 0; tiles without
+/// any are left out.
 struct DifferenceCount {
   std::map<TilePlace, std::int64_t> tiles;
   std::int64_t cells = 0;
-  /// Counts these places anew.
+  /// Counts the tiles of a patch anew.
   void recount(const EditedGrid& one, const EditedGrid& other, const Patch& touched);
+  static DifferenceCount between(const EditedGrid& one, const EditedGrid& other);
+
+ private:
+  void recount(const EditedGrid& one, const EditedGrid& other, const TilePlace& place);
 };
 
 /// What makes `other` of `grid`: a patch for it. Both have the same size and code (sameShape). Nothing when
@@ -24,6 +29,10 @@ struct DifferenceCount {
 bool sameShape(const grids::GridPyramid& one, const grids::GridPyramid& other);
 Patch differenceTo(const EditedGrid& grid, const grids::GridPyramid& other,
                    const std::atomic<bool>* cancelled = nullptr);
+
+/// What a patch changes of `grid`, which it has not been applied to yet, as pieces of rows from the top down;
+/// no more than `most`.
+std::vector<CellRect> changedRuns(const EditedGrid& grid, const Patch& patch, std::size_t most);
 
 /// What becomes of `mine` when the picture that it was made of has become another: theirs where I have
 /// changed nothing, mine where they have not, and where both have, differently, a conflict.
