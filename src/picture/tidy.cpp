@@ -87,7 +87,10 @@ Tidied eachBlock(Canvas& canvas, const CellRect& within, int margin, const std::
   return tidied;
 }
 
-cv::Mat disc(int across) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {across, across}); }
+/// Small ones are squares: the disc of three cells is a cross, which eats corners.
+cv::Mat disc(int across) {
+  return cv::getStructuringElement(across > 3 ? cv::MORPH_ELLIPSE : cv::MORPH_RECT, {across, across});
+}
 
 /// A line of `cells` cells. A disc would not do: it finds its way around the ends of a thin wall.
 constexpr int kDirections = 8;
@@ -103,11 +106,23 @@ cv::Mat stroke(int cells, int direction) {
   return kernel;
 }
 
-/// Beyond the border is neither: OpenCV's own border does that for every operation.
-cv::Mat morphed(const cv::Mat& mask, int operation, int across) {
-  cv::Mat result;
-  cv::morphologyEx(mask, result, operation, disc(across));
-  return result;
+/// OpenCV dilates and erodes over the same offsets, which moves what is closed by a kernel that has no
+/// middle. So the second of the two looks the other way. Beyond the border there is nothing, and room for
+/// what comes of the first of the two.
+cv::Mat thereAndBack(const cv::Mat& inside, const cv::Mat& kernel, bool close) {
+  cv::Mat mask, back, first, second;
+  cv::copyMakeBorder(inside, mask, kernel.rows, kernel.rows, kernel.cols, kernel.cols, cv::BORDER_CONSTANT,
+                     cv::Scalar(0));
+  cv::flip(kernel, back, -1);
+  const cv::Point at(0, 0), other(kernel.cols - 1, kernel.rows - 1);
+  if (close) {
+    cv::dilate(mask, first, kernel, at);
+    cv::erode(first, second, back, other);
+  } else {
+    cv::erode(mask, first, kernel, at);
+    cv::dilate(first, second, back, other);
+  }
+  return second(cv::Rect(kernel.cols, kernel.rows, inside.cols, inside.rows)).clone();
 }
 
 }  // namespace
@@ -160,10 +175,9 @@ Tidied closeGaps(Canvas& canvas, const CellRect& within, int most_cells, const s
   const int most = std::clamp(most_cells, 1, kWidestGap);
   return eachBlock(canvas, within, 2 * most + 4, cancelled, [most](const Block& block, cv::Mat& wanted) {
     const cv::Mat occupied = block.kinds == std::uint8_t(Kind::Occupied);
-    cv::Mat closed = occupied.clone(), one;
+    cv::Mat closed = occupied.clone();
     for (int direction = 0; direction < kDirections; ++direction) {
-      cv::morphologyEx(occupied, one, cv::MORPH_CLOSE, stroke(most + 1, direction));
-      closed |= one;
+      closed |= thereAndBack(occupied, stroke(most + 1, direction), true);
     }
     wanted.setTo(std::uint8_t(Kind::Occupied), closed & ~occupied);
     return std::int64_t(0);
@@ -175,10 +189,13 @@ Tidied smoothFree(Canvas& canvas, const CellRect& within, int cells, const std::
   return eachBlock(canvas, within, 4 * across, cancelled, [across](const Block& block, cv::Mat& wanted) {
     const cv::Mat free = block.kinds == std::uint8_t(Kind::Free);
     const cv::Mat occupied = block.kinds == std::uint8_t(Kind::Occupied);
-    // Walls count as free ground here: the edge towards them is theirs, and stays.
+    // Walls count as free ground here, and what lies at them stays: a disc does not reach into corners.
     const cv::Mat solid = free | occupied;
-    const cv::Mat smooth = morphed(morphed(solid, cv::MORPH_OPEN, across), cv::MORPH_CLOSE, across);
-    wanted.setTo(std::uint8_t(Kind::Unknown), free & ~smooth);
+    const cv::Mat smooth = thereAndBack(thereAndBack(solid, disc(across), false), disc(across), true);
+    cv::Mat at_walls;
+    cv::dilate(occupied, at_walls,
+               cv::getStructuringElement(cv::MORPH_RECT, {2 * across + 1, 2 * across + 1}));
+    wanted.setTo(std::uint8_t(Kind::Unknown), free & ~smooth & ~at_walls);
     wanted.setTo(std::uint8_t(Kind::Free), smooth & ~solid);
     return std::int64_t(0);
   });

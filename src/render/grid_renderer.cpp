@@ -100,13 +100,8 @@ class GridRenderer::Impl {
     if (!placed_ || where.empty()) return;
     ++generation_;
     // A pixel shows what the cells around it come to, so it reaches over the edge.
-    geometry::WorldRect reach = where;
     const double margin_m = tiles_.view().scale_m_per_px + placed_->reference.resolution_m;
-    for (const double way : {-margin_m, margin_m}) {
-      reach.extend({where.min_x + way, where.min_y + way});
-      reach.extend({where.max_x + way, where.max_y + way});
-    }
-    tiles_.touch({reach}, generation_, [](ViewTile&) {});
+    tiles_.touch({where.grown(margin_m)}, generation_, [](ViewTile&) {});
     changed();
   }
 

@@ -115,7 +115,7 @@ class TestPictureDrawing : public QObject {
 
   void whatIsBesideThePictureIsNothing() {
     const Text empty(4, "....");
-    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    static constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     QCOMPARE(after(empty,
                    [](Canvas& c) {
                      drawLine(c, {-50, -50}, {-10, 300}, {7, ink('#')});

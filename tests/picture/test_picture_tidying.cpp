@@ -94,6 +94,13 @@ class TestPictureTidying : public QObject {
     QCOMPARE(after(grid, [](Canvas& c) { closeGaps(c, c.all(), 1); }), Text(5, ".#."));
   }
 
+  void theEdgeOfThePictureIsNoWall() {
+    const Text text{".#...", "#....", ".....", "...#."};
+    EditedGrid grid = gridOf(text);
+    QCOMPARE(after(grid, [](Canvas& c) { closeGaps(c, {0, 2, 5, 4}, 3); }), text);
+    QCOMPARE(after(grid, [](Canvas& c) { closeGaps(c, {4, 0, 5, 4}, 1); }), text);
+  }
+
   void theEdgeOfFreeGroundBecomesSmoothAndWallsStay() {
     EditedGrid grid = gridOf({"            ",  //
                               "      .     ",  //
