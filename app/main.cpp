@@ -7,14 +7,16 @@
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
+#include "app/access_words.h"
 #include "app/bench_program.h"
 #include "app/exit_code.h"
-#include "app/maps.h"
-#include "app/maps_change.h"
+#include "app/maps_words.h"
 #include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/simulate.h"
+#include "app/simulate_options.h"
 #include "app/snapshot.h"
+#include "app/waypoint_words.h"
 #include "app/window.h"
 #include "app/xdg.h"
 #include "scene/layer.h"
@@ -36,6 +38,7 @@ struct CommandLine {
   app::AccessWords access;
   app::SnapshotWords snapshot;
   app::MapsWords maps;
+  app::WaypointsWords waypoints;
   app::SimulateWords simulate;
   std::vector<std::string> bench_arguments;
 };
@@ -47,22 +50,6 @@ std::string layersHelp() {
       Words::tr("Comma-separated: %1; or all; or none (the map alone)").arg(names.join(QLatin1Char(','))));
 }
 
-void addAccess(CLI::App& command, app::AccessWords& words) {
-  command.add_option(
-      "--secret-file", words.secret_file,
-      help(Words::tr("File that holds the secret of the robot of --robot (or MAPWRIGHT_SECRET)")));
-  command
-      .add_option(
-          "--secret-file-for", words.secret_files_for,
-          help(Words::tr("Address of another robot, and the file that holds its secret; may be repeated")))
-      ->type_name("ADDRESS FILE")
-      ->allow_extra_args(false);
-  command.add_option(
-      "--ca-file", words.ca_file,
-      help(Words::tr("PEM file of certificate authorities (or self-signed certificates) to believe besides "
-                     "those of this computer")));
-}
-
 void addSnapshot(CLI::App& cli, CommandLine& line) {
   CLI::App* command =
       cli.add_subcommand("snapshot", help(Words::tr("Draw a robot's map into a PNG, without a window")));
@@ -71,7 +58,7 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
       ->add_option("--robot", words.robot,
                    help(Words::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo:")))
       ->envname("MAPWRIGHT_ROBOT");
-  addAccess(*command, words.access);
+  app::addAccess(*command, words.access);
   command
       ->add_option("-o,--output", words.output, help(Words::tr("The PNG to write; - is the standard output")))
       ->required();
@@ -121,217 +108,6 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_flag("--json", words.json, help(Words::tr("Print the report on standard output")));
 }
 
-using robot::MapChange;
-
-/// A `mapwright maps …` that changes something.
-struct MapChangeCommand {
-  MapChange change;
-  const char* name;
-  QString about;
-  bool of_one_map, names;
-};
-
-std::vector<MapChangeCommand> mapChangeCommands() {
-  return {
-      {MapChange::Rename, "rename", Words::tr("Call a stored map otherwise"), true, true},
-      {MapChange::Load, "load", Words::tr("Make a stored map the one that the robot works with"), true,
-       false},
-      {MapChange::Archive, "archive", Words::tr("Put a stored map away"), true, false},
-      {MapChange::Unarchive, "unarchive", Words::tr("Take a map out of the archive"), true, false},
-      {MapChange::Delete, "delete", Words::tr("Delete a stored map (--yes)"), true, false},
-      {MapChange::StartMapping, "start-mapping", Words::tr("Let the robot begin a new map"), false, false},
-      {MapChange::StopMapping, "stop-mapping", Words::tr("End mapping; save keeps what has been mapped"),
-       false, false},
-      {MapChange::Save, "save", Words::tr("Keep what has been mapped, under a name"), false, true}};
-}
-
-void addMaps(CLI::App& cli, CommandLine& line) {
-  CLI::App* maps = cli.add_subcommand(
-      "maps", help(Words::tr("The maps that a robot or a folder keeps: list, export, compare, change")));
-  maps->require_subcommand(1);
-  app::MapsWords& words = line.maps;
-  const auto addOne = [&](const char* name, const std::string& what) {
-    CLI::App* command = maps->add_subcommand(name, what);
-    // No envname(): the subcommands share the word, and the variable would be read for those that were not
-    // given, over what was typed. It comes from the option before the subcommand.
-    command->add_option("--robot", words.robot,
-                        help(Words::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command
-        ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
-        ->capture_default_str();
-    command->add_option("--report", words.report,
-                        help(Words::tr("Write what was done, and every warning, as JSON")));
-    return command;
-  };
-  const auto add = [&](const char* name, const std::string& what) {
-    CLI::App* command = addOne(name, what);
-    command->add_option(
-        "--resolution", words.resolution,
-        help(Words::tr(
-            "Metres per cell: of a bare picture file, or of submaps that are exported or compared (0.05)")));
-    command->add_option("--origin", words.origin,
-                        help(Words::tr("Lower left corner of a bare picture file: X,Y or X,Y,YAW")));
-    return command;
-  };
-  const std::string which = help(
-      Words::tr("A stored map by its id, mapping:ID, live, or submaps; without it the live or current one"));
-  for (const auto& [name, what] :
-       {std::pair{"list", help(Words::tr("All maps and mapping results; * marks the current one"))},
-        std::pair{"current", help(Words::tr("The map that the robot works with"))}}) {
-    add(name, what)->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  }
-  CLI::App* show = add("show", help(Words::tr("Size, place, dates and waypoints of one map")));
-  show->add_option("id", words.id, which);
-  show->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  CLI::App* exported =
-      add("export", help(Words::tr("Write a map as PNG, or as PGM and YAML for map_server")));
-  exported->add_option("id", words.id, which);
-  exported
-      ->add_option(
-          "-o,--output", words.output,
-          help(Words::tr(
-              "What to write: NAME.png, or NAME.yaml / NAME.pgm (both); - is a PNG on the standard output")))
-      ->required();
-  exported->add_flag("--force", words.force,
-                     help(Words::tr("Write even over a file that the map is read from")));
-  exported->add_option("--format", words.format, help(Words::tr("png or pgm, when the name does not tell")));
-  exported->add_flag("--world-file", words.world_file,
-                     help(Words::tr("Write NAME.pgw (world file) beside it")));
-  CLI::App* diff =
-      add("diff", help(Words::tr("Compare two maps cell by cell; exit code 1 when they differ")));
-  diff->add_option("first", words.first,
-                   help(Words::tr("A map of --robot (id, mapping:ID, live, submaps), or a file or address")))
-      ->required();
-  diff->add_option("second", words.second, help(Words::tr("Likewise")))->required();
-  diff->add_option("--diff", words.diff_picture,
-                   help(Words::tr("Write the difference as a PNG; - is the standard output")));
-  diff->add_flag("--force", words.force, help(Words::tr("Write even over a file that a map is read from")));
-  diff->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  for (const MapChangeCommand& one : mapChangeCommands()) {
-    CLI::App* command = addOne(one.name, help(one.about));
-    command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-    if (one.of_one_map)
-      command->add_option("id", words.id, help(Words::tr("A stored map by its id")))->required();
-    if (one.names)
-      command->add_option("name", words.label, help(Words::tr("Its name from now on")))->required();
-    if (one.change == MapChange::Load)
-      command->add_option("--waypoint", words.place,
-                          help(Words::tr("The name of the waypoint where the robot stands")));
-    if (one.change == MapChange::Delete)
-      command->add_flag("--yes", words.yes, help(Words::tr("Needed: it cannot be had back")));
-  }
-}
-
-void addSimulate(CLI::App& cli, CommandLine& line) {
-  std::string scenes;
-  for (const auto& [name, sentence] : simulator::sceneNames()) scenes += (scenes.empty() ? "" : ", ") + name;
-  CLI::App* command = cli.add_subcommand("simulate", help(Words::tr("Serve a simulated robot on 127.0.0.1")));
-  simulator::Options& o = line.simulate.options;
-  command->add_option("--port", o.port, help(Words::tr("Port of the Autoxing robot, 0 = a free one")))
-      ->capture_default_str();
-  command
-      ->add_option("--aimdk-port", o.aimdk_port, help(Words::tr("Port of the Agibot robot, 0 = a free one")))
-      ->capture_default_str();
-  command->add_option("--scene", o.scene, help(Words::tr("One of: %1").arg(QString::fromStdString(scenes))))
-      ->capture_default_str()
-      ->check([](const std::string& s) {
-        for (const auto& [name, sentence] : simulator::sceneNames()) {
-          if (name == s) return std::string();
-        }
-        return help(Words::tr("there is no scene \"%1\"").arg(QString::fromStdString(s)));
-      });
-  command
-      ->add_option(
-          "--submaps", o.submaps,
-          help(Words::tr(
-              "About how many submaps (0 = as the scene has); beyond 20,000 they share 256 pictures")))
-      ->check(CLI::Range(0, 100'000));
-  command->add_option("--seed", o.seed, help(Words::tr("Everything random follows from this")))
-      ->capture_default_str();
-  command->add_option("--speed", o.speed, help(Words::tr("Simulated seconds per second")))
-      ->check(CLI::Range(0.0, 1000.0));
-  command->add_option("--start-at", o.start_at_s, help(Words::tr("Simulated time at start, seconds")))
-      ->check(CLI::Range(0.0, 1e6));
-  command->add_flag("--paused", o.paused, help(Words::tr("Let simulated time stand still")));
-  command->add_option(
-      "--secret-file", line.simulate.secret_file,
-      help(Words::tr("File that holds the secret without which the Autoxing robot answers 401")));
-  command->add_flag("!--no-topic-lists", o.enable_topic_list,
-                    help(Words::tr("Understand enable_topic one by one only")));
-  command->add_flag("!--no-binary", o.binary_topics, help(Words::tr("Ignore ?pb=1")));
-  command->add_option("--points", o.points_per_scan, help(Words::tr("Lidar points in a scan")))
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
-  command->add_option("--scan-hz", o.scan_hz, help(Words::tr("Scans per second")))
-      ->check(CLI::Range(0.1, 100.0))
-      ->capture_default_str();
-  command->add_option("--pose-hz", o.pose_hz, help(Words::tr("Poses per second")))
-      ->check(CLI::Range(0.1, 100.0))
-      ->capture_default_str();
-  command
-      ->add_option("--costmap-cells", o.costmap_cells,
-                   help(Words::tr("Edge of the costmaps around the robot, cells")))
-      ->check(CLI::Range(20, 4000))
-      ->capture_default_str();
-  simulator::Faults& f = o.faults;
-  const std::string faults = help(Words::tr("Faults"));
-  const auto rate = [&](const char* name, double& value, const std::string& what) {
-    command->add_option(name, value, what)->check(CLI::Range(0.0, 1.0))->group(faults);
-  };
-  const auto count = [&](const char* name, int& value, const std::string& what, int limit) {
-    command->add_option(name, value, what)->check(CLI::Range(0, limit))->group(faults);
-  };
-  count("--latency-ms", f.latency_ms, help(Words::tr("Delay of every submap answer")), 600'000);
-  count("--jitter-ms", f.jitter_ms, help(Words::tr("Random addition to the delay")), 600'000);
-  rate("--drop-rate", f.drop_rate, help(Words::tr("Share of submap requests dropped without an answer")));
-  rate("--truncate-rate", f.truncate_rate, help(Words::tr("Share of answers cut off half-way")));
-  rate("--wrong-size-rate", f.wrong_size_rate,
-       help(Words::tr("Share of answers whose width and height do not fit the cells")));
-  rate("--corrupt-rate", f.corrupt_rate, help(Words::tr("Share of answers that are garbage")));
-  rate("--error-rate", f.error_rate, help(Words::tr("Share of answers with --error-status")));
-  command->add_option("--error-status", f.error_status, help(Words::tr("HTTP status of those errors")))
-      ->check(CLI::IsMember({400, 404, 500, 502, 504}))
-      ->group(faults);
-  rate("--status-code-rate", f.status_code_rate,
-       help(Words::tr("Share of HTTP 200 answers whose own status is an error")));
-  count("--websocket-drop-every", f.websocket_drop_every_s,
-        help(Words::tr("Cut the WebSocket every so many seconds")), 86'400);
-  count("--uuid-change-every", f.uuid_change_every_s, help(Words::tr("Restart SLAM every so many seconds")),
-        86'400);
-  command
-      ->add_flag("--bad-entries", f.bad_entries,
-                 help(Words::tr("List NaN poses, zero quaternions, duplicates, versions going back")))
-      ->group(faults);
-  command
-      ->add_flag("--silent-websocket", f.silent_websocket,
-                 help(Words::tr("Accept the WebSocket, then say nothing")))
-      ->group(faults);
-  count("--write-latency-ms", f.write_latency_ms,
-        help(Words::tr("Delay of every answer to POST, PUT, PATCH and DELETE")), 600'000);
-  rate("--write-error-rate", f.write_error_rate,
-       help(Words::tr("Share of those that change nothing and get 500, 502 or 503")));
-  rate("--drop-writes", f.drop_writes,
-       help(Words::tr("Share of those that change nothing and get no answer")));
-  rate("--lose-write-answers", f.lose_write_answers,
-       help(Words::tr("Share of those that are carried out but get no answer")));
-  count("--map-latency-ms", f.map_latency_ms, help(Words::tr("Delay of every answer about maps")), 600'000);
-  const auto flag = [&](const char* name, bool& value, const std::string& what) {
-    command->add_flag(name, value, what)->group(faults);
-  };
-  flag("--truncated-maps", f.truncated_maps, help(Words::tr("Cut every map's PNG in half")));
-  flag("--lying-map-size", f.lying_map_size,
-       help(Words::tr("Every map's PNG declares 60,000 x 60,000 pixels")));
-  flag("--foreign-data-url", f.foreign_data_url, help(Words::tr("data_url points to another host")));
-  flag("--garbage-base64", f.garbage_base64, help(Words::tr("Pictures in topics are no base64")));
-  flag("--map-list-error", f.map_list_error, help(Words::tr("Answer 500 for the list of maps")));
-  command
-      ->add_option("--grid-fault", f.grid_fault,
-                   help(Words::tr("What is wrong with every map's place and resolution")))
-      ->check(CLI::IsMember({"zero-resolution", "negative-resolution", "no-resolution", "no-origin"}))
-      ->group(faults);
-}
-
 int run(int argc, char** argv) {
   CommandLine line;
   CLI::App cli(
@@ -345,12 +121,13 @@ int run(int argc, char** argv) {
          "--robot", line.robot,
          help(Words::tr("Connect the window to this robot, for example axbot+http://192.168.25.25:8090")))
       ->envname("MAPWRIGHT_ROBOT");
-  addAccess(cli, line.access);
+  app::addAccess(cli, line.access);
   CLI::App* demo = cli.add_subcommand("demo", help(Words::tr("Open the window on a simulated robot")));
   demo->add_option("query", line.demo_query, help(Words::tr("Such as scene=warehouse&submaps=500&seed=3")));
-  addSimulate(cli, line);
+  app::addSimulate(cli, line.simulate);
   addSnapshot(cli, line);
-  addMaps(cli, line);
+  app::addMaps(cli, line.maps);
+  app::addWaypoints(cli, line.waypoints);
   CLI::App* bench = cli.add_subcommand(
       "bench", help(Words::tr("Measure against other ways to do the same, in the same run")));
   bench->prefix_command();
@@ -376,15 +153,13 @@ int run(int argc, char** argv) {
   if (cli.got_subcommand("maps")) {
     if (line.maps.robot.empty()) line.maps.robot = line.robot;
     line.maps.access = app::withOuter(line.maps.access, line.maps.robot, line.access, line.robot);
-    const CLI::App* maps = cli.get_subcommand("maps");
-    if (maps->got_subcommand("list")) return app::mapsList(line.maps, argc, argv);
-    if (maps->got_subcommand("current")) return app::mapsCurrent(line.maps, argc, argv);
-    if (maps->got_subcommand("show")) return app::mapsShow(line.maps, argc, argv);
-    if (maps->got_subcommand("export")) return app::mapsExport(line.maps, argc, argv);
-    for (const MapChangeCommand& one : mapChangeCommands()) {
-      if (maps->got_subcommand(one.name)) return app::mapsChange(one.change, line.maps, argc, argv);
-    }
-    return app::mapsDiff(line.maps, argc, argv);
+    return app::runMaps(cli, line.maps, argc, argv);
+  }
+  if (cli.got_subcommand("waypoints")) {
+    app::WaypointsWords& words = line.waypoints;
+    if (words.robot.empty()) words.robot = line.robot;
+    words.access = app::withOuter(words.access, words.robot, line.access, line.robot);
+    return app::runWaypoints(cli, words, argc, argv);
   }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining());
   if (cli.got_subcommand("demo")) return app::demo(QString::fromStdString(line.demo_query), argc, argv);

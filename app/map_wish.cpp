@@ -6,6 +6,7 @@
 
 #include "app/exit_code.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
 
 namespace mapwright::app {
@@ -45,6 +46,10 @@ MapWish::State MapWish::look(double online_for_s) {
     fail(local() ? kUsage : exitCodeOf(slot.failure()), sentences::sentenceOf(slot.remark()));
   }
   if (failed_) return State::Failed;
+  // Whose waypoints they are is told by the list of maps.
+  const bool whose = with_points_ && key_->kind == map::MapKind::Live && session_.robot().waypointSource();
+  if (whose && !session_.catalogue().asked()) session_.catalogue().refresh();
+  if (whose && session_.catalogue().loading()) return State::Waiting;
   const bool here = slot.settled() && shown() && !(with_points_ && slot.waypointsAwaited());
   return here ? State::Here : State::Waiting;
 }
@@ -117,8 +122,9 @@ bool MapWish::catalogueIn() {
   }
   if (!catalogue.asked()) catalogue.refresh();
   if (catalogue.loading()) return false;
-  if (catalogue.error().isEmpty()) return catalogue.asOf().has_value();
-  fail(local() ? kUsage : exitCodeOf(catalogue.failure()), catalogue.error());
+  if (!catalogue.failure()) return catalogue.asOf().has_value();
+  fail(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
+       QString::fromStdString(sentences::sentenceOf(*catalogue.failure())));
   return false;
 }
 

@@ -12,6 +12,8 @@
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/picture_yamls.h"
+#include "robot/ros/ros_address.h"
+#include "robot/ros/ros_robot.h"
 
 namespace mapwright::app {
 
@@ -61,6 +63,24 @@ Made makeAimdk(const robot::Address& address, const Access& access, DemoTime) {
   return std::make_unique<robot::aimdk::AimdkRobot>(address.text, std::move(link));
 }
 
+Made rosRobot(const robot::Address& address, const Access& access, bool kabam_only) {
+  robot::ros::LinkOptions link;
+  link.url = address.url;
+  link.secret = access.secret;
+  link.trust = access.trust;
+  link.ns = robot::ros::namespaceOf(address);
+  link.kabam_only = kabam_only;
+  return std::make_unique<robot::ros::RosRobot>(address.text, std::move(link));
+}
+
+Made makeRos(const robot::Address& address, const Access& access, DemoTime) {
+  return rosRobot(address, access, false);
+}
+
+Made makeKabam(const robot::Address& address, const Access& access, DemoTime) {
+  return rosRobot(address, access, true);
+}
+
 Made makeFiles(const robot::Address& address, const Access&, DemoTime) {
   robot::files::FileOptions file;
   file.path = address.path;
@@ -78,6 +98,8 @@ Made makeDemo(const robot::Address& address, const Access&, DemoTime time) {
 std::vector<Kind> kinds() {
   return {{robot::axbot::addressScheme(), makeAxbot},
           {robot::aimdk::addressScheme(), makeAimdk},
+          {robot::ros::rosAddressScheme(), makeRos},
+          {robot::ros::kabamAddressScheme(), makeKabam},
           {demoAddressScheme(), makeDemo},
           {robot::files::addressScheme(), makeFiles}};
 }

@@ -45,7 +45,10 @@ int simulate(const SimulateWords& words) {
     std::fprintf(stderr, "%s\n", words::plainLine(*error).c_str());
     return kUnreachable;
   }
-  std::printf("{\"axbot\":\"%s\",\"aimdk\":\"%s\"}\n", robot.address().c_str(), robot.aimdkAddress().c_str());
+  std::printf(R"({"axbot":"%s","aimdk":"%s","ros":"%s","kabam":"%s"})"
+              "\n",
+              robot.address().c_str(), robot.aimdkAddress().c_str(), robot.rosAddress().c_str(),
+              robot.kabamAddress().c_str());
   std::fflush(stdout);
   int received = 0;
   sigwait(&stop_signals, &received);

@@ -3,6 +3,7 @@
 // out. Rank 0 is for what cannot be seen at all. Gray pictures take the rank of the Gray code instead.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
 #include <unordered_map>
 
@@ -166,22 +167,47 @@ class Quantiser {
 
 bool isPlainGray(const PixelFormat& format) { return format.gray && !format.has_alpha; }
 
-GridError brokenOff(const PixelFormat& format, int came, const std::string& problem) {
-  return GridError{"It says that it is " + words::dimensions(format.width, format.height) + " pixels, but " +
-                   problem + " after " + words::grouped(came) + (came == 1 ? " row." : " rows.")};
+map::Reason tooLarge(const PixelFormat& format, std::int64_t max_cells) {
+  return {map::ReasonCode::PictureTooLargeForLayer,
+          {words::dimensions(format.width, format.height), words::grouped(max_cells)}};
+}
+
+map::Reason brokenOff(const PixelFormat& format, int came, const map::Reason& problem) {
+  return {map::ReasonCode::PictureEndsEarlyUnused,
+          {words::grouped(came), words::dimensions(format.width, format.height)},
+          {problem}};
 }
 
 }  // namespace
 
-tl::expected<ColoredGrid, GridError> decodeColors(std::shared_ptr<const std::string> bytes,
-                                                  std::int64_t max_cells, const Means& means) {
+tl::expected<ColoredGrid, map::Reason> decodeOccupancy(std::shared_ptr<const std::string> bytes,
+                                                       const map::CellReading& reading,
+                                                       std::int64_t max_cells, const Means& means) {
+  if (!bytes) bytes = std::make_shared<const std::string>();
+  const auto rows = openPicture(ByteSource(bytes));
+  if (!rows) return tl::unexpected(rows.error());
+  const PixelFormat& format = (*rows)->format();
+  if (std::int64_t(format.width) * format.height > max_cells)
+    return tl::unexpected(tooLarge(format, max_cells));
+  GridOptions options;
+  options.reading = reading;
+  options.means = means;
+  auto opened = openGrid(std::move(bytes), options);
+  if (!opened) return tl::unexpected(std::move(opened.error()));
+  const std::atomic<bool> never{false};
+  if (auto error = (*opened)->read(never, [] {})) return tl::unexpected(std::move(*error));
+  ColoredGrid grid;
+  grid.indices = (*opened)->pyramid();
+  return grid;
+}
+
+tl::expected<ColoredGrid, map::Reason> decodeColors(std::shared_ptr<const std::string> bytes,
+                                                    std::int64_t max_cells, const Means& means) {
   auto rows = openPicture(ByteSource(std::move(bytes)));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();
-  if (std::int64_t(format.width) * format.height > max_cells) {
-    return tl::unexpected(GridError{"It is " + words::dimensions(format.width, format.height) +
-                                    " pixels, and at most " + words::grouped(max_cells) + " are read."});
-  }
+  if (std::int64_t(format.width) * format.height > max_cells)
+    return tl::unexpected(tooLarge(format, max_cells));
   const bool gray = isPlainGray(format);
   Quantiser quantiser(format);
   Indices indices;

@@ -11,19 +11,21 @@
 
 #include "disk/written_file.h"
 #include "grids/png_writer.h"
+#include "reasons/file_reason.h"
 
 namespace mapwright::grids {
 
 namespace {
 
+using map::ReasonCode;
 using Proceed = std::function<bool(double done)>;
 constexpr int kEdge = GridPyramid::kTileEdge;
 constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
-const char* const kStopped = "Stopped; nothing was written.";
 
-/// Calls take(row) for every row of level 0; a band of tiles is held at a time. A sentence when stopped.
+/// Calls take(row) for every row of level 0; a band of tiles is held at a time. Why it ended before all was
+/// there.
 template <typename Take>
-std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
+std::optional<map::Reason> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
                                    Take take) {
   const std::uint8_t unknown = unknownByte(grid.code());
   const int tiles = (grid.width() + kEdge - 1) / kEdge;
@@ -31,7 +33,7 @@ std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proce
   std::vector<std::optional<GridTile>> band(static_cast<std::size_t>(tiles));
   for (int y = 0; y < grid.height(); ++y) {
     if (y % kEdge == 0) {
-      if (proceed && !proceed(from + (to - from) * y / grid.height())) return kStopped;
+      if (proceed && !proceed(from + (to - from) * y / grid.height())) return ReasonCode::WritingStopped;
       for (int tx = 0; tx < tiles; ++tx) band[std::size_t(tx)] = grid.tile(0, tx, y / kEdge);
     }
     for (std::size_t tx = 0; tx < band.size(); ++tx) {
@@ -44,13 +46,14 @@ std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proce
     }
     if (!take(row.data())) return std::nullopt;
   }
-  if (auto trouble = grid.trouble(); !trouble.empty()) return trouble + " Nothing was written.";
+  if (auto trouble = grid.trouble(); trouble.any())
+    return std::move(trouble).followedBy(map::Consequence::NothingWritten);
   if (proceed) proceed(to);
   return std::nullopt;
 }
 
 /// Whether map_saver's three shades can tell all cells.
-tl::expected<bool, std::string> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
+tl::expected<bool, map::Reason> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
   const CellMeaning& meaning = meaningOf(grid.code());
   std::array<bool, 256> seen{};
   const std::size_t width = std::size_t(grid.width());
@@ -78,6 +81,10 @@ std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
                                     : kUnknownShade;
   }
   return shades;
+}
+
+std::optional<map::Reason> told(const std::optional<disk::Fault>& fault) {
+  return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
 }
 
 /// The shortest text that reads back to the same number, and as a number and not an integer.
@@ -111,10 +118,10 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::string& path,
+std::optional<map::Reason> writeGridPng(const GridPyramid& grid, const std::string& path,
                                         const Proceed& proceed) {
   const bool as_is = isGray(grid.code());
-  const tl::expected<bool, std::string> trinary = as_is ? false : isTrinary(grid, proceed);
+  const tl::expected<bool, map::Reason> trinary = as_is ? false : isTrinary(grid, proceed);
   if (!trinary) return trinary.error();
   // Grays that are all grays leave none to stand for what is not there.
   const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
@@ -138,8 +145,8 @@ std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::stri
     return good;
   });
   if (stopped) return stopped;
-  if (!good && file.good()) return "The PNG " + path + " cannot be written: its encoder failed.";
-  return file.place();
+  if (!good && file.good()) return map::Reason(ReasonCode::EncoderFailed, {path});
+  return told(file.place());
 }
 
 MapServerFiles mapServerFiles(const std::string& path) {
@@ -150,7 +157,7 @@ MapServerFiles mapServerFiles(const std::string& path) {
   return {base.string() + ".pgm", base.string() + ".yaml"};
 }
 
-std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+std::optional<map::Reason> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
                                           const std::string& path, const Proceed& proceed) {
   const MapServerFiles paths = mapServerFiles(path);
   const auto trinary = isTrinary(grid, proceed);
@@ -168,9 +175,9 @@ std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::Gr
   if (stopped) return stopped;
   yaml.write(mapYamlText(reference, std::filesystem::path(paths.pgm).filename().string(), !*trinary));
   yaml.finish();  // both are whole before the first is in its place
-  if (!yaml.good()) return yaml.place();
-  if (auto problem = pgm.place()) return problem;
-  return yaml.place();
+  if (!yaml.good()) return told(yaml.place());
+  if (auto problem = told(pgm.place())) return problem;
+  return told(yaml.place());
 }
 
 std::string worldFileText(const map::GridReference& reference) {

@@ -12,13 +12,15 @@
 #include "grids/picture_rows.h"
 #include "grids/picture_shades.h"
 #include "grids/png_writer.h"
+#include "reasons/file_reason.h"
 
 namespace mapwright::grids {
 
 namespace {
 
 constexpr int kEdge = GridPyramid::kTileEdge;
-using Sentence = std::optional<std::string>;
+using map::Reason;
+using map::ReasonCode;
 
 bool endsWith(const std::string& path, const char* ending) {
   const std::size_t length = std::strlen(ending);
@@ -109,25 +111,27 @@ class RowPixels {
   bool alpha_, as_is_;
 };
 
-Sentence readBack(const GridPyramid& cells, const std::string& path, const map::CellReading& reading) {
+std::optional<Reason> readBack(const GridPyramid& cells, const std::string& path,
+                               const map::CellReading& reading) {
   GridOptions options;
   options.reading = reading;
   options.code = cells.code();
   options.reduction = cells.reduction();
-  const std::string differs =
-      "The picture " + path + " was written, and is not what was to be written when it is read again";
+  const auto differs = [&path](std::vector<Reason> why = {}) {
+    return Reason(ReasonCode::PictureReadsOtherwise, {path}, std::move(why));
+  };
   auto opened = openGridFile(path, options);
-  if (!opened) return differs + ": " + opened.error().sentence;
+  if (!opened) return differs({opened.error()});
   const std::atomic<bool> cancelled{false};
-  if (const auto error = (*opened)->read(cancelled, {})) return differs + ": " + error->sentence;
+  if (auto error = (*opened)->read(cancelled, {})) return differs({std::move(*error)});
   const auto pyramid = (*opened)->pyramid();
-  if (pyramid->width() != cells.width() || pyramid->height() != cells.height()) return differs + ".";
+  if (pyramid->width() != cells.width() || pyramid->height() != cells.height()) return differs();
   for (int y = 0; y * kEdge < cells.height(); ++y) {
     for (int x = 0; x * kEdge < cells.width(); ++x) {
       const auto wanted = cells.tile(0, x, y), got = pyramid->tile(0, x, y);
       if (!wanted || !got ||
           std::memcmp(wanted->cells.get(), got->cells.get(), std::size_t(kEdge) * kEdge) != 0)
-        return differs + ".";
+        return differs();
     }
   }
   return std::nullopt;
@@ -142,31 +146,29 @@ bool holdsUnknown(const map::CellReading& reading, CellCode code, const std::str
   return shadesFor(reading).canBe(unknownByte(code), endsWith(path, ".png"));
 }
 
-std::optional<std::string> rewritePicture(const GridPyramid& cells, const std::string& path,
+std::optional<map::Reason> rewritePicture(const GridPyramid& cells, const std::string& path,
                                           const map::CellReading& reading) {
-  const std::string kept = " It is left as it is.";
+  const auto kept = [](Reason reason) { return std::move(reason).followedBy(map::Consequence::LeftAsItIs); };
   auto bytes = ByteSource::open(path);
-  if (!bytes) return "The picture " + path + " cannot be read: " + std::strerror(errno) + "." + kept;
+  if (!bytes) return kept({ReasonCode::PictureFileNotOpened, {path}, {map::said(std::strerror(errno))}});
   const Format format = formatOf(*bytes);
-  if (format == Format::Other)
-    return "The picture " + path + " is neither PGM nor PNG: such pictures are only read." + kept;
+  if (format == Format::Other) return kept({ReasonCode::PictureOnlyRead, {path}});
   auto before = openPicture(std::move(*bytes));
-  if (!before) return "The picture " + path + " cannot be read: " + before.error().sentence + kept;
+  if (!before) return kept(std::move(before.error()));
   const PixelFormat pixels = (*before)->format();
   if (pixels.width != cells.width() || pixels.height != cells.height())
-    return "The picture " + path + " has another size now." + kept;
+    return kept({ReasonCode::PictureOfOtherSize, {path}});
 
   const PictureShades shades = shadesFor(reading);
   const bool as_is = reading.mode == map::CellReading::Mode::Picture;
   const std::array<bool, 256> seen = bytesIn(cells);
-  if (const std::string trouble = cells.trouble(); !trouble.empty()) return trouble + kept;
+  if (Reason trouble = cells.trouble(); trouble.any()) return kept(std::move(trouble));
   bool alpha = as_is && format == Format::Png && pixels.has_alpha && seen[kTransparentGray];
   for (std::size_t cell = 0; cell < seen.size(); ++cell) {
     if (!seen[cell] || shades.shade_of[cell]) continue;
     alpha = true;
     if (format != Format::Png || cell != shades.transparent)
-      return "No gray of the picture " + path + " reads as a cell of " + std::to_string(cell) +
-             " by its map.yaml." + kept;
+      return kept({ReasonCode::CellWithoutShade, {path, std::int64_t(cell)}});
   }
 
   disk::WrittenFile file(path);
@@ -187,8 +189,8 @@ std::optional<std::string> rewritePicture(const GridPyramid& cells, const std::s
       good = png.row(out.data(), out.size());
     }
   }
-  if (!good && file.good()) return "The picture " + path + " cannot be written: its encoder failed." + kept;
-  if (auto trouble = file.place()) return trouble;
+  if (!good && file.good()) return kept({ReasonCode::EncoderFailed, {path}});
+  if (const auto fault = file.place()) return reasons::notWritten(*fault);
   return readBack(cells, path, reading);
 }
 

@@ -94,7 +94,7 @@ struct Reducer {
 }  // namespace
 
 bool GridMessage::operator==(const GridMessage& other) const {
-  return topic == other.topic && kind == other.kind && grid == other.grid &&
+  return topic == other.topic && kind == other.kind && grid == other.grid && reading == other.reading &&
          fingerprint == other.fingerprint && sameContent(png, other.png);
 }
 

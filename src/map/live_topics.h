@@ -62,8 +62,9 @@ struct GridMessage {
   std::string topic;
   GridKind kind = GridKind::WholeMap;
   GridReference grid;
-  std::shared_ptr<const std::string> png;
-  std::string fingerprint;     // names exactly this content; empty = none
+  CellReading reading;  // what its bytes mean; anything but Picture: occupancy 0..100 and unknown
+  std::shared_ptr<const std::string> png;  // the picture file; PGM and BMP as well
+  std::string fingerprint;                 // names exactly this content; empty = none
   std::size_t body_bytes = 0;  // of the answer that brought the picture; 0 = it came inside the message
   bool from_cache = false;     // that body did not travel: disk, or 304
   bool operator==(const GridMessage& other) const;  // the bytes count, wherever they lie

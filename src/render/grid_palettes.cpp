@@ -63,6 +63,22 @@ GridPalette costmapPalette(std::uint8_t background) {
   return palette;
 }
 
+// Warmer and denser with the cost; the two that mean "no" are colours of their own.
+GridPalette occupancyCostPalette() {
+  constexpr std::uint32_t kLethal = 0xe08b1016, kInscribed = 0xd0d14fa0;
+  constexpr std::uint32_t kDear = 0xa8e0483c, kCheap = 0x40f4d06c;
+  constexpr std::size_t kInscribedCost = 99, kLethalCost = 100;
+  const grids::CellMeaning& meaning = grids::meaningOf(grids::CellCode::Occupancy);
+  GridPalette palette{};
+  for (std::size_t byte = 1; byte < 256; ++byte) {
+    if (!meaning.known[byte]) continue;
+    palette[byte] = premultiplied(byte >= kLethalCost      ? kLethal
+                                  : byte == kInscribedCost ? kInscribed
+                                                           : mixed(kCheap, kDear, double(byte - 1) / 97));
+  }
+  return palette;
+}
+
 GridPalette matchPalette(std::uint8_t background) {
   constexpr std::uint32_t kBad = 0xd0d1383d, kMiddle = 0xc0d98c00, kGood = 0xb02e9e5b;
   GridPalette palette{};

@@ -19,6 +19,9 @@ GridPalette incrementalPalette(const MapColors& colors, grids::CellCode code);
 /// Costs of a gray costmap. `background`: the byte that most of it is, taken for "no cost" (robots send both
 /// polarities); the byte farthest from it is an obstacle.
 GridPalette costmapPalette(std::uint8_t background);
+/// Costs that came as occupancy (grids::CellCode::Occupancy), as costmap_2d sends them: 0 free and unknown
+/// are transparent, 1..98 inflated, 99 inscribed (the robot's centre must not be there), 100 lethal.
+GridPalette occupancyCostPalette();
 /// Bad (red) to good (green) by distance from `background`, which is transparent.
 GridPalette matchPalette(std::uint8_t background);
 /// Difference codes (sample_grid.h).

@@ -26,6 +26,7 @@ struct Absence {
     NotYetHere,     // robots of this kind have it, this version of the program does not ask for it yet
     FirmwareLacks,  // this one was asked, and does not know it; arguments[0] is what it answered
     LocalFiles,     // there is no robot
+    NoService,      // others of the kind run a service for it; arguments[0] is what this one lacks
   };
   Reason reason = Reason::NotOfThisKind;
   std::vector<std::string> arguments = {};

@@ -62,6 +62,9 @@ QString whyAbsent(Capability capability, const Absence& absence) {
     case Reason::FirmwareLacks:
       return nothing(capability) + QLatin1Char(' ') +
              Words::tr("Its firmware does not know the question (%1).").arg(argument(absence));
+    case Reason::NoService:
+      return nothing(capability) + QLatin1Char(' ') +
+             Words::tr("It runs no %1, or none that is reached from here.").arg(argument(absence));
     case Reason::LocalFiles:
       if (capability == Capability::Live)
         return Words::tr("A local map: there is no robot, so nothing moves on it.");

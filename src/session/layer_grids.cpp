@@ -5,6 +5,16 @@
 #include <utility>
 
 namespace mapwright::session {
+namespace {
+
+tl::expected<grids::ColoredGrid, map::Reason> decoded(const map::GridMessage& message,
+                                                      const grids::Means& means) {
+  const bool colours = message.reading.mode == map::CellReading::Mode::Picture;
+  return colours ? grids::decodeColors(message.png, LayerGrids::kMaxCells, means)
+                 : grids::decodeOccupancy(message.png, message.reading, LayerGrids::kMaxCells, means);
+}
+
+}  // namespace
 
 LayerGrids::LayerGrids(grids::Means means, QObject* parent)
     : QObject(parent),
@@ -30,12 +40,8 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
   share_.start(work::Urgency::Wanted, [this, kind, generation = generation_, message = std::move(message)] {
     auto grid = std::make_shared<tl::expected<LayerGrid, map::Reason>>(LayerGrid{message.grid, {}});
     using Colors = tl::expected<grids::ColoredGrid, map::Reason>;
-    auto colors =
-        message.png
-            ? grids::decodeColors(message.png, kMaxCells, means_).map_error([](grids::GridError error) {
-                return map::said(std::move(error.sentence));
-              })
-            : Colors(tl::make_unexpected(map::Reason(map::ReasonCode::CameWithoutPicture)));
+    auto colors = message.png ? decoded(message, means_)
+                              : Colors(tl::make_unexpected(map::Reason(map::ReasonCode::CameWithoutPicture)));
     if (const auto why = map::whyUnusable(message.grid)) {
       *grid = tl::make_unexpected(*why);
     } else if (!colors) {

@@ -111,6 +111,9 @@ class Session : public QObject {
   /// A coarse picture of the SLAM map, until every submap is in.
   const MapSlot& overview() const { return overview_; }
   const LayerGrids& layerGrids() const { return layer_grids_; }
+  /// The map whose named places belong to what `slot` shows: it itself; of what the robot sends, the stored
+  /// one that it works with. nullopt: that is not known, or it keeps none.
+  std::optional<map::MapKey> placesOf(const MapSlot& slot) const;
   /// Shows a map without loading it on the robot. MapKind::Live: what the robot sends, from now on.
   void openMap(const map::MapKey& key);
   /// The second map of a comparison; nullopt ends it.
@@ -159,6 +162,10 @@ class Session : public QObject {
   void takeFrame();
   void forgetUnwanted();
   void openInto(MapSlot& slot, const map::MapKey& key);
+  void askForPlaces(MapSlot& slot, const map::MapKey& key, std::function<bool()> still_wanted);
+  std::optional<map::MapKey> placesOfLiveMap() const;
+  void followLivePlaces();  // the places of the map that the robot sends
+  void readLivePlacesAgain();
   void openFirstMap();
   void retryMaps();  // those that could not be had
   void askForOverview();
@@ -189,9 +196,10 @@ class Session : public QObject {
     bool operator==(const Wish&) const = default;
   };
   std::map<QString, Wish> wants_;
-  Wish wanted_;                              // all of them together
-  QSet<QString> retired_topics_;             // wanted once and no more: what still comes of them is not taken
-  QStringList wanted_topics_;                // every topic that may come of it
+  Wish wanted_;                   // all of them together
+  QSet<QString> retired_topics_;  // wanted once and no more: what still comes of them is not taken
+  QStringList wanted_topics_;     // every topic that may come of it
+  std::map<const MapSlot*, map::MapKey> live_places_;  // whose places were asked for last
   std::optional<submap::Millis> listed_at_;  // when the catalogue came last; nullopt when it failed since
   Catalogue catalogue_;
   MapSlot whole_map_, compared_map_, overview_;

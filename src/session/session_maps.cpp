@@ -6,6 +6,7 @@
 
 #include <QPointer>
 
+#include "robot/waypoint_store.h"
 #include "sentences/absence_sentence.h"
 #include "session/session.h"
 
@@ -20,6 +21,7 @@ map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& liv
   map.key = {map::MapKind::Live, {}};
   if (live.map_info) map.name = live.map_info->name;
   map.grid = message.grid;
+  map.reading = message.reading;
   map.bytes = message.png;
   map.fingerprint = message.fingerprint;
   return map;
@@ -57,13 +59,24 @@ void Session::wireMaps() {
       openInto(whole_map_, whole_map_.key());
     }
   });
-  connect(robot_.get(), &robot::Robot::capabilitiesChanged, this,
-          [this] { catalogue_.setSource(robot_->mapCatalogue()); });
+  const auto hearStore = [this] {
+    if (robot::WaypointStore* const store = robot_->waypointStore())
+      connect(store, &robot::WaypointStore::changed, this, &Session::readLivePlacesAgain,
+              Qt::UniqueConnection);
+  };
+  hearStore();
+  connect(robot_.get(), &robot::Robot::capabilitiesChanged, this, [this, hearStore] {
+    catalogue_.setSource(robot_->mapCatalogue());
+    hearStore();
+    sendWants();  // other topics may bring what is wanted
+    followLivePlaces();
+  });
   connect(&catalogue_, &Catalogue::changed, this, [this] {
     if (catalogue_.loading()) return;
-    const bool came = catalogue_.asOf() && catalogue_.error().isEmpty();
+    const bool came = catalogue_.asOf() && !catalogue_.failure();
     listed_at_ = came ? std::optional(now()) : std::nullopt;
     openFirstMap();
+    followLivePlaces();
   });
   connect(this, &Session::rowsChanged, this, [this] {
     if (overview_.phase() == MapSlot::Phase::Empty) return;
@@ -155,22 +168,63 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
       slot.fail(map::problemOf(answer.error()));
     }
   });
+  askForPlaces(slot, key, stillWanted);
+}
+
+std::optional<map::MapKey> Session::placesOf(const MapSlot& slot) const {
+  const map::MapKey& key = slot.cells() ? slot.shown().key : slot.key();
+  return key.kind == map::MapKind::Live ? placesOfLiveMap() : key;
+}
+
+std::optional<map::MapKey> Session::placesOfLiveMap() const {
+  const map::CatalogueEntry* const current = catalogue_.current();
+  if (!robot_->waypointSource() || !current || current->key.kind == map::MapKind::Live) return std::nullopt;
+  return current->key;
+}
+
+void Session::readLivePlacesAgain() {
+  live_places_.clear();
+  followLivePlaces();
+}
+
+void Session::followLivePlaces() {
+  if (still_) return;
+  for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+    const bool live = slot->key().kind == map::MapKind::Live && slot->phase() != MapSlot::Phase::Empty;
+    const auto places = live ? placesOfLiveMap() : std::nullopt;
+    const auto asked = live_places_.find(slot);
+    if (!places) {
+      if (live && asked != live_places_.end()) slot->setWaypoints({});
+      live_places_.erase(slot);
+      continue;
+    }
+    if (asked != live_places_.end() && asked->second == *places) continue;
+    live_places_[slot] = *places;
+    askForPlaces(*slot, *places, [self = QPointer<Session>(this), slot, key = *places] {
+      return self && !self->still_ && slot->key().kind == map::MapKind::Live &&
+             self->placesOfLiveMap() == key;
+    });
+  }
+}
+
+void Session::askForPlaces(MapSlot& slot, const map::MapKey& key, std::function<bool()> still_wanted) {
   if (!robot_->waypointSource()) return;
+  const map::CatalogueEntry* const entry = catalogue_.find(key);
   slot.awaitWaypoints(true);
-  robot_->waypointSource()->waypoints(
-      key, [this, stillWanted, &slot,
-            places = map::placesOf(key, name.toStdString())](robot::Outcome<map::WaypointList> answer) {
-        if (!stillWanted()) return;
-        slot.awaitWaypoints(false);
-        if (answer) {
-          slot.setWaypoints(std::move(*answer));
-        } else {
-          map::Problem problem = map::problemOf(answer.error());
-          problem.subject = places;
-          problem.code = map::ProblemCode::Unavailable;
-          report(problem);
-        }
-      });
+  robot_->waypointSource()->waypoints(key, [this, still_wanted = std::move(still_wanted), &slot,
+                                            places = map::placesOf(key, entry ? entry->name : std::string())](
+                                               robot::Outcome<map::WaypointList> answer) {
+    if (!still_wanted()) return;
+    slot.awaitWaypoints(false);
+    if (answer) {
+      slot.setWaypoints(std::move(*answer));
+    } else {
+      map::Problem problem = map::problemOf(answer.error());
+      problem.subject = places;
+      problem.code = map::ProblemCode::Unavailable;
+      report(problem);
+    }
+  });
 }
 
 void Session::retryMaps() {
@@ -187,6 +241,7 @@ void Session::takeGrid(const map::GridMessage& message) {
   }
   const map::MapKey live{map::MapKind::Live, {}};
   if (live_wanted_) whole_map_.show(liveMap(message, live_));
+  followLivePlaces();
   if (compared_map_.key() == live && compared_map_.phase() != MapSlot::Phase::Empty) {
     compared_map_.show(liveMap(message, live_));
   }
@@ -220,6 +275,7 @@ void Session::takeFrame() {
   const map::MapKey live_map{map::MapKind::Live, {}};
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
     if (!(slot->key() == live_map) || live_.grids.contains(map::GridKind::WholeMap)) continue;
+    live_places_.erase(slot);
     slot->clear();  // or its picture would stay until the new one is whole
     openInto(*slot, live_map);
   }

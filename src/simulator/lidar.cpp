@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRangeM = 25;
 constexpr int kMostRays = 1440;
 constexpr double kNoiseM = 0.012;
 constexpr double kFirstHeightM = 0.04, kLayerM = 0.08;
@@ -48,7 +47,7 @@ double hit(const Solid& solid, const Vector2d& start, const Vector2d& direction)
 /// The nearest solid on every ray; infinity where there is none.
 std::vector<double> cast(const FloorPlan& plan, const geometry::Pose2& pose, int rays) {
   std::vector<double> ranges(static_cast<std::size_t>(rays), std::numeric_limits<double>::infinity());
-  const Vector2d start(pose.x_m, pose.y_m), reach(kRangeM, kRangeM);
+  const Vector2d start(pose.x_m, pose.y_m), reach(kLidarRangeM, kLidarRangeM);
   const double step = kTurn / rays;
   for (const std::uint32_t index : plan.near(start - reach, start + reach)) {
     const Solid& solid = plan.solids()[index];
@@ -79,7 +78,7 @@ std::vector<LidarPoint> scanFrom(const FloorPlan& plan, const geometry::Pose2& p
   const std::vector<double> ranges = cast(plan, pose, rays);
   std::vector<std::size_t> hits;
   for (std::size_t ray = 0; ray < ranges.size(); ++ray) {
-    if (ranges[ray] <= kRangeM) hits.push_back(ray);
+    if (ranges[ray] <= kLidarRangeM) hits.push_back(ray);
   }
   if (hits.empty()) return found;
 
@@ -96,6 +95,17 @@ std::vector<LidarPoint> scanFrom(const FloorPlan& plan, const geometry::Pose2& p
     found.push_back(point);
   }
   return found;
+}
+
+std::vector<double> rangesFrom(const FloorPlan& plan, const geometry::Pose2& pose, int rays,
+                               std::uint64_t seed) {
+  std::vector<double> ranges = cast(plan, pose, rays);
+  Dice dice(seed);
+  for (double& range : ranges) {
+    range = range <= kLidarRangeM ? range + dice.uniform(-kNoiseM, kNoiseM)
+                                  : std::numeric_limits<double>::infinity();
+  }
+  return ranges;
 }
 
 }  // namespace mapwright::simulator

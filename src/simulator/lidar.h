@@ -23,4 +23,12 @@ struct LidarPoint {
 std::vector<LidarPoint> scanFrom(const FloorPlan& plan, const geometry::Pose2& pose, int points,
                                  std::uint64_t seed);
 
+/// Metres to the nearest solid on `rays` rays, counter-clockwise from the heading of `pose`; infinity where
+/// nothing is within reach. Pure.
+std::vector<double> rangesFrom(const FloorPlan& plan, const geometry::Pose2& pose, int rays,
+                               std::uint64_t seed);
+
+/// How far the lidar reaches, metres.
+constexpr double kLidarRangeM = 25;
+
 }  // namespace mapwright::simulator

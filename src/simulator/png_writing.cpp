@@ -13,6 +13,7 @@ namespace {
 constexpr int kDeflateLevel = 1;
 constexpr std::size_t kHeaderAt = 8;      // behind the signature
 constexpr std::size_t kHeaderBytes = 13;  // of IHDR
+constexpr char kGray = 0, kRgb = 2;
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
 
 void appendBig(std::string& out, std::uint32_t value) {
@@ -54,16 +55,14 @@ std::string packedRows(const GrayPicture& picture, int bits) {
   return rows;
 }
 
-}  // namespace
-
-std::string writePng(const GrayPicture& picture, int bits) {
+std::string assemble(int width, int height, int bits, char colours, const std::string& rows) {
   std::string header;
-  appendBig(header, static_cast<std::uint32_t>(picture.width));
-  appendBig(header, static_cast<std::uint32_t>(picture.height));
+  appendBig(header, static_cast<std::uint32_t>(width));
+  appendBig(header, static_cast<std::uint32_t>(height));
   header += static_cast<char>(bits);
-  header.append(4, '\0');  // gray, deflate, adaptive filtering, not interlaced
+  header += colours;
+  header.append(3, '\0');  // deflate, adaptive filtering, not interlaced
 
-  const std::string rows = packedRows(picture, bits);
   const std::unique_ptr<libdeflate_compressor, CompressorDeleter> compressor(
       libdeflate_alloc_compressor(kDeflateLevel));
   if (!compressor) return {};
@@ -75,6 +74,23 @@ std::string writePng(const GrayPicture& picture, int bits) {
   appendChunk(png, "IDAT", data);
   appendChunk(png, "IEND", {});
   return png;
+}
+
+}  // namespace
+
+std::string writePng(const GrayPicture& picture, int bits) {
+  return assemble(picture.width, picture.height, bits, kGray, packedRows(picture, bits));
+}
+
+std::string writeRgbPng(int width, int height, std::string_view pixels) {
+  const std::size_t stride = 3 * static_cast<std::size_t>(width);
+  std::string rows;
+  rows.reserve(pixels.size() + static_cast<std::size_t>(height));
+  for (std::size_t from = 0; from < pixels.size(); from += stride) {
+    rows += '\0';  // not filtered
+    rows += pixels.substr(from, stride);
+  }
+  return assemble(width, height, 8, kRgb, rows);
 }
 
 std::string withDeclaredSize(std::string png, std::uint32_t width, std::uint32_t height) {

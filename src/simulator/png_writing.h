@@ -17,6 +17,9 @@ struct GrayPicture {
 /// A gray PNG with `bits` (1, 2, 4 or 8) per pixel: the highest bits of each level.
 std::string writePng(const GrayPicture& picture, int bits);
 
+/// A PNG of 3 * width * height bytes, red, green and blue, the top row first.
+std::string writeRgbPng(int width, int height, std::string_view pixels);
+
 /// The same PNG whose header (with a right checksum) declares another size.
 std::string withDeclaredSize(std::string png, std::uint32_t width, std::uint32_t height);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "simulator/ros/ros_server.h"
 #include "simulator/server.h"
 
 namespace mapwright::simulator {
@@ -32,6 +33,9 @@ std::optional<std::string> problemOf(const Options& options, bool scene_exists) 
   if (options.costmap_cells < 20 || options.costmap_cells > 4000) {
     return "The edge of a costmap must lie between 20 and 4000 cells.";
   }
+  if (options.ros.waypoints < 0 || options.ros.waypoints > 100'000) {
+    return "The number of waypoints must lie between 0 and 100,000.";
+  }
   return std::nullopt;
 }
 
@@ -44,6 +48,7 @@ class Simulator::Impl {
   void publish() {
     const std::lock_guard lock(server_mutex);
     if (server) server->publishList();
+    if (ros_server) ros_server->refresh();
   }
 
   const Options options;
@@ -53,8 +58,11 @@ class Simulator::Impl {
   MappingBook mappings;
   FaultPlan faults;
   RequestLog log;
+  MapPictures ros_pictures;
+  ros::KabamStore kabam;
   mutable std::mutex server_mutex;
   std::unique_ptr<Server> server;
+  std::unique_ptr<ros::RosServer> ros_server;
 
  private:
   static std::optional<Scene> sceneFor(const Options& options) {
@@ -68,7 +76,9 @@ class Simulator::Impl {
               {chosen.start_at_s, chosen.speed, chosen.paused}),
         library(state, chosen.seed),
         mappings(state),
-        faults(chosen.faults, chosen.seed) {}
+        faults(chosen.faults, chosen.seed),
+        ros_pictures(state.scene()),
+        kabam(state, ros_pictures, chosen.ros, chosen.seed) {}
 };
 
 Simulator::Simulator(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
@@ -83,13 +93,18 @@ std::optional<std::string> Simulator::start() {
                                          impl_->faults, impl_->log);
   if (std::optional<std::string> failure = server->start(impl_->options.port, impl_->options.aimdk_port))
     return failure;
+  auto ros_server = std::make_unique<ros::RosServer>(impl_->options, impl_->state, impl_->faults, impl_->log,
+                                                     impl_->kabam, impl_->ros_pictures);
+  if (std::optional<std::string> failure = ros_server->start(impl_->options.ros.port)) return failure;
   impl_->server = std::move(server);
+  impl_->ros_server = std::move(ros_server);
   return std::nullopt;
 }
 
 void Simulator::stop() {
   const std::lock_guard lock(impl_->server_mutex);
   impl_->server.reset();
+  impl_->ros_server.reset();
 }
 
 std::uint16_t Simulator::port() const {
@@ -107,6 +122,15 @@ std::uint16_t Simulator::aimdkPort() const {
 std::string Simulator::aimdkAddress() const {
   return "aimdk+http://127.0.0.1:" + std::to_string(aimdkPort());
 }
+
+std::uint16_t Simulator::rosPort() const {
+  const std::lock_guard lock(impl_->server_mutex);
+  return impl_->ros_server ? impl_->ros_server->port() : 0;
+}
+
+std::string Simulator::rosAddress() const { return "ros+ws://127.0.0.1:" + std::to_string(rosPort()); }
+
+std::string Simulator::kabamAddress() const { return "kabam+ws://127.0.0.1:" + std::to_string(rosPort()); }
 
 std::vector<RequestRecord> Simulator::requestLog() const { return impl_->log.records(); }
 
@@ -135,6 +159,7 @@ void Simulator::restartSlam() {
 void Simulator::dropWebSockets() {
   const std::lock_guard lock(impl_->server_mutex);
   if (impl_->server) impl_->server->dropWebSockets();
+  if (impl_->ros_server) impl_->ros_server->dropLinks();
 }
 
 void Simulator::removeSubmap(int trajectory, int index) {
@@ -156,6 +181,16 @@ std::string Simulator::uuid() const { return impl_->state.uuid(); }
 int Simulator::openWebSockets() const {
   const std::lock_guard lock(impl_->server_mutex);
   return impl_->server ? impl_->server->openWebSockets() : 0;
+}
+
+int Simulator::openRosLinks() const {
+  const std::lock_guard lock(impl_->server_mutex);
+  return impl_->ros_server ? impl_->ros_server->openLinks() : 0;
+}
+
+void Simulator::otherOperator() {
+  const std::lock_guard lock(impl_->server_mutex);
+  if (impl_->ros_server) impl_->ros_server->otherOperator();
 }
 
 }  // namespace mapwright::simulator

@@ -1,6 +1,7 @@
-// An Autoxing robot and an Agibot one on two loopback ports, for demos and tests. Both live in the same
-// building. Written from the specification (axbot.md, submap-textures.md, aimdk.md); shares no code with the
-// client except the generated protobuf classes and the map's value types.
+// An Autoxing robot, an Agibot one and a ROS one with KABAM's map manager on three loopback ports, for demos
+// and tests. All live in the same building. Written from the specification (axbot.md, submap-textures.md,
+// aimdk.md, rosbridge.md, kabam.md); shares no code with the client except the generated protobuf classes and
+// the map's value types.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "simulator/ros/ros_options.h"
 
 namespace mapwright::simulator {
 
@@ -43,6 +46,7 @@ struct Faults {
   double write_error_rate = 0;    // 500, 502, 503 or an HTML page; nothing is changed
   double drop_writes = 0;         // the connection is closed without an answer; nothing is changed
   double lose_write_answers = 0;  // the connection is closed without an answer, and all is changed
+  RosFaults ros;
 };
 
 /// How the robot behaves and what it offers.
@@ -62,10 +66,12 @@ struct Options {
   double scan_hz = 5;             // how often they come; above 0, at most 100
   int costmap_cells = 200;        // edge of /maps/5cm/1hz; 20..4000
   double pose_hz = 10;            // how often /tracked_pose comes; above 0, at most 100
+  RosOptions ros;
   Faults faults;
 };
 
-/// One line of the request log.
+/// One line of the request log. Of the ROS robot: CALL of a service, SUBSCRIBE, UNSUBSCRIBE and PUBLISH of a
+/// topic as method and target; status 200, 400 (result:false), 503 (refused on request), 0 (no answer).
 struct RequestRecord {
   double at_s = 0;      // real seconds since start
   double until_s = -1;  // when the answer was written or given up; -1 while under way
@@ -93,6 +99,9 @@ class Simulator {
   std::string address() const;  // "axbot+http://127.0.0.1:PORT"
   std::uint16_t aimdkPort() const;
   std::string aimdkAddress() const;  // "aimdk+http://127.0.0.1:PORT"
+  std::uint16_t rosPort() const;
+  std::string rosAddress() const;    // "ros+ws://127.0.0.1:PORT"
+  std::string kabamAddress() const;  // the same robot: "kabam+ws://127.0.0.1:PORT"
 
   std::vector<RequestRecord> requestLog() const;
   void clearRequestLog();
@@ -102,13 +111,15 @@ class Simulator {
   void advance(double simulated_s);  // moves the paused or running clock forward
   void closeLoop();                  // every pose moves, no version changes
   void restartSlam();                // a new uuid
-  void dropWebSockets();
+  void dropWebSockets();             // of the Autoxing robot and of the ROS robot
   void removeSubmap(int trajectory, int index);
   void bumpVersion(int trajectory, int index);  // new version, new cells
   void publishMapChange();                      // the current map gets a new picture and a new version
   bool setCurrentMap(int id);                   // false when there is no such map
   std::string uuid() const;
   int openWebSockets() const;
+  int openRosLinks() const;
+  void otherOperator();  // somebody else changes a waypoint or a map of the ROS robot
 
  private:
   class Impl;

@@ -3,6 +3,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -122,12 +123,47 @@ class TestColoredGrid : public QObject {
     }
   }
 
+  void costsThatComeAsOccupancyStayWhatTheyAre() {
+    std::string pgm = "P5\n51 2\n255\n";
+    for (int cost = 0; cost <= 100; ++cost) pgm.push_back(char(cost));
+    pgm.push_back(char(255));
+    const map::CellReading raw{map::CellReading::Mode::Raw, false, 0.65, 0.196};
+    const auto grid = decodeOccupancy(test::shared(pgm), raw, 102);
+    QVERIFY(grid && grid->palette.empty());
+    QCOMPARE(grid->indices->code(), CellCode::Occupancy);
+    for (int n = 0; n < 102; ++n) QCOMPARE(int(grid->indices->at(n % 51, n / 51)), n <= 100 ? n : 255);
+    QVERIFY(grid->indices->order()[100] > grid->indices->order()[99]);
+    QVERIFY(!decodeOccupancy(test::shared(pgm), raw, 101));
+    QVERIFY(!decodeOccupancy(test::shared(pgm.substr(0, 40)), raw, 102));
+    QVERIFY(!decodeOccupancy(test::shared("nonsense"), raw, 102));
+    QVERIFY(!decodeOccupancy(nullptr, raw, 102));
+  }
+
+  void theHighestCostSurvivesEveryLevel() {
+    constexpr std::size_t kSize = 1100;
+    std::string pgm = "P5\n1100 1100\n255\n" + std::string(kSize * kSize, '\x00');
+    for (std::size_t row = 0; row < kSize; ++row) pgm[pgm.size() - (row + 1) * kSize + 777] = char(99);
+    pgm[pgm.size() - 500 * kSize + 777] = char(100);
+    const auto grid = decodeOccupancy(test::shared(pgm), {map::CellReading::Mode::Raw, false, 0.65, 0.196},
+                                      std::int64_t(kSize * kSize));
+    QVERIFY(grid);
+    for (int level = 0; level < grid->indices->levels(); ++level) {
+      const auto byteAt = [&](int x, int y) {
+        const auto tile = grid->indices->tile(level, (x >> level) / 256, (y >> level) / 256);
+        return int(tile->cells.get()[((y >> level) % 256) * 256 + (x >> level) % 256]);
+      };
+      QCOMPARE(byteAt(777, 600), 100);
+      QCOMPARE(byteAt(777, 10), 99);
+      QCOMPARE(byteAt(0, 0), 0);
+    }
+  }
+
   void whatIsTooLargeOrBrokenIsASentence() {
     const std::string bytes = test::png(PngRecipe{40, 40}, test::roomGrays(40, 40));
     const auto large = decodeColors(test::shared(bytes), 1599);
     QVERIFY(!large);
-    QVERIFY2(large.error().sentence.find("40 x 40 pixels, and at most 1,599") != std::string::npos,
-             large.error().sentence.c_str());
+    QCOMPARE(sentences::wordsOf(large.error()),
+             QStringLiteral("It is 40 x 40 pixels, and at most 1,599 are read."));
     QVERIFY(decodeColors(test::shared(bytes), 1600));
     QVERIFY(!decodeColors(test::shared(bytes.substr(0, bytes.size() / 2)), 1600));
     QVERIFY(!decodeColors(test::shared("nonsense"), 1600));

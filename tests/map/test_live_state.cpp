@@ -68,6 +68,9 @@ class LiveStateTest : public QObject {
     state = reduce(state, low, 1);
     QCOMPARE(state.grids.size(), std::size_t(2));
     QCOMPARE(state.grids[GridKind::CostmapLow].topic, std::string("second"));
+    GridMessage otherwise_read = low;
+    otherwise_read.reading.mode = CellReading::Mode::Raw;
+    QVERIFY(!(otherwise_read == low));
     const auto points = std::make_shared<const std::vector<CloudPoint>>(3);
     state = reduce(state, PointCloudMessage{"/a", points}, 1);
     state = reduce(state, PointCloudMessage{"/b", nullptr}, 1);

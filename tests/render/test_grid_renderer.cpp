@@ -229,6 +229,21 @@ class GridRendererTest : public QObject {
               qAlpha(palette[127]) < qAlpha(palette[std::size_t(255 - background)]));
     }
   }
+
+  void costsOfOccupancyAreWarmerTheHigherTheyAre() {
+    const render::GridPalette palette = render::occupancyCostPalette();
+    for (const std::size_t clear : {0, 128, 255}) QCOMPARE(palette[clear], 0u);
+    for (std::size_t cost = 1; cost <= 100; ++cost) {
+      QVERIFY(qAlpha(palette[cost]) > 0 && qRed(palette[cost]) > qBlue(palette[cost]));
+      if (cost > 1) QVERIFY(qAlpha(palette[cost]) >= qAlpha(palette[cost - 1]));
+    }
+    // What the robot must not touch, and where its centre must not be, stand out of all the others.
+    const auto unlike = [&](std::size_t a, std::size_t b) {
+      return std::abs(qRed(palette[a]) - qRed(palette[b])) + std::abs(qBlue(palette[a]) - qBlue(palette[b])) >
+             40;
+    };
+    QVERIFY(unlike(99, 98) && unlike(100, 99) && unlike(100, 98));
+  }
 };
 
 QTEST_MAIN(GridRendererTest)

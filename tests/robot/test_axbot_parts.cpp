@@ -2,15 +2,18 @@
 
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/robot_urls.h"
-#include "robot/axbot/topic_mailbox.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/wire/base64.h"
+#include "robot/wire/raw_limit.h"
 #include "robot/wire/repair_json.h"
+#include "robot/wire/topic_mailbox.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
 using robot::wire::fromBase64;
 using robot::wire::quoteLongNumbers;
+using robot::wire::RawLimit;
+using robot::wire::TopicMailbox;
 
 class AxbotPartsTest : public QObject {
   Q_OBJECT

@@ -1,5 +1,6 @@
 // Whole maps, live layers, order and comparison, in pixels.
 #include <cmath>
+#include <set>
 
 #include <QImage>
 #include <QPainter>
@@ -124,6 +125,27 @@ class LiveSceneTest : public QObject {
     QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow) && scene_->picturesSettled());
     QTRY_VERIFY(qRed(at(50, 85)) > 2 * qGreen(at(50, 85)));  // obstacles in the lowest ten rows
     QCOMPARE(at(50, 50), kNearlyFree);                       // no cost, no colour
+  }
+
+  void aCostmapOfOccupancyIsDrawnByItsCosts() {
+    showWhole(254);
+    showOnly({Layer::WholeMap, Layer::CostmapLow});
+    map::GridMessage costs = grid(map::GridKind::CostmapLow, 0);
+    costs.topic = "/local_costmap/costmap";
+    costs.reading.mode = map::CellReading::Mode::Raw;
+    // Bands of 16 rows: free, dear, inscribed, lethal, unknown.
+    auto picture = std::make_shared<std::string>("P5\n80 80\n255\n");
+    for (const int cost : {0, 60, 99, 100, 255}) *picture += std::string(80 * 16, char(cost));
+    costs.png = picture;
+    robot_->say(costs);
+    QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow) && scene_->picturesSettled());
+    const auto band = [this](int n) { return at(50, 10 + n * 16 + 8); };
+    QTRY_VERIFY(band(3) != kNearlyFree);
+    QCOMPARE(band(0), kNearlyFree);
+    QCOMPARE(band(4), kNearlyFree);
+    QVERIFY(qRed(band(1)) > qBlue(band(1)) + 30);
+    const std::set<QRgb> colours{band(0), band(1), band(2), band(3)};
+    QCOMPARE(colours.size(), std::size_t(4));
   }
 
   void lidarPointsAppearAndMove() {

@@ -432,6 +432,23 @@ class SessionMapsTest : public QObject {
     return {topic, std::make_shared<const std::vector<map::CloudPoint>>(3)};
   }
 
+  void aMapOfOccupancyIsReadAsItSays() {
+    make(true, true);
+    goOnline();
+    for (const map::GridKind kind : {map::GridKind::WholeMap, map::GridKind::CostmapLow}) {
+      map::GridMessage message = liveGrid(0, kind);
+      message.reading.mode = map::CellReading::Mode::Raw;
+      message.png = std::make_shared<const std::string>("P5\n40 40\n255\n" + std::string(1'600, char(42)));
+      robot_->say(message);
+    }
+    QTRY_COMPARE(shownGray(), 42);
+    QCOMPARE(session_->wholeMap().cells()->code(), grids::CellCode::Occupancy);
+    QTRY_VERIFY(session_->layerGrids().find(map::GridKind::CostmapLow));
+    const auto costs = session_->layerGrids().find(map::GridKind::CostmapLow)->picture.indices;
+    QCOMPARE(costs->code(), grids::CellCode::Occupancy);
+    QCOMPARE(int(costs->at(5, 5)), 42);
+  }
+
   void anotherSessionLeavesNothingOfTheOldFrame() {
     make(true, true);
     goOnline();
@@ -612,7 +629,8 @@ class SessionMapsTest : public QObject {
     QCOMPARE(robot_->lists.size(), std::size_t(1));
     auto replies = std::exchange(robot_->lists, {});
     replies[0](tl::make_unexpected(test::failed("The robot answered 500.")));
-    QCOMPARE(session_->catalogue().error(), QStringLiteral("The robot answered 500."));
+    QVERIFY(session_->catalogue().failure());
+    QCOMPARE(session_->catalogue().failure()->detail, std::string("The robot answered 500."));
     QCOMPARE(session_->catalogue().entries().size(), std::size_t(1));
     QCOMPARE(robot_->lists.size(), std::size_t(1));
   }
@@ -646,7 +664,7 @@ class SessionMapsTest : public QObject {
     goOnline();
     std::exchange(robot_->lists,
                   {})[0](tl::make_unexpected(test::failed("It broke off.", map::FailureKind::Unreachable)));
-    QCOMPARE(session_->catalogue().failure(), map::FailureKind::Unreachable);
+    QCOMPARE(session_->catalogue().failure()->kind, map::FailureKind::Unreachable);
     robot_->setPhase(robot::ConnectionPhase::Interrupted);
     goOnline();
     QCOMPARE(robot_->lists.size(), std::size_t(1));

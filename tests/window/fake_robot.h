@@ -226,7 +226,7 @@ class FakeRobot : public robot::Robot,
   void goAway(const QString& why) {
     robot::ConnectionState away;
     away.phase = robot::ConnectionPhase::Interrupted;
-    away.reason = why;
+    away.reason = map::said(why.toStdString());
     away.attempt = 2;
     away.retry_in_ms = 3000;
     setState(away);

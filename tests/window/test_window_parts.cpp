@@ -137,7 +137,7 @@ class TestWindowParts : public QObject {
     Bench bench;
     const QMenuBar& bar = *bench.open().menuBar();
     QCOMPARE(idsOf(menuCalled(bar, "&Robot")->actions()),
-             words("connect openFile * demo - retry disconnect - quit"));
+             words("connect openFile * demo - retry disconnect - startMapping stopMapping saveNewMap - quit"));
     QCOMPARE(idsOf(menuCalled(bar, "&Edit")->actions()),
              words("undo redo - save - waypointTool revertWaypoints"));
     QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()),

@@ -19,14 +19,16 @@ constexpr std::array<std::pair<Layer, GridKind>, 5> kGridLayers{
 render::GridPalette paletteOf(GridKind kind, const session::LayerGrid& grid, const MapTheme& theme) {
   if (!grid.picture.palette.empty()) return render::ownPalette(grid.picture.palette);
   const grids::GridPyramid& cells = *grid.picture.indices;
+  const bool occupancy = cells.code() == grids::CellCode::Occupancy;
   switch (kind) {
     case GridKind::Incremental:
-      return render::incrementalPalette(theme.map, grids::CellCode::Gray);
+      return render::incrementalPalette(theme.map, cells.code());
     case GridKind::EnvMatch:
     case GridKind::EnvSymmetry:
       return render::matchPalette(render::commonestByte(cells));
     default:
-      return render::costmapPalette(render::commonestByte(cells));
+      return occupancy ? render::occupancyCostPalette()
+                       : render::costmapPalette(render::commonestByte(cells));
   }
 }
 

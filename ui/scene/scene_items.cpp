@@ -185,10 +185,10 @@ bool SceneItems::placeRobot(const session::Session* session) {
 }
 
 void SceneItems::takeWaypoints(const session::Session* session) {
-  const auto take = [this](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
+  const auto take = [this, session](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
     features.waypoints.clear();
-    if (!on_screen || !slot.cells() || slot.shown().key.kind == map::MapKind::Live) return;
-    if (edited && edited->map == slot.shown().key) {
+    if (!on_screen || !slot.cells()) return;
+    if (edited && edited->map == session->placesOf(slot)) {
       features.waypoints = edited->points;
       return;
     }

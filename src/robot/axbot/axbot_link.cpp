@@ -12,6 +12,8 @@
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/stream_topics.h"
 #include "robot/wire/http_failure.h"
+#include "robot/wire/link_state.h"
+#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -45,25 +47,6 @@ QString memberText(const QJsonObject& object, std::initializer_list<const char*>
                             : QString();
 }
 
-map::FailureKind failureOf(net::WebSocketLink::Fault fault) {
-  using Fault = net::WebSocketLink::Fault;
-  switch (fault) {
-    case Fault::None:
-      break;
-    case Fault::Unreachable:
-      return map::FailureKind::Unreachable;
-    case Fault::TimedOut:
-      return map::FailureKind::TimedOut;
-    case Fault::Refused:
-      return map::FailureKind::Refused;
-    case Fault::NotAWebSocket:
-      return map::FailureKind::NotARobot;
-    case Fault::Certificate:
-      return map::FailureKind::Certificate;
-  }
-  return map::FailureKind::None;
-}
-
 QUrl socketUrl(const QUrl& base, bool binary) {
   QUrl url = base;
   url.setScheme(base.scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
@@ -76,7 +59,7 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
 
-AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox,
+AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
                      std::shared_ptr<wire::TapPlace> tap)
     : options_(std::move(options)), mailbox_(std::move(mailbox)), tap_(std::move(tap)) {}
 
@@ -91,12 +74,12 @@ void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
-    cache_->setTrouble([this](const QString& why) {
+    cache_->setTrouble([this](const net::Reason& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
                            {map::ReasonCode::AnswersNotKept,
                             {},
-                            {map::said(why.toStdString())},
+                            {wire::reasonOf(why)},
                             map::Consequence::AskedAgainEachTime}});
     });
   }
@@ -214,8 +197,8 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    Q_EMIT problemFound(
-        problem(map::Severity::Info, {map::ReasonCode::DoesNotSayWhatItIs, {answer.sentence.toStdString()}}));
+    Q_EMIT problemFound(problem(map::Severity::Info,
+                                {map::ReasonCode::DoesNotSayWhatItIs, {}, {wire::reasonOf(answer.reason)}}));
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -318,7 +301,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
     topics_confirmed_ = true;
     list_timer_->stop();
   }
-  const bool by_mail = TopicMailbox::takes(message);
+  const bool by_mail = wire::TopicMailbox::takes(message);
   map::StampedMessage stamped{std::move(message), options_.wall_s(), std::nullopt, topic};
   if (!by_mail) {
     Q_EMIT topicReceived(stamped);
@@ -405,7 +388,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   } else {
     answer.key = key;
     answer.bytes = std::size_t(http.body.size());
-    answer.reason = map::said(http.sentence.toStdString());
+    answer.reason = wire::reasonOf(http.reason);
     answer.failure = wire::failureOf(http);
     answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
                      : http.status == 404                          ? Outcome::NotFound
@@ -428,12 +411,11 @@ void AxbotLink::cancelAll() {
   for (const auto& [ticket, fetch] : under_way_) http_->cancel(fetch.request);
 }
 
-QString AxbotLink::whyNot() const {
-  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return socket_->reason();
-  return tr("something answers at %1:%2, but not as an Autoxing robot: %3. Check the address and the port.")
-      .arg(options_.base.host())
-      .arg(options_.base.port())
-      .arg(socket_->reason());
+map::Reason AxbotLink::whyNot() const {
+  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return wire::reasonOf(socket_->reason());
+  const std::string host =
+      QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port()).toStdString();
+  return {map::ReasonCode::NoAutoxingRobotThere, {host}, {wire::reasonOf(socket_->reason())}};
 }
 
 void AxbotLink::trust(const QByteArray& pinned_sha256) {
@@ -445,33 +427,8 @@ void AxbotLink::trust(const QByteArray& pinned_sha256) {
 }
 
 void AxbotLink::publishState() {
-  using State = net::WebSocketLink::State;
-  ConnectionState state;
-  state.reason = whyNot();
-  state.failure = failureOf(socket_->fault());
-  if (const auto fault = socket_->certificate()) state.certificate = wire::untrusted(*fault);
-  state.attempt = socket_->attempt();
-  state.retry_in_ms = socket_->retryInMs();
-  state.round_trip_ms = socket_->roundTripMs();
-  switch (socket_->state()) {
-    case State::Open:
-      state.phase = ConnectionPhase::Online;
-      state.reason.clear();
-      state.failure = map::FailureKind::None;
-      break;
-    case State::Connecting:
-      state.phase = state.attempt <= 1 ? ConnectionPhase::Connecting : ConnectionPhase::Interrupted;
-      break;
-    case State::Waiting:
-      state.phase = ConnectionPhase::Interrupted;
-      break;
-    case State::Closed:
-      state.phase = wanted_ ? ConnectionPhase::Refused : ConnectionPhase::Offline;
-      if (!wanted_) state.reason.clear();
-      if (wanted_ && (socket_->handshakeStatus() == 401 || socket_->handshakeStatus() == 403))
-        state.failure = map::FailureKind::Refused;
-      break;
-  }
+  ConnectionState state = wire::stateOf(*socket_, wanted_);
+  if (state.reason.any()) state.reason = whyNot();
   Q_EMIT stateChanged(state);
 }
 

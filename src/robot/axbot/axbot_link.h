@@ -22,10 +22,11 @@
 #include "robot/axbot/map_requests.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/raw_messages.h"
-#include "robot/axbot/topic_mailbox.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/robot.h"
+#include "robot/wire/raw_limit.h"
 #include "robot/wire/tap_place.h"
+#include "robot/wire/topic_mailbox.h"
 
 namespace mapwright::robot::axbot {
 
@@ -52,7 +53,8 @@ class AxbotLink : public QObject {
   Q_OBJECT
  public:
   /// Large messages go into `mailbox`, frames to whoever sits in `tap`: both are shared with others.
-  AxbotLink(LinkOptions options, std::shared_ptr<TopicMailbox> mailbox, std::shared_ptr<wire::TapPlace> tap);
+  AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
+            std::shared_ptr<wire::TapPlace> tap);
   ~AxbotLink() override;
 
   void open();
@@ -99,17 +101,17 @@ class AxbotLink : public QObject {
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
-  QString whyNot() const;
+  map::Reason whyNot() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
   map::Problem problem(map::Severity severity, map::Reason reason) const;
 
   LinkOptions options_;
-  std::shared_ptr<TopicMailbox> mailbox_;
+  std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
   std::set<std::string> unreadable_topics_;  // whose last message could not be read
-  RawLimit raw_limit_;
+  wire::RawLimit raw_limit_;
   QElapsedTimer clock_;
   std::unique_ptr<net::HttpCache> cache_;
   std::unique_ptr<net::HttpClient> http_;

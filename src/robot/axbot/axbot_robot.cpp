@@ -10,7 +10,7 @@ namespace mapwright::robot::axbot {
 AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
-      mailbox_(std::make_shared<TopicMailbox>()),
+      mailbox_(std::make_shared<wire::TopicMailbox>()),
       tap_(std::make_shared<wire::TapPlace>()),
       link_(new AxbotLink(std::move(options), mailbox_, tap_)),
       submaps_({this, link_}),

@@ -36,7 +36,7 @@ class AxbotRobot : public Robot {
   void takeMail();
 
   QString address_;
-  std::shared_ptr<TopicMailbox> mailbox_;
+  std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
   QThread thread_;
   AxbotLink* link_;  // lives on thread_, deleted when it ends

@@ -70,16 +70,4 @@ RawMessage rawBinary(std::string_view bytes) {
   return message;
 }
 
-bool RawLimit::allow(qint64 now_ms, qint64 bytes) {
-  if (now_ms / 1000 != second_) {
-    second_ = now_ms / 1000;
-    messages_ = 0;
-    bytes_ = 0;
-  }
-  if (messages_ >= kMessages || bytes_ >= kBytes) return false;
-  ++messages_;
-  bytes_ += std::min<qint64>(bytes, kMaxRawText);
-  return true;
-}
-
 }  // namespace mapwright::robot::axbot

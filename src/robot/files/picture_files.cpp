@@ -8,11 +8,12 @@
 namespace mapwright::robot::files {
 namespace {
 
-map::Failure failure(const map::MapKey& key, const QString& path, map::FailureKind kind) {
+map::Failure failure(const map::MapKey& key, const QString& path, map::FailureKind kind, map::Reason cause) {
   map::Failure failed;
   failed.kind = kind;
   failed.subject = map::subjectOf(key, QFileInfo(path).fileName().toStdString());
   failed.asked_for = map::AskedFor::Change;
+  failed.cause = std::move(cause);
   failed.reason = map::FailureReason::Unfit;
   return failed;
 }
@@ -23,22 +24,17 @@ PictureFiles::PictureFiles(FileOptions options) : options_(std::move(options)) {
 
 Outcome<PictureReceipt> PictureFiles::write(const PictureChange& change) {
   const QString path = mapPathOf(options_.path, change.map);
-  const auto fails = [&](map::FailureKind kind, map::Reason cause, std::string detail = {}) {
-    map::Failure failed = failure(change.map, path, kind);
-    failed.cause = std::move(cause);
-    failed.detail = std::move(detail);
-    return tl::make_unexpected(std::move(failed));
+  const auto fails = [&](map::FailureKind kind, map::Reason cause) {
+    return tl::make_unexpected(failure(change.map, path, kind, std::move(cause)));
   };
-  if (path.isEmpty())
-    return fails(map::FailureKind::RejectedByRobot,
-                 {map::ReasonCode::NoSuchFile, {options_.path.toStdString()}});
+  if (path.isEmpty()) return fails(map::FailureKind::RejectedByRobot, map::ReasonCode::NoSuchMap);
   const disk::FolderLock lock(QFileInfo(path).absolutePath().toStdString());
   const auto now = readLocalMap(path, options_.place, yamls_);
   if (!now) return fails(map::FailureKind::MalformedAnswer, now.error());
   if (now->fingerprint != change.revision)
-    return fails(map::FailureKind::Conflict, {}, now->path + " has changed on disk meanwhile.");
+    return fails(map::FailureKind::Conflict, {map::ReasonCode::FileChanged, {now->path}});
   if (auto trouble = grids::rewritePicture(*change.cells, now->path, now->reading))
-    return fails(map::FailureKind::RejectedByRobot, {}, std::move(*trouble));
+    return fails(map::FailureKind::RejectedByRobot, std::move(*trouble));
   const auto written = readLocalMap(path, options_.place, yamls_);
   return PictureReceipt{written ? written->fingerprint : std::string()};
 }

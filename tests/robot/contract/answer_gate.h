@@ -30,8 +30,12 @@ class AnswerGate {
   void passOnly(const QByteArray& beginning) { passed_ = beginning; }
   /// The robot's answers break off after so many bytes.
   void cutAfter(qint64 bytes) { cut_after_ = bytes; }
-  /// Nobody is there any more.
-  void close() { server_.close(); }
+  /// Nobody is there any more, for those who are connected neither.
+  void close() {
+    server_.close();
+    const auto askers = server_.findChildren<QTcpSocket*>(QString(), Qt::FindDirectChildrenOnly);
+    for (QTcpSocket* asker : askers) asker->abort();
+  }
   /// How many questions came that begin so.
   int count(const QByteArray& beginning) const {
     return int(std::count_if(questions_.begin(), questions_.end(),

@@ -12,18 +12,20 @@
 #include <QNetworkAccessManager>
 #include <QNetworkReply>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include "answer_gate.h"
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/files/file_robot.h"
 #include "robot/map_administration.h"
+#include "robot/ros/ros_robot.h"
 #include "robot/waypoint_store.h"
 #include "simulator/simulator.h"
 
 namespace mapwright::robot::testing {
 
-enum class Adapter { Axbot, Aimdk, Files };
+enum class Adapter { Axbot, Aimdk, Ros, Kabam, Files };
 
 /// How a question of whatever kind ended: nullopt = in its value.
 using Ended = std::optional<map::Failure>;
@@ -50,15 +52,23 @@ class Bench {
       simulator::Options options;
       options.paused = true;
       options.faults = faults;
+      options.ros.kabam = adapter == Adapter::Kabam;
       robot_itself = std::make_unique<simulator::Simulator>(options);
       (void)robot_itself->start();
       const bool axbot = adapter == Adapter::Axbot;
-      gate = std::make_unique<AnswerGate>(axbot ? robot_itself->port() : robot_itself->aimdkPort());
+      gate = std::make_unique<AnswerGate>(overRosbridge() ? robot_itself->rosPort()
+                                          : axbot         ? robot_itself->port()
+                                                          : robot_itself->aimdkPort());
       key = {map::MapKind::Stored, axbot ? "2" : "1764059676131"};
+      if (adapter == Adapter::Ros) key = {map::MapKind::Live, {}};
       unknown = {map::MapKind::Stored, axbot ? "99" : "17"};
     }
     make();
+    if (adapter == Adapter::Kabam) findCurrentMap();
   }
+
+  /// It tells by itself what it is asked for, so much is at hand without a question.
+  bool overRosbridge() const { return adapter_ == Adapter::Ros || adapter_ == Adapter::Kabam; }
 
   /// What the simulated Autoxing robot calls a map, asked behind the adapter's back.
   class Name {
@@ -85,6 +95,15 @@ class Bench {
       files::FileOptions options;
       options.path = folder_.path();
       robot = std::make_unique<files::FileRobot>(QStringLiteral("file:test"), options);
+      return;
+    }
+    if (overRosbridge()) {
+      ros::LinkOptions options;
+      options.url = QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(gate->port()));
+      options.kabam_only = adapter_ == Adapter::Kabam;
+      robot = std::make_unique<ros::RosRobot>(QStringLiteral("ros+test"), options);
+      robot->connectToRobot();
+      (void)QTest::qWaitFor([this] { return robot->connection().phase == ConnectionPhase::Online; }, 30'000);
       return;
     }
     const QUrl base(QStringLiteral("http://127.0.0.1:%1").arg(gate->port()));
@@ -153,6 +172,17 @@ class Bench {
   std::unique_ptr<Robot> robot;
 
  private:
+  void findCurrentMap() {
+    bool told = false;
+    robot->mapCatalogue()->list([&](const Outcome<std::vector<map::CatalogueEntry>>& entries) {
+      told = true;
+      for (const map::CatalogueEntry& entry : entries.value_or(std::vector<map::CatalogueEntry>{})) {
+        if (entry.is_current) key = entry.key;
+      }
+    });
+    (void)QTest::qWaitFor([&] { return told; }, 30'000);
+  }
+
   Adapter adapter_;
   QTemporaryDir folder_;
 };

@@ -6,7 +6,7 @@
 
 #include "sentences/obstacle_sentence.h"
 #include "window/current_session.h"
-#include "window/look/icons.h"
+#include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
 #include "window/status/status_text.h"
@@ -82,7 +82,8 @@ void AdministrationController::fillMenu(QMenu* menu, const map::MapKey& key) {
     if (std::exchange(first, false)) menu->addSeparator();
     QAction* const action = menu->addAction(entry.text, this, [this, change = entry.change, key] {
       session::Session* const now = context_.current.session();
-      if (const map::CatalogueEntry* const map = now ? now->catalogue().find(key) : nullptr) ask(change, map);
+      if (const map::CatalogueEntry* const entry_now = now ? now->catalogue().find(key) : nullptr)
+        ask(change, entry_now);
     });
     action->setEnabled(!obstacle);
     if (obstacle) action->setToolTip(plainToolTip(sentences::whyNotNow(entry.change, *obstacle)));
@@ -125,8 +126,8 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
               QMetaObject::invokeMethod(
                   this,
                   [this] {
-                    const robot::MapAdministration* const robots = maps();
-                    if (robots && !robots->obstacle(MapChange::Save, nullptr)) ask(MapChange::Save, nullptr);
+                    const robot::MapAdministration* const still = maps();
+                    if (still && !still->obstacle(MapChange::Save, nullptr)) ask(MapChange::Save, nullptr);
                   },
                   Qt::QueuedConnection);
             }

@@ -7,6 +7,7 @@
 
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -169,7 +170,8 @@ void PictureController::keepDraft() {
   if (!drafts_) return;
   const bool unsaved = editing_.unsaved();
   if (const auto trouble = drafts_->keep(); trouble && unsaved)
-    context_.overlay.toasts()->add(Mark::Bad, tr("The changes of the map are lost. %1").arg(*trouble));
+    context_.overlay.toasts()->add(
+        Mark::Bad, tr("The changes of the map are lost. %1").arg(sentences::wordsOf(*trouble)));
   drafts_.reset();
 }
 
@@ -342,7 +344,7 @@ void PictureController::answer(int button) {
     then();
   } else if (button == kKeep && drafts_) {
     if (const auto trouble = drafts_->keep()) {
-      context_.overlay.toasts()->add(Mark::Bad, *trouble);
+      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
     } else {
       may_leave_ = true;
       then();

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sentences/reason_sentence.h"
 #include "window/picture/picture_text.h"
 
 namespace mapwright::window {
@@ -43,12 +44,12 @@ PictureDrafts::Found PictureDrafts::look(const QString& folder, const edit::Draf
                                          const picture::EditedGrid& grid) {
   Found found;
   edit::LeftDrafts left = edit::leftDrafts(folder, of);
-  for (const std::string& note : left.notes) found.remarks << QString::fromStdString(note);
+  for (const map::Reason& note : left.notes) found.remarks << sentences::wordsOf(note);
   for (edit::LeftDraft& file : left.drafts) {
     auto draft = pictureDraftFrom(file.bytes);
     const auto taken = draft ? takeDraft(*draft, grid) : std::nullopt;
     if (!taken) {
-      found.remarks << QString::fromStdString(edit::setAside(std::move(file)));
+      found.remarks << sentences::wordsOf(edit::setAside(std::move(file)));
     } else if (taken->cells == 0) {
       edit::removeDraft(std::move(file));  // it has been saved all the same
     } else {
@@ -64,11 +65,12 @@ QString PictureDrafts::offer() const {
 }
 
 QString PictureDrafts::trouble() const {
-  if (keeper_.trouble().isEmpty()) return {};
-  return tr("Changes of the map are not kept safe: save them soon. %1").arg(keeper_.trouble());
+  if (!keeper_.trouble().any()) return {};
+  return tr("Changes of the map are not kept safe: save them soon. %1")
+      .arg(sentences::wordsOf(keeper_.trouble()));
 }
 
-std::optional<QString> PictureDrafts::keep() {
+std::optional<map::Reason> PictureDrafts::keep() {
   const auto trouble = keeper_.flush();
   forgetTakenUp();
   return trouble;
@@ -76,7 +78,7 @@ std::optional<QString> PictureDrafts::keep() {
 
 void PictureDrafts::forgetTakenUp() {
   // Only when it is kept elsewhere.
-  if (!keeper_.trouble().isEmpty()) return;
+  if (keeper_.trouble().any()) return;
   for (edit::LeftDraft& file : std::exchange(taken_up_, {})) edit::removeDraft(std::move(file));
 }
 
@@ -98,7 +100,7 @@ void PictureDrafts::takeUp() {
 void PictureDrafts::turnDown() {
   if (!offered()) return;
   if (const auto trouble = edit::removeDraft(std::move(left_.front().file)))
-    Q_EMIT remarked(QString::fromStdString(*trouble));
+    Q_EMIT remarked(sentences::wordsOf(*trouble));
   left_.erase(left_.begin());
   Q_EMIT changed();
 }

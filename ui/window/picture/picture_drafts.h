@@ -24,8 +24,8 @@ class PictureDrafts : public QObject {
 
   /// Something has changed.
   void touch() { keeper_.touch(); }
-  /// What is not saved is on disk now; else why not, a sentence.
-  std::optional<QString> keep();
+  /// What is not saved is on disk now; else why not.
+  std::optional<map::Reason> keep();
   /// Why it is not on disk; empty = nothing is wrong.
   QString trouble() const;
 

@@ -9,6 +9,7 @@
 #include "scene/drawn_waypoint.h"
 #include "scene/layer_item.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
@@ -109,11 +110,19 @@ void WaypointsController::addActions() {
 }
 
 void WaypointsController::setSession(session::Session* session) {
-  if (session_) session_->wholeMap().disconnect(this);
+  if (session_) {
+    session_->wholeMap().disconnect(this);
+    session_->catalogue().disconnect(this);
+    session_->robot().disconnect(this);
+  }
   closeList();
   session_ = session;
-  if (session_)
+  if (session_) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &WaypointsController::syncMap);
+    // Which map the robot works with, and what can be done with its waypoints.
+    connect(&session_->catalogue(), &session::Catalogue::changed, this, &WaypointsController::syncMap);
+    connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &WaypointsController::syncMap);
+  }
   syncMap();
   refresh();
 }
@@ -121,9 +130,11 @@ void WaypointsController::setSession(session::Session* session) {
 void WaypointsController::syncMap() {
   const session::MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
   std::optional<map::MapKey> key;
-  if (slot && slot->cells() && slot->shown().key.kind != map::MapKind::Live) key = slot->shown().key;
+  if (slot && slot->cells()) key = session_->placesOf(*slot);
   if (slot && slot->cells()) editing_.setCell(slot->reference().resolution_m);
-  if (key != open_map_) {
+  const bool store_went = list_ && session_ && !session_->robot().waypointStore();
+  const bool store_came = !list_ && key && session_->robot().waypointStore();
+  if (key != open_map_ || store_went || store_came) {
     closeList();
     open_map_ = key;
     if (key && session_->robot().waypointStore()) openList(*key);
@@ -137,8 +148,9 @@ void WaypointsController::openList(const map::MapKey& key) {
                                                 session_->robot().address(), context_.edit);
   connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::noteSaving);
   connect(list_.get(), &edit::OpenWaypoints::draftTroubleChanged, this, &WaypointsController::refresh);
-  connect(list_.get(), &edit::OpenWaypoints::remarked, this,
-          [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
+  connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const map::Reason& remark) {
+    context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
+  });
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
     if (list_->submission().done() > 0)
       context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
@@ -189,7 +201,8 @@ void WaypointsController::closeList() {
     list_->robotGone();
     // What is not saved stays as a draft; where that is impossible somebody has to know.
     if (const auto trouble = list_->unsaved() ? list_->keepDraft() : std::nullopt)
-      context_.overlay.toasts()->add(Mark::Bad, tr("The changes of waypoints are lost. %1").arg(*trouble));
+      context_.overlay.toasts()->add(
+          Mark::Bad, tr("The changes of waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
     list_->disconnect(this);
     list_->document().disconnect(this);
     list_.reset();
@@ -288,16 +301,19 @@ void WaypointsController::refresh() {
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   revert_action_->setEnabled(unsaved());
   refreshNotice();
-  if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
+  const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
+  was_unsaved_ = unsaved();
+  could_save_ = maySave();
+  if (changed) Q_EMIT unsavedChanged();
 }
 
 void WaypointsController::refreshNotice() {
   NoticeBar* const notice = context_.overlay.editNotice();
-  if (list_ && !list_->draftTrouble().isEmpty()) {
-    return notice->setNotice(
-        Mark::Bad,
-        tr("Changes of waypoints are not kept safe: save them soon. %1").arg(list_->draftTrouble()),
-        tr("Show"));
+  if (list_ && list_->draftTrouble().any()) {
+    return notice->setNotice(Mark::Bad,
+                             tr("Changes of waypoints are not kept safe: save them soon. %1")
+                                 .arg(sentences::wordsOf(list_->draftTrouble())),
+                             tr("Show"));
   }
   if (list_ && !list_->offered().empty()) {
     notice->setNotice(Mark::Warning, offerText(list_->offered().front(), context_.edit.now()), tr("Restore"));
@@ -326,6 +342,8 @@ void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
   if (!point || !editing_.editable()) return;
   const QPointF at = scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m));
   if (!QRectF(context_.view.viewport()->rect()).contains(at)) context_.view.lookAt(point->position_m, false);
+  // All that is typed is one step, and one with what made the waypoint.
+  if (gesture == 0) gesture = editing_.newGesture();
   name_editor_->ask(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)),
                     QString::fromStdString(point->name),
                     [this, key, gesture](const QString& name) { editing_.rename(key, name, gesture); });
@@ -390,7 +408,7 @@ void WaypointsController::answer(int button) {
     then();
   } else if (button == kKeep) {
     if (const auto trouble = list_->keepDraft()) {
-      context_.overlay.toasts()->add(Mark::Bad, *trouble);
+      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
     } else {
       may_leave_ = true;
       then();

@@ -1,6 +1,6 @@
-#include "robot/axbot/topic_mailbox.h"
+#include "robot/wire/topic_mailbox.h"
 
-namespace mapwright::robot::axbot {
+namespace mapwright::robot::wire {
 namespace {
 
 std::string slotOf(const map::TopicMessage& message) {
@@ -36,4 +36,4 @@ std::vector<map::StampedMessage> TopicMailbox::take() {
   return messages;
 }
 
-}  // namespace mapwright::robot::axbot
+}  // namespace mapwright::robot::wire

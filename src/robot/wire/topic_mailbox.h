@@ -8,7 +8,7 @@
 
 #include "map/stamped_message.h"
 
-namespace mapwright::robot::axbot {
+namespace mapwright::robot::wire {
 
 /// Holds the latest message of each topic until it is taken: what comes faster than it can be shown replaces
 /// what was not taken yet. Thread-safe.
@@ -29,4 +29,4 @@ class TopicMailbox {
   std::map<std::string, map::StampedMessage> latest_;  // by topic
 };
 
-}  // namespace mapwright::robot::axbot
+}  // namespace mapwright::robot::wire

@@ -1,0 +1,202 @@
+#include "app/simulate_options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+
+#include "simulator/simulator.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(SimulateOptions)
+};
+
+/// What --help says, as CLI11 takes it.
+std::string help(const QString& text) { return text.toStdString(); }
+
+void addRosRobot(CLI::App& command, simulator::RosOptions& o) {
+  command.add_option("--ros-port", o.port, help(Words::tr("Port of the ROS robot, 0 = a free one")))
+      ->capture_default_str();
+  command
+      .add_option("--ros-dialect", o.dialect,
+                  help(Words::tr("ros1 or ros2: names of types, times and headers")))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, simulator::RosDialect>{
+          {"ros1", simulator::RosDialect::Ros1}, {"ros2", simulator::RosDialect::Ros2}}));
+  command
+      .add_option("--ros-writer", o.writer,
+                  help(Words::tr("How JSON is written: escaped (\\/ and \\uXXXX), spaced or plain")))
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, simulator::RosWriter>{{"escaped", simulator::RosWriter::Escaped},
+                                                      {"spaced", simulator::RosWriter::Spaced},
+                                                      {"plain", simulator::RosWriter::Plain}}));
+  command.add_flag("!--no-rosapi", o.rosapi, help(Words::tr("The ROS robot has no /rosapi")));
+  command.add_flag("!--no-kabam", o.kabam, help(Words::tr("The ROS robot has no /map_manager")));
+  command.add_flag("--ros-status", o.status, help(Words::tr("Tell of mistakes in status messages")));
+  command.add_flag("--ros-needs-auth", o.needs_auth,
+                   help(Words::tr("Cut who says anything before a whole auth message")));
+  command
+      .add_option("--waypoints", o.waypoints,
+                  help(Words::tr("How many waypoints the ROS robot's current map has")))
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str();
+  command.add_flag("--kabam-list-holds-archived", o.kabam_list_holds_archived,
+                   help(Words::tr("map_list names archived maps, too")));
+  command.add_flag("--kabam-needs-flags", o.kabam_needs_flags,
+                   help(Words::tr("Nothing is deleted without delete_map or delete_waypoint")));
+  command.add_flag("--kabam-empty-tags-keep", o.kabam_empty_tags_keep,
+                   help(Words::tr("An update with an empty list of tags leaves them as they are")));
+}
+
+void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
+  const std::string faults = help(Words::tr("Faults of the ROS robot"));
+  const auto count = [&](const char* name, int& value, const std::string& what, int limit) {
+    command.add_option(name, value, what)->check(CLI::Range(0, limit))->group(faults);
+  };
+  const auto flag = [&](const char* name, bool& value, const std::string& what) {
+    command.add_flag(name, value, what)->group(faults);
+  };
+  const auto names = [&](const char* name, std::vector<std::string>& value, const std::string& what) {
+    command.add_option(name, value, what)->allow_extra_args(false)->group(faults);
+  };
+  count("--ros-slow", f.slow_ms, help(Words::tr("Delay of every answer to a call, milliseconds")), 600'000);
+  flag("--ros-shuffle", f.shuffled_answers,
+       help(Words::tr("Every second answer is overtaken by those after it")));
+  names("--ros-silent", f.silent, help(Words::tr("A topic that never says anything; may be repeated")));
+  flag("--ros-wrong-type", f.wrong_type, help(Words::tr("/map, /scan and /odom are of std_msgs/String")));
+  count("--ros-fragments", f.fragment_bytes, help(Words::tr("Send texts in fragments of so many characters")),
+        100'000'000);
+  count("--ros-restart-every", f.restart_every_s,
+        help(Words::tr("Cut all connections to the ROS robot every so many seconds")), 86'400);
+  names("--ros-refuse", f.refuse,
+        help(Words::tr("A service that answers result:false and does nothing; may be repeated")));
+  names("--ros-lose-answer", f.lose_answer,
+        help(Words::tr("A service that does its work and never answers; may be repeated")));
+  names("--ros-cut-after", f.cut_after,
+        help(Words::tr("A service that does its work, and then the connection is cut; may be repeated")));
+  flag("--ros-garbage", f.garbage, help(Words::tr("Frames that are no messages come between the others")));
+  count("--other-operator", f.other_operator_every_s,
+        help(Words::tr("Somebody else changes waypoints and maps every so many seconds")), 86'400);
+  flag("--nan-pose", f.nan_pose, help(Words::tr("Poses, transforms and some waypoints are not numbers")));
+  flag("--zero-quaternion", f.zero_quaternion,
+       help(Words::tr("Orientations are all zeros or not of length one")));
+  flag("--tf-loop", f.tf_loop, help(Words::tr("/tf has a loop")));
+  flag("--big-endian-cloud", f.big_endian_cloud, help(Words::tr("/points is big-endian")));
+}
+
+}  // namespace
+
+void addSimulate(CLI::App& cli, SimulateWords& words) {
+  std::string scenes;
+  for (const auto& [name, sentence] : simulator::sceneNames()) scenes += (scenes.empty() ? "" : ", ") + name;
+  CLI::App* command = cli.add_subcommand("simulate", help(Words::tr("Serve a simulated robot on 127.0.0.1")));
+  simulator::Options& o = words.options;
+  command->add_option("--port", o.port, help(Words::tr("Port of the Autoxing robot, 0 = a free one")))
+      ->capture_default_str();
+  command
+      ->add_option("--aimdk-port", o.aimdk_port, help(Words::tr("Port of the Agibot robot, 0 = a free one")))
+      ->capture_default_str();
+  command->add_option("--scene", o.scene, help(Words::tr("One of: %1").arg(QString::fromStdString(scenes))))
+      ->capture_default_str()
+      ->check([](const std::string& s) {
+        for (const auto& [name, sentence] : simulator::sceneNames()) {
+          if (name == s) return std::string();
+        }
+        return help(Words::tr("there is no scene \"%1\"").arg(QString::fromStdString(s)));
+      });
+  command
+      ->add_option(
+          "--submaps", o.submaps,
+          help(Words::tr(
+              "About how many submaps (0 = as the scene has); beyond 20,000 they share 256 pictures")))
+      ->check(CLI::Range(0, 100'000));
+  command->add_option("--seed", o.seed, help(Words::tr("Everything random follows from this")))
+      ->capture_default_str();
+  command->add_option("--speed", o.speed, help(Words::tr("Simulated seconds per second")))
+      ->check(CLI::Range(0.0, 1000.0));
+  command->add_option("--start-at", o.start_at_s, help(Words::tr("Simulated time at start, seconds")))
+      ->check(CLI::Range(0.0, 1e6));
+  command->add_flag("--paused", o.paused, help(Words::tr("Let simulated time stand still")));
+  command->add_option(
+      "--secret-file", words.secret_file,
+      help(Words::tr("File that holds the secret without which the Autoxing robot answers 401")));
+  command->add_flag("!--no-topic-lists", o.enable_topic_list,
+                    help(Words::tr("Understand enable_topic one by one only")));
+  command->add_flag("!--no-binary", o.binary_topics, help(Words::tr("Ignore ?pb=1")));
+  command->add_option("--points", o.points_per_scan, help(Words::tr("Lidar points in a scan")))
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--scan-hz", o.scan_hz, help(Words::tr("Scans per second")))
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command->add_option("--pose-hz", o.pose_hz, help(Words::tr("Poses per second")))
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--costmap-cells", o.costmap_cells,
+                   help(Words::tr("Edge of the costmaps around the robot, cells")))
+      ->check(CLI::Range(20, 4000))
+      ->capture_default_str();
+  simulator::Faults& f = o.faults;
+  const std::string faults = help(Words::tr("Faults"));
+  const auto rate = [&](const char* name, double& value, const std::string& what) {
+    command->add_option(name, value, what)->check(CLI::Range(0.0, 1.0))->group(faults);
+  };
+  const auto count = [&](const char* name, int& value, const std::string& what, int limit) {
+    command->add_option(name, value, what)->check(CLI::Range(0, limit))->group(faults);
+  };
+  count("--latency-ms", f.latency_ms, help(Words::tr("Delay of every submap answer")), 600'000);
+  count("--jitter-ms", f.jitter_ms, help(Words::tr("Random addition to the delay")), 600'000);
+  rate("--drop-rate", f.drop_rate, help(Words::tr("Share of submap requests dropped without an answer")));
+  rate("--truncate-rate", f.truncate_rate, help(Words::tr("Share of answers cut off half-way")));
+  rate("--wrong-size-rate", f.wrong_size_rate,
+       help(Words::tr("Share of answers whose width and height do not fit the cells")));
+  rate("--corrupt-rate", f.corrupt_rate, help(Words::tr("Share of answers that are garbage")));
+  rate("--error-rate", f.error_rate, help(Words::tr("Share of answers with --error-status")));
+  command->add_option("--error-status", f.error_status, help(Words::tr("HTTP status of those errors")))
+      ->check(CLI::IsMember({400, 404, 500, 502, 504}))
+      ->group(faults);
+  rate("--status-code-rate", f.status_code_rate,
+       help(Words::tr("Share of HTTP 200 answers whose own status is an error")));
+  count("--websocket-drop-every", f.websocket_drop_every_s,
+        help(Words::tr("Cut the WebSocket every so many seconds")), 86'400);
+  count("--uuid-change-every", f.uuid_change_every_s, help(Words::tr("Restart SLAM every so many seconds")),
+        86'400);
+  command
+      ->add_flag("--bad-entries", f.bad_entries,
+                 help(Words::tr("List NaN poses, zero quaternions, duplicates, versions going back")))
+      ->group(faults);
+  command
+      ->add_flag("--silent-websocket", f.silent_websocket,
+                 help(Words::tr("Accept the WebSocket, then say nothing")))
+      ->group(faults);
+  count("--write-latency-ms", f.write_latency_ms,
+        help(Words::tr("Delay of every answer to POST, PUT, PATCH and DELETE")), 600'000);
+  rate("--write-error-rate", f.write_error_rate,
+       help(Words::tr("Share of those that change nothing and get 500, 502 or 503")));
+  rate("--drop-writes", f.drop_writes,
+       help(Words::tr("Share of those that change nothing and get no answer")));
+  rate("--lose-write-answers", f.lose_write_answers,
+       help(Words::tr("Share of those that are carried out but get no answer")));
+  count("--map-latency-ms", f.map_latency_ms, help(Words::tr("Delay of every answer about maps")), 600'000);
+  const auto flag = [&](const char* name, bool& value, const std::string& what) {
+    command->add_flag(name, value, what)->group(faults);
+  };
+  flag("--truncated-maps", f.truncated_maps, help(Words::tr("Cut every map's PNG in half")));
+  flag("--lying-map-size", f.lying_map_size,
+       help(Words::tr("Every map's PNG declares 60,000 x 60,000 pixels")));
+  flag("--foreign-data-url", f.foreign_data_url, help(Words::tr("data_url points to another host")));
+  flag("--garbage-base64", f.garbage_base64, help(Words::tr("Pictures in topics are no base64")));
+  flag("--map-list-error", f.map_list_error, help(Words::tr("Answer 500 for the list of maps")));
+  command
+      ->add_option("--grid-fault", f.grid_fault,
+                   help(Words::tr("What is wrong with every map's place and resolution")))
+      ->check(CLI::IsMember({"zero-resolution", "negative-resolution", "no-resolution", "no-origin"}))
+      ->group(faults);
+  addRosRobot(*command, o.ros);
+  addRosFaults(*command, f.ros);
+}
+
+}  // namespace mapwright::app

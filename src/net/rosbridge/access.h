@@ -1,0 +1,94 @@
+// How the readers of this folder make fields. Nobody else's business.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <simdjson.h>
+
+#include "net/rosbridge/cbor_item.h"
+#include "net/rosbridge/field.h"
+
+namespace mapwright::net::rosbridge {
+
+struct Access {
+  static Field ofJson(const simdjson::dom::element& element) {
+    Field field;
+    if (!element.is_null()) {
+      field.kind_ = Field::Kind::Json;
+      field.raw_ = std::bit_cast<std::array<std::uint64_t, 2>>(element);
+    }
+    return field;
+  }
+  static simdjson::dom::element json(const Field& field) {
+    return std::bit_cast<simdjson::dom::element>(field.raw_);
+  }
+  static Field ofWhole(std::int64_t value) {
+    Field field;
+    field.kind_ = Field::Kind::Integer;
+    field.raw_[0] = std::uint64_t(value);
+    return field;
+  }
+  static Field ofReal(double value) {
+    Field field;
+    if (std::isfinite(value)) {
+      field.kind_ = Field::Kind::Real;
+      field.raw_[0] = std::bit_cast<std::uint64_t>(value);
+    }
+    return field;
+  }
+  static Field ofNumber(const std::variant<std::int64_t, double>& number) {
+    const auto* whole = std::get_if<std::int64_t>(&number);
+    return whole != nullptr ? ofWhole(*whole) : ofReal(std::get<double>(number));
+  }
+  /// The item at `at` of bytes that lookThrough() found whole.
+  static Field ofCbor(const std::uint8_t* at, const std::uint8_t* end) {
+    const CborItem item = CborItem::at(at, end);
+    if (item.type == CborItem::Type::Whole) return ofWhole(item.whole);
+    if (item.type == CborItem::Type::Real) return ofReal(item.real);
+    Field field;
+    if (item.type != CborItem::Type::Null) {
+      field.kind_ = Field::Kind::Cbor;
+      field.raw_ = {std::uint64_t(reinterpret_cast<std::uintptr_t>(at)),
+                    std::uint64_t(reinterpret_cast<std::uintptr_t>(end))};
+    }
+    return field;
+  }
+  static const std::uint8_t* cborEnd(const Field& field) {
+    return reinterpret_cast<const std::uint8_t*>(std::uintptr_t(field.raw_[1]));
+  }
+  static CborItem cbor(const Field& field) {
+    return CborItem::at(reinterpret_cast<const std::uint8_t*>(std::uintptr_t(field.raw_[0])), cborEnd(field));
+  }
+  static bool isCbor(const Field& field) { return field.kind_ == Field::Kind::Cbor; }
+  static bool isJson(const Field& field) { return field.kind_ == Field::Kind::Json; }
+  static std::int64_t whole(const Field& field) { return std::int64_t(field.raw_[0]); }
+  static double real(const Field& field) { return std::bit_cast<double>(field.raw_[0]); }
+
+  /// The items of a list, until `take` answers false. `Take` is a template, so that the numbers of a large
+  /// JSON list cost no call each.
+  template <typename Take>
+  static void eachUntil(const Field& list, Take take) {
+    if (isJson(list)) {
+      simdjson::dom::array items;
+      if (json(list).get(items)) return;
+      for (const simdjson::dom::element item : items) {
+        if (!take(ofJson(item))) return;
+      }
+    } else if (isCbor(list)) {
+      const CborItem item = cbor(list);
+      const std::uint8_t* const end = cborEnd(list);
+      if (item.type == CborItem::Type::Numbers) {
+        for (std::size_t i = 0; i < item.numbers.count; ++i) {
+          if (!take(ofNumber(item.numbers.at(i)))) return;
+        }
+      } else if (item.type == CborItem::Type::List) {
+        eachItem(item, end, [&](const std::uint8_t* at) { return take(ofCbor(at, end)); });
+      }
+    }
+  }
+};
+
+static_assert(sizeof(simdjson::dom::element) == 16);
+
+}  // namespace mapwright::net::rosbridge

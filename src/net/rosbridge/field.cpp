@@ -1,0 +1,287 @@
+#include "net/rosbridge/field.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <QString>
+#include <simdjson.h>
+
+#include "net/rosbridge/access.h"
+
+namespace mapwright::net::rosbridge {
+namespace {
+
+using Type = CborItem::Type;
+using JsonType = simdjson::dom::element_type;
+
+constexpr std::size_t kCountedByJson = 0xffffff;  // simdjson keeps 24 bits of the length of a list
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+template <typename Number>
+std::optional<Number> numberIn(std::string_view text) {
+  Number value{};
+  text = trimmed(text);
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return !text.empty() && stop == end && error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<std::int64_t> wholeOf(double value) {
+  constexpr double kBeyond = 9223372036854775808.0;  // 2^63
+  if (!(value >= -kBeyond && value < kBeyond) || value != std::trunc(value)) return std::nullopt;
+  return std::int64_t(value);
+}
+
+/// As it stands there: text of JSON is UTF-8, that of CBOR may be anything.
+std::optional<std::string_view> rawText(const Field& field) {
+  if (Access::isJson(field)) {
+    std::string_view text;
+    if (Access::json(field).get(text)) return std::nullopt;
+    return text;
+  }
+  if (Access::isCbor(field)) {
+    const CborItem item = Access::cbor(field);
+    if (item.type == Type::Text) return item.text;
+  }
+  return std::nullopt;
+}
+
+/// Written in lines or not, with and without padding.
+std::optional<std::string> fromBase64(std::string_view text, std::size_t max) {
+  if (text.size() / 2 > max) return std::nullopt;
+  std::string dense;
+  if (text.find_first_of(" \t\r\n") != std::string_view::npos) {
+    dense = text;
+    std::erase_if(dense, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
+    text = dense;
+  }
+  const std::size_t digits = text.find_last_not_of('=') + 1;  // npos + 1 is 0
+  if (digits % 4 == 1) return std::nullopt;
+  const auto result = QByteArray::fromBase64Encoding(
+      QByteArray::fromRawData(text.data(), qsizetype(text.size())), QByteArray::AbortOnBase64DecodingErrors);
+  if (!result || std::size_t((*result).size()) > max) return std::nullopt;
+  return (*result).toStdString();
+}
+
+/// The typed array or byte string that a field is.
+std::optional<CborNumbers> numbersOf(const Field& field) {
+  if (!Access::isCbor(field)) return std::nullopt;
+  const CborItem item = Access::cbor(field);
+  return item.type == Type::Numbers ? std::optional(item.numbers) : std::nullopt;
+}
+
+bool holdsBytes(const CborNumbers& numbers, CborNumbers::Of of) {
+  return numbers.width == 1 && numbers.of == of;
+}
+
+/// Whole numbers between `least` and `most`, at most `max` of them.
+template <typename Out>
+std::optional<Out> wholes(const Field& list, std::size_t max, std::int64_t least, std::int64_t most) {
+  using Cell = typename Out::value_type;
+  const std::size_t size = list.size();
+  if (!list.isList() || size > max) return std::nullopt;
+  Out out;
+  out.reserve(size);
+  bool fine = true;
+  Access::eachUntil(list, [&](const Field& item) {
+    std::int64_t value = 0;
+    if (!Access::isJson(item) || Access::json(item).get(value) != simdjson::SUCCESS) {
+      const std::optional<std::int64_t> whole = item.isNumber() ? item.integer() : std::nullopt;
+      fine = whole.has_value();
+      value = whole.value_or(0);
+    }
+    fine = fine && value >= least && value <= most;
+    if (fine) out.push_back(Cell(value));
+    return fine;
+  });
+  return fine ? std::optional(std::move(out)) : std::nullopt;
+}
+
+}  // namespace
+
+bool Field::isObject() const {
+  return kind_ == Kind::Json ? Access::json(*this).is_object()
+                             : kind_ == Kind::Cbor && Access::cbor(*this).type == Type::Object;
+}
+
+bool Field::isList() const {
+  if (kind_ == Kind::Json) return Access::json(*this).is_array();
+  if (kind_ != Kind::Cbor) return false;
+  const Type type = Access::cbor(*this).type;
+  return type == Type::List || type == Type::Numbers;
+}
+
+bool Field::isText() const { return rawText(*this).has_value(); }
+
+bool Field::isNumber() const {
+  return kind_ == Kind::Json ? Access::json(*this).is_number()
+                             : kind_ == Kind::Integer || kind_ == Kind::Real;
+}
+
+Field Field::operator[](std::string_view name) const {
+  Field found;
+  if (kind_ == Kind::Json) {
+    simdjson::dom::object object;
+    simdjson::dom::element member;
+    if (!Access::json(*this).get(object) && !object.at_key(name).get(member)) found = Access::ofJson(member);
+  } else if (kind_ == Kind::Cbor) {
+    const CborItem item = Access::cbor(*this);
+    if (item.type != Type::Object) return found;
+    const std::uint8_t* const end = Access::cborEnd(*this);
+    eachMember(item, end, [&](std::string_view key, const std::uint8_t* value) {
+      if (key != name) return true;
+      found = Access::ofCbor(value, end);
+      return false;
+    });
+  }
+  return found;
+}
+
+std::size_t Field::size() const {
+  std::size_t size = 0;
+  if (kind_ == Kind::Json) {
+    simdjson::dom::array items;
+    if (Access::json(*this).get(items)) return 0;
+    size = items.size();
+    if (size < kCountedByJson) return size;
+  } else if (kind_ == Kind::Cbor) {
+    const CborItem item = Access::cbor(*this);
+    if (item.type == Type::Numbers) return item.numbers.count;
+    if (item.type != Type::List) return 0;
+    if (item.count) return std::size_t(*item.count);
+  }
+  size = 0;
+  Access::eachUntil(*this, [&](const Field&) {
+    ++size;
+    return true;
+  });
+  return size;
+}
+
+void Field::each(const std::function<void(const Field&)>& take) const {
+  Access::eachUntil(*this, [&](const Field& item) {
+    take(item);
+    return true;
+  });
+}
+
+void Field::members(const std::function<void(std::string_view, const Field&)>& take) const {
+  if (kind_ == Kind::Json) {
+    simdjson::dom::object object;
+    if (Access::json(*this).get(object)) return;
+    for (const auto& [key, value] : object) take(key, Access::ofJson(value));
+  } else if (kind_ == Kind::Cbor) {
+    const CborItem item = Access::cbor(*this);
+    if (item.type != Type::Object) return;
+    const std::uint8_t* const end = Access::cborEnd(*this);
+    eachMember(item, end, [&](std::string_view key, const std::uint8_t* value) {
+      if (simdjson::validate_utf8(key.data(), key.size())) take(key, Access::ofCbor(value, end));
+      return true;
+    });
+  }
+}
+
+std::optional<double> Field::number() const {
+  switch (kind_) {
+    case Kind::Integer:
+      return double(Access::whole(*this));
+    case Kind::Real:
+      return Access::real(*this);
+    case Kind::Json: {
+      double value = 0;
+      if (!Access::json(*this).get(value)) return value;
+      break;
+    }
+    default:
+      break;
+  }
+  const std::optional<std::string_view> text = rawText(*this);
+  const std::optional<double> value = text ? numberIn<double>(*text) : std::nullopt;
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> Field::integer() const {
+  std::int64_t exact = 0;
+  if (kind_ == Kind::Integer) return Access::whole(*this);
+  if (kind_ == Kind::Json && !Access::json(*this).get(exact)) return exact;
+  if (const std::optional<std::string_view> text = rawText(*this)) {
+    if (const auto value = numberIn<std::int64_t>(*text)) return value;
+  }
+  const std::optional<double> value = number();
+  return value ? wholeOf(*value) : std::nullopt;
+}
+
+std::optional<bool> Field::flag() const {
+  bool value = false;
+  if (kind_ == Kind::Json && !Access::json(*this).get(value)) return value;
+  if (kind_ == Kind::Cbor) {
+    const CborItem item = Access::cbor(*this);
+    if (item.type == Type::Flag) return item.flag;
+  }
+  const std::optional<std::int64_t> whole = isNumber() ? integer() : std::nullopt;
+  return whole == 0 || whole == 1 ? std::optional(*whole == 1) : std::nullopt;
+}
+
+std::string Field::text() const {
+  const std::optional<std::string_view> raw = rawText(*this);
+  if (!raw) return {};
+  if (kind_ == Kind::Cbor && !simdjson::validate_utf8(raw->data(), raw->size())) {
+    return QString::fromUtf8(raw->data(), qsizetype(raw->size())).toStdString();
+  }
+  return std::string(*raw);
+}
+
+std::optional<std::string> Field::bytes(std::size_t max) const {
+  if (const std::optional<std::string_view> text = rawText(*this)) return fromBase64(*text, max);
+  const std::optional<CborNumbers> numbers = numbersOf(*this);
+  if (numbers && holdsBytes(*numbers, CborNumbers::Of::Unsigned)) {
+    if (numbers->count > max) return std::nullopt;
+    return std::string(reinterpret_cast<const char*>(numbers->data), numbers->count);
+  }
+  return wholes<std::string>(*this, max, 0, 255);
+}
+
+std::optional<std::vector<std::int8_t>> Field::int8s(std::size_t max) const {
+  const std::optional<CborNumbers> numbers = numbersOf(*this);
+  if (numbers && holdsBytes(*numbers, CborNumbers::Of::Signed)) {
+    if (numbers->count > max) return std::nullopt;
+    const auto* const first = reinterpret_cast<const std::int8_t*>(numbers->data);
+    return std::vector<std::int8_t>(first, first + numbers->count);
+  }
+  return wholes<std::vector<std::int8_t>>(*this, max, -128, 127);
+}
+
+std::optional<std::vector<double>> Field::numbers(std::size_t max) const {
+  const std::size_t size = this->size();
+  if (!isList() || size > max) return std::nullopt;
+  std::vector<double> out;
+  out.reserve(size);
+  bool fine = true;
+  Access::eachUntil(*this, [&](const Field& item) {
+    const std::optional<double> value = item.number();
+    fine = value || item.isNull();
+    out.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    return fine;
+  });
+  return fine ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::optional<double> Field::time() const {
+  for (const auto& [whole, part] : {std::pair{"secs", "nsecs"}, std::pair{"sec", "nanosec"}}) {
+    const std::optional<double> seconds = (*this)[whole].number();
+    const Field nanoseconds = (*this)[part];
+    if (seconds && (!nanoseconds || nanoseconds.number()))
+      return *seconds + nanoseconds.number().value_or(0) * 1e-9;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mapwright::net::rosbridge

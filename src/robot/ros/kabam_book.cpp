@@ -1,0 +1,134 @@
+#include "robot/ros/kabam_book.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mapwright::robot::ros {
+namespace {
+
+constexpr const char* kCurrent = "/current_map_info";
+constexpr const char* kActive = "/map_list";
+constexpr const char* kArchived = "/archived_map_list";
+constexpr const char* kWaypoints = "/current_map_waypoints";
+
+template <typename T>
+bool replace(std::optional<T>& kept, std::optional<T> now) {
+  const bool other = !(kept == now);
+  kept = std::move(now);
+  return other;
+}
+
+}  // namespace
+
+std::vector<std::string> KabamBook::topics() const {
+  return {place_ + kCurrent, place_ + kActive, place_ + kArchived, place_ + kWaypoints};
+}
+
+KabamBook::Taken KabamBook::take(const std::string& topic,
+                                 const std::shared_ptr<const net::rosbridge::Frame>& frame,
+                                 const Field& msg) {
+  Taken taken;
+  if (!topic.starts_with(place_)) return taken;
+  const std::string name = topic.substr(place_.size());
+  taken.own = name == kCurrent || name == kActive || name == kArchived || name == kWaypoints;
+  if (!taken.own) return taken;
+  if (name == kCurrent) {
+    auto current = readMapInfo(msg);
+    taken.readable = current.has_value();
+    if (!current) return taken;
+    const bool other = !isCurrent(current->map.id);
+    taken.maps = replace(current_, std::move(current));
+    taken.waypoints = taken.maps && other;
+  } else if (name == kWaypoints) {
+    taken.readable = readWaypoints(msg, {}, {}).has_value();
+    if (!taken.readable) return taken;
+    waypoints_frame_ = frame;
+    waypoints_ = msg;
+    taken.waypoints = true;
+  } else {
+    auto maps = readMapList(msg, name == kArchived);
+    taken.readable = maps.has_value();
+    if (!maps) return taken;
+    taken.maps = replace(name == kArchived ? archived_ : active_, std::move(maps));
+  }
+  return taken;
+}
+
+void KabamBook::forget() {
+  active_.reset();
+  archived_.reset();
+  current_.reset();
+  waypoints_frame_.reset();
+  waypoints_ = {};
+}
+
+std::vector<KabamMap> KabamBook::maps() const {
+  std::vector<KabamMap> all;
+  const auto has = [&](const std::vector<KabamMap>& maps, const std::string& id) {
+    return std::any_of(maps.begin(), maps.end(), [&](const KabamMap& map) { return map.id == id; });
+  };
+  for (const KabamMap& map : active_.value_or(std::vector<KabamMap>{})) {
+    if (!has(all, map.id) && !(archived_ && has(*archived_, map.id))) all.push_back(map);
+  }
+  // One that is being made may stand in no list yet.
+  if (current_ && !current_->map.id.empty() && !has(all, current_->map.id) &&
+      !(archived_ && has(*archived_, current_->map.id)))
+    all.push_back(current_->map);
+  for (const KabamMap& map : archived_.value_or(std::vector<KabamMap>{})) {
+    if (!has(all, map.id)) all.push_back(map);
+  }
+  return all;
+}
+
+std::optional<KabamMap> KabamBook::find(const std::string& id) const {
+  const std::vector<KabamMap> all = maps();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const KabamMap& map) { return map.id == id; });
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<map::CatalogueEntry> KabamBook::entries() const {
+  std::vector<map::CatalogueEntry> entries;
+  for (const KabamMap& map : maps()) {
+    map::CatalogueEntry entry;
+    entry.key = {map::MapKind::Stored, map.id};
+    entry.name = calledOf(map);
+    entry.uid = map.id;
+    entry.index = int(entries.size());
+    entry.is_archived = map.archived;
+    if (isCurrent(map.id)) {
+      entry.is_current = true;
+      entry.created_s = current_->created_s;
+      entry.modified_s = current_->updated_s;
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::optional<map::CatalogueEntry> KabamBook::entry(const std::string& id) const {
+  const std::vector<map::CatalogueEntry> all = entries();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const map::CatalogueEntry& entry) { return entry.key.id == id; });
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<StoredWaypoints> KabamBook::waypoints(const std::string& fixed_frame) const {
+  if (!waypoints_frame_ || !current_) return std::nullopt;
+  auto stored = readWaypoints(waypoints_, current_->map.id, fixed_frame);
+  // Of another map alone: the topic has not followed the change of maps yet.
+  Field rows = waypoints_["waypoints"];
+  if (stored && stored->points.empty() && stored->notes.empty() && rows.size() > 0) return std::nullopt;
+  return stored;
+}
+
+map::MapInfo KabamBook::mapInfo() const {
+  map::MapInfo info;
+  if (!current_) return info;
+  // As the catalogue calls it.
+  const auto listed = entry(current_->map.id);
+  info.name = listed ? listed->name : calledOf(current_->map);
+  info.uid = current_->map.id;
+  return info;
+}
+
+}  // namespace mapwright::robot::ros

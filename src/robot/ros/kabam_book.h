@@ -1,0 +1,60 @@
+// What a KABAM map manager has told by its latched topics: its maps, the current one, its waypoints. Pure.
+// Source: kabam.md, "Topics".
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "map/live_topics.h"
+#include "net/rosbridge/frame.h"
+#include "robot/ros/kabam_messages.h"
+
+namespace mapwright::robot::ros {
+
+class KabamBook {
+ public:
+  /// Of the topics below this ("/map_manager").
+  void setPlace(std::string place) { place_ = std::move(place); }
+  const std::string& place() const { return place_; }
+  std::vector<std::string> topics() const;
+
+  struct Taken {
+    bool own = false;      // the topic is one of these
+    bool readable = true;  // and was understood
+    bool maps = false;     // the list of maps, or which is the current one, is another
+    bool waypoints = false;
+  };
+  Taken take(const std::string& topic, const std::shared_ptr<const net::rosbridge::Frame>& frame,
+             const Field& msg);
+  void forget();
+
+  /// Both lists and the current one have come.
+  bool listed() const { return active_ && archived_ && current_; }
+  /// Enough for a list, should the rest stay silent.
+  bool partlyListed() const { return active_.has_value() || archived_.has_value(); }
+  /// Each map once: the active ones, then the archived ones. What stands in both lists is archived.
+  std::vector<KabamMap> maps() const;
+  std::optional<KabamMap> find(const std::string& id) const;
+  std::vector<map::CatalogueEntry> entries() const;
+  std::optional<map::CatalogueEntry> entry(const std::string& id) const;
+  const std::optional<KabamCurrent>& current() const { return current_; }
+  bool isMapping() const { return current_ && current_->state == "MAPPING"; }
+  /// IDLE, MAPPING, ACTIVE, or whatever it says; empty while nothing is known.
+  std::string state() const { return current_ ? current_->state : std::string(); }
+  bool isCurrent(const std::string& id) const { return current_ && !id.empty() && current_->map.id == id; }
+  /// Those of the current map; nullopt while the topic has not told them.
+  std::optional<StoredWaypoints> waypoints(const std::string& fixed_frame) const;
+  /// The current map for the screen.
+  map::MapInfo mapInfo() const;
+
+ private:
+  std::string place_ = "/map_manager";
+  std::optional<std::vector<KabamMap>> active_, archived_;
+  std::optional<KabamCurrent> current_;
+  std::shared_ptr<const net::rosbridge::Frame> waypoints_frame_;
+  Field waypoints_;
+};
+
+}  // namespace mapwright::robot::ros

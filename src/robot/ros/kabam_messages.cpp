@@ -1,0 +1,252 @@
+#include "robot/ros/kabam_messages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <QDateTime>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "geometry/pose.h"
+#include "robot/ros/transforms.h"
+#include "robot/wire/picture_facts.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+constexpr double kSameM = 1e-4, kSameRad = 1e-4;
+constexpr double kUnturnedRad = 1e-9;  // a heading that came from here and went back
+constexpr int kMostNotes = 20;
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QByteArray compact(const QJsonObject& object) { return QJsonDocument(object).toJson(QJsonDocument::Compact); }
+
+/// The value as it came.
+QJsonValue jsonOf(const Field& field) {
+  if (field.isObject()) {
+    QJsonObject object;
+    field.members([&](std::string_view name, const Field& value) {
+      object[QString::fromUtf8(name.data(), qsizetype(name.size()))] = jsonOf(value);
+    });
+    return object;
+  }
+  if (field.isList()) {
+    QJsonArray list;
+    field.each([&](const Field& item) { list << jsonOf(item); });
+    return list;
+  }
+  if (field.isText()) return text(field.text());
+  if (field.isNumber()) {
+    if (const auto whole = field.integer()) return QJsonValue(qint64(*whole));
+    return field.number().value_or(0);
+  }
+  if (const auto flag = field.flag()) return *flag;
+  return {};
+}
+
+/// ROS times, seconds, or ISO 8601.
+std::optional<double> timeOf(const Field& field) {
+  if (const auto time = field.time()) return time;
+  if (const auto seconds = field.number()) return *seconds > 0 ? seconds : std::nullopt;
+  const QDateTime date = QDateTime::fromString(text(field.text()), Qt::ISODateWithMs);
+  return date.isValid() ? std::optional(double(date.toMSecsSinceEpoch()) / 1000) : std::nullopt;
+}
+
+std::optional<KabamMap> rowOf(const Field& row, bool archived) {
+  KabamMap map{row["map_id"].text(), row["map_name"].text(), row["map_label"].text(), archived};
+  // Ids are texts; a manager that numbers its maps says so in digits.
+  if (map.id.empty()) {
+    if (const auto number = row["map_id"].integer()) map.id = std::to_string(*number);
+  }
+  if (map.id.empty()) return std::nullopt;
+  return map;
+}
+
+struct Turn {
+  double yaw_rad = 0;
+  bool zero = false;
+};
+
+Turn turnOf(double x, double y, double z, double w) {
+  const auto pose = geometry::toIsometry({0, 0, 0, x, y, z, w});
+  if (!pose) return {0, true};
+  return {geometry::projectToPlane(*pose).yaw_rad, false};
+}
+
+double memberOf(const QJsonObject& object, const char* name) {
+  return object.value(QLatin1String(name)).toDouble();
+}
+
+Turn turnOf(const QJsonObject& q) {
+  return turnOf(memberOf(q, "x"), memberOf(q, "y"), memberOf(q, "z"), memberOf(q, "w"));
+}
+
+bool sameAngle(double a, double b, double within) {
+  return std::abs(geometry::normalizeAngle(a - b)) <= within;
+}
+
+/// A row as a waypoint; nullopt: it has no place.
+std::optional<map::Waypoint> waypointOf(const Field& row, std::vector<map::Reason>& notes) {
+  map::Waypoint point;
+  point.id = row["id"].text();
+  point.name = row["name"].text();
+  const Field position = row["pose"]["position"], q = row["pose"]["orientation"];
+  const auto x = position["x"].number(), y = position["y"].number();
+  if (!x || !y) return std::nullopt;
+  point.position_m = {*x, *y};
+  const Turn turn = turnOf(q["x"].number().value_or(0), q["y"].number().value_or(0),
+                           q["z"].number().value_or(0), q["w"].number().value_or(0));
+  if (turn.zero && int(notes.size()) < kMostNotes)
+    notes.push_back({map::ReasonCode::WaypointTurnIsZero, {point.name.empty() ? point.id : point.name}});
+  point.yaw_rad = turn.yaw_rad;
+  row["waypoint_tags"].each([&](const Field& tag) { point.tags.push_back(tag.text()); });
+  point.source = compact(jsonOf(row).toObject()).toStdString();
+  return point;
+}
+
+}  // namespace
+
+const std::string& calledOf(const KabamMap& map) { return map.label.empty() ? map.name : map.label; }
+
+std::optional<std::vector<KabamMap>> readMapList(const Field& msg, bool archived) {
+  if (!msg["maps"].isList()) return std::nullopt;
+  std::vector<KabamMap> maps;
+  msg["maps"].each([&](const Field& row) {
+    if (auto map = rowOf(row, archived)) maps.push_back(std::move(*map));
+  });
+  return maps;
+}
+
+std::optional<KabamCurrent> readMapInfo(const Field& msg) {
+  if (!msg.isObject()) return std::nullopt;
+  KabamCurrent current;
+  current.map = rowOf(msg, false).value_or(KabamMap{});
+  current.state = msg["map_manager_state"].text();
+  current.created_s = timeOf(msg["created_at"]);
+  current.updated_s = timeOf(msg["updated_at"]);
+  return current;
+}
+
+std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string& map_id,
+                                             const std::string& fixed_frame) {
+  // A topic's message is the list; an answer may hold it in a message of its own.
+  Field rows = msg["waypoints"];
+  if (rows.isObject()) rows = rows["waypoints"];
+  if (!rows.isList()) return std::nullopt;
+  StoredWaypoints stored;
+  std::set<std::string> ids;
+  std::int64_t nameless = 0, placeless = 0;
+  const auto note = [&](map::ReasonCode code, std::vector<map::Argument> arguments) {
+    if (int(stored.notes.size()) < kMostNotes) stored.notes.push_back({code, std::move(arguments)});
+  };
+  rows.each([&](const Field& row) {
+    const std::string of = row["map_id"].text();
+    if (!of.empty() && of != map_id) return;
+    const std::string frame = frameName(row["frame_id"].text());
+    auto point = waypointOf(row, stored.notes);
+    if (!point) {
+      ++placeless;
+    } else if (point->id.empty()) {
+      ++nameless;
+    } else if (!frame.empty() && !fixed_frame.empty() && frame != fixed_frame) {
+      note(map::ReasonCode::WaypointInOtherFrame,
+           {point->name.empty() ? point->id : point->name, frame, fixed_frame});
+    } else if (!ids.insert(point->id).second) {
+      note(map::ReasonCode::WaypointIdTwice, {point->id});
+    } else {
+      stored.points.push_back(std::move(*point));
+    }
+  });
+  if (nameless > 0) note(map::ReasonCode::RowsWithoutId, {nameless});
+  if (placeless > 0) note(map::ReasonCode::PointsUnplaced, {placeless});
+  stored.revision = revisionOf(stored.points);
+  return stored;
+}
+
+std::string revisionOf(const std::vector<map::Waypoint>& points) {
+  std::vector<std::string> rows;
+  for (const map::Waypoint& point : points) rows.push_back(point.source);
+  std::sort(rows.begin(), rows.end());
+  std::string all;
+  for (const std::string& row : rows) all += row + '\n';
+  return wire::fingerprint(all);
+}
+
+QByteArray waypointJson(const map::Waypoint& point, const std::string& id, const std::string& map_id,
+                        const std::string& fixed_frame) {
+  QJsonObject message = QJsonDocument::fromJson(QByteArray::fromStdString(point.source)).object();
+  // One that was copied, or comes out of a file, has a source of another kind.
+  if (!message.value(QLatin1String("pose")).isObject()) message = {};
+  const bool came = !message.isEmpty();
+  QJsonObject pose = message.value(QLatin1String("pose")).toObject();
+  QJsonObject position = pose.value(QLatin1String("position")).toObject();
+  QJsonObject orientation = pose.value(QLatin1String("orientation")).toObject();
+  position[QStringLiteral("x")] = point.position_m.x();
+  position[QStringLiteral("y")] = point.position_m.y();
+  if (!position.contains(QLatin1String("z"))) position[QStringLiteral("z")] = 0;
+  const double yaw = point.yaw_rad.value_or(0);
+  if (!came || !sameAngle(turnOf(orientation).yaw_rad, yaw, kUnturnedRad)) {
+    orientation = {{QStringLiteral("x"), 0.0},
+                   {QStringLiteral("y"), 0.0},
+                   {QStringLiteral("z"), std::sin(yaw / 2)},
+                   {QStringLiteral("w"), std::cos(yaw / 2)}};
+  }
+  for (const char* member : {"x", "y", "z", "w"}) {
+    if (!orientation.value(QLatin1String(member)).isDouble()) orientation[QLatin1String(member)] = 0;
+  }
+  pose[QStringLiteral("position")] = position;
+  pose[QStringLiteral("orientation")] = orientation;
+  QJsonArray tags;
+  for (const std::string& tag : point.tags) tags << text(tag);
+  message[QStringLiteral("pose")] = pose;
+  message[QStringLiteral("id")] = text(id);
+  message[QStringLiteral("name")] = text(point.name);
+  message[QStringLiteral("map_id")] = text(map_id);
+  message[QStringLiteral("waypoint_tags")] = tags;
+  if (!came) message[QStringLiteral("frame_id")] = text(fixed_frame.empty() ? "map" : fixed_frame);
+  return compact(message);
+}
+
+QByteArray manageWaypointArgs(const QByteArray& waypoint, bool delete_waypoint) {
+  return compact({{QStringLiteral("waypoint_info"), QJsonDocument::fromJson(waypoint).object()},
+                  {QStringLiteral("delete_waypoint"), delete_waypoint}});
+}
+
+QByteArray getWaypointArgs(const std::string& map_id) {
+  return compact({{QStringLiteral("map_id"), text(map_id)}, {QStringLiteral("waypoint_id"), QString()}});
+}
+
+QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_name) {
+  return compact(
+      {{QStringLiteral("map_id"), text(map_id)}, {QStringLiteral("loc_waypoint_name"), text(waypoint_name)}});
+}
+
+QByteArray updateMapArgs(const KabamMap& map, const std::string& label, bool archived, bool delete_map) {
+  // The header is left to the server: those of ROS 1 and ROS 2 differ, and what is omitted is zero.
+  const QJsonObject no_image{{QStringLiteral("height"), 0},
+                             {QStringLiteral("width"), 0},
+                             {QStringLiteral("encoding"), QString()},
+                             {QStringLiteral("is_bigendian"), 0},
+                             {QStringLiteral("step"), 0},
+                             {QStringLiteral("data"), QString()}};
+  // All flags, whichever the service looks at.
+  return compact({{QStringLiteral("map_id"), text(map.id)},
+                  {QStringLiteral("updated_image"), no_image},
+                  {QStringLiteral("new_map_label"), text(label)},
+                  {QStringLiteral("set_archive"), archived},
+                  {QStringLiteral("delete_map"), delete_map}});
+}
+
+QByteArray saveMapArgs(const std::string& name) {
+  return compact({{QStringLiteral("map_name"), text(name)}});
+}
+
+bool sameBesidesTags(const map::Waypoint& a, const map::Waypoint& b) {
+  return a.name == b.name && (a.position_m - b.position_m).norm() <= kSameM &&
+         sameAngle(a.yaw_rad.value_or(0), b.yaw_rad.value_or(0), kSameRad);
+}
+
+}  // namespace mapwright::robot::ros

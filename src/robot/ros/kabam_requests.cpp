@@ -1,0 +1,281 @@
+#include "robot/ros/kabam_requests.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robot/ros/kabam_failures.h"
+#include "robot/ros/kabam_results.h"
+#include "robot/ros/ros_calls.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+using net::rosbridge::CallAnswer;
+using std::chrono::steady_clock;
+
+auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
+
+map::Failure notThere(map::Subject subject) {
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = std::move(subject),
+          .reason = map::FailureReason::NotThere};
+}
+
+map::Failure tagsKept(map::Subject subject, const std::string& name) {
+  map::Failure failure;
+  failure.kind = map::FailureKind::RejectedByRobot;
+  failure.subject = std::move(subject);
+  failure.applied = map::Applied::Yes;
+  failure.reason = map::FailureReason::Unfit;
+  failure.cause = {map::ReasonCode::TagsNotTaken, {name}};
+  return failure;
+}
+
+bool sameAsKept(const map::Waypoint& kept, const map::Waypoint& now) {
+  return sameBesidesTags(kept, now) && kept.tags == now.tags;
+}
+
+const map::Waypoint* find(const StoredWaypoints& stored, const std::string& id) {
+  const auto found = std::find_if(stored.points.begin(), stored.points.end(),
+                                  [&](const map::Waypoint& point) { return point.id == id; });
+  return found == stored.points.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+KabamRequests::KabamRequests(net::rosbridge::Client& client, KabamPatience patience,
+                             std::function<std::string()> fixed_frame, QObject* parent)
+    : QObject(parent), client_(client), patience_(patience), fixed_frame_(std::move(fixed_frame)) {}
+
+net::rosbridge::CallRequest KabamRequests::request(const char* service, QByteArray args) const {
+  net::rosbridge::CallRequest request;
+  request.service = book_.place() + '/' + service;
+  request.args = std::move(args);
+  request.patience = patience_.call;
+  return request;
+}
+
+void KabamRequests::await(const wire::ErrandPtr& errand, std::chrono::milliseconds within,
+                          std::function<bool()> holds, Then then) {
+  if (holds()) return then(Awaited::Held);
+  const auto entry = std::make_shared<Waiting>();
+  entry->holds = std::move(holds);
+  entry->then = std::move(then);
+  entry->errand = errand;
+  entry->patience = std::make_unique<QTimer>();
+  entry->patience->setSingleShot(true);
+  connect(entry->patience.get(), &QTimer::timeout, this,
+          [this, held = std::weak_ptr(entry)] { end(held.lock(), Awaited::TooLate); });
+  entry->patience->start(within);
+  waiting_.push_back(entry);
+  // Later: nothing ends from within its beginning.
+  entry->number = errand->begun([this, held = std::weak_ptr(entry)] {
+    QMetaObject::invokeMethod(
+        this, [this, held] { end(held.lock(), Awaited::Cancelled); }, Qt::QueuedConnection);
+  });
+}
+
+void KabamRequests::end(const Entry& entry, Awaited how) {
+  if (!entry) return;
+  const auto found = std::find(waiting_.begin(), waiting_.end(), entry);
+  if (found == waiting_.end()) return;
+  waiting_.erase(found);
+  entry->patience->stop();
+  entry->patience.release()->deleteLater();  // it may be the one that is speaking
+  entry->errand->ended(entry->number);
+  entry->then(how);
+}
+
+void KabamRequests::look() {
+  const std::list<Entry> now = waiting_;
+  for (const Entry& entry : now) {
+    if (entry->holds()) end(entry, Awaited::Held);
+  }
+}
+
+void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject& subject,
+                               std::function<void(std::optional<map::Failure>)> then) {
+  await(
+      errand, patience_.lists, [this] { return book_.listed(); },
+      [this, subject, then = std::move(then)](Awaited how) {
+        // A manager without a current map may say nothing of it.
+        const bool enough = how == Awaited::TooLate && book_.partlyListed();
+        if (how == Awaited::Held || enough) return then(std::nullopt);
+        map::Failure failure;
+        failure.subject = subject;
+        failure.kind = map::FailureKind::Cancelled;
+        if (how == Awaited::TooLate) {
+          failure.kind = map::FailureKind::TimedOut;
+          failure.cause = {map::ReasonCode::ListsNotTold};
+        }
+        then(std::move(failure));
+      });
+}
+
+void KabamRequests::list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  whenListed(errand, {map::SubjectKind::Catalogue, map::kMapsPart},
+             [this, reply = std::move(reply)](std::optional<map::Failure> failure) {
+               if (failure) return reply(fail(std::move(*failure)));
+               reply(book_.entries());
+             });
+}
+
+void KabamRequests::describe(const wire::ErrandPtr& errand, const map::MapKey& key,
+                             OutcomeTo<map::CatalogueEntry> reply) {
+  whenListed(errand, map::subjectOf(key),
+             [this, key, reply = std::move(reply)](std::optional<map::Failure> failure) {
+               if (failure) return reply(fail(std::move(*failure)));
+               auto entry = key.kind == map::MapKind::Stored ? book_.entry(key.id) : std::nullopt;
+               if (!entry) return reply(fail(notThere(map::subjectOf(key))));
+               reply(std::move(*entry));
+             });
+}
+
+void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& key,
+                              OutcomeTo<StoredWaypoints> reply) {
+  const map::Subject subject = map::placesOf(key);
+  whenListed(errand, subject, [this, errand, key, subject, reply](std::optional<map::Failure> failure) {
+    if (failure) return reply(fail(std::move(*failure)));
+    if (key.kind != map::MapKind::Stored || !book_.find(key.id)) return reply(fail(notThere(subject)));
+    if (book_.isCurrent(key.id)) {
+      if (auto stored = book_.waypoints(fixed_frame_())) return reply(std::move(*stored));
+    }
+    call(errand, client_, request("get_waypoint", getWaypointArgs(key.id)),
+         [this, key, subject, reply](const CallAnswer& answer) {
+           if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
+           auto stored = readWaypoints(answer.values, key.id, fixed_frame_());
+           if (stored) return reply(std::move(*stored));
+           reply(fail({.kind = map::FailureKind::MalformedAnswer,
+                       .subject = subject,
+                       .reason = map::FailureReason::Unfit,
+                       .cause = {map::ReasonCode::PointsAreNoList}}));
+         });
+  });
+}
+
+void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& key,
+                            const WaypointRequest& request, OutcomeTo<WaypointReceipt> reply) {
+  const map::Subject subject = map::placesOf(key);
+  whenListed(errand, subject,
+             [this, errand, key, request, subject, reply](std::optional<map::Failure> failure) {
+               if (!failure && !book_.find(key.id)) failure = notThere(subject);
+               if (!failure && request.changes.size() != 1) {
+                 failure = map::Failure{.kind = map::FailureKind::Unsupported,
+                                        .subject = subject,
+                                        .reason = map::FailureReason::NotOffered};
+               }
+               if (failure) {
+                 failure->asked_for = map::AskedFor::Change;
+                 return reply(fail(std::move(*failure)));
+               }
+               // Somebody else may have been quicker; of the current map the topic tells.
+               const WaypointChange& change = request.changes.front();
+               const auto stored = book_.isCurrent(key.id) ? book_.waypoints(fixed_frame_()) : std::nullopt;
+               const map::Waypoint* const kept = stored ? find(*stored, change.id) : nullptr;
+               if (stored && change.before && (!kept || !sameAsKept(*kept, *change.before))) {
+                 return reply(fail({.kind = map::FailureKind::Conflict,
+                                    .subject = subject,
+                                    .asked_for = map::AskedFor::Change,
+                                    .cause = {map::ReasonCode::ChangedMeanwhile, {change.before->name}}}));
+               }
+               send(errand, key, request, reply);
+             });
+}
+
+void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& asked,
+                         OutcomeTo<WaypointReceipt> reply) {
+  const auto change = std::make_shared<Change>();
+  change->key = key;
+  change->what = asked.changes.front();
+  change->reply = std::move(reply);
+  const WaypointService service = serviceOf(change->what);
+  const bool creates = service == WaypointService::Create, deletes = service == WaypointService::Delete;
+  const map::Waypoint& point = deletes ? *change->what.before : *change->what.after;
+  const QByteArray message =
+      waypointJson(point, creates ? std::string() : change->what.id, key.id, fixed_frame_());
+  call(errand, client_, request(nameOf(service), manageWaypointArgs(message, deletes)),
+       [this, errand, change, name = point.name](const CallAnswer& answer) {
+         const map::Subject subject = map::placesOf(change->key);
+         change->until = steady_clock::now() + patience_.confirm;
+         if (answer.kind != CallAnswer::Kind::Answered) {
+           map::Failure failure = failed(answer, subject, map::AskedFor::Change);
+           const bool ends = failure.applied == map::Applied::No ||
+                             answer.kind == CallAnswer::Kind::Cancelled ||
+                             answer.kind == CallAnswer::Kind::LinkLost;
+           if (ends) return change->reply(fail(std::move(failure)));
+           return confirm(errand, change, std::move(failure));
+         }
+         auto failure = waypointResult(answer.values, subject, name);
+         if (failure && failure->applied == map::Applied::No) return change->reply(fail(std::move(*failure)));
+         const Field response = answer.values["waypoint_response"];
+         change->id = response.isText() ? response.text() : response["id"].text();
+         confirm(errand, change, std::move(failure));
+       });
+}
+
+KabamRequests::Shown KabamRequests::shownIn(const StoredWaypoints& stored, Change& change) {
+  const WaypointChange& what = change.what;
+  if (!what.after) return find(stored, what.id) ? Shown::NotYet : Shown::Done;
+  const map::Waypoint* shown = find(stored, what.before ? what.id : change.id);
+  if (!shown && !what.before) {
+    // Who created it did not say which one it is.
+    const auto found =
+        std::find_if(stored.points.begin(), stored.points.end(),
+                     [&](const map::Waypoint& point) { return sameBesidesTags(point, *what.after); });
+    if (found != stored.points.end()) shown = &*found;
+  }
+  if (!shown || !sameBesidesTags(*shown, *what.after)) return Shown::NotYet;
+  change.id = shown->id;
+  return shown->tags == what.after->tags ? Shown::Done : Shown::OtherTags;
+}
+
+void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& change,
+                            std::optional<map::Failure> doubt) {
+  const auto left =
+      std::chrono::duration_cast<std::chrono::milliseconds>(change->until - steady_clock::now());
+  if (book_.isCurrent(change->key.id) && book_.waypoints(fixed_frame_())) {
+    const auto shown = std::make_shared<Shown>(Shown::NotYet);
+    await(
+        errand, std::max(left, std::chrono::milliseconds(0)),
+        [this, change, shown] {
+          const auto stored = book_.waypoints(fixed_frame_());
+          *shown = stored ? shownIn(*stored, *change) : Shown::NotYet;
+          return *shown == Shown::Done;
+        },
+        [this, change, shown, doubt = std::move(doubt)](Awaited how) {
+          endChange(change, *shown,
+                    how == Awaited::Cancelled ? cancelled(map::placesOf(change->key)) : doubt);
+        });
+    return;
+  }
+  call(errand, client_, request("get_waypoint", getWaypointArgs(change->key.id)),
+       [this, errand, change, doubt](const CallAnswer& answer) {
+         const bool answered = answer.kind == CallAnswer::Kind::Answered;
+         const auto stored =
+             answered ? readWaypoints(answer.values, change->key.id, fixed_frame_()) : std::nullopt;
+         const Shown shown = stored ? shownIn(*stored, *change) : Shown::NotYet;
+         const bool over = !answered || steady_clock::now() >= change->until;
+         if (shown == Shown::Done || over) return endChange(change, shown, doubt);
+         await(
+             errand, patience_.look_again, [] { return false; },
+             [this, errand, change, shown, doubt](Awaited how) {
+               if (how == Awaited::Cancelled)
+                 return endChange(change, shown, cancelled(map::placesOf(change->key)));
+               confirm(errand, change, doubt);
+             });
+       });
+}
+
+void KabamRequests::endChange(const ChangePtr& change, Shown shown, std::optional<map::Failure> doubt) const {
+  const map::Subject subject = map::placesOf(change->key);
+  if (shown == Shown::Done) {
+    WaypointReceipt receipt;
+    if (!change->what.before && change->id != change->what.id) receipt.ids[change->what.id] = change->id;
+    return change->reply(std::move(receipt));
+  }
+  if (doubt) return change->reply(fail(std::move(*doubt)));
+  if (shown == Shown::OtherTags) return change->reply(fail(tagsKept(subject, change->what.after->name)));
+  change->reply(fail(unconfirmed(subject, patience_.confirm)));
+}
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,55 @@
+// The map that a ROS robot sends, for whoever asks for it as a whole. Lives on the link's thread.
+#pragma once
+
+#include <chrono>
+#include <list>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+#include <QTimer>
+
+#include "map/live_topics.h"
+#include "robot/call.h"
+#include "robot/wire/errand.h"
+
+namespace mapwright::robot::ros {
+
+class LiveMap : public QObject {
+  Q_OBJECT
+ public:
+  explicit LiveMap(std::chrono::milliseconds patience, QObject* parent = nullptr)
+      : QObject(parent), patience_(patience) {}
+
+  void take(const map::GridMessage& grid);
+  /// What came is not what the robot works with any more.
+  void forget() { last_.reset(); }
+  const std::optional<map::GridMessage>& last() const { return last_; }
+  /// The last map that came, or the next one, under that key and name.
+  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
+             OutcomeTo<map::WholeMap> reply);
+  /// Somebody waits for it.
+  bool wanted() const { return !waiting_.empty(); }
+  void endAll(const map::Failure& failure);
+
+ Q_SIGNALS:
+  void wantedChanged();
+
+ private:
+  struct Waiting {
+    map::MapKey key;
+    std::string name;
+    OutcomeTo<map::WholeMap> reply;
+    wire::ErrandPtr errand;
+    int number = 0;
+    std::unique_ptr<QTimer> patience;
+  };
+  using Entry = std::shared_ptr<Waiting>;
+  void end(const Entry& entry, Outcome<map::WholeMap> outcome);
+
+  std::chrono::milliseconds patience_;
+  std::optional<map::GridMessage> last_;
+  std::list<Entry> waiting_;
+};
+
+}  // namespace mapwright::robot::ros

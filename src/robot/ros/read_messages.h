@@ -1,0 +1,138 @@
+// The messages of ROS that show something on a map, as values in their own frame. Names of members are those
+// of ROS 1 and ROS 2, which are the same where anything is read from. Source: nav_msgs, map_msgs,
+// geometry_msgs, sensor_msgs, tf2_msgs, visualization_msgs; rosbridge v2 ("JSON details": NaN and infinities
+// come as null).
+//
+// Pure; any thread. Nothing of a message is trusted: what is missing or absurd is a map::Reason that names
+// the field, sizes are checked before memory is taken, texts are plain and untrusted.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "geometry/pose.h"
+#include "map/live_topics.h"
+#include "map/reason.h"
+#include "net/rosbridge/field.h"
+#include "robot/ros/transforms.h"
+
+namespace mapwright::robot::ros {
+
+using net::rosbridge::Field;
+
+template <class T>
+using Read = tl::expected<T, map::Reason>;
+
+/// std_msgs/Header. The frame without a leading slash, empty where there is none. A stamp of 0 is none: to
+/// ROS it means "the latest".
+struct Header {
+  std::string frame;
+  std::optional<double> stamp_s;
+};
+
+/// nav_msgs/OccupancyGrid. `origin`: pose of the outer corner of cell (0, 0), which is the lower left one.
+struct Grid {
+  Header header;
+  int width = 0, height = 0;       // at least 1
+  double resolution_m = 0;         // usable (map::whyUnusable)
+  geometry::Pose2 origin;          // usable
+  std::vector<std::int8_t> cells;  // row 0 = bottom, as sent; -1 unknown, 0..100
+  std::vector<map::Reason> notes;  // what is odd about it
+};
+
+/// map_msgs/OccupancyGridUpdate: a rectangle of a grid that was sent before, from the cell (x, y) on.
+struct GridPatch {
+  Header header;
+  int x = 0, y = 0, width = 0, height = 0;
+  std::vector<std::int8_t> cells;
+  std::vector<map::Reason> notes;
+};
+
+/// A pose in the plane.
+struct Placed {
+  Header header;
+  geometry::Pose2 pose;
+  bool upright = false;     // its quaternion was zero or no number, which is read as yaw 0
+  std::string child_frame;  // of nav_msgs/Odometry: what is there; else empty
+};
+
+/// A cloud or a scan.
+struct Points {
+  Header header;
+  std::vector<map::CloudPoint> points;  // at most kMostPoints
+  std::size_t left_out = 0;             // no number, out of range, absurdly far
+  std::vector<map::Reason> notes;       // that it was thinned
+};
+inline constexpr std::size_t kMostPoints = 2'000'000;
+
+/// A line or an outline. One of more than kMostOutlinePoints is thinned.
+struct Outline {
+  Header header;
+  map::Polyline points;
+  std::size_t left_out = 0;  // points that were no numbers
+};
+inline constexpr std::size_t kMostOutlinePoints = 100'000;
+
+/// visualization_msgs/Marker.
+struct Marker {
+  enum class Kind { Arrow, Cube, Sphere, Cylinder, LineStrip, LineList, Points, Text, Other };
+  enum class Action { Add, Delete, DeleteAll };
+  Header header;
+  std::string ns;
+  std::int64_t id = 0;
+  Kind kind = Kind::Other;
+  Action action = Action::Add;
+  Transform3 pose;                   // of the marker in its frame
+  bool upright = false;              // its quaternion was zero or no number
+  Eigen::Vector3d scale_m{1, 1, 1};  // size along its axes; of lines x is the width, of a text z the height
+  std::uint32_t rgba = 0xffffffff;   // 0xRRGGBBAA
+  std::vector<Eigen::Vector3d> points;  // in the marker's own coordinates
+  std::string text;
+  double lifetime_s = 0;  // 0 = for ever
+};
+
+/// A row of tf2_msgs/TFMessage.
+struct TfRow {
+  std::string parent, child;
+  Transform3 transform;  // as sent: Transforms refuses what is no transform
+  double stamp_s = 0;
+};
+
+Read<Grid> readGrid(const Field& msg);
+Read<GridPatch> readGridPatch(const Field& msg);
+/// Puts the patch into the grid. Why not, when it does not lie in it whole: the grid is as it was then.
+std::optional<map::Reason> applyPatch(Grid& grid, const GridPatch& patch);
+
+/// nav_msgs/Path. Without a frame of its own it has that of its first pose.
+Read<Outline> readPath(const Field& msg);
+/// geometry_msgs/PolygonStamped.
+Read<Outline> readPolygon(const Field& msg);
+
+/// geometry_msgs/PoseStamped, PoseWithCovarianceStamped and nav_msgs/Odometry.
+Read<Placed> readPoseStamped(const Field& msg);
+Read<Placed> readPoseWithCovariance(const Field& msg);
+Read<Placed> readOdometry(const Field& msg);
+
+/// sensor_msgs/LaserScan: the ends of its rays that hit something, z = 0. A range_max that is no number or
+/// not above range_min is no bound. The robot's own movement during the scan is not taken into account.
+Read<Points> readLaserScan(const Field& msg);
+/// sensor_msgs/PointCloud2: x, y, z and intensity, of any type at any offset; colours are not read.
+Read<Points> readPointCloud2(const Field& msg);
+
+/// visualization_msgs/MarkerArray, or a lone Marker. Markers without readable numbers are left out.
+Read<std::vector<Marker>> readMarkers(const Field& msg);
+
+/// tf2_msgs/TFMessage. Rows without names of frames are left out.
+std::vector<TfRow> readTf(const Field& msg);
+
+/// What a type is for: "nav_msgs/msg/OccupancyGrid" (ROS 2) and "nav_msgs/OccupancyGrid" (ROS 1) are both the
+/// latter.
+std::string plainType(std::string_view type);
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,155 @@
+#include "robot/ros/ros_api.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPointer>
+
+#include "robot/ros/kabam_messages.h"
+#include "robot/ros/read_messages.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+using net::rosbridge::CallAnswer;
+
+constexpr std::size_t kMostTopics = 20'000;
+constexpr int kMostTypeQuestions = 300;  // of servers that list no types
+constexpr const char* kManager = "/map_manager";
+
+QByteArray withText(const char* member, const std::string& text) {
+  return QJsonDocument(QJsonObject{{QLatin1String(member), QString::fromStdString(text)}})
+      .toJson(QJsonDocument::Compact);
+}
+
+bool answered(const CallAnswer& answer) { return answer.kind == CallAnswer::Kind::Answered; }
+
+std::vector<std::string> textsOf(const Field& list) {
+  std::vector<std::string> texts;
+  list.each([&](const Field& item) {
+    if (texts.size() < kMostTopics) texts.push_back(item.text());
+  });
+  return texts;
+}
+
+}  // namespace
+
+std::optional<std::string> mapManagerIn(const Found& found, const std::string& ns) {
+  std::vector<std::string> places;
+  const auto add = [&](const std::string& name, std::string_view member) {
+    const std::string tail = kManager + std::string(member);
+    if (name.ends_with(tail)) places.push_back(name.substr(0, name.size() - member.size()));
+  };
+  if (found.services) {
+    for (const std::string& service : *found.services) add(service, "/load_map");
+  }
+  if (found.topics) {
+    for (const FoundTopic& topic : *found.topics) {
+      if (topic.type.empty() || plainType(topic.type) == "kabam_msgs/MapList") add(topic.name, "/map_list");
+    }
+  }
+  if (places.empty()) return std::nullopt;
+  return *std::min_element(places.begin(), places.end(), [&](const std::string& a, const std::string& b) {
+    const auto rank = [&](const std::string& place) {
+      return std::tuple(place != ns + kManager, place.size(), place);
+    };
+    return rank(a) < rank(b);
+  });
+}
+
+std::string typeOf(const Found& found, const std::string& topic) {
+  if (!found.topics) return {};
+  const auto row = std::find_if(found.topics->begin(), found.topics->end(),
+                                [&](const FoundTopic& one) { return one.name == topic; });
+  return row == found.topics->end() ? std::string() : row->type;
+}
+
+bool lists(const Found& found, const std::string& topic) {
+  return found.topics && std::any_of(found.topics->begin(), found.topics->end(),
+                                     [&](const FoundTopic& one) { return one.name == topic; });
+}
+
+RosApi::RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience, QObject* parent)
+    : QObject(parent), client_(client), patience_(patience) {}
+
+void RosApi::ask(const char* service, const QByteArray& args, net::rosbridge::Client::Reply reply) {
+  net::rosbridge::CallRequest request;
+  request.service = service;
+  request.args = args;
+  request.patience = patience_;
+  client_.call(std::move(request),
+               [self = QPointer<RosApi>(this), reply = std::move(reply)](const CallAnswer& answer) {
+                 if (self) reply(answer);
+               });
+}
+
+void RosApi::step(const LookPtr& look) {
+  if (--look->waits_for > 0) return;
+  if (look->found.topics) {
+    std::sort(look->found.topics->begin(), look->found.topics->end(),
+              [](const FoundTopic& a, const FoundTopic& b) { return a.name < b.name; });
+  }
+  if (look->found.services) std::sort(look->found.services->begin(), look->found.services->end());
+  look->then(look->found);
+}
+
+void RosApi::look(std::function<void(Found)> then) {
+  const auto look = std::make_shared<Look>();
+  look->then = std::move(then);
+  look->waits_for = 2;
+  ask("/rosapi/topics", "{}", [this, look](const CallAnswer& answer) {
+    if (answered(answer) && answer.values["topics"].isList()) {
+      const std::vector<std::string> names = textsOf(answer.values["topics"]);
+      std::vector<std::string> types = textsOf(answer.values["types"]);
+      types.resize(names.size());
+      look->found.topics.emplace();
+      for (std::size_t i = 0; i < names.size(); ++i) look->found.topics->push_back({names[i], types[i]});
+      askTypes(look);
+    }
+    step(look);
+  });
+  ask("/rosapi/services", "{}", [this, look](const CallAnswer& answer) {
+    if (answered(answer) && answer.values["services"].isList())
+      look->found.services = textsOf(answer.values["services"]);
+    step(look);
+  });
+}
+
+void RosApi::askTypes(const LookPtr& look) {
+  int asked = 0;
+  for (FoundTopic& topic : *look->found.topics) {
+    if (!topic.type.empty()) continue;
+    if (const auto known = types_.find(topic.name); known != types_.end()) {
+      topic.type = known->second;
+      continue;
+    }
+    if (++asked > kMostTypeQuestions) continue;
+    ++look->waits_for;
+    ask("/rosapi/topic_type", withText("topic", topic.name),
+        [this, look, name = topic.name](const CallAnswer& answer) {
+          const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
+          if (!type.empty()) types_[name] = type;
+          for (FoundTopic& one : *look->found.topics) {
+            if (one.name == name) one.type = type;
+          }
+          step(look);
+        });
+  }
+}
+
+void RosApi::countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then) {
+  ask("/rosapi/publishers", withText("topic", topic), [then = std::move(then)](const CallAnswer& answer) {
+    const Field publishers = answered(answer) ? answer.values["publishers"] : Field();
+    then(publishers.isList() ? std::optional(publishers.size()) : std::nullopt);
+  });
+}
+
+void RosApi::probeMapManager(const std::string& place, std::function<void(bool)> then) {
+  // It only reads, whatever is there.
+  ask((place + "/get_waypoint").c_str(), getWaypointArgs({}),
+      [then = std::move(then)](const CallAnswer& answer) { then(answered(answer)); });
+}
+
+}  // namespace mapwright::robot::ros

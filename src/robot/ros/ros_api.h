@@ -1,0 +1,61 @@
+// What a rosbridge server tells of the robot behind it, by its node rosapi, which may be absent.
+// Source: rosbridge.md (rosapi).
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "net/rosbridge/client.h"
+#include "robot/ros/ros_topics.h"
+
+namespace mapwright::robot::ros {
+
+/// nullopt: the robot does not tell.
+struct Found {
+  std::optional<std::vector<FoundTopic>> topics;
+  std::optional<std::vector<std::string>> services;
+  bool operator==(const Found&) const = default;
+};
+
+/// Where a KABAM map manager is ("/map_manager"), below `ns` rather than elsewhere.
+std::optional<std::string> mapManagerIn(const Found& found, const std::string& ns);
+/// The type of a topic as the server writes it; empty where it does not say.
+std::string typeOf(const Found& found, const std::string& topic);
+bool lists(const Found& found, const std::string& topic);
+
+/// Lives on the link's thread.
+class RosApi : public QObject {
+  Q_OBJECT
+ public:
+  RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience, QObject* parent = nullptr);
+
+  /// Asks for all topics with their types, and all services.
+  void look(std::function<void(Found)> then);
+  /// How many nodes send by the topic; nullopt: it does not tell.
+  void countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then);
+  /// Whether a map manager answers at `place`, where nobody tells which services there are.
+  void probeMapManager(const std::string& place, std::function<void(bool)> then);
+
+ private:
+  struct Look {
+    Found found;
+    int waits_for = 0;
+    std::function<void(Found)> then;
+  };
+  using LookPtr = std::shared_ptr<Look>;
+  void ask(const char* service, const QByteArray& args, net::rosbridge::Client::Reply reply);
+  void askTypes(const LookPtr& look);
+  void step(const LookPtr& look);
+
+  net::rosbridge::Client& client_;
+  std::chrono::milliseconds patience_;
+  std::map<std::string, std::string> types_;  // asked for one by one, by topic
+};
+
+}  // namespace mapwright::robot::ros

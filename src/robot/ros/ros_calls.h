@@ -1,0 +1,19 @@
+// Service calls over rosbridge, in the words of the port.
+#pragma once
+
+#include "map/failure.h"
+#include "net/rosbridge/client.h"
+#include "robot/wire/errand.h"
+
+namespace mapwright::robot::ros {
+
+/// Calls for `errand`: once that is cancelled, the answer comes as Cancelled. `client` outlives the call.
+void call(const wire::ErrandPtr& errand, net::rosbridge::Client& client, net::rosbridge::CallRequest request,
+          net::rosbridge::Client::Reply reply);
+
+/// Of an answer that is not Answered. What a server refuses may have been done all the same
+/// (rosbridge.md: "`result:false` does not prove that nothing was done").
+map::Failure failed(const net::rosbridge::CallAnswer& answer, map::Subject subject,
+                    map::AskedFor asked_for = map::AskedFor::All);
+
+}  // namespace mapwright::robot::ros

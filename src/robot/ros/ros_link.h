@@ -1,0 +1,162 @@
+// The network half of a ROS robot behind a rosbridge server. Lives on a thread of its own; values go in and
+// out by queued calls. Source: rosbridge.md, kabam.md.
+#pragma once
+
+#include <chrono>
+#include <list>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <QUrl>
+
+#include "net/rosbridge/client.h"
+#include "robot/robot.h"
+#include "robot/ros/kabam_requests.h"
+#include "robot/ros/live_map.h"
+#include "robot/ros/ros_api.h"
+#include "robot/ros/ros_subscriptions.h"
+#include "robot/ros/ros_world.h"
+#include "robot/waypoint_store.h"
+#include "robot/wire/errand.h"
+#include "robot/wire/raw_limit.h"
+#include "robot/wire/tap_place.h"
+#include "robot/wire/topic_mailbox.h"
+
+namespace mapwright::robot::ros {
+
+/// How to reach a robot. `secret` is for rosauth, and is said to `url` only.
+struct LinkOptions {
+  QUrl url;  // ws(s)://host:port[/path]
+  QByteArray secret;
+  std::string ns;           // "/robot1": what is below it goes first; empty = none
+  bool kabam_only = false;  // without a map manager it is not the robot that was meant
+  net::Trust trust;
+  net::rosbridge::ClientOptions client;
+  std::chrono::milliseconds look_every{10'000};  // which topics and services there are
+  std::chrono::milliseconds look_patience{3'000};
+  std::chrono::milliseconds pose_every{50};  // told at most so often
+  std::chrono::milliseconds map_patience{10'000};
+  RosSubscriptions::Patience topics;
+  KabamPatience kabam;
+};
+
+/// What the robot sends, as far as that is known.
+struct KnownTopics {
+  std::vector<Source> sources;     // of the usual names where the robot does not tell
+  std::vector<std::string> names;  // all that the robot tells of
+  bool operator==(const KnownTopics&) const = default;
+};
+
+class RosLink : public QObject {
+  Q_OBJECT
+ public:
+  /// Large messages go into `mailbox`, frames to whoever sits in `tap`: both are shared with others.
+  RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
+          std::shared_ptr<wire::TapPlace> tap);
+  ~RosLink() override;
+
+  void open();
+  void close();
+  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
+  void setWanted(const map::Streams& streams, const QStringList& topics);
+  void setBasics(const LiveTopics::Basics& basics);
+  void setWatching(bool on) { watching_ = on; }
+
+  void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
+  void waypoints(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<StoredWaypoints> reply);
+  void perform(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
+               OutcomeTo<WaypointReceipt> reply);
+  void carryOut(const wire::ErrandPtr& errand, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
+
+ Q_SIGNALS:
+  void stateChanged(const mapwright::robot::ConnectionState& state);
+  void topicReceived(const mapwright::map::StampedMessage& message);
+  void mailArrived();  // the mailbox was empty and is no more
+  void rawReceived(const mapwright::robot::RawMessage& message);
+  void problemFound(const mapwright::map::Problem& problem);
+  void recovered(const mapwright::map::Recovery& recovery);
+  void topicsKnown(const mapwright::robot::ros::KnownTopics& known);
+  void mapManagerKnown(bool there);
+  void mapManagerStands(const QString& state);  // what it does now; comes before mapsChanged()
+  void mapsChanged();
+  void waypointsChanged();
+
+ private:
+  /// What was told of a topic last, and when: the same is not told at the rate of its messages.
+  struct Trouble {
+    map::Reason reason;
+    qint64 told_ms = 0;
+  };
+  /// A question that waits until it is known what the robot can do.
+  struct Early {
+    wire::ErrandPtr errand;
+    std::function<void(std::optional<map::Failure>)> then;
+    int number = 0;
+  };
+  using EarlyPtr = std::shared_ptr<Early>;
+
+  void start();  // makes the network objects, on this object's thread
+  void wireClient();
+  void wireParts();
+  void begin();
+  void noteLink();
+  void look();
+  void takeLook(Found found, std::optional<std::string> manager);
+  void refuse();
+  void sync();
+  void publishState();
+  void take(const net::rosbridge::TopicMessage& message);
+  void takeOfManager(const net::rosbridge::TopicMessage& message);
+  void tell(WorldResult result);
+  void note(const std::string& topic, map::ProblemCode code, const std::optional<map::Reason>& reason);
+  void forgetTrouble(const std::string& topic);
+  void tellPose();
+  void emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
+                 std::optional<double> recorded_s);
+  void report(map::Severity severity, map::Reason reason);
+  void whenKnown(const wire::ErrandPtr& errand, map::Subject subject, map::AskedFor asked_for,
+                 std::function<void(std::optional<map::Failure>)> then);
+  void endEarly(const EarlyPtr& early, std::optional<map::FailureKind> failure);
+  std::optional<map::CatalogueEntry> liveEntry() const;
+  bool open_() const;
+  double wall() const;
+
+  LinkOptions options_;
+  std::shared_ptr<wire::TopicMailbox> mailbox_;
+  std::shared_ptr<wire::TapPlace> tap_;
+  std::unique_ptr<net::rosbridge::Client> client_;
+  std::unique_ptr<RosApi> api_;
+  std::unique_ptr<KabamRequests> kabam_;
+  std::unique_ptr<RosSubscriptions> subscriptions_;
+  std::unique_ptr<LiveMap> live_map_;
+  std::unique_ptr<QTimer> look_timer_, pose_timer_, overdue_timer_;
+  RosWorld world_;
+  TopicWish wish_;
+  Found found_;
+  std::vector<Source> sources_;
+  bool wanted_ = false, watching_ = false;
+  bool looking_ = false;
+  bool known_ = false;      // what this connection's robot has
+  bool was_known_ = false;  // on a connection before
+  bool has_manager_ = false;
+  bool refused_ = false;
+  int round_ = 0;  // of connections
+  std::list<EarlyPtr> early_;
+  std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic
+  wire::RawLimit raw_limit_;
+  QElapsedTimer known_since_;  // of this connection
+  QElapsedTimer clock_, pose_told_, pose_missing_;
+  std::optional<geometry::Pose2> last_pose_;
+};
+
+}  // namespace mapwright::robot::ros
+
+Q_DECLARE_METATYPE(mapwright::robot::ros::KnownTopics)

@@ -1,0 +1,100 @@
+#include "robot/ros/ros_robot.h"
+
+#include <utility>
+
+#include <QPointer>
+
+namespace mapwright::robot::ros {
+
+RosRobot::RosRobot(QString address, LinkOptions options, QObject* parent)
+    : Robot(parent),
+      address_(std::move(address)),
+      known_{sourcesOf(std::nullopt, options.ns), {}},
+      mailbox_(std::make_shared<wire::TopicMailbox>()),
+      tap_(std::make_shared<wire::TapPlace>()),
+      link_(new RosLink(std::move(options), mailbox_, tap_)),
+      catalogue_({this, link_}),
+      whole_maps_({this, link_}),
+      topics_({this, link_}, tap_, known_),
+      waypoints_({this, link_}),
+      waypoint_store_(link_),
+      administration_({this, link_}, [this] { Q_EMIT mapsChanged(); }) {
+  qRegisterMetaType<ConnectionState>();
+  qRegisterMetaType<map::StampedMessage>();
+  qRegisterMetaType<map::Problem>();
+  qRegisterMetaType<map::Recovery>();
+  qRegisterMetaType<RawMessage>();
+  qRegisterMetaType<KnownTopics>();
+  link_->moveToThread(&thread_);
+  thread_.setObjectName(QStringLiteral("ros link"));
+  connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
+  listen();
+  thread_.start();
+}
+
+RosRobot::~RosRobot() {
+  link_->disconnect(this);
+  link_->disconnect(&waypoint_store_);
+  thread_.quit();
+  thread_.wait();
+}
+
+void RosRobot::listen() {
+  connect(link_, &RosLink::stateChanged, this, [this](const ConnectionState& state) {
+    if (state == state_) return;
+    state_ = state;
+    Q_EMIT connectionChanged();
+  });
+  connect(link_, &RosLink::topicReceived, this, &Robot::topicReceived);
+  connect(link_, &RosLink::mailArrived, this, &RosRobot::takeMail);
+  connect(link_, &RosLink::rawReceived, this, &Robot::rawReceived);
+  connect(link_, &RosLink::problemFound, this, &Robot::problemFound);
+  connect(link_, &RosLink::recovered, this, &Robot::recovered);
+  connect(link_, &RosLink::mapManagerStands, this,
+          [this](const QString& state) { administration_.setState(state.toStdString()); });
+  connect(link_, &RosLink::mapsChanged, this, &Robot::mapsChanged);
+  connect(link_, &RosLink::topicsKnown, this, [this](const KnownTopics& known) {
+    if (known == known_) return;
+    const bool other = known.sources != known_.sources;
+    known_ = known;
+    if (other) Q_EMIT capabilitiesChanged();
+  });
+  connect(link_, &RosLink::mapManagerKnown, this, [this](bool there) {
+    if (std::exchange(has_manager_, there) == there) return;
+    const QPointer<RosRobot> alive(this);
+    Q_EMIT capabilitiesChanged();
+    if (alive) Q_EMIT identityChanged();
+    // The catalogue is the same object, and tells of other maps.
+    if (alive) Q_EMIT mapsChanged();
+  });
+}
+
+RobotIdentity RosRobot::identity() const {
+  RobotIdentity identity;
+  identity.model = has_manager_ ? QStringLiteral("ROS (KABAM)") : QStringLiteral("ROS");
+  return identity;
+}
+
+void RosRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &RosLink::open); }
+
+void RosRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &RosLink::close); }
+
+void RosRobot::trustCertificate(const QString& sha256) {
+  QMetaObject::invokeMethod(link_, [link = link_, pin = net::fingerprintFrom(sha256)] { link->trust(pin); });
+}
+
+Absence RosRobot::whyNot(Capability capability) const {
+  const bool managers = capability == Capability::Waypoints || capability == Capability::WaypointEditing ||
+                        capability == Capability::Administration;
+  if (managers) return {Absence::Reason::NoService, {"KABAM map manager (/map_manager)"}};
+  return {};
+}
+
+void RosRobot::takeMail() {
+  const QPointer<RosRobot> alive(this);
+  for (const map::StampedMessage& message : mailbox_->take()) {
+    if (alive) Q_EMIT topicReceived(message);
+  }
+}
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,168 @@
+#include "robot/ros/ros_topics.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "robot/ros/read_messages.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+using map::Stream;
+
+constexpr std::size_t kLongestName = 256;
+
+/// Which topics of a type bring a stream.
+struct Rule {
+  Stream stream;
+  Form form;
+  const char* type;
+  std::vector<std::string_view> tails;  // what they end with, whole parts; the better ones first
+  bool any = false;                     // others of the type will do, too
+  std::size_t most = 1;
+  const char* never = nullptr;  // a part of names that mean something else
+};
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all{
+      {Stream::WholeMap, Form::Grid, "nav_msgs/OccupancyGrid", {"map"}, true, 1, "costmap"},
+      {Stream::CostmapLow, Form::Grid, "nav_msgs/OccupancyGrid", {"global_costmap/costmap"}},
+      {Stream::CostmapHigh, Form::Grid, "nav_msgs/OccupancyGrid", {"local_costmap/costmap"}},
+      {Stream::Path, Form::Path, "nav_msgs/Path", {"plan", "global_plan", "path"}},
+      {Stream::LocalPath, Form::Path, "nav_msgs/Path", {"local_plan", "local_path"}},
+      {Stream::Cloud, Form::LaserScan, "sensor_msgs/LaserScan", {"scan"}, true, 4},
+      {Stream::Cloud,
+       Form::PointCloud,
+       "sensor_msgs/PointCloud2",
+       {"points", "cloud", "scan_matched_points2"},
+       true,
+       2,
+       "costmap"},
+      {Stream::Pose, Form::Tf, "tf2_msgs/TFMessage", {"tf"}},
+      {Stream::Pose, Form::Tf, "tf/tfMessage", {"tf"}},
+      {Stream::Pose, Form::StaticTf, "tf2_msgs/TFMessage", {"tf_static"}},
+      {Stream::Pose,
+       Form::PoseWithCovariance,
+       "geometry_msgs/PoseWithCovarianceStamped",
+       {"amcl_pose", "pose"}},
+      {Stream::Pose, Form::PoseStamped, "geometry_msgs/PoseStamped", {"tracked_pose", "robot_pose"}},
+      {Stream::Pose, Form::Odometry, "nav_msgs/Odometry", {"odom"}},
+      {Stream::Model,
+       Form::Polygon,
+       "geometry_msgs/PolygonStamped",
+       {"local_costmap/published_footprint", "local_costmap/footprint", "published_footprint", "footprint"}},
+      {Stream::Planning, Form::PoseStamped, "geometry_msgs/PoseStamped", {"current_goal", "goal_pose"}},
+      {Stream::SeenObjects, Form::Markers, "visualization_msgs/MarkerArray", {"markers", "objects"}},
+      {Stream::Battery, Form::Battery, "sensor_msgs/BatteryState", {"battery_state", "battery"}, true},
+  };
+  return all;
+}
+
+/// What they are called where nobody says what there is.
+struct UsualName {
+  Stream stream;
+  Form form;
+  const char* topic;
+};
+constexpr UsualName kUsualNames[] = {
+    {Stream::WholeMap, Form::Grid, "/map"},
+    {Stream::CostmapLow, Form::Grid, "/global_costmap/costmap"},
+    {Stream::CostmapLow, Form::Grid, "/move_base/global_costmap/costmap"},
+    {Stream::CostmapHigh, Form::Grid, "/local_costmap/costmap"},
+    {Stream::CostmapHigh, Form::Grid, "/move_base/local_costmap/costmap"},
+    {Stream::Path, Form::Path, "/plan"},
+    {Stream::Path, Form::Path, "/move_base/NavfnROS/plan"},
+    {Stream::LocalPath, Form::Path, "/local_plan"},
+    {Stream::Cloud, Form::LaserScan, "/scan"},
+    {Stream::Cloud, Form::PointCloud, "/points"},
+    {Stream::Pose, Form::Tf, "/tf"},
+    {Stream::Pose, Form::StaticTf, "/tf_static"},
+    {Stream::Pose, Form::PoseWithCovariance, "/amcl_pose"},
+    {Stream::Pose, Form::Odometry, "/odom"},
+    {Stream::Model, Form::Polygon, "/local_costmap/published_footprint"},
+    {Stream::Model, Form::Polygon, "/move_base/local_costmap/footprint"},
+    {Stream::Planning, Form::PoseStamped, "/goal_pose"},
+    {Stream::Planning, Form::PoseStamped, "/move_base/current_goal"},
+    {Stream::Battery, Form::Battery, "/battery_state"},
+};
+
+bool endsWith(std::string_view topic, std::string_view tail) {
+  if (!topic.ends_with(tail)) return false;
+  return topic.size() == tail.size() || topic[topic.size() - tail.size() - 1] == '/';
+}
+
+bool below(std::string_view topic, std::string_view ns) {
+  return !ns.empty() && topic.size() > ns.size() && topic.starts_with(ns) && topic[ns.size()] == '/';
+}
+
+/// The patches of a grid; where nobody says what there is, they may be there.
+std::optional<Source> patchesOf(const Source& grid, const std::optional<std::vector<FoundTopic>>& found) {
+  Source patch{grid.stream, Form::GridPatch, grid.topic + "_updates", {}, grid.topic, false};
+  if (!found) return patch;
+  for (const FoundTopic& one : *found) {
+    if (one.name != patch.topic || plainType(one.type) != "map_msgs/OccupancyGridUpdate") continue;
+    patch.type = one.type;
+    patch.found = true;
+    return patch;
+  }
+  return std::nullopt;
+}
+
+void addGrids(std::vector<Source>& sources, Source source,
+              const std::optional<std::vector<FoundTopic>>& found) {
+  const bool grid = source.form == Form::Grid;
+  sources.push_back(std::move(source));
+  if (!grid) return;
+  if (auto patches = patchesOf(sources.back(), found)) sources.push_back(std::move(*patches));
+}
+
+std::vector<Source> usualSources(const std::string& ns) {
+  std::vector<Source> sources;
+  for (const UsualName& usual : kUsualNames) {
+    // What several robots share is called the same for all of them.
+    const bool shared =
+        usual.form == Form::Tf || usual.form == Form::StaticTf || usual.stream == Stream::WholeMap;
+    if (!ns.empty()) addGrids(sources, {usual.stream, usual.form, ns + usual.topic, {}, {}, false}, {});
+    if (ns.empty() || shared) addGrids(sources, {usual.stream, usual.form, usual.topic, {}, {}, false}, {});
+  }
+  return sources;
+}
+
+}  // namespace
+
+std::string_view lastPart(std::string_view topic) { return topic.substr(topic.rfind('/') + 1); }
+
+bool needsTransforms(Form form) {
+  return form != Form::Tf && form != Form::StaticTf && form != Form::Battery;
+}
+
+std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& found, const std::string& ns) {
+  if (!found) return usualSources(ns);
+  std::vector<Source> sources;
+  for (const Rule& rule : rules()) {
+    using Rank = std::tuple<bool, std::size_t, std::size_t, std::string_view>;
+    std::vector<std::pair<Rank, const FoundTopic*>> fitting;
+    for (const FoundTopic& topic : *found) {
+      if (plainType(topic.type) != rule.type || topic.name.size() > kLongestName) continue;
+      if (rule.never && topic.name.find(rule.never) != std::string::npos) continue;
+      std::size_t rank = 0;
+      while (rank < rule.tails.size() && !endsWith(topic.name, rule.tails[rank])) ++rank;
+      if (rank == rule.tails.size() && !rule.any) continue;
+      fitting.push_back({{!below(topic.name, ns), rank, topic.name.size(), topic.name}, &topic});
+    }
+    std::sort(fitting.begin(), fitting.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < fitting.size() && i < rule.most; ++i)
+      addGrids(sources, {rule.stream, rule.form, fitting[i].second->name, fitting[i].second->type, {}, true},
+               found);
+  }
+  return sources;
+}
+
+std::vector<Source> sourcesFor(map::Stream stream, const std::vector<Source>& all) {
+  std::vector<Source> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+               [&](const Source& source) { return source.stream == stream; });
+  return some;
+}
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,34 @@
+// How many raw messages a window is handed.
+#pragma once
+
+#include <algorithm>
+
+#include "robot/robot.h"
+
+namespace mapwright::robot::wire {
+
+/// Lets no more through than a window can take: kMessages and kBytes in each second.
+class RawLimit {
+ public:
+  static constexpr int kMessages = 200;
+  static constexpr qint64 kBytes = qint64(32) << 20;
+  /// Whether a message of this size may pass at `now_ms` of any clock that does not run backwards.
+  bool allow(qint64 now_ms, qint64 bytes) {
+    if (now_ms / 1000 != second_) {
+      second_ = now_ms / 1000;
+      messages_ = 0;
+      bytes_ = 0;
+    }
+    if (messages_ >= kMessages || bytes_ >= kBytes) return false;
+    ++messages_;
+    bytes_ += std::min<qint64>(bytes, kMaxRawText);
+    return true;
+  }
+
+ private:
+  qint64 second_ = -1;
+  int messages_ = 0;
+  qint64 bytes_ = 0;
+};
+
+}  // namespace mapwright::robot::wire

@@ -1,0 +1,153 @@
+// What is found in messages of ROS, about its topics and by a manager of maps.
+#include <QCoreApplication>
+
+#include "sentences/words_by_code.h"
+
+namespace mapwright::sentences {
+namespace {
+
+using map::ReasonCode;
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Reason)
+};
+
+// One function for each group of codes.
+
+QString ofRos(ReasonCode code, int count) {
+  switch (code) {
+    case ReasonCode::RosFieldMissing:
+      return Words::tr("Its field %1 is missing or cannot be read.");
+    case ReasonCode::RosFieldWrong:
+      return Words::tr("Its field %1 is %2, which cannot be.");
+    case ReasonCode::RosLengthDiffers:
+      return Words::tr("Its field %1 holds %2 values, but its other fields say %3.");
+    case ReasonCode::RosGridEmpty:
+      return Words::tr("It has no cells: it is %1 x %2.");
+    case ReasonCode::RosTurnIsZero:
+      return Words::tr("Its orientation is no rotation (a zero quaternion). It is shown with yaw 0.");
+    case ReasonCode::RosCellsOutOfRange:
+      return Words::tr("%1 cells are neither -1 nor 0 to 100. They are shown as unknown.", nullptr, count);
+    case ReasonCode::RosPatchOutside:
+      return Words::tr(
+          "An update of %1 x %2 cells at %3, %4 does not lie in its %5 x %6 cells. It was left out.");
+    case ReasonCode::RosPointsThinned:
+      return Words::tr("It has %1 points, too many to be drawn. One of every %2 is shown.");
+    case ReasonCode::RosFrameUnknown:
+      return Words::tr("The robot has sent no transform of the frame %1 yet, so it cannot be placed.");
+    case ReasonCode::RosFramesApart:
+      return Words::tr("No transforms connect the frame %1 to the frame %2, so it cannot be placed.");
+    case ReasonCode::RosTransformTooOld:
+      return Words::tr(
+          "It is older than the transforms of %1 in %2 that are kept, so it cannot be placed. The clocks of "
+          "the robot may differ.");
+    case ReasonCode::RosTransformTooNew:
+      return Words::tr(
+          "It is newer than the last transform of %1 in %2, so it cannot be placed. Whoever sends that "
+          "transform may be late, or may have stopped.");
+    case ReasonCode::RosTransformLoop:
+      return Words::tr(
+          "A transform of %1 in %2 would close a loop of frames. It was left out: two nodes of the robot "
+          "contradict each other.");
+    default:
+      return {};
+  }
+}
+
+QString ofTopics(ReasonCode code) {
+  switch (code) {
+    case ReasonCode::TopicSilent:
+      return Words::tr("Waiting: nothing has come by it yet");
+    case ReasonCode::TopicNotListed:
+      return Words::tr("the robot knows no such topic now");
+    case ReasonCode::TopicNobodySends:
+      return Words::tr("the topic is there, but no node of the robot sends anything by it");
+    case ReasonCode::TopicsNotTold:
+      return Words::tr(
+          "the robot does not tell which topics it has (its node rosapi does not run), so it may not have "
+          "it");
+    case ReasonCode::TopicListedOnly:
+      return Words::tr(
+          "the topic is there; it may have nothing to say now, or the rosbridge server may lack its type");
+    default:
+      return {};
+  }
+}
+
+QString ofMapManagers(ReasonCode code) {
+  switch (code) {
+    case ReasonCode::NoAnswerInTime:
+      return Words::tr("the robot did not answer in time");
+    case ReasonCode::LinkBrokeOff:
+      return Words::tr("the connection broke off");
+    case ReasonCode::NotConnected:
+      return Words::tr("there is no connection to the robot");
+    case ReasonCode::AnswerWithoutResult:
+      return Words::tr("its answer holds no result");
+    case ReasonCode::ResultMapUnknown:
+      return Words::tr("it has no such map");
+    case ReasonCode::ResultNameTaken:
+      return Words::tr("another waypoint of this map is called \"%1\" already; choose another name");
+    case ReasonCode::ResultWaypointUnknown:
+      return Words::tr("it has no such waypoint any more");
+    case ReasonCode::ResultUndefined:
+      return Words::tr("it failed, and does not say why");
+    case ReasonCode::ResultInvalid:
+      return Words::tr("it takes the request for invalid");
+    case ReasonCode::ResultInvalidLoad:
+      return Words::tr(
+          "it takes the request for invalid; it may want to be told at which waypoint it stands");
+    case ReasonCode::ResultAlreadyLoaded:
+      return Words::tr("it works with this map already");
+    case ReasonCode::ResultNothingToSave:
+      return Words::tr(
+          "it takes the request for invalid; there may be nothing to save, or the name may not do");
+    case ReasonCode::ResultMapNameTaken:
+      return Words::tr("another map is called \"%1\" already; choose another name");
+    case ReasonCode::NoRosbridgeThere:
+      return Words::tr(
+          "something answers at %1, but not as a rosbridge server: %2. Check the address and the port.");
+    case ReasonCode::NoMapManagerThere:
+      return Words::tr(
+          "a rosbridge server answers at %1, but its robot runs no KABAM map manager (/map_manager). Start "
+          "it, or "
+          "connect to ros+ws:// for what else there is.");
+    case ReasonCode::ResultUnknown:
+      return Words::tr("%1 is no answer that this program knows");
+    case ReasonCode::NotConfirmed:
+      return Words::tr(
+          "not confirmed: the robot said that it was done, but did not show it within %1 s. Look again");
+    case ReasonCode::TagsNotTaken:
+      return Words::tr(
+          "The robot has taken the change of \"%1\", but not its tags. To be rid of its last tag, delete the "
+          "waypoint and create it anew.");
+    case ReasonCode::ChangedMeanwhile:
+      return Words::tr("\"%1\" has been changed on the robot meanwhile");
+    case ReasonCode::ListsNotTold:
+      return Words::tr("the robot's map manager has not told its maps in time");
+    case ReasonCode::OnlyCurrentMapSent:
+      return Words::tr(
+          "The robot sends only the map that it works with. Load this one on the robot to see it.");
+    case ReasonCode::MessageNotUnderstood:
+      return Words::tr("Its message is not what is expected there. It was left out.");
+    case ReasonCode::WaypointTurnIsZero:
+      return Words::tr(
+          "Waypoint \"%1\" has no heading (a zero quaternion). It is shown with yaw 0, and kept as it is "
+          "until "
+          "you turn it.");
+    case ReasonCode::WaypointInOtherFrame:
+      return Words::tr("Waypoint \"%1\" lies in the frame %2 instead of %3. It was left out.");
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+QString wordsOfRos(ReasonCode code, int count) {
+  QString text = ofRos(code, count);
+  if (text.isEmpty()) text = ofTopics(code);
+  return text.isEmpty() ? ofMapManagers(code) : text;
+}
+
+}  // namespace mapwright::sentences

@@ -1,0 +1,285 @@
+#include "simulator/ros/ros_server.h"
+
+#include <algorithm>
+#include <future>
+
+#include <boost/asio/post.hpp>
+
+#include "simulator/ros/garbage.h"
+#include "simulator/ros/ros_session.h"
+
+namespace mapwright::simulator::ros {
+namespace {
+
+using boost::asio::ip::tcp;
+using std::chrono::steady_clock;
+
+constexpr auto kTick = std::chrono::milliseconds(20);
+constexpr auto kIdleTick = std::chrono::milliseconds(100);
+constexpr auto kGarbageEvery = std::chrono::milliseconds(250);
+constexpr std::size_t kMostAdvertised = 1000;
+
+}  // namespace
+
+RosServer::RosServer(const Options& options, const RobotState& robot, const FaultPlan& faults,
+                     RequestLog& log, KabamStore& kabam, MapPictures& pictures)
+    : options_(options),
+      fault_plan_(faults),
+      log_(log),
+      kabam_(kabam),
+      messages_(robot, options, faults, kabam, pictures),
+      services_(options, faults, kabam, messages_),
+      rows_(topicTable(options, {})) {}
+
+RosServer::~RosServer() {
+  io_.stop();
+  if (thread_.joinable()) thread_.join();
+  workers_.stop();
+  workers_.join();
+  for (const auto& [address, session] : std::map(sessions_)) session->cut();  // must go before the io_context
+}
+
+std::optional<std::string> RosServer::start(std::uint16_t port) {
+  boost::system::error_code error;
+  const tcp::endpoint endpoint(boost::asio::ip::address_v4::loopback(), port);
+  acceptor_.open(endpoint.protocol(), error);
+  if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor_.bind(endpoint, error);
+  if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
+  if (!error) port_ = acceptor_.local_endpoint(error).port();
+  if (error) {
+    return "The simulated ROS robot could not open port " + std::to_string(port) +
+           " on 127.0.0.1: " + error.message() + ". Choose another port, or 0 for a free one.";
+  }
+  published_ = kabam_.edits();
+  tick_at_ = restarted_at_ = edited_at_ = garbage_at_ = steady_clock::now();
+  for (const TopicRow& row : rows_) {
+    if (row.period_s <= 0) continue;
+    const auto period =
+        std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(row.period_s));
+    periodic_.push_back({row.name, period, tick_at_ + period});
+  }
+  accept();
+  tick();
+  thread_ = std::thread([this] { io_.run(); });
+  return std::nullopt;
+}
+
+void RosServer::accept() {
+  acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
+    if (error == boost::asio::error::operation_aborted) return;
+    if (!error) {
+      socket.set_option(tcp::no_delay(true), error);
+      std::make_shared<RosSession>(std::move(socket), *this)->accept();
+    }
+    accept();
+  });
+}
+
+void RosServer::join(const std::shared_ptr<RosSession>& session) {
+  sessions_[session.get()] = session;
+  open_ = static_cast<int>(sessions_.size());
+}
+
+void RosServer::leave(const RosSession* session) {
+  const auto found = sessions_.find(session);
+  if (found == sessions_.end()) return;
+  const std::shared_ptr<RosSession> last = std::move(found->second);  // goes when the books are in order
+  sessions_.erase(found);
+  open_ = static_cast<int>(sessions_.size());
+}
+
+void RosServer::note(std::string_view method, std::string_view target, int status, std::size_t bytes) {
+  RequestRecord record;
+  record.method = method;
+  record.target = target;
+  LoggedRequest(log_, std::move(record), false).finish(status, bytes);
+}
+
+void RosServer::tick() {
+  const steady_clock::duration step = sessions_.empty() ? kIdleTick : kTick;
+  tick_at_ = std::max(tick_at_ + step, steady_clock::now());
+  timer_.expires_at(tick_at_);
+  timer_.async_wait([this](boost::system::error_code error) {
+    if (error) return;
+    const steady_clock::time_point now = steady_clock::now();
+    keepFaultSchedule(now);
+    publishChanges();
+    publishDue(now);
+    for (const auto& [address, session] : std::map(sessions_)) session->tick(now);
+    tick();
+  });
+}
+
+void RosServer::publishDue(steady_clock::time_point now) {
+  const bool maps = kabam_.state() == ManagerState::Mapping;
+  for (Periodic& topic : periodic_) {
+    if (now < topic.due) continue;
+    topic.due = std::max(topic.due + topic.period, now);
+    if (topic.topic != "/map" || maps) publish(topic.topic);  // a finished map is told once
+  }
+}
+
+void RosServer::keepFaultSchedule(steady_clock::time_point now) {
+  const RosFaults faults = this->faults();
+  if (faults.restart_every_s > 0 && now - restarted_at_ >= std::chrono::seconds(faults.restart_every_s)) {
+    restarted_at_ = now;
+    for (const auto& [address, session] : std::map(sessions_)) session->cut();
+    last_.clear();
+  }
+  if (faults.other_operator_every_s > 0 &&
+      now - edited_at_ >= std::chrono::seconds(faults.other_operator_every_s)) {
+    edited_at_ = now;
+    kabam_.otherOperator();
+  }
+  if (faults.garbage && now - garbage_at_ >= kGarbageEvery) {
+    garbage_at_ = now;
+    const Garbage piece = garbageOf(garbage_++);
+    for (const auto& [address, session] : std::map(sessions_)) session->sendRaw(piece.bytes, piece.binary);
+  }
+}
+
+void RosServer::publishChanges() {
+  const KabamEdits edits = kabam_.edits();
+  const KabamEdits before = std::exchange(published_, edits);
+  if (edits == before) return;
+  if (edits.lists != before.lists) {
+    publish(kMapListTopic);
+    publish(kArchivedListTopic);
+  }
+  if (edits.info != before.info) publish(kMapInfoTopic);
+  if (edits.waypoints != before.waypoints) publish(kWaypointsTopic);
+  if (edits.picture != before.picture) {
+    publish("/map");
+    publish("/global_costmap/costmap");
+  }
+}
+
+const TopicRow* RosServer::rowOf(std::string_view topic) const {
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [&](const TopicRow& row) { return row.name == topic; });
+  return found == rows_.end() ? nullptr : &*found;
+}
+
+bool RosServer::isSilent(std::string_view topic) const {
+  const RosFaults faults = this->faults();
+  return std::find(faults.silent.begin(), faults.silent.end(), topic) != faults.silent.end();
+}
+
+bool RosServer::mayDeliver(std::string_view topic, std::string_view type) const {
+  const RosDialect dialect = options_.ros.dialect;
+  for (const TopicRow& row : topicTable(options_, faults())) {
+    if (row.name == topic) return type.empty() || sameType(type, row.type, "msg", dialect);
+  }
+  if (const auto found = advertised_.find(std::string(topic)); found != advertised_.end())
+    return type.empty() || type == found->second;
+  // What does not exist yet comes to be with the type that is named here, if that is one.
+  const auto parts = 1 + std::count(type.begin(), type.end(), '/');
+  return parts == 2 || (parts == 3 && dialect == RosDialect::Ros2);
+}
+
+void RosServer::deliverLatched(const std::shared_ptr<RosSession>& session, const std::string& topic) {
+  const TopicRow* row = rowOf(topic);
+  if (row == nullptr || !row->latched || isSilent(topic)) return;
+  if (const auto found = last_.find(topic); found != last_.end()) {
+    session->deliver(found->second, true);
+    return;
+  }
+  make(topic, session, false);
+}
+
+void RosServer::publish(std::string_view topic) {
+  const bool wanted = std::any_of(sessions_.begin(), sessions_.end(),
+                                  [&](const auto& entry) { return entry.second->wants(topic); });
+  if (const auto kept = last_.find(topic); kept != last_.end()) last_.erase(kept);
+  if (wanted && !isSilent(topic)) make(std::string(topic), {}, true);
+}
+
+PublicationPtr RosServer::publicationOf(const std::string& topic, std::optional<Value> msg) const {
+  if (!msg) return nullptr;
+  return std::make_shared<const Publication>(topic, std::move(*msg), options_.ros.writer);
+}
+
+void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_for, bool for_all) {
+  const TopicRow* row = rowOf(topic);
+  const bool latched = row != nullptr && row->latched;
+  const auto done = [this, topic, latched, only_for, for_all](const PublicationPtr& message) {
+    if (!message) return;
+    if (latched) last_[topic] = message;
+    if (for_all) return deliverAll(message);
+    if (const std::shared_ptr<RosSession> session = only_for.lock()) session->deliver(message, true);
+  };
+  if (row == nullptr || !row->slow) return done(publicationOf(topic, messages_.messageOf(topic)));
+  if (for_all) {
+    const auto [entry, is_new] = making_.try_emplace(topic, false);
+    if (!is_new) {
+      entry->second = true;
+      return;
+    }
+  }
+  boost::asio::post(workers_, [this, topic, for_all, done] {
+    PublicationPtr message = publicationOf(topic, messages_.messageOf(topic));
+    boost::asio::post(io_, [this, topic, for_all, done, message = std::move(message)] {
+      const bool again = for_all && making_.extract(topic).mapped();
+      done(message);
+      if (again) publish(topic);
+    });
+  });
+}
+
+void RosServer::deliverAll(const PublicationPtr& message) {
+  for (const auto& [address, session] : std::map(sessions_)) session->deliver(message, false);
+}
+
+void RosServer::advertise(const std::string& topic, const std::string& type) {
+  if (advertised_.size() < kMostAdvertised && rowOf(topic) == nullptr) advertised_.emplace(topic, type);
+}
+
+std::string RosServer::publishFrom(const std::string& topic, const Value& msg) {
+  const TopicRow* row = rowOf(topic);
+  const auto advertised = advertised_.find(topic);
+  if (row == nullptr && advertised == advertised_.end()) return "Topic " + topic + " was not advertised";
+  std::string type = row != nullptr ? std::string(row->type) : advertised->second;
+  if (const std::size_t middle = type.find("/msg/"); middle != std::string::npos) type.erase(middle, 4);
+  Value whole = msg;
+  if (services_.types().knows(type)) {
+    tl::expected<Value, std::string> read = services_.types().complete(type, msg);
+    if (!read) return read.error();
+    whole = std::move(*read);
+  }
+  if (!isSilent(topic)) deliverAll(publicationOf(topic, std::move(whole)));
+  return {};
+}
+
+void RosServer::runAndWait(const std::function<void()>& action) {
+  auto promise = std::make_shared<std::promise<void>>();
+  const std::future<void> done = promise->get_future();
+  boost::asio::post(io_, [action, promise] {
+    action();
+    promise->set_value();
+  });
+  done.wait();
+}
+
+void RosServer::dropLinks() {
+  runAndWait([this] {
+    for (const auto& [address, session] : std::map(sessions_)) session->cut();
+  });
+}
+
+void RosServer::refresh() {
+  runAndWait([this] {
+    for (const TopicRow& row : rows_) {
+      if (!row.incoming) publish(row.name);
+    }
+  });
+}
+
+void RosServer::otherOperator() {
+  runAndWait([this] {
+    kabam_.otherOperator();
+    publishChanges();
+  });
+}
+
+}  // namespace mapwright::simulator::ros

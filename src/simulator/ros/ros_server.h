@@ -1,0 +1,109 @@
+// The simulated ROS robot's port and its threads.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+
+#include "simulator/request_log.h"
+#include "simulator/ros/ros_messages.h"
+#include "simulator/ros/ros_services.h"
+#include "simulator/ros/subscriptions.h"
+#include "simulator/ros/topic_table.h"
+
+namespace mapwright::simulator::ros {
+
+class RosSession;
+
+/// Serves from start() to destruction. One thread does all that has to do with sockets; a worker makes what
+/// takes many milliseconds. What is encoded keeps everybody waiting, as it does on real servers.
+class RosServer {
+ public:
+  RosServer(const Options& options, const RobotState& robot, const FaultPlan& faults, RequestLog& log,
+            KabamStore& kabam, MapPictures& pictures);
+  ~RosServer();
+  RosServer(const RosServer&) = delete;
+  RosServer& operator=(const RosServer&) = delete;
+
+  /// Opens the port of 127.0.0.1 (0 = a free one) and starts the thread. nullopt when it runs.
+  std::optional<std::string> start(std::uint16_t port);
+  std::uint16_t port() const { return port_; }
+  int openLinks() const { return open_; }
+
+  // From any thread; they return when it is done.
+  void dropLinks();
+  void refresh();  // every topic says how things are
+  void otherOperator();
+
+  // For the sessions, on the server's thread.
+  const Options& options() const { return options_; }
+  RosFaults faults() const { return fault_plan_.faults().ros; }
+  void join(const std::shared_ptr<RosSession>& session);
+  void leave(const RosSession* session);
+  void note(std::string_view method, std::string_view target, int status, std::size_t bytes);
+  CallOutcome call(const std::string& service, const Value& args) { return services_.call(service, args); }
+  /// Publishes what a call has changed.
+  void publishChanges();
+  /// Whether a subscription will ever be delivered.
+  bool mayDeliver(std::string_view topic, std::string_view type) const;
+  void deliverLatched(const std::shared_ptr<RosSession>& session, const std::string& topic);
+  void advertise(const std::string& topic, const std::string& type);
+  /// What a client publishes reaches all who have subscribed. A sentence when it is refused.
+  std::string publishFrom(const std::string& topic, const Value& msg);
+
+ private:
+  struct Periodic {
+    std::string_view topic;
+    std::chrono::steady_clock::duration period;
+    std::chrono::steady_clock::time_point due;
+  };
+
+  void accept();
+  void tick();
+  void publishDue(std::chrono::steady_clock::time_point now);
+  void keepFaultSchedule(std::chrono::steady_clock::time_point now);
+  void publish(std::string_view topic);
+  void make(const std::string& topic, std::weak_ptr<RosSession> only_for, bool for_all);
+  void deliverAll(const PublicationPtr& message);
+  const TopicRow* rowOf(std::string_view topic) const;
+  bool isSilent(std::string_view topic) const;
+  PublicationPtr publicationOf(const std::string& topic, std::optional<Value> msg) const;
+  void runAndWait(const std::function<void()>& action);
+
+  const Options& options_;
+  const FaultPlan& fault_plan_;
+  RequestLog& log_;
+  KabamStore& kabam_;
+  Messages messages_;
+  Services services_;
+  boost::asio::io_context io_{1};
+  boost::asio::thread_pool workers_{1};
+  boost::asio::ip::tcp::acceptor acceptor_{io_};
+  boost::asio::steady_timer timer_{io_};
+  std::uint16_t port_ = 0;
+  const std::vector<TopicRow> rows_;
+  std::vector<Periodic> periodic_;
+  std::map<std::string, std::string> advertised_;
+  std::map<const RosSession*, std::shared_ptr<RosSession>> sessions_;
+  std::map<std::string, PublicationPtr, std::less<>> last_;  // of latched topics
+  std::map<std::string, bool> making_;                       // true: once more when it is done
+  KabamEdits published_;
+  std::chrono::steady_clock::time_point tick_at_, restarted_at_, edited_at_, garbage_at_;
+  std::size_t garbage_ = 0;
+  std::atomic<int> open_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace mapwright::simulator::ros

@@ -1,0 +1,279 @@
+#include "simulator/ros/ros_session.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <boost/asio/steady_timer.hpp>
+
+#include "simulator/ros/fragments.h"
+#include "simulator/ros/ros_server.h"
+#include "simulator/ros/value_json.h"
+
+namespace mapwright::simulator::ros {
+namespace {
+
+namespace beast = boost::beast;
+namespace websocket = boost::beast::websocket;
+
+constexpr std::size_t kMostMessageBytes = std::size_t{128} << 20;  // a map's picture as base64
+constexpr std::size_t kMostQueued = 64;  // beyond it, messages of topics are left out
+constexpr std::size_t kMostQueuedBytes = std::size_t{512} << 20;  // beyond it, the reader is given up
+constexpr auto kOvertaken = std::chrono::milliseconds(150);
+constexpr auto kLongestThrottle = std::chrono::hours(1);
+
+bool holds(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Absent, or a whole number that is not negative.
+bool isCount(const Value& message, std::string_view name) {
+  if (!message.has(name) || message[name].isNull()) return true;
+  const std::int64_t* number = message[name].as<std::int64_t>();
+  return number != nullptr && *number >= 0;
+}
+
+bool isTextIfThere(const Value& message, std::string_view name) {
+  return !message.has(name) || message[name].isNull() || message[name].as<std::string>() != nullptr;
+}
+
+bool isWholeAuth(const Value& message) {
+  for (const char* name : {"mac", "client", "dest", "rand", "level"}) {
+    if (message[name].as<std::string>() == nullptr) return false;
+  }
+  const auto isNumber = [&](const char* name) {
+    return message[name].as<std::int64_t>() != nullptr || message[name].as<double>() != nullptr;
+  };
+  return isNumber("t") && isNumber("end");
+}
+
+std::string idText(const Value& id) {
+  return id.as<std::int64_t>() != nullptr ? std::to_string(*id.as<std::int64_t>()) : id.text();
+}
+
+}  // namespace
+
+RosSession::RosSession(boost::asio::ip::tcp::socket socket, RosServer& server)
+    : stream_(std::move(socket)), server_(server) {
+  if (server_.options().ros.status) status_level_ = "error";
+}
+
+void RosSession::accept() {
+  websocket::stream_base::timeout timeout{};
+  timeout.handshake_timeout = std::chrono::seconds(10);
+  timeout.idle_timeout = websocket::stream_base::none();
+  timeout.keep_alive_pings = false;
+  stream_.set_option(timeout);
+  stream_.read_message_max(kMostMessageBytes);
+  stream_.async_accept([self = shared_from_this()](beast::error_code error) {
+    if (error) return;
+    self->open_ = true;
+    self->server_.join(self);
+    self->read();
+  });
+}
+
+void RosSession::read() {
+  stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+    if (error) {
+      self->open_ = false;
+      self->server_.leave(self.get());
+      return;
+    }
+    const auto bytes = self->buffer_.data();
+    const std::string text(static_cast<const char*>(bytes.data()), bytes.size());
+    self->buffer_.consume(self->buffer_.size());
+    self->understand(text);
+    if (self->open_) self->read();
+  });
+}
+
+void RosSession::understand(std::string_view text) {
+  const std::optional<Value> message = fromJson(text);
+  if (!message || (*message)["op"].text().empty()) {
+    if (server_.options().ros.needs_auth && !authenticated_) return cut();
+    return complain("Received a message without an op, or no JSON", {});
+  }
+  const std::string& op = (*message)["op"].text();
+  const Value& id = (*message)["id"];
+  if (op == "auth") {
+    authenticated_ = isWholeAuth(*message);
+    if (!authenticated_ && server_.options().ros.needs_auth) cut();
+    return;
+  }
+  if (server_.options().ros.needs_auth && !authenticated_) return cut();
+  // Whoever asks for fragments gets them for as long as he is connected.
+  if (const std::int64_t* size = (*message)["fragment_size"].as<std::int64_t>(); size != nullptr && *size > 0)
+    fragment_size_ = static_cast<std::size_t>(*size);
+  if (op == "call_service") return call(*message);
+  if (op == "subscribe") return subscribe(*message);
+  if (op == "unsubscribe") return unsubscribe(*message);
+  if (op == "publish") return publish(*message);
+  if (op == "set_level") {
+    status_level_ = (*message)["level"].text() == "none" ? std::string() : (*message)["level"].text();
+    return;
+  }
+  if (op == "advertise") {
+    const std::string &topic = (*message)["topic"].text(), &type = (*message)["type"].text();
+    if (topic.empty() || type.empty()) return complain("advertise needs a topic and a type", id);
+    server_.advertise(topic, type);
+    return;
+  }
+  if (op == "unadvertise") return;  // what others hear of the topic stays the same
+  complain("Unknown operation: " + op, id);
+}
+
+void RosSession::subscribe(const Value& message) {
+  const Value& id = message["id"];
+  const std::string& topic = message["topic"].text();
+  server_.note("SUBSCRIBE", topic, 200, 0);
+  if (topic.empty() || !isTextIfThere(message, "type") || !isTextIfThere(message, "compression") ||
+      !isCount(message, "throttle_rate") || !isCount(message, "queue_length") ||
+      !isCount(message, "fragment_size"))
+    return complain("A field of subscribe is missing or of another type", id);
+  Subscription wanted;
+  wanted.type = message["type"].text();
+  const auto throttle_ms = static_cast<std::int64_t>(message["throttle_rate"].number());
+  wanted.throttle = std::min<std::chrono::milliseconds>(
+      std::chrono::milliseconds(std::min<std::int64_t>(throttle_ms, 1'000'000'000)), kLongestThrottle);
+  wanted.queue_length = static_cast<std::size_t>(std::min(message["queue_length"].number(), 1e6));
+  const std::string& compression = message["compression"].text();
+  wanted.compression = compression == "png"    ? Compression::Png
+                       : compression == "cbor" ? Compression::Cbor
+                                               : Compression::None;
+  if (!server_.mayDeliver(topic, wanted.type))
+    return complain("Unable to subscribe to " + topic + " as " + wanted.type, id);
+  if (!subscriptions_.add(topic, idText(id), std::move(wanted)))
+    return complain("Too many subscriptions", id);
+  server_.deliverLatched(shared_from_this(), topic);
+}
+
+void RosSession::unsubscribe(const Value& message) {
+  const std::string& topic = message["topic"].text();
+  server_.note("UNSUBSCRIBE", topic, 200, 0);
+  subscriptions_.remove(topic, message.has("id") ? std::optional(idText(message["id"])) : std::nullopt);
+}
+
+void RosSession::publish(const Value& message) {
+  const std::string& topic = message["topic"].text();
+  server_.note("PUBLISH", topic, 200, 0);
+  if (topic.empty() || message["msg"].as<Value::Object>() == nullptr)
+    return complain("publish needs a topic and a msg", message["id"]);
+  if (const std::string problem = server_.publishFrom(topic, message["msg"]); !problem.empty())
+    complain(problem, message["id"]);
+}
+
+void RosSession::call(const Value& message) {
+  const std::string& service = message["service"].text();
+  const Value& id = message["id"];
+  if (service.empty()) return complain("call_service needs a service", id);
+  const RosFaults faults = server_.faults();
+  ++calls_;
+  if (holds(faults.refuse, service)) {
+    server_.note("CALL", service, 503, 0);
+    return answer(service, id, false,
+                  "service [" + service + "] responded with an error: b'refused on request'");
+  }
+  CallOutcome outcome = server_.call(service, message["args"]);
+  if (holds(faults.lose_answer, service) || holds(faults.cut_after, service)) {
+    server_.note("CALL", service, 0, 0);
+    server_.publishChanges();
+    if (holds(faults.cut_after, service)) cut();
+    return;
+  }
+  server_.note("CALL", service, outcome.worked ? 200 : 400, 0);
+  // The topics of a change come before its answer, or after it.
+  if (calls_ % 2 == 0) server_.publishChanges();
+  answer(service, id, outcome.worked, std::move(outcome.values));
+  server_.publishChanges();
+}
+
+void RosSession::answer(const std::string& service, const Value& id, bool worked, Value values) {
+  Value message = Value::Object{{"op", "service_response"}};
+  if (!id.isNull()) message.set("id", id);
+  message.set("service", service);
+  message.set("values", std::move(values));
+  message.set("result", worked);
+  const RosFaults faults = server_.faults();
+  std::chrono::milliseconds delay(std::clamp(faults.slow_ms, 0, 600'000));
+  if (faults.shuffled_answers && calls_ % 2 == 1) delay += kOvertaken;
+  std::string text = toJson(message, server_.options().ros.writer);
+  if (delay.count() == 0) return sendText(std::move(text), id);
+  sendLater(std::move(text), id, delay);
+}
+
+void RosSession::sendLater(std::string text, const Value& id, std::chrono::milliseconds delay) {
+  auto timer = std::make_shared<boost::asio::steady_timer>(stream_.get_executor(), delay);
+  timer->async_wait(
+      [self = shared_from_this(), timer, text = std::move(text), id](beast::error_code error) mutable {
+        if (!error && self->open_) self->sendText(std::move(text), id);
+      });
+}
+
+void RosSession::complain(std::string_view sentence, const Value& id) {
+  if (status_level_.empty()) return;
+  Value message = Value::Object{{"op", "status"}, {"level", "error"}, {"msg", sentence}};
+  if (!id.isNull()) message.set("id", id);
+  sendText(toJson(message, server_.options().ros.writer), id);
+}
+
+void RosSession::deliver(const PublicationPtr& message, bool at_once) {
+  if (!open_ || !wants(message->topic())) return;
+  if (at_once || subscriptions_.take(message, std::chrono::steady_clock::now())) encode(*message);
+}
+
+void RosSession::tick(Subscriptions::Time now) {
+  for (const PublicationPtr& message : subscriptions_.due(now)) encode(*message);
+}
+
+void RosSession::encode(const Publication& message) {
+  const std::optional<Subscription> wanted = subscriptions_.of(message.topic());
+  if (!wanted || outgoing_.size() > kMostQueued) return;
+  switch (wanted->compression) {
+    case Compression::None:
+      return sendText(message.json(), 0);
+    case Compression::Png:
+      return sendText(message.png(), 0);
+    case Compression::Cbor:
+      if (message.cbor()) send({std::make_shared<const std::string>(*message.cbor()), true});
+  }
+}
+
+void RosSession::sendText(std::string text, const Value& id) {
+  const int forced = server_.faults().fragment_bytes;
+  const std::size_t size = forced > 0 ? static_cast<std::size_t>(forced) : fragment_size_;
+  for (std::string& piece : fragmentsOf(std::move(text), size, id, server_.options().ros.writer))
+    send({std::make_shared<const std::string>(std::move(piece)), false});
+}
+
+void RosSession::sendRaw(std::string bytes, bool binary) {
+  send({std::make_shared<const std::string>(std::move(bytes)), binary});
+}
+
+void RosSession::send(Frame frame) {
+  if (!open_) return;
+  outgoing_bytes_ += frame.bytes->size();
+  if (outgoing_bytes_ > kMostQueuedBytes) return cut();
+  outgoing_.push_back(std::move(frame));
+  if (outgoing_.size() == 1) write();
+}
+
+void RosSession::write() {
+  stream_.binary(outgoing_.front().binary);
+  stream_.async_write(boost::asio::buffer(*outgoing_.front().bytes),
+                      [self = shared_from_this()](beast::error_code error, std::size_t) {
+                        if (error) return self->cut();
+                        self->outgoing_bytes_ -= self->outgoing_.front().bytes->size();
+                        self->outgoing_.pop_front();
+                        if (!self->outgoing_.empty()) self->write();
+                      });
+}
+
+void RosSession::cut() {
+  open_ = false;
+  server_.leave(this);
+  beast::error_code ignored;  // it is being given up either way
+  beast::get_lowest_layer(stream_).socket().shutdown(boost::asio::ip::tcp::socket::shutdown_both, ignored);
+  beast::get_lowest_layer(stream_).close();
+}
+
+}  // namespace mapwright::simulator::ros

@@ -1,0 +1,79 @@
+// A message of ROS as a value, whatever it will be written as.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace mapwright::simulator::ros {
+
+class Value {
+ public:
+  using List = std::vector<Value>;
+  using Object = std::vector<std::pair<std::string, Value>>;  // members in the order they are written in
+  /// uint8[]: base64 in JSON, a byte string in CBOR.
+  struct Bytes {
+    std::string data;
+  };
+  using Int8s = std::vector<std::int8_t>;
+  using Float32s = std::vector<float>;
+  using Float64s = std::vector<double>;
+  using Data = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object, Bytes,
+                            Int8s, Float32s, Float64s>;
+
+  Value() = default;  // null
+  template <typename T>
+  requires std::is_integral_v<T> Value(T number) {
+    if constexpr (std::is_same_v<T, bool>) {
+      data_ = number;
+    } else {
+      data_ = static_cast<std::int64_t>(number);
+    }
+  }
+  Value(double number) : data_(number) {}
+  Value(std::string text) : data_(std::move(text)) {}
+  Value(std::string_view text) : data_(std::string(text)) {}
+  Value(const char* text) : data_(std::string(text)) {}
+  Value(List list) : data_(std::move(list)) {}
+  Value(Object members) : data_(std::move(members)) {}
+  Value(Bytes bytes) : data_(std::move(bytes)) {}
+  Value(Int8s numbers) : data_(std::move(numbers)) {}
+  Value(Float32s numbers) : data_(std::move(numbers)) {}
+  Value(Float64s numbers) : data_(std::move(numbers)) {}
+
+  const Data& data() const { return data_; }
+  template <typename T>
+  const T* as() const {
+    return std::get_if<T>(&data_);
+  }
+  template <typename T>
+  T* as() {
+    return std::get_if<T>(&data_);
+  }
+  bool isNull() const { return std::holds_alternative<std::monostate>(data_); }
+
+  /// A member of an object; null where there is none.
+  const Value& operator[](std::string_view name) const;
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+  /// Sets or adds a member; what was no object becomes one.
+  void set(std::string_view name, Value value);
+  /// The text; empty for what is none.
+  const std::string& text() const;
+  /// The number; 0 for what is none.
+  double number() const;
+  bool flag() const;  // false for what is none
+
+ private:
+  const Value* find(std::string_view name) const;
+
+  Data data_;
+};
+
+/// A lone float32, as robots' single precision has it: 0.05000000074505806.
+Value float32(double number);
+
+}  // namespace mapwright::simulator::ros

@@ -1,0 +1,19 @@
+// Values as CBOR, and JSON as a picture.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "simulator/ros/value.h"
+
+namespace mapwright::simulator::ros {
+
+/// Typed arrays are tagged little-endian byte strings. nullopt when a list of texts is not empty: servers
+/// lose such messages (rosbridge.md, "Fragments, compression").
+std::optional<std::string> toCbor(const Value& value);
+
+/// {"op":"png","data":...}: the bytes of `json`, padded with newlines, are the pixels of an RGB picture.
+std::string toPng(std::string_view json);
+
+}  // namespace mapwright::simulator::ros

@@ -1,0 +1,135 @@
+// A ROS robot on the command line: the simulated one, seen from outside.
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "simulator/simulator.h"
+
+using namespace mapwright;
+
+namespace {
+
+struct Ran {
+  int exit_code = -1;
+  QByteArray out, error;
+};
+
+Ran run(const QStringList& words) {
+  QProcess process;
+  process.start(QStringLiteral(MAPWRIGHT_PROGRAM), words);
+  if (!process.waitForFinished(120'000)) process.kill();
+  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QByteArray bytesOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class RosCommandsTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<simulator::Simulator> robot_;
+
+  void start(bool kabam = true, bool rosapi = true) {
+    simulator::Options options;
+    options.paused = true;
+    options.ros.kabam = kabam;
+    options.ros.rosapi = rosapi;
+    robot_ = std::make_unique<simulator::Simulator>(options);
+    QVERIFY(!robot_->start());
+  }
+  QString ros() const { return QString::fromStdString(robot_->rosAddress()); }
+  QString kabam() const { return QString::fromStdString(robot_->kabamAddress()); }
+  QJsonArray maps() const {
+    return QJsonDocument::fromJson(run({QStringLiteral("maps"), QStringLiteral("list"),
+                                        QStringLiteral("--json"), QStringLiteral("--robot"), ros()})
+                                       .out)
+        .array();
+  }
+  static QString idOf(const QJsonArray& maps, bool current) {
+    for (const QJsonValue& map : maps) {
+      if (map[QLatin1String("current")].toBool() == current &&
+          map[QLatin1String("state")].toString().isEmpty())
+        return map[QLatin1String("id")].toString();
+    }
+    return {};
+  }
+
+ private Q_SLOTS:
+  void cleanup() { robot_.reset(); }
+
+  void twoSnapshotsAreTheSameBytes_data() {
+    QTest::addColumn<bool>("rosapi");
+    QTest::newRow("by rosapi") << true;
+    QTest::newRow("by the usual names") << false;
+  }
+  void twoSnapshotsAreTheSameBytes() {
+    QFETCH(bool, rosapi);
+    start(true, rosapi);
+    QTemporaryDir folder;
+    QList<QByteArray> pictures;
+    for (const char* name : {"a.png", "b.png"}) {
+      const QString path = folder.filePath(QLatin1String(name));
+      const Ran ran = run({QStringLiteral("snapshot"), QStringLiteral("--mode"), QStringLiteral("whole"),
+                           QStringLiteral("--robot"), ros(), QStringLiteral("-o"), path});
+      QVERIFY2(ran.exit_code == 0, ran.error.constData());
+      pictures << bytesOf(path);
+    }
+    QVERIFY(!pictures[0].isEmpty());
+    QCOMPARE(pictures[0], pictures[1]);
+    const QImage picture = QImage::fromData(pictures[0]);
+    QSet<QRgb> colours;
+    for (int x = 0; x < picture.width(); ++x) colours << picture.pixel(x, picture.height() / 2);
+    QVERIFY(colours.size() > 2);
+  }
+
+  void mapsAreListedShownRenamedAndLoaded() {
+    start();
+    const QJsonArray before = maps();
+    const QString current = idOf(before, true), other = idOf(before, false);
+    QVERIFY2(!current.isEmpty() && !other.isEmpty(), QJsonDocument(before).toJson().constData());
+    const Ran shown = run({QStringLiteral("maps"), QStringLiteral("show"), current, QStringLiteral("--json"),
+                           QStringLiteral("--robot"), kabam()});
+    QVERIFY2(shown.exit_code == 0, shown.error.constData());
+    QCOMPARE(QJsonDocument::fromJson(shown.out)[QLatin1String("waypoints")].toArray().size(), 12);
+    // The live map has the waypoints of the one that the robot works with.
+    const Ran live = run({QStringLiteral("maps"), QStringLiteral("show"), QStringLiteral("--json"),
+                          QStringLiteral("--robot"), kabam()});
+    QVERIFY2(live.exit_code == 0, live.error.constData());
+    QCOMPARE(QJsonDocument::fromJson(live.out)[QLatin1String("waypoints")].toArray().size(), 12);
+    const Ran renamed = run({QStringLiteral("maps"), QStringLiteral("rename"), other, QStringLiteral("Attic"),
+                             QStringLiteral("--robot"), kabam()});
+    QVERIFY2(renamed.exit_code == 0, renamed.error.constData());
+    const Ran loaded =
+        run({QStringLiteral("maps"), QStringLiteral("load"), other, QStringLiteral("--robot"), kabam()});
+    QVERIFY2(loaded.exit_code == 0, loaded.error.constData());
+    const Ran now = run({QStringLiteral("maps"), QStringLiteral("current"), QStringLiteral("--json"),
+                         QStringLiteral("--robot"), ros()});
+    QCOMPARE(QJsonDocument::fromJson(now.out)[QLatin1String("name")].toString(), QStringLiteral("Attic"));
+  }
+
+  void aRobotWithoutAMapManagerHasItsLiveMap() {
+    start(false);
+    const QJsonArray list = maps();
+    QCOMPARE(list.size(), 1);
+    QCOMPARE(list.first()[QLatin1String("id")].toString(), QStringLiteral("live"));
+    const Ran renamed = run({QStringLiteral("maps"), QStringLiteral("rename"), QStringLiteral("m1"),
+                             QStringLiteral("x"), QStringLiteral("--robot"), ros()});
+    QVERIFY(renamed.exit_code != 0 && renamed.error.contains("KABAM"));
+    const Ran insisting =
+        run({QStringLiteral("maps"), QStringLiteral("list"), QStringLiteral("--robot"), kabam()});
+    QCOMPARE(insisting.exit_code, 3);
+    QVERIFY(insisting.error.contains("/map_manager"));
+  }
+};
+
+QTEST_GUILESS_MAIN(RosCommandsTest)
+#include "test_ros_commands.moc"

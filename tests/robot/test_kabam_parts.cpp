@@ -1,0 +1,301 @@
+// KABAM's map manager: what its messages say, what its codes mean, and in which order changes are asked for.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "robot/ros/kabam_book.h"
+#include "robot/ros/kabam_plan.h"
+#include "robot/ros/kabam_results.h"
+#include "ros_messages.h"
+#include "sentences/failure_sentence.h"
+
+using namespace mapwright;
+using namespace mapwright::robot::ros;
+using map::ReasonCode;
+using robot::StoredWaypoints;
+using robot::WaypointChange;
+using robot::WaypointRequest;
+using test::byJson;
+using test::Sent;
+
+namespace {
+
+map::Waypoint point(const char* id, const char* name, double x = 0) {
+  map::Waypoint point;
+  point.id = id;
+  point.name = name;
+  point.position_m = {x, 0};
+  point.yaw_rad = 0;
+  return point;
+}
+
+WaypointChange change(const map::Waypoint& before, map::Waypoint after) {
+  return {before.id, before, std::move(after)};
+}
+
+map::Waypoint called(map::Waypoint point, const char* name) {
+  point.name = name;
+  return point;
+}
+
+StoredWaypoints list(std::vector<map::Waypoint> points) {
+  StoredWaypoints stored;
+  stored.points = std::move(points);
+  stored.revision = "r";
+  return stored;
+}
+
+/// "rename_waypoint a>b"
+QStringList told(const std::vector<WaypointRequest>& requests) {
+  QStringList lines;
+  for (const WaypointRequest& request : requests) {
+    const WaypointChange& change = request.changes.front();
+    const auto name = [](const std::optional<map::Waypoint>& point) {
+      return point ? QString::fromStdString(point->name) : QStringLiteral("-");
+    };
+    lines << QStringLiteral("%1 %2>%3")
+                 .arg(QLatin1String(nameOf(serviceOf(change))), name(change.before), name(change.after));
+  }
+  return lines;
+}
+
+/// The list after the requests; a name that is used twice on the way is an error.
+tl::expected<std::map<std::string, map::Waypoint>, QString> carriedOut(
+    const StoredWaypoints& now, const std::vector<WaypointRequest>& requests) {
+  std::map<std::string, map::Waypoint> points;
+  for (const map::Waypoint& one : now.points) points[one.id] = one;
+  for (const WaypointRequest& request : requests) {
+    if (request.changes.size() != 1) return tl::make_unexpected(QStringLiteral("not one change"));
+    const WaypointChange& change = request.changes.front();
+    const auto held = points.find(change.id);
+    if (change.before && (held == points.end() || !(held->second == *change.before)))
+      return tl::make_unexpected(QStringLiteral("its base is another"));
+    if (!change.after) {
+      points.erase(change.id);
+      continue;
+    }
+    for (const auto& [id, other] : points) {
+      if (id != change.id && other.name == change.after->name)
+        return tl::make_unexpected(
+            QStringLiteral("%1 is called twice").arg(QString::fromStdString(other.name)));
+    }
+    points[change.id] = *change.after;
+  }
+  return points;
+}
+
+const char* const kRow =
+    R"({"name":"Dock","id":"w1","frame_id":"map","map_id":"m1","waypoint_tags":["localisation"],"extra":7,)"
+    R"("pose":{"position":{"x":1.5,"y":-2,"z":0.25},"orientation":{"x":0,"y":0,"z":0.7071067811865475,"w":0.7071067811865476}}})";
+
+QJsonObject object(const QByteArray& json) { return QJsonDocument::fromJson(json).object(); }
+
+}  // namespace
+
+class KabamPartsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aWaypointIsReadWhole() {
+    const Sent sent = byJson(QByteArray(R"({"waypoints":[)") + kRow + "]}");
+    const auto stored = readWaypoints(sent.msg, "m1", "map");
+    QVERIFY(stored && stored->points.size() == 1 && stored->notes.empty());
+    const map::Waypoint& read = stored->points.front();
+    QCOMPARE(read.id, std::string("w1"));
+    QCOMPARE(read.position_m, Eigen::Vector2d(1.5, -2));
+    QVERIFY(std::abs(*read.yaw_rad - M_PI / 2) < 1e-9);
+    QCOMPARE(read.tags, std::vector<std::string>{"localisation"});
+  }
+
+  void whatIsNotChangedGoesBackAsItCame() {
+    const Sent sent = byJson(QByteArray(R"({"waypoints":[)") + kRow + "]}");
+    map::Waypoint read = readWaypoints(sent.msg, "m1", "map")->points.front();
+    QCOMPARE(object(waypointJson(read, read.id, "m1", "map")), object(kRow));
+    read.position_m.x() = 3;
+    const QJsonObject moved = object(waypointJson(read, read.id, "m1", "map"));
+    QCOMPARE(moved[QLatin1String("pose")][QLatin1String("position")][QLatin1String("x")].toDouble(), 3.0);
+    QCOMPARE(moved[QLatin1String("pose")][QLatin1String("position")][QLatin1String("z")].toDouble(), 0.25);
+    QCOMPARE(moved[QLatin1String("pose")][QLatin1String("orientation")],
+             object(kRow)[QLatin1String("pose")][QLatin1String("orientation")]);
+    QCOMPARE(moved[QLatin1String("extra")].toInt(), 7);
+  }
+
+  void aZeroOrientationIsShownUprightAndLeftAlone() {
+    QByteArray row = kRow;
+    row.replace("0.7071067811865475", "0").replace("0.7071067811865476", "0");
+    const Sent sent = byJson("{\"waypoints\":[" + row + "]}");
+    auto stored = readWaypoints(sent.msg, "m1", "map");
+    QVERIFY(stored && stored->notes.size() == 1);
+    QCOMPARE(stored->notes.front().code, ReasonCode::WaypointTurnIsZero);
+    map::Waypoint read = stored->points.front();
+    QCOMPARE(read.yaw_rad, std::optional(0.0));
+    const auto w = [](const QByteArray& json) {
+      return object(json)[QLatin1String("pose")][QLatin1String("orientation")][QLatin1String("w")].toDouble();
+    };
+    QCOMPARE(w(waypointJson(read, read.id, "m1", "map")), 0.0);
+    read.yaw_rad = 0.5;  // somebody has turned it
+    QVERIFY(w(waypointJson(read, read.id, "m1", "map")) > 0.9);
+  }
+
+  void aNewWaypointIsWhole() {
+    map::Waypoint fresh = point("", "New", 2);
+    fresh.tags = {"a"};
+    const QJsonObject message = object(waypointJson(fresh, {}, "m1", "world"));
+    QCOMPARE(message[QLatin1String("id")].toString(), QString());
+    QVERIFY(message.contains(QLatin1String("id")));
+    QCOMPARE(message[QLatin1String("frame_id")].toString(), QStringLiteral("world"));
+    QCOMPARE(message[QLatin1String("map_id")].toString(), QStringLiteral("m1"));
+    QCOMPARE(message[QLatin1String("pose")][QLatin1String("orientation")][QLatin1String("w")].toDouble(),
+             1.0);
+    QVERIFY(
+        message[QLatin1String("pose")][QLatin1String("position")].toObject().contains(QLatin1String("z")));
+  }
+
+  void whatCannotBeUsedIsLeftOutAndTold() {
+    const Sent sent = byJson(
+        R"({"waypoints":[{"id":"a","name":"A","pose":{"position":{"x":null,"y":1,"z":0}}},)"
+        R"({"id":"","name":"B","pose":{"position":{"x":1,"y":1,"z":0},"orientation":{"w":1}}},)"
+        R"({"id":"c","name":"C","frame_id":"odom","pose":{"position":{"x":1,"y":1},"orientation":{"w":1}}},)"
+        R"({"id":"d","name":"D","pose":{"position":{"x":1,"y":1},"orientation":{"w":1}}},)"
+        R"({"id":"d","name":"E","pose":{"position":{"x":1,"y":1},"orientation":{"w":1}}},)"
+        R"({"id":"f","name":"F","map_id":"other","pose":{"position":{"x":1,"y":1},"orientation":{"w":1}}}]})");
+    const auto stored = readWaypoints(sent.msg, "m1", "map");
+    QVERIFY(stored);
+    QCOMPARE(stored->points.size(), std::size_t(1));
+    QCOMPARE(stored->points.front().name, std::string("D"));
+    QCOMPARE(stored->notes.size(), std::size_t(4));
+    QVERIFY(!readWaypoints(byJson(R"({"waypoints":7})").msg, "m1", "map"));
+  }
+
+  void mapsAreListedOnceAndTheCurrentOneIsMarked() {
+    KabamBook book;
+    const auto give = [&](const char* topic, const char* text) {
+      const Sent sent = byJson(text);
+      return book.take(topic, sent.frame, sent.msg);
+    };
+    give(
+        "/map_manager/map_list",
+        R"({"maps":[{"map_id":"1","map_name":"a","map_label":"Hall"},{"map_id":"2","map_name":"b","map_label":""},)"
+        R"({"map_id":"3","map_name":"c","map_label":"Old"},{"map_name":"nameless"}]})");
+    QVERIFY(!book.listed());
+    give("/map_manager/archived_map_list", R"({"maps":[{"map_id":"3","map_name":"c","map_label":"Old"}]})");
+    QVERIFY(
+        give("/map_manager/current_map_info", R"({"map_id":"2","map_name":"b","map_manager_state":"ACTIVE"})")
+            .maps);
+    QVERIFY(book.listed());
+    QVERIFY(!give("/map", "{}").own);
+    const auto entries = book.entries();
+    QCOMPARE(entries.size(), std::size_t(3));
+    QCOMPARE(entries[0].name, std::string("Hall"));
+    QCOMPARE(entries[1].name, std::string("b"));
+    QVERIFY(entries[1].is_current && !entries[0].is_current);
+    QVERIFY(entries[2].is_archived && !entries[0].is_archived);
+    QCOMPARE(book.mapInfo().uid, std::string("2"));
+  }
+
+  // The order of calls.
+
+  void eachChangeIsOneCall() {
+    const map::Waypoint a = point("1", "a"), b = point("2", "b"), c = point("3", "c");
+    map::Waypoint moved = b, tagged = c;
+    moved.position_m.x() = 5;
+    tagged.tags = {"free"};
+    const auto requests = planWaypoints(
+        list({a, b, c}),
+        {change(a, called(a, "x")), change(b, moved), change(c, tagged), {"n", {}, point("n", "new")}});
+    QCOMPARE(
+        told(requests),
+        (QStringList{QStringLiteral("rename_waypoint a>x"), QStringLiteral("create_waypoint ->new"),
+                     QStringLiteral("reposition_waypoint b>b"), QStringLiteral("reposition_waypoint c>c")}));
+    QVERIFY(planWaypoints(list({a}), {}).empty());
+  }
+
+  void whatIsMovedAndRenamedTakesTwoCallsAndItsTagsGoLast() {
+    const map::Waypoint a = point("1", "a");
+    map::Waypoint both = called(a, "b");
+    both.position_m.x() = 4;
+    both.tags = {"t"};
+    const auto requests = planWaypoints(list({a}), {change(a, both)});
+    QCOMPARE(requests.size(), std::size_t(2));
+    QVERIFY(requests[0].changes[0].after->tags.empty());
+    QCOMPARE(requests[0].changes[0].after->position_m.x(), 0.0);
+    QVERIFY(*requests[1].changes[0].after == both);
+  }
+
+  void namesThatAreExchangedGoByWayOfOneThatNobodyHas() {
+    const map::Waypoint a = point("1", "a"), b = point("2", "b"), t = point("3", "a ~1");
+    const auto now = list({a, b, t});
+    const auto requests = planWaypoints(now, {change(a, called(a, "b")), change(b, called(b, "a"))});
+    QCOMPARE(requests.size(), std::size_t(3));
+    const auto after = carriedOut(now, requests);
+    QVERIFY2(after, after ? "" : qPrintable(after.error()));
+    QCOMPARE(after->at("1").name, std::string("b"));
+    QCOMPARE(after->at("2").name, std::string("a"));
+  }
+
+  void ringsAndChainsOfNamesComeOut() {
+    std::vector<map::Waypoint> points;
+    std::vector<WaypointChange> changes;
+    for (int i = 0; i < 6; ++i)
+      points.push_back(point(qPrintable(QString::number(i)), qPrintable(QString::number(i))));
+    // 0>1>2>0 is a ring; 3>4>5>free a chain.
+    const char* names[] = {"1", "2", "0", "4", "5", "free"};
+    for (std::size_t i = 0; i < 6; ++i) changes.push_back(change(points[i], called(points[i], names[i])));
+    const auto requests = planWaypoints(list(points), changes);
+    QCOMPARE(requests.size(), std::size_t(7));
+    const auto after = carriedOut(list(points), requests);
+    QVERIFY2(after, after ? "" : qPrintable(after.error()));
+    for (std::size_t i = 0; i < 6; ++i) QCOMPARE(after->at(std::to_string(i)).name, std::string(names[i]));
+  }
+
+  void aNameIsFreeBeforeSomebodyElseGetsIt() {
+    const map::Waypoint a = point("1", "a"), b = point("2", "b");
+    const auto now = list({a, b});
+    const auto requests = planWaypoints(
+        now,
+        {{"n", {}, point("n", "a")}, change(b, called(b, "c")), {"m", {}, point("m", "b")}, {"1", a, {}}});
+    QVERIFY(carriedOut(now, requests));
+    QCOMPARE(told(requests).first(), QStringLiteral("delete_waypoint a>-"));
+  }
+
+  // Codes.
+
+  void everyCodeHasASentenceOfItsOwn() {
+    QSet<QString> sentences;
+    int failures = 0;
+    const auto take = [&](const std::optional<map::Failure>& failure) {
+      QVERIFY(failure);
+      ++failures;
+      const QString sentence = QString::fromStdString(sentences::sentenceOf(*failure));
+      QVERIFY2(sentence.endsWith(QLatin1Char('.')), qPrintable(sentence));
+      sentences << sentence;
+    };
+    const auto values = [](int code) { return byJson("{\"result\":" + QByteArray::number(code) + "}"); };
+    const map::Subject places = map::placesOf({map::MapKind::Stored, "m"});
+    for (const int good : {0, 3, 5}) QVERIFY(!waypointResult(values(good).msg, places, "x"));
+    for (const int bad : {1, 2, 4, 6, 17}) take(waypointResult(values(bad).msg, places, "x"));
+    QCOMPARE(sentences.size(), failures);
+    sentences.clear();
+    failures = 0;
+    for (const int good : {0, 1}) QVERIFY(!updateMapResult(values(good).msg, places));
+    for (const int bad : {2, 3, 4, 99}) take(updateMapResult(values(bad).msg, places));
+    QCOMPARE(sentences.size(), failures);
+    sentences.clear();
+    failures = 0;
+    QVERIFY(!loadMapResult(values(0).msg, places));
+    for (const int bad : {1, 2, 3, 4, 5}) take(loadMapResult(values(bad).msg, places));
+    QCOMPARE(sentences.size(), failures);
+    const auto none = loadMapResult(byJson("{}").msg, places);
+    QVERIFY(none && none->kind == map::FailureKind::MalformedAnswer && none->applied == map::Applied::Maybe);
+  }
+
+  void anUnknownCodeShowsItsNumber() {
+    const auto failure = waypointResult(byJson(R"({"result":17})").msg, {}, "x");
+    QCOMPARE(failure->robot_code, std::string("17"));
+    QVERIFY(QString::fromStdString(sentences::sentenceOf(*failure)).contains(QLatin1String("17")));
+    QCOMPARE(failure->applied, map::Applied::Maybe);
+  }
+};
+
+QTEST_GUILESS_MAIN(KabamPartsTest)
+#include "test_kabam_parts.moc"

@@ -1,0 +1,133 @@
+// Markers as ROS sends them, and which of them are to be seen.
+#include <cmath>
+
+#include <QTest>
+
+#include "robot/ros/map_values.h"
+#include "robot/ros/marker_board.h"
+#include "robot/ros/read_messages.h"
+#include "ros_messages.h"
+
+using namespace mapwright;
+using namespace mapwright::robot::ros;
+using map::ReasonCode;
+using test::byJson;
+
+namespace {
+
+const char* const kPose = R"({"position":{"x":1,"y":-2.5,"z":0.3},"orientation":{"x":0,"y":0,"z":1,"w":0}})";
+
+std::vector<Marker> markersOf(const QByteArray& text) {
+  return readMarkers(byJson(text).msg).value_or(std::vector<Marker>());
+}
+
+}  // namespace
+
+class RosMarkersTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void markersAreReadAloneAndInArrays() {
+    const QByteArray cube =
+        R"({"header":{"frame_id":"map"},"ns":"racks","id":4,"type":1,"action":0,"pose":)" +
+        QByteArray(kPose) +
+        R"(,"scale":{"x":2,"y":1,"z":0.5},"color":{"r":1,"g":0.5,"b":0,"a":1},)"
+        R"("lifetime":{"sec":2,"nanosec":500000000},"text":"rack 4","points":[]})";
+    for (const QByteArray& text : {cube, QByteArray(R"({"markers":[)" + cube + "]}")}) {
+      const auto markers = markersOf(text);
+      QCOMPARE(markers.size(), std::size_t(1));
+      const Marker& marker = markers[0];
+      QVERIFY(marker.kind == Marker::Kind::Cube && marker.action == Marker::Action::Add);
+      QCOMPARE(marker.ns, std::string("racks"));
+      QCOMPARE(marker.id, std::int64_t(4));
+      QCOMPARE(marker.rgba, 0xff8000ffu);
+      QCOMPARE(marker.lifetime_s, 2.5);
+      const auto box = boxOf(marker, Transform3{{1, 0, 0}, Eigen::Quaterniond::Identity()});
+      QVERIFY(box);
+      QCOMPARE(box->label, std::string("rack 4"));
+      QCOMPARE(box->length_m, 2.0);
+      QCOMPARE(box->width_m, 1.0);
+      QCOMPARE(box->pose.x_m, 2.0);
+      QVERIFY(linesOf(marker, Transform3{}).empty());
+    }
+    QCOMPARE(readMarkers(byJson("{}").msg).error(), map::Reason(ReasonCode::RosFieldMissing, {"markers"}));
+  }
+
+  void allCommonKindsOfMarkersAreKnown_data() {
+    QTest::addColumn<int>("type");
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("lines");
+    using Kind = Marker::Kind;
+    const auto row = [](const char* name, int type, Kind kind, int lines) {
+      QTest::newRow(name) << type << int(kind) << lines;
+    };
+    row("arrow", 0, Kind::Arrow, 1);
+    row("cube", 1, Kind::Cube, 0);
+    row("sphere", 2, Kind::Sphere, 0);
+    row("cylinder", 3, Kind::Cylinder, 0);
+    row("line strip", 4, Kind::LineStrip, 1);
+    row("line list", 5, Kind::LineList, 2);
+    row("points", 8, Kind::Points, 0);
+    row("text", 9, Kind::Text, 0);
+    row("mesh", 10, Kind::Other, 0);
+    row("unheard of", 77, Kind::Other, 0);
+  }
+  void allCommonKindsOfMarkersAreKnown() {
+    QFETCH(int, type);
+    QFETCH(int, kind);
+    QFETCH(int, lines);
+    const auto markers =
+        markersOf(R"({"type":)" + QByteArray::number(type) + R"(,"action":0,"pose":)" + kPose +
+                  R"(,"scale":{"x":2},"points":[{"x":0,"y":0,"z":0},{"x":1,"y":0,"z":0},)"
+                  R"({"x":2,"y":1,"z":0},{"x":3,"y":1,"z":0},{"x":null}]})");
+    QCOMPARE(markers.size(), std::size_t(1));
+    QCOMPARE(int(markers[0].kind), kind);
+    QCOMPARE(markers[0].points.size(), std::size_t(4));
+    const auto drawn = linesOf(markers[0], Transform3{});
+    QCOMPARE(int(drawn.size()), lines);
+    // Points are in the marker's own coordinates, which are turned round here.
+    if (markers[0].kind == Marker::Kind::LineList)
+      QVERIFY((drawn[1][1] - Eigen::Vector2d(1 - 3, -2.5 - 1)).norm() < 1e-9);
+  }
+
+  void anArrowLiesAlongItsAxisOrBetweenTwoPoints() {
+    const QByteArray begin = R"({"type":0,"pose":)" + QByteArray(kPose) + R"(,"scale":{"x":2,"y":1,"z":1})";
+    const auto along = markersOf(begin + "}");
+    const auto by_points = markersOf(begin + R"(,"points":[{"x":0,"y":0,"z":0},{"x":0,"y":1,"z":0}]})");
+    QVERIFY((linesOf(along.at(0), {})[0][1] - Eigen::Vector2d(-1, -2.5)).norm() < 1e-9);
+    QVERIFY((linesOf(by_points.at(0), {})[0][1] - Eigen::Vector2d(1, -3.5)).norm() < 1e-9);
+  }
+
+  void markersComeAndGo() {
+    const auto marker = [](const char* ns, int id, Marker::Action action, double lifetime_s = 0) {
+      Marker made;
+      made.ns = ns;
+      made.id = id;
+      made.action = action;
+      made.lifetime_s = lifetime_s;
+      return made;
+    };
+    using Action = Marker::Action;
+    MarkerBoard board;
+    board.take({marker("a", 1, Action::Add), marker("a", 2, Action::Add, 5), marker("b", 1, Action::Add)},
+               100);
+    QCOMPARE(board.markers().size(), std::size_t(3));
+    board.take({marker("a", 1, Action::Add), marker("b", 1, Action::Delete), marker("b", 9, Action::Delete)},
+               101);
+    QCOMPARE(board.markers().size(), std::size_t(2));
+    QVERIFY(!board.expire(104.9));
+    QVERIFY(board.expire(105));
+    QCOMPARE(board.markers().size(), std::size_t(1));
+    board.take({marker("", 0, Action::DeleteAll), marker("c", 1, Action::Add)}, 106);
+    QCOMPARE(board.markers().size(), std::size_t(1));
+    QCOMPARE(board.markers()[0].ns, std::string("c"));
+    // As they are written.
+    const auto read = markersOf(
+        R"({"markers":[{"type":1,"action":3},{"type":1,"action":2,"id":3},{"type":1,"action":1,"pose":{}}]})");
+    QCOMPARE(read.size(), std::size_t(2));
+    QVERIFY(read[0].action == Action::DeleteAll && read[1].action == Action::Delete);
+  }
+};
+
+QTEST_GUILESS_MAIN(RosMarkersTest)
+#include "test_ros_markers.moc"

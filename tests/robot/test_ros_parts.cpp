@@ -1,0 +1,303 @@
+// Which topics of a ROS robot bring what, and where their messages lie; its addresses.
+#include <QTest>
+
+#include "robot/ros/ros_address.h"
+#include "robot/ros/ros_topics.h"
+#include "robot/ros/ros_world.h"
+#include "ros_messages.h"
+
+using namespace mapwright;
+using namespace mapwright::robot::ros;
+using map::ReasonCode;
+using map::Stream;
+using test::byJson;
+using test::Sent;
+
+namespace {
+
+constexpr double kNow = 100;
+
+QByteArray header(const char* frame, double stamp_s) {
+  return R"("header":{"frame_id":")" + QByteArray(frame) + R"(","stamp":{"sec":)" +
+         QByteArray::number(int(stamp_s)) + R"(,"nanosec":)" +
+         QByteArray::number(int((stamp_s - int(stamp_s)) * 1e9)) + "}}";
+}
+
+QByteArray pose(double x, double y, double yaw) {
+  return R"({"position":{"x":)" + QByteArray::number(x) + R"(,"y":)" + QByteArray::number(y) +
+         R"(,"z":0},"orientation":{"x":0,"y":0,"z":)" + QByteArray::number(std::sin(yaw / 2), 'g', 17) +
+         R"(,"w":)" + QByteArray::number(std::cos(yaw / 2), 'g', 17) + "}}";
+}
+
+QByteArray tf(const char* parent, const char* child, double x, double y, double yaw, double stamp_s) {
+  const QByteArray at = pose(x, y, yaw);
+  QByteArray transform = at;
+  transform.replace("position", "translation").replace("orientation", "rotation");
+  return R"({"transforms":[{)" + header(parent, stamp_s) + R"(,"child_frame_id":")" + child +
+         R"(","transform":)" + transform + "}]}";
+}
+
+QByteArray grid(const char* frame, double stamp_s) {
+  return "{" + header(frame, stamp_s) + R"(,"info":{"resolution":0.5,"width":2,"height":2,"origin":)" +
+         pose(1, 2, 0) + R"(},"data":[0,100,-1,50]})";
+}
+
+QByteArray path(const char* frame, double stamp_s) {
+  return "{" + header(frame, stamp_s) + R"(,"poses":[{)" + header(frame, stamp_s) + R"(,"pose":)" +
+         pose(1, 0, 0) + "},{" + header(frame, stamp_s) + R"(,"pose":)" + pose(2, 0, 0) + "}]}";
+}
+
+const Source kTf{Stream::Pose, Form::Tf, "/tf", {}, {}, true};
+const Source kStatic{Stream::Pose, Form::StaticTf, "/tf_static", {}, {}, true};
+const Source kMap{Stream::WholeMap, Form::Grid, "/map", {}, {}, true};
+const Source kLocal{Stream::CostmapHigh, Form::Grid, "/local_costmap/costmap", {}, {}, true};
+const Source kPatches{Stream::CostmapHigh,
+                      Form::GridPatch,
+                      "/local_costmap/costmap_updates",
+                      {},
+                      "/local_costmap/costmap",
+                      true};
+const Source kPath{Stream::LocalPath, Form::Path, "/local_plan", {}, {}, true};
+const Source kFootprint{Stream::Model, Form::Polygon, "/footprint", {}, {}, true};
+const Source kAmcl{Stream::Pose, Form::PoseWithCovariance, "/amcl_pose", {}, {}, true};
+const Source kOdom{Stream::Pose, Form::Odometry, "/odom", {}, {}, true};
+
+WorldResults give(RosWorld& world, const Source& source, const QByteArray& text, double at_s = kNow) {
+  const Sent sent = byJson(text);
+  return world.take(source, sent.msg, at_s);
+}
+
+/// The first message of that type among the results.
+template <typename T>
+std::optional<T> messageOf(const WorldResults& results) {
+  for (const WorldResult& result : results) {
+    if (result.message && std::holds_alternative<T>(*result.message)) return std::get<T>(*result.message);
+  }
+  return std::nullopt;
+}
+
+std::optional<ReasonCode> unplaced(const WorldResults& results) {
+  for (const WorldResult& result : results) {
+    if (result.unplaced) return result.unplaced->code;
+  }
+  return std::nullopt;
+}
+
+QStringList names(const std::vector<Source>& sources) {
+  QStringList names;
+  for (const Source& source : sources) names << QString::fromStdString(source.topic);
+  return names;
+}
+
+QString normal(const QString& typed) {
+  const robot::Addresses addresses({rosAddressScheme(), kabamAddressScheme()});
+  const auto address = addresses.parse(typed);
+  return address ? address->text : QStringLiteral("refused: ") + address.error();
+}
+
+}  // namespace
+
+class RosPartsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void addressesAreMadeWhole_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("text");
+    const auto row = [](const char* typed, const char* text) {
+      QTest::newRow(typed) << QString::fromLatin1(typed) << QString::fromLatin1(text);
+    };
+    row("ros+ws://robot", "ros+ws://robot:9090");
+    row("ros+robot:1234", "ros+ws://robot:1234");
+    row("ROS+WSS://Robot:7/bridge/", "ros+wss://robot:7/bridge");
+    row("kabam+ws://robot", "kabam+ws://robot:9090");
+    row("ros+ws://robot?ns=/a/b/", "ros+ws://robot:9090?ns=/a/b");
+  }
+  void addressesAreMadeWhole() {
+    QFETCH(QString, typed);
+    QFETCH(QString, text);
+    QCOMPARE(normal(typed), text);
+  }
+
+  void addressesOfOtherThingsAreRefused_data() {
+    QTest::addColumn<QString>("typed");
+    for (const char* typed : {"ros+http://robot", "ros+ws://user:secret@robot", "ros+ws://robot?ns=a",
+                              "ros+ws://robot?ns=/a&ns=/b", "ros+ws://robot?other=/a", "ros+ws://robot#a",
+                              "ros+ws://", "ros+ftp://robot", "ros+ws://robot?ns=/a b"})
+      QTest::newRow(typed) << QString::fromLatin1(typed);
+  }
+  void addressesOfOtherThingsAreRefused() {
+    QFETCH(QString, typed);
+    const QString why = normal(typed);
+    QVERIFY2(why.startsWith(QLatin1String("refused: ")) && why.endsWith(QLatin1Char('.')), qPrintable(why));
+    QVERIFY(!why.contains(QLatin1String("secret@")));
+  }
+
+  // Topics.
+
+  void topicsAreFoundByTypeAndName() {
+    const std::vector<FoundTopic> found{
+        {"/move_base/global_costmap/costmap", "nav_msgs/OccupancyGrid"},
+        {"/move_base/global_costmap/costmap_updates", "map_msgs/OccupancyGridUpdate"},
+        {"/robot/map", "nav_msgs/msg/OccupancyGrid"},
+        {"/front/scan", "sensor_msgs/LaserScan"},
+        {"/rear_lidar", "sensor_msgs/LaserScan"},
+        {"/move_base/NavfnROS/plan", "nav_msgs/Path"},
+        {"/map", "std_msgs/String"},
+        {"/tf", "tf2_msgs/TFMessage"}};
+    const auto all = sourcesOf(found, {});
+    QCOMPARE(names(sourcesFor(Stream::WholeMap, all)), QStringList{QStringLiteral("/robot/map")});
+    QCOMPARE(names(sourcesFor(Stream::CostmapLow, all)),
+             (QStringList{QStringLiteral("/move_base/global_costmap/costmap"),
+                          QStringLiteral("/move_base/global_costmap/costmap_updates")}));
+    QVERIFY(sourcesFor(Stream::CostmapHigh, all).empty());
+    QCOMPARE(names(sourcesFor(Stream::Cloud, all)),
+             (QStringList{QStringLiteral("/front/scan"), QStringLiteral("/rear_lidar")}));
+    QCOMPARE(names(sourcesFor(Stream::Path, all)), QStringList{QStringLiteral("/move_base/NavfnROS/plan")});
+    QCOMPARE(sourcesFor(Stream::WholeMap, all).front().type, std::string("nav_msgs/msg/OccupancyGrid"));
+  }
+
+  void aCostmapIsNoMap() {
+    const auto all =
+        sourcesOf(std::vector<FoundTopic>{{"/local_costmap/costmap", "nav_msgs/OccupancyGrid"}}, {});
+    QVERIFY(sourcesFor(Stream::WholeMap, all).empty());
+  }
+
+  void whatLiesBelowTheNamespaceGoesFirst() {
+    const std::vector<FoundTopic> found{{"/map", "nav_msgs/OccupancyGrid"},
+                                        {"/r2/map", "nav_msgs/OccupancyGrid"},
+                                        {"/r20/map", "nav_msgs/OccupancyGrid"}};
+    QCOMPARE(names(sourcesFor(Stream::WholeMap, sourcesOf(found, {}))).first(), QStringLiteral("/map"));
+    QCOMPARE(names(sourcesFor(Stream::WholeMap, sourcesOf(found, "/r2"))).first(), QStringLiteral("/r2/map"));
+  }
+
+  void aServerThatDoesNotTellIsAskedByTheUsualNames() {
+    const auto all = sourcesOf(std::nullopt, {});
+    const QStringList path = names(sourcesFor(Stream::Path, all));
+    QVERIFY(path.contains(QLatin1String("/plan")));
+    QVERIFY(path.contains(QLatin1String("/move_base/NavfnROS/plan")));
+    QVERIFY(names(sourcesFor(Stream::WholeMap, all)).contains(QLatin1String("/map_updates")));
+    for (const Source& source : all) QVERIFY(!source.found && source.type.empty());
+  }
+
+  // The world.
+
+  void theMapLiesInItsOwnFrame() {
+    RosWorld world;
+    const auto map = messageOf<map::GridMessage>(give(world, kMap, grid("/world", kNow)));
+    QVERIFY(map);
+    QCOMPARE(world.fixedFrame(), std::string("world"));
+    QCOMPARE(map->grid.origin, (geometry::Pose2{1, 2, 0}));
+    QCOMPARE(map->reading.mode, map::CellReading::Mode::Raw);
+    QVERIFY(!map->fingerprint.empty());
+  }
+
+  void aCostmapOfAnotherFrameIsMovedIntoTheMap() {
+    RosWorld world;
+    give(world, kTf, tf("map", "odom", 10, 0, M_PI / 2, kNow));
+    const auto map = messageOf<map::GridMessage>(give(world, kLocal, grid("odom", kNow)));
+    QVERIFY(map);
+    QVERIFY(std::abs(map->grid.origin.x_m - 8) < 1e-9);
+    QVERIFY(std::abs(map->grid.origin.y_m - 1) < 1e-9);
+    QVERIFY(std::abs(map->grid.origin.yaw_rad - M_PI / 2) < 1e-9);
+  }
+
+  void aMessageWaitsForItsTransform() {
+    RosWorld world;
+    give(world, kTf, tf("map", "odom", 0, 0, 0, kNow));
+    QVERIFY(!messageOf<map::LocalPathMessage>(give(world, kPath, path("odom", kNow + 0.1))));
+    QVERIFY(world.overdue(kNow + 0.5).empty());
+    const auto later =
+        messageOf<map::LocalPathMessage>(give(world, kTf, tf("map", "odom", 1, 0, 0, kNow + 0.2)));
+    QVERIFY(later);
+    // Where the frame was at the time of the message: half-way.
+    QVERIFY(std::abs(later->points.front().x() - 1.5) < 1e-6);
+  }
+
+  void aTransformThatDoesNotComeIsNamedAndNotGuessed() {
+    RosWorld world;
+    QVERIFY(!messageOf<map::LocalPathMessage>(give(world, kPath, path("odom", kNow))));
+    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(ReasonCode::RosFrameUnknown));
+    QVERIFY(world.overdue(kNow + 4).empty());  // told once
+    // It is not forgotten.
+    QVERIFY(messageOf<map::LocalPathMessage>(give(world, kStatic, tf("map", "odom", 0, 0, 0, 0), kNow + 5)));
+  }
+
+  void framesThatDoNotHangTogetherAreNamed() {
+    RosWorld world;
+    give(world, kStatic, tf("map", "other", 0, 0, 0, 0));
+    give(world, kStatic, tf("odom", "base_link", 0, 0, 0, 0));
+    give(world, kPath, path("odom", kNow));
+    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(ReasonCode::RosFramesApart));
+  }
+
+  void anUpdateChangesTheGridThatItBelongsTo() {
+    RosWorld world;
+    world.keepGrids({"/local_costmap/costmap"});
+    const QByteArray patch = "{" + header("map", kNow) + R"(,"x":1,"y":0,"width":1,"height":2,"data":[7,8]})";
+    QVERIFY(!messageOf<map::GridMessage>(give(world, kPatches, patch)));  // of nothing
+    give(world, kLocal, grid("map", kNow));
+    const auto changed = messageOf<map::GridMessage>(give(world, kPatches, patch));
+    QVERIFY(changed && changed->topic == "/local_costmap/costmap");
+    const std::string cells = changed->png->substr(changed->png->size() - 4);
+    QCOMPARE(cells, (std::string{char(255), 8, 0, 7}));  // row 0 on top
+  }
+
+  void whereTheRobotIsComesByTransforms() {
+    RosWorld world;
+    QVERIFY(!world.pose());
+    give(world, kTf, tf("map", "odom", 1, 0, 0, kNow));
+    give(world, kTf, tf("odom", "base_footprint", 1, 1, 0.5, kNow));
+    QCOMPARE(world.robotFrame(), std::string("base_footprint"));
+    const auto pose = world.pose();
+    QVERIFY(pose && *pose);
+    QVERIFY(std::abs((*pose)->x_m - 2) < 1e-9 && std::abs((*pose)->yaw_rad - 0.5) < 1e-9);
+  }
+
+  void withoutTransformsAPoseOnTheMapTells() {
+    RosWorld world;
+    give(world, kOdom, "{" + header("odom", kNow) + R"(,"pose":{"pose":)" + pose(9, 9, 0) + "}}");
+    QVERIFY(world.pose() && !*world.pose());  // odom lies nowhere
+    give(world, kAmcl, "{" + header("map", kNow) + R"(,"pose":{"pose":)" + pose(3, 4, 0) + "}}");
+    QVERIFY(world.pose() && *world.pose());
+    QCOMPARE((*world.pose())->x_m, 3.0);
+  }
+
+  void theFixedFrameIsTheRootWhereThereIsNoMap() {
+    RosWorld world;
+    QCOMPARE(world.fixedFrame(), std::string("map"));
+    give(world, kTf, tf("odom", "base_link", 0, 0, 0, kNow));
+    QCOMPARE(world.fixedFrame(), std::string("odom"));
+  }
+
+  void theOutlineIsThatOfTheRobot() {
+    RosWorld world;
+    give(world, kTf, tf("odom", "base_link", 5, 5, 0, kNow));
+    const auto model = messageOf<map::RobotModel>(give(
+        world, kFootprint,
+        "{" + header("odom", kNow) +
+            R"(,"polygon":{"points":[{"x":4.5,"y":4.5,"z":0},{"x":5.5,"y":4.5,"z":0},{"x":5,"y":6,"z":0}]}})"));
+    QVERIFY(model);
+    QVERIFY((model->footprint.front() - Eigen::Vector2d(-0.5, -0.5)).norm() < 1e-9);
+  }
+
+  void loopsOfFramesAreTold() {
+    RosWorld world;
+    give(world, kTf, tf("map", "odom", 0, 0, 0, kNow));
+    const WorldResults results = give(world, kTf, tf("odom", "map", 0, 0, 0, kNow));
+    const bool told = std::any_of(results.begin(), results.end(), [](const WorldResult& result) {
+      return !result.notes.empty() && result.notes.front().code == ReasonCode::RosTransformLoop;
+    });
+    QVERIFY(told);
+  }
+
+  void garbageIsUnreadable() {
+    for (const Source& source : {kMap, kPath, kFootprint, kAmcl, kOdom}) {
+      RosWorld world;
+      const WorldResults results = give(world, source, R"({"header":7,"info":[],"poses":{},"data":"x"})");
+      QVERIFY(results.size() == 1 && results.front().unreadable && !results.front().message);
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(RosPartsTest)
+#include "test_ros_parts.moc"
