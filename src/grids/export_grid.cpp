@@ -9,9 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include <spng.h>
-
 #include "disk/written_file.h"
+#include "grids/png_writer.h"
 #include "reasons/file_reason.h"
 
 namespace mapwright::grids {
@@ -87,35 +86,6 @@ std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
 std::optional<map::Reason> told(const std::optional<disk::Fault>& fault) {
   return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
 }
-
-struct PngWriter {
-  disk::WrittenFile& file;
-  std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context{spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free};
-
-  static int write(spng_ctx*, void* user, void* bytes, std::size_t count) {
-    auto& out = *static_cast<disk::WrittenFile*>(user);
-    out.write(bytes, count);
-    return out.good() ? 0 : int(SPNG_IO_ERROR);
-  }
-  bool begin(int width, int height, bool has_alpha) {
-    spng_ihdr header{};
-    header.width = std::uint32_t(width);
-    header.height = std::uint32_t(height);
-    header.bit_depth = 8;
-    header.color_type = has_alpha ? SPNG_COLOR_TYPE_GRAYSCALE_ALPHA : SPNG_COLOR_TYPE_GRAYSCALE;
-    // Flat areas and sharp edges: filters make maps larger, not smaller.
-    return context != nullptr && spng_set_png_stream(context.get(), write, &file) == 0 &&
-           spng_set_option(context.get(), SPNG_FILTER_CHOICE, SPNG_DISABLE_FILTERING) == 0 &&
-           spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, 4) == 0 &&
-           spng_set_ihdr(context.get(), &header) == 0 &&
-           spng_encode_image(context.get(), nullptr, 0, SPNG_FMT_PNG,
-                             SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE) == 0;
-  }
-  bool row(const std::uint8_t* bytes, std::size_t count) {
-    const int result = spng_encode_row(context.get(), bytes, count);
-    return result == 0 || result == SPNG_EOI;
-  }
-};
 
 /// The shortest text that reads back to the same number, and as a number and not an integer.
 std::string numberText(double number) {

@@ -122,8 +122,12 @@ enum class ReasonCode {
   NoSubmapToExport,
   ComposedTooLarge,
   WritingStopped,
-  EncoderFailed,      // path
-  PictureNotEncoded,  // path, the library's words
+  EncoderFailed,          // path
+  PictureNotEncoded,      // path, the library's words
+  PictureOnlyRead,        // path
+  PictureOfOtherSize,     // path
+  CellWithoutShade,       // path, the cell
+  PictureReadsOtherwise,  // path; because: why
   // Whole maps by remote calls.
   AnswerIsNoJson,  // whose robot it should be
   AnswerHoldsNoData,
@@ -168,7 +172,7 @@ enum class ReasonCode {
   // Files with waypoints.
   NoSuchMap,
   WaypointFileNotRead,  // path; because: why
-  WaypointFileChanged,  // path
+  FileChanged,          // path
   FileTooLarge,         // the most, with its unit
   FileEmpty,
   FileNotJson,  // the library's words

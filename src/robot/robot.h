@@ -182,6 +182,7 @@ class LiveTopics {
 };
 
 class MapAdministration;  // robot/map_administration.h
+class PictureStore;       // robot/picture_store.h
 class WaypointStore;      // robot/waypoint_store.h
 
 class Robot : public QObject {
@@ -209,6 +210,7 @@ class Robot : public QObject {
   virtual WaypointStore* waypointStore() { return nullptr; }
   virtual LiveTopics* liveTopics() { return nullptr; }
   virtual MapAdministration* mapAdministration() { return nullptr; }
+  virtual PictureStore* pictureStore() { return nullptr; }
 
   /// Why a capability is absent. Of one that is there it says nothing of use.
   virtual Absence whyNot(Capability) const { return {}; }

@@ -27,6 +27,7 @@ constexpr Singular kSingulars[] = {
     {"%1 problems", "%1 problem"},
     {"%1 problems copied", "%1 problem copied"},
     {"%1 slices", "%1 slice"},
+    {"%1 specks", "%1 speck"},
     {"%1 submaps", "%1 submap"},
     {"%1 submaps are selected.", "%1 submap is selected."},
     {"%1 trajectories", "%1 trajectory"},

@@ -85,7 +85,7 @@ QString ofWaypointFiles(ReasonCode code) {
       return Words::tr("There is no such map.");
     case ReasonCode::WaypointFileNotRead:
       return Words::tr("%1 cannot be read");
-    case ReasonCode::WaypointFileChanged:
+    case ReasonCode::FileChanged:
       return Words::tr("%1 has changed on disk meanwhile.");
     case ReasonCode::FileTooLarge:
       return Words::tr("it is larger than %1");

@@ -148,6 +148,14 @@ QString ofPictures(ReasonCode code, int count) {
       return Words::tr("The PNG %1 cannot be written: its encoder failed.");
     case ReasonCode::PictureNotEncoded:
       return Words::tr("The picture for %1 cannot be encoded: %2.");
+    case ReasonCode::PictureOnlyRead:
+      return Words::tr("The picture %1 is neither PGM nor PNG: such pictures are only read.");
+    case ReasonCode::PictureOfOtherSize:
+      return Words::tr("The picture %1 has another size now.");
+    case ReasonCode::CellWithoutShade:
+      return Words::tr("No gray of the picture %1 is read as a cell of %2 by its map.yaml.");
+    case ReasonCode::PictureReadsOtherwise:
+      return Words::tr("The picture %1 was written, and is read back as another one");
     default:
       return {};
   }

@@ -31,6 +31,7 @@
 #include "window/messages/messages_controller.h"
 #include "window/notices.h"
 #include "window/panels.h"
+#include "window/picture/picture_controller.h"
 #include "window/problems/problems_controller.h"
 #include "window/robot/robot_controller.h"
 #include "window/status/status_controller.h"
@@ -147,6 +148,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(inspector_, ids("showIds"), ids("showOutlines"));
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);
+  make(picture_);
   make(problems_);
   make(maps_);
   make(administration_);
@@ -165,6 +167,8 @@ void MainWindow::connectControllers() {
   connect(tools_, &ToolsController::clicked, inspector_, &InspectorController::clickedOnMap);
   connect(inspector_, &InspectorController::colorModeWanted, layers_, &LayersController::setColorMode);
   connect(layers_, &LayersController::colorModeChanged, inspector_, &InspectorController::setColorMode);
+  connect(picture_, &PictureController::compareWanted, compare_, &CompareController::compareWithSaved);
+  connect(picture_, &PictureController::written, maps_, &MapsController::expectOwnChange);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);

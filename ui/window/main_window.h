@@ -50,6 +50,7 @@ class MapView;
 class MeasureTool;
 class MessagesController;
 class MessagesDock;
+class PictureController;
 class PictureDialog;
 class PicturePlacing;
 class ProblemsController;
@@ -115,6 +116,7 @@ class MainWindow : public QMainWindow {
   ConnectionChip* chip() const;
   MeasureTool* measureTool() const;
   WaypointsController* waypoints() const { return waypoints_; }
+  PictureController* pictureEditor() const { return picture_; }
 
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);
@@ -167,6 +169,7 @@ class MainWindow : public QMainWindow {
   MapsController* maps_ = nullptr;
   AdministrationController* administration_ = nullptr;
   MessagesController* messages_ = nullptr;
+  PictureController* picture_ = nullptr;
   PicturePlacing* placing_ = nullptr;
   ProblemsController* problems_ = nullptr;
   RobotController* robot_ = nullptr;

@@ -83,7 +83,7 @@ Outcome<WaypointReceipt> WaypointFiles::write(const map::MapKey& key, const Wayp
   if (!content) return tl::make_unexpected(content.error());
   if (content->waypoints.revision != request.revision) {
     return tl::make_unexpected(failure(*place, map::FailureKind::Conflict,
-                                       {ReasonCode::WaypointFileChanged, {place->path.toStdString()}}));
+                                       {ReasonCode::FileChanged, {place->path.toStdString()}}));
   }
   const auto bytes = patchWaypoints(content->bytes, request.changes);
   if (!bytes) return tl::make_unexpected(failure(*place, map::FailureKind::MalformedAnswer, bytes.error()));

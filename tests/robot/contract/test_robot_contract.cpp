@@ -308,7 +308,8 @@ class RobotContractTest : public QObject {
         {Capability::Waypoints, robot.waypointSource() != nullptr},
         {Capability::WaypointEditing, robot.waypointStore() != nullptr},
         {Capability::Live, robot.liveTopics() != nullptr},
-        {Capability::Administration, robot.mapAdministration() != nullptr}};
+        {Capability::Administration, robot.mapAdministration() != nullptr},
+        {Capability::PictureEditing, robot.pictureStore() != nullptr}};
     for (const auto& [capability, there] : all) {
       if (there) continue;
       const QString why = sentences::whyAbsent(capability, robot.whyNot(capability));

@@ -18,6 +18,7 @@
 #include "window/map/toast_stack.h"
 #include "window/map/tool_choice.h"
 #include "window/panels.h"
+#include "window/undo_stacks.h"
 #include "window/waypoints/name_editor.h"
 #include "window/waypoints/waypoint_text.h"
 #include "window/waypoints/waypoint_tool.h"
@@ -45,6 +46,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(tool_, &WaypointTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
     context_.panels.open(dock_);
+    if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
   });
   connect(dock_, &WaypointsDock::addWanted, this, [this] { addAt(context_.scene.view().center_m); });
   connect(dock_, &WaypointsDock::saveWanted, this, &WaypointsController::save);
@@ -157,7 +159,7 @@ void WaypointsController::openList(const map::MapKey& key) {
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
   });
   connect(&list_->document(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
-  context_.undo.addStack(&list_->document().undoStack());
+  joinUndo(context_.undo, list_->document().undoStack());
   context_.undo.setActiveStack(&list_->document().undoStack());
 }
 
