@@ -119,6 +119,7 @@ class RosLink : public QObject {
   void note(const std::string& topic, map::ProblemCode code, const std::optional<map::Reason>& reason);
   void forgetTrouble(const std::string& topic);
   void tellPose();
+  bool framesComplete() const;
   void emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
                  std::optional<double> recorded_s);
   void report(map::Severity severity, map::Reason reason);
