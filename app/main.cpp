@@ -7,15 +7,16 @@
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
+#include "app/access_words.h"
 #include "app/bench_program.h"
 #include "app/exit_code.h"
-#include "app/maps.h"
-#include "app/maps_change.h"
+#include "app/maps_words.h"
 #include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/simulate.h"
 #include "app/simulate_options.h"
 #include "app/snapshot.h"
+#include "app/waypoint_words.h"
 #include "app/window.h"
 #include "app/xdg.h"
 #include "scene/layer.h"
@@ -37,6 +38,7 @@ struct CommandLine {
   app::AccessWords access;
   app::SnapshotWords snapshot;
   app::MapsWords maps;
+  app::WaypointsWords waypoints;
   app::SimulateWords simulate;
   std::vector<std::string> bench_arguments;
 };
@@ -48,22 +50,6 @@ std::string layersHelp() {
       Words::tr("Comma-separated: %1; or all; or none (the map alone)").arg(names.join(QLatin1Char(','))));
 }
 
-void addAccess(CLI::App& command, app::AccessWords& words) {
-  command.add_option(
-      "--secret-file", words.secret_file,
-      help(Words::tr("File that holds the secret of the robot of --robot (or MAPWRIGHT_SECRET)")));
-  command
-      .add_option(
-          "--secret-file-for", words.secret_files_for,
-          help(Words::tr("Address of another robot, and the file that holds its secret; may be repeated")))
-      ->type_name("ADDRESS FILE")
-      ->allow_extra_args(false);
-  command.add_option(
-      "--ca-file", words.ca_file,
-      help(Words::tr("PEM file of certificate authorities (or self-signed certificates) to believe besides "
-                     "those of this computer")));
-}
-
 void addSnapshot(CLI::App& cli, CommandLine& line) {
   CLI::App* command =
       cli.add_subcommand("snapshot", help(Words::tr("Draw a robot's map into a PNG, without a window")));
@@ -72,7 +58,7 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
       ->add_option("--robot", words.robot,
                    help(Words::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo:")))
       ->envname("MAPWRIGHT_ROBOT");
-  addAccess(*command, words.access);
+  app::addAccess(*command, words.access);
   command
       ->add_option("-o,--output", words.output, help(Words::tr("The PNG to write; - is the standard output")))
       ->required();
@@ -122,78 +108,6 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_flag("--json", words.json, help(Words::tr("Print the report on standard output")));
 }
 
-void addMaps(CLI::App& cli, CommandLine& line) {
-  CLI::App* maps = cli.add_subcommand(
-      "maps", help(Words::tr("The maps that a robot or a folder keeps: list, export, compare, change")));
-  maps->require_subcommand(1);
-  app::MapsWords& words = line.maps;
-  const auto addOne = [&](const char* name, const std::string& what) {
-    CLI::App* command = maps->add_subcommand(name, what);
-    // No envname(): the subcommands share the word, and the variable would be read for those that were not
-    // given, over what was typed. It comes from the option before the subcommand.
-    command->add_option("--robot", words.robot,
-                        help(Words::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command
-        ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
-        ->capture_default_str();
-    command->add_option("--report", words.report,
-                        help(Words::tr("Write what was done, and every warning, as JSON")));
-    return command;
-  };
-  const auto add = [&](const char* name, const std::string& what) {
-    CLI::App* command = addOne(name, what);
-    command->add_option(
-        "--resolution", words.resolution,
-        help(Words::tr(
-            "Metres per cell: of a bare picture file, or of submaps that are exported or compared (0.05)")));
-    command->add_option("--origin", words.origin,
-                        help(Words::tr("Lower left corner of a bare picture file: X,Y or X,Y,YAW")));
-    return command;
-  };
-  const std::string which = help(
-      Words::tr("A stored map by its id, mapping:ID, live, or submaps; without it the live or current one"));
-  for (const auto& [name, what] :
-       {std::pair{"list", help(Words::tr("All maps and mapping results; * marks the current one"))},
-        std::pair{"current", help(Words::tr("The map that the robot works with"))}}) {
-    add(name, what)->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  }
-  CLI::App* show = add("show", help(Words::tr("Size, place, dates and waypoints of one map")));
-  show->add_option("id", words.id, which);
-  show->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  CLI::App* exported =
-      add("export", help(Words::tr("Write a map as PNG, or as PGM and YAML for map_server")));
-  exported->add_option("id", words.id, which);
-  exported
-      ->add_option(
-          "-o,--output", words.output,
-          help(Words::tr(
-              "What to write: NAME.png, or NAME.yaml / NAME.pgm (both); - is a PNG on the standard output")))
-      ->required();
-  exported->add_flag("--force", words.force,
-                     help(Words::tr("Write even over a file that the map is read from")));
-  exported->add_option("--format", words.format, help(Words::tr("png or pgm, when the name does not tell")));
-  exported->add_flag("--world-file", words.world_file,
-                     help(Words::tr("Write NAME.pgw (world file) beside it")));
-  CLI::App* diff =
-      add("diff", help(Words::tr("Compare two maps cell by cell; exit code 1 when they differ")));
-  diff->add_option("first", words.first,
-                   help(Words::tr("A map of --robot (id, mapping:ID, live, submaps), or a file or address")))
-      ->required();
-  diff->add_option("second", words.second, help(Words::tr("Likewise")))->required();
-  diff->add_option("--diff", words.diff_picture,
-                   help(Words::tr("Write the difference as a PNG; - is the standard output")));
-  diff->add_flag("--force", words.force, help(Words::tr("Write even over a file that a map is read from")));
-  diff->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  CLI::App* rename = addOne("rename", help(Words::tr("Call a stored map otherwise")));
-  CLI::App* load = addOne("load", help(Words::tr("Make a stored map the one that the robot works with")));
-  for (CLI::App* command : {rename, load}) {
-    command->add_option("id", words.id, help(Words::tr("A stored map by its id")))->required();
-    command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
-  }
-  rename->add_option("name", words.label, help(Words::tr("Its name from now on")))->required();
-}
-
 int run(int argc, char** argv) {
   CommandLine line;
   CLI::App cli(
@@ -207,12 +121,13 @@ int run(int argc, char** argv) {
          "--robot", line.robot,
          help(Words::tr("Connect the window to this robot, for example axbot+http://192.168.25.25:8090")))
       ->envname("MAPWRIGHT_ROBOT");
-  addAccess(cli, line.access);
+  app::addAccess(cli, line.access);
   CLI::App* demo = cli.add_subcommand("demo", help(Words::tr("Open the window on a simulated robot")));
   demo->add_option("query", line.demo_query, help(Words::tr("Such as scene=warehouse&submaps=500&seed=3")));
   app::addSimulate(cli, line.simulate);
   addSnapshot(cli, line);
-  addMaps(cli, line);
+  app::addMaps(cli, line.maps);
+  app::addWaypoints(cli, line.waypoints);
   CLI::App* bench = cli.add_subcommand(
       "bench", help(Words::tr("Measure against other ways to do the same, in the same run")));
   bench->prefix_command();
@@ -238,14 +153,13 @@ int run(int argc, char** argv) {
   if (cli.got_subcommand("maps")) {
     if (line.maps.robot.empty()) line.maps.robot = line.robot;
     line.maps.access = app::withOuter(line.maps.access, line.maps.robot, line.access, line.robot);
-    const CLI::App* maps = cli.get_subcommand("maps");
-    if (maps->got_subcommand("list")) return app::mapsList(line.maps, argc, argv);
-    if (maps->got_subcommand("current")) return app::mapsCurrent(line.maps, argc, argv);
-    if (maps->got_subcommand("show")) return app::mapsShow(line.maps, argc, argv);
-    if (maps->got_subcommand("export")) return app::mapsExport(line.maps, argc, argv);
-    if (maps->got_subcommand("rename")) return app::mapsRename(line.maps, argc, argv);
-    if (maps->got_subcommand("load")) return app::mapsLoad(line.maps, argc, argv);
-    return app::mapsDiff(line.maps, argc, argv);
+    return app::runMaps(cli, line.maps, argc, argv);
+  }
+  if (cli.got_subcommand("waypoints")) {
+    app::WaypointsWords& words = line.waypoints;
+    if (words.robot.empty()) words.robot = line.robot;
+    words.access = app::withOuter(words.access, words.robot, line.access, line.robot);
+    return app::runWaypoints(cli, words, argc, argv);
   }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining());
   if (cli.got_subcommand("demo")) return app::demo(QString::fromStdString(line.demo_query), argc, argv);

@@ -11,7 +11,9 @@
 #include <spng.h>
 
 #include "disk/written_file.h"
+#include "reasons/file_reason.h"
 #include "render/grid_palettes.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -45,8 +47,8 @@ class RgbPng {
   /// nullopt = the picture is in its place.
   std::optional<QString> end() {
     if (!good_ && file_.good()) return Words::tr("The picture of the difference cannot be encoded.");
-    const auto problem = file_.place();
-    return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
+    const auto fault = file_.place();
+    return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
   }
 
  private:
@@ -129,8 +131,8 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
     }
   }
   for (const render::PlacedGrid* const map : {&first, &second}) {
-    if (const std::string trouble = map->cells->trouble(); !trouble.empty()) {
-      return tl::make_unexpected(QString::fromStdString(trouble));
+    if (const map::Reason trouble = map->cells->trouble(); trouble.any()) {
+      return tl::make_unexpected(sentences::wordsOf(trouble));
     }
   }
   if (picture) {

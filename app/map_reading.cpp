@@ -18,6 +18,8 @@
 #include "scene/layer.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/obstacle_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {
@@ -61,14 +63,15 @@ MapReading::MapReading(std::unique_ptr<robot::Robot> robot, QString address, Com
       address_(std::move(address)),
       time_(time) {}
 
-bool MapReading::waitUntil(const std::function<bool()>& done) {
+bool MapReading::waitUntil(const std::function<bool()>& done, double at_most_s) {
+  const QDeadlineTimer patience(at_most_s < 1e6 ? qint64(at_most_s * 1000) : -1, Qt::PreciseTimer);
   QEventLoop loop;
   QTimer look;
   look.setTimerType(Qt::PreciseTimer);
   bool is_done = done();
   QObject::connect(&look, &QTimer::timeout, &loop, [&] {
     is_done = done();
-    if (is_done || time_.over()) loop.quit();
+    if (is_done || time_.over() || patience.hasExpired()) loop.quit();
   });
   look.start(kLookEveryMs);
   if (!is_done) loop.exec();
@@ -84,6 +87,23 @@ std::vector<std::string> MapReading::sourceFiles() const {
 
 CommandFailure MapReading::failure(int exit_code, const QString& sentence) const {
   return {exit_code, QStringLiteral("%1: %2").arg(oneLine(address_, kLongestAddress), sentence)};
+}
+
+CommandFailure MapReading::failure(const map::Failure& failed) const {
+  return failure(exitCodeOf(failed.kind), QString::fromStdString(sentences::sentenceOf(failed)));
+}
+
+void MapReading::giveUp(const robot::Call& call, const std::function<bool()>& over) const {
+  call.cancel();
+  QEventLoop loop;
+  const QDeadlineTimer patience(kFarewellMs);
+  while (!over() && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kLookEveryMs);
+}
+
+map::Failure MapReading::tooLate(map::Failure failure) const {
+  failure.kind = map::FailureKind::TimedOut;
+  failure.detail = Words::tr("it did not answer within %1 s").arg(time_.timeout_s).toStdString();
+  return failure;
 }
 
 CommandFailure MapReading::lacks(robot::Capability capability) const {
@@ -122,28 +142,19 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   return reading;
 }
 
-CommandResult<map::CatalogueEntry> MapReading::change(const Ask& ask) {
+CommandResult<map::CatalogueEntry> MapReading::change(const robot::MapOrder& order) {
   robot::MapAdministration* const maps = session_.robot().mapAdministration();
   if (!maps) return tl::make_unexpected(lacks(robot::Capability::Administration));
-  // Shared: an outcome may still come when nobody waits for it any more.
-  const auto outcome = std::make_shared<std::optional<robot::Outcome<map::CatalogueEntry>>>();
-  const robot::Call call = ask(*maps, [outcome](auto given) { *outcome = std::move(given); });
-  const bool in_time = waitUntil([&] { return outcome->has_value(); });
-  if (!in_time) {
-    call.cancel();
-    QEventLoop loop;
-    const QDeadlineTimer patience(kFarewellMs);
-    while (!*outcome && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kLookEveryMs);
+  const auto obstacle = maps->obstacle(order.change, nullptr);
+  if (obstacle == robot::Obstacle::NotOffered) {
+    return tl::make_unexpected(
+        failure(local() ? kUsage : kRobotError, sentences::whyNotNow(order.change, *obstacle)));
   }
-  if (*outcome && **outcome) return std::move(***outcome);
-  map::Failure failed = *outcome ? (*outcome)->error() : map::Failure{.applied = map::Applied::Maybe};
-  failed.asked_for = map::AskedFor::Change;
-  if (!in_time) {
-    failed.kind = map::FailureKind::TimedOut;
-    failed.detail = Words::tr("it did not answer within %1 s").arg(time_.timeout_s).toStdString();
-  }
-  return tl::make_unexpected(
-      failure(exitCodeOf(failed.kind), QString::fromStdString(sentences::sentenceOf(failed))));
+  auto outcome = ask<map::CatalogueEntry>(
+      [&](robot::OutcomeTo<map::CatalogueEntry> reply) { return maps->carryOut(order, std::move(reply)); });
+  if (outcome) return std::move(*outcome);
+  outcome.error().asked_for = map::AskedFor::Change;
+  return tl::make_unexpected(failure(outcome.error()));
 }
 
 CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
@@ -152,14 +163,13 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
     return tl::make_unexpected(lacks(robot::Capability::Catalogue));
   }
   if (!catalogue.asOf() && !catalogue.loading()) catalogue.refresh();
-  if (!waitUntil(
-          [&] { return !catalogue.loading() && (catalogue.asOf() || !catalogue.error().isEmpty()); })) {
+  if (!waitUntil([&] { return !catalogue.loading() && (catalogue.asOf() || catalogue.failure()); })) {
     return tl::make_unexpected(failure(exitCodeOf(map::FailureKind::TimedOut),
                                        Words::tr("It did not answer within %1 s.").arg(time_.timeout_s)));
   }
-  if (!catalogue.error().isEmpty()) {
-    return tl::make_unexpected(
-        failure(local() ? kUsage : exitCodeOf(catalogue.failure()), catalogue.error()));
+  if (catalogue.failure()) {
+    return tl::make_unexpected(failure(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
+                                       QString::fromStdString(sentences::sentenceOf(*catalogue.failure()))));
   }
   // A part of the list that could not be had is a problem of its own.
   complete_ = complete_ && problems(map::Severity::Warning).isEmpty();
@@ -260,7 +270,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                                  .arg(counts.listed)
                                  .arg(time_.timeout_s)));
   }
-  if (!made) return tl::make_unexpected(failure(kRobotError, QString::fromStdString(made.error())));
+  if (!made) return tl::make_unexpected(failure(kRobotError, sentences::wordsOf(made.error())));
   return render::PlacedGrid{made->cells, made->reference};
 }
 

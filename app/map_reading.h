@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <QJsonObject>
 #include <QString>
@@ -14,6 +16,7 @@
 #include "app/report.h"
 #include "app/robot_access.h"
 #include "render/sample_grid.h"
+#include "robot/map_administration.h"
 #include "session/session.h"
 #include "work/workers.h"
 
@@ -44,8 +47,23 @@ class MapReading {
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
   /// Asks for a change of one of its maps, and waits for what comes of it. A change that is under way when
   /// the time is over is given up, and the failure says whether it may have been made.
-  using Ask = std::function<robot::Call(robot::MapAdministration&, robot::OutcomeTo<map::CatalogueEntry>)>;
-  CommandResult<map::CatalogueEntry> change(const Ask& ask);
+  CommandResult<map::CatalogueEntry> change(const robot::MapOrder& order);
+  /// Asks, and waits for the outcome. A request that is under way when the time is over is given up: then it
+  /// is FailureKind::TimedOut, with what is known of it.
+  template <typename T>
+  robot::Outcome<T> ask(const std::function<robot::Call(robot::OutcomeTo<T>)>& request);
+  /// False when the time is up, or `at_most_s` is over.
+  bool waitUntil(const std::function<bool()>& done, double at_most_s = 1e9);
+  CommandTime time() const { return time_; }
+  /// The same failure, for want of time.
+  map::Failure tooLate(map::Failure failure) const;
+  /// A sentence about this robot, and its exit code.
+  CommandFailure failure(int exit_code, const QString& sentence) const;
+  CommandFailure failure(const map::Failure& failed) const;
+  /// That it has nothing of the sort.
+  CommandFailure lacks(robot::Capability capability) const;
+  /// Something odd, to be said in the end.
+  void note(const QString& sentence) { notes_ << sentence; }
   QString nameOfMap() const { return name_; }
   /// The local files that the map was read from.
   std::vector<std::string> sourceFiles() const;
@@ -61,12 +79,10 @@ class MapReading {
  private:
   MapReading(std::unique_ptr<robot::Robot> robot, QString address, CommandTime time, Purpose purpose,
              std::shared_ptr<work::Workers> workers);
-  /// False when the time is up.
-  bool waitUntil(const std::function<bool()>& done);
+  /// Nobody waits for it any more; what it has to say at once is still heard.
+  void giveUp(const robot::Call& call, const std::function<bool()>& over) const;
   CommandResult<render::PlacedGrid> submaps(double resolution_m);
   QStringList problems(map::Severity least) const;  // unresolved
-  CommandFailure failure(int exit_code, const QString& sentence) const;
-  CommandFailure lacks(robot::Capability capability) const;
 
   std::shared_ptr<work::Workers> workers_;
   session::Session session_;
@@ -77,5 +93,18 @@ class MapReading {
   QStringList notes_;
   QJsonObject facts_;
 };
+
+template <typename T>
+robot::Outcome<T> MapReading::ask(const std::function<robot::Call(robot::OutcomeTo<T>)>& request) {
+  // Shared: an outcome may still come when nobody waits for it any more.
+  const auto outcome = std::make_shared<std::optional<robot::Outcome<T>>>();
+  const robot::Call call = request([outcome](robot::Outcome<T> given) { *outcome = std::move(given); });
+  const auto over = [&] { return outcome->has_value(); };
+  const bool in_time = waitUntil(over);
+  if (!in_time) giveUp(call, over);
+  if (*outcome && (**outcome || in_time)) return std::move(**outcome);
+  return tl::make_unexpected(
+      tooLate(*outcome ? (*outcome)->error() : map::Failure{.applied = map::Applied::Maybe}));
+}
 
 }  // namespace mapwright::app

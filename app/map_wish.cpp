@@ -6,6 +6,7 @@
 
 #include "app/exit_code.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
 
 namespace mapwright::app {
@@ -121,8 +122,9 @@ bool MapWish::catalogueIn() {
   }
   if (!catalogue.asked()) catalogue.refresh();
   if (catalogue.loading()) return false;
-  if (catalogue.error().isEmpty()) return catalogue.asOf().has_value();
-  fail(local() ? kUsage : exitCodeOf(catalogue.failure()), catalogue.error());
+  if (!catalogue.failure()) return catalogue.asOf().has_value();
+  fail(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
+       QString::fromStdString(sentences::sentenceOf(*catalogue.failure())));
   return false;
 }
 

@@ -19,10 +19,13 @@
 #include "app/report.h"
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
+#include "app/table.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
+#include "reasons/file_reason.h"
 #include "robot/address.h"
 #include "sentences/plural.h"
+#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -34,6 +37,8 @@ class Words {
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
+QString notWritten(const disk::Fault& fault) { return sentences::wordsOf(reasons::notWritten(fault)); }
+
 void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(json.toJson()).constData()); }
 
 QString dateText(std::optional<double> epoch_s) {
@@ -41,25 +46,10 @@ QString dateText(std::optional<double> epoch_s) {
   return QDateTime::fromMSecsSinceEpoch(qint64(*epoch_s * 1000)).toString(QStringLiteral("yyyy-MM-dd hh:mm"));
 }
 
-/// Columns as wide as their widest cell; names last, for they may be of any width.
-void printTable(const std::vector<QStringList>& rows) {
-  std::vector<qsizetype> widths;
-  for (const QStringList& row : rows) {
-    widths.resize(std::max(widths.size(), std::size_t(row.size())));
-    for (qsizetype i = 0; i < row.size(); ++i)
-      widths[std::size_t(i)] = std::max(widths[std::size_t(i)], row[i].size());
-  }
-  for (const QStringList& row : rows) {
-    QString line;
-    for (qsizetype i = 0; i < row.size(); ++i) {
-      line += i + 1 == row.size() ? row[i] : row[i].leftJustified(widths[std::size_t(i)] + 2);
-    }
-    std::printf("%s\n", qUtf8Printable(words::plainLine(line)));
-  }
-}
-
 QStringList rowOf(const map::CatalogueEntry& row) {
-  const QString version = row.map_version ? QStringLiteral("v%1").arg(*row.map_version) : text(row.state);
+  const QString version = row.is_archived   ? Words::tr("archived")
+                          : row.map_version ? QStringLiteral("v%1").arg(*row.map_version)
+                                            : text(row.state);
   return {row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
           version.isEmpty() ? QStringLiteral("-") : version,
           dateText(row.modified_s ? row.modified_s : row.created_s), words::plainName(row.name)};
@@ -287,13 +277,13 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (words.world_file) {
       placing.emplace(world_file.toStdString());
       placing->write(grids::worldFileText(placed->reference));
-      if (!placing->finish()) return wrong(text(*placing->place()));
+      if (!placing->finish()) return wrong(notWritten(*placing->place()));
     }
     const auto error = png ? grids::writeGridPng(*placed->cells, words.output)
                            : grids::writeMapServer(*placed->cells, placed->reference, words.output);
-    if (error) return wrong(text(*error));
+    if (error) return wrong(sentences::wordsOf(*error));
     if (placing) {
-      if (const auto problem = placing->place()) return wrong(text(*problem));
+      if (const auto fault = placing->place()) return wrong(notWritten(*fault));
     }
     if (!printed && !isStandardOutput(text(words.report))) {
       const map::GridReference& grid = placed->reference;

@@ -12,13 +12,15 @@ struct MapsWords {
   std::string robot;
   AccessWords access;
   std::string id;             // show, export: a map (12, mapping:48, live, submaps)
-  std::string label;          // rename: what it is called from now on
+  std::string label;          // rename, save: what it is called from now on
+  std::string place;          // load: the name of the waypoint where the robot stands
   std::string first, second;  // diff: a map of the robot, or a file
   std::string output, format, diff_picture, report;
   std::string resolution, origin;  // of a bare picture file; of exported submaps: the resolution
   double timeout_s = 60;
   bool json = false, world_file = false;
   bool force = false;  // also over a file that is read
+  bool yes = false;    // delete: it may go
 };
 
 /// The exit code (cli.md).

@@ -1,7 +1,7 @@
 #include "app/maps_change.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <functional>
 
 #include <QCoreApplication>
 #include <QJsonDocument>
@@ -19,82 +19,84 @@ class Words {
 };
 
 using Entry = map::CatalogueEntry;
-using Ask =
-    std::function<robot::Call(robot::MapAdministration&, const map::MapKey&, robot::OutcomeTo<Entry>)>;
+using robot::MapChange;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-CommandResult<Entry> changed(MapsCommand& command, const MapsWords& words, const Ask& ask) {
-  const auto wrong = [](const QString& sentence) {
-    return tl::make_unexpected(CommandFailure{kUsage, sentence});
-  };
-  const map::MapKey key = map::mapKeyFromText(words.id);
-  if (key.kind != map::MapKind::Stored || key.id.empty()) {
-    return wrong(Words::tr("%1: give the id of a stored map (mapwright maps list).").arg(text(words.id)));
+bool isOfOneMap(MapChange change) {
+  return change != MapChange::StartMapping && change != MapChange::StopMapping && change != MapChange::Save;
+}
+
+bool names(MapChange change) { return change == MapChange::Rename || change == MapChange::Save; }
+
+/// Why it is not even asked for; empty when it is.
+QString whyNotAsked(MapChange change, const MapsWords& words) {
+  if (names(change)) {
+    const QString label = text(words.label);
+    if (std::any_of(label.begin(), label.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+      return Words::tr("The name of a map is one line of text, without control characters.");
+    if (label.trimmed().isEmpty()) {
+      return change == MapChange::Save ? Words::tr("A map must have a name: maps save NAME.")
+                                       : Words::tr("A map must have a name: maps rename ID NAME.");
+    }
   }
-  const auto access = RobotAccess::read(words.access, text(words.robot));
-  if (!access) return wrong(access.error());
-  const QString address = text(words.robot);
-  auto robot = command.open(address, access->forAddress(address), MapReading::Purpose::Maps);
-  if (!robot) return tl::make_unexpected(robot.error());
-  return (*robot)->change(
-      [&](robot::MapAdministration& maps, robot::OutcomeTo<Entry> reply) { return ask(maps, key, reply); });
+  const map::MapKey key = map::mapKeyFromText(words.id);
+  if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || key.id.empty()))
+    return Words::tr("%1: give the id of a stored map (mapwright maps list).").arg(text(words.id));
+  if (change == MapChange::Delete && !words.yes)
+    return Words::tr("A map that is deleted cannot be had back. Say --yes when %1 may go.")
+        .arg(text(words.id));
+  return {};
 }
 
 void print(const Entry& entry, bool json) {
   if (json) {
     std::printf("%s", words::escapedJson(QJsonDocument(entryJson(entry)).toJson()).constData());
-  } else {
+  } else if (!entry.key.id.empty()) {
     std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(entry.key))),
                 qUtf8Printable(words::plainName(entry.name)));
   }
 }
 
-int run(const MapsWords& words, int& argc, char** argv,
-        const std::function<CommandResult<int>(MapsCommand&)>& work) {
-  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
+/// What the robot says of the map does not fit what it was asked for; empty when it does.
+QString oddity(const robot::MapOrder& order, const Entry& now) {
+  if (names(order.change) && now.name != order.name)
+    return Words::tr("The robot took it, but says that the map is called \"%1\".")
+        .arg(words::plainName(now.name));
+  if (order.change == MapChange::Load && !now.is_current)
+    return Words::tr("The robot took it, but says that it works with another map.");
+  if (order.change == MapChange::Archive && !now.is_archived)
+    return Words::tr("The robot took it, but does not say that the map is archived.");
+  if (order.change == MapChange::Unarchive && now.is_archived)
+    return Words::tr("The robot took it, but still says that the map is archived.");
+  return {};
 }
 
 }  // namespace
 
-int mapsRename(const MapsWords& words, int& argc, char** argv) {
-  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    const QString label = text(words.label);
-    if (std::any_of(label.begin(), label.end(),
-                    [](QChar c) { return c.category() == QChar::Other_Control; })) {
-      return tl::make_unexpected(CommandFailure{
-          kUsage, Words::tr("The name of a map is one line of text, without control characters.")});
-    }
-    if (label.trimmed().isEmpty()) {
-      return tl::make_unexpected(
-          CommandFailure{kUsage, Words::tr("A map must have a name: maps rename ID NAME.")});
-    }
-    const auto entry =
-        changed(command, words, [&](robot::MapAdministration& maps, const map::MapKey& key, auto reply) {
-          return maps.rename(key, words.label, reply);
-        });
+int mapsChange(MapChange change, const MapsWords& words, int& argc, char** argv) {
+  const auto work = [&](MapsCommand& command) -> CommandResult<int> {
+    const auto wrong = [](int code, const QString& sentence) {
+      return tl::make_unexpected(CommandFailure{code, sentence});
+    };
+    if (const QString why = whyNotAsked(change, words); !why.isEmpty()) return wrong(kUsage, why);
+    const auto access = RobotAccess::read(words.access, text(words.robot));
+    if (!access) return wrong(kUsage, access.error());
+    const QString address = text(words.robot);
+    auto robot = command.open(address, access->forAddress(address), MapReading::Purpose::Maps);
+    if (!robot) return tl::make_unexpected(robot.error());
+    robot::MapOrder order{.change = change};
+    if (isOfOneMap(change)) order.key = map::mapKeyFromText(words.id);
+    if (names(change)) order.name = words.label;
+    if (change == MapChange::Load) order.place = words.place;
+    const auto entry = (*robot)->change(order);
     if (!entry) return tl::make_unexpected(entry.error());
     print(*entry, words.json);
-    if (entry->name == words.label) return kDone;
-    return tl::make_unexpected(CommandFailure{
-        kIncomplete, Words::tr("%1: The robot took it, but says that the map is called \"%2\".")
-                         .arg(text(words.robot), words::plainName(entry->name))});
-  });
-}
-
-int mapsLoad(const MapsWords& words, int& argc, char** argv) {
-  return run(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    const auto entry =
-        changed(command, words, [](robot::MapAdministration& maps, const map::MapKey& key, auto reply) {
-          return maps.load(key, reply);
-        });
-    if (!entry) return tl::make_unexpected(entry.error());
-    print(*entry, words.json);
-    if (entry->is_current) return kDone;
-    return tl::make_unexpected(CommandFailure{
-        kIncomplete,
-        Words::tr("%1: The robot took it, but says that it works with another map.").arg(text(words.robot))});
-  });
+    const QString odd = oddity(order, *entry);
+    if (odd.isEmpty()) return kDone;
+    return wrong(kIncomplete, QStringLiteral("%1: %2").arg(address, odd));
+  };
+  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
 }
 
 }  // namespace mapwright::app

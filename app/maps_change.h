@@ -1,12 +1,13 @@
-// `mapwright maps rename` and `maps load`: what changes something on the robot (cli.md).
+// `mapwright maps rename|load|archive|unarchive|delete|start-mapping|stop-mapping|save`: what changes
+// something on the robot (cli.md).
 #pragma once
 
 #include "app/maps.h"
+#include "robot/map_administration.h"
 
 namespace mapwright::app {
 
 /// The exit code (cli.md). What the robot makes of it is printed as it tells it afterwards.
-int mapsRename(const MapsWords& words, int& argc, char** argv);
-int mapsLoad(const MapsWords& words, int& argc, char** argv);
+int mapsChange(robot::MapChange change, const MapsWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

@@ -3,8 +3,16 @@
 #include <regex>
 
 #include <CLI/CLI.hpp>
+#include <QCoreApplication>
 
 namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(OptionWords)
+};
+
+}  // namespace
 
 bool isDecimal(const std::string& word) {
   static const std::regex decimal(R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)");
@@ -17,8 +25,9 @@ void refuseOddWords(CLI::App& app) {
     const std::string type = option->get_type_name();
     const bool number = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
     option->check([number](const std::string& word) {
-      if (word.empty()) return std::string("its value is empty");
-      return number && !isDecimal(word) ? "\"" + word + "\" is not a number" : std::string();
+      if (word.empty()) return Words::tr("its value is empty").toStdString();
+      if (!number || isDecimal(word)) return std::string();
+      return Words::tr("\"%1\" is not a number").arg(QString::fromStdString(word)).toStdString();
     });
   }
   for (CLI::App* command : app.get_subcommands({})) refuseOddWords(*command);

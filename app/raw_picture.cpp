@@ -9,6 +9,8 @@
 
 #include "app/snapshot_picture.h"
 #include "disk/written_file.h"
+#include "reasons/file_reason.h"
+#include "sentences/reason_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {
@@ -42,9 +44,9 @@ std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
   const std::unique_ptr<void, decltype(&std::free)> png(
       failure ? nullptr : spng_get_png_buffer(encoder.get(), &bytes, &failure), &std::free);
   if (!png) return notEncoded(failure);
-  const auto problem =
+  const auto fault =
       disk::writeFile(path.toStdString(), std::string_view(static_cast<const char*>(png.get()), bytes));
-  return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
+  return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
 }
 
 class RawPicture : public SnapshotPicture {

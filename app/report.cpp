@@ -11,7 +11,9 @@
 #include <QJsonDocument>
 
 #include "disk/written_file.h"
+#include "reasons/file_reason.h"
 #include "sentences/problem_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 
@@ -44,9 +46,11 @@ QJsonObject trafficJson(const session::SubmapCounts& counts) {
 }
 
 QJsonObject gridJson(const map::GridReference& grid) {
-  return {{QStringLiteral("size"), QJsonArray{grid.width, grid.height}},
-          {QStringLiteral("resolution"), grid.resolution_m},
-          {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
+  const bool size_known = grid.width > 0 && grid.height > 0;  // else its picture was not opened
+  return {
+      {QStringLiteral("size"), size_known ? QJsonValue(QJsonArray{grid.width, grid.height}) : QJsonValue()},
+      {QStringLiteral("resolution"), grid.resolution_m},
+      {QStringLiteral("origin"), QJsonArray{grid.origin.x_m, grid.origin.y_m, grid.origin.yaw_rad}}};
 }
 
 QJsonObject entryJson(const map::CatalogueEntry& row) {
@@ -57,6 +61,7 @@ QJsonObject entryJson(const map::CatalogueEntry& row) {
                                             : row.key.kind == map::MapKind::File  ? QStringLiteral("file")
                                                                                   : QStringLiteral("map")},
                    {QStringLiteral("current"), row.is_current},
+                   {QStringLiteral("archived"), row.is_archived},
                    {QStringLiteral("map_version"), jsonOr(row.map_version)},
                    {QStringLiteral("overlays_version"), jsonOr(row.overlays_version)},
                    {QStringLiteral("created"), row.created_s ? QJsonValue(*row.created_s) : QJsonValue()},
@@ -102,9 +107,9 @@ QString firstOf(const QStringList& lines) {
 }
 
 std::optional<QString> writeReport(const QString& path, const QJsonObject& report) {
-  const auto problem =
+  const auto fault =
       disk::writeFile(path.toStdString(), words::escapedJson(QJsonDocument(report).toJson()).toStdString());
-  return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
+  return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
 }
 
 bool writeReportInHaste(const QString& path, const QJsonObject& report) {

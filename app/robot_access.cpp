@@ -4,6 +4,8 @@
 #include <QFile>
 
 #include "app/robot_factory.h"
+#include "robot/wire/net_reason.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -84,7 +86,8 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
   }
   if (!words.ca_file.empty()) {
     const auto authorities = net::readAuthorities(text(words.ca_file));
-    if (!authorities) return tl::make_unexpected(authorities.error());
+    if (!authorities)
+      return tl::make_unexpected(sentences::wordsOf(robot::wire::reasonOf(authorities.error())));
     access.trust_.authorities = QSslConfiguration::systemCaCertificates() + *authorities;
   }
   return access;
@@ -102,8 +105,9 @@ Access RobotAccess::forAddress(const QString& address) const {
 }
 
 QString whyNotConnected(const robot::ConnectionState& state) {
-  if (!state.certificate) return state.reason;
-  return state.reason + Words::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
+  const QString reason = sentences::wordsOf(state.reason);
+  if (!state.certificate) return reason;
+  return reason + Words::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
 }
 
 }  // namespace mapwright::app

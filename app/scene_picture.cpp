@@ -8,6 +8,7 @@
 #include "app/snapshot_picture.h"
 #include "scene/map_scene.h"
 #include "scene/write_picture.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -16,10 +17,24 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(ScenePicture)
 };
 
-render::TileRenderer::Options exactOnly(std::shared_ptr<work::Workers> workers) {
+/// Of whole maps and costmaps.
+bool drawsGrids(const SnapshotOptions& options, const SnapshotContent& content) {
+  using scene::Layer;
+  return content.whole || std::any_of(options.layers.begin(), options.layers.end(), [](Layer layer) {
+           return layer == Layer::CostmapLow || layer == Layer::CostmapHigh || layer == Layer::Incremental ||
+                  layer == Layer::EnvMatch || layer == Layer::EnvSymmetry;
+         });
+}
+
+render::TileRenderer::Options exactOnly(std::shared_ptr<work::Workers> workers, bool grids) {
   render::TileRenderer::Options options;
   options.workers = std::move(workers);
   options.previews = false;
+  // What whole maps do not need, submaps that lie over one another in great numbers do.
+  if (!grids) {
+    options.budgets.dense += options.budgets.grid_tiles + options.budgets.unpacked;
+    options.budgets.grid_tiles = options.budgets.unpacked = 0;
+  }
   return options;
 }
 
@@ -27,7 +42,10 @@ class ScenePicture : public SnapshotPicture {
  public:
   ScenePicture(const SnapshotOptions& options, session::Session& session, const SnapshotContent& content,
                std::shared_ptr<work::Workers> workers)
-      : options_(options), session_(session), content_(content), scene_(exactOnly(std::move(workers))) {}
+      : options_(options),
+        session_(session),
+        content_(content),
+        scene_(exactOnly(std::move(workers), drawsGrids(options, content))) {}
 
   void start() override {
     scene_.setTheme(options_.dark ? scene::darkMapTheme() : scene::lightMapTheme());
@@ -82,7 +100,8 @@ class ScenePicture : public SnapshotPicture {
     const QRectF whole(QPointF(0, 0), QSizeF(options_.size_px));
     scene_.render(&painter, whole, whole);
     painter.end();
-    return scene::writePicture(image, path);
+    const auto problem = scene::writePicture(image, path);
+    return problem ? std::optional(sentences::wordsOf(*problem)) : std::nullopt;
   }
 
  private:

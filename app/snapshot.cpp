@@ -80,7 +80,11 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
     std::printf("%s", words::escapedJson(QJsonDocument(report).toJson()).constData());
   if (!run.error().isEmpty()) return refuse(exit_code, run.error());
   if (!run.options().json && !printed) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
-  if (exit_code == kDone) return kDone;
+  if (exit_code == kDone) {
+    if (!run.shownInstead().isEmpty())
+      std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(run.shownInstead())));
+    return kDone;
+  }
   return refuse(exit_code, Words::tr("Not complete. %1").arg(firstOf(run.warnings())));
 }
 

@@ -15,6 +15,7 @@
 #include "app/robot_factory.h"
 #include "robot/address.h"
 #include "scene/write_picture.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -30,6 +31,10 @@ constexpr double kConnectWithinS = 10;
 constexpr int kLookEveryMs = 20;
 constexpr double kTopicsWithinS = 3;  // live layers, after connecting
 constexpr double kNoteEveryS = 0.25;
+// Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some,
+// too.
+constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
+constexpr double kListWithinS = 8, kListAtLeastS = 3;  // where a whole map can be drawn instead
 
 bool wantsSubmapsOf(const SnapshotOptions& options) {
   return options.mode == SnapshotMode::Submaps || options.layers.contains(scene::Layer::Submaps);
@@ -78,7 +83,8 @@ SnapshotRun::Standing SnapshotRun::StandingBoard::take() const {
 }
 
 SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start)
-    : options_(decided(std::move(options), *robot)),
+    : automatic_(options.mode == SnapshotMode::Automatic),
+      options_(decided(std::move(options), *robot)),
       session_(std::move(robot), sessionOptions(options_, workers_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
@@ -154,11 +160,12 @@ geometry::ViewTransform SnapshotRun::chooseView() const {
 QString SnapshotRun::whatOfTheLink() const {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Online) return {};
-  return QLatin1Char(' ') + Words::tr("The connection to the robot was lost. %1").arg(link.reason);
+  return QLatin1Char(' ') +
+         Words::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
 }
 
 QString SnapshotRun::noConnection() const {
-  const QString reason = session_.connection().reason;
+  const QString reason = sentences::wordsOf(session_.connection().reason);
   return Words::tr("%1: no connection within %2 s.%3")
       .arg(options_.robot, QString::number(options_.timeout_s),
            reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
@@ -195,14 +202,43 @@ bool SnapshotRun::connected() {
   return true;
 }
 
+double SnapshotRun::listWithin() const {
+  return std::clamp(options_.timeout_s / 4, kListAtLeastS, kListWithinS);
+}
+
+bool SnapshotRun::wantsWholeInstead() {
+  robot::Robot& robot = session_.robot();
+  const bool for_submaps = options_.slice != 0 || options_.colors != render::ColorMode::Normal ||
+                           options_.layers.contains(scene::Layer::Submaps);
+  return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps &&
+         !session_.book().listReceived() && seconds() - connected_s_ > listWithin() &&
+         robot.wholeMapSource() != nullptr;
+}
+
+void SnapshotRun::takeWholeInstead() {
+  options_.mode = SnapshotMode::Whole;
+  whole_asked_s_ = seconds() - connected_s_;
+  shown_instead_ =
+      Words::tr(
+          "The robot sent no submap list within %1 s: its whole map is drawn instead. --mode submaps waits "
+          "longer.")
+          .arg(listWithin());
+  notes_ << shown_instead_;
+  live_layers_.ask(options_.layers, true);
+}
+
 void SnapshotRun::look() {
   if (done_ || chosen_ || !connected()) return;
-  if (wantsWhole() && map_.look(seconds() - connected_s_) == MapWish::State::Failed) {
+  if (wantsWholeInstead()) takeWholeInstead();
+  if (wantsWhole() && map_.look(seconds() - connected_s_ - whole_asked_s_) == MapWish::State::Failed) {
     fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
     return;
   }
   if (!options_.settle_s && everythingIn() && topicsIn()) {
     paint(true);
+  } else if (goneForGood() && somethingIn()) {
+    notes_ << Words::tr("Not everything had arrived.") + whatOfTheLink();
+    paint(false);
   } else if (seconds() - noted_s_ > std::max(kNoteEveryS, 20 * note_took_s_)) {
     // Counting a hundred thousand submaps takes a moment: that may not be all that is done.
     noteStanding();
@@ -256,6 +292,15 @@ bool SnapshotRun::everythingIn() const {
   const bool points_in =
       !options_.layers.contains(scene::Layer::Waypoints) || !session_.wholeMap().waypointsAwaited();
   return map_.grid() && session_.wholeMap().settled() && points_in;
+}
+
+bool SnapshotRun::goneForGood() const {
+  if (options_.settle_s || session_.connection().phase == robot::ConnectionPhase::Online) return false;
+  return options_.timeout_s - seconds() < std::min(kDrawShare * options_.timeout_s, kDrawAtMostS);
+}
+
+bool SnapshotRun::somethingIn() const {
+  return wantsWhole() ? map_.grid().has_value() : session_.counts().texture_bytes > 0;
 }
 
 void SnapshotRun::timeOut() {
@@ -364,9 +409,9 @@ void SnapshotRun::paint(bool settled) {
 void SnapshotRun::write() {
   if (done_) return;
   made_ = picture_->made();
-  if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt; grid && !grid->cells->trouble().empty()) {
+  if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt; grid && grid->cells->trouble().any()) {
     complete_ = false;
-    notes_.prepend(QString::fromStdString(grid->cells->trouble()));
+    notes_.prepend(sentences::wordsOf(grid->cells->trouble()));
   }
   if (session_.lostPictures() > 0) {
     complete_ = false;

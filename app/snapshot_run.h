@@ -33,6 +33,8 @@ class SnapshotRun : public QObject {
   QJsonObject report() const;               // cli.md, "Subcommands"
   QString error() const { return error_; }  // the sentence when nothing could be made
   QStringList warnings() const;
+  /// What is said of a picture that shows something else than was expected; empty = it does not.
+  QString shownInstead() const { return shown_instead_; }
   const SnapshotOptions& options() const { return options_; }
   /// A sentence when the picture or the report would replace a file that the map is read from.
   std::optional<QString> overItsSource() const;
@@ -62,6 +64,9 @@ class SnapshotRun : public QObject {
  private:
   void look();  // whatever may have changed: is it time for the next step?
   bool connected();
+  /// The mode was not chosen by anybody, no list of submaps comes, and a whole map can be had.
+  bool wantsWholeInstead();
+  void takeWholeInstead();
   void tellProgress();
   void noteStanding();
   void timeOut();
@@ -78,12 +83,18 @@ class SnapshotRun : public QObject {
   bool wantsWhole() const;
   bool topicsIn() const;
   bool everythingIn() const;
+  bool somethingIn() const;
+  /// The link is lost, and it is about time to draw what has come.
+  bool goneForGood() const;
   void fail(int exit_code, const QString& sentence);
   void finish(int exit_code);
   SnapshotContent chooseContent() const;
   geometry::ViewTransform chooseView() const;
   double seconds() const;
+  /// How long a list of submaps is waited for where a whole map can be drawn instead.
+  double listWithin() const;
 
+  const bool automatic_;  // nobody has said what is to be drawn
   SnapshotOptions options_;
   std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();
   session::Session session_;
@@ -96,10 +107,12 @@ class SnapshotRun : public QObject {
   QTimer timeout_, cut_off_, settle_, poll_;
   geometry::ViewTransform view_;
   double connected_s_ = -1, first_paint_s_ = -1, complete_s_ = -1, noted_s_ = -1, note_took_s_ = 0;
-  double made_ = 0;  // the share of the picture that was made
+  double whole_asked_s_ = 0;  // when the whole map was asked for, after connecting
+  double made_ = 0;           // the share of the picture that was made
   bool done_ = false, complete_ = false;
   bool asks_where_ = false;  // whether the robot is in the map that is drawn
   QString error_;
+  QString shown_instead_;
   QStringList notes_;
 };
 

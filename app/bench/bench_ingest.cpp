@@ -176,7 +176,7 @@ void ingestDecodeCells(benchmark::State& state) {
     const auto texture =
         mapwright::cells::decodeCells(packed[next++ % packed.size()], kEdge, kEdge, kResolutionM, 0);
     if (!texture) {
-      state.SkipWithError(texture.error().sentence.c_str());
+      state.SkipWithError("cells that cannot be decoded");
       break;
     }
     bytes = (*texture)->bytes();

@@ -167,7 +167,7 @@ int CellTexture::levels() const { return levels_; }
 std::size_t CellTexture::observedCells() const { return observed_; }
 std::size_t CellTexture::bytes() const { return bytes_; }
 
-DenseCells CellTexture::expand(int level) const {
+DenseCells CellTexture::expand(int level, std::vector<std::uint8_t> storage) const {
   assert(level >= 0 && level < levels());
   auto held = body();
   if (!held) held = std::make_shared<const Body>(width_, height_, layout_);
@@ -175,6 +175,7 @@ DenseCells CellTexture::expand(int level) const {
   const Level& shape = body.levels[std::size_t(level)];
   const std::size_t cell = std::size_t(bytesPerCell(layout_));
   DenseCells dense;
+  dense.data = std::move(storage);
   dense.layout = layout_;
   dense.bytes_per_cell = int(cell);
   dense.width = shape.width;

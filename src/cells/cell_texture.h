@@ -82,7 +82,8 @@ class CellTexture {
 
   /// A dense copy of `level` (0 .. levels()-1). Width of level n is ceil(width / 2^n). Nothing is observed in
   /// the copy of a texture whose store has lost it (see TextureStore::Listener).
-  DenseCells expand(int level) const;
+  /// `storage`: memory of an earlier copy, to be used again; what is in it does not matter.
+  DenseCells expand(int level, std::vector<std::uint8_t> storage = {}) const;
   /// The exact cell; (0,0) outside.
   CellPair at(int column, int row) const;
 

@@ -11,6 +11,7 @@ namespace mapwright::cells {
 
 namespace {
 
+using map::ReasonCode;
 using Texture = std::shared_ptr<const CellTexture>;
 
 constexpr double kMinResolutionM = 1e-4;
@@ -24,13 +25,13 @@ struct Shape {
   std::size_t cells() const { return std::size_t(width) * std::size_t(height); }
 };
 
-tl::unexpected<CellError> failure(std::string sentence) {
-  return tl::unexpected(CellError{std::move(sentence)});
-}
+tl::unexpected<map::Reason> failure(map::Reason reason) { return tl::unexpected(std::move(reason)); }
 
-std::string expectedBytes(const Shape& shape) {
-  return words::grouped(std::int64_t(shape.cells())) + " (or " +
-         words::grouped(std::int64_t(2 * shape.cells())) + ") were expected";
+/// With as many bytes as are fine.
+map::Reason wrongCount(ReasonCode code, std::size_t bytes, const Shape& shape) {
+  return {code,
+          {words::grouped(std::int64_t(bytes)), words::grouped(std::int64_t(shape.cells())),
+           words::grouped(std::int64_t(2 * shape.cells()))}};
 }
 
 /// delta as CellLayout::Folded has it, for every byte of LOG_ODDS or TSDF_DELTA.
@@ -43,8 +44,8 @@ std::array<std::uint8_t, 256> foldedByByte(int cell_format) {
   return table;
 }
 
-tl::expected<Texture, CellError> fromSingleBytes(std::span<const std::uint8_t> cells, const Shape& shape,
-                                                 int cell_format) {
+tl::expected<Texture, map::Reason> fromSingleBytes(std::span<const std::uint8_t> cells, const Shape& shape,
+                                                   int cell_format) {
   if (cell_format == kLogOdds || cell_format == kTsdfDelta) {
     const std::array<std::uint8_t, 256> table = foldedByByte(cell_format);
     std::vector<std::uint8_t> folded(cells.size());
@@ -60,13 +61,12 @@ tl::expected<Texture, CellError> fromSingleBytes(std::span<const std::uint8_t> c
     }
     return CellTexture::fromPairs(shape.width, shape.height, shape.resolution_m, pairs);
   }
-  return failure("cell format " + words::grouped(cell_format) +
-                 " is unknown: with one byte a cell only 0, 1 and 2 can be read");
+  return failure({ReasonCode::CellFormatUnknown, {words::grouped(cell_format)}});
 }
 
 /// Cells without a container around them.
-tl::expected<Texture, CellError> fromPlain(std::span<const std::uint8_t> bytes, const Shape& shape,
-                                           int cell_format) {
+tl::expected<Texture, map::Reason> fromPlain(std::span<const std::uint8_t> bytes, const Shape& shape,
+                                             int cell_format) {
   if (bytes.size() == shape.cells()) {
     return fromSingleBytes(bytes, shape, cell_format);
   }
@@ -75,38 +75,34 @@ tl::expected<Texture, CellError> fromPlain(std::span<const std::uint8_t> bytes, 
     const auto* pairs = reinterpret_cast<const CellPair*>(bytes.data());
     return CellTexture::fromPairs(shape.width, shape.height, shape.resolution_m, {pairs, shape.cells()});
   }
-  return failure(words::grouped(std::int64_t(bytes.size())) +
-                 (bytes.size() == 1 ? " byte where " : " bytes where ") + expectedBytes(shape));
+  return failure(wrongCount(ReasonCode::BytesUnexpected, bytes.size(), shape));
 }
 
-std::string unpackSentence(packed::Container container, packed::UnpackFailure why, const Shape& shape) {
-  if (why == packed::UnpackFailure::TooLong) {
-    return "more than " + words::grouped(std::int64_t(2 * shape.cells())) + " bytes where " +
-           expectedBytes(shape);
-  }
-  return std::string(container == packed::Container::Gzip ? "the gzip" : "the zlib") +
-         " data is damaged or cut off";
+map::Reason whyNotUnpacked(packed::Container container, packed::UnpackFailure why, const Shape& shape) {
+  if (why == packed::UnpackFailure::TooLong)
+    return wrongCount(ReasonCode::BytesTooMany, 2 * shape.cells(), shape);
+  return container == packed::Container::Gzip ? ReasonCode::GzipDamaged : ReasonCode::ZlibDamaged;
 }
 
 }  // namespace
 
-tl::expected<Texture, CellError> decodeCells(std::span<const std::uint8_t> bytes, int width, int height,
-                                             double resolution_m, int cell_format) {
+tl::expected<Texture, map::Reason> decodeCells(std::span<const std::uint8_t> bytes, int width, int height,
+                                               double resolution_m, int cell_format) {
   if (width < 1 || height < 1) {
-    return failure("the texture is announced with " + words::dimensions(width, height) + " cells");
+    return failure({ReasonCode::TextureEmpty, {words::dimensions(width, height)}});
   }
   if (std::int64_t(width) * std::int64_t(height) > kMaxCells) {
-    return failure("the texture is announced with " + words::dimensions(width, height) + " cells; at most " +
-                   words::grouped(kMaxCells) + " are allowed");
+    return failure(
+        {ReasonCode::TextureTooLarge, {words::dimensions(width, height), words::grouped(kMaxCells)}});
   }
   if (!std::isfinite(resolution_m) || resolution_m <= 0) {
-    return failure("the cell size is not a positive number of metres");
+    return failure(ReasonCode::CellSizeNotPositive);
   }
   if (resolution_m < kMinResolutionM) {
-    return failure("the cell size is less than 0.1 mm");
+    return failure(ReasonCode::CellSizeTooSmall);
   }
   if (resolution_m > kMaxResolutionM) {
-    return failure("the cell size is more than 100 m");
+    return failure(ReasonCode::CellSizeTooLarge);
   }
   const Shape shape{width, height, resolution_m};
   const bool may_be_plain = bytes.size() == shape.cells() || bytes.size() == 2 * shape.cells();
@@ -123,7 +119,7 @@ tl::expected<Texture, CellError> decodeCells(std::span<const std::uint8_t> bytes
     if (may_be_plain && !png.error().is_png) {
       return fromPlain(bytes, shape, cell_format);
     }
-    return failure(png.error().sentence);
+    return failure(png.error().reason);
   }
   const auto unpacked = packed::unpack(container, bytes, 2 * shape.cells());
   if (unpacked) {
@@ -132,7 +128,7 @@ tl::expected<Texture, CellError> decodeCells(std::span<const std::uint8_t> bytes
   if (may_be_plain) {
     return fromPlain(bytes, shape, cell_format);
   }
-  return failure(unpackSentence(container, unpacked.error(), shape));
+  return failure(whyNotUnpacked(container, unpacked.error(), shape));
 }
 
 }  // namespace mapwright::cells

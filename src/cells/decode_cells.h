@@ -5,27 +5,23 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 
 #include <tl/expected.hpp>
 
 #include "cells/cell_texture.h"
+#include "map/reason.h"
 
 namespace mapwright::cells {
-
-/// Why a texture cannot be used, for people: "3,200 bytes where 51,200 were expected".
-struct CellError {
-  std::string sentence;
-};
 
 inline constexpr std::int64_t kMaxCells = std::int64_t(64) << 20;  // 64 Mi
 
 /// Decodes the cells of one slice. `bytes` may be PNG, gzip, zlib or raw; the layout is 1 or 2 bytes a cell
 /// (1 byte: by cell_format). Never reads or allocates beyond what width*height allows, whatever the bytes
 /// claim. A payload that looks like a container but cannot be unpacked is taken as raw when its size fits
-/// exactly.
-tl::expected<std::shared_ptr<const CellTexture>, CellError> decodeCells(std::span<const std::uint8_t> bytes,
-                                                                        int width, int height,
-                                                                        double resolution_m, int cell_format);
+/// exactly. The error says what is wrong: "3,200 bytes where 51,200 (or 102,400) were expected".
+tl::expected<std::shared_ptr<const CellTexture>, map::Reason> decodeCells(std::span<const std::uint8_t> bytes,
+                                                                          int width, int height,
+                                                                          double resolution_m,
+                                                                          int cell_format);
 
 }  // namespace mapwright::cells

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include <tl/expected.hpp>
 
+#include "map/reason.h"
 #include "packed/unpack.h"
 
 namespace mapwright::cells {
@@ -18,7 +18,7 @@ struct PngCells {
 };
 
 struct PngFailure {
-  std::string sentence;
+  map::Reason reason;
   bool is_png = false;  // a PNG of another size or kind, and surely not raw cells that resemble one
 };
 

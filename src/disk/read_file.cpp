@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -22,11 +21,13 @@ int openToRead(const std::string& path) {
   return -1;
 }
 
-tl::expected<std::string, std::string> readFile(const std::string& path, std::size_t most) {
+tl::expected<std::string, Fault> readFile(const std::string& path, std::size_t most) {
   const int fd = openToRead(path);
   if (fd < 0) {
-    return tl::make_unexpected(errno == EINVAL ? std::string("it is not a regular file")
-                                               : std::string(std::strerror(errno)));
+    const int why = errno;
+    Fault fault = systemFault(path, why);
+    if (why == EINVAL) fault.code = FaultCode::NotRegular;
+    return tl::make_unexpected(std::move(fault));
   }
   constexpr std::size_t kPiece = std::size_t(1) << 20;
   // Most files are small and are what they say: a byte more tells that the end is reached.
@@ -45,7 +46,7 @@ tl::expected<std::string, std::string> readFile(const std::string& path, std::si
   }
   const int why = errno;
   ::close(fd);
-  if (got < 0) return tl::make_unexpected(std::string(std::strerror(why)));
+  if (got < 0) return tl::make_unexpected(systemFault(path, why));
   return bytes;
 }
 

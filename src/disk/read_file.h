@@ -6,14 +6,16 @@
 
 #include <tl/expected.hpp>
 
+#include "disk/fault.h"
+
 namespace mapwright::disk {
 
 /// A regular file, opened for reading: a descriptor that the caller closes, or -1 and errno. What is no
 /// regular file (a pipe, a device, a folder) is refused at once, with EISDIR or EINVAL.
 int openToRead(const std::string& path);
 
-/// Its first `most` bytes; the error is what follows "cannot be read: ", without a full stop.
-tl::expected<std::string, std::string> readFile(const std::string& path, std::size_t most);
+/// Its first `most` bytes, or why it cannot be read.
+tl::expected<std::string, Fault> readFile(const std::string& path, std::size_t most);
 
 /// Both are there and are one and the same file, whatever links lead to it.
 bool sameFile(const std::string& one, const std::string& other);

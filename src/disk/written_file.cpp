@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <fcntl.h>
 #include <poll.h>
 #include <random>
@@ -73,11 +72,11 @@ WrittenFile::WrittenFile(std::string path) : path_(std::move(path)) {
   if (!present || S_ISREG(about.st_mode)) {
     openAside();
   } else if (S_ISDIR(about.st_mode)) {
-    fail("it is a folder");
+    fail(FaultCode::IsAFolder);
   } else if (S_ISCHR(about.st_mode) || S_ISFIFO(about.st_mode)) {
     openThrough(S_ISFIFO(about.st_mode));
   } else {
-    fail(S_ISBLK(about.st_mode) ? "it is a disk, not a file" : "it is a socket, not a file");
+    fail(S_ISBLK(about.st_mode) ? FaultCode::IsADisk : FaultCode::IsASocket);
   }
 }
 
@@ -104,9 +103,12 @@ void WrittenFile::openAside() {
   if (fd_ < 0) {
     const int why = errno;
     aside_.clear();
-    return fail(why == EACCES || why == EROFS
-                    ? "no file can be made in " + folderOf(target_) + " (" + std::strerror(why) + ")"
-                    : std::string(std::strerror(why)));
+    Fault fault = systemFault(path_, why);
+    if (why == EACCES || why == EROFS) {
+      fault.code = FaultCode::NoFileInFolder;
+      fault.folder = folderOf(target_);
+    }
+    return fail(std::move(fault));
   }
   if (!replaces) return;
   // Whose it was it stays, where that may be given away.
@@ -126,17 +128,23 @@ void WrittenFile::openThrough(bool pipe) {
     fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (fd_ >= 0) return;
     if (!pipe || errno != ENXIO) return fail(errno);
-    if (std::chrono::steady_clock::now() > until) return fail("nobody reads from this pipe");
+    if (std::chrono::steady_clock::now() > until) return fail(FaultCode::NobodyReads);
     std::this_thread::sleep_for(kLookForReaderEvery);
   }
 }
 
-void WrittenFile::fail(const std::string& why) {
-  if (!problem_.empty()) return;
-  problem_ = (isStandardOutput(path_) ? "The standard output" : path_) + " cannot be written: " + why + ".";
+void WrittenFile::fail(Fault fault) {
+  if (!problem_) problem_ = std::move(fault);
 }
 
-void WrittenFile::fail(int error) { fail(std::string(std::strerror(error))); }
+void WrittenFile::fail(FaultCode why) {
+  Fault fault;
+  fault.code = why;
+  fault.path = path_;
+  fail(std::move(fault));
+}
+
+void WrittenFile::fail(int error) { fail(systemFault(path_, error)); }
 
 void WrittenFile::write(const void* bytes, std::size_t count) {
   const char* const from = static_cast<const char*>(bytes);
@@ -153,7 +161,7 @@ bool WrittenFile::waitForRoom() {
   pollfd room{fd_, POLLOUT, 0};
   const int ready = ::poll(&room, 1, patient_ ? -1 : kReaderSilentMs);
   if (ready > 0 || (ready < 0 && errno == EINTR)) return true;
-  ready == 0 ? fail("whoever reads from it takes nothing") : fail(errno);
+  ready == 0 ? fail(FaultCode::NothingTaken) : fail(errno);
   return false;
 }
 
@@ -182,7 +190,7 @@ bool WrittenFile::finish() {
   return good();
 }
 
-std::optional<std::string> WrittenFile::place() {
+std::optional<Fault> WrittenFile::place() {
   finish();
   if (good() && !std::exchange(placed_, true) && way_ == Way::Aside) {
     if (::rename(aside_.c_str(), target_.c_str()) != 0) {
@@ -198,11 +206,10 @@ std::optional<std::string> WrittenFile::place() {
       }
     }
   }
-  if (good()) return std::nullopt;
   return problem_;
 }
 
-std::optional<std::string> writeFile(const std::string& path, std::string_view bytes) {
+std::optional<Fault> writeFile(const std::string& path, std::string_view bytes) {
   WrittenFile file(path);
   file.write(bytes);
   return file.place();

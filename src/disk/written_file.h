@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "disk/fault.h"
+
 namespace mapwright::disk {
 
 /// "-", or a path that leads to the same place: who writes there must print nothing else.
@@ -16,7 +18,7 @@ bool isStandardOutput(const std::string& path);
 /// anything fails, what was there before stays as it is. A link is followed to what it names. A file that is
 /// replaced keeps its permissions; a new one gets those that the umask leaves. A character device or a named
 /// pipe is written into as the bytes come, and so is the standard output ("-"); block devices and sockets
-/// are refused. One thread. SIGPIPE and SIGXFSZ must be ignored, or they end the program before the sentence.
+/// are refused. One thread. SIGPIPE and SIGXFSZ must be ignored, or they end the program before that is told.
 class WrittenFile {
  public:
   explicit WrittenFile(std::string path);
@@ -28,12 +30,12 @@ class WrittenFile {
   void write(const void* bytes, std::size_t count);
   void write(std::string_view text) { write(text.data(), text.size()); }
   /// Nothing has failed yet.
-  bool good() const { return problem_.empty(); }
+  bool good() const { return !problem_; }
   /// All of it is on the disk, but not in its place yet. Where several files belong together, each is
   /// finished before the first is placed.
   bool finish();
-  /// nullopt = it is in its place; else a sentence.
-  std::optional<std::string> place();
+  /// nullopt = it is in its place; else why not.
+  std::optional<Fault> place();
 
  private:
   enum class Way { Aside, Through };  // Through: a device, a pipe or the standard output
@@ -41,13 +43,14 @@ class WrittenFile {
   void openThrough(bool pipe);
   void flush();
   bool waitForRoom();
-  void fail(const std::string& why);
+  void fail(FaultCode why);
   void fail(int error);
+  void fail(Fault fault);
 
   std::string path_;    // as given
   std::string target_;  // links followed
   std::string aside_;   // empty: there is none
-  std::string problem_;
+  std::optional<Fault> problem_;
   Way way_ = Way::Aside;
   int fd_ = -1;
   bool patient_ = false;  // whoever reads may take as long as it likes
@@ -55,7 +58,7 @@ class WrittenFile {
   std::vector<char> buffer_;
 };
 
-/// The whole of a file at once; nullopt = written, else a sentence.
-std::optional<std::string> writeFile(const std::string& path, std::string_view bytes);
+/// The whole of a file at once; nullopt = written, else why not.
+std::optional<Fault> writeFile(const std::string& path, std::string_view bytes);
 
 }  // namespace mapwright::disk

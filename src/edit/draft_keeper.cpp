@@ -38,12 +38,12 @@ void DraftKeeper::begin() {
   writing_ = true;
   again_ = false;
   share_.startLong([this, job = content_()] {
-    const std::optional<std::string> trouble = job ? file_.write(job()) : file_.remove();
+    const std::optional<map::Reason> trouble = job ? file_.write(job()) : file_.remove();
     QMetaObject::invokeMethod(
         this,
         [this, trouble] {
           writing_ = false;
-          setTrouble(trouble ? QString::fromStdString(*trouble) : QString());
+          setTrouble(trouble.value_or(map::Reason()));
           Q_EMIT written();
           // What cannot be written now may be later.
           if (again_ || trouble) beginAfter(trouble ? kRetry : kWait);
@@ -52,17 +52,19 @@ void DraftKeeper::begin() {
   });
 }
 
-std::optional<QString> DraftKeeper::flush() {
+std::optional<map::Reason> DraftKeeper::flush() {
   waiting_ = false;
   share_.waitForDone();
   const Job job = content_();
-  const std::optional<std::string> trouble = job ? file_.write(job()) : file_.remove();
-  setTrouble(trouble ? QString::fromStdString(*trouble) : QString());
-  return trouble ? std::optional(trouble_) : std::nullopt;
+  const std::optional<map::Reason> trouble = job ? file_.write(job()) : file_.remove();
+  setTrouble(trouble.value_or(map::Reason()));
+  return trouble;
 }
 
-void DraftKeeper::setTrouble(const QString& trouble) {
-  if (std::exchange(trouble_, trouble) != trouble) Q_EMIT troubleChanged();
+void DraftKeeper::setTrouble(map::Reason trouble) {
+  if (trouble == trouble_) return;
+  trouble_ = std::move(trouble);
+  Q_EMIT troubleChanged();
 }
 
 }  // namespace mapwright::edit

@@ -8,9 +8,12 @@
 
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "reasons/file_reason.h"
 
 namespace mapwright::edit {
 namespace {
+
+using map::ReasonCode;
 
 constexpr std::size_t kLongestDraft = std::size_t(256) << 20;
 
@@ -25,9 +28,7 @@ std::unique_ptr<QLockFile> lockOf(const QString& path) {
   return lock;
 }
 
-std::string sentence(const QString& path, const std::string& why) {
-  return "The draft " + path.toStdString() + " " + why;
-}
+map::Reason notRemoved(const QString& path) { return {ReasonCode::DraftNotRemoved, {path.toStdString()}}; }
 
 }  // namespace
 
@@ -36,22 +37,21 @@ DraftFile::DraftFile(QString folder, const DraftIdentity& of)
       path_(folder_ + QLatin1Char('/') + stemOf(of) + QLatin1Char('-') +
             QUuid::createUuid().toString(QUuid::Id128) + QStringLiteral(".json")) {}
 
-std::optional<std::string> DraftFile::write(const QByteArray& bytes) {
-  if (!QDir().mkpath(folder_))
-    return "No draft can be kept: the folder " + folder_.toStdString() + " cannot be made.";
+std::optional<map::Reason> DraftFile::write(const QByteArray& bytes) {
+  if (!QDir().mkpath(folder_)) return map::Reason(ReasonCode::DraftFolderNotMade, {folder_.toStdString()});
   if (!lock_) {
     auto lock = lockOf(path_);
-    if (!lock->tryLock())
-      return "No draft can be kept: no file can be made in " + folder_.toStdString() + ". Is the disk full?";
+    if (!lock->tryLock()) return map::Reason(ReasonCode::DraftFileNotMade, {folder_.toStdString()});
     lock_ = std::move(lock);
   }
-  return disk::writeFile(path_.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
+  const auto fault = disk::writeFile(path_.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
+  return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
 }
 
-std::optional<std::string> DraftFile::remove() {
+std::optional<map::Reason> DraftFile::remove() {
   const bool gone = !QFile::exists(path_) || QFile::remove(path_);
   lock_.reset();
-  return gone ? std::nullopt : std::optional(sentence(path_, "cannot be removed."));
+  return gone ? std::nullopt : std::optional(notRemoved(path_));
 }
 
 LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
@@ -65,7 +65,8 @@ LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
     if (!QFile::exists(draft.path)) continue;
     auto bytes = disk::readFile(draft.path.toStdString(), kLongestDraft);
     if (!bytes) {
-      left.notes.push_back(sentence(draft.path, "cannot be read: " + bytes.error() + "."));
+      left.notes.push_back(
+          {ReasonCode::DraftNotRead, {draft.path.toStdString()}, {reasons::causeOf(bytes.error())}});
       continue;
     }
     draft.bytes = QByteArray::fromStdString(*bytes);
@@ -74,17 +75,17 @@ LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
   return left;
 }
 
-std::optional<std::string> removeDraft(LeftDraft draft) {
+std::optional<map::Reason> removeDraft(LeftDraft draft) {
   if (!QFile::exists(draft.path) || QFile::remove(draft.path)) return std::nullopt;
-  return sentence(draft.path, "cannot be removed.");
+  return notRemoved(draft.path);
 }
 
-std::string setAside(LeftDraft draft) {
+map::Reason setAside(LeftDraft draft) {
   const QString aside = draft.path + QStringLiteral(".broken");
   QFile::remove(aside);
-  return sentence(draft.path, QFile::rename(draft.path, aside)
-                                  ? "cannot be understood. It is kept as " + aside.toStdString() + "."
-                                  : "cannot be understood.");
+  const std::string path = draft.path.toStdString();
+  if (!QFile::rename(draft.path, aside)) return {ReasonCode::DraftBroken, {path}};
+  return {ReasonCode::DraftSetAside, {path, aside.toStdString()}};
 }
 
 }  // namespace mapwright::edit

@@ -5,8 +5,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include <QByteArray>
@@ -14,6 +12,7 @@
 #include <QString>
 
 #include "edit/draft.h"
+#include "map/reason.h"
 
 namespace mapwright::edit {
 
@@ -25,10 +24,10 @@ class DraftFile {
   /// Lets go of the lock; the file stays.
   ~DraftFile() = default;
 
-  /// Whole and durably, or not at all; nullopt = written, else a sentence.
-  std::optional<std::string> write(const QByteArray& bytes);
-  /// Nothing is left of it; nullopt = so it is, else a sentence.
-  std::optional<std::string> remove();
+  /// Whole and durably, or not at all; nullopt = written, else why not.
+  std::optional<map::Reason> write(const QByteArray& bytes);
+  /// Nothing is left of it; nullopt = so it is, else why not.
+  std::optional<map::Reason> remove();
   QString path() const { return path_; }
 
  private:
@@ -45,14 +44,14 @@ struct LeftDraft {
 
 struct LeftDrafts {
   std::vector<LeftDraft> drafts;   // the newest first
-  std::vector<std::string> notes;  // what could not be read, one sentence each
+  std::vector<map::Reason> notes;  // what could not be read
 };
 
 /// The drafts of `of` that no running program works on.
 LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of);
-/// It is taken up or not wanted; nullopt = it is gone, else a sentence.
-std::optional<std::string> removeDraft(LeftDraft draft);
-/// It cannot be understood: it is renamed, for people to look at, and not met again. A sentence.
-std::string setAside(LeftDraft draft);
+/// It is taken up or not wanted; nullopt = it is gone, else why not.
+std::optional<map::Reason> removeDraft(LeftDraft draft);
+/// It cannot be understood: it is renamed, for people to look at, and not met again. What to tell people.
+map::Reason setAside(LeftDraft draft);
 
 }  // namespace mapwright::edit

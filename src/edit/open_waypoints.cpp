@@ -42,7 +42,7 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
     connect(keeper_.get(), &DraftKeeper::troubleChanged, this, &OpenWaypoints::draftTroubleChanged);
     connect(keeper_.get(), &DraftKeeper::written, this, [this] {
       // Only now is what was taken up of them kept elsewhere.
-      if (!keeper_->trouble().isEmpty()) return;
+      if (keeper_->trouble().any()) return;
       for (LeftDraft& draft : std::exchange(taken_up_, {})) removeDraft(std::move(draft));
     });
     connect(&document_, &DocumentEvents::changed, keeper_.get(), &DraftKeeper::touch);
@@ -104,9 +104,7 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
     const bool gone = !stored.there && !document_.kept().empty();
     if (!gone) return document_.take(itemsOf(stored));
     document_.takeGone();
-    Q_EMIT remarked(
-        tr("The list of waypoints is gone from where it was kept. They are still here: saving writes them "
-           "again."));
+    Q_EMIT remarked(map::ReasonCode::WaypointListGone);
   } else {
     document_.reset(itemsOf(stored));
     lookForDrafts();
@@ -183,11 +181,11 @@ void OpenWaypoints::lookForDrafts() {
 }
 
 void OpenWaypoints::offer(LeftDrafts left) {
-  for (const std::string& note : left.notes) Q_EMIT remarked(QString::fromStdString(note));
+  for (const map::Reason& note : left.notes) Q_EMIT remarked(note);
   for (LeftDraft& file : left.drafts) {
     auto draft = draftFromBytes<map::Waypoint>(file.bytes);
     if (!draft || !(draft->of == identity_)) {
-      Q_EMIT remarked(QString::fromStdString(setAside(std::move(file))));
+      Q_EMIT remarked(setAside(std::move(file)));
       continue;
     }
     // What has been saved all the same is not offered.
@@ -215,7 +213,7 @@ void OpenWaypoints::takeUp(const QString& text) {
 
 void OpenWaypoints::turnDown() {
   if (offered_.empty()) return;
-  if (const auto trouble = removeDraft(left_.front())) Q_EMIT remarked(QString::fromStdString(*trouble));
+  if (const auto trouble = removeDraft(left_.front())) Q_EMIT remarked(*trouble);
   forgetFirstOffer();
 }
 
@@ -231,7 +229,7 @@ void OpenWaypoints::discard() {
   read();
 }
 
-std::optional<QString> OpenWaypoints::keepDraft() {
+std::optional<map::Reason> OpenWaypoints::keepDraft() {
   if (!keeper_) return std::nullopt;
   const auto trouble = keeper_->flush();
   if (!trouble) {
@@ -240,6 +238,6 @@ std::optional<QString> OpenWaypoints::keepDraft() {
   return trouble;
 }
 
-QString OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : QString(); }
+map::Reason OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : map::Reason(); }
 
 }  // namespace mapwright::edit

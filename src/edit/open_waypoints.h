@@ -55,6 +55,8 @@ class OpenWaypoints : public QObject {
   /// gone on with by save() again.
   void save();
   bool saving() const { return submission_.running(); }
+  /// There is something to be saved, it is not under way, and no conflict waits to be decided.
+  bool maySave() const { return unsaved() && !saving() && document_.conflicts().empty(); }
   const WaypointSubmission& submission() const { return submission_; }
   void cancelSaving() { submission_.cancel(); }
   /// No answer comes any more; nothing can be saved.
@@ -68,17 +70,17 @@ class OpenWaypoints : public QObject {
   void turnDown();
   /// Everything as it is kept where it came from; the draft goes.
   void discard();
-  /// The draft of what is there now is on disk when this returns; else a sentence.
-  std::optional<QString> keepDraft();
-  /// Why the draft is not on disk; empty = nothing is wrong.
-  QString draftTrouble() const;
+  /// The draft of what is there now is on disk when this returns; else why not.
+  std::optional<map::Reason> keepDraft();
+  /// Why the draft is not on disk; None = nothing is wrong.
+  map::Reason draftTrouble() const;
 
  Q_SIGNALS:
   void changed();  // phase, submission, offers; the document tells its own changes
   void saved();
   void draftTroubleChanged();
-  /// Something about drafts that people have to know, as a sentence.
-  void remarked(const QString& sentence);
+  /// Something about drafts that people have to know.
+  void remarked(const mapwright::map::Reason& remark);
 
  private:
   void take(const robot::StoredWaypoints& stored);

@@ -167,21 +167,22 @@ class Quantiser {
 
 bool isPlainGray(const PixelFormat& format) { return format.gray && !format.has_alpha; }
 
-GridError tooLarge(const PixelFormat& format, std::int64_t max_cells) {
-  return GridError{"It is " + words::dimensions(format.width, format.height) + " pixels, and at most " +
-                   words::grouped(max_cells) + " are read."};
+map::Reason tooLarge(const PixelFormat& format, std::int64_t max_cells) {
+  return {map::ReasonCode::PictureTooLargeForLayer,
+          {words::dimensions(format.width, format.height), words::grouped(max_cells)}};
 }
 
-GridError brokenOff(const PixelFormat& format, int came, const std::string& problem) {
-  return GridError{"It says that it is " + words::dimensions(format.width, format.height) + " pixels, but " +
-                   problem + " after " + words::grouped(came) + (came == 1 ? " row." : " rows.")};
+map::Reason brokenOff(const PixelFormat& format, int came, const map::Reason& problem) {
+  return {map::ReasonCode::PictureEndsEarlyUnused,
+          {words::grouped(came), words::dimensions(format.width, format.height)},
+          {problem}};
 }
 
 }  // namespace
 
-tl::expected<ColoredGrid, GridError> decodeOccupancy(std::shared_ptr<const std::string> bytes,
-                                                     const map::CellReading& reading, std::int64_t max_cells,
-                                                     const Means& means) {
+tl::expected<ColoredGrid, map::Reason> decodeOccupancy(std::shared_ptr<const std::string> bytes,
+                                                       const map::CellReading& reading,
+                                                       std::int64_t max_cells, const Means& means) {
   if (!bytes) bytes = std::make_shared<const std::string>();
   const auto rows = openPicture(ByteSource(bytes));
   if (!rows) return tl::unexpected(rows.error());
@@ -200,8 +201,8 @@ tl::expected<ColoredGrid, GridError> decodeOccupancy(std::shared_ptr<const std::
   return grid;
 }
 
-tl::expected<ColoredGrid, GridError> decodeColors(std::shared_ptr<const std::string> bytes,
-                                                  std::int64_t max_cells, const Means& means) {
+tl::expected<ColoredGrid, map::Reason> decodeColors(std::shared_ptr<const std::string> bytes,
+                                                    std::int64_t max_cells, const Means& means) {
   auto rows = openPicture(ByteSource(std::move(bytes)));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();

@@ -9,22 +9,23 @@
 #include <memory>
 #include <vector>
 
-#include <spng.h>
-
 #include "disk/written_file.h"
+#include "grids/png_writer.h"
+#include "reasons/file_reason.h"
 
 namespace mapwright::grids {
 
 namespace {
 
+using map::ReasonCode;
 using Proceed = std::function<bool(double done)>;
 constexpr int kEdge = GridPyramid::kTileEdge;
 constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
-const char* const kStopped = "Stopped; nothing was written.";
 
-/// Calls take(row) for every row of level 0; a band of tiles is held at a time. A sentence when stopped.
+/// Calls take(row) for every row of level 0; a band of tiles is held at a time. Why it ended before all was
+/// there.
 template <typename Take>
-std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
+std::optional<map::Reason> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
                                    Take take) {
   const std::uint8_t unknown = unknownByte(grid.code());
   const int tiles = (grid.width() + kEdge - 1) / kEdge;
@@ -32,7 +33,7 @@ std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proce
   std::vector<std::optional<GridTile>> band(static_cast<std::size_t>(tiles));
   for (int y = 0; y < grid.height(); ++y) {
     if (y % kEdge == 0) {
-      if (proceed && !proceed(from + (to - from) * y / grid.height())) return kStopped;
+      if (proceed && !proceed(from + (to - from) * y / grid.height())) return ReasonCode::WritingStopped;
       for (int tx = 0; tx < tiles; ++tx) band[std::size_t(tx)] = grid.tile(0, tx, y / kEdge);
     }
     for (std::size_t tx = 0; tx < band.size(); ++tx) {
@@ -45,13 +46,14 @@ std::optional<std::string> eachRow(const GridPyramid& grid, const Proceed& proce
     }
     if (!take(row.data())) return std::nullopt;
   }
-  if (auto trouble = grid.trouble(); !trouble.empty()) return trouble + " Nothing was written.";
+  if (auto trouble = grid.trouble(); trouble.any())
+    return std::move(trouble).followedBy(map::Consequence::NothingWritten);
   if (proceed) proceed(to);
   return std::nullopt;
 }
 
 /// Whether map_saver's three shades can tell all cells.
-tl::expected<bool, std::string> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
+tl::expected<bool, map::Reason> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
   const CellMeaning& meaning = meaningOf(grid.code());
   std::array<bool, 256> seen{};
   const std::size_t width = std::size_t(grid.width());
@@ -81,34 +83,9 @@ std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
   return shades;
 }
 
-struct PngWriter {
-  disk::WrittenFile& file;
-  std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context{spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free};
-
-  static int write(spng_ctx*, void* user, void* bytes, std::size_t count) {
-    auto& out = *static_cast<disk::WrittenFile*>(user);
-    out.write(bytes, count);
-    return out.good() ? 0 : int(SPNG_IO_ERROR);
-  }
-  bool begin(int width, int height, bool has_alpha) {
-    spng_ihdr header{};
-    header.width = std::uint32_t(width);
-    header.height = std::uint32_t(height);
-    header.bit_depth = 8;
-    header.color_type = has_alpha ? SPNG_COLOR_TYPE_GRAYSCALE_ALPHA : SPNG_COLOR_TYPE_GRAYSCALE;
-    // Flat areas and sharp edges: filters make maps larger, not smaller.
-    return context != nullptr && spng_set_png_stream(context.get(), write, &file) == 0 &&
-           spng_set_option(context.get(), SPNG_FILTER_CHOICE, SPNG_DISABLE_FILTERING) == 0 &&
-           spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, 4) == 0 &&
-           spng_set_ihdr(context.get(), &header) == 0 &&
-           spng_encode_image(context.get(), nullptr, 0, SPNG_FMT_PNG,
-                             SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE) == 0;
-  }
-  bool row(const std::uint8_t* bytes, std::size_t count) {
-    const int result = spng_encode_row(context.get(), bytes, count);
-    return result == 0 || result == SPNG_EOI;
-  }
-};
+std::optional<map::Reason> told(const std::optional<disk::Fault>& fault) {
+  return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
+}
 
 /// The shortest text that reads back to the same number, and as a number and not an integer.
 std::string numberText(double number) {
@@ -141,10 +118,10 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::string& path,
+std::optional<map::Reason> writeGridPng(const GridPyramid& grid, const std::string& path,
                                         const Proceed& proceed) {
   const bool as_is = isGray(grid.code());
-  const tl::expected<bool, std::string> trinary = as_is ? false : isTrinary(grid, proceed);
+  const tl::expected<bool, map::Reason> trinary = as_is ? false : isTrinary(grid, proceed);
   if (!trinary) return trinary.error();
   // Grays that are all grays leave none to stand for what is not there.
   const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
@@ -168,8 +145,8 @@ std::optional<std::string> writeGridPng(const GridPyramid& grid, const std::stri
     return good;
   });
   if (stopped) return stopped;
-  if (!good && file.good()) return "The PNG " + path + " cannot be written: its encoder failed.";
-  return file.place();
+  if (!good && file.good()) return map::Reason(ReasonCode::EncoderFailed, {path});
+  return told(file.place());
 }
 
 MapServerFiles mapServerFiles(const std::string& path) {
@@ -180,7 +157,7 @@ MapServerFiles mapServerFiles(const std::string& path) {
   return {base.string() + ".pgm", base.string() + ".yaml"};
 }
 
-std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+std::optional<map::Reason> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
                                           const std::string& path, const Proceed& proceed) {
   const MapServerFiles paths = mapServerFiles(path);
   const auto trinary = isTrinary(grid, proceed);
@@ -198,9 +175,9 @@ std::optional<std::string> writeMapServer(const GridPyramid& grid, const map::Gr
   if (stopped) return stopped;
   yaml.write(mapYamlText(reference, std::filesystem::path(paths.pgm).filename().string(), !*trinary));
   yaml.finish();  // both are whole before the first is in its place
-  if (!yaml.good()) return yaml.place();
-  if (auto problem = pgm.place()) return problem;
-  return yaml.place();
+  if (!yaml.good()) return told(yaml.place());
+  if (auto problem = told(pgm.place())) return problem;
+  return told(yaml.place());
 }
 
 std::string worldFileText(const map::GridReference& reference) {

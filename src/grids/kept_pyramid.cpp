@@ -39,11 +39,9 @@ std::optional<GridTile> KeptPyramid::tileAtHand(int level, int tile_x, int tile_
   return found;
 }
 
-std::string KeptPyramid::trouble() const {
+map::Reason KeptPyramid::trouble() const {
   if (state_.load(std::memory_order_acquire) != State::Lost) return {};
-  return "Its copy in the cache is damaged, and its picture can no longer be read: parts of it are missing. "
-         "Open "
-         "it again.";
+  return map::ReasonCode::CacheCopyLost;
 }
 
 }  // namespace mapwright::grids

@@ -16,6 +16,8 @@ namespace mapwright::grids {
 
 namespace {
 
+using map::ReasonCode;
+
 using Clock = std::chrono::steady_clock;
 constexpr auto kProgressEvery = std::chrono::milliseconds(50);
 
@@ -43,7 +45,7 @@ KeptPyramid::Again readAgain(const ByteSource& bytes, const GridOptions& options
     }
     (*rows)->checkEnd();
     builder->finish();
-    return (*rows)->problem().empty() ? builder->pyramid() : nullptr;
+    return !(*rows)->problem().any() ? builder->pyramid() : nullptr;
   };
 }
 
@@ -68,8 +70,8 @@ class PictureReading final : public GridReading {
   bool complete() const override { return finished_; }
   map::Reason notKept() const override { return draft_.trouble(); }
 
-  std::optional<GridError> read(const std::atomic<bool>& cancelled,
-                                const std::function<void()>& progressed) override {
+  std::optional<map::Reason> read(const std::atomic<bool>& cancelled,
+                                  const std::function<void()>& progressed) override {
     if (finished_) return std::nullopt;
     const int height = rows_->format().height;
     rows_->stopWhen(cancelled);
@@ -119,18 +121,15 @@ class PictureReading final : public GridReading {
     if (const CellCode judged = shades_.code(format.has_alpha, whole); judged != code_) other_code_ = judged;
   }
 
-  std::optional<GridError> whatIsWrong(int came) const {
+  std::optional<map::Reason> whatIsWrong(int came) const {
     const int height = rows_->format().height;
-    const std::string& problem = rows_->problem();
-    if (came == height && problem.empty()) return std::nullopt;
+    const map::Reason& problem = rows_->problem();
+    if (came == height && !problem.any()) return std::nullopt;
     const std::string size = words::dimensions(rows_->format().width, height);
     if (came == height) {
-      return GridError{"It is " + size + " pixels and all rows are there, but " + problem +
-                       ". Some of it may be wrong."};
+      return map::Reason{ReasonCode::PictureDoubtful, {size}, {problem}};
     }
-    return GridError{"It says that it is " + size + " pixels, but " + problem + " after " +
-                     words::grouped(came) + (came == 1 ? " row" : " rows") +
-                     ". The rest is shown as unknown."};
+    return map::Reason{ReasonCode::PictureEndsEarly, {words::grouped(came), size}, {problem}};
   }
 
   static SidecarKey keyOf(const GridOptions& options, const PixelFormat& format, CellCode code) {
@@ -157,7 +156,8 @@ class FinishedReading final : public GridReading {
   explicit FinishedReading(std::shared_ptr<const GridPyramid> pyramid) : pyramid_(std::move(pyramid)) {}
   std::shared_ptr<const GridPyramid> pyramid() const override { return pyramid_; }
   bool complete() const override { return true; }
-  std::optional<GridError> read(const std::atomic<bool>&, const std::function<void()>& progressed) override {
+  std::optional<map::Reason> read(const std::atomic<bool>&,
+                                  const std::function<void()>& progressed) override {
     if (progressed) progressed();
     return std::nullopt;
   }
@@ -166,11 +166,10 @@ class FinishedReading final : public GridReading {
   std::shared_ptr<const GridPyramid> pyramid_;
 };
 
-tl::expected<std::unique_ptr<GridReading>, GridError> openSource(ByteSource bytes,
-                                                                 const GridOptions& options) {
+tl::expected<std::unique_ptr<GridReading>, map::Reason> openSource(ByteSource bytes,
+                                                                   const GridOptions& options) {
   auto reader = bytes.again();
-  if (!reader)
-    return tl::unexpected(GridError{"It cannot be read: " + std::string(std::strerror(errno)) + "."});
+  if (!reader) return tl::unexpected(map::Reason(ReasonCode::NotRead, {}, {map::said(std::strerror(errno))}));
   auto rows = openPicture(std::move(*reader));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();
@@ -185,7 +184,7 @@ tl::expected<std::unique_ptr<GridReading>, GridError> openSource(ByteSource byte
     code = glimpsedCode(**rows, options.reading);
     if (!(*rows)->rewind()) {
       auto from_the_start = bytes.again();
-      if (!from_the_start) return tl::unexpected(GridError{"It cannot be read."});
+      if (!from_the_start) return tl::unexpected(map::Reason(ReasonCode::NotRead));
       rows = openPicture(std::move(*from_the_start));
       if (!rows) return tl::unexpected(std::move(rows.error()));
     }
@@ -195,16 +194,17 @@ tl::expected<std::unique_ptr<GridReading>, GridError> openSource(ByteSource byte
 
 }  // namespace
 
-tl::expected<std::unique_ptr<GridReading>, GridError> openGrid(std::shared_ptr<const std::string> bytes,
-                                                               const GridOptions& options) {
+tl::expected<std::unique_ptr<GridReading>, map::Reason> openGrid(std::shared_ptr<const std::string> bytes,
+                                                                 const GridOptions& options) {
   return openSource(ByteSource(std::move(bytes)), options);
 }
 
-tl::expected<std::unique_ptr<GridReading>, GridError> openGridFile(const std::string& path,
-                                                                   const GridOptions& options) {
+tl::expected<std::unique_ptr<GridReading>, map::Reason> openGridFile(const std::string& path,
+                                                                     const GridOptions& options) {
   auto bytes = ByteSource::open(path);
   if (!bytes) {
-    return tl::unexpected(GridError{"The file " + path + " cannot be opened: " + std::strerror(errno) + "."});
+    return tl::unexpected(
+        map::Reason(ReasonCode::PictureFileNotOpened, {path}, {map::said(std::strerror(errno))}));
   }
   return openSource(std::move(*bytes), options);
 }

@@ -9,11 +9,13 @@ namespace mapwright::grids {
 
 namespace {
 
+using map::ReasonCode;
+
 constexpr std::uint64_t kLongestHeader = 1 << 16;  // comments included
 constexpr std::size_t kWindow = std::size_t(64) << 10;
 constexpr int kLargestMaxval = 65535;
 
-const char* const kEnds = "its data ends";
+constexpr ReasonCode kEnds = ReasonCode::DataEnds;
 
 bool isSpace(int byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r'); }
 
@@ -114,9 +116,9 @@ class PlainRows final : public PictureRows {
     for (int u = 0; u < format_.width; ++u) {
       const long level = cursor_.number();
       if (level < 0 || level > format_.sample_max) {
-        problem_ = level >= 0                      ? "it has a number beyond its greatest one"
+        problem_ = level >= 0                      ? ReasonCode::NumberBeyondGreatest
                    : cursor_.at() >= bytes_.size() ? kEnds
-                                                   : "it has something that is no number";
+                                                   : ReasonCode::NotANumber;
         return nullptr;
       }
       if (format_.sample_bytes == 2) *out++ = std::uint8_t(level >> 8);
@@ -136,7 +138,7 @@ class PlainRows final : public PictureRows {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PictureRows>, GridError> openPgm(ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPgm(ByteSource bytes) {
   std::array<std::uint8_t, 2> magic{};
   bytes.readAt(0, magic.data(), magic.size());
   Cursor cursor(bytes, magic.size());
@@ -144,15 +146,14 @@ tl::expected<std::unique_ptr<PictureRows>, GridError> openPgm(ByteSource bytes) 
   for (long& number : head) {
     number = cursor.number();
     if (number < 0 || cursor.at() > kLongestHeader) {
-      return tl::unexpected(GridError{"It is a PGM whose header is cut off or no header."});
+      return tl::unexpected(map::Reason(ReasonCode::PgmHeaderBroken));
     }
   }
   if (auto problem = whyNotThisSize(std::uint64_t(head[0]), std::uint64_t(head[1]))) {
     return tl::unexpected(std::move(*problem));
   }
   if (head[2] < 1 || head[2] > kLargestMaxval) {
-    return tl::unexpected(GridError{"It is a PGM with " + std::to_string(head[2]) +
-                                    " as its greatest gray; it must be 1 to 65535."});
+    return tl::unexpected(map::Reason(ReasonCode::PgmGreatestWrong, {std::to_string(head[2])}));
   }
   const PixelFormat format = formatOf(int(head[0]), int(head[1]), int(head[2]));
   const std::uint64_t at = cursor.at();

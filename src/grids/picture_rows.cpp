@@ -8,33 +8,34 @@
 
 namespace mapwright::grids {
 
-std::optional<GridError> whyNotThisSize(std::uint64_t width, std::uint64_t height) {
+using map::ReasonCode;
+
+std::optional<map::Reason> whyNotThisSize(std::uint64_t width, std::uint64_t height) {
   if (width == 0 || height == 0) {
-    return GridError{"It says that it is " + words::dimensions(std::int64_t(width), std::int64_t(height)) +
-                     " pixels: there is nothing in it."};
+    return map::Reason{ReasonCode::PictureWithoutPixels,
+                       {words::dimensions(std::int64_t(width), std::int64_t(height))}};
   }
   if (width > kMaxGridEdge || height > kMaxGridEdge || width * height > std::uint64_t(kMaxGridCells)) {
-    return GridError{"It says that it is " + words::dimensions(std::int64_t(width), std::int64_t(height)) +
-                     " pixels. A map may have " + words::grouped(kMaxGridEdge) + " along an edge and " +
-                     words::grouped(kMaxGridCells) + " in all."};
+    return map::Reason{ReasonCode::PictureTooLarge,
+                       {words::dimensions(std::int64_t(width), std::int64_t(height)),
+                        words::grouped(kMaxGridEdge), words::grouped(kMaxGridCells)}};
   }
   return std::nullopt;
 }
 
-tl::expected<std::unique_ptr<PictureRows>, GridError> openPicture(ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPicture(ByteSource bytes) {
   static constexpr std::array<std::uint8_t, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   std::array<std::uint8_t, 8> start{};
   const std::size_t there = std::size_t(std::min<std::uint64_t>(start.size(), bytes.size()));
-  if (there == 0) return tl::unexpected(GridError{"It is empty: there is no picture in it."});
-  if (!bytes.readAt(0, start.data(), there)) return tl::unexpected(GridError{"It cannot be read."});
+  if (there == 0) return tl::unexpected(map::Reason(ReasonCode::PictureEmpty));
+  if (!bytes.readAt(0, start.data(), there)) return tl::unexpected(map::Reason(ReasonCode::NotRead));
   if (std::memcmp(start.data(), kPng.data(), kPng.size()) == 0) return openPng(std::move(bytes));
   if (start[0] == 'P' && (start[1] == '2' || start[1] == '5')) return openPgm(std::move(bytes));
   if (start[0] == 'B' && start[1] == 'M') return openBmp(std::move(bytes));
   if (there < kPng.size() && std::memcmp(start.data(), kPng.data(), there) == 0) {
-    return tl::unexpected(GridError{"It is a PNG that is cut off in its header."});
+    return tl::unexpected(map::Reason(ReasonCode::PngHeaderShort));
   }
-  return tl::unexpected(
-      GridError{"It is no picture that can be read as a map: neither PNG nor PGM nor BMP."});
+  return tl::unexpected(map::Reason(ReasonCode::PictureKindUnknown));
 }
 
 }  // namespace mapwright::grids

@@ -10,6 +10,8 @@ namespace mapwright::grids {
 
 namespace {
 
+using map::ReasonCode;
+
 constexpr std::uint64_t kSignatureBytes = 8;
 constexpr std::uint32_t kLargestLength = 0x7fffffff;
 constexpr std::uint32_t kLargestPalette = 3 * 256;
@@ -21,9 +23,7 @@ std::uint32_t bigEndian(const std::uint8_t* at) {
   return std::uint32_t(at[0]) << 24 | std::uint32_t(at[1]) << 16 | std::uint32_t(at[2]) << 8 | at[3];
 }
 
-tl::unexpected<GridError> refused(std::string sentence) {
-  return tl::unexpected(GridError{std::move(sentence)});
-}
+tl::unexpected<map::Reason> refused(map::Reason why) { return tl::unexpected(std::move(why)); }
 
 bool depthFits(int colour_type, int depth) {
   switch (colour_type) {
@@ -56,16 +56,15 @@ std::optional<std::vector<std::uint8_t>> contentOf(const ByteSource& bytes, std:
   return content;
 }
 
-tl::expected<PngHeader, GridError> fromIhdr(const std::vector<std::uint8_t>& ihdr) {
+tl::expected<PngHeader, map::Reason> fromIhdr(const std::vector<std::uint8_t>& ihdr) {
   const std::uint32_t width = bigEndian(ihdr.data()), height = bigEndian(ihdr.data() + 4);
   if (auto problem = whyNotThisSize(width, height)) return tl::unexpected(std::move(*problem));
   const int depth = ihdr[8], colour_type = ihdr[9];
   if (!depthFits(colour_type, depth)) {
-    return refused("It is a PNG of colour type " + std::to_string(colour_type) + " with " +
-                   std::to_string(depth) + " bits a sample, and there is no such PNG.");
+    return refused({ReasonCode::PngKindUnknown, {std::to_string(colour_type), std::to_string(depth)}});
   }
   if (ihdr[10] != 0 || ihdr[11] != 0 || ihdr[12] > 1) {
-    return refused("It is a PNG with a compression, filter or interlace method that does not exist.");
+    return refused(ReasonCode::PngMethodUnknown);
   }
   PngHeader header;
   header.bit_depth = depth;
@@ -127,16 +126,16 @@ std::optional<PngChunk> pngChunkAt(const ByteSource& bytes, std::uint64_t offset
   return chunk;
 }
 
-tl::expected<PngHeader, GridError> readPngHeader(const ByteSource& bytes) {
-  static constexpr const char* kCutOff = "It is a PNG that is cut off in its header.";
+tl::expected<PngHeader, map::Reason> readPngHeader(const ByteSource& bytes) {
   const auto first = pngChunkAt(bytes, kSignatureBytes);
-  if (!first) return refused(kCutOff);
+  if (!first) return refused(ReasonCode::PngHeaderShort);
   if (!first->is("IHDR") || first->length != kHeaderLength) {
-    return refused("It starts like a PNG, but its header is not where it has to be.");
+    return refused(ReasonCode::PngHeaderMisplaced);
   }
-  if (bytes.size() < kSignatureBytes + kHeaderLength + PngChunk::kAround) return refused(kCutOff);
+  if (bytes.size() < kSignatureBytes + kHeaderLength + PngChunk::kAround)
+    return refused(ReasonCode::PngHeaderShort);
   const auto ihdr = contentOf(bytes, kSignatureBytes, kHeaderLength);
-  if (!ihdr) return refused("It is a PNG whose header is damaged (its checksum is wrong).");
+  if (!ihdr) return refused(ReasonCode::PngHeaderDamaged);
   auto header = fromIhdr(*ihdr);
   if (!header) return header;
 
@@ -145,20 +144,19 @@ tl::expected<PngHeader, GridError> readPngHeader(const ByteSource& bytes) {
   std::uint64_t at = kSignatureBytes + kHeaderLength + PngChunk::kAround;
   for (;;) {
     const auto chunk = pngChunkAt(bytes, at);
-    if (!chunk) return refused("It is a PNG that is cut off before its first pixel.");
+    if (!chunk) return refused(ReasonCode::PngEndsBeforePixels);
     if (chunk->is("IDAT")) break;
     if (chunk->length > kLargestLength || chunk->is("IEND")) {
-      return refused("It is a PNG without pixels.");
+      return refused(ReasonCode::PngWithoutPixels);
     }
     const bool is_palette = chunk->is("PLTE");
     if ((is_palette && chunk->length <= kLargestPalette) || (chunk->is("tRNS") && chunk->length <= 256)) {
       if (at + PngChunk::kAround + chunk->length > bytes.size()) {
-        return refused("It is a PNG that is cut off before its first pixel.");
+        return refused(ReasonCode::PngEndsBeforePixels);
       }
       const auto content = contentOf(bytes, at, chunk->length);
       if (!content) {
-        return refused("It is a PNG whose " + std::string(is_palette ? "palette" : "transparency") +
-                       " is damaged (its checksum is wrong).");
+        return refused(is_palette ? ReasonCode::PngPaletteDamaged : ReasonCode::PngTransparencyDamaged);
       }
       if (is_palette && palette) {
         takePalette(*content, header->format);
@@ -167,11 +165,11 @@ tl::expected<PngHeader, GridError> readPngHeader(const ByteSource& bytes) {
         takeTransparency(*content, palette, header->bit_depth, header->format);
       }
     } else if ((chunk->type[0] & 0x20) == 0 && !is_palette) {
-      return refused("It is a PNG with a part that nobody but its writer understands.");
+      return refused(ReasonCode::PngPartUnknown);
     }
     at += PngChunk::kAround + chunk->length;
   }
-  if (palette && !has_palette) return refused("It is a PNG with a palette, but the palette is missing.");
+  if (palette && !has_palette) return refused(ReasonCode::PngPaletteMissing);
   header->pixels_at = at;
   return header;
 }

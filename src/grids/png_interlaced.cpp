@@ -13,6 +13,8 @@ namespace mapwright::grids {
 
 namespace {
 
+using map::ReasonCode;
+
 struct Pass {
   int left, top, step_x, step_y;
 };
@@ -38,7 +40,7 @@ class InterlacedRows final : public PictureRows {
   }
   void stopWhen(const std::atomic<bool>& cancelled) override { cancelled_ = &cancelled; }
   void checkEnd() override {
-    if (problem_.empty() && !stream_.checkEnd()) problem_ = stream_.problem();
+    if (!problem_.any() && !stream_.checkEnd()) problem_ = stream_.problem();
   }
 
  private:
@@ -54,7 +56,7 @@ class InterlacedRows final : public PictureRows {
       PngPass reader(header_, columns);
       for (int row = 0; row < rows; ++row) {
         if (cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed)) {
-          problem_ = "reading it was stopped";
+          problem_ = ReasonCode::ReadingStopped;
           return;
         }
         const std::uint8_t* from = reader.next(stream_, problem_);
@@ -91,30 +93,27 @@ class InterlacedRows final : public PictureRows {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PictureRows>, GridError> openInterlacedPng(const PngHeader& header,
-                                                                        ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, map::Reason> openInterlacedPng(const PngHeader& header,
+                                                                          ByteSource bytes) {
   const PixelFormat& format = header.format;
   // Room is taken for the whole picture, so it must be one that these bytes can hold.
   const std::uint64_t stored =
       std::uint64_t(header.storedRowBytes(format.width)) * std::uint64_t(format.height);
   if (stored / packed::kMaxDeflateRatio > bytes.size()) {
-    return tl::unexpected(GridError{"It says that it is " + words::dimensions(format.width, format.height) +
-                                    " pixels, but its " + words::grouped(std::int64_t(bytes.size())) +
-                                    " bytes cannot hold so many."});
+    return tl::unexpected(map::Reason(
+        ReasonCode::PngTooShortForPixels,
+        {words::dimensions(format.width, format.height), words::grouped(std::int64_t(bytes.size()))}));
   }
   const std::uint64_t unpacked = std::uint64_t(format.rowBytes()) * std::uint64_t(format.height);
   if (unpacked > kMaxInterlacedBytes) {
-    return tl::unexpected(GridError{
-        "It is an interlaced picture of " + words::dimensions(format.width, format.height) +
-        " pixels. Interlaced ones are read up to " + words::grouped(std::int64_t(kMaxInterlacedBytes)) +
-        " bytes unpacked: save it without interlacing."});
+    return tl::unexpected(map::Reason(
+        ReasonCode::InterlacedTooLarge,
+        {words::dimensions(format.width, format.height), words::grouped(std::int64_t(kMaxInterlacedBytes))}));
   }
   auto picture = ScratchBytes::take(format.rowBytes() * std::size_t(format.height));
   if (!picture) {
-    return tl::unexpected(GridError{
-        "It is an interlaced picture of " + words::dimensions(format.width, format.height) +
-        " pixels, and there is no room to put it together. Free space in the folder for temporary files, or "
-        "save the picture without interlacing."});
+    return tl::unexpected(
+        map::Reason(ReasonCode::InterlacedWithoutRoom, {words::dimensions(format.width, format.height)}));
   }
   return std::make_unique<InterlacedRows>(header, std::move(bytes), std::move(*picture));
 }

@@ -13,10 +13,12 @@ namespace mapwright::grids {
 
 namespace {
 
+using map::ReasonCode;
+
 constexpr std::size_t kInput = std::size_t(64) << 10;  // a piece goes through checksum and inflate while hot
 constexpr std::size_t kWindow = std::size_t(256) << 10;  // unpacked at a time
 
-const char* const kEnds = "its data ends";
+constexpr ReasonCode kEnds = ReasonCode::DataEnds;
 
 }  // namespace
 
@@ -50,7 +52,7 @@ bool PngStream::endChunk() {
   const std::uint32_t expected = std::uint32_t(stored[0]) << 24 | std::uint32_t(stored[1]) << 16 |
                                  std::uint32_t(stored[2]) << 8 | stored[3];
   if (expected != sum_) {
-    problem_ = "a checksum in it is wrong (near byte " + words::grouped(std::int64_t(at_)) + ")";
+    problem_ = {ReasonCode::ChecksumWrong, {words::grouped(std::int64_t(at_))}};
     return false;
   }
   at_ += stored.size();
@@ -89,7 +91,7 @@ bool PngStream::fill(std::size_t count) {
     }
     if (state_->avail_in == 0 && state_->block_state != ISAL_BLOCK_INPUT_DONE && !nextInput()) {
       // What is unpacked but still held back belongs to the rows that came.
-      if (problem_ != kEnds) return false;
+      if (problem_.code != kEnds) return false;
       state_->next_in = nullptr;
     }
     state_->next_out = window_.data() + end_;
@@ -98,18 +100,17 @@ bool PngStream::fill(std::size_t count) {
     const int result = isal_inflate(state_.get());
     end_ += before - state_->avail_out;
     if (result < 0) {
-      problem_ =
-          result == ISAL_INCORRECT_CHECKSUM ? "the checksum of its pixels is wrong" : "its data is damaged";
+      problem_ = result == ISAL_INCORRECT_CHECKSUM ? ReasonCode::PixelChecksumWrong : ReasonCode::DataDamaged;
       return end_ >= count;
     }
-    if (!problem_.empty() && before == state_->avail_out) return false;
+    if (problem_.any() && before == state_->avail_out) return false;
   }
   return true;
 }
 
 const std::uint8_t* PngStream::take(std::size_t count) {
   if (end_ - begin_ < count) {
-    if (!problem_.empty() || !fill(count)) return nullptr;
+    if (problem_.any() || !fill(count)) return nullptr;
   }
   const std::uint8_t* taken = window_.data() + begin_;
   begin_ += count;
@@ -117,18 +118,18 @@ const std::uint8_t* PngStream::take(std::size_t count) {
 }
 
 bool PngStream::checkEnd() {
-  if (problem_ == kEnds) problem_.clear();  // the pixels are complete, only the trailer is missing
-  while (problem_.empty() && state_->block_state != ISAL_BLOCK_FINISH) {
+  if (problem_.code == kEnds) problem_ = {};  // the pixels are complete, only the trailer is missing
+  while (!problem_.any() && state_->block_state != ISAL_BLOCK_FINISH) {
     std::array<std::uint8_t, 64> beyond;
     if (state_->avail_in == 0 && !nextInput()) break;
     state_->next_out = beyond.data();
     state_->avail_out = std::uint32_t(beyond.size());
     const int result = isal_inflate(state_.get());
-    if (result == ISAL_INCORRECT_CHECKSUM) problem_ = "the checksum of its pixels is wrong";
+    if (result == ISAL_INCORRECT_CHECKSUM) problem_ = ReasonCode::PixelChecksumWrong;
     // More pixels than declared, or nonsense behind the last one: neither is anybody's map.
     if (result < 0 || state_->avail_out < beyond.size()) break;
   }
-  while (problem_.empty() && in_chunk_) {
+  while (!problem_.any() && in_chunk_) {
     if (left_ == 0) {
       endChunk();
       break;
@@ -136,8 +137,8 @@ bool PngStream::checkEnd() {
     state_->avail_in = 0;
     if (!nextInput()) break;
   }
-  if (problem_ == kEnds) problem_.clear();
-  return problem_.empty();
+  if (problem_.code == kEnds) problem_ = {};
+  return !problem_.any();
 }
 
 }  // namespace mapwright::grids

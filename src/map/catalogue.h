@@ -52,7 +52,8 @@ struct CatalogueEntry {
   std::optional<GridReference> grid;   // where it is known without opening the map
   std::optional<std::uint64_t> bytes;  // size of the picture, where known
   bool has_thumbnail = false;
-  bool is_current = false;  // the robot works with it now
+  bool is_current = false;   // the robot works with it now
+  bool is_archived = false;  // put away: kept, and not to be worked with before it is taken out again
 };
 
 /// How the bytes of a picture become cells. Source: ROS map_server / nav2 map_io.

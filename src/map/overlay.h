@@ -22,7 +22,4 @@ struct OverlayFeature {
   bool operator==(const OverlayFeature&) const = default;
 };
 
-/// "Charger", "Virtual wall", "Forbidden region"; "Point 77" for a number that nobody explained.
-std::string kindText(OverlayShape shape, int type);
-
 }  // namespace mapwright::map

@@ -1,5 +1,6 @@
 // What was found to be wrong, or odd, as a value: a code with its arguments. The words are made of it in one
-// place, sentences::wordsOf, which is also where each code's arguments are named (%1 is the first).
+// place, sentences::wordsOf, which is also where each code's arguments are named (%1 is the first). Numbers
+// that are to be grouped ("51,200") are texts.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace mapwright::map {
 
 enum class ReasonCode {
   None,
-  Said,  // arguments[0] is what somebody else said of it: a robot, the system, a reader of files
+  Said,  // arguments[0] is what somebody else said of it: a robot, the system, a library
 
   // The place of a submap.
   TurnIsZero,
@@ -37,6 +38,23 @@ enum class ReasonCode {
   AnswerIsNoSubmap,  // bytes
   RobotAnswered,     // its code; because: its words
   MemoryUsedUp,      // why no file can be written
+  // The cells of a slice.
+  BytesUnexpected,    // bytes, as many as one byte a cell makes, as two make
+  BytesTooMany,       // the most, as many as one byte a cell makes, as two make
+  CellFormatUnknown,  // its number
+  GzipDamaged,
+  ZlibDamaged,
+  TextureEmpty,     // size
+  TextureTooLarge,  // size, the most cells
+  CellSizeNotPositive,
+  CellSizeTooSmall,
+  CellSizeTooLarge,
+  PngNotRead,
+  PngNotReadBy,  // the library's words
+  PngShort,
+  PngWithoutMemory,
+  PngOfOtherSize,  // size, as announced
+  PngBytesTooFew,  // bytes, size
 
   // Where a grid lies.
   ResolutionNoNumber,
@@ -57,6 +75,59 @@ enum class ReasonCode {
   AnswerIsNoMap,
   AnswerIsNoPicture,
   NoPictureSent,
+  // The pictures of whole maps. Sizes are texts: "400 x 300".
+  PictureEmpty,
+  PictureFileNotOpened,  // path; because: why
+  NotRead,               // because: why
+  PictureKindUnknown,
+  PictureWithoutPixels,     // size
+  PictureTooLarge,          // size, the most along an edge, in all
+  PictureTooLargeForLayer,  // size, the most
+  PictureEndsEarly,         // rows that came, size; because: what ends it
+  PictureEndsEarlyUnused,   // the same
+  PictureDoubtful,          // size; because: what is wrong
+  DataEnds,
+  DataDamaged,
+  PixelChecksumWrong,
+  ChecksumWrong,  // near which byte
+  ReadingStopped,
+  NumberBeyondGreatest,
+  NotANumber,
+  BmpHeaderShort,
+  BmpHeaderUnknown,  // bytes of its header
+  BmpWidthNegative,
+  BmpBitsUnknown,  // bits a pixel
+  BmpCompressed,   // bits a pixel
+  BmpColoursUneven,
+  BmpPaletteShort,
+  PgmHeaderBroken,
+  PgmGreatestWrong,  // its greatest gray
+  PngHeaderShort,
+  PngHeaderMisplaced,
+  PngHeaderDamaged,
+  PngKindUnknown,  // colour type, bits a sample
+  PngMethodUnknown,
+  PngEndsBeforePixels,
+  PngWithoutPixels,
+  PngPaletteDamaged,
+  PngTransparencyDamaged,
+  PngPartUnknown,
+  PngPaletteMissing,
+  PngTooShortForPixels,   // size, bytes
+  InterlacedTooLarge,     // size, the most bytes
+  InterlacedWithoutRoom,  // size
+  CacheCopyLost,
+  // Making and writing pictures.
+  ResolutionNotAboveZero,
+  NoSubmapToExport,
+  ComposedTooLarge,
+  WritingStopped,
+  EncoderFailed,          // path
+  PictureNotEncoded,      // path, the library's words
+  PictureOnlyRead,        // path
+  PictureOfOtherSize,     // path
+  CellWithoutShade,       // path, the cell
+  PictureReadsOtherwise,  // path; because: why
   // Whole maps by remote calls.
   AnswerIsNoJson,  // whose robot it should be
   AnswerHoldsNoData,
@@ -98,6 +169,36 @@ enum class ReasonCode {
   ThresholdsCrossed,
   WaypointIdTwice,       // id
   WaypointTurnNoNumber,  // id
+  // Files with waypoints.
+  NoSuchMap,
+  WaypointFileNotRead,  // path; because: why
+  FileChanged,          // path
+  FileTooLarge,         // the most, with its unit
+  FileEmpty,
+  FileNotJson,  // the library's words
+  NotAFeatureCollection,
+  SeveralFeatureLists,
+  TwoFeatureLists,
+  WaypointsTooMany,  // the most
+  WaypointListGone,
+  FolderWithoutMaps,  // path
+  // Files of any kind.
+  FileNotWritten,    // path; because: why
+  OutputNotWritten,  // because: why
+  IsAFolder,
+  IsADisk,
+  IsASocket,
+  NotARegularFile,
+  NoFileInFolder,  // folder, the system's words
+  NobodyReadsPipe,
+  ReaderTakesNothing,
+  // Drafts.
+  DraftFolderNotMade,  // folder
+  DraftFileNotMade,    // folder
+  DraftNotRemoved,     // path
+  DraftNotRead,        // path; because: why
+  DraftBroken,         // path
+  DraftSetAside,       // path, where it is kept
 
   // Live messages.
   MessageNotJson,  // bytes
@@ -151,10 +252,12 @@ enum class ReasonCode {
   ResultInvalid,
   ResultInvalidLoad,
   ResultAlreadyLoaded,
-  ResultUnknown,     // its code
-  NotConfirmed,      // seconds
-  TagsNotTaken,      // name
-  ChangedMeanwhile,  // name
+  ResultNothingToSave,
+  ResultMapNameTaken,  // name
+  ResultUnknown,       // its code
+  NotConfirmed,        // seconds
+  TagsNotTaken,        // name
+  ChangedMeanwhile,    // name
   ListsNotTold,
   OnlyCurrentMapSent,
   MessageNotUnderstood,
@@ -165,7 +268,7 @@ enum class ReasonCode {
   AnswersNotKept,  // because: why
   MapsNotKept,     // folder; because: why
   DiskMayBeFull,
-  DoesNotSayWhatItIs,  // why
+  DoesNotSayWhatItIs,  // because: why
   ItAnswered,          // its words
   EmergencyStop,
   PositionLost,
@@ -174,8 +277,58 @@ enum class ReasonCode {
   PositionUncertain,
   WheelsSlipping,
   AlertWithoutText,
+
+  // What goes over the network. Hosts come with their ports.
+  RequestCancelled,
+  NoWebAddress,
+  ConnectionRefused,  // host
+  HostUnknown,        // name
+  ConnectionClosed,
+  ConnectionClosedSaying,  // the robot's words
+  ConnectionBroke,         // host
+  ConnectionNotSecure,     // host, the system's words
+  HostSilent,              // host
+  HostNotReached,          // host, the system's words
+  NoAnswerWithin,          // how long, with its unit
+  LeadsToAnotherServer,    // host
+  LeadsToAnotherAddress,
+  LeadsInCircles,
+  AnswerTooLong,             // the most bytes
+  AnswerBrokeOff,            // bytes
+  AnswerBrokeOffEarly,       // bytes, of how many
+  AnsweredWithStatus,        // HTTP status
+  AnsweredWithStatusSaying,  // HTTP status, the robot's words
+  NoAddressToConnectTo,
+  NoWebSocketThere,  // host
+  ClosedBeforeOpen,
+  BrokeBeforeOpen,       // host
+  ConnectionForbidden,   // HTTP status
+  ConnectionRejected,    // HTTP status
+  MessageTooLong,        // the most bytes
+  NoAutoxingRobotThere,  // host; because: how it answers
+  NoRosbridgeThere,      // likewise
+  NoMapManagerThere,     // host
+  NoAgibotRobotThere,    // because: how it answers
+  FolderNotMade,         // path
+  FileNotRemoved,        // path, the system's words
+  FileNotKept,           // path, the system's words
+  // Certificates. Days are texts.
+  CertificateUntrusted,  // host, SHA-256; because: why
+  CertificateChanged,    // host, SHA-256 of the trusted one, of the present one
+  SelfSigned,
+  AuthorityUnnamed,
+  AuthorityUnknown,        // its name
+  CertificateExpired,      // day
+  AuthorityExpired,        // day
+  CertificateNotYetValid,  // day
+  CertificateOfOtherName,  // name
+  CertificateWithoutName,
+  CertificateWithdrawn,
+  CertificateIsAnother,
+  AuthoritiesNotRead,   // path, the system's words
+  NoAuthoritiesInFile,  // path
 };
-inline constexpr ReasonCode kLastReasonCode = ReasonCode::AlertWithoutText;
+inline constexpr ReasonCode kLastReasonCode = ReasonCode::NoAuthoritiesInFile;
 
 /// What follows from it.
 enum class Consequence {
@@ -192,8 +345,10 @@ enum class Consequence {
   ItsPointsWereLeftOut,
   AskedAgainEachTime,
   ReadAnewEachTime,
+  LeftAsItIs,
+  NothingWritten,
 };
-inline constexpr Consequence kLastConsequence = Consequence::ReadAnewEachTime;
+inline constexpr Consequence kLastConsequence = Consequence::NothingWritten;
 
 /// Texts are untrusted plain text.
 using Argument = std::variant<std::int64_t, double, std::string>;
@@ -216,7 +371,7 @@ struct Reason {
   bool operator==(const Reason&) const = default;
 };
 
-/// The words of somebody else: of a robot, the system, or a reader of files.
+/// The words of somebody else: of a robot, the system, a library.
 inline Reason said(std::string words) { return {ReasonCode::Said, {std::move(words)}}; }
 
 /// What equal reasons share when their numbers differ: names what is one row in a list of problems.

@@ -212,7 +212,7 @@ void HttpCache::remove(const QUrl& url) { forget(nameOf(url)); }
 void HttpCache::forget(const QByteArray& name) {
   QFile file(pathOf(name));
   if (file.exists() && !file.remove()) {
-    fail(QStringLiteral("%1 cannot be removed: %2").arg(file.fileName(), file.errorString()));
+    fail({ReasonCode::FileNotRemoved, {file.fileName(), file.errorString()}});
     return;
   }
   if (const auto entry = index_.find(name); entry != index_.end()) {
@@ -226,7 +226,7 @@ bool HttpCache::makeFolder(const QString& path) {
     return true;
   }
   if (!QDir().mkpath(path) || !QFile::setPermissions(path, kPrivateFolder)) {
-    fail(QStringLiteral("the folder %1 cannot be made").arg(path));
+    fail({ReasonCode::FolderNotMade, {path}});
     return false;
   }
   return true;
@@ -258,8 +258,7 @@ void HttpCache::write(const QByteArray& name, const Record& record) {
     failure = tryIt();
   }
   if (failure != 0) {
-    fail(
-        QStringLiteral("%1 cannot be written: %2").arg(path, QString::fromLocal8Bit(std::strerror(failure))));
+    fail({ReasonCode::FileNotKept, {path, QString::fromLocal8Bit(std::strerror(failure))}});
     return;
   }
   Entry& entry = index_[name];
@@ -319,11 +318,11 @@ qint64 HttpCache::bytes() const {
   return bytes_;
 }
 
-void HttpCache::fail(const QString& what) {
-  last_error_ = what;
-  if (const Trouble tell = std::exchange(trouble_, nullptr)) tell(what);
+void HttpCache::fail(Reason what) {
+  last_error_ = std::move(what);
+  if (const Trouble tell = std::exchange(trouble_, nullptr)) tell(last_error_);
 }
 
-QString HttpCache::lastError() const { return last_error_; }
+Reason HttpCache::lastError() const { return last_error_; }
 
 }  // namespace mapwright::net

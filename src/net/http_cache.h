@@ -10,6 +10,8 @@
 #include <QString>
 #include <QUrl>
 
+#include "net/reason.h"
+
 namespace mapwright::net {
 
 /// A body with the headers that govern its reuse.
@@ -26,7 +28,7 @@ struct CachedAnswer {
 class HttpCache {
  public:
   using Now = std::function<QDateTime()>;
-  using Trouble = std::function<void(const QString& why)>;
+  using Trouble = std::function<void(const Reason& why)>;
   /// `budget_bytes` bounds the folder; the files used longest ago are removed first.
   HttpCache(QString folder, qint64 budget_bytes, Now now = &QDateTime::currentDateTimeUtc);
 
@@ -43,7 +45,7 @@ class HttpCache {
   void copy(const QUrl& from, const QUrl& to);
 
   qint64 bytes() const;
-  QString lastError() const;
+  Reason lastError() const;
   /// Told once, the first time that something cannot be kept or removed.
   void setTrouble(Trouble trouble) { trouble_ = std::move(trouble); }
   QString folder() const { return folder_; }
@@ -62,7 +64,7 @@ class HttpCache {
   void scan() const;
   void evict(const QByteArray& keep);
   bool makeFolder(const QString& path);
-  void fail(const QString& what);
+  void fail(Reason what);
 
   QString folder_;
   qint64 budget_bytes_;
@@ -72,7 +74,7 @@ class HttpCache {
   mutable QHash<QByteArray, Entry> index_;
   mutable qint64 bytes_ = -1;  // -1 = not read yet
   mutable int stores_since_scan_ = 0;
-  QString last_error_;
+  Reason last_error_;
   Trouble trouble_;
 };
 

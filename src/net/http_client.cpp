@@ -60,30 +60,30 @@ bool neverConnected(QNetworkReply::NetworkError error) {
 
 QString grouped(qint64 number) { return QLocale(QLocale::English).toString(number); }
 
-HttpAnswer failure(HttpAnswer::Kind kind, const QString& sentence) {
+HttpAnswer failure(HttpAnswer::Kind kind, Reason reason) {
   HttpAnswer answer;
   answer.kind = kind;
-  answer.sentence = plainText(sentence);
+  answer.reason = std::move(reason);
   return answer;
 }
 
-QString unreachableSentence(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
+Reason whyUnreachable(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
   switch (error) {
     case QNetworkReply::ConnectionRefusedError:
-      return QStringLiteral("connection refused by %1").arg(hostAndPort(url));
+      return {ReasonCode::ConnectionRefused, {hostAndPort(url)}};
     case QNetworkReply::HostNotFoundError:
-      return QStringLiteral("the host %1 is not known").arg(url.host());
+      return {ReasonCode::HostUnknown, {plainText(url.host())}};
     case QNetworkReply::RemoteHostClosedError:
     case QNetworkReply::ContentReSendError:  // it was closed before an answer, and nothing is sent twice
-      return QStringLiteral("the robot closed the connection");
+      return ReasonCode::ConnectionClosed;
     case QNetworkReply::SslHandshakeFailedError:
-      return noSecureConnection(url, error_text);
+      return {ReasonCode::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)}};
     case QNetworkReply::TimeoutError:
-      return QStringLiteral("%1 does not answer").arg(hostAndPort(url));
+      return {ReasonCode::HostSilent, {hostAndPort(url)}};
     case QNetworkReply::UnknownNetworkError:
-      return QStringLiteral("the connection to %1 broke off").arg(hostAndPort(url));
+      return {ReasonCode::ConnectionBroke, {hostAndPort(url)}};
     default:
-      return QStringLiteral("%1 cannot be reached: %2").arg(hostAndPort(url), error_text);
+      return {ReasonCode::HostNotReached, {hostAndPort(url), plainText(error_text)}};
   }
 }
 
@@ -115,7 +115,7 @@ class HttpClient::Impl {
 
   void cancel(RequestId id) {
     if (jobs_.contains(id)) {
-      finish(id, failure(HttpAnswer::Kind::Cancelled, QStringLiteral("cancelled")));
+      finish(id, failure(HttpAnswer::Kind::Cancelled, ReasonCode::RequestCancelled));
     }
   }
 
@@ -181,8 +181,7 @@ class HttpClient::Impl {
     const QString scheme = job->url.scheme();
     if (!job->url.isValid() || job->url.host().isEmpty() ||
         (scheme != QLatin1String("http") && scheme != QLatin1String("https"))) {
-      finish(id,
-             failure(HttpAnswer::Kind::Refused, QStringLiteral("the address is not one of a web server")));
+      finish(id, failure(HttpAnswer::Kind::Refused, ReasonCode::NoWebAddress));
       return;
     }
     const bool unusable = unusable_.remove(job->url.toEncoded());
@@ -270,10 +269,9 @@ class HttpClient::Impl {
       job.silence->setSingleShot(true);
       QObject::connect(job.silence.get(), &QTimer::timeout, owner_, [this, id] {
         if (const Job* silent = active(id)) {
-          finish(id,
-                 failure(
-                     HttpAnswer::Kind::TimedOut,
-                     QStringLiteral("no answer for %1").arg(durationWords(silent->request.timeout.count()))));
+          finish(id, failure(HttpAnswer::Kind::TimedOut,
+                             Reason(ReasonCode::NoAnswerWithin,
+                                    {durationWords(silent->request.timeout.count())})));
         }
       });
     }
@@ -289,7 +287,7 @@ class HttpClient::Impl {
     if (const auto fault = faultOf(trust_, leaf, errors, job->url)) {
       HttpAnswer answer;
       answer.kind = HttpAnswer::Kind::Certificate;
-      answer.sentence = sentenceOf(*fault);
+      answer.reason = reasonOf(*fault);
       answer.certificate = fault;
       finish(id, std::move(answer));
     } else if (!errors.isEmpty()) {
@@ -387,7 +385,7 @@ class HttpClient::Impl {
                             : error != QNetworkReply::NoError && error < QNetworkReply::ContentAccessDenied;
     if (status == 0 || broken) {
       finish(id, status == 0 ? failure(HttpAnswer::Kind::Unreachable,
-                                       unreachableSentence(error, reply.errorString(), job.url))
+                                       whyUnreachable(error, reply.errorString(), job.url))
                              : brokenOff(job));
       return;
     }
@@ -417,18 +415,15 @@ class HttpClient::Impl {
     const QUrl target = job.url.resolved(QUrl::fromEncoded(job.network_reply->rawHeader("Location")));
     if (!target.isValid() || !sameOrigin(target, job.url)) {
       finish(id, failure(HttpAnswer::Kind::Refused,
-                         QStringLiteral("the robot points to another server, %1, which is not followed")
-                             .arg(hostAndPort(target))));
+                         Reason(ReasonCode::LeadsToAnotherServer, {hostAndPort(target)})));
       return;
     }
     if (job.request.method != HttpMethod::Get) {
-      finish(id, failure(HttpAnswer::Kind::Refused,
-                         QStringLiteral("the robot points to another address, which is not followed")));
+      finish(id, failure(HttpAnswer::Kind::Refused, ReasonCode::LeadsToAnotherAddress));
       return;
     }
     if (++job.redirects > kMaxRedirects) {
-      finish(id, failure(HttpAnswer::Kind::Refused,
-                         QStringLiteral("the robot points from one address to the next without end")));
+      finish(id, failure(HttpAnswer::Kind::Refused, ReasonCode::LeadsInCircles));
       return;
     }
     job.network_reply->disconnect(owner_);
@@ -454,7 +449,9 @@ class HttpClient::Impl {
     answer.body = std::move(job.body);
     if (!answer.ok()) {
       answer.said = errorText(answer.body, answer.content_type);
-      answer.sentence = statusSentence(status, answer.body, answer.content_type);
+      answer.reason = answer.said.isEmpty()
+                          ? Reason(ReasonCode::AnsweredWithStatus, {}, status)
+                          : Reason(ReasonCode::AnsweredWithStatusSaying, {answer.said}, status);
     }
     if (caching && status == 200) {
       cache_->store(job.request.url, answer.body, answer.content_type, cache_control, etag,
@@ -476,18 +473,16 @@ class HttpClient::Impl {
   }
 
   static HttpAnswer tooLarge(const Job& job) {
-    return failure(
-        HttpAnswer::Kind::TooLarge,
-        QStringLiteral("the answer is longer than the %1 bytes allowed").arg(grouped(job.request.max_bytes)));
+    return failure(HttpAnswer::Kind::TooLarge,
+                   Reason(ReasonCode::AnswerTooLong, {grouped(job.request.max_bytes)}));
   }
 
   static HttpAnswer brokenOff(const Job& job) {
     const qint64 length = declaredLength(*job.network_reply);
     return failure(HttpAnswer::Kind::Unreachable,
                    length > 0
-                       ? QStringLiteral("the answer broke off after %1 of %2 bytes")
-                             .arg(grouped(job.body.size()), grouped(length))
-                       : QStringLiteral("the answer broke off after %1 bytes").arg(grouped(job.body.size())));
+                       ? Reason(ReasonCode::AnswerBrokeOffEarly, {grouped(job.body.size()), grouped(length)})
+                       : Reason(ReasonCode::AnswerBrokeOff, {grouped(job.body.size())}));
   }
 
   /// Takes the job off the network; its answer is told from the event loop.

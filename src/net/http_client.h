@@ -13,6 +13,7 @@
 #include <QString>
 #include <QUrl>
 
+#include "net/reason.h"
 #include "net/trust.h"
 
 namespace mapwright::net {
@@ -53,8 +54,8 @@ struct HttpAnswer {
   bool sent = false;
   QByteArray body;
   QByteArray content_type;
-  QString sentence;  // for people: why it is not a 2xx; plain text, at most 300 characters, never markup
-  QString said;      // what the robot itself said about its error; plain text likewise, empty = nothing
+  Reason reason;  // why it is not a 2xx; None = it is
+  QString said;   // what the robot itself said about its error; plain text likewise, empty = nothing
   bool from_cache = false;                      // the body did not travel: fresh on disk, or 304
   std::optional<CertificateFault> certificate;  // of Kind::Certificate
   bool ok() const { return kind == Kind::Answered && status >= 200 && status < 300; }

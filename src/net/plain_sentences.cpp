@@ -7,8 +7,6 @@
 #include <QJsonObject>
 #include <QRegularExpression>
 
-#include "words/http_status.h"
-
 namespace mapwright::net {
 
 namespace {
@@ -81,25 +79,10 @@ QString errorText(const QByteArray& body, const QByteArray& content_type) {
   return binary ? QString() : plainText(QString::fromUtf8(beginning));
 }
 
-QString statusSentence(int status, const QByteArray& body, const QByteArray& content_type) {
-  QString sentence =
-      QStringLiteral("the robot answered %1").arg(QString::fromStdString(words::statusWords(status)));
-  const QString text = errorText(body, content_type);
-  if (!text.isEmpty()) {
-    sentence += QStringLiteral(": ") + text;
-  }
-  return plainText(sentence);
-}
-
 QString hostAndPort(const QUrl& url) {
   const QString host = url.host();
   const QString shown = host.contains(u':') ? u'[' + host + u']' : host;
   return plainText(QStringLiteral("%1:%2").arg(shown).arg(portOf(url)));
-}
-
-QString noSecureConnection(const QUrl& url, const QString& error_text) {
-  return QStringLiteral("no secure connection to %1 can be made; it may not be encrypted there (http): %2")
-      .arg(hostAndPort(url), error_text);
 }
 
 QString durationWords(qint64 ms) {

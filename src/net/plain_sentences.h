@@ -1,5 +1,5 @@
-// Words for people about what went wrong on the network. Pure functions; what they return is plain text,
-// never markup.
+// Words of robots, servers and the system made harmless, and parts of addresses as people write them. Pure
+// functions; what they return is plain text, never markup.
 #pragma once
 
 #include <QByteArray>
@@ -15,12 +15,8 @@ QString plainText(const QString& text);
 /// What an error's body says: the text of a JSON object's detail, message or error, or of a short plain or
 /// HTML page; empty when there is nothing to show.
 QString errorText(const QByteArray& body, const QByteArray& content_type);
-/// "the robot answered 404 (not found): No such map".
-QString statusSentence(int status, const QByteArray& body, const QByteArray& content_type);
 /// "10.0.0.7:8090": where a URL leads, the default port of its scheme filled in.
 QString hostAndPort(const QUrl& url);
-/// Encryption could not even be agreed upon, for example because the server does not encrypt.
-QString noSecureConnection(const QUrl& url, const QString& error_text);
 /// "1.5 s", "250 ms".
 QString durationWords(qint64 ms);
 /// Scheme, host and port are the same.

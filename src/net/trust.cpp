@@ -11,7 +11,7 @@
 namespace mapwright::net {
 namespace {
 
-using Reason = CertificateFault::Reason;
+using Kind = CertificateFault::Reason;
 
 constexpr qsizetype kSha256Bytes = 32;
 constexpr qsizetype kLongestName = 40;
@@ -40,67 +40,69 @@ QString issuerOf(const QSslCertificate& certificate) {
                     certificate.issuerInfo(QSslCertificate::Organization));
 }
 
-QString namesOf(const QSslCertificate& certificate) {
+/// The first that it is issued for; empty: none.
+QString nameOf(const QSslCertificate& certificate) {
   QStringList names = certificate.subjectAlternativeNames().values();
   if (names.isEmpty()) names = certificate.subjectInfo(QSslCertificate::CommonName);
-  return names.isEmpty() ? QStringLiteral("no name") : shortName(names.first());
+  return names.isEmpty() ? QString() : shortName(names.first());
 }
 
-Reason reasonOf(const QSslError& error, const QSslCertificate& leaf) {
+Kind kindOf(const QSslError& error, const QSslCertificate& leaf) {
   switch (error.error()) {
     case QSslError::CertificateExpired:
-      return Reason::Expired;
+      return Kind::Expired;
     case QSslError::CertificateNotYetValid:
-      return Reason::NotYetValid;
+      return Kind::NotYetValid;
     case QSslError::HostNameMismatch:
-      return Reason::OtherName;
+      return Kind::OtherName;
     case QSslError::CertificateRevoked:
     case QSslError::CertificateBlacklisted:
-      return Reason::Revoked;
+      return Kind::Revoked;
     case QSslError::SelfSignedCertificate:
-      return Reason::SelfSigned;
+      return Kind::SelfSigned;
     case QSslError::SelfSignedCertificateInChain:
     case QSslError::UnableToGetIssuerCertificate:
     case QSslError::UnableToGetLocalIssuerCertificate:
     case QSslError::UnableToVerifyFirstCertificate:
     case QSslError::CertificateUntrusted:
-      return leaf.isSelfSigned() ? Reason::SelfSigned : Reason::UnknownAuthority;
+      return leaf.isSelfSigned() ? Kind::SelfSigned : Kind::UnknownAuthority;
     default:
-      return Reason::Other;
+      return Kind::Other;
   }
 }
 
-QString words(Reason reason, const QSslCertificate& leaf, const QSslError& error) {
-  switch (reason) {
-    case Reason::SelfSigned:
-      return QStringLiteral("it is self-signed");
-    case Reason::UnknownAuthority: {
+Reason detailed(Kind kind, const QSslCertificate& leaf, const QSslError& error) {
+  switch (kind) {
+    case Kind::SelfSigned:
+      return ReasonCode::SelfSigned;
+    case Kind::UnknownAuthority: {
       const QString issuer = issuerOf(leaf);
-      return issuer.isEmpty() ? QStringLiteral("it is issued by an authority that is not known here")
-                              : QStringLiteral("it is issued by %1, which is not known here").arg(issuer);
+      if (issuer.isEmpty()) return ReasonCode::AuthorityUnnamed;
+      return {ReasonCode::AuthorityUnknown, {issuer}};
     }
-    case Reason::Expired:
-      return error.certificate() == leaf ? QStringLiteral("it has expired on %1").arg(day(leaf.expiryDate()))
-                                         : QStringLiteral("its authority has expired on %1")
-                                               .arg(day(error.certificate().expiryDate()));
-    case Reason::NotYetValid:
-      return QStringLiteral("it is valid from %1 on only, by the clock of this computer")
-          .arg(day(leaf.effectiveDate()));
-    case Reason::OtherName:
-      return QStringLiteral("it is issued for another name (%1)").arg(namesOf(leaf));
-    case Reason::Revoked:
-      return QStringLiteral("it was withdrawn");
-    case Reason::Changed:
-      return QStringLiteral("it is not the one that was trusted");
-    case Reason::Other:
+    case Kind::Expired:
+      if (error.certificate() == leaf) return {ReasonCode::CertificateExpired, {day(leaf.expiryDate())}};
+      return {ReasonCode::AuthorityExpired, {day(error.certificate().expiryDate())}};
+    case Kind::NotYetValid:
+      return {ReasonCode::CertificateNotYetValid, {day(leaf.effectiveDate())}};
+    case Kind::OtherName: {
+      const QString name = nameOf(leaf);
+      if (name.isEmpty()) return ReasonCode::CertificateWithoutName;
+      return {ReasonCode::CertificateOfOtherName, {name}};
+    }
+    case Kind::Revoked:
+      return ReasonCode::CertificateWithdrawn;
+    case Kind::Changed:
+      return ReasonCode::CertificateIsAnother;
+    case Kind::Other:
       break;
   }
-  return plainText(error.errorString());
+  return {ReasonCode::Said, {plainText(error.errorString())}};
 }
 
 }  // namespace
 
-bool CertificateFault::trustable() const { return !sha256.isEmpty() && !reasons.contains(Reason::Revoked); }
+bool CertificateFault::trustable() const { return !sha256.isEmpty() && !reasons.contains(Kind::Revoked); }
 
 QString fingerprintText(const QByteArray& sha256) { return QString::fromLatin1(sha256.toHex(':').toUpper()); }
 
@@ -109,13 +111,14 @@ QByteArray fingerprintFrom(const QString& text) {
   return bytes.size() == kSha256Bytes ? bytes : QByteArray();
 }
 
-QString sentenceOf(const CertificateFault& fault) {
-  if (fault.reasons.contains(Reason::Changed)) {
-    return QStringLiteral("the certificate of %1 has changed. Trusted (SHA-256): %2. Now: %3")
-        .arg(fault.host, fingerprintText(fault.pinned_sha256), fingerprintText(fault.sha256));
+Reason reasonOf(const CertificateFault& fault) {
+  if (fault.reasons.contains(Kind::Changed)) {
+    return {ReasonCode::CertificateChanged,
+            {fault.host, fingerprintText(fault.pinned_sha256), fingerprintText(fault.sha256)}};
   }
-  return QStringLiteral("the certificate of %1 is not trusted: %2. Its SHA-256 fingerprint: %3")
-      .arg(fault.host, fault.why, fingerprintText(fault.sha256));
+  Reason reason(ReasonCode::CertificateUntrusted, {fault.host, fingerprintText(fault.sha256)});
+  reason.because = fault.whys;
+  return reason;
 }
 
 QSslConfiguration configurationFor(const Trust& trust) {
@@ -138,39 +141,32 @@ std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificat
   fault.issuer = issuerOf(leaf);
   fault.from = leaf.effectiveDate();
   fault.until = leaf.expiryDate();
-  QStringList whys;
-  const auto add = [&](Reason reason, const QString& why) {
-    if (fault.reasons.contains(reason)) return;
-    fault.reasons << reason;
-    whys << why;
+  const auto add = [&](Kind kind, const QSslError& error) {
+    if (fault.reasons.contains(kind)) return;
+    fault.reasons << kind;
+    fault.whys.push_back(detailed(kind, leaf, error));
   };
   const bool pinned = !trust.pinned_sha256.isEmpty();
-  if (pinned && fault.sha256 != trust.pinned_sha256) {
-    add(Reason::Changed, words(Reason::Changed, leaf, {}));
-  }
+  if (pinned && fault.sha256 != trust.pinned_sha256) add(Kind::Changed, {});
   for (const QSslError& error : errors) {
-    const Reason reason = reasonOf(error, leaf);
+    const Kind kind = kindOf(error, leaf);
     // Of the pinned certificate itself nothing counts any more, except that it was withdrawn.
-    if (!pinned || reason == Reason::Revoked) add(reason, words(reason, leaf, error));
+    if (!pinned || kind == Kind::Revoked) add(kind, error);
   }
   if (fault.reasons.isEmpty()) return std::nullopt;
-  fault.why = whys.join(QStringLiteral("; "));
   return fault;
 }
 
-tl::expected<QList<QSslCertificate>, QString> readAuthorities(const QString& file) {
+tl::expected<QList<QSslCertificate>, Reason> readAuthorities(const QString& file) {
   QFile source(file);
   if (!source.open(QIODevice::ReadOnly)) {
     return tl::make_unexpected(
-        QStringLiteral("The certificate file %1 cannot be read: %2.").arg(file, source.errorString()));
+        Reason(ReasonCode::AuthoritiesNotRead, {plainText(file), plainText(source.errorString())}));
   }
   const QList<QSslCertificate> certificates = QSslCertificate::fromData(source.read(kLongestFile), QSsl::Pem);
   if (certificates.isEmpty() ||
       std::any_of(certificates.begin(), certificates.end(), [](const auto& one) { return one.isNull(); })) {
-    return tl::make_unexpected(
-        QStringLiteral(
-            "The certificate file %1 holds no certificate in PEM form (-----BEGIN CERTIFICATE-----).")
-            .arg(file));
+    return tl::make_unexpected(Reason(ReasonCode::NoAuthoritiesInFile, {plainText(file)}));
   }
   return certificates;
 }

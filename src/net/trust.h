@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <QByteArray>
 #include <QDateTime>
@@ -13,6 +14,8 @@
 #include <QUrl>
 #include <tl/expected.hpp>
 
+#include "net/reason.h"
+
 namespace mapwright::net {
 
 /// Whom to believe. Holds for one origin.
@@ -23,7 +26,7 @@ struct Trust {
   QByteArray pinned_sha256;
 };
 
-/// Why a certificate is not accepted, in parts for a dialog and in one sentence.
+/// Why a certificate is not accepted.
 struct CertificateFault {
   enum class Reason {
     SelfSigned,
@@ -35,9 +38,9 @@ struct CertificateFault {
     Revoked,
     Other
   };
-  QList<Reason> reasons;  // never empty
-  QString host;           // "10.0.0.7:8443"
-  QString why;            // "it is self-signed; it has expired on 2024-05-01"
+  QList<Reason> reasons;          // never empty
+  QString host;                   // "10.0.0.7:8443"
+  std::vector<net::Reason> whys;  // one of each of them, with its arguments: its day, a name
   QByteArray sha256, pinned_sha256;
   QString subject, issuer;  // untrusted plain text
   QDateTime from, until;
@@ -49,8 +52,8 @@ struct CertificateFault {
 QString fingerprintText(const QByteArray& sha256);
 /// The reverse; blanks and colons do not matter. Empty when it is not 32 bytes.
 QByteArray fingerprintFrom(const QString& text);
-/// "the certificate of … is not trusted: … SHA-256 fingerprint …".
-QString sentenceOf(const CertificateFault& fault);
+/// CertificateUntrusted or CertificateChanged, with its fingerprints.
+Reason reasonOf(const CertificateFault& fault);
 
 /// What to connect with. A pinned certificate is judged by acceptable() alone: no authority is asked then.
 QSslConfiguration configurationFor(const Trust& trust);
@@ -58,7 +61,7 @@ QSslConfiguration configurationFor(const Trust& trust);
 std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificate& leaf,
                                         const QList<QSslError>& errors, const QUrl& url);
 
-/// The certificates of a PEM file; the error is a sentence.
-tl::expected<QList<QSslCertificate>, QString> readAuthorities(const QString& file);
+/// The certificates of a PEM file.
+tl::expected<QList<QSslCertificate>, Reason> readAuthorities(const QString& file);
 
 }  // namespace mapwright::net

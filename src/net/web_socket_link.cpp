@@ -13,7 +13,6 @@
 #include "net/backoff.h"
 #include "net/plain_sentences.h"
 #include "net/secret.h"
-#include "words/http_status.h"
 
 namespace mapwright::net {
 
@@ -48,25 +47,25 @@ bool isForeignAnswer(QAbstractSocket::SocketError error, const QString& error_te
          error_text.contains(QLatin1String("QWebSocket"));
 }
 
-QString connectSentence(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
+Reason whyNotConnected(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
   if (isForeignAnswer(error, error_text)) {
-    return QStringLiteral("%1 does not answer as a WebSocket").arg(hostAndPort(url));
+    return {ReasonCode::NoWebSocketThere, {hostAndPort(url)}};
   }
   switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
-      return QStringLiteral("connection refused by %1").arg(hostAndPort(url));
+      return {ReasonCode::ConnectionRefused, {hostAndPort(url)}};
     case QAbstractSocket::HostNotFoundError:
-      return QStringLiteral("the host %1 is not known").arg(url.host());
+      return {ReasonCode::HostUnknown, {plainText(url.host())}};
     case QAbstractSocket::RemoteHostClosedError:
-      return QStringLiteral("the robot closed the connection before it was open");
+      return ReasonCode::ClosedBeforeOpen;
     case QAbstractSocket::SslHandshakeFailedError:
-      return noSecureConnection(url, error_text);
+      return {ReasonCode::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)}};
     case QAbstractSocket::SocketTimeoutError:
-      return QStringLiteral("%1 does not answer").arg(hostAndPort(url));
+      return {ReasonCode::HostSilent, {hostAndPort(url)}};
     case QAbstractSocket::UnknownSocketError:
-      return QStringLiteral("the connection to %1 broke off before it was open").arg(hostAndPort(url));
+      return {ReasonCode::BrokeBeforeOpen, {hostAndPort(url)}};
     default:
-      return QStringLiteral("%1 cannot be reached: %2").arg(hostAndPort(url), error_text);
+      return {ReasonCode::HostNotReached, {hostAndPort(url), plainText(error_text)}};
   }
 }
 
@@ -106,7 +105,7 @@ class WebSocketLink::Impl {
       return;
     }
     if (urls_.isEmpty()) {
-      reason_ = QStringLiteral("there is no address to connect to");
+      reason_ = ReasonCode::NoAddressToConnectTo;
       enter(State::Closed);
       return;
     }
@@ -118,11 +117,11 @@ class WebSocketLink::Impl {
   }
 
   void close() {
-    if (state_ == State::Closed && reason_.isEmpty()) {
+    if (state_ == State::Closed && !reason_.any()) {
       return;
     }
     sayFarewell();
-    reason_.clear();
+    reason_ = {};
     fault_ = Fault::None;
     certificate_.reset();
     status_ = 0;
@@ -138,7 +137,7 @@ class WebSocketLink::Impl {
   }
 
   State state() const { return state_; }
-  QString reason() const { return reason_; }
+  const Reason& reason() const { return reason_; }
   Fault fault() const { return fault_; }
   std::optional<CertificateFault> certificate() const { return certificate_; }
   int status() const { return status_; }
@@ -150,8 +149,8 @@ class WebSocketLink::Impl {
   std::chrono::milliseconds silence() const { return options_.now() - heard_at_; }
 
  private:
-  static QString noAnswer(std::chrono::milliseconds time) {
-    return QStringLiteral("no answer for %1").arg(durationWords(time.count()));
+  static Reason noAnswer(std::chrono::milliseconds time) {
+    return {ReasonCode::NoAnswerWithin, {durationWords(time.count())}};
   }
 
   void startAttempt() {
@@ -213,7 +212,7 @@ class WebSocketLink::Impl {
     certificate_ = faultOf(trust_, encrypted.peerCertificate(), errors, urls_.at(url_));
     if (certificate_) {
       status_ = 0;
-      refuse(Fault::Certificate, sentenceOf(*certificate_));
+      refuse(Fault::Certificate, reasonOf(*certificate_));
     } else if (!errors.isEmpty()) {
       encrypted.ignoreSslErrors(errors);
     }
@@ -223,7 +222,7 @@ class WebSocketLink::Impl {
     connect_limit_.stop();
     attempt_ = 0;
     status_ = 0;
-    reason_.clear();
+    reason_ = {};
     fault_ = Fault::None;
     opened_at_ = heard_at_ = options_.now();
     look_.start(options_.look_every);
@@ -258,9 +257,7 @@ class WebSocketLink::Impl {
     const int status = statusIn(text);
     if (status == 401 || status == 403) {
       status_ = status;
-      refuse(Fault::Refused,
-             QStringLiteral("the robot refuses the connection: %1; the secret may be missing or wrong")
-                 .arg(QString::fromStdString(words::statusWords(status))));
+      refuse(Fault::Refused, {ReasonCode::ConnectionForbidden, {}, status});
       return;
     }
     status_ = status;
@@ -273,12 +270,11 @@ class WebSocketLink::Impl {
     }
     if (status >= 400) {
       fail(status < 500 || status == 501 ? Fault::NotAWebSocket : Fault::Unreachable,
-           QStringLiteral("the robot refused the connection: %1")
-               .arg(QString::fromStdString(words::statusWords(status))));
+           {ReasonCode::ConnectionRejected, {}, status});
       return;
     }
     fail(isForeignAnswer(error, text) ? Fault::NotAWebSocket : Fault::Unreachable,
-         plainText(connectSentence(error, text, urls_.at(url_))));
+         whyNotConnected(error, text, urls_.at(url_)));
   }
 
   void loseConnection() {
@@ -297,24 +293,22 @@ class WebSocketLink::Impl {
     const QWebSocketProtocol::CloseCode code = socket_->closeCode();
     const QString words = plainText(socket_->closeReason());
     if (code == QWebSocketProtocol::CloseCodeTooMuchData) {
-      fail(Fault::Unreachable,
-           QStringLiteral("a message was longer than the %1 bytes allowed").arg(options_.max_message_bytes));
+      fail(Fault::Unreachable, {ReasonCode::MessageTooLong, {QString::number(options_.max_message_bytes)}});
     } else {
-      fail(Fault::Unreachable,
-           words.isEmpty() ? QStringLiteral("the robot closed the connection")
-                           : plainText(QStringLiteral("the robot closed the connection: %1").arg(words)));
+      fail(Fault::Unreachable, words.isEmpty() ? Reason(ReasonCode::ConnectionClosed)
+                                               : Reason(ReasonCode::ConnectionClosedSaying, {words}));
     }
   }
 
   /// Asking again by itself would not help.
-  void refuse(Fault fault, const QString& reason) {
+  void refuse(Fault fault, const Reason& reason) {
     fault_ = fault;
     reason_ = reason;
     dropSocket();
     enter(State::Closed);
   }
 
-  void fail(Fault fault, const QString& reason) {
+  void fail(Fault fault, const Reason& reason) {
     fault_ = fault;
     reason_ = reason;
     dropSocket();
@@ -371,7 +365,7 @@ class WebSocketLink::Impl {
   std::chrono::milliseconds opened_at_{0}, heard_at_{0};
   QWebSocket* socket_ = nullptr;  // a child of the owner
   State state_ = State::Closed;
-  QString reason_;
+  Reason reason_;
   Fault fault_ = Fault::None;
   std::optional<CertificateFault> certificate_;
   qsizetype url_ = 0;
@@ -392,7 +386,7 @@ void WebSocketLink::close() { impl_->close(); }
 void WebSocketLink::sendText(const QString& text) { impl_->send(text); }
 WebSocketLink::State WebSocketLink::state() const { return impl_->state(); }
 void WebSocketLink::setTrust(const Trust& trust) { impl_->setTrust(trust); }
-QString WebSocketLink::reason() const { return impl_->reason(); }
+Reason WebSocketLink::reason() const { return impl_->reason(); }
 WebSocketLink::Fault WebSocketLink::fault() const { return impl_->fault(); }
 std::optional<CertificateFault> WebSocketLink::certificate() const { return impl_->certificate(); }
 int WebSocketLink::handshakeStatus() const { return impl_->status(); }

@@ -11,6 +11,7 @@
 #include <QString>
 #include <QUrl>
 
+#include "net/reason.h"
 #include "net/trust.h"
 
 namespace mapwright::net {
@@ -56,8 +57,8 @@ class WebSocketLink : public QObject {
   void setTrust(const Trust& trust);   // for the next connection
 
   State state() const;
-  QString reason() const;  // why it is not open, for people; plain text
-  Fault fault() const;     // None while open
+  Reason reason() const;  // why it is not open
+  Fault fault() const;    // None while open
   std::optional<CertificateFault> certificate() const;
   int handshakeStatus() const;                // HTTP status of a refused handshake, else 0
   int attempt() const;                        // tries since last open

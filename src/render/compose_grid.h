@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 
 #include <tl/expected.hpp>
 
 #include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
+#include "map/reason.h"
 #include "render/compositor.h"
 
 namespace mapwright::render {
@@ -23,8 +23,8 @@ struct ComposedGrid {
 
 /// Composes `textures` (ascending ids) exactly at `resolution_m`, over all that they touch. Memory: one
 /// strip of 256 rows and the compressed grid. `proceed` gets the part that is done (0..1) and ends the work
-/// by returning false. The error is a sentence. Any thread; one core and what `means` gives.
-tl::expected<ComposedGrid, std::string> composeGrid(std::span<const PlacedTexture> textures,
+/// by returning false. Any thread; one core and what `means` gives.
+tl::expected<ComposedGrid, map::Reason> composeGrid(std::span<const PlacedTexture> textures,
                                                     double resolution_m, DenseCache& cache,
                                                     const std::function<bool(double done)>& proceed = {},
                                                     const grids::Means& means = {});

@@ -4,8 +4,14 @@
 #include <functional>
 
 namespace mapwright::render {
+namespace {
 
-TapCells tapCellsOf(cells::DenseCells dense) {
+constexpr std::size_t kMostSpares = 4;
+constexpr std::size_t kLargestSpare = std::size_t(4) << 20;
+
+}  // namespace
+
+TapCells tapCellsOf(cells::DenseCells dense, std::vector<std::uint8_t>* given_up) {
   TapCells cells;
   const std::uint8_t* const __restrict in = dense.data.data();
   const std::size_t count = dense.data.size();
@@ -23,6 +29,7 @@ TapCells tapCellsOf(cells::DenseCells dense) {
     for (std::size_t i = with_row_below; i < count; ++i) out[2 * i] = in[i], out[2 * i + 1] = 0;
   }
   cells.taps = std::move(taps);
+  if (given_up) *given_up = std::move(dense.data);
   dense.data = {};
   cells.level = std::move(dense);
   return cells;
@@ -63,8 +70,10 @@ std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const cell
   }
   // Outside the lock: expanding is the long part. Two threads may do it at the same time; the later one is
   // not kept.
-  auto cells = std::make_shared<const TapCells>(tapCellsOf(texture->expand(level)));
+  std::vector<std::uint8_t> spare;
+  auto cells = std::make_shared<const TapCells>(tapCellsOf(texture->expand(level, takeSpare()), &spare));
   const std::lock_guard lock(mutex_);
+  if (spares_.size() < kMostSpares && spare.capacity() <= kLargestSpare) spares_.push_back(std::move(spare));
   if (index_.contains(key)) return cells;
   entries_.push_front({key, texture, cells});
   index_.emplace(key, entries_.begin());
@@ -77,6 +86,14 @@ std::shared_ptr<const TapCells> DenseCache::get(const std::shared_ptr<const cell
   return cells;
 }
 
+std::vector<std::uint8_t> DenseCache::takeSpare() {
+  const std::lock_guard lock(mutex_);
+  if (spares_.empty()) return {};
+  std::vector<std::uint8_t> spare = std::move(spares_.back());
+  spares_.pop_back();
+  return spare;
+}
+
 std::size_t DenseCache::bytes() const {
   const std::lock_guard lock(mutex_);
   return bytes_;
@@ -86,6 +103,7 @@ void DenseCache::clear() {
   const std::lock_guard lock(mutex_);
   index_.clear();
   entries_.clear();
+  spares_.clear();
   bytes_ = 0;
 }
 

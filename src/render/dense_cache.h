@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <vector>
 
 #include "cells/cell_texture.h"
 
@@ -27,7 +28,8 @@ struct TapCells {
   std::size_t tap_bytes = 0;
   std::size_t bytes() const { return tap_bytes + level.bytes(); }
 };
-TapCells tapCellsOf(cells::DenseCells dense);
+/// `given_up`: gets the memory of `dense`, which is not needed any more.
+TapCells tapCellsOf(cells::DenseCells dense, std::vector<std::uint8_t>* given_up = nullptr);
 
 /// Thread-safe least-recently-used cache with a budget in bytes. Entries in use stay alive through their
 /// shared_ptr.
@@ -54,8 +56,13 @@ class DenseCache {
   struct KeyHash {
     std::size_t operator()(const Key& key) const noexcept;
   };
+  /// Memory to expand into: what is as large as a texture costs more to be had from the system than to be
+  /// filled. As many as expand at the same time.
+  std::vector<std::uint8_t> takeSpare();
+
   std::size_t budget_;
   mutable std::mutex mutex_;
+  std::vector<std::vector<std::uint8_t>> spares_;
   std::list<Entry> entries_;  // most recently used first
   std::unordered_map<Key, std::list<Entry>::iterator, KeyHash> index_;
   std::size_t bytes_ = 0;

@@ -96,6 +96,15 @@ class GridRenderer::Impl {
     changed();
   }
 
+  void cellsChanged(const geometry::WorldRect& where) {
+    if (!placed_ || where.empty()) return;
+    ++generation_;
+    // A pixel shows what the cells around it come to, so it reaches over the edge.
+    const double margin_m = tiles_.view().scale_m_per_px + placed_->reference.resolution_m;
+    tiles_.touch({where.grown(margin_m)}, generation_, [](ViewTile&) {});
+    changed();
+  }
+
   void setPalette(const GridPalette& palette) {
     if (palette == palette_) return;
     palette_ = palette;
@@ -323,6 +332,7 @@ void GridRenderer::setGrid(std::optional<PlacedGrid> placed, std::optional<Place
 }
 const std::optional<PlacedGrid>& GridRenderer::grid() const { return impl_->placed(); }
 void GridRenderer::rowsArrived() { impl_->rowsArrived(); }
+void GridRenderer::cellsChanged(const geometry::WorldRect& where) { impl_->cellsChanged(where); }
 void GridRenderer::setPalette(const GridPalette& palette) { impl_->setPalette(palette); }
 void GridRenderer::setView(const geometry::ViewTransform& view) { impl_->setView(view); }
 void GridRenderer::setActive(bool active) { impl_->setActive(active); }

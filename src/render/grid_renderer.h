@@ -45,6 +45,8 @@ class GridRenderer : public QObject {
   const std::optional<PlacedGrid>& grid() const;
   /// More rows of the shown grid have been read.
   void rowsArrived();
+  /// Cells of the shown grid, or of the compared one, have become others within these bounds.
+  void cellsChanged(const geometry::WorldRect& where);
   void setPalette(const GridPalette& palette);
   /// A view without pixels shows nothing. Device pixels.
   void setView(const geometry::ViewTransform& view);

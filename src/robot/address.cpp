@@ -26,8 +26,7 @@ QString networkPrefix(const QString& text) {
 
 ParsedAddress Addresses::parse(const QString& typed) const {
   const QString text = typed.trimmed();
-  QStringList known;
-  for (const AddressScheme& scheme : schemes_) known << scheme.like;
+  const QStringList known = examples();
   if (text.isEmpty() || schemes_.empty()) {
     return error(Words::tr("Give a robot address, for example %1.").arg(known.value(0)));
   }
@@ -48,6 +47,12 @@ ParsedAddress Addresses::parse(const QString& typed) const {
     if (scheme.claims && scheme.claims(text)) return parsed(scheme, text);
   }
   return parsed(schemes_.front(), text);
+}
+
+QStringList Addresses::examples() const {
+  QStringList all;
+  for (const AddressScheme& scheme : schemes_) all << scheme.like;
+  return all;
 }
 
 bool Addresses::isAddress(const QString& typed) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 #include <QUrl>
 #include <QUrlQuery>
 #include <tl/expected.hpp>
@@ -45,6 +46,8 @@ class Addresses {
   ParsedAddress parse(const QString& typed) const;
   /// Whether it begins like an address, of a kind that is registered or of one that is not: no name of a map.
   bool isAddress(const QString& typed) const;
+  /// What an address of each kind looks like, the one that needs no prefix first.
+  QStringList examples() const;
 
  private:
   std::vector<AddressScheme> schemes_;

@@ -15,6 +15,7 @@ enum class Capability {
   WaypointEditing,  // WaypointStore
   Live,             // LiveTopics
   Administration,   // MapAdministration
+  PictureEditing,   // PictureStore
 };
 
 /// Why a robot lacks a capability.

@@ -46,10 +46,10 @@ enum class ConnectionPhase {
 
 /// A certificate that is not accepted, for people to decide on. Names in it are untrusted plain text.
 struct UntrustedCertificate {
-  QString host;           // "10.0.0.7:8443"
-  QString why;            // "it is self-signed; it has expired on 2024-05-01"
-  QString sha256;         // "AB:CD:…"
-  QString pinned_sha256;  // of the one that was trusted so far; empty = none
+  QString host;                  // "10.0.0.7:8443"
+  std::vector<map::Reason> why;  // "it is self-signed", "it has expired on 2024-05-01"
+  QString sha256;                // "AB:CD:…"
+  QString pinned_sha256;         // of the one that was trusted so far; empty = none
   QString subject, issuer;
   QDateTime from, until;
   bool trustable = false;  // it may be trusted all the same
@@ -59,7 +59,7 @@ struct UntrustedCertificate {
 /// The state of the link, to be visible at all times.
 struct ConnectionState {
   ConnectionPhase phase = ConnectionPhase::Offline;
-  QString reason;                    // plain text, why it is not online; empty when online
+  map::Reason reason;                // why it is not online; None when online
   int attempt = 0;                   // tries since it was last online
   std::optional<int> retry_in_ms;    // while Interrupted: how long until the next try (as of now)
   std::optional<int> round_trip_ms;  // last measured ping
@@ -123,19 +123,6 @@ class OverviewSource {
   virtual Call fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply) = 0;
 };
 
-/// Capability: the stored maps called otherwise, and another one worked with. Nothing is sent twice: where
-/// the failure's applied is Maybe, whoever asked looks into the catalogue before asking again. What the robot
-/// makes of it is told by the answer and by mapsChanged().
-class MapAdministration {
- public:
-  virtual ~MapAdministration() = default;
-  /// The answer is the map as the robot tells it now, its name as well.
-  virtual Call rename(const map::MapKey& key, const std::string& name,
-                      OutcomeTo<map::CatalogueEntry> reply) = 0;
-  /// Makes it the map that the robot works with. The answer is that map.
-  virtual Call load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) = 0;
-};
-
 /// Capability: the named places of a map (read only).
 class WaypointSource {
  public:
@@ -194,7 +181,9 @@ class LiveTopics {
   virtual void setTap(FrameTap tap) = 0;
 };
 
-class WaypointStore;  // robot/waypoint_store.h
+class MapAdministration;  // robot/map_administration.h
+class PictureStore;       // robot/picture_store.h
+class WaypointStore;      // robot/waypoint_store.h
 
 class Robot : public QObject {
   Q_OBJECT
@@ -221,6 +210,7 @@ class Robot : public QObject {
   virtual WaypointStore* waypointStore() { return nullptr; }
   virtual LiveTopics* liveTopics() { return nullptr; }
   virtual MapAdministration* mapAdministration() { return nullptr; }
+  virtual PictureStore* pictureStore() { return nullptr; }
 
   /// Why a capability is absent. Of one that is there it says nothing of use.
   virtual Absence whyNot(Capability) const { return {}; }

@@ -37,6 +37,11 @@ struct WaypointRequest {
   std::string revision;
 };
 
+/// A request as people read it before it is sent: the robot's name of the service, and a JSON object.
+struct WaypointCall {
+  std::string service, arguments;  // empty: nothing is called, the list is written
+};
+
 /// What a request that was carried out tells.
 struct WaypointReceipt {
   /// The ids of created ones, where they are not those that were asked for: theirs by ours.
@@ -55,6 +60,8 @@ class WaypointStore : public QObject {
   /// Asks nobody.
   virtual std::vector<WaypointRequest> plan(const StoredWaypoints& now,
                                             const std::vector<WaypointChange>& changes) const = 0;
+  /// What performing it would ask of the robot. Asks nobody.
+  virtual WaypointCall callOf(const WaypointRequest& /*request*/) const { return {}; }
   /// Carries one out. FailureKind::Conflict: what it is to change has been changed by somebody else; then
   /// nothing is applied.
   virtual Call perform(const map::MapKey& map, const WaypointRequest& request,

@@ -37,6 +37,8 @@ QString nothing(Capability capability) {
       return Words::tr("Nothing live comes from here.");
     case Capability::Administration:
       return Words::tr("The maps of this robot cannot be changed from here.");
+    case Capability::PictureEditing:
+      return Words::tr("This robot takes no changed pictures of its maps.");
   }
   return {};
 }

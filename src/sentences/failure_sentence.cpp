@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include "sentences/http_status.h"
 #include "sentences/reason_sentence.h"
-#include "words/http_status.h"
 #include "words/sentences.h"
 
 namespace mapwright::sentences {
@@ -69,8 +69,7 @@ QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 QString robotSaid(const Failure& failure) {
   const QString code = text(failure.robot_code);
   const int status = code.size() == 3 ? code.toInt() : 0;
-  const QString answer = status >= 300
-                             ? Words::tr("the robot answered %1").arg(text(words::statusWords(status)))
+  const QString answer = status >= 300    ? Words::tr("the robot answered %1").arg(statusWords(status))
                          : code.isEmpty() ? Words::tr("the robot refuses")
                                           : Words::tr("the robot refuses (code %1)").arg(code);
   const std::string why = toldBy(failure);

@@ -6,8 +6,6 @@
 
 #include <QPointer>
 
-#include "sentences/failure_sentence.h"
-
 namespace mapwright::session {
 namespace {
 
@@ -27,8 +25,7 @@ void Catalogue::setSource(robot::MapCatalogue* source) {
   loading_ = again_ = false;
   entries_.clear();
   as_of_.reset();
-  error_.clear();
-  failure_ = map::FailureKind::None;
+  failure_.reset();
   Q_EMIT changed();
 }
 
@@ -50,11 +47,11 @@ void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
   if (!source_) return;  // it cannot tell any more
   loading_ = false;
   if (answer) {
-    error_.clear();
-    failure_ = map::FailureKind::None;
+    failure_.reset();
     as_of_ = QDateTime::currentDateTime();
     const auto rank = [](const map::CatalogueEntry& row) {
-      return std::tuple(int(row.key.kind), row.index.value_or(1 << 30), -row.created_s.value_or(0));
+      return std::tuple(int(row.key.kind), row.is_archived, row.index.value_or(1 << 30),
+                        -row.created_s.value_or(0));
     };
     std::stable_sort(answer->begin(), answer->end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
@@ -68,8 +65,7 @@ void Catalogue::take(robot::Outcome<std::vector<map::CatalogueEntry>> answer) {
     }
     entries_ = std::move(*answer);
   } else {
-    error_ = QString::fromStdString(sentences::sentenceOf(answer.error()));
-    failure_ = answer.error().kind;
+    failure_ = std::move(answer.error());
   }
   Q_EMIT changed();
   if (std::exchange(again_, false)) refresh();

@@ -9,7 +9,6 @@
 
 #include <QDateTime>
 #include <QObject>
-#include <QString>
 
 #include "map/catalogue.h"
 #include "robot/robot.h"
@@ -30,11 +29,11 @@ class Catalogue : public QObject {
   bool loading() const { return loading_; }
   /// Whether anybody has ever asked.
   bool asked() const { return asked_once_; }
-  /// Why the last question failed; empty when it did not. The rows of before stay.
-  QString error() const { return error_; }
-  map::FailureKind failure() const { return failure_; }
+  /// Why the last question failed; nullopt when it did not. The rows of before stay.
+  const std::optional<map::Failure>& failure() const { return failure_; }
   std::optional<QDateTime> asOf() const { return as_of_; }
-  /// Stored maps first, then mappings; each newest first, the robot's own order where it has one.
+  /// Stored maps first, then archived ones, then mappings; each newest first, the robot's own order where it
+  /// has one.
   const std::vector<map::CatalogueEntry>& entries() const { return entries_; }
   const map::CatalogueEntry* find(const map::MapKey& key) const;
   const map::CatalogueEntry* current() const;
@@ -57,8 +56,7 @@ class Catalogue : public QObject {
 
   robot::MapCatalogue* source_;
   bool loading_ = false, again_ = false, asked_once_ = false;
-  QString error_;
-  map::FailureKind failure_ = map::FailureKind::None;
+  std::optional<map::Failure> failure_;
   std::optional<QDateTime> as_of_;
   std::vector<map::CatalogueEntry> entries_;
   std::map<map::MapKey, QByteArray> thumbnails_;

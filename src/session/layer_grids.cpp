@@ -7,8 +7,8 @@
 namespace mapwright::session {
 namespace {
 
-tl::expected<grids::ColoredGrid, grids::GridError> decoded(const map::GridMessage& message,
-                                                           const grids::Means& means) {
+tl::expected<grids::ColoredGrid, map::Reason> decoded(const map::GridMessage& message,
+                                                      const grids::Means& means) {
   const bool colours = message.reading.mode == map::CellReading::Mode::Picture;
   return colours ? grids::decodeColors(message.png, LayerGrids::kMaxCells, means)
                  : grids::decodeOccupancy(message.png, message.reading, LayerGrids::kMaxCells, means);
@@ -40,9 +40,7 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
   share_.start(work::Urgency::Wanted, [this, kind, generation = generation_, message = std::move(message)] {
     auto grid = std::make_shared<tl::expected<LayerGrid, map::Reason>>(LayerGrid{message.grid, {}});
     using Colors = tl::expected<grids::ColoredGrid, map::Reason>;
-    auto colors = message.png ? decoded(message, means_).map_error([](grids::GridError error) {
-      return map::said(std::move(error.sentence));
-    })
+    auto colors = message.png ? decoded(message, means_)
                               : Colors(tl::make_unexpected(map::Reason(map::ReasonCode::CameWithoutPicture)));
     if (const auto why = map::whyUnusable(message.grid)) {
       *grid = tl::make_unexpected(*why);

@@ -17,7 +17,7 @@ struct MapSlot::Opened {
   map::WholeMap map;     // grid has the picture's own size, without the bytes
   std::unique_ptr<grids::GridReading> reading;
   std::shared_ptr<const grids::GridPyramid> cells;
-  std::optional<grids::GridError> error;  // instead of all the above
+  std::optional<map::Reason> error;  // instead of all the above
   std::vector<map::Reason> notes;
   quint64 generation = 0;
 };
@@ -155,7 +155,7 @@ void MapSlot::start() {
       const auto opened = open(map, options, generation);
       call([this, generation, opened] { takeOpened(generation, opened); });
       if (!opened->reading) return;
-      std::optional<grids::GridError> error;
+      std::optional<map::Reason> error;
       if (!opened->reading->complete()) {
         error =
             opened->reading->read(*cancelled, [&] { call([this, generation] { takeRows(generation); }); });
@@ -174,7 +174,7 @@ void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& open
   if (opened->error) {
     auto next = std::exchange(next_, std::nullopt);
     if (!opened->map.fingerprint.empty()) Q_EMIT unreadable(opened->map.fingerprint);
-    fail({map::Severity::Error, subject(), map::said(opened->error->sentence), map::ProblemCode::Unreadable});
+    fail({map::Severity::Error, subject(), *opened->error, map::ProblemCode::Unreadable});
     if (next) show(std::move(*next));
     return;
   }
@@ -208,8 +208,7 @@ void MapSlot::takeDamage(quint64 generation, grids::GridDamage damage) {
   }
   if (generation != shown_generation_ || !shown_cells_) return;
   broken_ = true;
-  remark_ = {map::Severity::Error, subject(), map::said(shown_cells_->trouble()),
-             map::ProblemCode::Unreadable};
+  remark_ = {map::Severity::Error, subject(), shown_cells_->trouble(), map::ProblemCode::Unreadable};
   Q_EMIT problemFound(*remark_);
   Q_EMIT changed();
 }
@@ -219,7 +218,7 @@ void MapSlot::takeRows(quint64 generation) {
   if (reading_->cells == shown_cells_) Q_EMIT rowsArrived();
 }
 
-void MapSlot::takeEnd(quint64 generation, const std::optional<grids::GridError>& error) {
+void MapSlot::takeEnd(quint64 generation, const std::optional<map::Reason>& error) {
   if (generation != generation_ || !reading_) return;
   const auto opened = std::exchange(reading_, nullptr);
   if (const map::Reason trouble = opened->reading->notKept(); trouble.any() && !cache_told_) {
@@ -229,7 +228,7 @@ void MapSlot::takeEnd(quint64 generation, const std::optional<grids::GridError>&
   phase_ = Phase::Ready;
   broken_ = error.has_value();
   if (error) {
-    remark_ = {map::Severity::Error, subject(), map::said(error->sentence), map::ProblemCode::Unreadable};
+    remark_ = {map::Severity::Error, subject(), *error, map::ProblemCode::Unreadable};
     if (!opened->map.fingerprint.empty()) Q_EMIT unreadable(opened->map.fingerprint);
     Q_EMIT problemFound(*remark_);
   } else if (!remark_) {

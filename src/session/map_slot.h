@@ -48,7 +48,7 @@ class MapSlot : public QObject {
   /// Read to the end (or until it broke), or there is nothing to read.
   bool settled() const { return phase_ != Phase::Fetching && phase_ != Phase::Reading; }
   /// The picture broke off or could not be read to its end: what is shown is not all.
-  bool broken() const { return broken_ || (shown_cells_ && !shown_cells_->trouble().empty()); }
+  bool broken() const { return broken_ || (shown_cells_ && shown_cells_->trouble().any()); }
   double progress() const;  // 0..1 of the rows, while Reading
   /// What was asked for last, and what is on screen (they differ while the one makes way for the other).
   const map::MapKey& key() const { return key_; }
@@ -91,7 +91,7 @@ class MapSlot : public QObject {
   void takeDamage(quint64 generation, grids::GridDamage damage);
   void takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
   void takeRows(quint64 generation);
-  void takeEnd(quint64 generation, const std::optional<grids::GridError>& error);
+  void takeEnd(quint64 generation, const std::optional<map::Reason>& error);
   void put(const std::shared_ptr<Opened>& opened);
   void cancel();
   map::Subject subject() const;

@@ -73,7 +73,7 @@ void Session::wireMaps() {
   });
   connect(&catalogue_, &Catalogue::changed, this, [this] {
     if (catalogue_.loading()) return;
-    const bool came = catalogue_.asOf() && catalogue_.error().isEmpty();
+    const bool came = catalogue_.asOf() && !catalogue_.failure();
     listed_at_ = came ? std::optional(now()) : std::nullopt;
     openFirstMap();
     followLivePlaces();

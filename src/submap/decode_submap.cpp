@@ -23,7 +23,7 @@ Slice decodeSlice(const map::RawSlice& raw) {
   if (texture) {
     slice.texture = std::move(*texture);
   } else {
-    slice.corrupt = map::said(std::move(texture.error().sentence));
+    slice.corrupt = std::move(texture.error());
   }
   return slice;
 }

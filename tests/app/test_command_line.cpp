@@ -59,7 +59,7 @@ class CommandLineTest : public QObject {
     QTest::addColumn<QString>("line");
     for (const char* line :
          {"nonsense", "snapshot", "snapshot --output p.png",
-          "snapshot --robot demo: --output p.png --size big", "snapshot --robot kabam+ws://h --output p.png",
+          "snapshot --robot demo: --output p.png --size big", "snapshot --robot rep130+ws://h --output p.png",
           "snapshot --robot demo:?scene=moon --output p.png",
           "snapshot --robot demo: --output /no/such/folder/p.png", "simulate --scene moon",
           "simulate --drop-rate 2", "snapshot --robot demo: --secret-file /no/such/file --output p.png",
@@ -146,6 +146,11 @@ class CommandLineTest : public QObject {
         maps(QStringLiteral("maps export %1 --robot demo: --world-file -o one.yaml").arg(current));
     QVERIFY2(exported.code == 0, qPrintable(exported.err));
     QVERIFY(QFile::exists(at("one.pgm")) && QFile::exists(at("one.pgw")));
+    // How many cells it has is known when its picture is opened.
+    const Outcome files = maps(QStringLiteral("maps list --robot one.yaml --json"));
+    const QJsonObject grid =
+        QJsonDocument::fromJson(files.out.toUtf8()).array().at(0)[QLatin1String("grid")].toObject();
+    QVERIFY(grid[QLatin1String("size")].isNull() && grid[QLatin1String("resolution")].isDouble());
     const Outcome again = maps(QStringLiteral("maps export --robot one.yaml -o two.yaml"));
     QVERIFY2(again.code == 0, qPrintable(again.err));
     const Outcome same = maps(QStringLiteral("maps diff one.yaml two.yaml --json"));

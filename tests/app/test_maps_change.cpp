@@ -94,7 +94,7 @@ class MapsChangeTest : public QObject {
     };
     row("no such map", 4, "It has not been changed: the robot answered 404 (not found)");
     row("it stumbles", 4, "Whether it has been changed is not known: the robot answered 50");
-    row("the answer is lost", 3, "Whether it has been changed is not known: the robot closed the connection");
+    row("it hangs up", 3, "Whether it has been changed is not known: the robot closed the connection");
     row("it takes its time", 3, "Whether it has been changed is not known: it did not answer within 2 s");
   }
   void aChangeThatFailsSaysWhetherItWasMade() {
@@ -103,7 +103,7 @@ class MapsChangeTest : public QObject {
     QFETCH(QString, says);
     simulator::Faults faults;
     if (fault == QLatin1String("it stumbles")) faults.write_error_rate = 1;
-    if (fault == QLatin1String("the answer is lost")) faults.lose_write_answers = 1;
+    if (fault == QLatin1String("it hangs up")) faults.drop_writes = 1;
     if (fault == QLatin1String("it takes its time")) faults.write_latency_ms = 60'000;
     simulator::Simulator robot(paused(faults));
     QVERIFY(!robot.start());
@@ -119,6 +119,22 @@ class MapsChangeTest : public QObject {
     QCOMPARE(changesIn(robot), 1);
   }
 
+  void anAnswerThatIsLostIsLookedFor() {
+    simulator::Faults faults;
+    faults.lose_write_answers = 1;
+    simulator::Simulator robot(paused(faults));
+    QVERIFY(!robot.start());
+    const Outcome renamed =
+        run(robot, {QStringLiteral("rename"), QStringLiteral("2"), QStringLiteral("Lobby")});
+    QVERIFY2(renamed.code == 0, qPrintable(renamed.err));
+    QCOMPARE(renamed.out, QStringLiteral("2  Lobby\n"));
+    const Outcome loaded =
+        run(robot, {QStringLiteral("load"), QStringLiteral("2"), QStringLiteral("--json")});
+    QVERIFY2(loaded.code == 0, qPrintable(loaded.err));
+    QVERIFY(QJsonDocument::fromJson(loaded.out.toUtf8()).object()[QLatin1String("current")].toBool());
+    QCOMPARE(changesIn(robot), 2);  // nothing is sent twice
+  }
+
   void whatCannotBeChangedIsSaidBeforeAnythingIsSent() {
     simulator::Simulator robot(paused());
     QVERIFY(!robot.start());
@@ -126,6 +142,17 @@ class MapsChangeTest : public QObject {
         robot, {QStringLiteral("rename"), QStringLiteral("1764059676131"), QStringLiteral("Lobby")}, true);
     QCOMPARE(agibot.code, 4);
     QVERIFY2(agibot.err.contains(QStringLiteral("offers no editing")), qPrintable(agibot.err));
+    for (const QStringList& words :
+         {QStringList{QStringLiteral("archive"), QStringLiteral("2")},
+          QStringList{QStringLiteral("delete"), QStringLiteral("2"), QStringLiteral("--yes")},
+          QStringList{QStringLiteral("start-mapping")},
+          QStringList{QStringLiteral("save"), QStringLiteral("Lobby")}}) {
+      const Outcome not_offered = run(robot, words);
+      QVERIFY2(not_offered.code == 4, qPrintable(not_offered.err));
+      QCOMPARE(not_offered.err.count(QLatin1Char('\n')), 1);
+    }
+    const Outcome unsure = run(robot, {QStringLiteral("delete"), QStringLiteral("2")});
+    QVERIFY2(unsure.code == 2 && unsure.err.contains(QStringLiteral("--yes")), qPrintable(unsure.err));
     for (const char* id : {"mapping:1", "live", ""}) {
       const Outcome wrong =
           run(robot, {QStringLiteral("rename"), QString::fromLatin1(id), QStringLiteral("Lobby")});

@@ -121,7 +121,7 @@ class RosCommandsTest : public QObject {
     const QJsonArray list = maps();
     QCOMPARE(list.size(), 1);
     QCOMPARE(list.first()[QLatin1String("id")].toString(), QStringLiteral("live"));
-    const Ran renamed = run({QStringLiteral("maps"), QStringLiteral("rename"), QStringLiteral("live"),
+    const Ran renamed = run({QStringLiteral("maps"), QStringLiteral("rename"), QStringLiteral("m1"),
                              QStringLiteral("x"), QStringLiteral("--robot"), ros()});
     QVERIFY(renamed.exit_code != 0 && renamed.error.contains("KABAM"));
     const Ran insisting =

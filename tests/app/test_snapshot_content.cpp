@@ -130,6 +130,26 @@ class SnapshotContentTest : public QObject {
     QCOMPARE(grayInTheMiddle("seven.png"), 200);
   }
 
+  void aRobotThatIsGoneLeavesTimeToDrawWhatHasCome() {
+    app::SnapshotWords asked = words("gone.png");
+    asked.timeout_s = 2;
+    begin(asked);
+    robot_->say(listOf(3, "u"));
+    QTRY_VERIFY(!robot_->open.empty());
+    robot_->answer(Outcome::Ok, 0, 90);
+    robot_->setPhase(robot::ConnectionPhase::Interrupted);
+    QTRY_VERIFY(!finished_->isEmpty());
+    QCOMPARE(exitCode(), int(app::kIncomplete));
+    const QJsonObject report = run_->report();
+    QVERIFY(!report[QLatin1String("complete")].toBool());
+    QCOMPARE(report[QLatin1String("submaps")].toObject()[QLatin1String("drawn")].toInt(), 1);
+    QVERIFY(report[QLatin1String("painted")].toDouble() == 1);
+    QVERIFY(grayInTheMiddle("gone.png") >= 0);
+    QVERIFY(
+        run_->warnings().join(QLatin1Char(' ')).contains(QLatin1String("connection to the robot was lost")));
+    QVERIFY(!run_->warnings().join(QLatin1Char(' ')).contains(QLatin1String("--timeout")));
+  }
+
   void aMapThatDoesNotComeIsNotReplacedByAnother_data() {
     QTest::addColumn<bool>("raw");
     QTest::newRow("scene") << false;

@@ -203,6 +203,25 @@ class SnapshotRunTest : public QObject {
         QStringLiteral("no submap list")));
   }
 
+  void whereNoListOfSubmapsComesTheWholeMapIsDrawn() {
+    simulator::Options robot = frozen();
+    robot.faults.silent_websocket = true;
+    SnapshotOptions options = small(QStringLiteral("instead.png"));
+    options.timeout_s = 30;
+    QJsonObject report;
+    QCOMPARE(take(options, robot, &report), int(app::kDone));
+    QCOMPARE(report[QLatin1String("mode")].toString(), QStringLiteral("whole"));
+    QVERIFY(!report[QLatin1String("map")].toObject().isEmpty());
+    const QStringList warnings = report[QLatin1String("warnings")].toVariant().toStringList();
+    QVERIFY2(warnings.join(QLatin1Char('|')).contains(QLatin1String("its whole map is drawn instead")),
+             qPrintable(warnings.join(QLatin1Char('|'))));
+    // Who asks for submaps gets nothing else.
+    options.mode = app::SnapshotMode::Submaps;
+    options.timeout_s = 5;
+    QCOMPARE(take(options, robot, &report), int(app::kIncomplete));
+    QCOMPARE(report[QLatin1String("mode")].toString(), QStringLiteral("submaps"));
+  }
+
   void aRobotThatLooksForASecretItDoesNotGetRefuses() {
     simulator::Options robot = frozen();
     robot.secret = std::string("open sesame");

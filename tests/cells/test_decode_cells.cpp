@@ -5,7 +5,9 @@
 
 #include "cells/decode_cells.h"
 #include "packed_samples.h"
+#include "sentences/reason_sentence.h"
 
+using namespace mapwright;
 using namespace mapwright::cells;
 using samples::Bytes;
 using samples::Colour;
@@ -40,7 +42,7 @@ Bytes everyByte() {
 QString sentenceOf(const Bytes& bytes, int width, int height, int cell_format = 0,
                    double resolution_m = 0.05) {
   const auto texture = decodeCells(bytes, width, height, resolution_m, cell_format);
-  return texture ? QString() : QString::fromStdString(texture.error().sentence);
+  return texture ? QString() : sentences::wordsOf(texture.error());
 }
 
 Bytes wrapped(const Bytes& plain, const QByteArray& container) {
@@ -86,7 +88,7 @@ class TestDecodeCells : public QObject {
     QFETCH(int, cell_format);
     const Bytes plain = everyByte();
     const auto texture = decodeCells(wrapped(plain, container), 16, 16, 0.05, cell_format);
-    QVERIFY2(texture.has_value(), texture ? "" : texture.error().sentence.c_str());
+    QVERIFY2(texture.has_value(), texture ? "" : qPrintable(sentences::wordsOf(texture.error())));
     QCOMPARE((*texture)->layout(), cell_format == Intensity ? CellLayout::Pairs : CellLayout::Folded);
     QCOMPARE((*texture)->observedCells(), std::size_t(255));
     for (int i = 0; i < 256; ++i) {
@@ -109,7 +111,7 @@ class TestDecodeCells : public QObject {
     const auto cells = samples::blob(40, 30, 4);
     const auto texture =
         decodeCells(wrapped(samples::interleaved(cells), container), 40, 30, 0.02, cell_format);
-    QVERIFY2(texture.has_value(), texture ? "" : texture.error().sentence.c_str());
+    QVERIFY2(texture.has_value(), texture ? "" : qPrintable(sentences::wordsOf(texture.error())));
     QCOMPARE((*texture)->layout(), CellLayout::Folded);
     QCOMPARE((*texture)->resolutionM(), 0.02);
     for (int v = 0; v < 30; ++v) {
@@ -146,7 +148,7 @@ class TestDecodeCells : public QObject {
       const auto picture = samples::noise(width, height, Colour(colour), depth, interlaced);
       for (const int format : {LogOdds, TsdfDelta, Intensity}) {
         const auto texture = decodeCells(samples::png(picture), width, height, 0.05, format);
-        QVERIFY2(texture.has_value(), texture ? "" : texture.error().sentence.c_str());
+        QVERIFY2(texture.has_value(), texture ? "" : qPrintable(sentences::wordsOf(texture.error())));
         for (int v = 0; v < height; ++v) {
           for (int u = 0; u < width; ++u) {
             QCOMPARE((*texture)->at(u, v), cellOf(picture, u, v, format));
@@ -252,7 +254,7 @@ class TestDecodeCells : public QObject {
         Bytes raw(size, 0x55);
         std::copy(beginning.begin(), beginning.end(), raw.begin());
         const auto texture = decodeCells(raw, 10, 10, 0.05, LogOdds);
-        QVERIFY2(texture.has_value(), texture ? "" : texture.error().sentence.c_str());
+        QVERIFY2(texture.has_value(), texture ? "" : qPrintable(sentences::wordsOf(texture.error())));
         const CellPair first = size == 100 ? expectedCell(raw[0], LogOdds) : CellPair{raw[0], raw[1]};
         QCOMPARE((*texture)->at(0, 0), first);
         raw.pop_back();
@@ -296,5 +298,5 @@ class TestDecodeCells : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDecodeCells)
+QTEST_GUILESS_MAIN(TestDecodeCells)
 #include "test_decode_cells.moc"

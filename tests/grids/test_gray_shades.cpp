@@ -5,6 +5,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -35,7 +36,7 @@ std::shared_ptr<const GridPyramid> readOf(const std::string& bytes, std::string*
     if (!opened) return nullptr;
     const std::atomic<bool> cancelled{false};
     const auto error = (*opened)->read(cancelled, {});
-    if (error && problem) *problem = error->sentence;
+    if (error && problem) *problem = sentences::wordsOf(*error).toStdString();
     if (options.code && (*opened)->otherCode()) return nullptr;  // once is enough
     options.code = (*opened)->otherCode();
     if (!options.code) return (*opened)->pyramid();

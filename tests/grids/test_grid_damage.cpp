@@ -3,6 +3,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -19,7 +20,7 @@ struct Read {
 Read readAll(std::string bytes) {
   const auto shared = test::shared(std::move(bytes));
   auto opened = openGrid(shared, {});
-  if (!opened) return {nullptr, opened.error().sentence, {}};
+  if (!opened) return {nullptr, sentences::wordsOf(opened.error()).toStdString(), {}};
   const std::atomic<bool> cancelled{false};
   auto error = (*opened)->read(cancelled, {});
   GridOptions again;
@@ -28,7 +29,7 @@ Read readAll(std::string bytes) {
     opened = openGrid(shared, again);
     error = (*opened)->read(cancelled, {});
   }
-  return {(*opened)->pyramid(), {}, error ? error->sentence : std::string()};
+  return {(*opened)->pyramid(), {}, error ? sentences::wordsOf(*error).toStdString() : std::string()};
 }
 
 bool says(const std::string& sentence, const char* words) {

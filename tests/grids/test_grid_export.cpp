@@ -6,6 +6,7 @@
 #include "grids/export_grid.h"
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -100,7 +101,7 @@ class TestGridExport : public QObject {
       last = done;
       return forward;
     });
-    QVERIFY2(!problem, problem ? problem->c_str() : "");
+    QVERIFY2(!problem, problem ? qPrintable(sentences::sentenceOf(*problem)) : "");
     QCOMPARE(last, 1.0);
     const auto back = readBack(path, CellReading::Mode::Picture);
     QVERIFY(back && same(*grid, *back));
@@ -174,7 +175,8 @@ class TestGridExport : public QObject {
   void whatCannotBeWrittenIsASentence() {
     const auto grid = gridOf(3, 3, CellCode::Gray, [](int, int) { return std::uint8_t(0); });
     const auto png = writeGridPng(*grid, "/nowhere/at/all.png");
-    QVERIFY(png && png->find("/nowhere/at/all.png cannot be written: ") == 0);
+    QVERIFY(png &&
+            sentences::sentenceOf(*png).startsWith(QLatin1String("/nowhere/at/all.png cannot be written: ")));
     QVERIFY(writeMapServer(*grid, somewhere(), "/nowhere/at/all.yaml"));
   }
 

@@ -6,6 +6,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -24,10 +25,10 @@ Read readAll(std::string bytes, const CellReading& reading = {}) {
   GridOptions options;
   options.reading = reading;
   auto opened = openGrid(test::shared(std::move(bytes)), options);
-  if (!opened) return {nullptr, opened.error().sentence};
+  if (!opened) return {nullptr, sentences::wordsOf(opened.error()).toStdString()};
   const std::atomic<bool> cancelled{false};
   const auto error = (*opened)->read(cancelled, {});
-  return {(*opened)->pyramid(), error ? error->sentence : std::string()};
+  return {(*opened)->pyramid(), error ? sentences::wordsOf(*error).toStdString() : std::string()};
 }
 
 CellReading readingOf(CellReading::Mode mode) {
@@ -296,7 +297,7 @@ class TestGridPictures : public QObject {
   void whatIsNoFileIsASentence() {
     const auto none = openGridFile("/nowhere/at/all.png", {});
     QVERIFY(!none);
-    QVERIFY(none.error().sentence.find("/nowhere/at/all.png") != std::string::npos);
+    QCOMPARE(none.error().arguments, (std::vector<map::Argument>{"/nowhere/at/all.png"}));
     QVERIFY(!openGridFile("/", {}));
     QVERIFY(!openGridFile("/dev/zero", {}));
   }

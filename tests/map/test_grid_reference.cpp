@@ -65,14 +65,6 @@ class GridReferenceTest : public QObject {
     QVERIFY(map::mapKeyFromText("mapping:48").kind == map::MapKind::Mapping);
     QCOMPARE(map::mapKeyFromText("9007199254740993").id, std::string("9007199254740993"));
   }
-
-  void kindsOfOverlaysHaveNames() {
-    using map::OverlayShape;
-    QCOMPARE(map::kindText(OverlayShape::Line, 2), std::string("Virtual wall"));
-    QCOMPARE(map::kindText(OverlayShape::Point, 9), std::string("Charger"));
-    QCOMPARE(map::kindText(OverlayShape::Polygon, 99), std::string("Region 99"));
-    QCOMPARE(map::kindText(OverlayShape::Point, 0), std::string("Point"));
-  }
 };
 
 QTEST_GUILESS_MAIN(GridReferenceTest)

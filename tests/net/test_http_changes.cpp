@@ -125,7 +125,7 @@ class TestHttpChanges : public QObject {
       ScriptedServer server([](const SeenRequest&) { return ScriptedServer::reply(200, "", "fine"); });
       HttpClient client(server.url(), "hush", nullptr);
       const HttpAnswer answer = send(client, method, server.url(QStringLiteral("/rpc")), body);
-      QVERIFY2(answer.ok(), qPrintable(answer.sentence));
+      QVERIFY2(answer.ok(), qPrintable(answer.reason.arguments.join(QLatin1Char('|'))));
       QVERIFY(answer.sent);
       QCOMPARE(answer.body, QByteArray("fine"));
       QCOMPARE(server.seen.size(), 1);
@@ -145,7 +145,7 @@ class TestHttpChanges : public QObject {
       HttpClient client(server.url(), "", nullptr);
       const HttpAnswer answer = send(client, method, server.url(), body);
       QCOMPARE(answer.kind, Kind::Unreachable);
-      QVERIFY(!answer.sentence.isEmpty());
+      QVERIFY(answer.reason.any());
       QVERIFY(answer.sent);
       QCOMPARE(answer.status, 0);
       QCOMPARE(server.methods, QList<QByteArray>{name});
@@ -273,7 +273,7 @@ class TestHttpChanges : public QObject {
     Asked asked;
     client.send(asked.request(HttpMethod::Post, server.url(), body), asked.reply());
     QVERIFY(asked.wait());
-    QVERIFY2(asked.answer->ok(), qPrintable(asked.answer->sentence));
+    QVERIFY2(asked.answer->ok(), qPrintable(asked.answer->reason.arguments.join(QLatin1Char('|'))));
     qint64 up = 0, down = 0;
     for (const HttpProgress& one : std::as_const(asked.progress)) {
       qint64& before = one.up ? up : down;

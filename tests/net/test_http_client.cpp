@@ -33,7 +33,8 @@ HttpAnswer ask(HttpClient& client, HttpRequest request) {
   const bool arrived = QTest::qWaitFor([&] { return asked.replies > 0; }, 20'000);
   if (immediate || !arrived || asked.replies != 1) {
     HttpAnswer wrong;
-    wrong.sentence = QStringLiteral("not answered exactly once and later: %1").arg(asked.replies);
+    wrong.reason = {ReasonCode::Said,
+                    {QStringLiteral("not answered exactly once and later: %1").arg(asked.replies)}};
     return wrong;
   }
   return asked.answer;
@@ -64,7 +65,7 @@ class TestHttpClient : public QObject {
     QCOMPARE(answer.body, QByteArray("body"));
     QCOMPARE(answer.content_type, QByteArray("application/x-protobuf"));
     QVERIFY(!answer.from_cache);
-    QCOMPARE(answer.sentence, QString());
+    QVERIFY(!answer.reason.any());
     QCOMPARE(server.seen.size(), 1);
     QCOMPARE(server.seen[0].path, QByteArray("/a?b=c"));
     QCOMPARE(server.seen[0].headers.value("accept"), QByteArray("application/x-protobuf"));
@@ -81,7 +82,8 @@ class TestHttpClient : public QObject {
     QCOMPARE(answer.kind, Kind::Answered);
     QCOMPARE(answer.status, 404);
     QVERIFY(!answer.ok());
-    QCOMPARE(answer.sentence, QStringLiteral("the robot answered 404 (not found): No such map"));
+    QCOMPARE(answer.reason,
+             Reason(ReasonCode::AnsweredWithStatusSaying, {QStringLiteral("No such map")}, 404));
   }
 
   void everyStatusIsAnAnswer() {
@@ -90,7 +92,7 @@ class TestHttpClient : public QObject {
           [status](const SeenRequest&) { return ScriptedServer::reply(status, {}, "why"); });
       HttpClient client(server.url(), "", nullptr);
       const HttpAnswer answer = ask(client, to(server.url()));
-      QVERIFY2(answer.kind == Kind::Answered, qPrintable(answer.sentence));
+      QCOMPARE(answer.kind, Kind::Answered);
       QCOMPARE(answer.status, status);
       QCOMPARE(answer.said, QStringLiteral("why"));
     }
@@ -115,13 +117,12 @@ class TestHttpClient : public QObject {
 
     const HttpAnswer away = ask(client, to(server.url(QStringLiteral("/away"))));
     QCOMPARE(away.kind, Kind::Refused);
-    QCOMPARE(away.sentence,
-             QStringLiteral("the robot points to another server, 127.0.0.1:%1, which is not followed")
-                 .arg(elsewhere.port()));
+    QCOMPARE(away.reason, Reason(ReasonCode::LeadsToAnotherServer,
+                                 {QStringLiteral("127.0.0.1:%1").arg(elsewhere.port())}));
     QVERIFY(elsewhere.seen.isEmpty());
 
     const HttpAnswer here = ask(client, to(server.url(QStringLiteral("/here"))));
-    QVERIFY2(here.ok(), qPrintable(here.sentence));
+    QVERIFY2(here.ok(), qPrintable(here.reason.arguments.join(QLatin1Char('|'))));
     QCOMPARE(here.body, QByteArray("moved"));
     QCOMPARE(server.seen.last().path, QByteArray("/there?x=1"));
     QCOMPARE(server.seen.last().headers.value("secret"), QByteArray("hush"));
@@ -169,7 +170,7 @@ class TestHttpClient : public QObject {
     const HttpAnswer given = ask(client, request);
     QVERIFY(!given.ok());
     QCOMPARE(given.kind, Kind::Unreachable);
-    QVERIFY(!given.sentence.isEmpty());
+    QVERIFY(given.reason.any());
     QVERIFY(!cache.find(server.url()));
   }
 
@@ -182,7 +183,7 @@ class TestHttpClient : public QObject {
     HttpClient client(server.url(), {}, nullptr);
     const HttpAnswer given = ask(client, to(server.url(), false));
     QCOMPARE(given.kind, Kind::Unreachable);
-    QVERIFY(!given.sentence.isEmpty());
+    QVERIFY(given.reason.any());
     QCOMPARE(asked, 1);
   }
 
@@ -204,7 +205,7 @@ class TestHttpClient : public QObject {
     const HttpAnswer answer = ask(client, request);
     QCOMPARE(answer.kind, Kind::TooLarge);
     QVERIFY(answer.body.isEmpty());
-    QCOMPARE(answer.sentence, QStringLiteral("the answer is longer than the 2,999,999 bytes allowed"));
+    QCOMPARE(answer.reason, Reason(ReasonCode::AnswerTooLong, {QStringLiteral("2,999,999")}));
     request.max_bytes = 3'000'000;
     QCOMPARE(ask(client, request).body.size(), 3'000'000);
   }
@@ -216,7 +217,7 @@ class TestHttpClient : public QObject {
     request.timeout = std::chrono::milliseconds(50);
     const HttpAnswer answer = ask(client, request);
     QCOMPARE(answer.kind, Kind::TimedOut);
-    QCOMPARE(answer.sentence, QStringLiteral("no answer for 50 ms"));
+    QCOMPARE(answer.reason, Reason(ReasonCode::NoAnswerWithin, {QStringLiteral("50 ms")}));
     QTRY_COMPARE(server.disconnects, 1);  // and the connection is given up
   }
 
@@ -230,7 +231,8 @@ class TestHttpClient : public QObject {
     HttpClient client(url, {}, nullptr);
     const HttpAnswer answer = ask(client, to(url));
     QCOMPARE(answer.kind, Kind::Unreachable);
-    QCOMPARE(answer.sentence, QStringLiteral("connection refused by 127.0.0.1:%1").arg(port));
+    QCOMPARE(answer.reason,
+             Reason(ReasonCode::ConnectionRefused, {QStringLiteral("127.0.0.1:%1").arg(port)}));
     QCOMPARE(answer.status, 0);
   }
 

@@ -102,6 +102,13 @@ class AddressTest : public QObject {
       QVERIFY2(!known().isAddress(QLatin1String(typed)), typed);
   }
 
+  void everyKindShowsWhatItsAddressesLookLike() {
+    const QStringList examples = known().examples();
+    QVERIFY(!examples.isEmpty());
+    for (const QString& example : examples) QVERIFY2(known().isAddress(example), qPrintable(example));
+    QVERIFY(Addresses().examples().isEmpty());
+  }
+
   void badAddressesAreRefusedWithASentence_data() {
     QTest::addColumn<QString>("typed");
     for (const char* typed : {"",

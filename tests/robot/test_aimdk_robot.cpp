@@ -91,7 +91,7 @@ class AimdkRobotTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
     server_->goAway();
     QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!robot_->connection().reason.isEmpty(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(robot_->connection().reason.any(), kPatienceMs);
     server_->listen();
     QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
   }
@@ -99,7 +99,7 @@ class AimdkRobotTest : public QObject {
   void aServerOfAnotherKindIsNotOnline() {
     server_->serve(kNames, "<html>hello</html>");
     robot_->connectToRobot();
-    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted) && !robot_->connection().reason.isEmpty(),
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted) && robot_->connection().reason.any(),
                              kPatienceMs);
   }
 

@@ -12,6 +12,7 @@
 #include "robot/files/read_map_yaml.h"
 #include "robot/files/yaml_shelf.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -88,6 +89,14 @@ class FileRobotTest : public QObject {
     QVERIFY(list->at(0).grid.has_value());
   }
 
+  void filesComeInTheOrderOfTheirNamesAndNumbers() {
+    for (const char* name : {"floor10.png", "Floor2.png", "annex.png", "floor1.png"})
+      write(QLatin1String(name), "no picture");
+    QCOMPARE(mapFilesIn(folder_->path()),
+             (QStringList{QStringLiteral("annex.png"), QStringLiteral("floor1.png"),
+                          QStringLiteral("Floor2.png"), QStringLiteral("floor10.png")}));
+  }
+
   void modesNegateAndSpellingsAreUnderstood() {
     const std::string base = "image: a.png\nresolution: '5e-2'\norigin: [0, 0]\n";
     QCOMPARE(parseMapYaml(base + "mode: scale\nnegate: true\n")->reading.mode, map::CellReading::Mode::Scale);
@@ -135,7 +144,7 @@ class FileRobotTest : public QObject {
     write(QStringLiteral("a.yaml"), yaml);
     const auto robot = open(QStringLiteral("a.yaml"));
     QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
-    QVERIFY(!robot->connection().reason.isEmpty());
+    QVERIFY(robot->connection().reason.any());
   }
 
   void deepNestingAndLongTextsAreRefused() {
@@ -252,7 +261,7 @@ class FileRobotTest : public QObject {
       QCOMPARE(::mkfifo(QFile::encodeName(path(QLatin1String(name))).constData(), 0600), 0);
       const auto robot = open(QLatin1String(name));
       QCOMPARE(robot->connection().phase, ConnectionPhase::Refused);
-      QVERIFY(robot->connection().reason.contains(QLatin1String(name)));
+      QVERIFY(sentences::wordsOf(robot->connection().reason).contains(QLatin1String(name)));
       QVERIFY(!fetch(*robot));
     }
     write(QStringLiteral("office.yaml"), QByteArray(kYaml).replace("office.pgm", "pipe.pgm"));

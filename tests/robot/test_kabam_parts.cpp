@@ -189,7 +189,7 @@ class KabamPartsTest : public QObject {
     QCOMPARE(entries[0].name, std::string("Hall"));
     QCOMPARE(entries[1].name, std::string("b"));
     QVERIFY(entries[1].is_current && !entries[0].is_current);
-    QCOMPARE(entries[2].state, std::string("archived"));
+    QVERIFY(entries[2].is_archived && !entries[0].is_archived);
     QCOMPARE(book.mapInfo().uid, std::string("2"));
   }
 

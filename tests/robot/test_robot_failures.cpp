@@ -8,6 +8,7 @@
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
 #include "scripted_robot.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -86,7 +87,7 @@ class RobotFailuresTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(watched.reached(ConnectionPhase::Interrupted, 5), kPatienceMs);
     for (const ConnectionState& state : watched.states) {
       if (state.phase != ConnectionPhase::Interrupted) continue;
-      QVERIFY2(state.reason.contains(QStringLiteral("refused")), qPrintable(state.reason));
+      QCOMPARE(state.reason.code, map::ReasonCode::ConnectionRefused);
       QCOMPARE(state.failure, FailureKind::Unreachable);
     }
   }
@@ -132,9 +133,10 @@ class RobotFailuresTest : public QObject {
     for (const ConnectionState& state : watched.states) {
       if (state.phase != expected) continue;
       QCOMPARE(state.failure, failure);
-      QVERIFY2(state.reason.contains(word), qPrintable(state.reason));
-      QVERIFY2(!state.reason.contains(QStringLiteral("nknown error")), qPrintable(state.reason));
-      QVERIFY(!state.reason.contains(QStringLiteral("hush")));
+      const QString said = sentences::wordsOf(state.reason);
+      QVERIFY2(said.contains(word), qPrintable(said));
+      QVERIFY2(!said.contains(QStringLiteral("nknown error")), qPrintable(said));
+      QVERIFY(!said.contains(QStringLiteral("hush")));
     }
   }
 
@@ -230,7 +232,8 @@ class RobotFailuresTest : public QObject {
     QCOMPARE(state.failure, FailureKind::Certificate);
     QVERIFY(state.certificate);
     QVERIFY(state.certificate->trustable);
-    QVERIFY(state.reason.contains(state.certificate->sha256));
+    QVERIFY(sentences::wordsOf(state.reason).contains(state.certificate->sha256));
+    QCOMPARE(sentences::wordsOf(state.certificate->why), QStringLiteral("it is self-signed"));
     QVERIFY(state.certificate->pinned_sha256.isEmpty());
     QVERIFY(server.seen.isEmpty());
 

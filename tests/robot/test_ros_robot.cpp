@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "robot/map_administration.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
 #include "sentences/absence_sentence.h"
@@ -163,6 +164,10 @@ class RosRobotTest : public QObject {
       if (point.id == id) return point;
     }
     return {};
+  }
+
+  Call order(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+    return robot_->mapAdministration()->carryOut(order, std::move(reply));
   }
 
  private Q_SLOTS:
@@ -363,7 +368,7 @@ class RosRobotTest : public QObject {
     makeRobot([](ros::LinkOptions& options) { options.kabam_only = true; });
     robot_->connectToRobot();
     QTRY_VERIFY(isIn(ConnectionPhase::Refused));
-    QVERIFY(robot_->connection().reason.contains(QLatin1String("/map_manager")));
+    QVERIFY(robot_->connection().reason.code == map::ReasonCode::NoMapManagerThere);
     manage();
     QVERIFY(online());  // retried
     QVERIFY(robot_->waypointStore());
@@ -557,7 +562,7 @@ class RosRobotTest : public QObject {
     });
     QVERIFY(online());
     const auto entry = answerTo<map::CatalogueEntry>([&](auto reply) {
-      return robot_->mapAdministration()->rename({map::MapKind::Stored, "m2"}, "Attic", reply);
+      return order({MapChange::Rename, {map::MapKind::Stored, "m2"}, "Attic"}, reply);
     });
     QVERIFY2(entry, entry ? "" : sentences::sentenceOf(entry.error()).c_str());
     QCOMPARE(entry->name, std::string("Attic"));
@@ -578,7 +583,7 @@ class RosRobotTest : public QObject {
     QVERIFY(online());
     const auto load = [&](const char* id) {
       return answerTo<map::CatalogueEntry>([&](auto reply) {
-        return robot_->mapAdministration()->load({map::MapKind::Stored, id}, reply);
+        return order({.change = MapChange::Load, .key = {map::MapKind::Stored, id}, .place = "Dock"}, reply);
       });
     };
     const auto same = load("m1");  // it is loaded already
@@ -592,7 +597,92 @@ class RosRobotTest : public QObject {
     QCOMPARE(server_->argumentsOf(QStringLiteral("/map_manager/load_map"))
                  .first()[text("loc_waypoint_name")]
                  .toString(),
-             QString());
+             QStringLiteral("Dock"));
+  }
+
+  void mapsAreArchivedTakenOutAndDeletedWhenTheListsSaySo() {
+    manage();
+    const auto put = [&](const char* list, const char* rows) {
+      server_->latch(text("/map_manager/") + text(list), json(QByteArray("{\"maps\":[") + rows + "]}"));
+    };
+    constexpr const char* kOne = R"({"map_id":"m1","map_name":"one","map_label":"One"})";
+    constexpr const char* kTwo = R"({"map_id":"m2","map_name":"two","map_label":"Two"})";
+    const QByteArray both = QByteArray(kOne) + ',' + kTwo;
+    serve("archive_map", [&](const QJsonObject& args) {
+      const bool away = args[text("set_archive")].toBool();
+      put("archived_map_list", away ? kTwo : "");
+      put("map_list", away ? kOne : both.constData());
+      return json(R"({"result":0})");
+    });
+    serve("delete_map", [&](const QJsonObject& args) {
+      if (!args[text("delete_map")].toBool()) return json(R"({"result":3})");
+      put("map_list", kOne);
+      return json(R"({"result":1})");
+    });
+    QVERIFY(online());
+    const auto ask = [&](MapChange change) {
+      return answerTo<map::CatalogueEntry>([&](auto reply) {
+        return order({change, {map::MapKind::Stored, "m2"}}, reply);
+      });
+    };
+    const auto archived = ask(MapChange::Archive);
+    QVERIFY2(archived, archived ? "" : sentences::sentenceOf(archived.error()).c_str());
+    QVERIFY(archived->is_archived);
+    const auto out = ask(MapChange::Unarchive);
+    QVERIFY(out && !out->is_archived);
+    const auto deleted = ask(MapChange::Delete);
+    QVERIFY(deleted && deleted->name == "Two");
+    const auto gone = ask(MapChange::Delete);
+    QVERIFY(!gone && gone.error().reason == map::FailureReason::NotThere);
+    QVERIFY(gone.error().applied == map::Applied::No);
+  }
+
+  void mappingIsStartedStoppedAndSavedAsItsStateAllows() {
+    manage();
+    const auto state = [&](const char* now) {
+      const QByteArray begins =
+          "{\"map_id\":\"\",\"map_name\":\"\",\"map_label\":\"\",\"map_manager_state\":\"";
+      server_->latch(text("/map_manager/current_map_info"), json(begins + now + "\"}"));
+    };
+    serve("start_mapping", [&](const QJsonObject&) {
+      state("MAPPING");
+      return json(R"({"success":true,"message":""})");
+    });
+    bool stops = false;
+    serve("stop_mapping", [&](const QJsonObject&) {
+      if (!stops) return json(R"({"success":false,"message":"wheels are blocked"})");
+      state("IDLE");
+      return json(R"({"success":true,"message":""})");
+    });
+    serve("save_map", [&](const QJsonObject& args) {
+      if (args[text("map_name")].toString() == text("One")) return json(R"({"result":2,"map_id":""})");
+      server_->latch(
+          text("/map_manager/map_list"),
+          json(
+              R"({"maps":[{"map_id":"m1","map_name":"one","map_label":"One"},{"map_id":"m7","map_name":"Hall","map_label":"Hall"}]})"));
+      return json(R"({"result":0,"map_id":"m7"})");
+    });
+    QVERIFY(online());
+    MapAdministration& maps = *robot_->mapAdministration();
+    QTRY_VERIFY(!maps.obstacle(MapChange::StartMapping, nullptr));
+    QVERIFY(maps.obstacle(MapChange::StopMapping, nullptr) == Obstacle::NotMapping);
+    const auto ask = [&](MapChange change, const char* name = "") {
+      return answerTo<map::CatalogueEntry>(
+          [&](auto reply) { return order({.change = change, .name = name}, reply); });
+    };
+    QVERIFY(ask(MapChange::StartMapping));
+    QTRY_VERIFY(maps.obstacle(MapChange::StartMapping, nullptr) == Obstacle::WhileMapping);
+    QVERIFY(!maps.obstacle(MapChange::StopMapping, nullptr));
+    const auto blocked = ask(MapChange::StopMapping);
+    QVERIFY(!blocked && blocked.error().kind == map::FailureKind::RejectedByRobot);
+    QCOMPARE(blocked.error().detail, std::string("wheels are blocked"));
+    stops = true;
+    QVERIFY(ask(MapChange::StopMapping));
+    const auto taken = ask(MapChange::Save, "One");
+    QVERIFY(!taken && taken.error().cause.code == map::ReasonCode::ResultMapNameTaken);
+    const auto saved = ask(MapChange::Save, "Hall");
+    QVERIFY2(saved, saved ? "" : sentences::sentenceOf(saved.error()).c_str());
+    QCOMPARE(saved->key.id, std::string("m7"));
   }
 };
 

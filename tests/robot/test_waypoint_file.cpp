@@ -10,6 +10,8 @@
 
 #include "robot/files/file_robot.h"
 #include "robot/files/waypoint_file.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -118,7 +120,7 @@ class TestWaypointFile : public QObject {
 
   void pointsAreRead() {
     const auto stored = parseWaypoints(kOffice);
-    QVERIFY2(stored.has_value(), stored ? "" : stored.error().c_str());
+    QVERIFY2(stored.has_value(), stored ? "" : qPrintable(sentences::wordsOf(stored.error())));
     QCOMPARE(stored->points.size(), std::size_t(2));
     const map::Waypoint& dock = stored->points[0];
     QCOMPARE(dock.id, std::string("dock"));
@@ -221,8 +223,9 @@ class TestWaypointFile : public QObject {
     const auto stored = read(*robot);
     QVERIFY(!stored);
     QCOMPARE(stored.error().kind, map::FailureKind::MalformedAnswer);
-    QVERIFY(
-        QString::fromStdString(stored.error().detail).contains(QLatin1String("office.waypoints.geojson")));
+    const QString said = QString::fromStdString(sentences::sentenceOf(stored.error()));
+    QVERIFY2(said.contains(QLatin1String("office.waypoints.geojson cannot be read: it ")), qPrintable(said));
+    QVERIFY2(said.endsWith(QLatin1String(". It is left as it is.")), qPrintable(said));
     const map::Waypoint point = named("P", 1, 1);
     const auto done = perform(*robot, {{{point.id, std::nullopt, point}}, {}});
     QVERIFY(!done);
@@ -287,7 +290,7 @@ class TestWaypointFile : public QObject {
     ::chmod(qPrintable(folder_->path()), 0755);
     QVERIFY(!done);
     QCOMPARE(done.error().applied, map::Applied::No);
-    QVERIFY(QString::fromStdString(done.error().detail).contains(QLatin1String("cannot be written")));
+    QCOMPARE(done.error().cause.code, map::ReasonCode::FileNotWritten);
   }
 
   void inAFolderEachMapHasItsOwnAndNoIdLeadsOut() {

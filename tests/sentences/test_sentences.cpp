@@ -6,6 +6,7 @@
 #include "map/safety.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/overlay_name.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
@@ -183,6 +184,40 @@ class SentencesTest : public QObject {
     row("Mappings: 2 rows without an id were left out.", {SubjectKind::Catalogue, map::kMappingsPart},
         {ReasonCode::RowsWithoutId, {2}});
     row("Alert 6004: Hot <b>", {SubjectKind::Condition, "alert:6004"}, map::said("Hot <b>"));
+    row("Map 12: It says that it is 60,000 x 60,000 pixels, but its data ends after 1 row. The rest is shown "
+        "as unknown.",
+        {SubjectKind::Map, "12"},
+        {ReasonCode::PictureEndsEarly, {"1", "60,000 x 60,000"}, {ReasonCode::DataEnds}});
+    row("Map 12: It says that it is 60 x 60 pixels, but its data is damaged after 1,212 rows. The rest is "
+        "shown as unknown.",
+        {SubjectKind::Map, "12"},
+        {ReasonCode::PictureEndsEarly, {"1,212", "60 x 60"}, {ReasonCode::DataDamaged}});
+    row("Submap 1-593: Version 5 is broken: slice 0: 1 byte where 3,200 (or 6,400) were expected.", submap,
+        {ReasonCode::VersionBroken,
+         {5},
+         {{ReasonCode::OneSlice, {0}, {{ReasonCode::BytesUnexpected, {"1", "3,200", "6,400"}}}}}});
+    row("Robot: something answers at 10.0.0.7:80, but not as an Autoxing robot: the robot refused the "
+        "connection: 404 (not found). Check the address and the port.",
+        SubjectKind::Robot,
+        {ReasonCode::NoAutoxingRobotThere, {"10.0.0.7:80"}, {{ReasonCode::ConnectionRejected, {404}}}});
+    row("Robot: the certificate of 10.0.0.7:8443 is not trusted: it is self-signed; it has expired on "
+        "2021-03-04. Its SHA-256 fingerprint: AB:CD",
+        SubjectKind::Robot,
+        {ReasonCode::CertificateUntrusted,
+         {"10.0.0.7:8443", "AB:CD"},
+         {ReasonCode::SelfSigned, {ReasonCode::CertificateExpired, {"2021-03-04"}}}});
+    row("Topic /m: Its picture /a.png cannot be had: the robot answered 500 (internal error): boom. The "
+        "picture before stays.",
+        {SubjectKind::Topic, "/m"},
+        {ReasonCode::PictureNotHad,
+         {"/a.png"},
+         {{ReasonCode::AnsweredWithStatusSaying, {500, "boom"}}},
+         Consequence::PictureBeforeStays});
+    row("Waypoints of Map 7: /b.json cannot be written: no file can be made in / (Permission denied).",
+        map::placesOf({map::MapKind::Stored, "7"}),
+        {ReasonCode::FileNotWritten,
+         {"/b.json"},
+         {{ReasonCode::NoFileInFolder, {"/", "Permission denied"}}}});
     row("Map 7: This robot gives no whole map.", map::subjectOf({map::MapKind::Stored, "7"}),
         sentences::lackOf(Capability::WholeMaps, {}));
   }
@@ -191,6 +226,14 @@ class SentencesTest : public QObject {
     QFETCH(QString, text);
     QCOMPARE(sentences::nameOf(problem.subject) + QStringLiteral(": ") + sentences::sentenceOf(problem),
              text);
+  }
+
+  void kindsOfOverlaysHaveNames() {
+    using map::OverlayShape;
+    QCOMPARE(sentences::nameOf(OverlayShape::Line, 2), QStringLiteral("Virtual wall"));
+    QCOMPARE(sentences::nameOf(OverlayShape::Point, 9), QStringLiteral("Charger"));
+    QCOMPARE(sentences::nameOf(OverlayShape::Polygon, 99), QStringLiteral("Region 99"));
+    QCOMPARE(sentences::nameOf(OverlayShape::Point, 0), QStringLiteral("Point"));
   }
 
   void everyConditionHasAName() {

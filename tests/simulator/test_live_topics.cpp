@@ -347,7 +347,8 @@ class TestLiveTopics : public QObject {
 
   void picturesGoWrongOnRequest() {
     Listening robot(paused());
-    // A message of before the fault may still be on its way: what is asked for is that one comes that shows the fault.
+    // A message of before the fault may still be on its way: what is asked for is that one comes that shows
+    // the fault.
     const auto comes = [&](const char* topic, const Faults& faults, auto shows) {
       robot.robot.setFaults(faults);
       robot.robot.publishMapChange();

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "../session/topic_names.h"
+#include "robot/map_administration.h"
 #include "robot/robot.h"
 
 namespace mapwright::test {
@@ -142,6 +143,7 @@ class FakeRobot : public robot::Robot,
     if (!limited) return {};
     return {robot::Absence::Reason::ReadOnly, {read_only_maker.toStdString()}};
   }
+  robot::MapAdministration* mapAdministration() override { return administration; }
   robot::WaypointStore* waypointStore() override { return waypoint_store; }
   robot::WaypointSource* waypointSource() override { return told_waypoints ? this : nullptr; }
 
@@ -224,7 +226,7 @@ class FakeRobot : public robot::Robot,
   void goAway(const QString& why) {
     robot::ConnectionState away;
     away.phase = robot::ConnectionPhase::Interrupted;
-    away.reason = why;
+    away.reason = map::said(why.toStdString());
     away.attempt = 2;
     away.retry_in_ms = 3000;
     setState(away);
@@ -247,8 +249,9 @@ class FakeRobot : public robot::Robot,
   bool auto_online = true, hold = false;
   bool has_submaps = true, has_catalogue = false, has_live = false;
   QString read_only_maker;
-  robot::WaypointStore* waypoint_store = nullptr;     // not owned
-  const map::WaypointList* told_waypoints = nullptr;  // those that can only be read; not owned
+  robot::MapAdministration* administration = nullptr;  // not owned
+  robot::WaypointStore* waypoint_store = nullptr;      // not owned
+  const map::WaypointList* told_waypoints = nullptr;   // those that can only be read; not owned
   FakeMaps maps;
   QStringList wanted, trusted;
   bool watching = false;

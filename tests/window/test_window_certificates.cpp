@@ -25,10 +25,10 @@ robot::ConnectionState refused(const QString& sha256, const QString& pinned = {}
   robot::ConnectionState state;
   state.phase = robot::ConnectionPhase::Refused;
   state.failure = map::FailureKind::Certificate;
-  state.reason = QStringLiteral("the certificate of 192.0.2.7:8090 is not trusted: it is self-signed");
+  state.reason = map::said("the certificate of 192.0.2.7:8090 is not trusted: it is self-signed");
   robot::UntrustedCertificate certificate;
   certificate.host = kHost;
-  certificate.why = QStringLiteral("it is self-signed");
+  certificate.why = {map::ReasonCode::SelfSigned};
   certificate.sha256 = sha256;
   certificate.pinned_sha256 = pinned;
   certificate.subject = QStringLiteral("<b>Robot</b> 7");

@@ -136,8 +136,9 @@ class TestWindowParts : public QObject {
   void theMenusOfTheWindow() {
     Bench bench;
     const QMenuBar& bar = *bench.open().menuBar();
-    QCOMPARE(idsOf(menuCalled(bar, "&Robot")->actions()),
-             words("connect openFile * demo - retry disconnect - quit"));
+    QCOMPARE(
+        idsOf(menuCalled(bar, "&Robot")->actions()),
+        words("connect openFile * demo - retry disconnect - startMapping stopMapping saveNewMap - quit"));
     QCOMPARE(idsOf(menuCalled(bar, "&Edit")->actions()),
              words("undo redo - save - waypointTool revertWaypoints"));
     QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()),

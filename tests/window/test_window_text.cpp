@@ -42,7 +42,7 @@ class TestWindowText : public QObject {
     auto away = link(robot::ConnectionPhase::Interrupted);
     away.attempt = 2;
     away.retry_in_ms = 3000;
-    away.reason = QStringLiteral("connection refused");
+    away.reason = map::said("connection refused");
     QCOMPARE(connectionText(away).text,
              QStringLiteral("reconnecting in 3 s (attempt 2): connection refused"));
     QCOMPARE(connectionText(away, 1001).text,
@@ -50,7 +50,7 @@ class TestWindowText : public QObject {
     QCOMPARE(connectionText(away, 9000).text,
              QStringLiteral("reconnecting now (attempt 2): connection refused"));
     auto refused = link(robot::ConnectionPhase::Refused);
-    refused.reason = QStringLiteral("wrong secret");
+    refused.reason = map::said("wrong secret");
     QCOMPARE(connectionText(refused).text, QStringLiteral("refused: wrong secret"));
     // Every state has a shape of its own, so that colour is never alone.
     QVERIFY(connectionText(online).mark != connectionText(away).mark);
@@ -195,11 +195,11 @@ class TestWindowText : public QObject {
     session::SubmapCounts counts;
     QCOMPARE(emptyState(address, link(robot::ConnectionPhase::Connecting), &counts)->kind, Kind::Connecting);
     auto away = link(robot::ConnectionPhase::Interrupted);
-    away.reason = QStringLiteral("connection refused");
+    away.reason = map::said("connection refused");
     const auto failed = emptyState(address, away, &counts);
     QCOMPARE(failed->kind, Kind::Failed);
     QVERIFY(failed->offers_retry);
-    QVERIFY(failed->text.contains(away.reason));
+    QVERIFY(failed->text.contains(QLatin1String("connection refused")));
     const auto online = link(robot::ConnectionPhase::Online);
     QCOMPARE(emptyState(address, online, &counts)->kind, Kind::WaitingForList);
     counts.list_received = true;

@@ -287,6 +287,58 @@ class TestWindowWaypoints : public QObject {
                 .contains(QLatin1String("Not saved")));
   }
 
+  void whatIsBeingTypedIsInTheListAtOnceAsOneStep() {
+    Desk desk;
+    desk.start();
+    desk.dock().table()->selectRow(0);
+    const edit::Key key = *desk.editing().selected().begin();
+    QLineEdit* const name = desk.dock().form()->nameEdit();
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, QStringLiteral("Lift w"));
+    QCOMPARE(desk.editing().find(key)->name, std::string("Lift w"));
+    QCOMPARE(name->text(), QStringLiteral("Lift w"));
+    QCOMPARE(desk.undo().count(), 1);
+    // A name of nothing is none.
+    name->selectAll();
+    QTest::keyClick(name, Qt::Key_Backspace);
+    QCOMPARE(desk.editing().find(key)->name, std::string("Dock"));
+    QCOMPARE(desk.undo().count(), 0);
+    QTest::keyClicks(name, QStringLiteral("Gate"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QTest::keyClicks(name, QStringLiteral(" 2"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QCOMPARE(desk.editing().find(key)->name, std::string("Gate 2"));
+    QCOMPARE(desk.undo().count(), 2);
+    desk.undo().undo();
+    QCOMPARE(desk.editing().find(key)->name, std::string("Gate"));
+  }
+
+  void whatIsBeingTypedOnTheMapIsInTheListAtOnce() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(2, 2));
+    QTest::keyClicks(desk.control().nameEditor(), QStringLiteral("Li"));
+    QCOMPARE(desk.editing().only()->name, std::string("Li"));
+    QCOMPARE(desk.undo().count(), 1);
+    QTest::keyClick(desk.control().nameEditor(), Qt::Key_Escape);
+    QCOMPARE(desk.editing().only()->name, std::string("Waypoint 1"));
+  }
+
+  void numbersInNamesAreSortedAsNumbers() {
+    Desk desk;
+    desk.store.points = {waypoint("a", 1, 1, "Rack 10"), waypoint("b", 3, 2, "rack 2"),
+                         waypoint("c", 3, 1, "Dock")};
+    desk.start();
+    QStringList names;
+    const QAbstractItemModel* const rows = desk.dock().table()->model();
+    for (int row = 0; row < rows->rowCount(); ++row)
+      names << rows->index(row, WaypointsModel::NameColumn).data().toString();
+    QCOMPARE(names,
+             (QStringList{QStringLiteral("Dock"), QStringLiteral("rack 2"), QStringLiteral("Rack 10")}));
+  }
+
   void theFilterFindsNamesAndTags() {
     Desk desk;
     desk.store.points[1].tags = {"charger"};
@@ -435,8 +487,11 @@ class TestWindowWaypoints : public QObject {
                  QLatin1String("Here: position 1.500, 1.000 m. Elsewhere: position 0.500, 0.500 m.")),
              qPrintable(desk.dock().conflictShown()));
     QVERIFY(desk.notice()->isVisible());
-    QVERIFY(!desk.dock().saveButton()->isEnabled());
+    QVERIFY(!desk.dock().saveButton()->isEnabled() && !desk.action("save")->isEnabled());
+    desk.editing().add({3, 1});
+    QVERIFY(!desk.dock().saveButton()->isEnabled() && !desk.action("save")->isEnabled());
     desk.dock().theirsButton()->click();
+    QVERIFY(desk.dock().saveButton()->isEnabled() && desk.action("save")->isEnabled());
     QVERIFY(desk.near("a", 0.5, 0.5));
     QVERIFY(desk.dock().conflictShown().isEmpty() && !desk.notice()->isVisible());
   }

@@ -7,6 +7,7 @@
 #include <QPainterPath>
 
 #include "scene/live_layers.h"
+#include "sentences/overlay_name.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::scene {
@@ -171,9 +172,8 @@ void OverlaysLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
       if (shape == OverlayShape::Polygon) paintRegion(*painter, feature);
       if (shape == OverlayShape::Line) paintLine(*painter, feature);
       if (shape == OverlayShape::Point && !feature.parts.empty() && !feature.parts[0].empty()) {
-        const QString name = feature.name.empty()
-                                 ? QString::fromStdString(map::kindText(feature.shape, feature.type))
-                                 : shortName(feature.name);
+        const QString name =
+            feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
         drawPlace(*painter, context_, feature.parts[0][0], feature.yaw_rad,
                   pointColor(context_.theme, feature.type), name);
       }
@@ -197,9 +197,8 @@ void OverlaysLayer::paintRegion(QPainter& painter, const map::OverlayFeature& fe
     painter.setBrush(QBrush(translucent(color, 110), Qt::BDiagPattern));
     painter.drawPath(path);
   }
-  const QString name = feature.name.empty()
-                           ? QString::fromStdString(map::kindText(feature.shape, feature.type))
-                           : shortName(feature.name);
+  const QString name =
+      feature.name.empty() ? sentences::nameOf(feature.shape, feature.type) : shortName(feature.name);
   if (context_.view.scale_m_per_px <= kNameFromMPerPx && bounds.width() > 60) {
     const QFontMetricsF metrics(context_.theme.label_font);
     QRectF spot(0, 0, metrics.horizontalAdvance(name), metrics.height());

@@ -75,6 +75,12 @@ class MapScene : public QGraphicsScene {
   /// none are.
   void setWaypoints(std::optional<DrawnWaypoints> waypoints);
 
+  /// Cells as they are being edited, in the place of those that this map came with, whenever it is the whole
+  /// map on screen; null = none are. They have its size and code.
+  void setEditedCells(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
+  /// Some of them have become others.
+  void editedCellsChanged(const geometry::WorldRect& where);
+
   void setMeasurement(std::optional<Measurement> measurement);
 
   render::TileRenderer& renderer() { return *renderer_; }

@@ -12,6 +12,12 @@ void MapScene::setWaypoints(std::optional<DrawnWaypoints> waypoints) {
   for (LayerItem* item : impl_->itemsOf(Layer::Waypoints)) item->update();
 }
 
+void MapScene::setEditedCells(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells) {
+  impl_->raster.setEdited(map, std::move(cells));
+}
+
+void MapScene::editedCellsChanged(const geometry::WorldRect& where) { impl_->raster.editedChanged(where); }
+
 bool MapScene::layerVisible(Layer layer) const { return impl_->shown.at(layer); }
 
 void MapScene::setLayerVisible(Layer layer, bool visible) {

@@ -16,11 +16,6 @@ constexpr std::array<std::pair<Layer, GridKind>, 5> kGridLayers{
      {Layer::CostmapLow, GridKind::CostmapLow},
      {Layer::CostmapHigh, GridKind::CostmapHigh}}};
 
-std::optional<render::PlacedGrid> placedOf(const session::MapSlot& slot) {
-  if (!slot.cells()) return std::nullopt;
-  return render::PlacedGrid{slot.cells(), slot.reference()};
-}
-
 render::GridPalette paletteOf(GridKind kind, const session::LayerGrid& grid, const MapTheme& theme) {
   if (!grid.picture.palette.empty()) return render::ownPalette(grid.picture.palette);
   const grids::GridPyramid& cells = *grid.picture.indices;
@@ -117,6 +112,28 @@ void RasterStack::setSession(session::Session* session) {
   connect(&session_->layerGrids(), &session::LayerGrids::changed, this, &RasterStack::syncGrid);
   for (const auto& [layer, kind] : kGridLayers) syncGrid(kind);
   syncDifference();
+}
+
+std::optional<render::PlacedGrid> RasterStack::placedOf(const session::MapSlot& slot) const {
+  if (!slot.cells()) return std::nullopt;
+  const grids::GridPyramid& cells = *slot.cells();
+  const bool edited = edited_ && &slot == &session_->wholeMap() && slot.shown().key == edited_map_ &&
+                      edited_->width() == cells.width() && edited_->height() == cells.height() &&
+                      edited_->code() == cells.code();
+  return render::PlacedGrid{edited ? edited_ : slot.cells(), slot.reference()};
+}
+
+void RasterStack::setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells) {
+  edited_map_ = map;
+  edited_ = std::move(cells);
+  if (!session_) return;
+  syncSlot(session_->wholeMap(), whole_);
+  syncDifference();
+}
+
+void RasterStack::editedChanged(const geometry::WorldRect& where) {
+  whole_.renderer->cellsChanged(where);
+  difference_.renderer->cellsChanged(where);
 }
 
 void RasterStack::syncSlot(const session::MapSlot& slot, Sheet& sheet) {

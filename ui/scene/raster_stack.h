@@ -45,6 +45,9 @@ class RasterStack : public QObject {
   bool overviewShown() const;
   std::size_t cacheBytes() const;
   std::optional<render::PlacedGrid> wholeMap() const;
+  /// Shown in the place of the cells of the whole map, while that is the map `map`; null = none are.
+  void setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
+  void editedChanged(const geometry::WorldRect& where);
 
  Q_SIGNALS:
   void settledChanged();
@@ -57,6 +60,7 @@ class RasterStack : public QObject {
   };
   Sheet makeSheet();
   std::vector<const Sheet*> sheets() const;
+  std::optional<render::PlacedGrid> placedOf(const session::MapSlot& slot) const;
   void syncSlot(const session::MapSlot& slot, Sheet& sheet);
   void syncDifference();
   void syncGrid(map::GridKind kind);
@@ -67,6 +71,8 @@ class RasterStack : public QObject {
   MapTheme theme_;
   Sheet whole_, overview_, compared_, difference_;
   std::map<map::GridKind, Sheet> grids_;
+  map::MapKey edited_map_;
+  std::shared_ptr<const grids::GridPyramid> edited_;
 };
 
 }  // namespace mapwright::scene

@@ -6,9 +6,11 @@
 #include <QImage>
 #include <QString>
 
+#include "map/reason.h"
+
 namespace mapwright::scene {
 
-/// Whole or not at all; what a path may be says disk::WrittenFile. nullopt = written, else a sentence.
-std::optional<QString> writePicture(const QImage& picture, const QString& path);
+/// Whole or not at all; what a path may be says disk::WrittenFile. nullopt = written, else why not.
+std::optional<map::Reason> writePicture(const QImage& picture, const QString& path);
 
 }  // namespace mapwright::scene

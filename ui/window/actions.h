@@ -32,6 +32,7 @@ enum class MenuGroup {
   // Robot
   Places,
   Link,
+  Mapping,
   Quit,
   // Edit
   Undo,

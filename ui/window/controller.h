@@ -30,6 +30,8 @@ class Controller : public QObject {
 
   /// Something would be lost if the present map were left.
   virtual bool unsaved() const { return false; }
+  /// It can be saved now: what stands in the way is none of what has to be decided or waited for first.
+  virtual bool maySave() const { return unsaved(); }
   /// Saves it, if there is anything.
   virtual void save() {}
   /// The present map is about to be left: calls `then` when it may be, at once where nothing is unsaved; else
@@ -37,7 +39,7 @@ class Controller : public QObject {
   virtual void beforeLeaving(std::function<void()> then) { then(); }
 
  Q_SIGNALS:
-  void unsavedChanged();
+  void unsavedChanged();  // unsaved() or maySave()
 };
 
 }  // namespace mapwright::window

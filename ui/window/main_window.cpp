@@ -11,9 +11,11 @@
 #include <QToolBar>
 
 #include "window/action_bars.h"
+#include "window/administration/administration_controller.h"
 #include "window/compare/compare_controller.h"
 #include "window/connection/connection_controller.h"
 #include "window/current_session.h"
+#include "window/docks/maps_dock.h"
 #include "window/edit/edit_controller.h"
 #include "window/files/export_controller.h"
 #include "window/files/files_controller.h"
@@ -29,6 +31,7 @@
 #include "window/messages/messages_controller.h"
 #include "window/notices.h"
 #include "window/panels.h"
+#include "window/picture/picture_controller.h"
 #include "window/problems/problems_controller.h"
 #include "window/robot/robot_controller.h"
 #include "window/status/status_controller.h"
@@ -145,8 +148,10 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(inspector_, ids("showIds"), ids("showOutlines"));
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);
+  make(picture_);
   make(problems_);
   make(maps_);
+  make(administration_);
   make(robot_);
   make(messages_);
   make(files_, *placing_);
@@ -162,8 +167,11 @@ void MainWindow::connectControllers() {
   connect(tools_, &ToolsController::clicked, inspector_, &InspectorController::clickedOnMap);
   connect(inspector_, &InspectorController::colorModeWanted, layers_, &LayersController::setColorMode);
   connect(layers_, &LayersController::colorModeChanged, inspector_, &InspectorController::setColorMode);
+  connect(picture_, &PictureController::compareWanted, compare_, &CompareController::compareWithSaved);
+  connect(picture_, &PictureController::written, maps_, &MapsController::expectOwnChange);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
+  connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
   connect(maps_, &MapsController::retryWanted, connection_, &ConnectionController::retry);
   connect(problems_, &ProblemsController::retryWanted, connection_, &ConnectionController::retry);
   connect(robot_, &RobotController::safetyChanged, connection_, &ConnectionController::setSafety);

@@ -28,6 +28,7 @@
 
 namespace mapwright::window {
 
+class AdministrationController;
 class AppearanceController;
 class CompareControl;
 class CompareController;
@@ -49,6 +50,7 @@ class MapView;
 class MeasureTool;
 class MessagesController;
 class MessagesDock;
+class PictureController;
 class PictureDialog;
 class PicturePlacing;
 class ProblemsController;
@@ -106,13 +108,15 @@ class MainWindow : public QMainWindow {
   CompareControl* comparison() const;
   PictureDialog* pictureDialog() const;  // null: not open
   ExportDialog* exportDialog() const;    // null: not open
-  ConnectDialog* secretDialog() const;   // null: not open
+  AdministrationController* administration() const { return administration_; }
+  ConnectDialog* secretDialog() const;  // null: not open
   ProblemsDock* problems() const;
   WindowStatusBar* bar() const { return bar_; }
   MapOverlay* overlay() const { return overlay_; }
   ConnectionChip* chip() const;
   MeasureTool* measureTool() const;
   WaypointsController* waypoints() const { return waypoints_; }
+  PictureController* pictureEditor() const { return picture_; }
 
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);
@@ -163,7 +167,9 @@ class MainWindow : public QMainWindow {
   InspectorController* inspector_ = nullptr;
   LayersController* layers_ = nullptr;
   MapsController* maps_ = nullptr;
+  AdministrationController* administration_ = nullptr;
   MessagesController* messages_ = nullptr;
+  PictureController* picture_ = nullptr;
   PicturePlacing* placing_ = nullptr;
   ProblemsController* problems_ = nullptr;
   RobotController* robot_ = nullptr;

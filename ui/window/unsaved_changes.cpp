@@ -17,6 +17,11 @@ bool UnsavedChanges::any() const {
                      [](const Controller* controller) { return controller->unsaved(); });
 }
 
+bool UnsavedChanges::maySave() const {
+  return std::any_of(controllers_.begin(), controllers_.end(),
+                     [](const Controller* controller) { return controller->maySave(); });
+}
+
 void UnsavedChanges::save() {
   for (Controller* controller : controllers_) controller->save();
 }

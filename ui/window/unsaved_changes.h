@@ -20,6 +20,7 @@ class UnsavedChanges : public QObject {
   void watch(Controller* controller);
 
   bool any() const;
+  bool maySave() const;  // any of it, now
   void save();
   /// Calls `then` when the present map may be left: at once, or after the user has said what becomes of what
   /// is not saved, or never. Each controller is asked in its turn, since each may ask.

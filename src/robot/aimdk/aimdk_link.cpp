@@ -4,6 +4,7 @@
 
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
+#include "robot/wire/net_reason.h"
 #include "sentences/failure_sentence.h"
 
 namespace mapwright::robot::aimdk {
@@ -135,13 +136,10 @@ void AimdkLink::attempt() {
       const bool json = answer.body.trimmed().startsWith('{');
       map::Failure failure = said(answer, catalogueSubject(map::kMapsPart), maps.error());
       if (!json) failure.kind = map::FailureKind::NotARobot;
-      interrupt(QString::fromStdString(sentences::sentenceOf(failure)), failure.kind);
+      interrupt(map::said(sentences::sentenceOf(failure)), failure.kind);
     } else if (answer.kind == net::HttpAnswer::Kind::Answered && knowsNoSuchCall(answer.status)) {
-      interrupt(
-          tr("a web server answers there, but it knows no calls of Agibot robots (%1): check the address "
-             "and the port")
-              .arg(answer.sentence),
-          map::FailureKind::NotARobot);
+      interrupt({map::ReasonCode::NoAgibotRobotThere, {}, {wire::reasonOf(answer.reason)}},
+                map::FailureKind::NotARobot);
     } else {
       interrupt(answer);
     }
@@ -178,10 +176,10 @@ void AimdkLink::noteCurrent(const std::string& id) {
 
 void AimdkLink::interrupt(const net::HttpAnswer& answer) {
   if (answer.certificate) certificate_ = wire::untrusted(*answer.certificate);
-  interrupt(answer.sentence, wire::failureOf(answer));
+  interrupt(wire::reasonOf(answer.reason), wire::failureOf(answer));
 }
 
-void AimdkLink::interrupt(const QString& reason, map::FailureKind failure) {
+void AimdkLink::interrupt(const map::Reason& reason, map::FailureKind failure) {
   if (!wanted_) return;
   healthy_->stop();
   if (failure != map::FailureKind::Certificate) certificate_.reset();
@@ -201,7 +199,7 @@ void AimdkLink::interrupt(const QString& reason, map::FailureKind failure) {
 void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   phase_ = phase;
   if (phase == ConnectionPhase::Online || phase == ConnectionPhase::Offline) {
-    reason_.clear();
+    reason_ = {};
     failure_ = map::FailureKind::None;
     certificate_.reset();
   }

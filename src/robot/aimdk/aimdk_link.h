@@ -63,7 +63,7 @@ class AimdkLink : public QObject {
   void poll();
   void goOnline();
   void interrupt(const net::HttpAnswer& answer);
-  void interrupt(const QString& reason, map::FailureKind failure);
+  void interrupt(const map::Reason& reason, map::FailureKind failure);
   void noteCurrent(const std::string& id);
   void enter(ConnectionPhase phase, std::optional<int> retry_in_ms = {});
   void askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
@@ -79,7 +79,7 @@ class AimdkLink : public QObject {
   net::HttpClient::RequestId asking_ = 0;  // the connection's own question under way
   int attempt_ = 0;
   ConnectionPhase phase_ = ConnectionPhase::Offline;
-  QString reason_;  // why it is not online
+  map::Reason reason_;  // why it is not online
   std::optional<UntrustedCertificate> certificate_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;

@@ -46,7 +46,8 @@ void AimdkRobot::trustCertificate(const QString& sha256) {
 void AimdkRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::close); }
 
 Absence AimdkRobot::whyNot(Capability capability) const {
-  if (capability == Capability::Administration || capability == Capability::WaypointEditing)
+  if (capability == Capability::Administration || capability == Capability::WaypointEditing ||
+      capability == Capability::PictureEditing)
     return {Absence::Reason::ReadOnly, {"Agibot"}};
   if (capability == Capability::Live)
     return {Absence::Reason::NotYetHere, {has_tf_ ? std::string("/tf") : std::string()}};

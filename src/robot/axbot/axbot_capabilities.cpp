@@ -96,20 +96,31 @@ Call Overview::fetchOverview(double resolution_m, OutcomeTo<map::WholeMap> reply
                          });
 }
 
-Call Administration::rename(const map::MapKey& key, const std::string& name,
-                            OutcomeTo<map::CatalogueEntry> reply) {
-  return wire::askAcross(
-      line_.asker, line_.link, changes_, map::subjectOf(key), telling(std::move(reply)),
-      [key, name](AxbotLink& link, auto errand, auto answer) {
-        link.maps().rename(errand, key, name, std::move(answer));
-      },
-      wire::Stopping::AsItStands);
+std::optional<Obstacle> Administration::obstacle(MapChange change, const map::CatalogueEntry* map) const {
+  if (change != MapChange::Rename && change != MapChange::Load) return Obstacle::NotOffered;
+  if (!map || map->key.kind != map::MapKind::Stored) return Obstacle::NotOfThisMap;
+  return change == MapChange::Load && map->is_current ? std::optional(Obstacle::IsLoaded) : std::nullopt;
 }
 
-Call Administration::load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+Call Administration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+  const map::Subject subject = map::subjectOf(order.key);
+  if (order.change != MapChange::Rename && order.change != MapChange::Load) {
+    return wire::endLater<map::CatalogueEntry>(
+        line_.asker, changes_, std::move(reply),
+        tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
+                                         .subject = subject,
+                                         .asked_for = map::AskedFor::Change,
+                                         .reason = map::FailureReason::NotOffered}));
+  }
   return wire::askAcross(
-      line_.asker, line_.link, changes_, map::subjectOf(key), telling(std::move(reply)),
-      [key](AxbotLink& link, auto errand, auto answer) { link.maps().load(errand, key, std::move(answer)); },
+      line_.asker, line_.link, changes_, subject, telling(std::move(reply)),
+      [order](AxbotLink& link, auto errand, auto answer) {
+        if (order.change == MapChange::Rename) {
+          link.maps().rename(errand, order.key, order.name, std::move(answer));
+        } else {
+          link.maps().load(errand, order.key, std::move(answer));
+        }
+      },
       wire::Stopping::AsItStands);
 }
 

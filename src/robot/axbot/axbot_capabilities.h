@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "robot/axbot/axbot_link.h"
+#include "robot/map_administration.h"
 #include "robot/robot.h"
 #include "robot/wire/pending_calls.h"
 
@@ -83,8 +84,8 @@ class Administration : public MapAdministration {
   /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
   /// applied.
   Administration(Line line, std::function<void()> changed) : line_(line), changed_(std::move(changed)) {}
-  Call rename(const map::MapKey& key, const std::string& name, OutcomeTo<map::CatalogueEntry> reply) override;
-  Call load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
+  std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
+  Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
 
  private:
   OutcomeTo<map::CatalogueEntry> telling(OutcomeTo<map::CatalogueEntry> reply) const;

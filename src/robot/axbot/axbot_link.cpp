@@ -13,6 +13,7 @@
 #include "robot/axbot/stream_topics.h"
 #include "robot/wire/http_failure.h"
 #include "robot/wire/link_state.h"
+#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -73,12 +74,12 @@ void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
-    cache_->setTrouble([this](const QString& why) {
+    cache_->setTrouble([this](const net::Reason& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
                            {map::ReasonCode::AnswersNotKept,
                             {},
-                            {map::said(why.toStdString())},
+                            {wire::reasonOf(why)},
                             map::Consequence::AskedAgainEachTime}});
     });
   }
@@ -196,8 +197,8 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    Q_EMIT problemFound(
-        problem(map::Severity::Info, {map::ReasonCode::DoesNotSayWhatItIs, {answer.sentence.toStdString()}}));
+    Q_EMIT problemFound(problem(map::Severity::Info,
+                                {map::ReasonCode::DoesNotSayWhatItIs, {}, {wire::reasonOf(answer.reason)}}));
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -387,7 +388,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   } else {
     answer.key = key;
     answer.bytes = std::size_t(http.body.size());
-    answer.reason = map::said(http.sentence.toStdString());
+    answer.reason = wire::reasonOf(http.reason);
     answer.failure = wire::failureOf(http);
     answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
                      : http.status == 404                          ? Outcome::NotFound
@@ -410,12 +411,11 @@ void AxbotLink::cancelAll() {
   for (const auto& [ticket, fetch] : under_way_) http_->cancel(fetch.request);
 }
 
-QString AxbotLink::whyNot() const {
-  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return socket_->reason();
-  return tr("something answers at %1:%2, but not as an Autoxing robot: %3. Check the address and the port.")
-      .arg(options_.base.host())
-      .arg(options_.base.port())
-      .arg(socket_->reason());
+map::Reason AxbotLink::whyNot() const {
+  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return wire::reasonOf(socket_->reason());
+  const std::string host =
+      QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port()).toStdString();
+  return {map::ReasonCode::NoAutoxingRobotThere, {host}, {wire::reasonOf(socket_->reason())}};
 }
 
 void AxbotLink::trust(const QByteArray& pinned_sha256) {
@@ -428,7 +428,7 @@ void AxbotLink::trust(const QByteArray& pinned_sha256) {
 
 void AxbotLink::publishState() {
   ConnectionState state = wire::stateOf(*socket_, wanted_);
-  if (!state.reason.isEmpty()) state.reason = whyNot();
+  if (state.reason.any()) state.reason = whyNot();
   Q_EMIT stateChanged(state);
 }
 

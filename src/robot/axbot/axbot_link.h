@@ -101,7 +101,7 @@ class AxbotLink : public QObject {
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
-  QString whyNot() const;
+  map::Reason whyNot() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
   map::Problem problem(map::Severity severity, map::Reason reason) const;
 

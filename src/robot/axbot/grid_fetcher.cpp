@@ -1,6 +1,7 @@
 #include "robot/axbot/grid_fetcher.h"
 
 #include "robot/axbot/robot_urls.h"
+#include "robot/wire/net_reason.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::axbot {
@@ -49,7 +50,7 @@ void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const ne
   }
   if (answer.ok()) http_.discard(url);
   const map::Reason why =
-      answer.ok() ? map::Reason(map::ReasonCode::AnswerIsEmpty) : map::said(answer.sentence.toStdString());
+      answer.ok() ? map::Reason(map::ReasonCode::AnswerIsEmpty) : wire::reasonOf(answer.reason);
   take_(map::UnreadableMessage{grid.topic,
                                {map::ReasonCode::PictureNotHad,
                                 {url.path().left(120).toStdString()},

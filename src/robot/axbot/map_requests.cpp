@@ -8,6 +8,7 @@
 #include "robot/axbot/robot_urls.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
+#include "robot/wire/net_reason.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::axbot {
@@ -324,13 +325,12 @@ void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::str
                if (answer.ok()) {
                  add(fetch->map, view(answer.body));
                } else {
-                 fetch->map.notes.push_back({map::Severity::Info,
-                                             map::subjectOf(fetch->map.key),
-                                             {map::ReasonCode::FileNotHad,
-                                              {file.toStdString()},
-                                              {map::said(answer.sentence.toStdString())}},
-                                             map::ProblemCode::Unavailable,
-                                             wire::failureOf(answer)});
+                 fetch->map.notes.push_back(
+                     {map::Severity::Info,
+                      map::subjectOf(fetch->map.key),
+                      {map::ReasonCode::FileNotHad, {file.toStdString()}, {wire::reasonOf(answer.reason)}},
+                      map::ProblemCode::Unavailable,
+                      wire::failureOf(answer)});
                }
                fetch->finishPart();
              });
@@ -360,20 +360,24 @@ void MapRequests::fetchOverview(Errand errand, double resolution_m, OutcomeTo<ma
 
 void MapRequests::rename(Errand errand, const map::MapKey& key, const std::string& name,
                          OutcomeTo<map::CatalogueEntry> reply) {
-  change(std::move(errand), net::HttpMethod::Patch, pathOf(key),
-         {{QStringLiteral("map_name"), QString::fromStdString(name)}}, key, std::move(reply));
+  change(
+      std::move(errand), net::HttpMethod::Patch, pathOf(key),
+      {{QStringLiteral("map_name"), QString::fromStdString(name)}}, key,
+      [name](const map::CatalogueEntry& now) { return now.name == name; }, std::move(reply));
 }
 
 void MapRequests::load(Errand errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
   const QString id = QString::fromStdString(key.id);
   bool whole = false;
   const qlonglong number = id.toLongLong(&whole);
-  change(std::move(errand), net::HttpMethod::Post, kCurrentMapPath,
-         {{QStringLiteral("map_id"), whole ? QJsonValue(number) : QJsonValue(id)}}, key, std::move(reply));
+  change(
+      std::move(errand), net::HttpMethod::Post, kCurrentMapPath,
+      {{QStringLiteral("map_id"), whole ? QJsonValue(number) : QJsonValue(id)}}, key,
+      [](const map::CatalogueEntry& now) { return now.is_current; }, std::move(reply));
 }
 
 void MapRequests::change(Errand errand, net::HttpMethod method, const QString& path, const QJsonObject& body,
-                         const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+                         const map::MapKey& key, Holds holds, OutcomeTo<map::CatalogueEntry> reply) {
   if (key.id.empty() || key.kind != map::MapKind::Stored) {
     map::Failure failure = unasked(key);
     failure.asked_for = map::AskedFor::Change;
@@ -385,25 +389,46 @@ void MapRequests::change(Errand errand, net::HttpMethod method, const QString& p
   request.method = method;
   request.body = QJsonDocument(body).toJson(QJsonDocument::Compact);
   wire::send(
-      errand, http_, request, [this, errand, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
-        if (!answer.ok()) {
-          reply(fail(wire::failed(answer, map::subjectOf(key), map::AskedFor::Change)));
-          return;
-        }
-        // What answers to a change hold differs with the firmware: what has become of the map is asked for.
-        getJson(errand, kCurrentMapPath, [this, errand, key, reply](const net::HttpAnswer& current) {
-          const CurrentMap of_robot = current.ok() ? parseCurrentMap(view(current.body)) : CurrentMap();
-          describe(errand, key, [of_robot, reply](Outcome<map::CatalogueEntry> now) {
-            if (now) {
-              now->is_current = of_robot.is(*now);
-            } else {
+      errand, http_, request,
+      [this, errand, key, holds = std::move(holds), reply = std::move(reply)](const net::HttpAnswer& answer) {
+        if (answer.ok()) {
+          // What answers to a change hold differs with the firmware: what has become of the map is
+          // asked for.
+          lookAt(errand, key, [reply](Outcome<map::CatalogueEntry> now) {
+            if (!now) {
               now.error().asked_for = map::AskedFor::Change;
               now.error().applied = map::Applied::Yes;
             }
             reply(std::move(now));
           });
+          return;
+        }
+        const map::Failure failure = wire::failed(answer, map::subjectOf(key), map::AskedFor::Change);
+        if (failure.applied != map::Applied::Maybe || failure.kind == map::FailureKind::Cancelled) {
+          reply(fail(failure));
+          return;
+        }
+        // A look may tell what the answer would have. That it does not hold yet tells nothing: the robot
+        // may still be at it.
+        lookAt(errand, key, [holds, failure, reply](Outcome<map::CatalogueEntry> now) {
+          if (now && holds(*now)) {
+            reply(std::move(now));
+          } else {
+            reply(fail(failure));
+          }
         });
       });
+}
+
+void MapRequests::lookAt(const Errand& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+  getJson(errand, kCurrentMapPath,
+          [this, errand, key, reply = std::move(reply)](const net::HttpAnswer& current) {
+            const CurrentMap of_robot = current.ok() ? parseCurrentMap(view(current.body)) : CurrentMap();
+            describe(errand, key, [of_robot, reply](Outcome<map::CatalogueEntry> now) {
+              if (now) now->is_current = of_robot.is(*now);
+              reply(std::move(now));
+            });
+          });
 }
 
 }  // namespace mapwright::robot::axbot

@@ -51,8 +51,12 @@ class MapRequests {
   /// Asks for "/maps/" and, when that is not known, for "/maps".
   void getList(Errand errand, const QString& path, Taken taken);
   void getPicture(Errand errand, const QUrl& url, Taken taken, bool tells);
+  using Holds = std::function<bool(const map::CatalogueEntry&)>;
+  /// `holds`: whether the map is as it was to become, for when the answer is lost.
   void change(Errand errand, net::HttpMethod method, const QString& path, const QJsonObject& body,
-              const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
+              const map::MapKey& key, Holds holds, OutcomeTo<map::CatalogueEntry> reply);
+  /// The map as it is now, and whether it is the current one.
+  void lookAt(const Errand& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void detail(Errand errand, const map::MapKey& key, OutcomeTo<MapDetail> reply);
   void finishPart(const std::shared_ptr<Listing>& listing);
   void addRows(Listing& listing, const net::HttpAnswer& answer, map::MapKind kind);

@@ -1,12 +1,37 @@
 #include <algorithm>
-#include <array>
+
+#include <QCoreApplication>
 
 #include "robot/axbot/topic_subjects.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(SeenObjects)
+};
+
 using wire::Json;
+
+/// VisualObjectLabel of the robot's reference; a null text for others.
+QString nameOf(std::int64_t label) {
+  switch (label) {
+    case 1:
+      return Words::tr("person");
+    case 2:
+      return Words::tr("platform hand truck");
+    case 3:
+      return Words::tr("scaffold");
+    case 4:
+      return Words::tr("queue stand");
+    case 5:
+      return Words::tr("portable grandstand");
+    default:
+      return {};
+  }
+}
+
+QString rackName(bool aligned) { return aligned ? Words::tr("rack (aligned)") : Words::tr("rack"); }
 
 bool isRobotFrame(const Json& object) {
   const std::string frame = wire::text(object, {"frame", "frame_id"});
@@ -101,7 +126,7 @@ map::TopicMessage rack(const Json& message) {
     const auto given = wire::member(message, {name});
     if (!seen || !given) continue;
     // Seen from above: width along x, height along y.
-    const auto found = box(*given, name == std::string_view("rack_box") ? "rack" : "rack (aligned)",
+    const auto found = box(*given, rackName(name != std::string_view("rack_box")).toStdString(),
                            wire::number(*given, {"width"}), wire::number(*given, {"height", "depth"}),
                            isRobotFrame(message));
     if (found) rack.racks.push_back(*found);
@@ -109,13 +134,11 @@ map::TopicMessage rack(const Json& message) {
   return rack;
 }
 
-/// VisualObjectLabel of the robot's reference.
 std::string objectLabel(const Json& row) {
-  constexpr std::array<const char*, 6> kLabels{"",         "person",      "platform hand truck",
-                                               "scaffold", "queue stand", "portable grandstand"};
   const auto label = wire::integer(row, {"label"});
-  if (label && *label >= 0 && *label < std::int64_t(kLabels.size())) return kLabels[std::size_t(*label)];
-  return wire::text(row, {"label"});
+  if (label == 0) return {};
+  const QString name = nameOf(label.value_or(-1));
+  return name.isEmpty() ? wire::text(row, {"label"}) : name.toStdString();
 }
 
 map::TopicMessage seenObjects(const Json& message) {

@@ -12,17 +12,21 @@ FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
       files_(new MapFiles(options)),
       catalogue_({this, files_}, QFileInfo(path_).fileName().toStdString()),
       whole_maps_({this, files_}),
-      waypoint_files_(new WaypointFiles(std::move(options))),
-      waypoints_(waypoint_files_) {
+      waypoint_files_(new WaypointFiles(options)),
+      waypoints_(waypoint_files_),
+      picture_files_(new PictureFiles(std::move(options))),
+      pictures_(picture_files_) {
   files_->moveToThread(&thread_);
   waypoint_files_->moveToThread(&thread_);
+  picture_files_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("map files"));
   connect(&thread_, &QThread::finished, files_, &QObject::deleteLater);
   connect(&thread_, &QThread::finished, waypoint_files_, &QObject::deleteLater);
-  connect(files_, &MapFiles::looked, this, [this](bool folder, const QString& trouble) {
+  connect(&thread_, &QThread::finished, picture_files_, &QObject::deleteLater);
+  connect(files_, &MapFiles::looked, this, [this](bool folder, const map::Reason& trouble) {
     if (!wanted_) return;
     if (std::exchange(folder_, folder) != folder) Q_EMIT identityChanged();
-    enter(trouble.isEmpty() ? ConnectionPhase::Online : ConnectionPhase::Refused, trouble);
+    enter(!trouble.any() ? ConnectionPhase::Online : ConnectionPhase::Refused, trouble);
   });
   connect(files_, &MapFiles::changed, this, [this] {
     if (wanted_) Q_EMIT mapsChanged();
@@ -56,7 +60,7 @@ void FileRobot::disconnectFromRobot() {
   enter(ConnectionPhase::Offline);
 }
 
-void FileRobot::enter(ConnectionPhase phase, const QString& reason) {
+void FileRobot::enter(ConnectionPhase phase, const map::Reason& reason) {
   const ConnectionState state{phase, reason, 0, {}, {}};
   if (state == state_) return;
   state_ = state;

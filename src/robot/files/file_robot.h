@@ -5,6 +5,7 @@
 
 #include "robot/files/file_waypoint_store.h"
 #include "robot/files/map_files.h"
+#include "robot/files/picture_files.h"
 #include "robot/robot.h"
 #include "robot/wire/pending_calls.h"
 
@@ -59,10 +60,11 @@ class FileRobot : public Robot {
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
   WaypointSource* waypointSource() override { return &told_waypoints_; }
   WaypointStore* waypointStore() override { return &waypoints_; }
+  PictureStore* pictureStore() override { return &pictures_; }
   Absence whyNot(Capability) const override { return {Absence::Reason::LocalFiles, {}}; }
 
  private:
-  void enter(ConnectionPhase phase, const QString& reason = {});
+  void enter(ConnectionPhase phase, const map::Reason& reason = {});
 
   QString address_, path_;
   bool folder_;          // as far as is known
@@ -75,6 +77,8 @@ class FileRobot : public Robot {
   WaypointFiles* waypoint_files_;  // lives on thread_, deleted when it ends
   FileWaypointStore waypoints_;
   FileWaypoints told_waypoints_{this, waypoint_files_};
+  PictureFiles* picture_files_;  // lives on thread_, deleted when it ends
+  FilePictureStore pictures_;
 };
 
 }  // namespace mapwright::robot::files

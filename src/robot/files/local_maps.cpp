@@ -1,7 +1,9 @@
 #include "robot/files/local_maps.h"
 
+#include <algorithm>
 #include <sys/stat.h>
 
+#include <QCollator>
 #include <QDir>
 #include <QFileInfo>
 
@@ -114,10 +116,19 @@ bool isMapFile(const QString& path) { return isYaml(path) || isPicture(path); }
 
 QStringList mapFilesIn(const QString& folder) {
   QStringList names;
-  for (const QString& name : QDir(folder).entryList(QDir::Files, QDir::Name | QDir::IgnoreCase)) {
-    if (isMapFile(name) && names.size() < kMostFiles) names << name;
+  for (const QString& name : QDir(folder).entryList(QDir::Files, QDir::Unsorted)) {
+    if (isMapFile(name)) names << name;
   }
-  return names;
+  // "floor2" before "floor10", in every locale; names that differ in their case only in an order of their
+  // own.
+  QCollator order(QLocale(QLocale::English, QLocale::UnitedStates));
+  order.setNumericMode(true);
+  order.setCaseSensitivity(Qt::CaseInsensitive);
+  std::sort(names.begin(), names.end(), [&](const QString& one, const QString& other) {
+    const int compared = order.compare(one, other);
+    return compared != 0 ? compared < 0 : one < other;
+  });
+  return names.mid(0, kMostFiles);
 }
 
 QString mapPathOf(const QString& path, const map::MapKey& key) {

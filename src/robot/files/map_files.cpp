@@ -4,8 +4,6 @@
 #include <QSet>
 #include <QThread>
 
-#include "sentences/reason_sentence.h"
-
 namespace mapwright::robot::files {
 namespace {
 
@@ -47,12 +45,12 @@ bool MapFiles::isFolder() const { return QFileInfo(options_.path).isDir(); }
 void MapFiles::look() {
   if (isFolder()) {
     const bool any = !mapFilesIn(options_.path).isEmpty();
-    Q_EMIT looked(
-        true, any ? QString() : tr("There are no maps (map.yaml, PNG, PGM, BMP) in %1.").arg(options_.path));
+    Q_EMIT looked(true, any ? map::Reason()
+                            : map::Reason(map::ReasonCode::FolderWithoutMaps, {options_.path.toStdString()}));
     return;
   }
   const auto whole = readLocalMap(options_.path, options_.place, yamls_);
-  Q_EMIT looked(false, whole ? QString() : sentences::wordsOf(whole.error()));
+  Q_EMIT looked(false, whole ? map::Reason() : whole.error());
 }
 
 QStringList MapFiles::watchAndStamp() {

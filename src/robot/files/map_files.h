@@ -32,8 +32,8 @@ class MapFiles : public QObject {
   Outcome<map::WholeMap> fetch(const map::MapKey& key);
 
  Q_SIGNALS:
-  /// `trouble` is empty when there is something to show, else the sentence.
-  void looked(bool folder, const QString& trouble);
+  /// `trouble` is None when there is something to show.
+  void looked(bool folder, const mapwright::map::Reason& trouble);
   void changed();
 
  private:

@@ -13,6 +13,7 @@
 namespace mapwright::robot::files {
 namespace {
 
+using map::ReasonCode;
 using simdjson::dom::element;
 
 /// One member of an object, as it is written.
@@ -207,18 +208,20 @@ std::string_view withoutMark(std::string_view json) {
   return json.starts_with("\xef\xbb\xbf") ? json.substr(3) : json;
 }
 
-tl::expected<Collection, std::string> cut(std::string_view json) {
+auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
+
+tl::expected<Collection, map::Reason> cut(std::string_view json) {
   // Read twice: once by a parser that finds every fault, once to keep every letter.
   simdjson::dom::parser parser;
   const simdjson::padded_string padded(json);
   element file;
   if (const auto error = parser.parse(padded).get(file); error != simdjson::SUCCESS)
-    return tl::make_unexpected(std::string("it is no JSON (") + simdjson::error_message(error) + ")");
+    return refused({ReasonCode::FileNotJson, {simdjson::error_message(error)}});
   std::string_view type;
   simdjson::dom::array features;
   if (file["type"].get(type) != simdjson::SUCCESS || type != "FeatureCollection" ||
       file["features"].get(features) != simdjson::SUCCESS) {
-    return tl::make_unexpected(std::string("it is no GeoJSON FeatureCollection"));
+    return refused(ReasonCode::NotAFeatureCollection);
   }
   Collection collection;
   collection.members = Cutter(json).members();
@@ -228,14 +231,14 @@ tl::expected<Collection, std::string> cut(std::string_view json) {
     ++lists;
     collection.features = Cutter(member.raw_value).elements();
   }
-  if (lists != 1) return tl::make_unexpected(std::string("it has more than one list of features"));
+  if (lists != 1) return refused(ReasonCode::SeveralFeatureLists);
   Names names;
   std::size_t points = 0;
   for (const element& feature : features) {
     auto read = understand(feature);
     if (read) {
       if (++points > kMaxWaypoints) {
-        return tl::make_unexpected("it has more than " + std::to_string(kMaxWaypoints) + " waypoints");
+        return refused({ReasonCode::WaypointsTooMany, {std::to_string(kMaxWaypoints)}});
       }
       const std::string id = names.take(*read);
       if (read->has_id && id != read->point.id)
@@ -246,8 +249,7 @@ tl::expected<Collection, std::string> cut(std::string_view json) {
     }
     collection.understood.push_back(std::move(read));
   }
-  if (collection.understood.size() != collection.features.size())
-    return tl::make_unexpected(std::string("it has two lists of features"));
+  if (collection.understood.size() != collection.features.size()) return refused(ReasonCode::TwoFeatureLists);
   for (std::size_t i = 0; i < collection.features.size(); ++i) {
     if (collection.understood[i]) collection.understood[i]->point.source = collection.features[i];
   }
@@ -368,7 +370,7 @@ std::string waypointPathOf(const std::string& map_path) {
   return (suffix ? map_path.substr(0, dot) : map_path) + ".waypoints.geojson";
 }
 
-tl::expected<StoredWaypoints, std::string> parseWaypoints(std::string_view json) {
+tl::expected<StoredWaypoints, map::Reason> parseWaypoints(std::string_view json) {
   auto collection = cut(withoutMark(json));
   if (!collection) return tl::make_unexpected(collection.error());
   StoredWaypoints stored;
@@ -379,7 +381,7 @@ tl::expected<StoredWaypoints, std::string> parseWaypoints(std::string_view json)
   return stored;
 }
 
-tl::expected<std::string, std::string> patchWaypoints(std::string_view json,
+tl::expected<std::string, map::Reason> patchWaypoints(std::string_view json,
                                                       const std::vector<WaypointChange>& changes) {
   constexpr std::string_view kEmpty = R"({"type": "FeatureCollection", "features": []})";
   const std::string_view mark = json.substr(0, json.size() - withoutMark(json).size());

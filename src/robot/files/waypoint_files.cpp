@@ -6,9 +6,12 @@
 #include "disk/folder_lock.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "reasons/file_reason.h"
 
 namespace mapwright::robot::files {
 namespace {
+
+using map::ReasonCode;
 
 std::string revisionOf(const std::string& bytes) {
   return QCryptographicHash::hash({bytes.data(), qsizetype(bytes.size())}, QCryptographicHash::Sha256)
@@ -25,7 +28,7 @@ WaypointFiles::WaypointFiles(FileOptions options) : options_(std::move(options))
 Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) const {
   Place place{key, mapPathOf(options_.path, key), {}};
   if (place.map.isEmpty())
-    return tl::make_unexpected(failure(place, map::FailureKind::RejectedByRobot, "There is no such map."));
+    return tl::make_unexpected(failure(place, map::FailureKind::RejectedByRobot, ReasonCode::NoSuchMap));
   // A picture that is described by a map.yaml and that map.yaml are one map.
   const QStringList described_by = yamlsNaming(place.map);
   const QString& named = described_by.size() == 1 ? described_by.front() : place.map;
@@ -33,9 +36,9 @@ Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) con
   return place;
 }
 
-map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, std::string detail) const {
+map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, map::Reason cause) const {
   map::Failure failure{kind, map::placesOf(place.key, QFileInfo(place.map).fileName().toStdString())};
-  failure.detail = std::move(detail);
+  failure.cause = std::move(cause);
   failure.reason = map::FailureReason::Unfit;
   return failure;
 }
@@ -43,15 +46,16 @@ map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, s
 Outcome<WaypointFiles::Content> WaypointFiles::look(const Place& place) const {
   const std::string path = place.path.toStdString();
   Content content;
-  const auto unreadable = [&](const std::string& why) {
-    return tl::make_unexpected(failure(place, map::FailureKind::MalformedAnswer,
-                                       path + " cannot be read: " + why + ". It is left as it is."));
+  const auto unreadable = [&](map::Reason why) {
+    return tl::make_unexpected(
+        failure(place, map::FailureKind::MalformedAnswer,
+                {ReasonCode::WaypointFileNotRead, {path}, {std::move(why)}, map::Consequence::LeftAsItIs}));
   };
   if (QFileInfo::exists(place.path) || QFileInfo(place.path).isSymLink()) {
     auto bytes = disk::readFile(path, kMaxWaypointBytes + 1);
-    if (!bytes) return unreadable(bytes.error());
-    if (bytes->size() > kMaxWaypointBytes) return unreadable("it is larger than 64 MiB");
-    if (bytes->empty()) return unreadable("it is empty");
+    if (!bytes) return unreadable(reasons::causeOf(bytes.error()));
+    if (bytes->size() > kMaxWaypointBytes) return unreadable({ReasonCode::FileTooLarge, {"64 MiB"}});
+    if (bytes->empty()) return unreadable(ReasonCode::FileEmpty);
     auto waypoints = parseWaypoints(*bytes);
     if (!waypoints) return unreadable(waypoints.error());
     content.bytes = std::move(*bytes);
@@ -79,12 +83,13 @@ Outcome<WaypointReceipt> WaypointFiles::write(const map::MapKey& key, const Wayp
   if (!content) return tl::make_unexpected(content.error());
   if (content->waypoints.revision != request.revision) {
     return tl::make_unexpected(failure(*place, map::FailureKind::Conflict,
-                                       place->path.toStdString() + " has changed on disk meanwhile."));
+                                       {ReasonCode::FileChanged, {place->path.toStdString()}}));
   }
   const auto bytes = patchWaypoints(content->bytes, request.changes);
   if (!bytes) return tl::make_unexpected(failure(*place, map::FailureKind::MalformedAnswer, bytes.error()));
-  if (auto trouble = disk::writeFile(place->path.toStdString(), *bytes))
-    return tl::make_unexpected(failure(*place, map::FailureKind::RejectedByRobot, std::move(*trouble)));
+  if (const auto fault = disk::writeFile(place->path.toStdString(), *bytes))
+    return tl::make_unexpected(
+        failure(*place, map::FailureKind::RejectedByRobot, reasons::notWritten(*fault)));
   watch(place->path);
   return WaypointReceipt{};
 }

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "disk/read_file.h"
+#include "reasons/file_reason.h"
 
 namespace mapwright::robot::files {
 namespace {
@@ -37,7 +38,7 @@ tl::expected<MapYaml, map::Reason> YamlShelf::read(const std::string& path) {
   tl::expected<MapYaml, map::Reason> yaml =
       text ? parseMapYaml(*text)
            : tl::make_unexpected(
-                 map::Reason(map::ReasonCode::FileNotOpened, {path}, {map::said(text.error())}));
+                 map::Reason(map::ReasonCode::FileNotOpened, {path}, {reasons::causeOf(text.error())}));
   const bool settled = now_ns_() - std::max(stamp.modified_ns, stamp.changed_ns) > kCoarsestTimeNs;
   kept_.erase(path);
   if (!settled || !text) return yaml;

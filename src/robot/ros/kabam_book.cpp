@@ -94,7 +94,7 @@ std::vector<map::CatalogueEntry> KabamBook::entries() const {
     entry.name = calledOf(map);
     entry.uid = map.id;
     entry.index = int(entries.size());
-    if (map.archived) entry.state = "archived";
+    entry.is_archived = map.archived;
     if (isCurrent(map.id)) {
       entry.is_current = true;
       entry.created_s = current_->created_s;

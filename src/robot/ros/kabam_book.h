@@ -40,6 +40,9 @@ class KabamBook {
   std::vector<map::CatalogueEntry> entries() const;
   std::optional<map::CatalogueEntry> entry(const std::string& id) const;
   const std::optional<KabamCurrent>& current() const { return current_; }
+  bool isMapping() const { return current_ && current_->state == "MAPPING"; }
+  /// IDLE, MAPPING, ACTIVE, or whatever it says; empty while nothing is known.
+  std::string state() const { return current_ ? current_->state : std::string(); }
   bool isCurrent(const std::string& id) const { return current_ && !id.empty() && current_->map.id == id; }
   /// Those of the current map; nullopt while the topic has not told them.
   std::optional<StoredWaypoints> waypoints(const std::string& fixed_frame) const;

@@ -41,20 +41,40 @@ Call KabamWaypointStore::perform(const map::MapKey& key, const WaypointRequest& 
       wire::Stopping::AsItStands);
 }
 
-Call KabamAdministration::rename(const map::MapKey& key, const std::string& name,
-                                 OutcomeTo<map::CatalogueEntry> reply) {
-  return wire::askAcross(
-      line_.asker, line_.link, changes_, map::subjectOf(key), telling(std::move(reply)),
-      [key, name](RosLink& link, auto errand, auto answer) {
-        link.rename(errand, key, name, std::move(answer));
-      },
-      wire::Stopping::AsItStands);
+std::optional<Obstacle> KabamAdministration::obstacle(MapChange change,
+                                                      const map::CatalogueEntry* map) const {
+  const bool mapping = state_ == "MAPPING";
+  if (change == MapChange::StartMapping || change == MapChange::StopMapping || change == MapChange::Save) {
+    if (state_.empty()) return Obstacle::NotKnownYet;
+    if (change == MapChange::StartMapping && mapping) return Obstacle::WhileMapping;
+    if (change == MapChange::StopMapping && !mapping) return Obstacle::NotMapping;
+    return std::nullopt;
+  }
+  if (!map || map->key.kind != map::MapKind::Stored) return Obstacle::NotOfThisMap;
+  switch (change) {
+    case MapChange::Load:
+      if (mapping) return Obstacle::WhileMapping;
+      if (map->is_archived) return Obstacle::IsArchived;
+      return map->is_current ? std::optional(Obstacle::IsLoaded) : std::nullopt;
+    case MapChange::Archive:
+      if (mapping && map->is_current) return Obstacle::WhileMapping;
+      return map->is_archived ? std::optional(Obstacle::IsArchived) : std::nullopt;
+    case MapChange::Unarchive:
+      return map->is_archived ? std::nullopt : std::optional(Obstacle::IsNotArchived);
+    case MapChange::Delete:
+      return mapping && map->is_current ? std::optional(Obstacle::WhileMapping) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
 }
 
-Call KabamAdministration::load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
+Call KabamAdministration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) {
+  const bool of_none = order.key.id.empty();
   return wire::askAcross(
-      line_.asker, line_.link, changes_, map::subjectOf(key), telling(std::move(reply)),
-      [key](RosLink& link, auto errand, auto answer) { link.load(errand, key, {}, std::move(answer)); },
+      line_.asker, line_.link, changes_,
+      of_none ? map::Subject(map::SubjectKind::Catalogue, map::kMapsPart) : map::subjectOf(order.key),
+      telling(std::move(reply)),
+      [order](RosLink& link, auto errand, auto answer) { link.carryOut(errand, order, std::move(answer)); },
       wire::Stopping::AsItStands);
 }
 

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
+#include <utility>
 
+#include "robot/map_administration.h"
 #include "robot/ros/ros_capabilities.h"
 #include "robot/waypoint_store.h"
 
@@ -40,14 +44,18 @@ class KabamAdministration : public MapAdministration {
   /// `changed` is called, on the thread of the robot, before the answer to a change that may have been
   /// applied.
   KabamAdministration(Line line, std::function<void()> changed) : line_(line), changed_(std::move(changed)) {}
-  Call rename(const map::MapKey& key, const std::string& name, OutcomeTo<map::CatalogueEntry> reply) override;
-  Call load(const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) override;
+  /// What the manager does now (IDLE, MAPPING, ACTIVE); empty = it has not said.
+  void setState(std::string state) { state_ = std::move(state); }
+  std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override;
+  bool loadAsksForPlace() const override { return true; }
+  Call carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply) override;
 
  private:
   OutcomeTo<map::CatalogueEntry> telling(OutcomeTo<map::CatalogueEntry> reply) const;
 
   Line line_;
   std::function<void()> changed_;
+  std::string state_;
   wire::PendingCalls<map::CatalogueEntry> changes_;
 };
 

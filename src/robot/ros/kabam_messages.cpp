@@ -224,7 +224,7 @@ QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_na
       {{QStringLiteral("map_id"), text(map_id)}, {QStringLiteral("loc_waypoint_name"), text(waypoint_name)}});
 }
 
-QByteArray renameMapArgs(const KabamMap& map, const std::string& label) {
+QByteArray updateMapArgs(const KabamMap& map, const std::string& label, bool archived, bool delete_map) {
   // The header is left to the server: those of ROS 1 and ROS 2 differ, and what is omitted is zero.
   const QJsonObject no_image{{QStringLiteral("height"), 0},
                              {QStringLiteral("width"), 0},
@@ -232,12 +232,16 @@ QByteArray renameMapArgs(const KabamMap& map, const std::string& label) {
                              {QStringLiteral("is_bigendian"), 0},
                              {QStringLiteral("step"), 0},
                              {QStringLiteral("data"), QString()}};
-  // An archived map stays archived, whoever reads the flag.
+  // All flags, whichever the service looks at.
   return compact({{QStringLiteral("map_id"), text(map.id)},
                   {QStringLiteral("updated_image"), no_image},
                   {QStringLiteral("new_map_label"), text(label)},
-                  {QStringLiteral("set_archive"), map.archived},
-                  {QStringLiteral("delete_map"), false}});
+                  {QStringLiteral("set_archive"), archived},
+                  {QStringLiteral("delete_map"), delete_map}});
+}
+
+QByteArray saveMapArgs(const std::string& name) {
+  return compact({{QStringLiteral("map_name"), text(name)}});
 }
 
 bool sameBesidesTags(const map::Waypoint& a, const map::Waypoint& b) {

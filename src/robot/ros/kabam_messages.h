@@ -52,7 +52,9 @@ QByteArray waypointJson(const map::Waypoint& point, const std::string& id, const
 QByteArray manageWaypointArgs(const QByteArray& waypoint, bool delete_waypoint);
 QByteArray getWaypointArgs(const std::string& map_id);
 QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_name);
-QByteArray renameMapArgs(const KabamMap& map, const std::string& label);
+/// `label`: what it is called from now on; empty = nothing is said of that.
+QByteArray updateMapArgs(const KabamMap& map, const std::string& label, bool archived, bool delete_map);
+QByteArray saveMapArgs(const std::string& name);
 
 /// Whether both are the same place with the same name, as far as that can be told of numbers that have
 /// travelled: 0.1 mm, 0.1 mrad.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/ros/kabam_failures.h"
 #include "robot/ros/kabam_results.h"
 #include "robot/ros/ros_calls.h"
 
@@ -18,27 +19,6 @@ map::Failure notThere(map::Subject subject) {
   return {.kind = map::FailureKind::RejectedByRobot,
           .subject = std::move(subject),
           .reason = map::FailureReason::NotThere};
-}
-
-/// The robot said that it was done, and does not show it.
-map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::TimedOut;
-  failure.subject = std::move(subject);
-  failure.applied = map::Applied::Maybe;
-  failure.asked_for = map::AskedFor::Change;
-  failure.cause = {map::ReasonCode::NotConfirmed, {std::int64_t((within.count() + 999) / 1000)}};
-  return failure;
-}
-
-/// The change went out; whether it was made is not known.
-map::Failure cancelled(map::Subject subject) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::Cancelled;
-  failure.subject = std::move(subject);
-  failure.applied = map::Applied::Maybe;
-  failure.asked_for = map::AskedFor::Change;
-  return failure;
 }
 
 map::Failure tagsKept(map::Subject subject, const std::string& name) {
@@ -296,69 +276,6 @@ void KabamRequests::endChange(const ChangePtr& change, Shown shown, std::optiona
   if (doubt) return change->reply(fail(std::move(*doubt)));
   if (shown == Shown::OtherTags) return change->reply(fail(tagsKept(subject, change->what.after->name)));
   change->reply(fail(unconfirmed(subject, patience_.confirm)));
-}
-
-void KabamRequests::confirmMap(const wire::ErrandPtr& errand, const map::MapKey& key,
-                               std::function<bool()> holds, std::optional<map::Failure> doubt,
-                               OutcomeTo<map::CatalogueEntry> reply) {
-  await(errand, patience_.confirm, std::move(holds),
-        [this, key, doubt = std::move(doubt), reply = std::move(reply)](Awaited how) {
-          auto entry = book_.entry(key.id);
-          if (how == Awaited::Cancelled) return reply(fail(cancelled(map::subjectOf(key))));
-          if (how == Awaited::Held && entry) return reply(std::move(*entry));
-          if (doubt) return reply(fail(*doubt));
-          reply(fail(unconfirmed(map::subjectOf(key), patience_.confirm)));
-        });
-}
-
-void KabamRequests::rename(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& label,
-                           OutcomeTo<map::CatalogueEntry> reply) {
-  describe(errand, key, [this, errand, key, label, reply](const Outcome<map::CatalogueEntry>& entry) {
-    if (!entry) return reply(fail(entry.error()));
-    call(errand, client_, request("rename_map", renameMapArgs(*book_.find(key.id), label)),
-         [this, errand, key, label, reply](const CallAnswer& answer) {
-           const map::Subject subject = map::subjectOf(key);
-           std::optional<map::Failure> failure =
-               answer.kind == CallAnswer::Kind::Answered
-                   ? updateMapResult(answer.values, subject)
-                   : std::optional(failed(answer, subject, map::AskedFor::Change));
-           if (failure &&
-               (failure->applied == map::Applied::No || failure->kind == map::FailureKind::Cancelled ||
-                failure->kind == map::FailureKind::Unreachable))
-             return reply(fail(std::move(*failure)));
-           confirmMap(
-               errand, key,
-               [this, key, label] {
-                 const auto now = book_.find(key.id);
-                 return now && calledOf(*now) == label;
-               },
-               std::move(failure), reply);
-         });
-  });
-}
-
-void KabamRequests::load(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& waypoint,
-                         OutcomeTo<map::CatalogueEntry> reply) {
-  describe(errand, key, [this, errand, key, waypoint, reply](const Outcome<map::CatalogueEntry>& entry) {
-    if (!entry) return reply(fail(entry.error()));
-    call(errand, client_, request("load_map", loadMapArgs(key.id, waypoint)),
-         [this, errand, key, reply](const CallAnswer& answer) {
-           const map::Subject subject = map::subjectOf(key);
-           std::optional<map::Failure> failure =
-               answer.kind == CallAnswer::Kind::Answered
-                   ? loadMapResult(answer.values, subject)
-                   : std::optional(failed(answer, subject, map::AskedFor::Change));
-           // What was asked for holds already.
-           const bool holds = failure && failure->robot_code == kAlreadyLoaded && book_.isCurrent(key.id);
-           if (holds) return reply(*book_.entry(key.id));
-           if (failure &&
-               (failure->applied == map::Applied::No || failure->kind == map::FailureKind::Cancelled ||
-                failure->kind == map::FailureKind::Unreachable))
-             return reply(fail(std::move(*failure)));
-           confirmMap(
-               errand, key, [this, key] { return book_.isCurrent(key.id); }, std::move(failure), reply);
-         });
-  });
 }
 
 }  // namespace mapwright::robot::ros

@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "net/rosbridge/client.h"
+#include "robot/map_administration.h"
 #include "robot/robot.h"
 #include "robot/ros/kabam_book.h"
 #include "robot/ros/kabam_plan.h"
@@ -43,11 +44,7 @@ class KabamRequests : public QObject {
   void waypoints(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<StoredWaypoints> reply);
   void perform(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply);
-  void rename(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& label,
-              OutcomeTo<map::CatalogueEntry> reply);
-  /// `waypoint`: where the robot stands; empty = it finds out.
-  void load(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& waypoint,
-            OutcomeTo<map::CatalogueEntry> reply);
+  void carryOut(const wire::ErrandPtr& errand, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
 
  private:
   /// How a change stands in a list.
@@ -75,8 +72,10 @@ class KabamRequests : public QObject {
   void confirm(const wire::ErrandPtr& errand, const ChangePtr& change, std::optional<map::Failure> doubt);
   static Shown shownIn(const StoredWaypoints& stored, Change& change);
   void endChange(const ChangePtr& change, Shown shown, std::optional<map::Failure> doubt) const;
-  void confirmMap(const wire::ErrandPtr& errand, const map::MapKey& key, std::function<bool()> holds,
-                  std::optional<map::Failure> doubt, OutcomeTo<map::CatalogueEntry> reply);
+  struct Ordered;
+  void sendOrder(const wire::ErrandPtr& errand, const std::shared_ptr<Ordered>& ordered);
+  void confirmOrder(const wire::ErrandPtr& errand, const std::shared_ptr<Ordered>& ordered,
+                    std::optional<map::Failure> doubt);
 
   net::rosbridge::Client& client_;
   KabamPatience patience_;

@@ -123,4 +123,39 @@ std::optional<map::Failure> loadMapResult(const Field& values, map::Subject subj
   return failure(std::move(subject), *code, std::move(meaning));
 }
 
+std::optional<map::Failure> saveMapResult(const Field& values, map::Subject subject,
+                                          const std::string& name) {
+  const auto code = values["result"].integer();
+  if (!code) return withoutCode(std::move(subject));
+  Meaning meaning;
+  switch (*code) {
+    case 0:  // saved
+      return std::nullopt;
+    case 1:
+      meaning.cause = {ReasonCode::ResultNothingToSave};
+      break;
+    case 2:
+      meaning.cause = {ReasonCode::ResultMapNameTaken, {name}};
+      break;
+    case 3:
+      meaning = undefined();
+      break;
+    default:
+      meaning = unknown(*code);
+  }
+  return failure(std::move(subject), *code, std::move(meaning));
+}
+
+std::optional<map::Failure> triggerResult(const Field& values, map::Subject subject) {
+  const auto success = values["success"].flag();
+  if (!success) return withoutCode(std::move(subject));
+  if (*success) return std::nullopt;
+  map::Failure failure;
+  failure.kind = FailureKind::RejectedByRobot;
+  failure.subject = std::move(subject);
+  failure.asked_for = map::AskedFor::Change;
+  failure.detail = values["message"].text().substr(0, 300);
+  return failure;
+}
+
 }  // namespace mapwright::robot::ros

@@ -170,20 +170,15 @@ void RosLink::publishState() {
   ConnectionState state;
   if (client_) state = wire::stateOf(client_->link(), wanted_);
   if (state.phase == ConnectionPhase::Online && !known_) state.phase = ConnectionPhase::Connecting;
+  const std::string host =
+      QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port()).toStdString();
   if (state.failure == map::FailureKind::NotARobot) {
-    state.reason = tr("something answers at %1:%2, but not as a rosbridge server: %3. Check the address and "
-                      "the port.")
-                       .arg(options_.url.host())
-                       .arg(options_.url.port())
-                       .arg(state.reason);
+    state.reason = {map::ReasonCode::NoRosbridgeThere, {host}, {state.reason}};
   }
   if (refused_) {
     state.phase = ConnectionPhase::Refused;
     state.failure = map::FailureKind::NotARobot;
-    state.reason = tr("a rosbridge server answers at %1:%2, but its robot runs no KABAM map manager "
-                      "(/map_manager). Start it, or connect to ros+ws:// for what else there is.")
-                       .arg(options_.url.host())
-                       .arg(options_.url.port());
+    state.reason = {map::ReasonCode::NoMapManagerThere, {host}};
   }
   Q_EMIT stateChanged(state);
 }
@@ -239,6 +234,7 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   if (first || other) Q_EMIT mapManagerKnown(has_manager_);
   sync();
   if (!first) return;
+  known_since_.start();
   publishState();
   const auto early = early_;
   for (const EarlyPtr& one : early) endEarly(one, std::nullopt);

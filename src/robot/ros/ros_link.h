@@ -74,10 +74,7 @@ class RosLink : public QObject {
   void waypoints(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<StoredWaypoints> reply);
   void perform(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply);
-  void rename(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
-              OutcomeTo<map::CatalogueEntry> reply);
-  void load(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& waypoint,
-            OutcomeTo<map::CatalogueEntry> reply);
+  void carryOut(const wire::ErrandPtr& errand, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
@@ -88,6 +85,7 @@ class RosLink : public QObject {
   void recovered(const mapwright::map::Recovery& recovery);
   void topicsKnown(const mapwright::robot::ros::KnownTopics& known);
   void mapManagerKnown(bool there);
+  void mapManagerStands(const QString& state);  // what it does now; comes before mapsChanged()
   void mapsChanged();
   void waypointsChanged();
 
@@ -121,6 +119,7 @@ class RosLink : public QObject {
   void note(const std::string& topic, map::ProblemCode code, const std::optional<map::Reason>& reason);
   void forgetTrouble(const std::string& topic);
   void tellPose();
+  bool framesComplete() const;
   void emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
                  std::optional<double> recorded_s);
   void report(map::Severity severity, map::Reason reason);
@@ -154,6 +153,7 @@ class RosLink : public QObject {
   std::list<EarlyPtr> early_;
   std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic
   wire::RawLimit raw_limit_;
+  QElapsedTimer known_since_;  // of this connection
   QElapsedTimer clock_, pose_told_, pose_missing_;
   std::optional<geometry::Pose2> last_pose_;
 };

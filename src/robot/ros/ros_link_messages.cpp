@@ -12,6 +12,7 @@ namespace {
 using net::rosbridge::TopicMessage;
 
 constexpr qint64 kPoseAnywayMs = 1'000;   // a robot that stands still is told of, too
+constexpr qint64 kFramesMs = 2'000;       // for the frames of map and robot to be known
 constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
 
 constexpr qint64 kTellAgainMs = 5'000;
@@ -58,7 +59,10 @@ void RosLink::takeOfManager(const TopicMessage& message) {
   note(message.topic, map::ProblemCode::Unreadable, odd);
   if (taken.maps && book.current() && !book.current()->map.id.empty())
     emitTopic(book.topics().front(), book.mapInfo(), message.received_s, std::nullopt);
-  if (taken.maps) Q_EMIT mapsChanged();
+  if (taken.maps) {
+    Q_EMIT mapManagerStands(QString::fromStdString(book.state()));
+    Q_EMIT mapsChanged();
+  }
   kabam_->look();
   if (taken.waypoints) Q_EMIT waypointsChanged();
 }
@@ -98,7 +102,20 @@ void RosLink::forgetTrouble(const std::string& topic) {
   for (const auto& [code, trouble] : troubles.mapped()) Q_EMIT recovered({topicSubject(topic), code});
 }
 
+// The first transforms to come may be those of the wheels alone, and a pose may come before any of them: the
+// robot would seem to jump when the others do.
+bool RosLink::framesComplete() const {
+  const bool map_expected = !sourcesFor(map::Stream::WholeMap, sources_).empty();
+  const bool transforms_expected = std::any_of(sources_.begin(), sources_.end(),
+                                               [](const Source& source) { return source.form == Form::Tf; });
+  return (!map_expected || world_.fixedByMap()) && (!transforms_expected || world_.posedByTransforms());
+}
+
 void RosLink::tellPose() {
+  if (known_since_.elapsed() < kFramesMs && !framesComplete()) {
+    pose_timer_->start(std::chrono::milliseconds(kFramesMs / 20));
+    return;
+  }
   const auto pose = world_.pose();
   const std::vector<Source> sources = sourcesFor(map::Stream::Pose, sources_);
   if (!pose || sources.empty()) return;

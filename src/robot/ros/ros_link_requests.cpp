@@ -139,23 +139,16 @@ void RosLink::perform(const wire::ErrandPtr& errand, const map::MapKey& key, con
             });
 }
 
-void RosLink::rename(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
-                     OutcomeTo<map::CatalogueEntry> reply) {
-  whenKnown(errand, map::subjectOf(key), map::AskedFor::Change,
-            [this, errand, key, name, reply = std::move(reply)](MaybeFailure failure) {
+void RosLink::carryOut(const wire::ErrandPtr& errand, const MapOrder& order,
+                       OutcomeTo<map::CatalogueEntry> reply) {
+  const map::Subject subject = order.key.id.empty()
+                                   ? map::Subject(map::SubjectKind::Catalogue, map::kMapsPart)
+                                   : map::subjectOf(order.key);
+  whenKnown(errand, subject, map::AskedFor::Change,
+            [this, errand, order, subject, reply = std::move(reply)](MaybeFailure failure) {
               if (failure) return reply(fail(std::move(*failure)));
-              if (!has_manager_) return reply(fail(unsupported(map::subjectOf(key), {})));
-              kabam_->rename(errand, key, name, reply);
-            });
-}
-
-void RosLink::load(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& waypoint,
-                   OutcomeTo<map::CatalogueEntry> reply) {
-  whenKnown(errand, map::subjectOf(key), map::AskedFor::Change,
-            [this, errand, key, waypoint, reply = std::move(reply)](MaybeFailure failure) {
-              if (failure) return reply(fail(std::move(*failure)));
-              if (!has_manager_) return reply(fail(unsupported(map::subjectOf(key), {})));
-              kabam_->load(errand, key, waypoint, reply);
+              if (!has_manager_) return reply(fail(unsupported(subject, {})));
+              kabam_->carryOut(errand, order, reply);
             });
 }
 

@@ -50,6 +50,8 @@ void RosRobot::listen() {
   connect(link_, &RosLink::rawReceived, this, &Robot::rawReceived);
   connect(link_, &RosLink::problemFound, this, &Robot::problemFound);
   connect(link_, &RosLink::recovered, this, &Robot::recovered);
+  connect(link_, &RosLink::mapManagerStands, this,
+          [this](const QString& state) { administration_.setState(state.toStdString()); });
   connect(link_, &RosLink::mapsChanged, this, &Robot::mapsChanged);
   connect(link_, &RosLink::topicsKnown, this, [this](const KnownTopics& known) {
     if (known == known_) return;

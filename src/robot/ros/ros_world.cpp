@@ -80,6 +80,16 @@ std::string RosWorld::robotFrame() const {
   return {};
 }
 
+bool RosWorld::fixedByMap() const {
+  const std::vector<std::string> frames = transforms_.frames();
+  return !map_frame_.empty() || std::binary_search(frames.begin(), frames.end(), kMap);
+}
+
+bool RosWorld::posedByTransforms() const {
+  const std::string robot = robotFrame();
+  return !robot.empty() && transforms_.find(fixedFrame(), robot, {}).has_value();
+}
+
 std::string RosWorld::fixedFrame() const {
   if (!map_frame_.empty()) return map_frame_;
   const std::vector<std::string> frames = transforms_.frames();

@@ -56,6 +56,10 @@ class RosWorld {
   std::string fixedFrame() const;
   /// That of the map, as the map says itself; empty while none has come.
   const std::string& mapFrame() const { return map_frame_; }
+  /// The fixed frame is that of a map, or called so: no other will take its place.
+  bool fixedByMap() const;
+  /// Transforms tell where the robot is.
+  bool posedByTransforms() const;
   /// base_link or base_footprint, whatever stands before it; empty while none of them is known.
   std::string robotFrame() const;
   /// Where the robot is in the fixed frame, now: by transforms, else by the best topic that tells. nullopt:

@@ -1,5 +1,7 @@
 #include "robot/wire/http_failure.h"
 
+#include "robot/wire/net_reason.h"
+
 namespace mapwright::robot::wire {
 
 map::FailureKind failureOf(const net::HttpAnswer& answer) {
@@ -44,8 +46,11 @@ map::Failure failed(const net::HttpAnswer& answer, map::Subject subject, map::As
   const bool answered = answer.kind == net::HttpAnswer::Kind::Answered;
   if (answered) failure.robot_code = std::to_string(answer.status);
   if (answered && answer.status == 409) failure.kind = map::FailureKind::Conflict;
-  if (failure.kind != map::FailureKind::Cancelled)
-    failure.detail = (answered ? answer.said : answer.sentence).toStdString();
+  if (answered) {
+    failure.detail = answer.said.toStdString();
+  } else if (failure.kind != map::FailureKind::Cancelled) {
+    failure.cause = reasonOf(answer.reason);
+  }
   return failure;
 }
 
@@ -69,7 +74,7 @@ map::FailureKind unreadable(const net::HttpAnswer& answer) {
 UntrustedCertificate untrusted(const net::CertificateFault& fault) {
   UntrustedCertificate certificate;
   certificate.host = fault.host;
-  certificate.why = fault.why;
+  for (const net::Reason& why : fault.whys) certificate.why.push_back(reasonOf(why));
   certificate.sha256 = net::fingerprintText(fault.sha256);
   certificate.pinned_sha256 = net::fingerprintText(fault.pinned_sha256);
   certificate.subject = fault.subject;

@@ -1,6 +1,7 @@
 #include "robot/wire/link_state.h"
 
 #include "robot/wire/http_failure.h"
+#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::wire {
 
@@ -26,7 +27,7 @@ map::FailureKind failureOf(net::WebSocketLink::Fault fault) {
 ConnectionState stateOf(const net::WebSocketLink& link, bool wanted) {
   using State = net::WebSocketLink::State;
   ConnectionState state;
-  state.reason = link.reason();
+  state.reason = reasonOf(link.reason());
   state.failure = failureOf(link.fault());
   if (const auto fault = link.certificate()) state.certificate = untrusted(*fault);
   state.attempt = link.attempt();
@@ -35,7 +36,7 @@ ConnectionState stateOf(const net::WebSocketLink& link, bool wanted) {
   switch (link.state()) {
     case State::Open:
       state.phase = ConnectionPhase::Online;
-      state.reason.clear();
+      state.reason = {};
       state.failure = map::FailureKind::None;
       break;
     case State::Connecting:
@@ -46,7 +47,7 @@ ConnectionState stateOf(const net::WebSocketLink& link, bool wanted) {
       break;
     case State::Closed:
       state.phase = wanted ? ConnectionPhase::Refused : ConnectionPhase::Offline;
-      if (!wanted) state.reason.clear();
+      if (!wanted) state.reason = {};
       if (wanted && (link.handshakeStatus() == 401 || link.handshakeStatus() == 403))
         state.failure = map::FailureKind::Refused;
       break;

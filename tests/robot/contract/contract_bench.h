@@ -18,6 +18,7 @@
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
 #include "robot/files/file_robot.h"
+#include "robot/map_administration.h"
 #include "robot/ros/ros_robot.h"
 #include "robot/waypoint_store.h"
 #include "simulator/simulator.h"
@@ -151,9 +152,16 @@ class Bench {
                      }});
     }
     if (auto* maps = robot->mapAdministration()) {
-      all.push_back(
-          {"rename", [=, of = key](auto end) { return maps->rename(of, "Lobby", tell(end)); }, true});
-      all.push_back({"load", [=, of = key](auto end) { return maps->load(of, tell(end)); }, true});
+      all.push_back({"rename",
+                     [=, of = key](auto end) {
+                       return maps->carryOut({MapChange::Rename, of, "Lobby"}, tell(end));
+                     },
+                     true});
+      all.push_back({"load",
+                     [=, of = key](auto end) {
+                       return maps->carryOut({MapChange::Load, of}, tell(end));
+                     },
+                     true});
     }
     return all;
   }

@@ -308,7 +308,8 @@ class RobotContractTest : public QObject {
         {Capability::Waypoints, robot.waypointSource() != nullptr},
         {Capability::WaypointEditing, robot.waypointStore() != nullptr},
         {Capability::Live, robot.liveTopics() != nullptr},
-        {Capability::Administration, robot.mapAdministration() != nullptr}};
+        {Capability::Administration, robot.mapAdministration() != nullptr},
+        {Capability::PictureEditing, robot.pictureStore() != nullptr}};
     for (const auto& [capability, there] : all) {
       if (there) continue;
       const QString why = sentences::whyAbsent(capability, robot.whyNot(capability));
@@ -323,17 +324,53 @@ class RobotContractTest : public QObject {
     Bench bench(Adapter::Axbot);
     MapAdministration& maps = *bench.robot->mapAdministration();
     std::optional<Outcome<map::CatalogueEntry>> renamed, loaded;
-    maps.rename(bench.key, "Hall \"2\" 🏭", [&](auto outcome) { renamed = std::move(outcome); });
+    maps.carryOut({MapChange::Rename, bench.key, "Hall \"2\" 🏭"},
+                  [&](auto outcome) { renamed = std::move(outcome); });
     QTRY_VERIFY_WITH_TIMEOUT(renamed.has_value(), kPatienceMs);
     QVERIFY(renamed->has_value());
     QCOMPARE((*renamed)->name, std::string("Hall \"2\" 🏭"));
     QVERIFY(!(*renamed)->is_current);
     QSignalSpy changed(bench.robot.get(), &Robot::mapsChanged);
-    maps.load(bench.key, [&](auto outcome) { loaded = std::move(outcome); });
+    maps.carryOut({MapChange::Load, bench.key}, [&](auto outcome) { loaded = std::move(outcome); });
     QTRY_VERIFY_WITH_TIMEOUT(loaded.has_value(), kPatienceMs);
     QVERIFY(loaded->has_value() && (*loaded)->is_current);
     QVERIFY((*loaded)->key == bench.key);
     QVERIFY(!changed.isEmpty());
+  }
+
+  void anAnswerThatIsLostIsLookedFor() {
+    simulator::Faults faults;
+    faults.lose_write_answers = 1;
+    Bench bench(Adapter::Axbot, faults);
+    std::optional<Outcome<map::CatalogueEntry>> renamed;
+    bench.robot->mapAdministration()->carryOut({MapChange::Rename, bench.key, "Lobby"},
+                                               [&](auto outcome) { renamed = std::move(outcome); });
+    QTRY_VERIFY_WITH_TIMEOUT(renamed.has_value(), kPatienceMs);
+    QVERIFY(renamed->has_value());
+    QCOMPARE((*renamed)->name, std::string("Lobby"));
+    QCOMPARE(bench.gate->count("PATCH "), 1);
+  }
+
+  void whatCannotBeAskedForSaysWhy() {
+    Bench bench(Adapter::Axbot);
+    const MapAdministration& maps = *bench.robot->mapAdministration();
+    map::CatalogueEntry stored, mapping, loaded;
+    stored.key = bench.key;
+    mapping.key = {map::MapKind::Mapping, "1"};
+    loaded = stored;
+    loaded.is_current = true;
+    QVERIFY(!maps.obstacle(MapChange::Rename, &stored));
+    QVERIFY(!maps.obstacle(MapChange::Load, &stored));
+    QVERIFY(maps.obstacle(MapChange::Load, &loaded) == Obstacle::IsLoaded);
+    QVERIFY(maps.obstacle(MapChange::Rename, &mapping) == Obstacle::NotOfThisMap);
+    QVERIFY(maps.obstacle(MapChange::Delete, &stored) == Obstacle::NotOffered);
+    QVERIFY(maps.obstacle(MapChange::StartMapping, nullptr) == Obstacle::NotOffered);
+    std::optional<Outcome<map::CatalogueEntry>> ended;
+    bench.robot->mapAdministration()->carryOut({MapChange::Delete, bench.key},
+                                               [&](auto outcome) { ended = std::move(outcome); });
+    QVERIFY(!ended);
+    QTRY_VERIFY_WITH_TIMEOUT(ended.has_value(), kPatienceMs);
+    QVERIFY(ended->error().kind == FailureKind::Unsupported && ended->error().applied == Applied::No);
   }
 
   void aFailedChangeSaysWhetherItWasMade_data() {
@@ -350,7 +387,6 @@ class RobotContractTest : public QObject {
     row("it has been changed meanwhile", FailureKind::Conflict, Applied::No, false);
     row("it stumbles", FailureKind::RejectedByRobot, Applied::Maybe, false);
     row("the request is lost", FailureKind::Unreachable, Applied::Maybe, false);
-    row("the answer is lost", FailureKind::Unreachable, Applied::Maybe, true);
     row("the answer breaks off", FailureKind::Unreachable, Applied::Yes, true);
     row("it is silent", FailureKind::TimedOut, Applied::Maybe, false);
     row("it is cancelled while it waits", FailureKind::Cancelled, Applied::Maybe, false);
@@ -364,7 +400,6 @@ class RobotContractTest : public QObject {
     const auto is = [&](const char* what) { return how == QLatin1String(what); };
     simulator::Faults faults;
     if (is("the request is lost")) faults.drop_writes = 1;
-    if (is("the answer is lost")) faults.lose_write_answers = 1;
     if (is("it stumbles")) faults.write_error_rate = 1;
     Bench bench(Adapter::Axbot, faults);
     AnswerGate& gate = *bench.gate;
@@ -381,10 +416,11 @@ class RobotContractTest : public QObject {
     }
     Ended ended;
     int replies = 0;
-    const Call call = bench.robot->mapAdministration()->rename(bench.key, "Lobby", [&](const auto& outcome) {
-      ++replies;
-      if (!outcome) ended = outcome.error();
-    });
+    const Call call = bench.robot->mapAdministration()->carryOut({MapChange::Rename, bench.key, "Lobby"},
+                                                                 [&](const auto& outcome) {
+                                                                   ++replies;
+                                                                   if (!outcome) ended = outcome.error();
+                                                                 });
     if (is("it is cancelled while it waits")) {
       QTRY_COMPARE_WITH_TIMEOUT(gate.count("PATCH "), 1, kPatienceMs);
       call.cancel();

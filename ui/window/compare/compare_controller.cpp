@@ -36,6 +36,11 @@ CompareController::~CompareController() = default;
 
 void CompareController::compareWith(const map::MapKey& key) { control_->start(key); }
 
+void CompareController::compareWithSaved() {
+  if (control_->active() && control_->second() == SecondMap(KeptState{})) return control_->end();
+  control_->start(SecondMap(KeptState{}));
+}
+
 void CompareController::setSession(session::Session* session) {
   if (!session) source_.reset();
   control_->setSession(session);

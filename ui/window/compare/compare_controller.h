@@ -27,6 +27,8 @@ class CompareController : public Controller {
 
   CompareControl* control() const { return control_; }
   void compareWith(const map::MapKey& key);
+  /// The open map as it is kept beside what is being made of it; ends such a comparison.
+  void compareWithSaved();
   void setSession(session::Session* session) override;
   bool escape() override;
 

@@ -5,6 +5,7 @@
 #include <QDir>
 
 #include "sentences/absence_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "window/connection/robot_menus.h"
 #include "window/current_session.h"
 #include "window/dialogs/certificate_dialog.h"
@@ -149,7 +150,7 @@ void ConnectionController::enterSecret() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
   // Once it is shown, so that the focus stays.
-  dialog->askForSecret(context_.current.address(), session->connection().reason);
+  dialog->askForSecret(context_.current.address(), sentences::wordsOf(session->connection().reason));
 }
 
 void ConnectionController::openCertificate() {
@@ -245,8 +246,8 @@ void ConnectionController::refreshNotices() {
     const bool refused = connection.phase == ConnectionPhase::Refused;
     link.mark = refused ? Mark::Bad : Mark::Warning;
     link.sentence = lostConnectionSentence(*since, QDateTime::currentDateTime());
-    if (refused && !connection.reason.isEmpty())
-      link.sentence += QLatin1Char(' ') + words::asSentence(connection.reason);
+    if (refused && connection.reason.any())
+      link.sentence += QLatin1Char(' ') + sentences::sentenceOf(connection.reason);
     if (wantsSecret(connection)) {
       link.offer = tr("Enter secret…");
       link.take = [this] { enterSecret(); };

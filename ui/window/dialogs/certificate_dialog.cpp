@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "sentences/reason_sentence.h"
 #include "window/look/ui_colors.h"
 
 namespace mapwright::window {
@@ -105,7 +106,7 @@ QWidget* CertificateDialog::buildFacts() {
     form->addRow(label, value);
   };
   const bool changed = !certificate_.pinned_sha256.isEmpty();
-  auto* why = plain(certificate_.why, box);
+  auto* why = plain(sentences::wordsOf(certificate_.why), box);
   why->setObjectName(QStringLiteral("why"));
   QPalette red = why->palette();
   red.setColor(QPalette::WindowText, appColors().error_text);

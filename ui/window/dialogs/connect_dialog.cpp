@@ -34,6 +34,14 @@ void makeSecondary(QLabel* label) {
   label->setPalette(palette);
 }
 
+/// What may be typed: a host alone, or an address of each kind that there is.
+QString examplesText(const QStringList& examples) {
+  const QString host = ConnectDialog::tr("For example 192.0.2.7 or robot.local:8090.");
+  if (examples.isEmpty()) return host;
+  return host + QLatin1Char(' ') +
+         ConnectDialog::tr("A whole address looks like %1.").arg(examples.join(QStringLiteral(", ")));
+}
+
 }  // namespace
 
 ConnectDialog::ConnectDialog(RecentRobots& recents, Attempt attempt, QWidget* parent)
@@ -89,11 +97,7 @@ QWidget* ConnectDialog::buildForm() {
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   address_->setObjectName(QStringLiteral("address"));
   address_->setPlaceholderText(QStringLiteral("192.0.2.7"));
-  auto* examples =
-      plainLabel(tr("For example 192.0.2.7, robot.local:8090 or axbot+https://robot.example for "
-                    "Autoxing robots (without a port, 8090 is meant), aimdk+http://192.0.2.8:50807 "
-                    "for Agibot robots, file:/maps/office.yaml for a map on this computer."),
-                 form_box);
+  auto* examples = plainLabel(examplesText(recents_.addresses().examples()), form_box);
   makeSecondary(examples);
   secret_->setObjectName(QStringLiteral("secret"));
   secret_->setEchoMode(QLineEdit::Password);

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
 #include "window/docks/map_row_delegate.h"
 #include "window/docks/tree_view.h"
@@ -116,7 +117,9 @@ void MapsDock::refresh() {
   model_->sync();
   const bool offered = session_ && session_->catalogue().offered();
   const bool loading = offered && session_->catalogue().loading();
-  const QString error = offered ? session_->catalogue().error() : QString();
+  const QString error = offered && session_->catalogue().failure()
+                            ? QString::fromStdString(sentences::sentenceOf(*session_->catalogue().failure()))
+                            : QString();
   search_->setEnabled(offered);
   refresh_->setEnabled(offered && !loading);
   const QString why_not =
@@ -153,7 +156,7 @@ QString MapsDock::emptyText() const {
     return sentences::whyAbsent(robot::Capability::Catalogue,
                                 session_->robot().whyNot(robot::Capability::Catalogue));
   }
-  if (session_->catalogue().loading() || !session_->catalogue().error().isEmpty()) return {};
+  if (session_->catalogue().loading() || session_->catalogue().failure()) return {};
   if (model_->maps() == 0) {
     return session_->catalogue().asOf() ? tr("The robot keeps no maps.")
                                         : tr("The list comes as soon as the robot is connected.");
@@ -176,6 +179,7 @@ void MapsDock::showMenu(const QPoint& at) {
                  [this, key] { Q_EMIT compareWanted(*key); });
   menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,
                  [this, key] { Q_EMIT exportWanted(*key); });
+  Q_EMIT menuOpening(&menu, *key);
   if (!key->id.empty()) {
     menu.addSeparator();
     menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy id"), this, [this, key] {

@@ -10,6 +10,7 @@
 class QLabel;
 class QLineEdit;
 class QListView;
+class QMenu;
 class QPushButton;
 class QToolButton;
 
@@ -39,6 +40,8 @@ class MapsDock : public QDockWidget {
   void compareWanted(const mapwright::map::MapKey& key);
   void exportWanted(const mapwright::map::MapKey& key);
   void copyWanted(const QString& text, const QString& what);
+  /// The menu of this map is about to be shown: others put entries into it.
+  void menuOpening(QMenu* menu, const mapwright::map::MapKey& key);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

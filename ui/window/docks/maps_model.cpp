@@ -108,18 +108,19 @@ std::vector<MapsModel::Row> MapsModel::build() {
     row.open = open(row.key);
     if (passes(row.title)) rows.push_back(row);
   }
-  std::optional<map::MapKind> section;
+  using Section = std::pair<map::MapKind, bool>;
+  std::optional<Section> section;
   for (const map::CatalogueEntry& entry : session_->catalogue().entries()) {
     ++maps_;
     Row row{RowKind::Map,       entry.key,        mapTitle(entry.name), mapDetail(entry),
             entry.name.empty(), entry.is_current, open(entry.key)};
     if (!passes(QString::fromStdString(entry.name) + QLatin1Char(' ') + row.detail)) continue;
     ++found_;
-    if (section != entry.key.kind) {
-      section = entry.key.kind;
+    if (section != Section(entry.key.kind, entry.is_archived)) {
+      section = Section(entry.key.kind, entry.is_archived);
       Row heading;
       heading.kind = RowKind::Section;
-      heading.title = sectionTitle(*section);
+      heading.title = entry.is_archived ? tr("Archived maps") : sectionTitle(entry.key.kind);
       heading.nameless = true;
       rows.push_back(std::move(heading));
     }

@@ -56,7 +56,7 @@ EditController::EditController(WindowContext& context, QObject* parent)
 void EditController::refresh() {
   undo_->setEnabled(context_.undo.canUndo());
   redo_->setEnabled(context_.undo.canRedo());
-  save_->setEnabled(context_.unsaved.any());
+  save_->setEnabled(context_.unsaved.maySave());
 }
 
 }  // namespace mapwright::window

@@ -15,6 +15,7 @@
 
 #include "robot/address.h"
 #include "scene/write_picture.h"
+#include "sentences/reason_sentence.h"
 #include "window/current_session.h"
 #include "window/dialogs/export_dialog.h"
 #include "window/files/export_map.h"
@@ -96,7 +97,8 @@ std::optional<QString> ExportController::saveMapPicture(const QString& path) {
     return tr("%1 is a file that this map is read from. Choose another name.")
         .arg(QDir::toNativeSeparators(path));
   }
-  return scene::writePicture(mapPicture(), path);
+  const auto problem = scene::writePicture(mapPicture(), path);
+  return problem ? std::optional(sentences::wordsOf(*problem)) : std::nullopt;
 }
 
 void ExportController::copyPicture() {

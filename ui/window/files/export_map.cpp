@@ -10,8 +10,10 @@
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
+#include "reasons/file_reason.h"
 #include "render/compose_grid.h"
 #include "scene/write_picture.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::window {
 
@@ -22,16 +24,20 @@ using Problem = std::optional<QString>;
 
 constexpr double kComposePart = 0.7;  // of the work, when submaps have to be composed first
 
-Problem fromText(const std::optional<std::string>& problem) {
-  return problem ? std::optional(QString::fromStdString(*problem)) : std::nullopt;
+Problem told(const std::optional<map::Reason>& reason) {
+  return reason ? std::optional(sentences::wordsOf(*reason)) : std::nullopt;
+}
+
+Problem told(const std::optional<disk::Fault>& fault) {
+  return fault ? told(std::optional(reasons::notWritten(*fault))) : std::nullopt;
 }
 
 Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed) {
   if (!map.cells) return QCoreApplication::translate("window", "There is no map to export.");
   const std::string path = QDir::toNativeSeparators(request.path).toStdString();
-  return fromText(request.format == ExportFormat::MapServer
-                      ? grids::writeMapServer(*map.cells, map.reference, path, proceed)
-                      : grids::writeGridPng(*map.cells, path, proceed));
+  return told(request.format == ExportFormat::MapServer
+                  ? grids::writeMapServer(*map.cells, map.reference, path, proceed)
+                  : grids::writeGridPng(*map.cells, path, proceed));
 }
 
 }  // namespace
@@ -78,12 +84,12 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
     if (!request.world_file || request.format == ExportFormat::MapServer) return true;
     world_file.emplace(worldFilePath(request.path).toStdString());
     world_file->write(grids::worldFileText(reference));
-    if (!world_file->finish()) problem = fromText(world_file->place());
+    if (!world_file->finish()) problem = told(world_file->place());
     return !problem;
   };
   if (const auto* view = std::get_if<ViewExport>(&request.source)) {
     reference = view->reference;
-    if (writeWorldFile()) problem = scene::writePicture(view->picture, request.path);
+    if (writeWorldFile()) problem = told(scene::writePicture(view->picture, request.path));
   } else if (const auto* whole = std::get_if<WholeMapExport>(&request.source)) {
     reference = whole->reference;
     if (writeWorldFile()) problem = writeGrid(*whole, request, watched);
@@ -100,10 +106,10 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
                             [&](double done) { return watched(kComposePart + done * (1 - kComposePart)); });
       }
     } else {
-      problem = QString::fromStdString(composed.error());
+      problem = sentences::wordsOf(composed.error());
     }
   }
-  if (!problem && !result.cancelled && world_file) problem = fromText(world_file->place());
+  if (!problem && !result.cancelled && world_file) problem = told(world_file->place());
   if (problem && !result.cancelled) result.error = *problem;
   return result;
 }

@@ -90,19 +90,19 @@ CompareBar::CompareBar(QWidget* parent)
   auto* legend_row = new QHBoxLayout(legend_);
   legend_row->setContentsMargins(0, 0, 0, 0);
   legend_row->setSpacing(12);
-  const auto entry = [&](render::Difference what, const char* text) {
-    legend_row->addWidget(new LegendEntry(what, QLatin1String(text), legend_));
+  const auto entry = [&](render::Difference what, const QString& text) {
+    legend_row->addWidget(new LegendEntry(what, text, legend_));
   };
-  entry(render::Difference::Appeared, "new in the second");
-  entry(render::Difference::Vanished, "vanished in it");
-  entry(render::Difference::OnlyFirst, "known in the first only");
-  entry(render::Difference::OnlySecond, "in the second only");
+  entry(render::Difference::Appeared, tr("new in the second"));
+  entry(render::Difference::Vanished, tr("vanished in it"));
+  entry(render::Difference::OnlyFirst, tr("known in the first only"));
+  entry(render::Difference::OnlySecond, tr("in the second only"));
   legend_row->addStretch();
 
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
   line->addWidget(first_, 1);
-  line->addWidget(new PlainLabel(QStringLiteral("with"), this));
+  line->addWidget(new PlainLabel(tr("with"), this));
   line->addWidget(second_, 2);
   line->addWidget(swipe_);
   line->addWidget(difference_);

@@ -11,6 +11,7 @@
 
 #include "sentences/plural.h"
 #include "sentences/problem_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"
 #include "window/status/status_text.h"
@@ -120,15 +121,16 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
       state.title = connection.phase == ConnectionPhase::Refused
                         ? QCoreApplication::translate("window", "The robot refused")
                         : QCoreApplication::translate("window", "Cannot reach the robot");
-      state.text =
-          connection.reason.isEmpty() ? address : QStringLiteral("%1\n%2").arg(address, connection.reason);
+      state.text = connection.reason.any()
+                       ? QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.reason))
+                       : address;
       state.offers_retry = state.offers_connect = true;
       if (connection.certificate) {
         // The fingerprint is in the dialog: it fits on no card.
         const bool changed = !connection.certificate->pinned_sha256.isEmpty();
         state.title = changed ? EmptyStateCard::tr("The certificate of the robot has changed")
                               : EmptyStateCard::tr("The certificate of the robot is not trusted");
-        state.text = QStringLiteral("%1\n%2").arg(address, connection.certificate->why);
+        state.text = QStringLiteral("%1\n%2").arg(address, sentences::wordsOf(connection.certificate->why));
         state.offers_certificate = true;
         state.offers_retry = false;
       }

@@ -35,6 +35,8 @@ class MapTool : public QObject {
 
   virtual QString name() const = 0;  // as remembered in the settings
   virtual QCursor cursor() const = 0;
+  /// Every press begins something, however quickly it follows the one before: there are no double clicks.
+  virtual bool takesEveryPress() const { return false; }
   virtual void activate() {}
   virtual void deactivate() {}
 

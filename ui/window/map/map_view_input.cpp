@@ -103,6 +103,7 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void MapView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (activeTool()->takesEveryPress()) return mousePressEvent(event);
   if (event->button() != Qt::LeftButton) return;
   event->accept();
   const Eigen::Vector2d world = worldAt(event->position());

@@ -1,5 +1,7 @@
 #include "window/maps/maps_controller.h"
 
+#include <utility>
+
 #include "sentences/problem_sentence.h"
 #include "window/clipboard.h"
 #include "window/current_session.h"
@@ -89,6 +91,7 @@ void MapsController::noteChange() {
 }
 
 void MapsController::noteOtherFile() {
+  if (std::exchange(own_change_, false)) return;
   const session::Session* const session = context_.current.session();
   if (!session || !session->robot().isLocal()) return;
   const session::MapSlot& slot = session->wholeMap();

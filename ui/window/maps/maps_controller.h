@@ -19,6 +19,8 @@ class MapsController : public Controller {
   void setSession(session::Session* session) override;
   /// Shows a map of the catalogue without loading it on the robot.
   void open(const map::MapKey& key);
+  /// The next change of the maps is one that was made here.
+  void expectOwnChange() { own_change_ = true; }
 
  Q_SIGNALS:
   void compareWanted(const mapwright::map::MapKey& key);
@@ -39,6 +41,7 @@ class MapsController : public Controller {
   MapsDock* dock_;
   /// The next whole map is one that the user asked for: look at it.
   bool fit_next_ = false;
+  bool own_change_ = false;
   std::optional<map::MapKey> fitted_;
   std::optional<map::MapKey> export_when_read_;
 };

@@ -9,6 +9,7 @@
 
 #include "geometry/pose.h"
 #include "sentences/plural.h"
+#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -48,7 +49,8 @@ bool wantsSecret(const robot::ConnectionState& state) {
 }
 
 StateText connectionText(const robot::ConnectionState& state, qint64 waited_ms) {
-  const QString because = state.reason.isEmpty() ? QString() : QStringLiteral(": ") + state.reason;
+  const QString because =
+      state.reason.any() ? QStringLiteral(": ") + sentences::wordsOf(state.reason) : QString();
   switch (state.phase) {
     case ConnectionPhase::Offline:
       return {Mark::Neutral, QCoreApplication::translate("window", "offline")};

@@ -17,6 +17,9 @@ NameEditor::NameEditor(QWidget* map) : QLineEdit(map) {
   setMaxLength(kLongestName);
   setAccessibleName(tr("Name of the waypoint"));
   hide();
+  connect(this, &QLineEdit::textEdited, this, [this](const QString& text) {
+    if (then_) then_(text.trimmed().isEmpty() ? offered_ : text);
+  });
 }
 
 void NameEditor::ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then) {
@@ -29,6 +32,7 @@ void NameEditor::ask(const QPointF& at, const QString& name, std::function<void(
       std::clamp(int(at.y()) - height / 2, room.top(), std::max(room.top(), room.bottom() - height));
   setGeometry(x, y, kWidthPx, height);
   setText(name);
+  offered_ = name;
   selectAll();
   then_ = std::move(then);
   show();
@@ -42,7 +46,7 @@ void NameEditor::close(bool take) {
   if (!then_) return;
   const auto then = std::exchange(then_, nullptr);
   hide();
-  if (take) then(text());
+  if (isModified()) then(take && !text().trimmed().isEmpty() ? text() : offered_);
 }
 
 void NameEditor::keyPressEvent(QKeyEvent* event) {

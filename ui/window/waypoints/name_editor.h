@@ -11,8 +11,8 @@ class NameEditor : public QLineEdit {
   Q_OBJECT
  public:
   explicit NameEditor(QWidget* map);
-  /// Offers `name` for editing beside `at` (viewport pixels). What is typed goes to `then` with Enter or when
-  /// the focus goes elsewhere; Esc leaves the name as it was.
+  /// Offers `name` for editing beside `at` (viewport pixels). What is typed goes to `then` while it is typed,
+  /// and with Enter or when the focus goes elsewhere; after Esc, and where nothing is left, it gets `name`.
   void ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then);
   /// Takes what has been typed so far.
   void finish();
@@ -27,6 +27,7 @@ class NameEditor : public QLineEdit {
  private:
   void close(bool take);
   std::function<void(const QString&)> then_;
+  QString offered_;
 };
 
 }  // namespace mapwright::window

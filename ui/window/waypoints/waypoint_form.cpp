@@ -77,11 +77,13 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
       connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointForm::refresh);
     refresh();
   });
+  // What is typed is in the list, and so in the draft, at once; all that is typed without a break is one
+  // step.
+  connect(name_, &QLineEdit::textEdited, this, &WaypointForm::takeName);
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     if (refreshing_ || !name_->isModified()) return;
     name_->setModified(false);
-    // A name of nothing is none: the one of before stays.
-    editing_->rename(shown_, name_->text());
+    last_field_ = 0;
     refresh();
   });
   connect(tags_, &QLineEdit::editingFinished, this, [this] {
@@ -106,6 +108,20 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
   refresh();
 }
 
+void WaypointForm::takeName(const QString& text) {
+  const map::Waypoint* const now = editing_->find(shown_);
+  if (refreshing_ || !now) return;
+  if (last_field_ != edit::waypoint_field::kName) {
+    gesture_ = editing_->newGesture();
+    name_before_ = QString::fromStdString(now->name);
+  }
+  last_field_ = edit::waypoint_field::kName;
+  typing_ = true;
+  // A name of nothing is none: the one of before stays.
+  editing_->rename(shown_, text.trimmed().isEmpty() ? name_before_ : text, gesture_);
+  typing_ = false;
+}
+
 void WaypointForm::apply(const QString& what, edit::FieldMask field,
                          const std::function<void(map::Waypoint&)>& change) {
   const map::Waypoint* const now = editing_->find(shown_);
@@ -125,8 +141,8 @@ void WaypointForm::refresh() {
   if (const auto preview = editing_->preview().find(key); preview != editing_->preview().end())
     point = &preview->second;
   setEnabled(point && editing_->editable());
-  const auto show = [](QLineEdit* edit, const QString& text) {
-    if (edit->hasFocus() && edit->isModified()) return;  // somebody is typing
+  const auto show = [this](QLineEdit* edit, const QString& text) {
+    if (edit->isModified() && (typing_ || edit->hasFocus())) return;  // somebody is typing
     if (edit->text() != text) edit->setText(text);
   };
   show(name_, point ? QString::fromStdString(point->name) : QString());

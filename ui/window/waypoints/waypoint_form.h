@@ -18,6 +18,7 @@ class WaypointForm : public QWidget {
 
  private:
   void refresh();
+  void takeName(const QString& text);
   /// What the hand does to one field without a break is one command.
   void apply(const QString& what, edit::FieldMask field, const std::function<void(map::Waypoint&)>& change);
 
@@ -27,7 +28,8 @@ class WaypointForm : public QWidget {
   edit::Key shown_;
   edit::FieldMask last_field_ = 0;
   edit::Gesture gesture_ = 0;
-  bool refreshing_ = false;
+  QString name_before_;  // what is typed now
+  bool refreshing_ = false, typing_ = false;
 };
 
 }  // namespace mapwright::window

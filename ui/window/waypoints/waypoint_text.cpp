@@ -89,7 +89,7 @@ QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
 QString failureText(const map::Failure& failure) {
   using map::FailureKind;
   QString text;
-  if (!failure.detail.empty() || !failure.robot_code.empty()) {
+  if (!failure.detail.empty() || failure.cause.any() || !failure.robot_code.empty()) {
     text = words::plainLine(QString::fromStdString(sentences::sentenceOf(failure)));
   } else {
     switch (failure.kind) {

@@ -9,6 +9,7 @@
 #include "scene/drawn_waypoint.h"
 #include "scene/layer_item.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/reason_sentence.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
@@ -17,6 +18,7 @@
 #include "window/map/toast_stack.h"
 #include "window/map/tool_choice.h"
 #include "window/panels.h"
+#include "window/undo_stacks.h"
 #include "window/waypoints/name_editor.h"
 #include "window/waypoints/waypoint_text.h"
 #include "window/waypoints/waypoint_tool.h"
@@ -44,6 +46,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(tool_, &WaypointTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
     context_.panels.open(dock_);
+    if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
   });
   connect(dock_, &WaypointsDock::addWanted, this, [this] { addAt(context_.scene.view().center_m); });
   connect(dock_, &WaypointsDock::saveWanted, this, &WaypointsController::save);
@@ -145,8 +148,9 @@ void WaypointsController::openList(const map::MapKey& key) {
                                                 session_->robot().address(), context_.edit);
   connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::noteSaving);
   connect(list_.get(), &edit::OpenWaypoints::draftTroubleChanged, this, &WaypointsController::refresh);
-  connect(list_.get(), &edit::OpenWaypoints::remarked, this,
-          [this](const QString& sentence) { context_.overlay.toasts()->add(Mark::Warning, sentence); });
+  connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const map::Reason& remark) {
+    context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
+  });
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {
     if (list_->submission().done() > 0)
       context_.overlay.toasts()->add(Mark::Good, tr("Waypoints of %1 saved").arg(mapName()));
@@ -155,7 +159,7 @@ void WaypointsController::openList(const map::MapKey& key) {
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
   });
   connect(&list_->document(), &edit::DocumentEvents::changed, this, &WaypointsController::takeChange);
-  context_.undo.addStack(&list_->document().undoStack());
+  joinUndo(context_.undo, list_->document().undoStack());
   context_.undo.setActiveStack(&list_->document().undoStack());
 }
 
@@ -197,7 +201,8 @@ void WaypointsController::closeList() {
     list_->robotGone();
     // What is not saved stays as a draft; where that is impossible somebody has to know.
     if (const auto trouble = list_->unsaved() ? list_->keepDraft() : std::nullopt)
-      context_.overlay.toasts()->add(Mark::Bad, tr("The changes of waypoints are lost. %1").arg(*trouble));
+      context_.overlay.toasts()->add(
+          Mark::Bad, tr("The changes of waypoints are lost. %1").arg(sentences::wordsOf(*trouble)));
     list_->disconnect(this);
     list_->document().disconnect(this);
     list_.reset();
@@ -296,16 +301,19 @@ void WaypointsController::refresh() {
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   revert_action_->setEnabled(unsaved());
   refreshNotice();
-  if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
+  const bool changed = was_unsaved_ != unsaved() || could_save_ != maySave();
+  was_unsaved_ = unsaved();
+  could_save_ = maySave();
+  if (changed) Q_EMIT unsavedChanged();
 }
 
 void WaypointsController::refreshNotice() {
   NoticeBar* const notice = context_.overlay.editNotice();
-  if (list_ && !list_->draftTrouble().isEmpty()) {
-    return notice->setNotice(
-        Mark::Bad,
-        tr("Changes of waypoints are not kept safe: save them soon. %1").arg(list_->draftTrouble()),
-        tr("Show"));
+  if (list_ && list_->draftTrouble().any()) {
+    return notice->setNotice(Mark::Bad,
+                             tr("Changes of waypoints are not kept safe: save them soon. %1")
+                                 .arg(sentences::wordsOf(list_->draftTrouble())),
+                             tr("Show"));
   }
   if (list_ && !list_->offered().empty()) {
     notice->setNotice(Mark::Warning, offerText(list_->offered().front(), context_.edit.now()), tr("Restore"));
@@ -334,6 +342,8 @@ void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
   if (!point || !editing_.editable()) return;
   const QPointF at = scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m));
   if (!QRectF(context_.view.viewport()->rect()).contains(at)) context_.view.lookAt(point->position_m, false);
+  // All that is typed is one step, and one with what made the waypoint.
+  if (gesture == 0) gesture = editing_.newGesture();
   name_editor_->ask(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)),
                     QString::fromStdString(point->name),
                     [this, key, gesture](const QString& name) { editing_.rename(key, name, gesture); });
@@ -398,7 +408,7 @@ void WaypointsController::answer(int button) {
     then();
   } else if (button == kKeep) {
     if (const auto trouble = list_->keepDraft()) {
-      context_.overlay.toasts()->add(Mark::Bad, *trouble);
+      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
     } else {
       may_leave_ = true;
       then();

@@ -28,6 +28,7 @@ class WaypointsController : public Controller {
 
   void setSession(session::Session* session) override;
   bool unsaved() const override { return list_ && list_->unsaved(); }
+  bool maySave() const override { return list_ && list_->maySave(); }
   void save() override;
   void beforeLeaving(std::function<void()> then) override;
 
@@ -71,7 +72,7 @@ class WaypointsController : public Controller {
   QPointer<QMessageBox> question_;
   std::function<void()> when_left_, when_saved_;
   std::optional<map::Failure> told_failure_;  // that of the last save
-  bool was_unsaved_ = false, said_decide_ = false;
+  bool was_unsaved_ = false, could_save_ = false, said_decide_ = false;
   bool may_leave_ = false;  // the draft is to be kept as it is
 };
 

@@ -1,5 +1,6 @@
 #include "window/waypoints/waypoints_dock.h"
 
+#include <QCollator>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -35,10 +36,16 @@ void secondary(QLabel* label, bool bad) {
 
 }  // namespace
 
-/// Finds names and tags.
+/// Finds names and tags; "Rack 2" stands before "Rack 10".
 class WaypointFilter : public QSortFilterProxyModel {
  public:
-  using QSortFilterProxyModel::QSortFilterProxyModel;
+  explicit WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+    // The C locale compares bytes, whatever is asked of it.
+    if (order_.locale().language() == QLocale::C)
+      order_.setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
+    order_.setNumericMode(true);
+    order_.setCaseSensitivity(Qt::CaseInsensitive);
+  }
   void look(const QString& text) {
     wanted_ = text.trimmed();
     invalidateFilter();
@@ -54,8 +61,15 @@ class WaypointFilter : public QSortFilterProxyModel {
     return false;
   }
 
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
+    const QVariant one = left.data(sortRole()), other = right.data(sortRole());
+    if (one.typeId() != QMetaType::QString) return QSortFilterProxyModel::lessThan(left, right);
+    return order_.compare(one.toString(), other.toString()) < 0;
+  }
+
  private:
   QString wanted_;
+  QCollator order_;
 };
 
 WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
@@ -160,8 +174,6 @@ WaypointsDock::~WaypointsDock() {
 void WaypointsDock::buildTable() {
   sorted_->setSourceModel(model_);
   sorted_->setSortRole(WaypointsModel::kSortRole);
-  sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
-  sorted_->setSortLocaleAware(true);
   table_->setModel(sorted_);
   table_->setItemDelegate(new TableRowDelegate(table_));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -261,20 +273,19 @@ void WaypointsDock::takeSelection() {
 void WaypointsDock::refresh() {
   const edit::WaypointDocument* const document = editing_->document();
   const bool editable = editing_->editable(), saving = list_ && list_->saving();
-  const bool unsaved = list_ && list_->unsaved();
   empty_->setText(emptyText());
   empty_->setVisible(!empty_->text().isEmpty());
   filter_->setEnabled(document && !document->items().empty());
   add_->setEnabled(editable);
   remove_->setEnabled(editable && !editing_->selected().empty());
-  save_->setEnabled(unsaved && !saving && (!document || document->conflicts().empty()));
+  save_->setEnabled(list_ && list_->maySave());
   save_->setVisible(!saving);
   cancel_->setVisible(saving);
   retry_->setVisible(list_ && list_->failure() && !saving);
   form_->setVisible(document != nullptr);
   const bool bad =
       list_ && (list_->failure() || list_->submission().phase() == edit::SubmissionPhase::Stopped ||
-                !list_->draftTrouble().isEmpty());
+                list_->draftTrouble().any());
   status_->setText(statusText());
   status_->setToolTip(plainToolTip(status_->text()));  // where there is no room for all of it
   status_->setVisible(!status_->text().isEmpty());
@@ -307,16 +318,20 @@ QString WaypointsDock::statusText() const {
   if (list_->saving()) return tr("Saving…");
   QStringList parts;
   const auto& submission = list_->submission();
-  const bool told_below = submission.failure() && list_->failure() == *submission.failure();
-  if (list_->failure() && !told_below) parts << failureText(*list_->failure());
-  if (submission.phase() == edit::SubmissionPhase::Stopped && submission.failure() && list_->unsaved()) {
-    QString text = tr("Not saved. %1").arg(failureText(*submission.failure()));
+  const bool stopped =
+      submission.phase() == edit::SubmissionPhase::Stopped && submission.failure() && list_->unsaved();
+  const QString not_read = list_->failure() ? failureText(*list_->failure()) : QString();
+  const QString not_saved = stopped ? failureText(*submission.failure()) : QString();
+  // Where one thing stands in the way of both it is told once.
+  if (!not_read.isEmpty() && not_read != not_saved) parts << not_read;
+  if (stopped) {
+    QString text = tr("Not saved. %1").arg(not_saved);
     if (submission.rows().size() > 1 && submission.done() < submission.rows().size())
       text += QLatin1Char(' ') +
               tr("%1 of %2 requests were carried out.").arg(submission.done()).arg(submission.rows().size());
     parts << text;
   }
-  if (!list_->draftTrouble().isEmpty()) parts << tr("No draft is kept.");
+  if (list_->draftTrouble().any()) parts << tr("No draft is kept.");
   const auto unsaved = qsizetype(document->unsaved().size());
   QString count = waypointsText(qsizetype(document->items().size()));
   if (unsaved > 0) count += tr(", %1 not saved").arg(changesText(unsaved));

@@ -1,6 +1,7 @@
-#include "sentences/ros_reasons.h"
-
+// What is found in messages of ROS, about its topics and by a manager of maps.
 #include <QCoreApplication>
+
+#include "sentences/words_by_code.h"
 
 namespace mapwright::sentences {
 namespace {
@@ -11,7 +12,9 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
-QString ofMessagesOfRos(ReasonCode code, int count) {
+// One function for each group of codes.
+
+QString ofRos(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::RosFieldMissing:
       return Words::tr("Its field %1 is missing or cannot be read.");
@@ -96,6 +99,19 @@ QString ofMapManagers(ReasonCode code) {
           "it takes the request for invalid; it may want to be told at which waypoint it stands");
     case ReasonCode::ResultAlreadyLoaded:
       return Words::tr("it works with this map already");
+    case ReasonCode::ResultNothingToSave:
+      return Words::tr(
+          "it takes the request for invalid; there may be nothing to save, or the name may not do");
+    case ReasonCode::ResultMapNameTaken:
+      return Words::tr("another map is called \"%1\" already; choose another name");
+    case ReasonCode::NoRosbridgeThere:
+      return Words::tr(
+          "something answers at %1, but not as a rosbridge server: %2. Check the address and the port.");
+    case ReasonCode::NoMapManagerThere:
+      return Words::tr(
+          "a rosbridge server answers at %1, but its robot runs no KABAM map manager (/map_manager). Start "
+          "it, or "
+          "connect to ros+ws:// for what else there is.");
     case ReasonCode::ResultUnknown:
       return Words::tr("%1 is no answer that this program knows");
     case ReasonCode::NotConfirmed:
@@ -128,11 +144,10 @@ QString ofMapManagers(ReasonCode code) {
 
 }  // namespace
 
-QString ofRos(ReasonCode code, int count) {
-  for (const QString& text : {ofMessagesOfRos(code, count), ofTopics(code), ofMapManagers(code)}) {
-    if (!text.isEmpty()) return text;
-  }
-  return {};
+QString wordsOfRos(ReasonCode code, int count) {
+  QString text = ofRos(code, count);
+  if (text.isEmpty()) text = ofTopics(code);
+  return text.isEmpty() ? ofMapManagers(code) : text;
 }
 
 }  // namespace mapwright::sentences

@@ -1,0 +1,56 @@
+// Changes of waypoints on their way to where they are kept, until it is known what became of each.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QJsonObject>
+#include <QString>
+
+#include "app/waypoint_list.h"
+#include "app/waypoint_steps.h"
+
+namespace mapwright::app {
+
+enum class StepState {
+  Applied,
+  Failed,   // it has not been made
+  Unknown,  // it was asked for, and neither an answer nor a look tells
+  NotSent,
+};
+
+struct SentStep {
+  WaypointStep step;
+  StepState state = StepState::NotSent;
+  std::optional<map::Failure> failure = {};
+  /// Why it Failed or is Unknown.
+  QString sentence() const;
+};
+
+struct SentWaypoints {
+  std::vector<SentStep> steps;  // what was so already is none of them
+  /// What others have changed meanwhile and does not go together: of that nothing was sent.
+  WaypointConflicts conflicts = {};
+  std::optional<map::Failure> failure = {};  // why it was stopped
+  WaypointItems kept = {};                   // under our keys, as far as is known
+
+  std::size_t count(StepState state) const;
+  bool complete() const { return conflicts.empty() && count(StepState::Applied) == steps.size(); }
+  /// 0 all, 1 some (or not known), 4 none.
+  int exitCode() const;
+  /// What is to be said when it is not complete.
+  QString sentence() const;
+};
+
+enum class AtFailure { Stop, GoOn };
+/// Looks how they are kept now, merges, sends one request after the other, and looks what has become of them.
+/// With a conflict nothing is sent. The time of the command bounds it: what is under way then is given up.
+CommandResult<SentWaypoints> sendWaypoints(const ListedWaypoints& list, std::vector<WaypointEdit> edits,
+                                           AtFailure at_failure);
+
+/// {"applied","failed":[{"id","name","kind","sentence"}],"unknown":[…],"remaining","complete","conflicts"}.
+QJsonObject sentJson(const SentWaypoints& sent, const std::string& map);
+/// A table for people.
+void printSent(const SentWaypoints& sent);
+
+}  // namespace mapwright::app

@@ -1,0 +1,116 @@
+// Waypoints looked at and written into files.
+#include <cstdio>
+
+#include <QCoreApplication>
+
+#include "app/exit_code.h"
+#include "app/one_line.h"
+#include "app/output_paths.h"
+#include "app/table.h"
+#include "app/waypoint_csv.h"
+#include "app/waypoint_file.h"
+#include "app/waypoint_json.h"
+#include "app/waypoint_list.h"
+#include "app/waypoint_steps.h"
+#include "disk/written_file.h"
+#include "geometry/pose.h"
+#include "reasons/file_reason.h"
+#include "sentences/plural.h"
+#include "sentences/reason_sentence.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Waypoints)
+};
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+QString metres(double value) { return QString::number(value, 'f', 3); }
+
+QStringList rowOf(const map::Waypoint& point) {
+  return {words::plainName(point.id),
+          metres(point.position_m.x()),
+          metres(point.position_m.y()),
+          point.yaw_rad ? QString::number(geometry::degreesFromRadians(*point.yaw_rad), 'f', 1)
+                        : QStringLiteral("-"),
+          tagText(point),
+          words::plainName(point.name)};
+}
+
+}  // namespace
+
+int waypointsList(const WaypointsWords& words, int& argc, char** argv) {
+  return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const auto list = listWaypoints(command, words, words.map, Use::Reading);
+    if (!list) return tl::make_unexpected(list.error());
+    if (words.json) {
+      printJson(waypointsJson(list->stored.points, list->mapId()));
+      return kDone;
+    }
+    if (list->stored.points.empty()) {
+      std::printf("%s\n", qUtf8Printable(Words::tr("There is no waypoint.")));
+      return kDone;
+    }
+    std::vector<QStringList> table{{Words::tr("ID"), Words::tr("X (m)"), Words::tr("Y (m)"),
+                                    Words::tr("YAW (°)"), Words::tr("TAGS"), Words::tr("NAME")}};
+    for (const map::Waypoint& point : list->stored.points) table.push_back(rowOf(point));
+    printTable(table);
+    return kDone;
+  });
+}
+
+int waypointsGet(const WaypointsWords& words, int& argc, char** argv) {
+  return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const auto list = listWaypoints(command, words, words.map, Use::Reading);
+    if (!list) return tl::make_unexpected(list.error());
+    const auto point = chosen(*list, words.which.front());
+    if (!point) return tl::make_unexpected(point.error());
+    if (words.json) {
+      printJson(waypointJson(**point, list->mapId()));
+      return kDone;
+    }
+    std::vector<QStringList> table{{Words::tr("id"), words::plainName((*point)->id)},
+                                   {Words::tr("name"), words::plainName((*point)->name)},
+                                   {Words::tr("place"), placeText(**point)},
+                                   {Words::tr("tags"), tagText(**point)}};
+    if (!(*point)->type.empty()) table.push_back({Words::tr("type"), words::plainName((*point)->type)});
+    table.push_back({Words::tr("map"), words::plainName(list->mapId())});
+    printTable(table);
+    return kDone;
+  });
+}
+
+int waypointsExport(const WaypointsWords& words, int& argc, char** argv) {
+  return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const auto wrong = [](const QString& sentence) {
+      return tl::make_unexpected(CommandFailure{kUsage, sentence});
+    };
+    const QString output = text(words.output);
+    const auto kind = waypointFileKind(words.output, words.format);
+    if (!kind) return wrong(kind.error());
+    if (const auto why = whyNotWritable(output)) return wrong(*why);
+    if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
+    const auto list = listWaypoints(command, words, words.map, Use::Reading);
+    if (!list) return tl::make_unexpected(list.error());
+    if (const auto why = overOwnSource({output}, waypointSources(words.robot, list->map));
+        why && !words.force)
+      return wrong(*why);
+    const std::string bytes = *kind == WaypointFileKind::Csv
+                                  ? waypointsCsv(list->stored.points, list->mapId())
+                                  : waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
+    if (const auto trouble = disk::writeFile(words.output, bytes))
+      return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
+    if (!isStandardOutput(output) && !isStandardOutput(text(words.report))) {
+      const auto count = qint64(list->stored.points.size());
+      std::printf("%s: %s\n", qUtf8Printable(oneLine(output)),
+                  qUtf8Printable(sentences::counted(
+                      Words::tr("%1 waypoints", nullptr, sentences::formOf(count)), count)));
+    }
+    return kDone;
+  });
+}
+
+}  // namespace mapwright::app

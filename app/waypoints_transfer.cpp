@@ -1,0 +1,132 @@
+// Waypoints changed as files ask for it: import, plan, apply.
+#include <cstdio>
+
+#include <QCoreApplication>
+
+#include "app/exit_code.h"
+#include "app/one_line.h"
+#include "app/output_paths.h"
+#include "app/waypoint_file.h"
+#include "app/waypoint_list.h"
+#include "app/waypoint_plan.h"
+#include "app/waypoint_preview.h"
+#include "app/waypoint_sending.h"
+#include "disk/read_file.h"
+#include "disk/written_file.h"
+#include "reasons/file_reason.h"
+#include "sentences/reason_sentence.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(WaypointsTransfer)
+};
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+tl::unexpected<CommandFailure> wrong(const QString& sentence) {
+  return tl::make_unexpected(CommandFailure{kUsage, sentence});
+}
+
+CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent) {
+  return tl::make_unexpected(list.robot->failure(sent.exitCode(), sent.sentence()));
+}
+
+/// Sends the changes, or only shows them, and says what came of it.
+CommandResult<int> carryOut(const ListedWaypoints& list, const std::vector<WaypointEdit>& edits,
+                            const WaypointsWords& words) {
+  if (words.dry_run) {
+    const MergedEdits together = merged(edits, itemsOf(list.stored.points));
+    printPreview(list, together, words.json);
+    if (together.conflicts.empty()) return kDone;
+    return notAll(list, SentWaypoints{{}, together.conflicts, {}, {}});
+  }
+  const auto sent = sendWaypoints(list, edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
+  if (!sent) return tl::make_unexpected(sent.error());
+  words.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
+  if (!words.json && sent->steps.empty() && sent->conflicts.empty())
+    std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));
+  if (sent->complete()) return kDone;
+  return notAll(list, *sent);
+}
+
+/// What the file asks for, of the waypoints as they are.
+CommandResult<std::vector<WaypointEdit>> wantedEdits(const ListedWaypoints& list, const WantedList& wanted,
+                                                     const WaypointsWords& words, Others others) {
+  for (const QString& note : wanted.notes)
+    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(text(words.file), 200), note));
+  auto edits = editsFor(itemsOf(list.stored.points), wanted.points, others);
+  if (!edits) return wrong(QStringLiteral("%1: %2").arg(text(words.file), edits.error()));
+  return std::move(*edits);
+}
+
+}  // namespace
+
+int waypointsImport(const WaypointsWords& words, int& argc, char** argv) {
+  return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const WantedFile wanted = readWantedFile(words.file, words.format);
+    if (!wanted) return wrong(wanted.error());
+    const auto list = listWaypoints(command, words, words.map, Use::Changing);
+    if (!list) return tl::make_unexpected(list.error());
+    const auto edits = wantedEdits(*list, *wanted, words, Others::Stay);
+    if (!edits) return tl::make_unexpected(edits.error());
+    return carryOut(*list, *edits, words);
+  });
+}
+
+int waypointsPlan(const WaypointsWords& words, int& argc, char** argv) {
+  return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const QString output = text(words.output);
+    if (!output.isEmpty()) {
+      if (const auto why = whyNotWritable(output)) return wrong(*why);
+    }
+    const QString printed = words.json ? QStringLiteral("-") : QString();
+    if (const auto why = whyNotTogether({output, text(words.report), printed})) return wrong(*why);
+    const WantedFile wanted = readWantedFile(words.file, words.format);
+    if (!wanted) return wrong(wanted.error());
+    const auto list = listWaypoints(command, words, words.map, Use::Changing);
+    if (!list) return tl::make_unexpected(list.error());
+    const auto edits = wantedEdits(*list, *wanted, words, Others::Go);
+    if (!edits) return tl::make_unexpected(edits.error());
+    if (!output.isEmpty()) {
+      std::vector<std::string> sources = waypointSources(words.robot, list->map);
+      sources.push_back(words.file);
+      if (const auto why = overOwnSource({output}, sources); why && !words.force) return wrong(*why);
+      const WaypointPlan plan{list->robot->session().robot().address(), list->mapId(),
+                              itemsOf(list->stored.points), *edits};
+      const QByteArray bytes = planBytes(plan, callsOf(*list, *edits));
+      if (const auto trouble = disk::writeFile(words.output, bytes.toStdString()))
+        return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
+    }
+    const bool taken = isStandardOutput(output) || isStandardOutput(text(words.report));
+    if (!taken) printPreview(*list, {*edits, {}}, words.json);
+    return kDone;
+  });
+}
+
+int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
+  return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const QString file = text(words.file);
+    // A plan holds its base, and what is to become of it.
+    constexpr std::size_t kMost = 4 * kMaxWantedBytes;
+    const auto bytes = disk::readFile(words.file, kMost + 1);
+    if (!bytes)
+      return wrong(
+          Words::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+    if (bytes->size() > kMost) return wrong(Words::tr("%1 is larger than 256 MiB.").arg(file));
+    const auto plan = planFromBytes(*bytes);
+    if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
+    const auto list = listWaypoints(command, words, words.map.empty() ? plan->map : words.map, Use::Changing);
+    if (!list) return tl::make_unexpected(list.error());
+    const QString address = list->robot->session().robot().address();
+    if (!words.force && (address != plan->robot || list->mapId() != plan->map))
+      return wrong(
+          Words::tr("%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
+              .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
+    return carryOut(*list, withoutCreated(*plan, itemsOf(list->stored.points)), words);
+  });
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,73 @@
+// Cells that are being changed, on top of a grid that is not; in the end a patch. One thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "grids/reduce_grid.h"
+#include "picture/edited_grid.h"
+#include "picture/paint.h"
+
+namespace mapwright::picture {
+
+/// Costs what is touched: tiles are read when they are looked at, and copied when a cell of them changes.
+class Canvas {
+ public:
+  static constexpr int kEdge = grids::GridPyramid::kTileEdge;
+
+  /// `grid` must stay as it is, and outlive this, until take() has been called.
+  explicit Canvas(const EditedGrid& grid);
+
+  CellRect all() const { return grid_.all(); }
+  grids::CellCode code() const { return grid_.code(); }
+  /// Row-major cells of a tile as they are now; unknown beyond the edge of the picture. Valid until the tile
+  /// is written to.
+  const std::uint8_t* read(int tile_x, int tile_y);
+  bool uniform(int tile_x, int tile_y);
+  /// Row `row` from column `from` to before `to`; what is outside of the picture is left out.
+  void paintRow(int row, int from, int to, const Ink& ink);
+  /// The same, each cell with a byte of its own.
+  void putRow(int row, int from, int to, const std::uint8_t* bytes);
+  /// `within`: cells of that tile, in its own coordinates, of which any may change. All of the tile are to be
+  /// written by whoever asks.
+  std::uint8_t* write(int tile_x, int tile_y, const CellRect& within);
+  /// Bounds of what has been written.
+  const CellRect& touched() const { return touched_; }
+  bool empty() const { return touched_.empty(); }
+
+  /// What has been changed, all levels of it. The canvas is empty then, and its grid may change.
+  Patch take();
+
+ private:
+  struct Sheet {
+    grids::GridTile read;                   // as the grid has it; cells null: not looked at
+    std::shared_ptr<std::uint8_t[]> wrote;  // null: nothing yet
+    CellRect dirty;                         // in cells of the tile
+  };
+  using Key = std::uint64_t;
+  static Key keyOf(int tile_x, int tile_y) {
+    return std::uint64_t(unsigned(tile_y)) << 32 | unsigned(tile_x);
+  }
+  Sheet& sheet(int tile_x, int tile_y);
+  TileState stateOf(std::shared_ptr<std::uint8_t[]> cells);
+  struct Changed {
+    TilePlace place;
+    const std::uint8_t* cells;
+    CellRect dirty;
+  };
+  std::vector<Changed> reduced(const std::vector<Changed>& finer, Patch& patch);
+  std::shared_ptr<std::uint8_t[]> copyOf(const TilePlace& place) const;
+
+  const EditedGrid& grid_;
+  grids::GridReducer reducer_;
+  std::unordered_map<Key, Sheet> sheets_;
+  Key last_key_ = 0;
+  Sheet* last_ = nullptr;
+  CellRect touched_;
+  std::array<std::shared_ptr<const std::uint8_t>, 256> uniform_;  // one buffer for each byte
+};
+
+}  // namespace mapwright::picture

@@ -1,0 +1,67 @@
+#include "picture/edited_grid.h"
+
+namespace mapwright::picture {
+
+namespace {
+constexpr std::size_t kTileBytes = std::size_t(grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge;
+}
+
+std::size_t EditedGrid::PlaceHash::operator()(const TilePlace& place) const noexcept {
+  const std::uint64_t key =
+      std::uint64_t(place.level) << 48 ^ std::uint64_t(unsigned(place.y)) << 24 ^ unsigned(place.x);
+  return std::size_t(key * 0x9e3779b97f4a7c15u >> 16);
+}
+
+EditedGrid::EditedGrid(std::shared_ptr<const grids::GridPyramid> base) : base_(std::move(base)) {}
+
+EditedGrid::EditedGrid(std::shared_ptr<const grids::GridPyramid> base, Tiles tiles)
+    : base_(std::move(base)), tiles_(std::move(tiles)) {}
+
+std::optional<grids::GridTile> EditedGrid::tile(int level, int tile_x, int tile_y) const {
+  const TileState state = own({level, tile_x, tile_y});
+  if (state.cells) return grids::GridTile{state.cells, state.uniform, false};
+  return base_->tile(level, tile_x, tile_y);
+}
+
+std::size_t EditedGrid::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return base_->bytes() + tiles_.size() * kTileBytes;
+}
+
+std::shared_ptr<EditedGrid> EditedGrid::snapshot() const {
+  const std::lock_guard lock(mutex_);
+  return std::shared_ptr<EditedGrid>(new EditedGrid(base_, tiles_));
+}
+
+TileState EditedGrid::own(const TilePlace& place) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = tiles_.find(place);
+  return found == tiles_.end() ? TileState{} : found->second;
+}
+
+std::vector<TilePlace> EditedGrid::changedTiles() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<TilePlace> places;
+  for (const auto& [place, state] : tiles_) {
+    if (place.level == 0) places.push_back(place);
+  }
+  return places;
+}
+
+void EditedGrid::exchange(const Patch& patch, TileState TileChange::*side) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [place, change] : patch.tiles) {
+    const TileState& state = change.*side;
+    if (state.cells) {
+      tiles_[place] = state;
+    } else {
+      tiles_.erase(place);
+    }
+  }
+  ++revision_;
+}
+
+void EditedGrid::apply(const Patch& patch) { exchange(patch, &TileChange::after); }
+void EditedGrid::revert(const Patch& patch) { exchange(patch, &TileChange::before); }
+
+}  // namespace mapwright::picture

@@ -1,0 +1,29 @@
+// What cells are painted with, and which kind a cell is of. Pure values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "grids/grid_pyramid.h"
+
+namespace mapwright::picture {
+
+enum class Kind : std::uint8_t { Free, Occupied, Unknown };
+inline constexpr int kKinds = 3;
+
+/// The kind of every byte of a code. Occupied: 50 % or more.
+std::array<Kind, 256> kindsOf(grids::CellCode code);
+/// The byte that is painted for a kind; nullopt: the code has none (unknown ground in a picture whose every
+/// gray is a gray).
+std::optional<std::uint8_t> byteOf(Kind kind, grids::CellCode code);
+
+/// A byte, or the cells of another grid of the same size and code at the same places (which takes changes
+/// back).
+struct Ink {
+  std::uint8_t byte = 0;
+  std::shared_ptr<const grids::GridPyramid> from = {};
+};
+
+}  // namespace mapwright::picture

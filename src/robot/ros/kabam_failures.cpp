@@ -1,0 +1,26 @@
+#include "robot/ros/kabam_failures.h"
+
+#include <utility>
+
+namespace mapwright::robot::ros {
+
+map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within) {
+  map::Failure failure;
+  failure.kind = map::FailureKind::TimedOut;
+  failure.subject = std::move(subject);
+  failure.applied = map::Applied::Maybe;
+  failure.asked_for = map::AskedFor::Change;
+  failure.cause = {map::ReasonCode::NotConfirmed, {std::int64_t((within.count() + 999) / 1000)}};
+  return failure;
+}
+
+map::Failure cancelled(map::Subject subject) {
+  map::Failure failure;
+  failure.kind = map::FailureKind::Cancelled;
+  failure.subject = std::move(subject);
+  failure.applied = map::Applied::Maybe;
+  failure.asked_for = map::AskedFor::Change;
+  return failure;
+}
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,13 @@
+// Why a map of a robot cannot be changed just now, for tooltips and errors.
+#pragma once
+
+#include <QString>
+
+#include "robot/map_administration.h"
+
+namespace mapwright::sentences {
+
+/// "It is archived: unarchive it first." Plain text.
+QString whyNotNow(robot::MapChange change, robot::Obstacle obstacle);
+
+}  // namespace mapwright::sentences

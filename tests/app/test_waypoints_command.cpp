@@ -1,0 +1,347 @@
+// `mapwright waypoints …` on a folder of maps: what a script sees, and what lies on the disk afterwards.
+#include <cmath>
+#include <memory>
+#include <unistd.h>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "simulator/simulator.h"
+
+using namespace mapwright;
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QString out, err;
+  QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
+  QJsonArray array() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
+};
+
+const char* const kTwo = R"({"type": "FeatureCollection", "features": [
+  {"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]},
+   "properties": {"id": "w1", "name": "Door", "yaw_rad": 0.5, "tags": ["a"], "mine": "stays"}},
+  {"type": "Feature", "geometry": {"type": "Point", "coordinates": [3, 4]},
+   "properties": {"id": "w2", "name": "Dock"}}
+]}
+)";
+
+}  // namespace
+
+class WaypointsCommandTest : public QObject {
+  Q_OBJECT
+  std::unique_ptr<QTemporaryDir> folder_;
+
+  Outcome run(const QStringList& words) const {
+    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
+      env.remove(QLatin1String(name));
+    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_->filePath(QStringLiteral("cache")));
+    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_->filePath(QStringLiteral("config")));
+    env.insert(QStringLiteral("XDG_DATA_HOME"), folder_->filePath(QStringLiteral("data")));
+    QProcess process;
+    process.setProcessEnvironment(env);
+    process.setWorkingDirectory(folder_->path());
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), QStringList{QStringLiteral("waypoints")} + words);
+    if (!process.waitForFinished(120'000)) return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+  }
+  /// Words that hold no blank, on hall.yaml.
+  Outcome at(const QString& line) const {
+    return run(line.split(QLatin1Char(' ')) +
+               QStringList{QStringLiteral("--robot"), QStringLiteral("hall.yaml")});
+  }
+  QByteArray read(const char* name) const {
+    QFile file(folder_->filePath(QLatin1String(name)));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("there is none");
+  }
+  void put(const char* name, const QByteArray& bytes) const {
+    QFile file(folder_->filePath(QLatin1String(name)));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+  }
+  QByteArray kept() const { return read("hall.waypoints.geojson"); }
+  void putMap(const char* name) const {
+    put(qPrintable(QLatin1String(name) + QStringLiteral(".pgm")), "P5\n4 4\n255\n" + QByteArray(16, '\xfe'));
+    put(qPrintable(QLatin1String(name) + QStringLiteral(".yaml")),
+        "image: " + QByteArray(name) +
+            ".pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+            "free_thresh: 0.25\n");
+  }
+  static QStringList namesOf(const QJsonArray& rows) {
+    QStringList names;
+    for (const QJsonValue& row : rows) names << row.toObject()[QStringLiteral("name")].toString();
+    return names;
+  }
+
+ private Q_SLOTS:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    putMap("hall");
+    put("hall.waypoints.geojson", kTwo);
+  }
+
+  void aListIsInTheStableShape() {
+    const Outcome list = at(QStringLiteral("list --json"));
+    QVERIFY2(list.code == 0 && list.err.isEmpty(), qPrintable(list.err));
+    const QJsonArray rows = list.array();
+    QCOMPARE(rows.size(), 2);
+    const QJsonObject door = rows[0].toObject();
+    const QStringList members{QStringLiteral("frame"), QStringLiteral("id"),     QStringLiteral("map"),
+                              QStringLiteral("name"),  QStringLiteral("tags"),   QStringLiteral("x"),
+                              QStringLiteral("y"),     QStringLiteral("yaw_rad")};
+    QCOMPARE(door.keys(), members);
+    QCOMPARE(door[QStringLiteral("id")].toString(), QStringLiteral("w1"));
+    QCOMPARE(door[QStringLiteral("x")].toDouble(), 1.0);
+    QCOMPARE(door[QStringLiteral("yaw_rad")].toDouble(), 0.5);
+    QCOMPARE(door[QStringLiteral("tags")].toArray(), QJsonArray{QStringLiteral("a")});
+    QVERIFY(rows[1].toObject()[QStringLiteral("yaw_rad")].isNull());
+    QVERIFY(at(QStringLiteral("list")).out.contains(QStringLiteral("Dock")));
+    QFile::remove(folder_->filePath(QStringLiteral("hall.waypoints.geojson")));
+    QCOMPARE(at(QStringLiteral("list --json")).array().size(), 0);
+    QCOMPARE(at(QStringLiteral("list")).code, 0);
+  }
+
+  void oneIsToldByItsIdOrItsName() {
+    QCOMPARE(at(QStringLiteral("get w2 --json")).object()[QStringLiteral("name")].toString(),
+             QStringLiteral("Dock"));
+    QCOMPARE(at(QStringLiteral("get Dock --json")).object()[QStringLiteral("id")].toString(),
+             QStringLiteral("w2"));
+    QCOMPARE(at(QStringLiteral("rename w1 Dock")).code, 0);
+    const Outcome twice = at(QStringLiteral("get Dock"));
+    QCOMPARE(twice.code, 2);
+    QVERIFY2(twice.err.contains(QStringLiteral("w1, w2")), qPrintable(twice.err));
+    const Outcome none = at(QStringLiteral("get Nowhere"));
+    QVERIFY2(none.code == 4 && none.err.count(QLatin1Char('\n')) == 1, qPrintable(none.err));
+  }
+
+  void oneIsCreatedChangedAndDeleted() {
+    const Outcome made =
+        run({QStringLiteral("create"), QStringLiteral("Tür \"1\"\u202e"), QStringLiteral("--at"),
+             QStringLiteral("-1.5,2,90"), QStringLiteral("--tags"), QStringLiteral("a,\"b,c\""),
+             QStringLiteral("--json"), QStringLiteral("--robot"), QStringLiteral("hall.yaml")});
+    QVERIFY2(made.code == 0, qPrintable(made.err));
+    const QString id = made.object()[QStringLiteral("id")].toString();
+    QVERIFY(!id.isEmpty());
+    QCOMPARE(made.object()[QStringLiteral("name")].toString(), QStringLiteral("Tür \"1\"\u202e"));
+    QVERIFY(std::abs(made.object()[QStringLiteral("yaw_rad")].toDouble() - 1.5707963) < 1e-6);
+    QCOMPARE(made.object()[QStringLiteral("tags")].toArray(),
+             (QJsonArray{QStringLiteral("a"), QStringLiteral("b,c")}));
+    // Of the terminal no name takes control.
+    QVERIFY(!at(QStringLiteral("list")).out.contains(QChar(0x202e)));
+    QVERIFY(!at(QStringLiteral("list --json")).out.contains(QChar(0x202e)));
+
+    const Outcome renamed = at(QStringLiteral("rename %1 Gate").arg(id));
+    QCOMPARE(renamed.out, QStringLiteral("%1  Gate\n").arg(id));
+    const QJsonObject moved = at(QStringLiteral("move Gate --at 7,8 --json")).object();
+    QCOMPARE(moved[QStringLiteral("x")].toDouble(), 7.0);
+    QVERIFY(moved[QStringLiteral("yaw_rad")].toDouble() > 1.5);  // it stays turned
+    const QJsonObject tagged = at(QStringLiteral("tag Gate --add c --remove a --json")).object();
+    QCOMPARE(tagged[QStringLiteral("tags")].toArray(),
+             (QJsonArray{QStringLiteral("b,c"), QStringLiteral("c")}));
+    QVERIFY(
+        at(QStringLiteral("tag Gate --clear --json")).object()[QStringLiteral("tags")].toArray().isEmpty());
+    QVERIFY(kept().contains("stays"));  // what is not understood is not lost
+    QCOMPARE(at(QStringLiteral("delete Gate w2 --yes")).code, 0);
+    QCOMPARE(namesOf(at(QStringLiteral("list --json")).array()), QStringList{QStringLiteral("Door")});
+  }
+
+  void whatMakesNoSenseIsRefusedAndNothingIsWritten_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<int>("code");
+    for (const auto& [line, code] : {std::pair{"create New --at 1", 2},
+                                     {"create New --at nan,2", 2},
+                                     {"create New --at 1,2,3,4", 2},
+                                     {"create New --at 1e9,2", 2},
+                                     {"create New --at 1,2 --tags a,\"", 2},
+                                     {"move w1 --at x,y", 2},
+                                     {"tag w1", 2},
+                                     {"tag w1 --set a --add b", 2},
+                                     {"tag w1 --add a --remove a", 2},
+                                     {"delete w1", 2},
+                                     {"delete nobody --yes", 4},
+                                     {"rename nobody New", 4},
+                                     {"rename w1", 2},
+                                     {"list --map other.yaml", 2},
+                                     {"import nothing.csv", 2},
+                                     {"import hall.pgm", 2},
+                                     {"plan nothing.csv", 2},
+                                     {"apply nothing.json", 2},
+                                     {"apply hall.waypoints.geojson", 2},
+                                     {"export -o hall.txt", 2},
+                                     {"list --timeout 0", 2},
+                                     {"delete w1 --yes --go-on --stop-at-failure", 2}}) {
+      QTest::newRow(line) << QString::fromLatin1(line) << code;
+    }
+  }
+  void whatMakesNoSenseIsRefusedAndNothingIsWritten() {
+    QFETCH(QString, line);
+    QFETCH(int, code);
+    const Outcome outcome = at(line);
+    QVERIFY2(outcome.code == code && outcome.out.isEmpty(), qPrintable(outcome.err));
+    QCOMPARE(outcome.err.count(QLatin1Char('\n')), 1);
+    QCOMPARE(kept(), QByteArray(kTwo));
+  }
+
+  void aNameIsOneLineOfText() {
+    for (const char* name : {"  ", "two\nlines", "\x1b[31mred"}) {
+      const Outcome outcome = run({QStringLiteral("rename"), QStringLiteral("w1"), QString::fromUtf8(name),
+                                   QStringLiteral("--robot"), QStringLiteral("hall.yaml")});
+      QVERIFY2(outcome.code == 2 && outcome.err.count(QLatin1Char('\n')) == 1, qPrintable(outcome.err));
+    }
+    QCOMPARE(kept(), QByteArray(kTwo));
+  }
+
+  void aDryRunSendsNothing() {
+    const Outcome preview = at(QStringLiteral("move Door --at 5,6 --dry-run --json"));
+    QVERIFY2(preview.code == 0, qPrintable(preview.err));
+    const QJsonObject change = preview.object()[QStringLiteral("changes")].toArray().first().toObject();
+    QCOMPARE(change[QStringLiteral("kind")].toString(), QStringLiteral("move"));
+    QCOMPARE(change[QStringLiteral("id")].toString(), QStringLiteral("w1"));
+    QCOMPARE(preview.object()[QStringLiteral("calls")].toArray().size(), 1);
+    QVERIFY(preview.object()[QStringLiteral("conflicts")].toArray().isEmpty());
+    QCOMPARE(at(QStringLiteral("create New --at 5,6 --dry-run")).code, 0);
+    QCOMPARE(at(QStringLiteral("delete w1 --dry-run")).code, 0);
+    QCOMPARE(kept(), QByteArray(kTwo));
+  }
+
+  void whatIsExportedIsImportedElsewhere() {
+    putMap("copy");
+    for (const char* name : {"out.csv", "out.geojson"}) {
+      QFile::remove(folder_->filePath(QStringLiteral("copy.waypoints.geojson")));
+      const QString file = QLatin1String(name);
+      QCOMPARE(at(QStringLiteral("export -o %1").arg(file)).code, 0);
+      const Outcome imported = run({QStringLiteral("import"), file, QStringLiteral("--json"),
+                                    QStringLiteral("--robot"), QStringLiteral("copy.yaml")});
+      QVERIFY2(imported.code == 0, qPrintable(imported.err));
+      QCOMPARE(imported.object()[QStringLiteral("applied")].toInt(), 2);
+      QVERIFY(imported.object()[QStringLiteral("complete")].toBool());
+      const Outcome copy = run({QStringLiteral("list"), QStringLiteral("--json"), QStringLiteral("--robot"),
+                                QStringLiteral("copy.yaml")});
+      QCOMPARE(copy.array(), at(QStringLiteral("list --json")).array());
+      const Outcome again =
+          run({QStringLiteral("import"), file, QStringLiteral("--robot"), QStringLiteral("copy.yaml")});
+      QVERIFY2(again.code == 0 && again.out.contains(QStringLiteral("nothing to change")),
+               qPrintable(again.out));
+    }
+    QVERIFY(at(QStringLiteral("export -o - --format csv")).out.startsWith(QStringLiteral("id,name,x,y,")));
+    QVERIFY(at(QStringLiteral("export -o -")).object().contains(QStringLiteral("features")));
+  }
+
+  void anExportDoesNotReplaceWhatItIsReadFrom() {
+    const Outcome refused = at(QStringLiteral("export -o hall.waypoints.geojson"));
+    QVERIFY2(refused.code == 2 && refused.err.contains(QStringLiteral("--force")), qPrintable(refused.err));
+    QCOMPARE(kept(), QByteArray(kTwo));
+    QCOMPARE(at(QStringLiteral("export -o hall.waypoints.geojson --force")).code, 0);
+    QVERIFY(kept() != QByteArray(kTwo));
+    QCOMPARE(at(QStringLiteral("list --json")).array().size(), 2);
+  }
+
+  void aPlanIsMadeAndApplied() {
+    put("wanted.csv", "id,name,x,y\nw1,Gate,1,2\n,New,9,9\n");
+    const Outcome planned = at(QStringLiteral("plan wanted.csv -o plan.json"));
+    QVERIFY2(planned.code == 0, qPrintable(planned.err));
+    QVERIFY(planned.out.contains(QStringLiteral("rename")) && planned.out.contains(QStringLiteral("Dock")));
+    QCOMPARE(kept(), QByteArray(kTwo));
+    const QJsonObject told = at(QStringLiteral("plan wanted.csv --json")).object();
+    QStringList kinds;
+    for (const QJsonValue& change : told[QStringLiteral("changes")].toArray())
+      kinds << change.toObject()[QStringLiteral("kind")].toString();
+    kinds.sort();
+    QCOMPARE(kinds,
+             (QStringList{QStringLiteral("create"), QStringLiteral("delete"), QStringLiteral("rename")}));
+
+    // Somebody turns the door meanwhile: that goes together.
+    QCOMPARE(at(QStringLiteral("tag w1 --set b")).code, 0);
+    const Outcome applied = at(QStringLiteral("apply plan.json --json"));
+    QVERIFY2(applied.code == 0, qPrintable(applied.err));
+    QCOMPARE(applied.object()[QStringLiteral("applied")].toInt(), 3);
+    QVERIFY(applied.object()[QStringLiteral("complete")].toBool());
+    const QJsonArray rows = at(QStringLiteral("list --json")).array();
+    QStringList names = namesOf(rows);
+    names.sort();
+    QCOMPARE(names, (QStringList{QStringLiteral("Gate"), QStringLiteral("New")}));
+    QCOMPARE(at(QStringLiteral("get w1 --json")).object()[QStringLiteral("tags")].toArray(),
+             QJsonArray{QStringLiteral("b")});
+    // Once more changes nothing: what is there is not created twice.
+    const Outcome again = at(QStringLiteral("apply plan.json --json"));
+    QVERIFY2(again.code == 0 && again.object()[QStringLiteral("applied")].toInt() == 0,
+             qPrintable(again.err));
+    QCOMPARE(at(QStringLiteral("list --json")).array(), rows);
+  }
+
+  void whatOthersChangedIsAConflict() {
+    put("wanted.csv", "id,name,x,y\nw1,Gate,1,2\nw2,Pier,3,4\n");
+    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json")).code, 0);
+    QCOMPARE(at(QStringLiteral("rename w1 Entry")).code, 0);
+    const QByteArray before = kept();
+    for (const char* line : {"apply plan.json --json", "apply plan.json --json --dry-run"}) {
+      const Outcome apart = at(QLatin1String(line));
+      QVERIFY2(apart.code == 4 && apart.err.count(QLatin1Char('\n')) == 1, qPrintable(apart.err));
+      QVERIFY2(apart.err.contains(QStringLiteral("Door")), qPrintable(apart.err));
+      const QJsonArray conflicts = apart.object()[QStringLiteral("conflicts")].toArray();
+      QCOMPARE(conflicts.size(), 1);
+      const QJsonObject theirs = conflicts[0].toObject()[QStringLiteral("theirs")].toObject();
+      QCOMPARE(theirs[QStringLiteral("name")].toString(), QStringLiteral("Entry"));
+      QCOMPARE(kept(), before);
+    }
+  }
+
+  void aPlanBelongsToItsMap() {
+    putMap("copy");
+    put("wanted.csv", "id,name,x,y\nw1,Gate,1,2\n");
+    QCOMPARE(at(QStringLiteral("plan wanted.csv -o plan.json")).code, 0);
+    const Outcome elsewhere = run({QStringLiteral("apply"), QStringLiteral("plan.json"),
+                                   QStringLiteral("--robot"), QStringLiteral("copy.yaml")});
+    QVERIFY2(elsewhere.code == 2 && elsewhere.err.contains(QStringLiteral("--force")),
+             qPrintable(elsewhere.err));
+  }
+
+  void aListThatCannotBeWrittenIsSaid() {
+    if (geteuid() == 0) {
+      // Nothing is closed to root, but a folder is no file.
+      QFile::remove(folder_->filePath(QStringLiteral("hall.waypoints.geojson")));
+      QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("hall.waypoints.geojson")));
+    } else {
+      QFile(folder_->path()).setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+    }
+    const Outcome outcome = at(QStringLiteral("create New --at 1,2"));
+    QFile(folder_->path()).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QVERIFY2(outcome.code == 2 && outcome.err.count(QLatin1Char('\n')) == 1, qPrintable(outcome.err));
+  }
+
+  void aRobotThatCanOnlyBeReadIsNotChanged() {
+    simulator::Options options;
+    options.paused = true;
+    simulator::Simulator robot(options);
+    QVERIFY(!robot.start());
+    const QStringList address{QStringLiteral("--robot"), QString::fromStdString(robot.aimdkAddress())};
+    const Outcome list = run(QStringList{QStringLiteral("list"), QStringLiteral("--json")} + address);
+    QVERIFY2(list.code == 0 && !list.array().isEmpty(), qPrintable(list.err));
+    put("wanted.csv", "name,x,y\nNew,1,2\n");
+    const QString id = list.array()[0].toObject()[QStringLiteral("id")].toString();
+    for (const QStringList& words : {QStringList{QStringLiteral("rename"), id, QStringLiteral("New")},
+                                     QStringList{QStringLiteral("delete"), id, QStringLiteral("--yes")},
+                                     QStringList{QStringLiteral("import"), QStringLiteral("wanted.csv")},
+                                     QStringList{QStringLiteral("plan"), QStringLiteral("wanted.csv")}}) {
+      const Outcome refused = run(words + address);
+      QVERIFY2(refused.code == 4, qPrintable(refused.err));
+      QVERIFY2(refused.err.contains(QStringLiteral("offers no editing")), qPrintable(refused.err));
+    }
+    const Outcome none =
+        run({QStringLiteral("list"), QStringLiteral("--robot"), QString::fromStdString(robot.address())});
+    QVERIFY2(none.code == 4 && none.err.count(QLatin1Char('\n')) == 1, qPrintable(none.err));
+  }
+};
+
+QTEST_GUILESS_MAIN(WaypointsCommandTest)
+#include "test_waypoints_command.moc"

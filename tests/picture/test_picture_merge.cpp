@@ -1,0 +1,95 @@
+// Counting what is changed, and putting my changes and theirs together.
+#include <QtTest>
+
+#include "cells.h"
+#include "picture/draw.h"
+#include "picture/merge.h"
+
+using namespace mapwright;
+using namespace mapwright::picture;
+using test::byteOf;
+using test::gridOf;
+using test::pyramidOf;
+using test::textOf;
+using Text = std::vector<std::string>;
+
+namespace {
+
+Patch painted(EditedGrid& grid, const CellRect& rect, char letter) {
+  Canvas canvas(grid);
+  drawRectangle(canvas, rect, {byteOf(letter), {}});
+  Patch patch = canvas.take();
+  grid.apply(patch);
+  return patch;
+}
+
+}  // namespace
+
+class TestPictureMerge : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void changedCellsAreCountedAsTheyComeAndGo() {
+    EditedGrid grid(pyramidOf(600, 600, [](int, int) { return byteOf('.'); }));
+    const auto saved = grid.snapshot();
+    DifferenceCount count;
+    const Patch first = painted(grid, {250, 250, 260, 260}, '#');
+    count.recount(grid, *saved, first);
+    QCOMPARE(count.cells, 100);
+    const Patch second = painted(grid, {255, 250, 265, 260}, ' ');
+    count.recount(grid, *saved, second);
+    QCOMPARE(count.cells, 150);
+    count.recount(grid, *saved, painted(grid, {250, 250, 265, 260}, '.'));
+    QCOMPARE(count.cells, 0);
+    QVERIFY(count.tiles.empty());
+  }
+
+  void theDifferenceMakesOneOfTheOther() {
+    EditedGrid grid(pyramidOf(613, 301, test::speckled));
+    const auto other = pyramidOf(
+        613, 301, [](int x, int y) { return y == 300 && x > 500 ? byteOf('#') : test::speckled(x, y); });
+    const Patch patch = differenceTo(grid, *other);
+    QVERIFY(patch.cells.top == 300 && patch.cells.left > 500);
+    grid.apply(patch);
+    QVERIFY(textOf(grid) == textOf(*other));
+    QVERIFY(differenceTo(grid, *other).empty());
+  }
+
+  void whatDoesNotMeetIsPutTogether() {
+    EditedGrid mine = gridOf({".....", "....."});
+    const auto base = mine.snapshot();
+    painted(mine, {0, 0, 2, 1}, '#');
+    const Patch theirs = differenceTo(*base, *test::pyramidOf({".....", ".. #."}));
+    const Merge merge = mergeCells(mine, theirs, *base);
+    QCOMPARE(merge.conflicts, 0);
+    QCOMPARE(merge.taken, 2);
+    mine.apply(merge.patch);
+    QCOMPARE(textOf(mine), (Text{"##...", ".. #."}));
+  }
+
+  void theSameChangeTwiceIsNoConflict() {
+    EditedGrid mine = gridOf({"....."});
+    const auto base = mine.snapshot();
+    painted(mine, {1, 0, 3, 1}, '#');
+    const Merge merge = mergeCells(mine, differenceTo(*base, *test::pyramidOf({".##.."})), *base);
+    QCOMPARE(merge.conflicts, 0);
+    QVERIFY(merge.patch.empty());
+  }
+
+  void whatMeetsIsToldAndDecidedEitherWay() {
+    EditedGrid mine = gridOf({"....."});
+    const auto base = mine.snapshot();
+    painted(mine, {1, 0, 3, 1}, '#');
+    const Patch theirs = differenceTo(*base, *test::pyramidOf({".. .#"}));
+    const Merge kept = mergeCells(mine, theirs, *base);
+    QCOMPARE(kept.conflicts, 1);
+    QCOMPARE(kept.where, (CellRect{2, 0, 3, 1}));
+    const auto as_theirs = mine.snapshot();
+    as_theirs->apply(mergeCells(mine, theirs, *base, true).patch);
+    mine.apply(kept.patch);
+    QCOMPARE(textOf(mine), (Text{".##.#"}));
+    QCOMPARE(textOf(*as_theirs), (Text{".# .#"}));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestPictureMerge)
+#include "test_picture_merge.moc"

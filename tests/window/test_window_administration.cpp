@@ -1,0 +1,269 @@
+// The maps of the robot, changed from the window: what is asked first, what is sent, what is said of it.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QtTest>
+
+#include "window/administration/administration_controller.h"
+#include "window/docks/maps_dock.h"
+#include "window/map/map_overlay.h"
+#include "window/map/toast_stack.h"
+#include "window_bench.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using robot::MapChange;
+using robot::Obstacle;
+using test::Bench;
+using test::kAddress;
+
+namespace {
+
+/// Keeps what it is asked for until it is told what comes of it.
+class FakeAdministration : public robot::MapAdministration {
+ public:
+  std::optional<Obstacle> obstacle(MapChange change, const map::CatalogueEntry* map) const override {
+    if (const auto found = obstacles.find(change); found != obstacles.end()) return found->second;
+    if (map && change == MapChange::Archive && map->is_archived) return Obstacle::IsArchived;
+    if (map && change == MapChange::Unarchive && !map->is_archived) return Obstacle::IsNotArchived;
+    return std::nullopt;
+  }
+  bool loadAsksForPlace() const override { return asks_place; }
+  robot::Call carryOut(const robot::MapOrder& order, robot::OutcomeTo<map::CatalogueEntry> reply) override {
+    orders.push_back(order);
+    replies.push_back(std::move(reply));
+    auto state = std::make_shared<robot::Call::State>();
+    state->cancel = [this] { ++cancelled; };
+    return robot::Call(state);
+  }
+  void answer(const robot::Outcome<map::CatalogueEntry>& outcome) {
+    const auto reply = std::exchange(replies.back(), nullptr);
+    reply(outcome);
+  }
+
+  std::map<MapChange, Obstacle> obstacles;
+  bool asks_place = false;
+  int cancelled = 0;
+  std::vector<robot::MapOrder> orders;
+  std::vector<robot::OutcomeTo<map::CatalogueEntry>> replies;
+};
+
+struct Desk {
+  Desk() {
+    bench.offerMaps();
+    bench.prepare = [this, offer = bench.prepare](test::FakeRobot& robot) {
+      offer(robot);
+      robot.administration = &maps;
+      robot.told_waypoints = &points;
+    };
+    bench.open();
+    (void)bench.window->connectTo(kAddress);
+    (void)QTest::qWaitFor([this] { return bench.window->maps()->model()->maps() == 3; }, 30'000);
+  }
+  AdministrationController& controller() { return *bench.window->administration(); }
+  /// The menu of this map, as the dock fills it.
+  std::unique_ptr<QMenu> menu(const char* id) {
+    auto made = std::make_unique<QMenu>();
+    controller().fillMenu(made.get(), {map::MapKind::Stored, id});
+    return made;
+  }
+  static QAction* entry(const QMenu& menu, const char* begins) {
+    for (QAction* action : menu.actions())
+      if (action->text().startsWith(QLatin1String(begins))) return action;
+    return nullptr;
+  }
+  ChangeDialog* ask(const char* id, const char* begins) {
+    const auto made = menu(id);
+    QAction* const action = entry(*made, begins);
+    if (!action || !action->isEnabled()) return nullptr;
+    action->trigger();
+    return controller().dialog();
+  }
+  QStringList toasts() { return bench.window->findChild<ToastStack*>()->texts(); }
+
+  FakeAdministration maps;
+  map::WaypointList points;
+  Bench bench;
+};
+
+}  // namespace
+
+class TestWindowAdministration : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aMapIsRenamedOnTheRobot() {
+    Desk desk;
+    ChangeDialog* const dialog = desk.ask("2", "Rename");
+    QVERIFY(dialog);
+    // Markup in a name is text, and what stands there is no error yet.
+    QVERIFY(dialog->textShown().contains(QLatin1String("<b>Attic</b>")));
+    QCOMPARE(dialog->nameEdit()->text(), QStringLiteral("<b>Attic</b>"));
+    QVERIFY(!dialog->acceptButton()->isEnabled() && dialog->errorShown().isEmpty());
+    dialog->nameEdit()->selectAll();
+    QTest::keyClicks(dialog->nameEdit(), QStringLiteral("Loft"));
+    QVERIFY(dialog->acceptButton()->isEnabled());
+    QTest::keyClick(dialog->nameEdit(), Qt::Key_Return);
+    QCOMPARE(desk.maps.orders.size(), std::size_t(1));
+    QVERIFY(desk.maps.orders[0].change == MapChange::Rename);
+    QCOMPARE(desk.maps.orders[0].key.id, std::string("2"));
+    QCOMPARE(desk.maps.orders[0].name, std::string("Loft"));
+    QVERIFY(dialog->waiting() && !dialog->acceptButton()->isEnabled());
+    QVERIFY(desk.toasts().isEmpty());  // nothing is said before the robot has
+    desk.maps.answer(test::catalogued("2", "Loft"));
+    QTRY_VERIFY(!desk.controller().dialog());
+    QCOMPARE(desk.toasts(), QStringList{QStringLiteral("It is called Loft now.")});
+  }
+
+  void whatFailsIsSaidWhereItWasTypedAndNothingIsLost() {
+    Desk desk;
+    ChangeDialog* const dialog = desk.ask("2", "Rename");
+    QVERIFY(dialog);
+    dialog->nameEdit()->setText(QStringLiteral("Ground floor"));
+    dialog->acceptButton()->click();
+    desk.maps.answer(tl::make_unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                                      .subject = map::subjectOf(desk.maps.orders[0].key),
+                                                      .robot_code = "2",
+                                                      .detail = "name exists",
+                                                      .asked_for = map::AskedFor::Change}));
+    QCOMPARE(desk.controller().dialog(), dialog);
+    QVERIFY2(dialog->errorShown().contains(QLatin1String("It has not been changed")),
+             qPrintable(dialog->errorShown()));
+    QVERIFY(dialog->errorShown().contains(QLatin1String("name exists")));
+    QCOMPARE(dialog->nameEdit()->text(), QStringLiteral("Ground floor"));
+    QVERIFY(dialog->acceptButton()->isEnabled());
+    dialog->acceptButton()->click();
+    QCOMPARE(desk.maps.orders.size(), std::size_t(2));
+  }
+
+  void namesThatNoMapHasAreNotSent_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("empty") << QString();
+    QTest::newRow("blank") << QStringLiteral("   ");
+    QTest::newRow("bell") << QStringLiteral("a\u0007b");
+    QTest::newRow("the same") << QStringLiteral("<b>Attic</b>");
+  }
+  void namesThatNoMapHasAreNotSent() {
+    QFETCH(QString, name);
+    Desk desk;
+    ChangeDialog* const dialog = desk.ask("2", "Rename");
+    QVERIFY(dialog);
+    dialog->nameEdit()->setText(name);
+    QVERIFY(!dialog->acceptButton()->isEnabled());
+    QTest::keyClick(dialog->nameEdit(), Qt::Key_Return);
+    QVERIFY(desk.maps.orders.empty());
+  }
+
+  void theMapThatTheRobotWorksWithIsDeletedByTypingItsName() {
+    Desk desk;
+    ChangeDialog* const dialog = desk.ask("1", "Delete");
+    QVERIFY(dialog && dialog->typedEdit());
+    QVERIFY(!dialog->acceptButton()->isEnabled());
+    dialog->typedEdit()->setText(QStringLiteral("Ground"));
+    QVERIFY(!dialog->acceptButton()->isEnabled());
+    dialog->typedEdit()->setText(QStringLiteral("Ground floor"));
+    QVERIFY(dialog->acceptButton()->isEnabled());
+    dialog->reject();
+    QVERIFY(desk.maps.orders.empty());
+    ChangeDialog* const other = desk.ask("2", "Delete");
+    QVERIFY(other && !other->typedEdit() && other->acceptButton()->isEnabled());
+    other->acceptButton()->click();
+    QVERIFY(desk.maps.orders[0].change == MapChange::Delete);
+  }
+
+  void loadingAsksWhereTheRobotStandsThoseForLocalisationFirst() {
+    Desk desk;
+    desk.maps.asks_place = true;
+    for (const char* name : {"Gate", "Dock", "Aisle"}) {
+      map::Waypoint point;
+      point.id = point.name = name;
+      if (point.name == "Dock") point.tags = {"localisation"};
+      if (point.name == "Gate") point.tags = {"map_entry"};
+      desk.points.points.push_back(point);
+    }
+    ChangeDialog* const dialog = desk.ask("2", "Load");
+    QVERIFY(dialog && dialog->places());
+    QVERIFY(dialog->textShown().contains(QLatin1String("instead of Ground floor")));
+    QTRY_COMPARE(dialog->places()->count(), 3);
+    QCOMPARE(dialog->places()->currentText(), QStringLiteral("Dock"));
+    QCOMPARE(dialog->places()->itemText(1), QStringLiteral("Gate"));
+    dialog->acceptButton()->click();
+    QCOMPARE(desk.maps.orders[0].place, std::string("Dock"));
+  }
+
+  void whatCannotBeDoneNowIsGreyedAndSaysWhy() {
+    Desk desk;
+    desk.maps.obstacles = {{MapChange::Load, Obstacle::WhileMapping},
+                           {MapChange::Delete, Obstacle::NotOffered}};
+    const auto menu = desk.menu("2");
+    QAction* const load = Desk::entry(*menu, "Load");
+    QVERIFY(load && !load->isEnabled());
+    QVERIFY2(load->toolTip().contains(QLatin1String("stop mapping first")), qPrintable(load->toolTip()));
+    QVERIFY(!Desk::entry(*menu, "Delete"));
+    QVERIFY(Desk::entry(*menu, "Archive") && !Desk::entry(*menu, "Take out"));
+  }
+
+  void mappingIsStartedStoppedAndSaved() {
+    Desk desk;
+    desk.maps.obstacles = {{MapChange::StopMapping, Obstacle::NotMapping},
+                           {MapChange::Save, Obstacle::NotMapping}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    QAction* const start = desk.bench.action("startMapping");
+    QAction* const stop = desk.bench.action("stopMapping");
+    QVERIFY(start->isVisible() && start->isEnabled() && stop->isVisible() && !stop->isEnabled());
+    start->trigger();
+    desk.controller().dialog()->acceptButton()->click();
+    desk.maps.answer(map::CatalogueEntry{});
+    QTRY_VERIFY(!desk.controller().dialog());
+    desk.maps.obstacles = {{MapChange::StartMapping, Obstacle::WhileMapping}};
+    Q_EMIT desk.bench.robot->capabilitiesChanged();
+    QVERIFY(!start->isEnabled() && stop->isEnabled());
+    stop->trigger();
+    desk.controller().dialog()->acceptButton()->click();
+    desk.maps.answer(map::CatalogueEntry{});
+    // Who stops mapping is asked what the map is called.
+    QTRY_VERIFY(desk.controller().dialog() && desk.controller().dialog()->nameEdit());
+    desk.controller().dialog()->nameEdit()->setText(QStringLiteral("Hall 3"));
+    desk.controller().dialog()->acceptButton()->click();
+    QVERIFY(desk.maps.orders.back().change == MapChange::Save);
+    QCOMPARE(desk.maps.orders.back().name, std::string("Hall 3"));
+  }
+
+  void aRobotThatCannotDoAnyOfItShowsNothingOfIt() {
+    Bench bench;
+    bench.offerMaps();
+    bench.open();
+    QVERIFY(!bench.window->connectTo(kAddress));
+    QTRY_COMPARE(bench.window->maps()->model()->maps(), 3);
+    QMenu menu;
+    bench.window->administration()->fillMenu(&menu, {map::MapKind::Stored, "2"});
+    QVERIFY(menu.isEmpty());
+    QVERIFY(!bench.action("startMapping")->isVisible());
+  }
+
+  void givingUpWaitsForWhatBecameOfIt() {
+    Desk desk;
+    ChangeDialog* const dialog = desk.ask("2", "Load");
+    QVERIFY(dialog);
+    dialog->acceptButton()->click();
+    dialog->reject();
+    QCOMPARE(desk.maps.cancelled, 1);
+    QCOMPARE(desk.controller().dialog(), dialog);
+    desk.maps.answer(tl::make_unexpected(map::Failure{.kind = map::FailureKind::Cancelled,
+                                                      .applied = map::Applied::Maybe,
+                                                      .asked_for = map::AskedFor::Change}));
+    QVERIFY(dialog->errorShown().contains(QLatin1String("not known")));
+    dialog->reject();
+    QTRY_VERIFY(!desk.controller().dialog());
+  }
+
+  void leavingTheRobotTakesTheQuestionAlong() {
+    Desk desk;
+    QVERIFY(desk.ask("2", "Load"));
+    desk.bench.window->leaveRobot();
+    QVERIFY(!desk.controller().dialog());
+  }
+};
+
+QTEST_MAIN(TestWindowAdministration)
+#include "test_window_administration.moc"

@@ -1,0 +1,401 @@
+// Editing the picture of a map in the window: painting by hand, undoing, saving, what others write meanwhile,
+// leaving.
+#include <QAction>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QtTest>
+
+#include "robot/files/file_address.h"
+#include "robot/files/file_robot.h"
+#include "window/main_window.h"
+#include "window/map/compare_control.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
+#include "window/picture/picture_controller.h"
+#include "window/picture/picture_dock.h"
+#include "window/picture/picture_drafts.h"
+#include "window/picture/picture_tool.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using picture::CellRect;
+using picture::Kind;
+
+namespace {
+
+constexpr int kWidth = 400, kHeight = 300;
+const QByteArray kYaml =
+    "# kept\nimage: office.pgm\nresolution: 0.01\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+    "free_thresh: 0.196\nowner: me\n";
+
+/// A window on a local map of 4 m x 3 m, 1 cm a cell, all free; two pixels a cell, its middle in the middle.
+struct Desk {
+  Desk() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat) {
+    writeFile(yaml(), kYaml);
+    writeCells([](int, int) { return char(254); });
+  }
+  ~Desk() { window.reset(); }
+
+  QString yaml() const { return folder.filePath(QStringLiteral("office.yaml")); }
+  QString pgm() const { return folder.filePath(QStringLiteral("office.pgm")); }
+  static void writeFile(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+  }
+  void writeCells(const std::function<char(int, int)>& shade, int width = kWidth,
+                  int height = kHeight) const {
+    QByteArray bytes = "P5\n" + QByteArray::number(width) + " " + QByteArray::number(height) + "\n255\n";
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) bytes += shade(x, y);
+    }
+    writeFile(pgm(), bytes);
+  }
+  int shadeOnDisk(int x, int y) const {
+    QFile file(pgm());
+    if (!file.open(QIODevice::ReadOnly)) return -1;
+    const QByteArray cells = file.readAll().right(kWidth * kHeight);
+    return cells.size() == kWidth * kHeight ? int(std::uint8_t(cells[y * kWidth + x])) : -1;
+  }
+
+  void start(const QString& path = {}) {
+    MainWindow::Dependencies wanted{
+        [](const QString& address,
+           const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          robot::files::FileOptions options;
+          options.path = address.mid(int(qstrlen("file:")));
+          options.settle = std::chrono::milliseconds(1);
+          return std::make_unique<robot::files::FileRobot>(address, options);
+        },
+        settings};
+    wanted.addresses = robot::Addresses({robot::files::addressScheme()});
+    if (keeps_drafts) wanted.edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
+    window = std::make_unique<MainWindow>(std::move(wanted));
+    window->resize(1900, 1050);
+    window->show();
+    window->view()->setAnimationMs(0);
+    (void)QTest::qWaitForWindowActive(window.get());
+    QVERIFY(!window->connectTo(QStringLiteral("file:") + (path.isEmpty() ? yaml() : path)));
+  }
+  void open() {
+    start();
+    QTRY_VERIFY(editing().isOpen());
+    QTest::keyClick(window->view(), Qt::Key_B);
+    QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
+    QCoreApplication::processEvents();  // the dock has opened
+    geometry::ViewTransform camera = window->mapScene()->view();
+    camera.center_m = {2, 1.5};
+    camera.scale_m_per_px = 0.005;
+    window->view()->moveTo(camera, false);
+  }
+  PictureController& control() { return *window->pictureEditor(); }
+  PictureEditing& editing() { return *control().editing(); }
+  PictureDock& dock() { return *control().dock(); }
+  const grids::GridPyramid& cells() { return *window->mapScene()->wholeMap()->cells; }
+
+  /// The middle of a cell.
+  QPoint px(int column, int row) {
+    const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld(
+        editing().reference().worldFromCell({column + 0.5, row + 0.5}));
+    return {qRound(at.x()), qRound(at.y())};
+  }
+  QWidget* map() { return window->view()->viewport(); }
+  void press(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(map(), Qt::LeftButton, keys, at);
+  }
+  void moveTo(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QMouseEvent move(QEvent::MouseMove, at, map()->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, keys);
+    QApplication::sendEvent(map(), &move);
+  }
+  void release(const QPoint& at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseRelease(map(), Qt::LeftButton, keys, at);
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
+    press(from, keys);
+    moveTo((from + to) / 2, keys);
+    moveTo(to, keys);
+    release(to, keys);
+  }
+  void click(const QPoint& at) { QTest::mouseClick(map(), Qt::LeftButton, {}, at); }
+  QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
+  void save() {
+    action("save")->trigger();
+    QTRY_VERIFY(!control().saving());
+  }
+  QStringList toasts() { return window->overlay()->toasts()->texts(); }
+
+  bool keeps_drafts = false;
+  QTemporaryDir folder;
+  QSettings settings;
+  std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace
+
+class TestWindowPicture : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aStrokeIsOnTheMapAtOnceAndOneThingToUndo() {
+    Desk desk;
+    desk.open();
+    const QImage before = desk.window->mapPicture();
+    desk.press(desk.px(100, 100));
+    desk.moveTo(desk.px(150, 100));
+    QCOMPARE(int(desk.cells().at(140, 100)), 100);  // while the hand is still down
+    desk.moveTo(desk.px(200, 100));
+    desk.release(desk.px(200, 100));
+    QCOMPARE(int(desk.cells().at(100, 100)), 100);
+    QCOMPARE(int(desk.cells().at(199, 100)), 100);
+    QCOMPARE(int(desk.cells().at(199, 110)), 0);
+    QTRY_VERIFY(desk.window->mapScene()->settled());
+    QVERIFY(desk.window->mapPicture() != before);
+    QVERIFY(desk.window->isWindowModified());
+    QVERIFY2(desk.dock().status().contains(QLatin1String("Changed: 3")), qPrintable(desk.dock().status()));
+    desk.action("undo")->trigger();
+    QCOMPARE(int(desk.cells().at(150, 100)), 0);
+    QVERIFY(!desk.window->isWindowModified());
+    QCOMPARE(desk.dock().status(), QStringLiteral("Nothing is changed."));
+    desk.action("redo")->trigger();
+    QCOMPARE(int(desk.cells().at(150, 100)), 100);
+  }
+
+  void quickDabsAreAllPainted() {
+    Desk desk;
+    desk.open();
+    desk.click(desk.px(50, 50));
+    QTest::mouseDClick(desk.map(), Qt::LeftButton, {}, desk.px(60, 50));
+    desk.drag(desk.px(70, 50), desk.px(90, 50));
+    for (const int x : {50, 60, 80}) QCOMPARE(int(desk.cells().at(x, 50)), 100);
+  }
+
+  void everyToolPaints() {
+    Desk desk;
+    desk.open();
+    const auto cell = [&](int x, int y) { return int(desk.cells().at(x, y)); };
+    const auto take = [&](PaintMode mode) { desk.dock().modeButton(mode)->click(); };
+    desk.dock().kindButton(Kind::Occupied)->click();
+    take(PaintMode::Line);
+    desk.drag(desk.px(10, 20), desk.px(110, 20));
+    QCOMPARE(cell(60, 20), 100);
+    take(PaintMode::Rectangle);
+    desk.drag(desk.px(10, 40), desk.px(30, 60));
+    QCOMPARE(cell(20, 50), 100);
+    take(PaintMode::Polygon);
+    for (const auto& [x, y] : {std::pair{200, 200}, {300, 200}, {250, 280}, {200, 200}}) {
+      desk.moveTo(desk.px(x, y));
+      desk.click(desk.px(x, y));
+    }
+    QCOMPARE(cell(250, 230), 100);
+    QCOMPARE(cell(210, 270), 0);
+    take(PaintMode::Fill);
+    desk.dock().kindButton(Kind::Unknown)->click();
+    desk.click(desk.px(350, 100));
+    QCOMPARE(cell(5, 5), 255);
+    QCOMPARE(cell(250, 230), 100);
+    take(PaintMode::Eraser);
+    desk.dock().sizeBox()->setValue(20);
+    desk.drag(desk.px(240, 230), desk.px(260, 230));
+    QCOMPARE(cell(250, 230), 0);
+    QCOMPARE(cell(250, 260), 100);
+    QCOMPARE(desk.editing().undoStack().count(), 5);
+  }
+
+  void aSelectionIsMovedCopiedAndPasted() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({50, 50, 60, 60});
+    desk.dock().modeButton(PaintMode::Select)->click();
+    desk.drag(desk.px(45, 45), desk.px(65, 65));
+    QCOMPARE(desk.editing().selection(), (CellRect{45, 45, 66, 66}));
+    desk.drag(desk.px(55, 55), desk.px(155, 55));
+    QCOMPARE(int(desk.cells().at(55, 55)), 255);
+    QCOMPARE(int(desk.cells().at(155, 55)), 100);
+    QCOMPARE(desk.editing().selection().left, 145);
+    QTest::keyClick(desk.window->view(), Qt::Key_C, Qt::ControlModifier);
+    desk.editing().select({});
+    desk.moveTo(desk.px(200, 200));
+    QTest::keyClick(desk.window->view(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(int(desk.cells().at(207, 207)), 100);
+    desk.drag(desk.px(207, 207), desk.px(257, 207), Qt::ControlModifier);
+    QCOMPARE(int(desk.cells().at(207, 207)), 100);
+    QCOMPARE(int(desk.cells().at(257, 207)), 100);
+  }
+
+  void tidyingIsShownBeforeItIsDone() {
+    Desk desk;
+    desk.writeCells([](int x, int y) { return char((x % 50 == 20 && y % 50 == 20) || y == 0 ? 0 : 254); });
+    desk.open();
+    desk.dock().tidySize(Tidying::Specks)->setValue(3);
+    desk.dock().tidyButton(Tidying::Specks)->click();
+    QTRY_VERIFY(desk.editing().preview());
+    QCOMPARE(int(desk.editing().preview()->found.pieces), 48);
+    QCOMPARE(int(desk.cells().at(20, 20)), 0);  // as it would be
+    QVERIFY(!desk.editing().unsaved());
+    QTest::keyClick(desk.window->view(), Qt::Key_Escape);
+    QCOMPARE(int(desk.cells().at(20, 20)), 100);
+    desk.dock().tidyButton(Tidying::Specks)->click();
+    QTRY_VERIFY(desk.dock().applyButton()->isEnabled());
+    desk.dock().applyButton()->click();
+    QCOMPARE(int(desk.editing().changedCells()), 48);
+    QCOMPARE(int(desk.cells().at(20, 0)), 100);
+    desk.action("undo")->trigger();
+    QCOMPARE(int(desk.cells().at(20, 20)), 100);
+  }
+
+  void savingWritesThePictureAndLeavesItsYaml() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    desk.save();
+    QCOMPARE(desk.shadeOnDisk(15, 15), 0);
+    QCOMPARE(desk.shadeOnDisk(25, 15), 254);
+    QFile yaml(desk.yaml());
+    QVERIFY(yaml.open(QIODevice::ReadOnly));
+    QCOMPARE(yaml.readAll(), kYaml);
+    QVERIFY(!desk.window->isWindowModified());
+    // It goes on from there, and what was done before can still be undone.
+    desk.editing().drawRectangle({30, 10, 40, 20});
+    QCOMPARE(int(desk.editing().changedCells()), 100);
+    desk.save();
+    QCOMPARE(desk.shadeOnDisk(35, 15), 0);
+    desk.action("undo")->trigger();
+    desk.action("undo")->trigger();
+    QCOMPARE(int(desk.editing().changedCells()), 200);
+    desk.save();
+    QCOMPARE(desk.shadeOnDisk(15, 15), 254);
+  }
+
+  void whatOthersWriteIsPutTogether() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    desk.writeCells([](int x, int) { return char(x > 390 ? 0 : 254); });
+    QTRY_COMPARE(int(desk.cells().at(395, 100)), 100);
+    QCOMPARE(int(desk.cells().at(15, 15)), 100);
+    QCOMPARE(int(desk.editing().changedCells()), 100);
+    QCOMPARE(int(desk.editing().conflicts()), 0);
+    desk.save();
+    QTRY_COMPARE(desk.shadeOnDisk(15, 15), 0);
+    QCOMPARE(desk.shadeOnDisk(395, 100), 0);
+  }
+
+  void whatMeetsIsDecidedBeforeItIsSaved() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    desk.writeCells([](int x, int y) { return char(x < 15 && y < 15 ? 205 : 254); });
+    QTRY_COMPARE(int(desk.editing().conflicts()), 25);
+    QCOMPARE(int(desk.cells().at(5, 5)), 255);
+    QCOMPARE(int(desk.cells().at(12, 12)), 100);  // mine, until it is decided
+    desk.action("save")->trigger();
+    QVERIFY(!desk.control().saving());
+    QVERIFY(desk.toasts().last().contains(QLatin1String("Choose which are right")));
+    QVERIFY(desk.dock().takeTheirsButton()->isVisible());
+    desk.dock().takeTheirsButton()->click();
+    QCOMPARE(int(desk.cells().at(12, 12)), 255);
+    QCOMPARE(int(desk.cells().at(17, 17)), 100);
+    desk.save();
+    QTRY_COMPARE(desk.shadeOnDisk(17, 17), 0);
+    QCOMPARE(desk.shadeOnDisk(12, 12), 205);
+  }
+
+  void aMapOfAnotherSizeTakesNothingAlongSilently() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    desk.writeCells([](int, int) { return char(254); }, 50, 40);
+    QTRY_COMPARE(desk.editing().grid()->width(), 50);
+    QVERIFY(desk.toasts().last().contains(QLatin1String("100 cells")));
+    QVERIFY(!desk.editing().unsaved());
+  }
+
+  void leavingAsks() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    desk.window->close();
+    QTRY_VERIFY(desk.control().question());
+    QVERIFY(desk.control().question()->text().contains(QLatin1String("100 cells")));
+    desk.control().question()->button(QMessageBox::Cancel)->click();
+    QVERIFY(desk.window->isVisible());
+    desk.window->close();
+    QTRY_VERIFY(desk.control().question());
+    desk.control().question()->button(QMessageBox::Save)->click();
+    QTRY_VERIFY(!desk.window->isVisible());
+    QCOMPARE(desk.shadeOnDisk(15, 15), 0);
+  }
+
+  void whatIsNotSavedIsOfferedAgain() {
+    Desk desk;
+    desk.keeps_drafts = true;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    desk.window->close();
+    QTRY_VERIFY(desk.control().question());
+    desk.control().question()->findChild<QPushButton*>(QStringLiteral("keepDraft"))->click();
+    QTRY_VERIFY(!desk.window->isVisible());
+    QCOMPARE(desk.shadeOnDisk(15, 15), 254);
+    desk.window.reset();
+    // Somebody writes there meanwhile.
+    desk.writeCells([](int x, int y) { return char(x < 15 && y < 15 ? 205 : 254); });
+    desk.open();
+    QTRY_VERIFY(desk.control().drafts()->offered());
+    QVERIFY(desk.control().drafts()->offer().contains(QLatin1String("100 cells")));
+    desk.dock().restoreButton()->click();
+    QCOMPARE(int(desk.cells().at(15, 15)), 100);
+    QCOMPARE(int(desk.cells().at(5, 5)), 255);
+    QVERIFY(desk.toasts().last().contains(QLatin1String("25 cells")));
+    desk.save();
+    QCOMPARE(desk.shadeOnDisk(15, 15), 0);
+    const QDir drafts(desk.folder.filePath(QStringLiteral("drafts")));
+    QTRY_VERIFY(drafts.entryList({QStringLiteral("*.json")}, QDir::Files).isEmpty());
+  }
+
+  void brokenDraftsAreSetAside() {
+    QVERIFY(!pictureDraftFrom("{}"));
+    const picture::EditedGrid grid(
+        grids::buildGrid(3, 3, grids::CellCode::Gray, grids::Reduction::OccupiedWins)->pyramid());
+    const QByteArray whole = pictureDraftBytes({}, QDateTime::currentDateTime(), grid, grid);
+    QVERIFY(pictureDraftFrom(whole));
+    QVERIFY(!pictureDraftFrom(QByteArray(whole).replace("\"width\":3", "\"width\":-3")));
+    QVERIFY(!pictureDraftFrom(QByteArray(whole).replace("\"changes\":[", "\"changes\":[{\"x\":1},")));
+    // It says that it unpacks to four gigabytes.
+    QVERIFY(!pictureDraftFrom(
+        QByteArray(whole).replace("]", ",{\"x\":0,\"y\":0,\"was\":\"/////wA=\",\"is\":\"/////wA=\"}]")));
+  }
+
+  void discardingCanBeUndone() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    desk.editing().revert();
+    QVERIFY(!desk.editing().unsaved());
+    QCOMPARE(int(desk.cells().at(15, 15)), 0);
+    desk.action("undo")->trigger();
+    QCOMPARE(int(desk.cells().at(15, 15)), 100);
+  }
+
+  void whatIsSavedIsComparedWithWhatItIsNow() {
+    Desk desk;
+    desk.open();
+    desk.editing().drawRectangle({10, 10, 20, 20});
+    Q_EMIT desk.control().compareWanted();
+    QTRY_VERIFY(desk.window->session()->comparedMap().cells());
+    QCOMPARE(desk.window->mapScene()->compareMode(), scene::CompareMode::Swipe);
+    QTRY_COMPARE(int(desk.window->session()->comparedMap().cells()->at(15, 15)), 0);
+    QCOMPARE(int(desk.cells().at(15, 15)), 100);
+  }
+
+  void theToolSaysWhyNot() {
+    Desk desk;
+    desk.start(QStringLiteral("/nowhere/gone.yaml"));
+    QVERIFY(!desk.action("pictureTool")->isEnabled());
+    QVERIFY(desk.action("pictureTool")->toolTip().contains(QLatin1String("whole map")));
+  }
+};
+
+QTEST_MAIN(TestWindowPicture)
+#include "test_window_picture.moc"

@@ -1,0 +1,41 @@
+// The maps that the robot keeps, changed: renamed, loaded, archived, deleted; mapping started, stopped and
+// saved.
+#pragma once
+
+#include <QPointer>
+
+#include "window/administration/change_dialog.h"
+#include "window/controller.h"
+#include "window/window_context.h"
+
+class QMenu;
+
+namespace mapwright::window {
+
+class AdministrationController : public Controller {
+  Q_OBJECT
+ public:
+  explicit AdministrationController(WindowContext& context, QObject* parent = nullptr);
+
+  void setSession(session::Session* session) override;
+  /// Puts what can be done with this map into its menu; what cannot be done now is greyed and says why.
+  void fillMenu(QMenu* menu, const map::MapKey& key);
+  /// The question that is open; null = none.
+  ChangeDialog* dialog() const { return dialog_; }
+
+ private:
+  robot::MapAdministration* maps() const;
+  void ask(robot::MapChange change, const map::CatalogueEntry* map);
+  void askForPlaces(const map::MapKey& key);
+  void refresh();
+
+  WindowContext& context_;
+  struct Row {
+    robot::MapChange change;
+    QAction* action;
+  };
+  std::vector<Row> mapping_;  // of no map
+  QPointer<ChangeDialog> dialog_;
+};
+
+}  // namespace mapwright::window

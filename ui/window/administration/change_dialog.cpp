@@ -1,0 +1,173 @@
+#include "window/administration/change_dialog.h"
+
+#include <utility>
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "sentences/failure_sentence.h"
+#include "window/look/ui_colors.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+
+ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
+    : QDialog(parent),
+      question_(std::move(question)),
+      ask_(std::move(ask)),
+      text_(new QLabel(this)),
+      error_(new QLabel(this)),
+      accept_(new QPushButton(question_.accept, this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  setWindowTitle(question_.title);
+  setMinimumWidth(440);
+  for (QLabel* label : {text_, error_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  }
+  text_->setText(question_.text);
+  error_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  auto* form = new QFormLayout;
+  form->setHorizontalSpacing(12);
+  form->setVerticalSpacing(6);
+  if (question_.name) {
+    name_ = new QLineEdit(*question_.name, this);
+    name_->setObjectName(QStringLiteral("name"));
+    name_->selectAll();
+    form->addRow(tr("&Name"), name_);
+    connect(name_, &QLineEdit::textChanged, this, &ChangeDialog::check);
+  }
+  if (question_.asks_place) {
+    places_ = new QComboBox(this);
+    places_->setObjectName(QStringLiteral("place"));
+    places_->setEditable(true);
+    places_->setInsertPolicy(QComboBox::NoInsert);
+    places_->setMinimumContentsLength(24);
+    places_->lineEdit()->setPlaceholderText(tr("not said"));
+    form->addRow(tr("The robot stands at &waypoint"), places_);
+  }
+  if (!question_.typed.isEmpty()) {
+    typed_ = new QLineEdit(this);
+    typed_->setObjectName(QStringLiteral("typed"));
+    typed_->setPlaceholderText(question_.typed);
+    form->addRow(tr("&Type its name"), typed_);
+    connect(typed_, &QLineEdit::textChanged, this, &ChangeDialog::check);
+  }
+  accept_->setObjectName(QStringLiteral("primary"));
+  accept_->setDefault(true);
+  cancel_->setObjectName(QStringLiteral("secondary"));
+  cancel_->setAutoDefault(false);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addStretch();
+  buttons->addWidget(cancel_);
+  buttons->addWidget(accept_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 16, 16, 16);
+  column->setSpacing(10);
+  column->addWidget(text_);
+  if (form->rowCount() > 0) {
+    column->addLayout(form);
+  } else {
+    delete form;
+  }
+  column->addWidget(error_);
+  column->addLayout(buttons);
+  connect(accept_, &QPushButton::clicked, this, &ChangeDialog::send);
+  connect(cancel_, &QPushButton::clicked, this, &ChangeDialog::reject);
+  check();
+}
+
+void ChangeDialog::setPlaces(const std::vector<std::string>& names) {
+  if (!places_) return;
+  const QString typed = places_->currentText();
+  places_->clear();
+  for (const std::string& name : names)
+    places_->addItem(words::plainName(name), QString::fromStdString(name));
+  if (typed.isEmpty()) {
+    places_->setCurrentIndex(names.empty() ? -1 : 0);
+  } else {
+    places_->setEditText(typed);
+  }
+}
+
+QString ChangeDialog::textShown() const { return text_->text(); }
+QString ChangeDialog::errorShown() const { return error_->text(); }
+
+QString ChangeDialog::whyNot() const {
+  if (name_) {
+    if (QString why = whyNoName(name_->text()); !why.isEmpty()) return why;
+    if (question_.order.change == robot::MapChange::Rename && name_->text() == *question_.name)
+      return tr("It is called so already.");
+  }
+  if (typed_ && typed_->text() != question_.typed) return tr("Type the name of the map to delete it.");
+  return {};
+}
+
+void ChangeDialog::check() {
+  const QString why = whyNot();
+  // What is still as it was at first is no error yet.
+  const bool touched = (name_ && name_->isModified()) || (typed_ && !typed_->text().isEmpty());
+  QPalette palette = error_->palette();
+  palette.setColor(QPalette::WindowText, appColors().secondary_text);
+  error_->setPalette(palette);
+  error_->setText(touched ? why : QString());
+  accept_->setEnabled(why.isEmpty() && !waiting());
+}
+
+void ChangeDialog::send() {
+  if (waiting() || !whyNot().isEmpty()) return;
+  robot::MapOrder order = question_.order;
+  if (name_) order.name = name_->text().toStdString();
+  if (places_) {
+    const int at = places_->findText(places_->currentText());
+    order.place = (at >= 0 ? places_->itemData(at).toString() : places_->currentText()).toStdString();
+  }
+  for (QWidget* field :
+       {static_cast<QWidget*>(name_), static_cast<QWidget*>(typed_), static_cast<QWidget*>(places_)})
+    if (field) field->setEnabled(false);
+  call_.emplace();  // before the robot is asked: nothing is sent twice
+  *call_ = ask_(order, [self = QPointer<ChangeDialog>(this)](const Outcome& outcome) {
+    if (self) self->take(outcome);
+  });
+  check();
+  error_->setText(tr("Waiting for the robot…"));
+}
+
+void ChangeDialog::take(const Outcome& outcome) {
+  call_.reset();
+  for (QWidget* field :
+       {static_cast<QWidget*>(name_), static_cast<QWidget*>(typed_), static_cast<QWidget*>(places_)})
+    if (field) field->setEnabled(true);
+  check();
+  if (outcome) {
+    Q_EMIT done(*outcome, question_.done.contains(QLatin1String("%1"))
+                              ? question_.done.arg(words::plainName(outcome->name).left(80))
+                              : question_.done);
+    accept();
+    return;
+  }
+  QPalette palette = error_->palette();
+  palette.setColor(QPalette::WindowText, appColors().error_text);
+  error_->setPalette(palette);
+  error_->setText(QString::fromStdString(sentences::sentenceOf(outcome.error())));
+}
+
+void ChangeDialog::reject() {
+  // What became of it is told by the robot: the dialog goes when it has.
+  if (waiting()) {
+    call_->cancel();
+    error_->setText(tr("Giving up: waiting for what became of it…"));
+    return;
+  }
+  QDialog::reject();
+}
+
+}  // namespace mapwright::window

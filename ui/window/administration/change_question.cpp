@@ -1,0 +1,129 @@
+#include "window/administration/change_question.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <QCoreApplication>
+
+#include "words/qt_plain.h"
+
+namespace mapwright::window {
+namespace {
+
+using robot::MapChange;
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(ChangeQuestion)
+};
+
+QString called(const map::CatalogueEntry* map) {
+  if (!map) return {};
+  return map->name.empty() ? QString::fromStdString(map::toText(map->key))
+                           : words::plainName(map->name).left(80);
+}
+
+void askToLoad(ChangeQuestion& question, const map::CatalogueEntry* map, const map::CatalogueEntry* current) {
+  question.title = Words::tr("Load on the robot");
+  question.accept = Words::tr("Load");
+  question.done = Words::tr("The robot works with %1 now.");
+  const QString name = called(map);
+  question.text = current
+                      ? Words::tr("The robot will work with %1 instead of %2. What it is doing now may end.")
+                            .arg(name, called(current))
+                      : Words::tr("The robot will work with %1. What it is doing now may end.").arg(name);
+}
+
+void askToDelete(ChangeQuestion& question, const map::CatalogueEntry* map) {
+  question.title = Words::tr("Delete from the robot");
+  question.accept = Words::tr("Delete");
+  question.done = Words::tr("%1 is deleted.");
+  question.text = Words::tr("%1 will be deleted from the robot, with its waypoints. It cannot be had back.")
+                      .arg(called(map));
+  if (map && map->is_current) {
+    question.text += QLatin1Char(' ') + Words::tr("The robot works with it now.");
+    question.typed = called(map);
+  }
+}
+
+}  // namespace
+
+ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
+                           const map::CatalogueEntry* current) {
+  ChangeQuestion question;
+  question.order.change = change;
+  if (map) question.order.key = map->key;
+  switch (change) {
+    case MapChange::Rename:
+      question.title = Words::tr("Rename on the robot");
+      question.text = Words::tr("What is %1 called from now on?").arg(called(map));
+      question.accept = Words::tr("Rename");
+      question.name = map ? QString::fromStdString(map->name) : QString();
+      question.done = Words::tr("It is called %1 now.");
+      break;
+    case MapChange::Load:
+      askToLoad(question, map, current);
+      break;
+    case MapChange::Archive:
+      question.title = Words::tr("Archive on the robot");
+      question.text =
+          Words::tr("%1 will be put away. It is kept, and can be taken out again.").arg(called(map));
+      question.accept = Words::tr("Archive");
+      question.done = Words::tr("%1 is archived.");
+      break;
+    case MapChange::Unarchive:
+      question.title = Words::tr("Take out of the archive");
+      question.text = Words::tr("%1 will be among the robot's maps again.").arg(called(map));
+      question.accept = Words::tr("Take out");
+      question.done = Words::tr("%1 is out of the archive.");
+      break;
+    case MapChange::Delete:
+      askToDelete(question, map);
+      break;
+    case MapChange::StartMapping:
+      question.title = Words::tr("Start mapping");
+      question.text = current ? Words::tr("The robot will begin a new map and leave %1.").arg(called(current))
+                              : Words::tr("The robot will begin a new map.");
+      question.accept = Words::tr("Start mapping");
+      question.done = Words::tr("The robot is mapping.");
+      break;
+    case MapChange::StopMapping:
+      question.title = Words::tr("Stop mapping");
+      question.text = Words::tr("The robot will end mapping. Save the map afterwards, or it may be lost.");
+      question.accept = Words::tr("Stop mapping");
+      question.done = Words::tr("Mapping is stopped.");
+      break;
+    case MapChange::Save:
+      question.title = Words::tr("Save the new map");
+      question.text = Words::tr("What is the map called that has just been made?");
+      question.accept = Words::tr("Save");
+      question.name = QString();
+      question.done = Words::tr("The map is kept as %1.");
+      break;
+  }
+  return question;
+}
+
+QString whyNoName(const QString& name) {
+  if (name.trimmed().isEmpty()) return Words::tr("A map must have a name.");
+  if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
+    return Words::tr("The name of a map is one line of text, without control characters.");
+  return {};
+}
+
+std::vector<std::string> placesToStand(const std::vector<map::Waypoint>& points) {
+  const auto tagged = [](const map::Waypoint& point, const char* tag) {
+    return std::find(point.tags.begin(), point.tags.end(), tag) != point.tags.end();
+  };
+  std::vector<std::tuple<int, std::string>> places;
+  for (const map::Waypoint& point : points) {
+    if (point.name.empty()) continue;
+    const bool known = tagged(point, "localisation") || tagged(point, "localization");
+    places.emplace_back(known ? 0 : tagged(point, "map_entry") ? 1 : 2, point.name);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<std::string> names;
+  for (auto& [rank, name] : places) names.push_back(std::move(name));
+  return names;
+}
+
+}  // namespace mapwright::window

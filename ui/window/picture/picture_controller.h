@@ -1,0 +1,89 @@
+// The picture of the map on screen, edited in the window: the tool, the dock, saving, what others change
+// meanwhile, and what is asked before the map is left.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <QPointer>
+
+#include "robot/picture_store.h"
+#include "window/controller.h"
+#include "window/picture/picture_editing.h"
+#include "window/window_context.h"
+
+class QMessageBox;
+
+namespace mapwright::window {
+
+class PictureDock;
+class PictureDrafts;
+class PictureTool;
+
+class PictureController : public Controller {
+  Q_OBJECT
+ public:
+  explicit PictureController(WindowContext& context, QObject* parent = nullptr);
+  ~PictureController() override;
+
+  void setSession(session::Session* session) override;
+  bool unsaved() const override { return editing_.unsaved(); }
+  void save() override;
+  void beforeLeaving(std::function<void()> then) override;
+
+  PictureEditing* editing() { return &editing_; }
+  PictureTool* tool() const { return tool_; }
+  PictureDock* dock() const { return dock_; }
+  PictureDrafts* drafts() const { return drafts_.get(); }  // null: none are kept
+  QMessageBox* question() const;                           // null: nothing is asked
+  bool saving() const { return saving_; }
+
+ Q_SIGNALS:
+  /// What is saved beside what it is now.
+  void compareWanted();
+  /// The picture has been written from here.
+  void written();
+
+ private:
+  void addActions();
+  void syncMap();
+  void openMap(const session::MapSlot& slot);
+  void closeMap();
+  void takeOther(const session::MapSlot& slot);
+  void showCells();
+  void refresh();
+  QString whyNot() const;
+  void noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
+                   const robot::Outcome<robot::PictureReceipt>& outcome);
+  void noteMerged(qint64 taken);
+  void askToDecide();
+  void watchDrafts();
+  void keepDraft();
+  void answer(int button);
+  QString mapName() const;
+
+  WindowContext& context_;
+  QPointer<session::Session> session_;
+  PictureEditing editing_;
+  PictureTool* tool_;
+  PictureDock* dock_;
+  QAction* tool_action_ = nullptr;
+  std::optional<map::MapKey> open_map_;
+  std::shared_ptr<const grids::GridPyramid> seen_;  // what came with the map last
+  std::string revision_, coming_revision_;          // of what is saved; of what is being merged
+  std::set<std::string> own_revisions_;             // that were saved from here
+  bool shown_ = false;                              // the edited cells are what is drawn
+  bool saving_ = false, again_ = false;             // again: saved once more when theirs has been taken in
+  bool was_unsaved_ = false;
+  std::unique_ptr<PictureDrafts> drafts_;
+  bool may_leave_ = false;  // the draft is to be kept as it is
+  quint64 opened_ = 0;      // counts maps: answers about earlier ones are of no use
+  QString trouble_;         // of saving
+  QPointer<QMessageBox> question_;
+  std::function<void()> when_left_, when_saved_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,317 @@
+#include "window/picture/picture_dock.h"
+
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "window/look/icons.h"
+#include "window/look/ui_colors.h"
+#include "window/picture/picture_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+QLabel* wrapped(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  QFont font = label->font();
+  font.setBold(true);
+  label->setFont(font);
+  return label;
+}
+
+QPushButton* compact(const QString& text, QWidget* parent) {
+  auto* button = new QPushButton(text, parent);
+  button->setObjectName(QStringLiteral("compact"));
+  return button;
+}
+
+void colour(QLabel* label, const QColor& color) {
+  QPalette palette = label->palette();
+  palette.setColor(QPalette::WindowText, color);
+  label->setPalette(palette);
+}
+
+}  // namespace
+
+PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* parent)
+    : QDockWidget(tr("Edit map"), parent),
+      editing_(editing),
+      tool_(tool),
+      empty_(wrapped(this)),
+      body_(new QWidget(this)) {
+  setObjectName(QStringLiteral("picture"));
+  auto* column = new QVBoxLayout(body_);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(6);
+  buildOffer(column);
+  buildModes(column);
+  buildKinds(column);
+  buildTidying(column);
+  buildDecision(column);
+  column->addStretch();
+  buildEnd(column);
+  empty_->setContentsMargins(8, 4, 8, 4);
+  empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* all = new QWidget(this);
+  auto* rows = new QVBoxLayout(all);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addWidget(empty_);
+  rows->addWidget(body_, 1);
+  all->setMinimumWidth(220);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(all);
+  setWidget(scroll);
+  connect(editing_, &PictureEditing::stateChanged, this, &PictureDock::refresh);
+  connect(tool_, &PictureTool::modeChanged, this, &PictureDock::refresh);
+  refresh();
+}
+
+void PictureDock::buildOffer(QVBoxLayout* column) {
+  offer_box_ = new QWidget(body_);
+  auto* rows = new QVBoxLayout(offer_box_);
+  rows->setContentsMargins(0, 0, 0, 6);
+  offer_ = wrapped(offer_box_);
+  restore_ = compact(tr("Restore"), offer_box_);
+  auto* drop = compact(tr("Discard draft"), offer_box_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(restore_);
+  buttons->addWidget(drop);
+  buttons->addStretch();
+  rows->addWidget(offer_);
+  rows->addLayout(buttons);
+  connect(restore_, &QPushButton::clicked, this, &PictureDock::draftWanted);
+  connect(drop, &QPushButton::clicked, this, &PictureDock::draftNotWanted);
+  offer_box_->hide();
+  column->addWidget(offer_box_);
+}
+
+void PictureDock::setOffer(const QString& sentence) {
+  offer_->setText(sentence);
+  colour(offer_, appColors().warning_text);
+  offer_box_->setVisible(!sentence.isEmpty());
+}
+
+void PictureDock::buildModes(QVBoxLayout* column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  auto* group = new QButtonGroup(this);
+  for (int i = 0; i < kPaintModes; ++i) {
+    const PaintMode mode = PaintMode(i);
+    auto* button = new QToolButton(body_);
+    button->setIcon(themedIcon(modeIcon(mode)));
+    button->setIconSize({20, 20});
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    button->setToolTip(modeTip(mode));
+    button->setAccessibleName(modeName(mode));
+    group->addButton(button);
+    row->addWidget(button);
+    modes_[std::size_t(i)] = button;
+    connect(button, &QToolButton::clicked, this, [this, mode] { Q_EMIT modeWanted(mode); });
+  }
+  row->addStretch();
+  column->addLayout(row);
+}
+
+void PictureDock::buildKinds(QVBoxLayout* column) {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(8);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  auto* group = new QButtonGroup(this);
+  for (int i = 0; i < picture::kKinds; ++i) {
+    const picture::Kind kind = picture::Kind(i);
+    auto* button = new QToolButton(body_);
+    button->setText(kindName(kind));
+    button->setCheckable(true);
+    group->addButton(button);
+    row->addWidget(button, 1);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    kinds_[std::size_t(i)] = button;
+    connect(button, &QToolButton::clicked, this, [this, kind] { editing_->setKind(kind); });
+  }
+  size_ = new QSpinBox(body_);
+  size_->setRange(1, picture::kWidestBrush);
+  size_->setSuffix(tr(" cells"));
+  size_->setAccessibleName(tr("Size of the brush"));
+  size_->setToolTip(tr("How wide brush, eraser and line are (comma and full stop, on the map)"));
+  size_m_ = new QLabel(body_);
+  connect(size_, &QSpinBox::valueChanged, editing_, &PictureEditing::setAcross);
+  auto* sizes = new QHBoxLayout;
+  sizes->addWidget(size_);
+  sizes->addWidget(size_m_, 1);
+  grid->addWidget(new QLabel(tr("Paint"), body_), 0, 0);
+  grid->addLayout(row, 0, 1);
+  grid->addWidget(new QLabel(tr("Size"), body_), 1, 0);
+  grid->addLayout(sizes, 1, 1);
+  grid->setColumnStretch(1, 1);
+  column->addLayout(grid);
+}
+
+void PictureDock::buildTidying(QVBoxLayout* column) {
+  column->addSpacing(6);
+  column->addWidget(heading(tr("Tidy up"), body_));
+  tidy_where_ = wrapped(body_);
+  column->addWidget(tidy_where_);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(8);
+  const std::array<int, 3> most{picture::kLargestSpeck, picture::kWidestGap, picture::kWidestGap};
+  const std::array<int, 3> usual{4, 3, 3};
+  for (int i = 0; i < 3; ++i) {
+    const Tidying what = Tidying(i);
+    auto* spin = new QSpinBox(body_);
+    spin->setRange(1, most[std::size_t(i)]);
+    spin->setValue(usual[std::size_t(i)]);
+    spin->setSuffix(tr(" cells"));
+    spin->setToolTip(tidyTip(what));
+    auto* label = new QLabel(tidyName(what), body_);
+    label->setToolTip(tidyTip(what));
+    label->setBuddy(spin);
+    spin->setAccessibleName(tidyName(what));
+    auto* look = compact(tr("Look"), body_);
+    look->setToolTip(tr("Shows how it would be; nothing is changed yet"));
+    look->setAccessibleName(tr("Look: %1").arg(tidyName(what)));
+    connect(look, &QPushButton::clicked, this,
+            [this, what, spin] { editing_->lookFor(what, spin->value()); });
+    grid->addWidget(label, i, 0);
+    grid->addWidget(spin, i, 1);
+    grid->addWidget(look, i, 2);
+    tidy_sizes_[std::size_t(i)] = spin;
+    tidy_buttons_[std::size_t(i)] = look;
+  }
+  grid->setColumnStretch(0, 1);
+  column->addLayout(grid);
+  preview_row_ = new QWidget(body_);
+  auto* row = new QHBoxLayout(preview_row_);
+  row->setContentsMargins(0, 0, 0, 0);
+  found_ = wrapped(preview_row_);
+  apply_ = compact(tr("Apply"), preview_row_);
+  drop_ = compact(tr("Cancel"), preview_row_);
+  row->addWidget(found_, 1);
+  row->addWidget(apply_);
+  row->addWidget(drop_);
+  connect(apply_, &QPushButton::clicked, editing_, &PictureEditing::applyPreview);
+  connect(drop_, &QPushButton::clicked, editing_, &PictureEditing::dropPreview);
+  column->addWidget(preview_row_);
+}
+
+void PictureDock::buildDecision(QVBoxLayout* column) {
+  decision_ = new QWidget(body_);
+  auto* rows = new QVBoxLayout(decision_);
+  rows->setContentsMargins(0, 6, 0, 0);
+  conflict_ = wrapped(decision_);
+  mine_ = compact(tr("Keep mine"), decision_);
+  theirs_ = compact(tr("Take theirs"), decision_);
+  auto* show = compact(tr("Show"), decision_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(mine_);
+  buttons->addWidget(theirs_);
+  buttons->addStretch();
+  buttons->addWidget(show);
+  rows->addWidget(conflict_);
+  rows->addLayout(buttons);
+  connect(mine_, &QPushButton::clicked, this, [this] { editing_->decide(false); });
+  connect(theirs_, &QPushButton::clicked, this, [this] { editing_->decide(true); });
+  connect(show, &QPushButton::clicked, this, &PictureDock::locateConflictWanted);
+  column->addWidget(decision_);
+}
+
+void PictureDock::buildEnd(QVBoxLayout* column) {
+  status_ = wrapped(body_);
+  compare_ = compact(tr("Before…"), body_);
+  compare_->setToolTip(tr("What is saved beside what it is now, divided by a line that can be dragged"));
+  discard_ = compact(tr("Discard"), body_);
+  discard_->setToolTip(tr("All as it is saved; can be undone"));
+  save_ = compact(tr("Save"), body_);
+  save_->setIcon(themedIcon(QStringLiteral("save")));
+  save_->setToolTip(tr("Write the picture of the map (Ctrl+S). Its map.yaml stays as it is"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  row->addWidget(compare_);
+  row->addStretch();
+  row->addWidget(discard_);
+  row->addWidget(save_);
+  column->addWidget(status_);
+  column->addLayout(row);
+  connect(compare_, &QPushButton::clicked, this, &PictureDock::compareWanted);
+  connect(discard_, &QPushButton::clicked, this, &PictureDock::discardWanted);
+  connect(save_, &QPushButton::clicked, this, &PictureDock::saveWanted);
+}
+
+void PictureDock::setWhyNot(const QString& sentence) {
+  why_not_ = sentence;
+  refresh();
+}
+
+void PictureDock::setSaving(bool saving, const QString& trouble) {
+  saving_ = saving;
+  trouble_ = trouble;
+  refresh();
+}
+
+QString PictureDock::status() const { return status_->text(); }
+
+void PictureDock::refresh() {
+  const bool open = editing_->isOpen() && why_not_.isEmpty();
+  empty_->setVisible(!open);
+  empty_->setText(why_not_);
+  body_->setVisible(open);
+  if (!open) return;
+  modes_[std::size_t(tool_->mode())]->setChecked(true);
+  for (int i = 0; i < picture::kKinds; ++i) {
+    const picture::Kind kind = picture::Kind(i);
+    QToolButton* const button = kinds_[std::size_t(i)];
+    button->setEnabled(editing_->holds(kind));
+    button->setToolTip(editing_->holds(kind)
+                           ? kindTip(kind)
+                           : tr("No shade of this picture means unknown, by its map.yaml and its grays."));
+    if (kind == editing_->kind()) button->setChecked(true);
+  }
+  {
+    const QSignalBlocker quiet(size_);
+    size_->setValue(editing_->across());
+  }
+  size_m_->setText(
+      tr("%1 m").arg(QLocale::c().toString(editing_->across() * editing_->reference().resolution_m, 'g', 3)));
+  tidy_where_->setText(editing_->selection().empty()
+                           ? tr("In the whole map. Select a part to tidy up only that.")
+                           : tr("In the selection."));
+  colour(tidy_where_, appColors().secondary_text);
+  const bool previewing = editing_->preview().has_value() || editing_->looking();
+  for (QPushButton* button : tidy_buttons_) button->setEnabled(!saving_);
+  preview_row_->setVisible(previewing);
+  found_->setText(editing_->preview() ? previewText(*editing_->preview()) : tr("Looking …"));
+  apply_->setEnabled(editing_->preview() && !editing_->preview()->patch.empty());
+  decision_->setVisible(editing_->conflicts() > 0);
+  conflict_->setText(conflictText(editing_->conflicts()));
+  colour(conflict_, appColors().warning_text);
+  status_->setText(!trouble_.isEmpty() ? trouble_
+                   : saving_           ? tr("Being saved …")
+                                       : changedText(editing_->changedCells()));
+  colour(status_, trouble_.isEmpty() ? appColors().secondary_text : appColors().error_text);
+  const bool unsaved = editing_->unsaved();
+  compare_->setEnabled(unsaved);
+  discard_->setEnabled(unsaved && !saving_);
+  save_->setEnabled(unsaved && !saving_ && editing_->conflicts() == 0);
+}
+
+}  // namespace mapwright::window

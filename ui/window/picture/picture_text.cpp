@@ -1,0 +1,165 @@
+#include "window/picture/picture_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "sentences/plural.h"
+
+namespace mapwright::window {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(mapwright::window::Picture)
+};
+
+}  // namespace
+
+QString modeName(PaintMode mode) {
+  switch (mode) {
+    case PaintMode::Brush:
+      return Words::tr("Brush");
+    case PaintMode::Eraser:
+      return Words::tr("Eraser");
+    case PaintMode::Line:
+      return Words::tr("Line");
+    case PaintMode::Rectangle:
+      return Words::tr("Rectangle");
+    case PaintMode::Polygon:
+      return Words::tr("Polygon");
+    case PaintMode::Fill:
+      return Words::tr("Fill");
+    case PaintMode::Select:
+      return Words::tr("Select");
+  }
+  return {};
+}
+
+QString modeTip(PaintMode mode) {
+  switch (mode) {
+    case PaintMode::Brush:
+      return Words::tr("Brush: paint by hand");
+    case PaintMode::Eraser:
+      return Words::tr("Eraser: take changes back where it goes, to what is saved");
+    case PaintMode::Line:
+      return Words::tr("Line: a straight wall, as wide as the brush");
+    case PaintMode::Rectangle:
+      return Words::tr("Rectangle: filled");
+    case PaintMode::Polygon:
+      return Words::tr("Polygon: filled, corner by corner");
+    case PaintMode::Fill:
+      return Words::tr("Fill: all of one kind that hangs together");
+    case PaintMode::Select:
+      return Words::tr("Select: a part to copy, move, paint or tidy up");
+  }
+  return {};
+}
+
+QString modeIcon(PaintMode mode) {
+  switch (mode) {
+    case PaintMode::Brush:
+      return QStringLiteral("brush");
+    case PaintMode::Eraser:
+      return QStringLiteral("eraser");
+    case PaintMode::Line:
+      return QStringLiteral("line");
+    case PaintMode::Rectangle:
+      return QStringLiteral("rectangle");
+    case PaintMode::Polygon:
+      return QStringLiteral("polygon");
+    case PaintMode::Fill:
+      return QStringLiteral("fill");
+    case PaintMode::Select:
+      break;
+  }
+  return QStringLiteral("select");
+}
+
+QString kindName(picture::Kind kind) {
+  switch (kind) {
+    case picture::Kind::Free:
+      return Words::tr("Free");
+    case picture::Kind::Occupied:
+      return Words::tr("Occupied");
+    case picture::Kind::Unknown:
+      break;
+  }
+  return Words::tr("Unknown");
+}
+
+QString kindTip(picture::Kind kind) {
+  switch (kind) {
+    case picture::Kind::Free:
+      return Words::tr("Free: where robots may drive");
+    case picture::Kind::Occupied:
+      return Words::tr("Occupied: walls and all that stands");
+    case picture::Kind::Unknown:
+      break;
+  }
+  return Words::tr("Unknown: what nobody has seen");
+}
+
+QString tidyName(Tidying what) {
+  switch (what) {
+    case Tidying::Specks:
+      return Words::tr("Specks up to");
+    case Tidying::Gaps:
+      return Words::tr("Gaps in walls up to");
+    case Tidying::Edges:
+      break;
+  }
+  return Words::tr("Frayed edges up to");
+}
+
+QString tidyTip(Tidying what) {
+  switch (what) {
+    case Tidying::Specks:
+      return Words::tr("Removes pieces of at most this many occupied cells: they become what is around them");
+    case Tidying::Gaps:
+      return Words::tr("Closes gaps of at most this many cells between occupied cells");
+    case Tidying::Edges:
+      break;
+  }
+  return Words::tr("Smooths spikes and notches of at most this width where free ground meets unknown ground");
+}
+
+QString cellsText(std::int64_t cells) {
+  return sentences::counted(Words::tr("%1 cells", nullptr, sentences::formOf(cells)), cells);
+}
+
+QString previewText(const TidyPreview& preview) {
+  if (preview.patch.empty()) return Words::tr("There is nothing to tidy up.");
+  if (preview.what != Tidying::Specks)
+    return Words::tr("%1 would change.").arg(cellsText(preview.found.cells));
+  const QString specks = sentences::counted(
+      Words::tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)), preview.found.pieces);
+  return Words::tr("%1 of %2 would go.").arg(specks, cellsText(preview.found.cells));
+}
+
+QString changedText(std::int64_t cells) {
+  if (cells == 0) return Words::tr("Nothing is changed.");
+  return Words::tr("Changed: %1.").arg(cellsText(cells));
+}
+
+QString draftText(const QDateTime& made, const QDateTime& now, std::int64_t cells) {
+  const QLocale c = QLocale::c();
+  const QString when = made.date() == now.date()
+                           ? Words::tr("today %1").arg(c.toString(made, QStringLiteral("HH:mm:ss")))
+                           : c.toString(made, QStringLiteral("d MMMM yyyy HH:mm"));
+  return Words::tr("There is a draft of this map of %1 that was not saved: %2.").arg(when, cellsText(cells));
+}
+
+QString conflictText(std::int64_t cells) {
+  return Words::tr("Changed here and elsewhere, differently: %1. Which is right?").arg(cellsText(cells));
+}
+
+QString obstacleText(robot::PictureObstacle obstacle) {
+  switch (obstacle) {
+    case robot::PictureObstacle::NotStored:
+      return Words::tr("Only maps that are kept can be edited, not what is sent at present.");
+    case robot::PictureObstacle::FormatNotWritten:
+      break;
+  }
+  return Words::tr("Pictures of this format are only read. Export the map as PGM and YAML, and edit that.");
+}
+
+}  // namespace mapwright::window

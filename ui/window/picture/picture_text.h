@@ -1,0 +1,28 @@
+// What the window says about editing pictures of maps.
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+
+#include "robot/picture_store.h"
+#include "window/picture/picture_tool.h"
+
+namespace mapwright::window {
+
+QString modeName(PaintMode mode);
+QString modeTip(PaintMode mode);
+QString modeIcon(PaintMode mode);
+QString kindName(picture::Kind kind);
+QString kindTip(picture::Kind kind);
+QString tidyName(Tidying what);
+QString tidyTip(Tidying what);
+/// "12 specks, 48 cells would change."
+QString previewText(const TidyPreview& preview);
+/// "1,204 cells are changed." "Nothing is changed."
+QString changedText(std::int64_t cells);
+QString cellsText(std::int64_t cells);
+QString draftText(const QDateTime& made, const QDateTime& now, std::int64_t cells);
+QString conflictText(std::int64_t cells);
+QString obstacleText(robot::PictureObstacle obstacle);
+
+}  // namespace mapwright::window
