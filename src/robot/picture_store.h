@@ -23,16 +23,17 @@ enum class PictureObstacle {
 /// A picture as it is to be. Its place, size and resolution stay.
 struct PictureChange {
   map::MapKey map;
-  std::shared_ptr<const grids::GridPyramid> cells;  // complete; of the size and code that the picture came with
-  std::string revision;                             // WholeMap::fingerprint of what it was made of
+  std::shared_ptr<const grids::GridPyramid>
+      cells;             // complete; of the size and code that the picture came with
+  std::string revision;  // WholeMap::fingerprint of what it was made of
 };
 
 struct PictureReceipt {
   std::string revision;  // WholeMap::fingerprint of what is kept now
 };
 
-/// Capability: the picture of a map, written anew. Called on the thread that made the robot; what it hands out
-/// comes there, too. See robot/call.h for how a request ends.
+/// Capability: the picture of a map, written anew. Called on the thread that made the robot; what it hands
+/// out comes there, too. See robot/call.h for how a request ends.
 class PictureStore : public QObject {
   Q_OBJECT
  public:

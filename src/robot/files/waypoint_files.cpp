@@ -82,8 +82,8 @@ Outcome<WaypointReceipt> WaypointFiles::write(const map::MapKey& key, const Wayp
   const auto content = look(*place);
   if (!content) return tl::make_unexpected(content.error());
   if (content->waypoints.revision != request.revision) {
-    return tl::make_unexpected(failure(*place, map::FailureKind::Conflict,
-                                       {ReasonCode::FileChanged, {place->path.toStdString()}}));
+    return tl::make_unexpected(
+        failure(*place, map::FailureKind::Conflict, {ReasonCode::FileChanged, {place->path.toStdString()}}));
   }
   const auto bytes = patchWaypoints(content->bytes, request.changes);
   if (!bytes) return tl::make_unexpected(failure(*place, map::FailureKind::MalformedAnswer, bytes.error()));
