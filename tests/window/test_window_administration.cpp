@@ -100,6 +100,8 @@ class TestWindowAdministration : public QObject {
     QVERIFY(dialog->textShown().contains(QLatin1String("<b>Attic</b>")));
     QCOMPARE(dialog->nameEdit()->text(), QStringLiteral("<b>Attic</b>"));
     QVERIFY(!dialog->acceptButton()->isEnabled() && dialog->errorShown().isEmpty());
+    QCOMPARE(dialog->focusWidget(), dialog->nameEdit());
+    QCOMPARE(dialog->nameEdit()->selectedText(), QStringLiteral("<b>Attic</b>"));
     dialog->nameEdit()->selectAll();
     QTest::keyClicks(dialog->nameEdit(), QStringLiteral("Loft"));
     QVERIFY(dialog->acceptButton()->isEnabled());

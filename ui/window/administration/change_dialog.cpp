@@ -82,6 +82,7 @@ ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
   column->addLayout(buttons);
   connect(accept_, &QPushButton::clicked, this, &ChangeDialog::send);
   connect(cancel_, &QPushButton::clicked, this, &ChangeDialog::reject);
+  if (QLineEdit* const field = name_ ? name_ : typed_) field->setFocus();
   check();
 }
 
