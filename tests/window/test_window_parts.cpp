@@ -140,7 +140,7 @@ class TestWindowParts : public QObject {
         idsOf(menuCalled(bar, "&Robot")->actions()),
         words("connect openFile * demo - retry disconnect - startMapping stopMapping saveNewMap - quit"));
     QCOMPARE(idsOf(menuCalled(bar, "&Edit")->actions()),
-             words("undo redo - save - waypointTool revertWaypoints"));
+             words("undo redo - save - waypointTool revertWaypoints pictureTool"));
     QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()),
              words("zoomIn zoomOut native fit - follow goTo - northUp robotTurn rotateLeft rotateRight - pan "
                    "measure - "
@@ -148,7 +148,7 @@ class TestWindowParts : public QObject {
     QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(0, 18),
              words("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture - colorsNormal "
                    "colorsIncremental colorsActive - themeLight themeDark themeSystem - *"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(24),
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(25),
              words("- filter focusMap fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()), words("palette shortcuts - diagnostics about"));
   }
@@ -156,9 +156,10 @@ class TestWindowParts : public QObject {
   void theToolBarOfTheWindow() {
     Bench bench;
     const auto* const bar = bench.open().findChild<QToolBar*>(QStringLiteral("tools"));
-    QCOMPARE(idsOf(bar->actions()), words("* - modeSubmaps modeWhole modeBoth compare - pan measure "
-                                          "waypointTool - undo redo save - fit native follow northUp - grid "
-                                          "showIds showOutlines - goTo screenshotSave * palette"));
+    QCOMPARE(idsOf(bar->actions()),
+             words("* - modeSubmaps modeWhole modeBoth compare - pan measure "
+                   "waypointTool pictureTool - undo redo save - fit native follow northUp - grid "
+                   "showIds showOutlines - goTo screenshotSave * palette"));
   }
 
   void showsTheLastTabOfASideFirst() {

@@ -125,7 +125,10 @@ MainWindow::~MainWindow() {
   // The scene and the docks hold on to the session, the view to the scene: take apart from the outside in.
   leaveRobot();
   context_->tools.putAway();
-  for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it) delete *it;
+  for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it) {
+    context_->unsaved.forget(*it);
+    delete *it;
+  }
   delete view_;
   view_ = nullptr;
 }

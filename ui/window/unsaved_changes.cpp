@@ -12,6 +12,11 @@ void UnsavedChanges::watch(Controller* controller) {
   connect(controller, &Controller::unsavedChanged, this, &UnsavedChanges::changed);
 }
 
+void UnsavedChanges::forget(Controller* controller) {
+  std::erase(controllers_, controller);
+  disconnect(controller, nullptr, this, nullptr);
+}
+
 bool UnsavedChanges::any() const {
   return std::any_of(controllers_.begin(), controllers_.end(),
                      [](const Controller* controller) { return controller->unsaved(); });

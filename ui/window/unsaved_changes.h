@@ -18,6 +18,8 @@ class UnsavedChanges : public QObject {
 
   /// Not owned; must outlive all questions.
   void watch(Controller* controller);
+  /// It is about to be taken apart: it is not asked any more.
+  void forget(Controller* controller);
 
   bool any() const;
   bool maySave() const;  // any of it, now
