@@ -116,6 +116,20 @@ class RosCommandsTest : public QObject {
     QCOMPARE(QJsonDocument::fromJson(now.out)[QLatin1String("name")].toString(), QStringLiteral("Attic"));
   }
 
+  // Transforms come in any order: none of it makes another frame of the map.
+  void noWaypointIsLeftOutOfAPictureOfAllLayers() {
+    start();
+    QTemporaryDir folder;
+    const QString report = folder.filePath(QStringLiteral("r.json"));
+    const Ran ran = run({QStringLiteral("snapshot"), QStringLiteral("--mode"), QStringLiteral("whole"),
+                         QStringLiteral("--layers"), QStringLiteral("all"), QStringLiteral("--robot"),
+                         kabam(), QStringLiteral("-o"), folder.filePath(QStringLiteral("a.png")),
+                         QStringLiteral("--report"), report});
+    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    const QByteArray told = bytesOf(report);
+    QVERIFY2(!told.isEmpty() && !told.contains("was left out"), told.constData());
+  }
+
   void aRobotWithoutAMapManagerHasItsLiveMap() {
     start(false);
     const QJsonArray list = maps();
