@@ -131,7 +131,7 @@ class RosCommandsTest : public QObject {
     const Ran made = waypoints(QStringLiteral("create New --at 1,2 --json"));
     QVERIFY2(made.exit_code == 0, made.error.constData());
     QCOMPARE(json(made)[QLatin1String("x")].toDouble(), 1.0);
-    // One request after the other; one that the robot refuses stops the rest, or does not.
+    // What others change meanwhile goes together with a plan.
     QTemporaryDir folder;
     const QString csv = folder.filePath(QStringLiteral("w.csv")),
                   plan = folder.filePath(QStringLiteral("p.json"));
