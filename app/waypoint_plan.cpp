@@ -246,7 +246,7 @@ std::vector<WaypointEdit> withoutCreated(const WaypointPlan& plan, const Waypoin
   std::set<edit::Key> taken;  // of one that is there no more than one is meant
   for (const WaypointEdit& edit : plan.edits) {
     const bool is_there = !edit.before && std::any_of(now.begin(), now.end(), [&](const auto& one) {
-      return !plan.base.contains(one.first) && isAlike(one.second, *edit.after) &&
+      return !plan.base.contains(one.first) && isAlike(*edit.after, one.second) &&
              taken.insert(one.first).second;
     });
     if (!is_there) edits.push_back(edit);

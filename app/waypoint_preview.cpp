@@ -19,7 +19,7 @@ class Words {
 QJsonArray callsOf(const ListedWaypoints& list, const std::vector<WaypointEdit>& edits) {
   std::vector<robot::WaypointChange> changes;
   for (const WaypointEdit& edit : edits) changes.push_back({edit.key, edit.before, edit.after});
-  return callsJson(*list.store, list.store->plan(list.stored, changes), list.mapId());
+  return callsJson(*list.store, list.store->plan(list.stored, changes), list.map);
 }
 
 void printPreview(const ListedWaypoints& list, const MergedEdits& edits, bool json) {

@@ -16,14 +16,15 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(WaypointSteps)
 };
 
-constexpr double kSameM = 1e-6, kSameRad = 1e-6;
+constexpr double kSameM = 1e-4, kSameRad = 1e-4;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-bool isNear(const map::Waypoint& one, const map::Waypoint& other) {
-  if ((one.position_m - other.position_m).norm() > kSameM) return false;
-  if (one.yaw_rad.has_value() != other.yaw_rad.has_value()) return false;
-  return !one.yaw_rad || std::abs(geometry::normalizeAngle(*one.yaw_rad - *other.yaw_rad)) <= kSameRad;
+bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept) {
+  if ((wanted.position_m - kept.position_m).norm() > kSameM) return false;
+  // To some robots everything is turned somehow.
+  if (!kept.yaw_rad) return !wanted.yaw_rad;
+  return std::abs(geometry::normalizeAngle(wanted.yaw_rad.value_or(0) - *kept.yaw_rad)) <= kSameRad;
 }
 
 QString figure(double value) { return QString::number(std::round(value * 1000) / 1000, 'g', 10); }
@@ -138,8 +139,9 @@ bool isDone(const WaypointStep& step, const map::Waypoint* kept) {
   return false;
 }
 
-bool isAlike(const map::Waypoint& one, const map::Waypoint& other) {
-  return isNear(one, other) && one.name == other.name && one.tags == other.tags && one.type == other.type;
+bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept) {
+  return isNear(wanted, kept) && wanted.name == kept.name && wanted.tags == kept.tags &&
+         wanted.type == kept.type;
 }
 
 QJsonObject stepJson(const WaypointStep& step, const std::string& map) {
@@ -198,17 +200,18 @@ QString detailOf(const WaypointStep& step) {
 }
 
 QJsonArray callsJson(const robot::WaypointStore& store, const std::vector<robot::WaypointRequest>& requests,
-                     const std::string& map) {
+                     const map::MapKey& map) {
+  const std::string id = map::toText(map);
   QJsonArray calls;
   for (const robot::WaypointRequest& request : requests) {
-    const robot::WaypointCall call = store.callOf(request);
+    const robot::WaypointCall call = store.callOf(map, request);
     QJsonObject arguments = QJsonDocument::fromJson(QByteArray::fromStdString(call.arguments)).object();
     if (call.service.empty()) {
       std::vector<WaypointEdit> edits;
       for (const robot::WaypointChange& one : request.changes)
         edits.push_back({one.id, one.before, one.after});
-      arguments = {{QStringLiteral("map"), text(map)},
-                   {QStringLiteral("changes"), stepsJson(stepsOf(edits), map)}};
+      arguments = {{QStringLiteral("map"), text(id)},
+                   {QStringLiteral("changes"), stepsJson(stepsOf(edits), id)}};
     }
     calls << QJsonObject{
         {QStringLiteral("service"), call.service.empty() ? QStringLiteral("write") : text(call.service)},

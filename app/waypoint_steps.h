@@ -41,10 +41,10 @@ struct WaypointStep {
 std::vector<WaypointStep> stepsOf(const std::vector<WaypointEdit>& edits);
 
 /// Whether it is so; `kept` is null where there is no such waypoint. Places and turns may differ by what is
-/// lost in between (a turn that is kept as a quaternion).
+/// lost in between (0.1 mm, 0.1 mrad), and what is asked for without a turn may be kept with one of zero.
 bool isDone(const WaypointStep& step, const map::Waypoint* kept);
-/// Alike in everything but the id.
-bool isAlike(const map::Waypoint& one, const map::Waypoint& other);
+/// Alike in everything but the id, likewise.
+bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept);
 
 /// {"id"|null,"name","kind"} and what it becomes: "x","y","yaw_rad" of a move, "to" of a rename, "tags",
 /// "type", all of it of a create.
@@ -59,7 +59,7 @@ QString tagText(const map::Waypoint& point);
 
 /// {"service","args"} of each request that the store would be sent.
 QJsonArray callsJson(const robot::WaypointStore& store, const std::vector<robot::WaypointRequest>& requests,
-                     const std::string& map);
+                     const map::MapKey& map);
 
 /// {"id","name","kind","fields":[…],"base","mine","theirs"}.
 QJsonArray conflictsJson(const WaypointConflicts& conflicts, const std::string& map);

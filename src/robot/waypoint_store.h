@@ -61,7 +61,9 @@ class WaypointStore : public QObject {
   virtual std::vector<WaypointRequest> plan(const StoredWaypoints& now,
                                             const std::vector<WaypointChange>& changes) const = 0;
   /// What performing it would ask of the robot. Asks nobody.
-  virtual WaypointCall callOf(const WaypointRequest& /*request*/) const { return {}; }
+  virtual WaypointCall callOf(const map::MapKey& /*map*/, const WaypointRequest& /*request*/) const {
+    return {};
+  }
   /// Carries one out. FailureKind::Conflict: what it is to change has been changed by somebody else; then
   /// nothing is applied.
   virtual Call perform(const map::MapKey& map, const WaypointRequest& request,

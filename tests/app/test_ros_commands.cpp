@@ -130,6 +130,41 @@ class RosCommandsTest : public QObject {
     QVERIFY2(!told.isEmpty() && !told.contains("was left out"), told.constData());
   }
 
+  void waypointsAreCreatedPlannedAndApplied() {
+    start();
+    const auto waypoints = [&](const QString& line) {
+      return run(QStringList{QStringLiteral("waypoints")} + line.split(QLatin1Char(' ')) +
+                 QStringList{QStringLiteral("--robot"), kabam()});
+    };
+    const auto json = [](const Ran& ran) { return QJsonDocument::fromJson(ran.out).object(); };
+    const Ran preview = waypoints(QStringLiteral("create New --at 1,2 --dry-run --json"));
+    const QJsonObject call = json(preview)[QLatin1String("calls")].toArray().first().toObject();
+    QCOMPARE(call[QLatin1String("service")].toString(), QStringLiteral("create_waypoint"));
+    QVERIFY(call[QLatin1String("args")].toObject().contains(QLatin1String("waypoint_info")));
+    // It has no turn: the robot makes one of zero of that.
+    const Ran made = waypoints(QStringLiteral("create New --at 1,2 --json"));
+    QVERIFY2(made.exit_code == 0, made.error.constData());
+    QCOMPARE(json(made)[QLatin1String("x")].toDouble(), 1.0);
+    // What others change meanwhile goes together with a plan.
+    QTemporaryDir folder;
+    const QString csv = folder.filePath(QStringLiteral("w.csv")),
+                  plan = folder.filePath(QStringLiteral("p.json"));
+    QVERIFY(waypoints(QStringLiteral("export -o ") + csv).exit_code == 0);
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::Append));
+    file.write(",Last,5,5,,,map,\r\n");
+    file.close();
+    QVERIFY(waypoints(QStringLiteral("plan %1 -o %2").arg(csv, plan)).exit_code == 0);
+    QVERIFY(waypoints(QStringLiteral("move New --at 3,4,90")).exit_code == 0);
+    const Ran applied = waypoints(QStringLiteral("apply --json ") + plan);
+    QVERIFY2(applied.exit_code == 0, applied.error.constData());
+    QCOMPARE(json(applied)[QLatin1String("applied")].toInt(), 1);
+    QCOMPARE(json(waypoints(QStringLiteral("get New --json")))[QLatin1String("x")].toDouble(), 3.0);
+    const Ran twice = waypoints(QStringLiteral("create Last --at 1,2"));
+    QVERIFY2(twice.exit_code == 4 && twice.error.contains("has not been changed"), twice.error.constData());
+    QVERIFY(waypoints(QStringLiteral("delete New Last --yes")).exit_code == 0);
+  }
+
   void aRobotWithoutAMapManagerHasItsLiveMap() {
     start(false);
     const QJsonArray list = maps();

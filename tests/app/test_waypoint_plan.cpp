@@ -157,6 +157,24 @@ class WaypointPlanTest : public QObject {
              QStringLiteral("both-changed"));
   }
 
+  void whatIsKeptMayDifferByWhatIsLostOnTheWay() {
+    const map::Waypoint asked = point("", "New", 7, 8);
+    map::Waypoint kept = point("r-1", "New", 7.00001, 8);
+    const app::WaypointStep create{app::StepKind::Create, "fresh", std::nullopt, asked};
+    QVERIFY(app::isDone(create, &kept));
+    kept.yaw_rad = 0;  // a robot to which everything is turned somehow
+    QVERIFY(app::isDone(create, &kept));
+    kept.yaw_rad = 0.5;
+    QVERIFY(!app::isDone(create, &kept));
+    kept = point("r-1", "New", 7.01, 8);
+    QVERIFY(!app::isDone(create, &kept));
+    QVERIFY(!app::isDone(create, nullptr));
+    map::Waypoint turned = asked;
+    turned.yaw_rad = 0;
+    kept = point("r-1", "New", 7, 8);
+    QVERIFY(!app::isDone({app::StepKind::Move, "r-1", kept, turned}, &kept));
+  }
+
   void whatIsThereAlreadyIsNotCreatedTwice() {
     app::WaypointPlan plan{{}, "1", two(), {{"fresh", std::nullopt, point("", "New", 7, 8)}}};
     QCOMPARE(app::withoutCreated(plan, two()).size(), std::size_t(1));

@@ -4,6 +4,9 @@
 
 #include <QPointer>
 
+#include "robot/ros/kabam_messages.h"
+#include "robot/ros/kabam_plan.h"
+
 namespace mapwright::robot::ros {
 
 Call KabamWaypoints::waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> reply) {
@@ -29,6 +32,16 @@ Call KabamWaypointStore::read(const map::MapKey& key, OutcomeTo<StoredWaypoints>
 std::vector<WaypointRequest> KabamWaypointStore::plan(const StoredWaypoints& now,
                                                       const std::vector<WaypointChange>& changes) const {
   return planWaypoints(now, changes);
+}
+
+WaypointCall KabamWaypointStore::callOf(const map::MapKey& key, const WaypointRequest& request) const {
+  if (request.changes.empty()) return {};
+  const WaypointChange& change = request.changes.front();
+  const WaypointService service = serviceOf(change);
+  const bool creates = service == WaypointService::Create, deletes = service == WaypointService::Delete;
+  const QByteArray message =
+      waypointJson(deletes ? *change.before : *change.after, creates ? std::string() : change.id, key.id, {});
+  return {nameOf(service), manageWaypointArgs(message, deletes).toStdString()};
 }
 
 Call KabamWaypointStore::perform(const map::MapKey& key, const WaypointRequest& request,

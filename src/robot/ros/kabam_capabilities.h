@@ -30,6 +30,8 @@ class KabamWaypointStore : public WaypointStore {
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
   std::vector<WaypointRequest> plan(const StoredWaypoints& now,
                                     const std::vector<WaypointChange>& changes) const override;
+  /// As it is going to be sent, but for the frame of created ones, which only the link knows.
+  WaypointCall callOf(const map::MapKey& map, const WaypointRequest& request) const override;
   Call perform(const map::MapKey& map, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply) override;
 
