@@ -157,6 +157,7 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
   size_m_ = new QLabel(body_);
   connect(size_, &QSpinBox::valueChanged, editing_, &PictureEditing::setAcross);
   auto* sizes = new QHBoxLayout;
+  sizes->setSpacing(8);
   sizes->addWidget(size_);
   sizes->addWidget(size_m_, 1);
   grid->addWidget(new QLabel(tr("Paint"), body_), 0, 0);
