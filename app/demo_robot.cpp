@@ -73,7 +73,7 @@ robot::AddressScheme demoAddressScheme() {
     return address;
   };
   return {QStringLiteral("demo:"), QStringLiteral("demo:"), parse,
-          [](const QString& typed) { return typed == QLatin1String("demo"); }};
+          [](const QString& typed) { return typed == QLatin1String("demo"); }, false};
 }
 
 tl::expected<std::unique_ptr<robot::Robot>, QString> makeDemoRobot(const QString& address,

@@ -24,6 +24,8 @@ class LayerWish : public QObject {
 
   /// Asks for what `layers` need, and for the live map where that is wanted.
   void ask(const std::set<scene::Layer>& layers, bool live_map);
+  /// What of this topic is in the world already.
+  void hear(const std::string& topic) { heard_.insert(topic); }
   /// Every layer has got something to show.
   bool in() const;
   /// What gave nothing, as the robot calls it.

@@ -8,11 +8,17 @@
 #include <QCoreApplication>
 
 #include "app/access_words.h"
+#include "app/bags_film.h"
+#include "app/bags_words.h"
 #include "app/bench_program.h"
+#include "app/clouds.h"
 #include "app/exit_code.h"
 #include "app/maps_words.h"
 #include "app/option_words.h"
 #include "app/output_paths.h"
+#include "app/projections.h"
+#include "app/record.h"
+#include "app/recording_operand.h"
 #include "app/simulate.h"
 #include "app/simulate_options.h"
 #include "app/snapshot.h"
@@ -21,6 +27,7 @@
 #include "app/xdg.h"
 #include "scene/layer.h"
 #include "words/plain.h"
+#include "words/qt_plain.h"
 
 namespace {
 
@@ -34,11 +41,16 @@ class Words {
 std::string help(const QString& text) { return text.toStdString(); }
 
 struct CommandLine {
-  std::string robot, demo_query;
+  std::string robot, demo_query, file;
   app::AccessWords access;
   app::SnapshotWords snapshot;
   app::MapsWords maps;
+  app::ProjectionsWords projections;
+  app::BagsWords bags;
+  app::FilmWords film;
+  app::RecordWords record;
   app::WaypointsWords waypoints;
+  app::CloudsWords clouds;
   app::SimulateWords simulate;
   std::vector<std::string> bench_arguments;
 };
@@ -46,18 +58,18 @@ struct CommandLine {
 std::string layersHelp() {
   QStringList names;
   for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
-  return help(
-      Words::tr("Comma-separated: %1; or all; or none (the map alone)").arg(names.join(QLatin1Char(','))));
+  return help(Words::tr("Comma-separated: %1; or all (but track, for which a whole bag is read, and "
+                        "dispatched-cloud, which may be large); or none (the map alone)")
+                  .arg(names.join(QLatin1Char(','))));
 }
 
-void addSnapshot(CLI::App& cli, CommandLine& line) {
-  CLI::App* command =
-      cli.add_subcommand("snapshot", help(Words::tr("Draw a robot's map into a PNG, without a window")));
-  app::SnapshotWords& words = line.snapshot;
-  command
-      ->add_option("--robot", words.robot,
-                   help(Words::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo:")))
-      ->envname("MAPWRIGHT_ROBOT");
+/// What a picture is asked for with, of a robot or of a bag.
+void addSnapshotOptions(CLI::App* command, app::SnapshotWords& words) {
+  // No envname(): see addMaps(). What a recording is called tells of a robot, too.
+  command->add_option(
+      "--robot", words.robot,
+      help(Words::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
+                     "MAPWRIGHT_ROBOT)")));
   app::addAccess(*command, words.access);
   command
       ->add_option("-o,--output", words.output, help(Words::tr("The PNG to write; - is the standard output")))
@@ -79,6 +91,11 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_flag("--robot-anyway", words.robot_anyway,
                     help(Words::tr("Draw the robot, and what it sees, also on a map that it is not in")));
   command->add_flag("--fit", words.fit, help(Words::tr("Show everything (the default without --center)")));
+  command->add_option(
+      "--region", words.region,
+      help(Words::tr(
+          "A part of a map that the robot gives by regions (rep130+ws://): X,Y,LX,LY in metres, the "
+          "middle and the lengths of the sides. A pixel is a cell, or as large as --scale says")));
   command->add_option("--center", words.center, help(Words::tr("World point in the middle: X,Y in metres")));
   command->add_option("--scale", words.scale, help(Words::tr("Metres per pixel")));
   command->add_option("--size", words.size, help(Words::tr("Picture size: WIDTHxHEIGHT in pixels")))
@@ -108,6 +125,35 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
   command->add_flag("--json", words.json, help(Words::tr("Print the report on standard output")));
 }
 
+void addSnapshot(CLI::App& cli, CommandLine& line) {
+  CLI::App* const command =
+      cli.add_subcommand("snapshot", help(Words::tr("Draw a robot's map into a PNG, without a window")));
+  addSnapshotOptions(command, line.snapshot);
+  command->add_option(
+      "--bag", line.snapshot.bag,
+      help(Words::tr("What was recorded, not what is: the name of a bag, or a file (with --at)")));
+  command->add_option("--at", line.snapshot.at,
+                      help(Words::tr("When in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
+}
+
+void addBagSnapshot(CLI::App& bags, CommandLine& line) {
+  CLI::App* const command =
+      bags.add_subcommand("snapshot", help(Words::tr("Draw what a bag holds at a time into a PNG")));
+  command->add_option("name", line.snapshot.bag, help(Words::tr("Its name (mapwright bags list), or a file")))
+      ->required();
+  command
+      ->add_option("--at", line.snapshot.at, help(Words::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
+      ->required();
+  addSnapshotOptions(command, line.snapshot);
+}
+
+void addBagFilm(CLI::App& bags, CommandLine& line) {
+  CLI::App* const command = bags.add_subcommand(
+      "film", help(Words::tr("Draw what a bag holds, time after time, into PNG files or a film")));
+  app::addFilm(*command, line.film);
+  addSnapshotOptions(command, line.film.picture);
+}
+
 int run(int argc, char** argv) {
   CommandLine line;
   CLI::App cli(
@@ -117,17 +163,28 @@ int run(int argc, char** argv) {
   cli.set_version_flag("--version", std::string("mapwright ") + MAPWRIGHT_VERSION);
   cli.set_help_all_flag("--help-all", help(Words::tr("Help on every subcommand")));
   cli.require_subcommand(0, 1);
-  cli.add_option(
-         "--robot", line.robot,
-         help(Words::tr("Connect the window to this robot, for example axbot+http://192.168.25.25:8090")))
+  cli.add_option("--robot", line.robot,
+                 help(Words::tr(
+                     "Connect the window to this robot, for example axbot+http://192.168.25.25:8090; "
+                     "aimdk+http://HOST?tf=ws://HOST:9090 names an Agibot robot and the rosbridge that tells "
+                     "where it is")))
       ->envname("MAPWRIGHT_ROBOT");
   app::addAccess(cli, line.access);
   CLI::App* demo = cli.add_subcommand("demo", help(Words::tr("Open the window on a simulated robot")));
   demo->add_option("query", line.demo_query, help(Words::tr("Such as scene=warehouse&submaps=500&seed=3")));
+  cli.add_option("file", line.file, help(Words::tr("A map or a recording (MCAP, bag of ROS 1) to open")));
+  CLI::App* play = cli.add_subcommand("play", help(Words::tr("Open the window on a recording")));
+  play->add_option("file", line.file, help(Words::tr("MCAP, or a bag of ROS 1")))->required();
   app::addSimulate(cli, line.simulate);
   addSnapshot(cli, line);
   app::addMaps(cli, line.maps);
+  app::addProjections(cli, line.projections);
   app::addWaypoints(cli, line.waypoints);
+  app::addBags(cli, line.bags);
+  app::addRecord(cli, line.record);
+  app::addClouds(cli, line.clouds);
+  addBagSnapshot(*cli.get_subcommand("bags"), line);
+  addBagFilm(*cli.get_subcommand("bags"), line);
   CLI::App* bench = cli.add_subcommand(
       "bench", help(Words::tr("Measure against other ways to do the same, in the same run")));
   bench->prefix_command();
@@ -145,15 +202,28 @@ int run(int argc, char** argv) {
     return app::kUsage;
   }
   if (cli.got_subcommand("simulate")) return app::simulate(line.simulate);
-  if (cli.got_subcommand("snapshot")) {
-    if (line.snapshot.robot.empty()) line.snapshot.robot = line.robot;
+  const bool of_bag = cli.got_subcommand("bags") && cli.get_subcommand("bags")->got_subcommand("snapshot");
+  if (cli.got_subcommand("snapshot") || of_bag) {
+    app::takeRecording(line.snapshot.robot, line.snapshot.bag, line.robot);
     line.snapshot.access = app::withOuter(line.snapshot.access, line.snapshot.robot, line.access, line.robot);
     return app::snapshot(line.snapshot, argc, argv);
+  }
+  if (cli.got_subcommand("bags") && cli.get_subcommand("bags")->got_subcommand("film")) {
+    app::SnapshotWords& words = line.film.picture;
+    app::takeRecording(words.robot, line.film.name, line.robot);
+    words.access = app::withOuter(words.access, words.robot, line.access, line.robot);
+    return app::bagsFilm(line.film, argc, argv);
   }
   if (cli.got_subcommand("maps")) {
     if (line.maps.robot.empty()) line.maps.robot = line.robot;
     line.maps.access = app::withOuter(line.maps.access, line.maps.robot, line.access, line.robot);
     return app::runMaps(cli, line.maps, argc, argv);
+  }
+  if (cli.got_subcommand("projections")) {
+    app::ProjectionsWords& words = line.projections;
+    if (words.robot.empty()) words.robot = line.robot;
+    words.access = app::withOuter(words.access, words.robot, line.access, line.robot);
+    return app::runProjections(cli, words, argc, argv);
   }
   if (cli.got_subcommand("waypoints")) {
     app::WaypointsWords& words = line.waypoints;
@@ -161,9 +231,33 @@ int run(int argc, char** argv) {
     words.access = app::withOuter(words.access, words.robot, line.access, line.robot);
     return app::runWaypoints(cli, words, argc, argv);
   }
+  if (cli.got_subcommand("bags")) {
+    app::takeRecording(line.bags.robot, line.bags.name, line.robot);
+    line.bags.access = app::withOuter(line.bags.access, line.bags.robot, line.access, line.robot);
+    return app::runBags(cli, line.bags, argc, argv);
+  }
+  if (cli.got_subcommand("record")) {
+    if (line.record.robot.empty()) line.record.robot = line.robot;
+    line.record.access = app::withOuter(line.record.access, line.record.robot, line.access, line.robot);
+    return app::record(line.record, argc, argv);
+  }
+  if (cli.got_subcommand("clouds")) {
+    if (line.clouds.robot.empty()) line.clouds.robot = line.robot;
+    line.clouds.access = app::withOuter(line.clouds.access, line.clouds.robot, line.access, line.robot);
+    return app::runClouds(line.clouds, argc, argv);
+  }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining());
   if (cli.got_subcommand("demo")) return app::demo(QString::fromStdString(line.demo_query), argc, argv);
-  return app::window(QString::fromStdString(line.robot), line.access, argc, argv);
+  if (line.file.empty()) return app::window(QString::fromStdString(line.robot), line.access, argc, argv);
+  const QString file = QString::fromStdString(line.file);
+  // A subcommand that is mistyped is no file.
+  if (!app::isFileName(file) && !cli.got_subcommand("play")) {
+    std::fprintf(stderr, "%s\n",
+                 qUtf8Printable(Words::tr("%1 is neither a subcommand nor a file (see mapwright --help)")
+                                    .arg(words::plainName(file))));
+    return app::kUsage;
+  }
+  return app::window(file, line.access, argc, argv);
 }
 
 }  // namespace

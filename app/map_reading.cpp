@@ -123,6 +123,10 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   std::unique_ptr<MapReading> reading(
       new MapReading(std::move(*robot), address, time, purpose, std::move(workers)));
   session::Session& session = reading->session_;
+  if (purpose == Purpose::Bags && session.robot().bagLibrary()) {
+    reading->online_since_ = std::chrono::steady_clock::now();
+    return reading;
+  }
   session.open();
   const auto phase = [&] { return session.connection().phase; };
   reading->waitUntil([&] {
@@ -189,7 +193,11 @@ QStringList MapReading::problems(map::Severity least) const {
   return lines;
 }
 
-QStringList MapReading::warnings() const { return notes_ + problems(map::Severity::Warning); }
+QStringList MapReading::warnings() const {
+  QStringList all = notes_ + problems(map::Severity::Warning);
+  all.removeDuplicates();  // what is odd about waypoints is found again when their map is opened
+  return all;
+}
 
 QJsonObject MapReading::facts() const {
   QJsonObject facts = trafficJson(session_.counts());
@@ -206,9 +214,10 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
   const bool in =
       waitUntil([&] { return wish.look(secondsSince(online_since_)) != MapWish::State::Waiting; });
   if (!in) {
+    const QString late = Words::tr("The map had not arrived within %1 s.").arg(time_.timeout_s);
     return tl::make_unexpected(
         failure(exitCodeOf(map::FailureKind::TimedOut),
-                Words::tr("The map had not arrived within %1 s.").arg(time_.timeout_s)));
+                (QStringList(late) + wish.liveTroubles().mid(0, 1)).join(QLatin1Char(' '))));
   }
   if (wish.look(secondsSince(online_since_)) == MapWish::State::Failed) {
     return tl::make_unexpected(failure(wish.failure().exit_code, wish.failure().sentence));

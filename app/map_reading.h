@@ -15,6 +15,7 @@
 #include "app/deadline.h"
 #include "app/report.h"
 #include "app/robot_access.h"
+#include "map/map_part.h"
 #include "render/sample_grid.h"
 #include "robot/map_administration.h"
 #include "session/session.h"
@@ -32,8 +33,8 @@ struct CommandTime {
 class MapReading {
  public:
   /// What is going to be asked for: nothing else is.
-  enum class Purpose { Maps, Submaps };
-  /// Connects.
+  enum class Purpose { Maps, Submaps, Bags };
+  /// Connects; for Bags only where they are not there without a link: they are asked for by requests alone.
   static CommandResult<std::unique_ptr<MapReading>> open(const QString& address, const Access& access,
                                                          CommandTime time, Purpose purpose,
                                                          std::shared_ptr<work::Workers> workers);
@@ -45,6 +46,9 @@ class MapReading {
   /// Opens a map and reads it to the end. "" = the live or current one; "submaps" composes the submaps at
   /// `resolution_m`. From then on nothing of the session changes any more.
   CommandResult<render::PlacedGrid> map(const QString& id, double resolution_m);
+  /// A region of its map from a map dispatcher, nullopt: all of it. What comes of a region is where the
+  /// dispatcher says that it lies.
+  CommandResult<render::PlacedGrid> part(const std::optional<map::GridRegion>& region);
   /// Asks for a change of one of its maps, and waits for what comes of it. A change that is under way when
   /// the time is over is given up, and the failure says whether it may have been made.
   CommandResult<map::CatalogueEntry> change(const robot::MapOrder& order);

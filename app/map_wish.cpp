@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include "app/exit_code.h"
+#include "app/report.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
@@ -90,23 +91,39 @@ void MapWish::chooseCurrent() {
   }
 }
 
+QStringList MapWish::liveTroubles() const {
+  if (!sendsMaps()) return {};
+  const QStringList topics = session_.robot().liveTopics()->topicsOf(map::Stream::WholeMap);
+  QStringList grave, others;
+  for (const session::LoggedProblem& row : session_.problems().rows()) {
+    const map::Subject& subject = row.problem.subject;
+    const bool of_map =
+        subject.kind == map::SubjectKind::Topic && topics.contains(QString::fromStdString(subject.id));
+    if (row.resolved || !of_map) continue;
+    (row.problem.code == map::ProblemCode::Unreadable ? grave : others) << problemLine(row.problem);
+  }
+  return grave + others;
+}
+
+void MapWish::failWithoutLive(const QString& sentence) {
+  fail(kRobotError, (QStringList(sentence) + liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
+}
+
 void MapWish::chooseInsteadOfLive() {
   if (!id_.isEmpty()) {
-    fail(kRobotError, Words::tr("It sends no map now."));
+    failWithoutLive(Words::tr("It sends no map now."));
     return;
   }
   if (!catalogueIn()) return;
   const map::CatalogueEntry* const current = session_.catalogue().current();
-  if (!current) {
-    fail(kRobotError, Words::tr("It sends no map now, and none of its stored maps is the current one."));
+  // Of a robot that keeps no maps the current one is that which does not come.
+  if (!current || current->key.kind == map::MapKind::Live) {
+    failWithoutLive(current
+                        ? Words::tr("It sends no map now.")
+                        : Words::tr("It sends no map now, and none of its stored maps is the current one."));
     return;
   }
-  const QStringList topics = session_.robot().liveTopics()->topicsOf(map::Stream::WholeMap);
-  for (const session::LoggedProblem& row : session_.problems().rows()) {
-    const map::Subject& subject = row.problem.subject;
-    live_broken_ |= !row.resolved && subject.kind == map::SubjectKind::Topic &&
-                    topics.contains(QString::fromStdString(subject.id));
-  }
+  live_broken_ |= !liveTroubles().isEmpty();
   notes_ << (live_broken_
                  ? Words::tr("The map that the robot sends cannot be had. Its current stored map is shown.")
                  : Words::tr("The robot sends no map now. Its current stored map is shown."));

@@ -35,6 +35,8 @@ class MapWish {
   std::optional<render::PlacedGrid> grid() const;
   /// It is read to its end, and is what was to be had.
   bool complete() const;
+  /// What is known to be wrong with the map that the robot sends: sentences, the gravest first.
+  QStringList liveTroubles() const;
   /// What is to be said beside the picture.
   const QStringList& notes() const { return notes_; }
 
@@ -47,6 +49,7 @@ class MapWish {
   /// Asks for the catalogue; false while it is on its way, or cannot be had.
   bool catalogueIn();
   void fail(int exit_code, const QString& sentence);
+  void failWithoutLive(const QString& sentence);
   bool shown() const;
   bool local() const;
   bool sendsMaps() const { return session_.robot().liveTopics() != nullptr; }

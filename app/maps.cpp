@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -13,6 +12,8 @@
 
 #include "app/exit_code.h"
 #include "app/map_diff.h"
+#include "app/map_facts.h"
+#include "app/map_region.h"
 #include "app/maps_command.h"
 #include "app/one_line.h"
 #include "app/output_paths.h"
@@ -26,6 +27,7 @@
 #include "robot/address.h"
 #include "sentences/plural.h"
 #include "sentences/reason_sentence.h"
+#include "session/lacks_picture.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -40,11 +42,6 @@ QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 QString notWritten(const disk::Fault& fault) { return sentences::wordsOf(reasons::notWritten(fault)); }
 
 void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(json.toJson()).constData()); }
-
-QString dateText(std::optional<double> epoch_s) {
-  if (!epoch_s || !(*epoch_s > 0) || *epoch_s > 4e11) return QStringLiteral("-");
-  return QDateTime::fromMSecsSinceEpoch(qint64(*epoch_s * 1000)).toString(QStringLiteral("yyyy-MM-dd hh:mm"));
-}
 
 QStringList rowOf(const map::CatalogueEntry& row) {
   const QString version = row.is_archived   ? Words::tr("archived")
@@ -65,6 +62,8 @@ double resolutionOf(const MapsWords& words) {
 /// Whether a word of `diff` is a file or an address of its own, and not a map of `robot`.
 bool standsAlone(const QString& operand, const QString& robot) {
   if (operand.contains(QLatin1Char('/')) || knownAddresses().isAddress(operand)) return true;
+  // An address, and refused for what stands before its @: nobody but a robot has maps that are called so.
+  if (robot.isEmpty() && operand.contains(QLatin1Char('@')) && !QFileInfo(operand).isFile()) return true;
   // In a folder of maps their names are ids.
   const auto folder = knownAddresses().parse(robot);
   if (folder && !folder->path.isEmpty() && QFileInfo(folder->path + QLatin1Char('/') + operand).isFile()) {
@@ -174,6 +173,8 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
       if (const auto rows = (*robot)->catalogue(); !rows) return tl::make_unexpected(rows.error());
     }
     const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
+    if (!placed && session::lacksPicture((*robot)->session().wholeMap()))
+      return showWithoutPicture(**robot, words.json);
     if (!placed) return tl::make_unexpected(placed.error());
     session::Session& session = (*robot)->session();
     const map::WholeMap& shown = session.wholeMap().shown();
@@ -186,17 +187,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     json[QStringLiteral("overlays")] = int(shown.overlays.size());
     json[QStringLiteral("trajectories")] = int(shown.trajectories.size());
     json[QStringLiteral("landmarks")] = int(shown.landmarks.size());
-    QJsonArray points;
-    for (const map::Waypoint& point : session.wholeMap().waypoints().points) {
-      points << QJsonObject{
-          {QStringLiteral("id"), text(point.id)},
-          {QStringLiteral("name"), text(point.name)},
-          {QStringLiteral("type"), text(point.type)},
-          {QStringLiteral("x"), point.position_m.x()},
-          {QStringLiteral("y"), point.position_m.y()},
-          {QStringLiteral("yaw"), point.yaw_rad ? QJsonValue(*point.yaw_rad) : QJsonValue()}};
-    }
-    json[QStringLiteral("waypoints")] = points;
+    json[QStringLiteral("waypoints")] = pointsJson(session.wholeMap().waypoints().points);
     if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
     if (words.json) {
       print(QJsonDocument(json));
@@ -215,18 +206,9 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
         {Words::tr("extent"), Words::tr("%1 m x %2 m")
                                   .arg(grid.width * grid.resolution_m, 0, 'f', 2)
                                   .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
-    if (row) {
-      table.push_back({Words::tr("date"), dateText(row->modified_s ? row->modified_s : row->created_s)});
-      table.push_back({Words::tr("current"), row->is_current ? Words::tr("yes") : Words::tr("no")});
-    }
+    if (row) addRow(table, *row);
     table.push_back({Words::tr("overlays"), QString::number(shown.overlays.size())});
-    for (const map::Waypoint& point : session.wholeMap().waypoints().points) {
-      table.push_back({Words::tr("point"),
-                       Words::tr("%1 %2  x %3 m, y %4 m%5")
-                           .arg(words::plainName(point.id), words::plainName(point.name),
-                                QString::number(point.position_m.x()), QString::number(point.position_m.y()),
-                                point.yaw_rad ? Words::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
-    }
+    addPoints(table, session.wholeMap().waypoints().points);
     printTable(table);
     return kDone;
   });
@@ -260,9 +242,21 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     }
     if (const auto why = whyNotWritable(output)) return wrong(*why);
     if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
+    std::optional<map::GridRegion> region;
+    const bool live = words.id.empty() || words.id == "live";
+    if (!words.region.empty()) {
+      const auto typed = gridRegionFrom(words.region);
+      if (!typed) return wrong(typed.error());
+      if (!live)
+        return wrong(
+            Words::tr("--region: only the live map is given by region, not %1.").arg(text(words.id)));
+      region = *typed;
+    }
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
     if (!robot) return tl::make_unexpected(robot.error());
-    const auto placed = (*robot)->map(text(words.id), resolutionOf(words));
+    // Who says export means all of it, however large.
+    const bool by_part = region || (live && givesMapWhenAsked((*robot)->session().robot()));
+    const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
     const bool png = format == QLatin1String("png");
     const grids::MapServerFiles pair = grids::mapServerFiles(words.output);
@@ -302,6 +296,12 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
     auto why_not = words.diff_picture.empty() ? std::nullopt : whyNotWritable(text(words.diff_picture));
     if (!why_not) why_not = whyNotTogether({text(words.diff_picture), text(words.report), printed});
     if (why_not) return tl::make_unexpected(CommandFailure{kUsage, *why_not});
+    // Before the first one is read, which may take long.
+    for (const QString& operand : {text(words.first), text(words.second)}) {
+      const auto parsed = knownAddresses().parse(operand);
+      if (!parsed && standsAlone(operand, text(words.robot)))
+        return tl::make_unexpected(CommandFailure{kUsage, parsed.error()});
+    }
     std::vector<std::string> sources;
     std::vector<render::PlacedGrid> maps;
     for (const std::string& word : {words.first, words.second}) {

@@ -17,6 +17,8 @@ struct MapsWords {
   std::string first, second;  // diff: a map of the robot, or a file
   std::string output, format, diff_picture, report;
   std::string resolution, origin;  // of a bare picture file; of exported submaps: the resolution
+  std::string region;              // export: X,Y,LX,LY
+  std::string filename;            // save-on-robot
   double timeout_s = 60;
   bool json = false, world_file = false;
   bool force = false;  // also over a file that is read
@@ -28,6 +30,7 @@ int mapsList(const MapsWords& words, int& argc, char** argv);
 int mapsShow(const MapsWords& words, int& argc, char** argv);
 int mapsCurrent(const MapsWords& words, int& argc, char** argv);
 int mapsExport(const MapsWords& words, int& argc, char** argv);
+int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv);
 int mapsDiff(const MapsWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

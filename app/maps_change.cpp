@@ -9,6 +9,7 @@
 #include "app/exit_code.h"
 #include "app/maps_command.h"
 #include "app/report.h"
+#include "robot/map_dispatch.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -95,6 +96,33 @@ int mapsChange(MapChange change, const MapsWords& words, int& argc, char** argv)
     const QString odd = oddity(order, *entry);
     if (odd.isEmpty()) return kDone;
     return wrong(kIncomplete, QStringLiteral("%1: %2").arg(address, odd));
+  };
+  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
+}
+
+int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv) {
+  const auto work = [&](MapsCommand& command) -> CommandResult<int> {
+    const auto wrong = [](int code, const QString& sentence) {
+      return tl::make_unexpected(CommandFailure{code, sentence});
+    };
+    const QString name = text(words.filename);
+    const bool control =
+        std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; });
+    if (name.trimmed().isEmpty() || control || words.filename.size() > 4096)
+      return wrong(kUsage, Words::tr("The name of the file is one line of text, such as office.png."));
+    const auto access = RobotAccess::read(words.access, text(words.robot));
+    if (!access) return wrong(kUsage, access.error());
+    const QString address = text(words.robot);
+    auto robot = command.open(address, access->forAddress(address), MapReading::Purpose::Maps);
+    if (!robot) return tl::make_unexpected(robot.error());
+    robot::MapDispatch* const dispatch = (*robot)->session().robot().mapDispatch();
+    if (!dispatch) return tl::make_unexpected((*robot)->lacks(robot::Capability::Dispatch));
+    const auto saved = (*robot)->ask<std::string>([&](robot::OutcomeTo<std::string> reply) {
+      return dispatch->save(words.filename, std::move(reply));
+    });
+    if (!saved) return tl::make_unexpected((*robot)->failure(saved.error()));
+    std::printf("%s\n", qUtf8Printable(Words::tr("The robot has written %1.").arg(words::plainName(*saved))));
+    return kDone;
   };
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
 }

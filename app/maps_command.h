@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include <QJsonObject>
+
 #include "app/map_reading.h"
 
 namespace mapwright::app {
@@ -17,6 +19,8 @@ class MapsCommand {
 
   /// Connects; the reading lives as long as this.
   CommandResult<MapReading*> open(const QString& address, const Access& access, MapReading::Purpose purpose);
+  /// What has been done, for the report: told again, it replaces; failed commands tell it, too.
+  void report(const QJsonObject& done) { done_ = done; }
   /// True when everything that was asked for could be had.
   bool complete() const;
 
@@ -29,6 +33,7 @@ class MapsCommand {
 
   CommandTime time_;
   QString report_path_;
+  QJsonObject done_;
   std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();  // of all readings
   std::vector<std::unique_ptr<MapReading>> readings_;
   /// Of the first robot; shared with the deadline.

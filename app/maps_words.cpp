@@ -97,6 +97,17 @@ void addMaps(CLI::App& cli, MapsWords& words) {
   exported->add_option("--format", words.format, help(Words::tr("png or pgm, when the name does not tell")));
   exported->add_flag("--world-file", words.world_file,
                      help(Words::tr("Write NAME.pgw (world file) beside it")));
+  exported->add_option("--region", words.region,
+                       help(Words::tr("Only this region of the live map, from a map dispatcher (REP 130): "
+                                      "X,Y,LX,LY, its centre and its lengths in metres")));
+  CLI::App* saved =
+      addOne("save-on-robot",
+             help(Words::tr("Let a map dispatcher (REP 130) write its map into a file of its own")));
+  saved
+      ->add_option("file", words.filename,
+                   help(Words::tr("A name on the robot. Its extension tells the robot what to write: most "
+                                  "know .png, .pgm or .yaml of grids and .pcd, .ply or .vtk of clouds")))
+      ->required();
   CLI::App* diff =
       add("diff", help(Words::tr("Compare two maps cell by cell; exit code 1 when they differ")));
   diff->add_option("first", words.first,
@@ -128,6 +139,7 @@ int runMaps(const CLI::App& cli, const MapsWords& words, int& argc, char** argv)
   if (maps.got_subcommand("current")) return mapsCurrent(words, argc, argv);
   if (maps.got_subcommand("show")) return mapsShow(words, argc, argv);
   if (maps.got_subcommand("export")) return mapsExport(words, argc, argv);
+  if (maps.got_subcommand("save-on-robot")) return mapsSaveOnRobot(words, argc, argv);
   for (const MapChangeCommand& one : mapChangeCommands()) {
     if (maps.got_subcommand(one.name)) return mapsChange(one.change, words, argc, argv);
   }

@@ -60,7 +60,9 @@ AccessWords withOuter(AccessWords words, const std::string& robot, const AccessW
 tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, const QString& robot) {
   RobotAccess access;
   for (const auto& [address, file] : words.secret_files_for) {
-    const QUrl origin = originOf(text(address));
+    const auto parsed = knownAddresses().parse(text(address));
+    if (!parsed) return tl::make_unexpected(QStringLiteral("--secret-file-for: ") + parsed.error());
+    const QUrl origin = parsed->url;
     if (origin.isEmpty()) {
       return tl::make_unexpected(
           Words::tr("--secret-file-for %1: give the address of a robot, then the file.").arg(text(address)));

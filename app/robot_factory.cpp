@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/recording_operand.h"
 #include "robot/address.h"
 #include "robot/aimdk/aimdk_address.h"
 #include "robot/aimdk/aimdk_robot.h"
@@ -12,6 +13,7 @@
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/picture_yamls.h"
+#include "robot/recorded/recorded_robot.h"
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_robot.h"
 
@@ -58,9 +60,20 @@ Made makeAxbot(const robot::Address& address, const Access& access, DemoTime) {
 Made makeAimdk(const robot::Address& address, const Access& access, DemoTime) {
   robot::aimdk::LinkOptions link;
   link.base = address.url;
-  link.tf = robot::aimdk::tfOf(address);
   link.trust = access.trust;
-  return std::make_unique<robot::aimdk::AimdkRobot>(address.text, std::move(link));
+  std::unique_ptr<robot::aimdk::LiveBeside> live;
+  if (const QUrl tf = robot::aimdk::tfOf(address); !tf.isEmpty()) {
+    robot::ros::LinkOptions beside;
+    beside.url = tf;
+    // It is another server: neither the secret nor the pinned certificate is its.
+    beside.trust.authorities = access.trust.authorities;
+    robot::Address its;
+    its.url = tf;
+    live = std::make_unique<robot::aimdk::LiveBeside>(
+        std::make_unique<robot::ros::RosRobot>(QStringLiteral("ros+") + tf.toString(), std::move(beside)),
+        robot::hostOf(its));
+  }
+  return std::make_unique<robot::aimdk::AimdkRobot>(address.text, std::move(link), std::move(live));
 }
 
 Made rosRobot(const robot::Address& address, const Access& access, bool kabam_only) {
@@ -69,6 +82,7 @@ Made rosRobot(const robot::Address& address, const Access& access, bool kabam_on
   link.secret = access.secret;
   link.trust = access.trust;
   link.ns = robot::ros::namespaceOf(address);
+  link.dispatch = robot::ros::dispatchWishOf(address);
   link.kabam_only = kabam_only;
   return std::make_unique<robot::ros::RosRobot>(address.text, std::move(link));
 }
@@ -82,6 +96,7 @@ Made makeKabam(const robot::Address& address, const Access& access, DemoTime) {
 }
 
 Made makeFiles(const robot::Address& address, const Access&, DemoTime) {
+  if (robot::recorded::isRecording(address.path)) return openRecording(address.path).robot;
   robot::files::FileOptions file;
   file.path = address.path;
   file.place = robot::files::placeOf(address);
@@ -94,14 +109,26 @@ Made makeDemo(const robot::Address& address, const Access&, DemoTime time) {
   return makeDemoRobot(address.text, *options);
 }
 
+/// Maps and recordings: a path that ends like a recording is one, whether or not it is there.
+robot::AddressScheme fileScheme() {
+  robot::AddressScheme scheme = robot::files::addressScheme();
+  scheme.claims = [maps = scheme.claims](const QString& typed) {
+    const bool recording = typed.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive) ||
+                           typed.endsWith(QLatin1String(".bag"), Qt::CaseInsensitive);
+    return maps(typed) || (recording && !typed.contains(QLatin1String("://")));
+  };
+  return scheme;
+}
+
 /// Every kind of robot that there is; what nobody claims is the first.
 std::vector<Kind> kinds() {
   return {{robot::axbot::addressScheme(), makeAxbot},
           {robot::aimdk::addressScheme(), makeAimdk},
           {robot::ros::rosAddressScheme(), makeRos},
           {robot::ros::kabamAddressScheme(), makeKabam},
+          {robot::ros::rep130AddressScheme(), makeRos},
           {demoAddressScheme(), makeDemo},
-          {robot::files::addressScheme(), makeFiles}};
+          {fileScheme(), makeFiles}};
 }
 
 }  // namespace

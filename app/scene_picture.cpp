@@ -6,7 +6,10 @@
 #include <QTimer>
 
 #include "app/snapshot_picture.h"
+#include "scene/bag_track.h"
+#include "scene/map_clouds.h"
 #include "scene/map_scene.h"
+#include "scene/regions_on_map.h"
 #include "scene/write_picture.h"
 #include "sentences/reason_sentence.h"
 
@@ -20,7 +23,8 @@ class Words {
 /// Of whole maps and costmaps.
 bool drawsGrids(const SnapshotOptions& options, const SnapshotContent& content) {
   using scene::Layer;
-  return content.whole || std::any_of(options.layers.begin(), options.layers.end(), [](Layer layer) {
+  return content.whole || content.regions ||
+         std::any_of(options.layers.begin(), options.layers.end(), [](Layer layer) {
            return layer == Layer::CostmapLow || layer == Layer::CostmapHigh || layer == Layer::Incremental ||
                   layer == Layer::EnvMatch || layer == Layer::EnvSymmetry;
          });
@@ -55,8 +59,12 @@ class ScenePicture : public SnapshotPicture {
     }
     scene_.setLayerVisible(scene::Layer::Submaps, content_.submaps && !options_.without_submaps);
     scene_.setLayerVisible(scene::Layer::WholeMap, content_.whole);
+    scene_.setLayerVisible(scene::Layer::Regions, content_.regions != nullptr);
     scene_.setView(content_.view);
     scene_.setSession(&session_);
+    scene::BagTrack::of(scene_).show(content_.track);
+    scene::RegionsOnMap::of(scene_).show(content_.regions);
+    if (content_.cloud) scene::MapClouds::of(scene_).add(*content_.cloud);
     if (options_.robot_anyway) scene_.setRobotWanted(true);
     connect(&scene_, &scene::MapScene::tilesSettled, this, &ScenePicture::look);
     QTimer::singleShot(0, this, &ScenePicture::look);

@@ -45,10 +45,12 @@ int simulate(const SimulateWords& words) {
     std::fprintf(stderr, "%s\n", words::plainLine(*error).c_str());
     return kUnreachable;
   }
-  std::printf(R"({"axbot":"%s","aimdk":"%s","ros":"%s","kabam":"%s"})"
+  const std::string rep130 =
+      options.ros.dispatcher.there ? R"(,"rep130":")" + robot.rep130Address() + '"' : std::string();
+  std::printf(R"({"axbot":"%s","aimdk":"%s","ros":"%s","kabam":"%s"%s})"
               "\n",
               robot.address().c_str(), robot.aimdkAddress().c_str(), robot.rosAddress().c_str(),
-              robot.kabamAddress().c_str());
+              robot.kabamAddress().c_str(), rep130.c_str());
   std::fflush(stdout);
   int received = 0;
   sigwait(&stop_signals, &received);

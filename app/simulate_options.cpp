@@ -50,6 +50,64 @@ void addRosRobot(CLI::App& command, simulator::RosOptions& o) {
                    help(Words::tr("An update with an empty list of tags leaves them as they are")));
 }
 
+void addDispatcher(CLI::App& command, simulator::DispatcherOptions& o) {
+  const std::string group = help(Words::tr("Map dispatcher (REP 130) of the ROS robot"));
+  command.add_flag("--dispatcher", o.there, help(Words::tr("It is there, and nobody sends the map as one")))
+      ->group(group);
+  command
+      .add_option("--dispatcher-edge", o.edge_m,
+                  help(Words::tr("Edge of its building, whole metres; 1000 has 20,000 x 20,000 cells and 40 "
+                                 "million points")))
+      ->check(CLI::Range(10, 2000))
+      ->capture_default_str()
+      ->group(group);
+  command.add_flag("!--no-dispatcher-grid", o.planar, help(Words::tr("It has no get_map and get_sub_map")))
+      ->group(group);
+  command.add_flag("!--no-dispatcher-clouds", o.spatial, help(Words::tr("It has no clouds and projections")))
+      ->group(group);
+  command
+      .add_flag("--dispatcher-writable", o.writable,
+                help(Words::tr("set_map_projections is a ProjectedMapsInfo, which can set them")))
+      ->group(group);
+  command
+      .add_flag("--dispatcher-other-member", o.other_member,
+                help(Words::tr("It answers projected_maps instead of projected_maps_info")))
+      ->group(group);
+  command.add_flag("--dispatcher-map-msg", o.map_msg, help(Words::tr("Its types are of map_msg")))
+      ->group(group);
+}
+
+void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
+  const std::string group = help(Words::tr("Map dispatcher (REP 130) of the ROS robot"));
+  const auto flag = [&](const char* name, bool& value, const std::string& what) {
+    command.add_flag(name, value, what)->group(group);
+  };
+  command
+      .add_option("--dispatcher-answer", f.answer,
+                  help(Words::tr("What comes of a region: pad, empty, rotated or elsewhere")))
+      ->check(CLI::IsMember({"pad", "empty", "rotated", "elsewhere"}))
+      ->group(group);
+  command
+      .add_option("--dispatcher-lie", f.cloud.lie,
+                  help(Words::tr("What is wrong in its clouds: point-step, row-step, width or data")))
+      ->check(CLI::IsMember({"point-step", "row-step", "width", "data"}))
+      ->group(group);
+  flag("--dispatcher-big-endian", f.cloud.big_endian, help(Words::tr("Its clouds are big-endian")));
+  flag("--dispatcher-float64", f.cloud.float64, help(Words::tr("Its clouds have coordinates of 64 bits")));
+  flag("--dispatcher-odd-offsets", f.cloud.odd_offsets,
+       help(Words::tr("The fields of its clouds begin anywhere")));
+  flag("--dispatcher-no-z", f.cloud.no_z, help(Words::tr("Its clouds have no z")));
+  flag("--dispatcher-nan", f.cloud.nan, help(Words::tr("Every tenth point of its clouds is not a number")));
+  command
+      .add_option("--dispatcher-far", f.cloud.far_m,
+                  help(Words::tr("x and y of its clouds are so many metres larger")))
+      ->check(CLI::Range(-1e8, 1e8))
+      ->group(group);
+  flag("--dispatcher-resolution-changes", f.resolution_changes,
+       help(Words::tr("Its grids have another resolution from call to call")));
+  flag("--dispatcher-regrids", f.regrids, help(Words::tr("Every fourth call its grid is laid out anew")));
+}
+
 void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
   const std::string faults = help(Words::tr("Faults of the ROS robot"));
   const auto count = [&](const char* name, int& value, const std::string& what, int limit) {
@@ -79,6 +137,12 @@ void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
   flag("--ros-garbage", f.garbage, help(Words::tr("Frames that are no messages come between the others")));
   count("--other-operator", f.other_operator_every_s,
         help(Words::tr("Somebody else changes waypoints and maps every so many seconds")), 86'400);
+  count("--other-painter", f.other_painter_every_s,
+        help(Words::tr("Somebody else paints on the current map every so many seconds")), 86'400);
+  count("--ros-picture-code", f.picture_code,
+        help(Words::tr("update_map_image does nothing and answers this code")), 255);
+  flag("--ros-picture-ignored", f.picture_ignored,
+       help(Words::tr("update_map_image does nothing and answers that it did")));
   flag("--nan-pose", f.nan_pose, help(Words::tr("Poses, transforms and some waypoints are not numbers")));
   flag("--zero-quaternion", f.zero_quaternion,
        help(Words::tr("Orientations are all zeros or not of length one")));
@@ -124,6 +188,13 @@ void addSimulate(CLI::App& cli, SimulateWords& words) {
       help(Words::tr("File that holds the secret without which the Autoxing robot answers 401")));
   command->add_flag("!--no-topic-lists", o.enable_topic_list,
                     help(Words::tr("Understand enable_topic one by one only")));
+  command->add_flag(
+      "--odd-bags", o.bags.odd,
+      help(Words::tr("Also keep bags of eight hours, with a clock set back, equal stamps, a gap, "
+                     "one message, none")));
+  command->add_flag("--bag-end-exclusive", o.bags.end_exclusive,
+                    help(Words::tr("A range of a bag ends before its end_time")));
+  command->add_flag("!--no-download-ranges", o.bags.ranges, help(Words::tr("Downloads begin anew")));
   command->add_flag("!--no-binary", o.binary_topics, help(Words::tr("Ignore ?pb=1")));
   command->add_option("--points", o.points_per_scan, help(Words::tr("Lidar points in a scan")))
       ->check(CLI::Range(0, 1'000'000))
@@ -197,6 +268,8 @@ void addSimulate(CLI::App& cli, SimulateWords& words) {
       ->group(faults);
   addRosRobot(*command, o.ros);
   addRosFaults(*command, f.ros);
+  addDispatcher(*command, o.ros.dispatcher);
+  addDispatcherFaults(*command, f.ros.dispatcher);
 }
 
 }  // namespace mapwright::app

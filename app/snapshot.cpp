@@ -18,6 +18,7 @@
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
 #include "app/snapshot_run.h"
+#include "replay/replay_robot.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -33,7 +34,7 @@ int refuse(int exit_code, const QString& sentence) {
 }
 
 /// What the deadline does when the run is not over in time: it says so, also in the report.
-int giveUp(const SnapshotOptions& options, const SnapshotRun::Standing& standing) {
+int giveUp(const SnapshotOptions& options, const SnapshotStanding& standing) {
   if (!options.report.isEmpty()) writeReportInHaste(options.report, standing.report);
   if (options.json && !isStandardOutput(options.report)) {
     const QByteArray json = words::escapedJson(QJsonDocument(standing.report).toJson());
@@ -45,6 +46,11 @@ int giveUp(const SnapshotOptions& options, const SnapshotRun::Standing& standing
 
 QString summaryOf(const SnapshotRun& run) {
   const QJsonObject report = run.report();
+  if (const QJsonObject region = report[QLatin1String("region")].toObject(); !region.isEmpty()) {
+    return Words::tr("%1: regions of the map: %2 of %3")
+        .arg(run.options().output, QString::number(region[QLatin1String("answered")].toInt()),
+             QString::number(region[QLatin1String("parts")].toInt()));
+  }
   if (report[QLatin1String("mode")].toString() == QLatin1String("whole")) {
     const QJsonObject map = report[QLatin1String("map")].toObject();
     if (map.isEmpty()) return Words::tr("%1: no map").arg(run.options().output);
@@ -109,6 +115,7 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   auto robot = makeRobot(options->robot, access->forAddress(options->robot), DemoTime::Frozen);
   if (!robot) return refuse(kUsage, robot.error());
 
+  if (!options->bag.empty()) *robot = std::make_unique<replay::ReplayRobot>(std::move(*robot), options->bag);
   const bool terminal = isatty(STDERR_FILENO) != 0;
   SnapshotRun run(std::move(*options), std::move(*robot), start);
   deadline.setLastWords(

@@ -1,10 +1,13 @@
 #include "app/snapshot_options.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "app/bag_reading.h"
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
@@ -45,6 +48,37 @@ std::optional<QSize> parseSize(const QString& word) {
   return size;
 }
 
+/// X,Y,LX,LY: the middle, and the lengths of the sides.
+std::optional<geometry::WorldRect> parseRegion(const QString& word) {
+  const QStringList parts = word.split(QLatin1Char(','));
+  if (parts.size() != 4) return std::nullopt;
+  std::array<double, 4> numbers{};
+  for (int at = 0; at < 4; ++at) {
+    bool ok = false;
+    numbers[std::size_t(at)] = parts[at].trimmed().toDouble(&ok);
+    if (!ok || !(std::abs(numbers[std::size_t(at)]) <= submap::kMaxCoordinateM)) return std::nullopt;
+  }
+  const auto [x, y, lx, ly] = numbers;
+  if (!(lx > 0 && ly > 0)) return std::nullopt;
+  return geometry::WorldRect{x - lx / 2, y - ly / 2, x + lx / 2, y + ly / 2};
+}
+
+/// What has no place beside --region.
+std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
+  if (options.mode == SnapshotMode::Submaps)
+    return Words::tr("--region is a part of a map that the robot gives by regions: it needs --mode grid.");
+  if (!words.map.empty()) return Words::tr("--region is a part of the robot's own map: give it, or --map.");
+  if (!words.bag.empty()) return Words::tr("A bag has no map by regions: give --region, or --bag.");
+  if (!words.center.empty() || words.fit || words.rotate_deg != 0)
+    return Words::tr("--region says what the picture shows: give it, or --center, --fit and --rotate.");
+  if (words.size != SnapshotWords().size)
+    return Words::tr(
+        "With --region a pixel is a cell of the map, or as large as --scale says: --size has no place "
+        "there.");
+  if (words.average) return Words::tr("--average is for whole maps, not for --region.");
+  return std::nullopt;
+}
+
 tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) {
   using scene::Layer;
   // What does not change from run to run by itself.
@@ -56,6 +90,9 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) 
     chosen.insert(every.begin(), every.end());
     chosen.erase(Layer::Submaps);
     chosen.erase(Layer::WholeMap);
+    chosen.erase(Layer::Regions);          // --region says which
+    chosen.erase(Layer::Track);            // a whole bag would be read for it
+    chosen.erase(Layer::DispatchedCloud);  // nobody says beforehand how large it is
     return chosen;
   }
   if (words == QLatin1String("none")) return chosen;
@@ -100,6 +137,14 @@ std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const Snapsh
 
 }  // namespace
 
+std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px) {
+  constexpr double kRounding = 1e-6;
+  const double wide = std::max(1.0, std::ceil(region.width() / scale_m_per_px - kRounding));
+  const double high = std::max(1.0, std::ceil(region.height() / scale_m_per_px - kRounding));
+  if (!(wide <= kMaxEdge && high <= kMaxEdge && wide * high <= double(kMaxPixels))) return std::nullopt;
+  return QSize(int(wide), int(high));
+}
+
 tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words) {
   const auto wrong = [](const QString& sentence) { return tl::make_unexpected(sentence); };
   SnapshotOptions options;
@@ -112,6 +157,14 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   if (options.robot.isEmpty()) {
     return wrong(
         Words::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
+  }
+  if (words.bag.empty() != words.at.empty())
+    return wrong(Words::tr("--bag NAME and --at TIME belong together."));
+  if (!words.bag.empty()) {
+    const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
+    if (!at_s) return wrong(at_s.error().sentence);
+    options.bag = words.bag;
+    options.at_s = *at_s;
   }
   if (words.mode == "submaps") {
     options.mode = SnapshotMode::Submaps;
@@ -130,6 +183,17 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     options.mode = SnapshotMode::Whole;
     options.map = map::mapKeyFromText(words.map);
   }
+  if (!words.region.empty()) {
+    options.region = parseRegion(text(words.region));
+    if (!options.region) {
+      return wrong(
+          Words::tr("--region %1: write X,Y,LX,LY in metres, the middle and the lengths of the sides, "
+                    "for example 12.5,-3,40,25.")
+              .arg(text(words.region)));
+    }
+    if (const auto why = whyNotWithRegion(words, options)) return wrong(*why);
+    options.mode = SnapshotMode::Whole;
+  }
   if (const auto why = whyNoPlace(text(words.robot), words.resolution, words.origin)) return wrong(*why);
   options.average = words.average;
   options.robot_anyway = words.robot_anyway;
@@ -146,7 +210,14 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     return wrong(
         Words::tr("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
   }
-  if (has_center != has_scale) {
+  if (options.region && has_scale) {
+    if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
+      return wrong(Words::tr("--scale must lie between %1 and %2 metres per pixel.")
+                       .arg(geometry::kMinScaleMPerPx)
+                       .arg(geometry::kMaxScaleMPerPx));
+    }
+    options.scale_m_per_px = *words.scale;
+  } else if (has_center != has_scale) {
     return wrong(Words::tr("--center X,Y and --scale METRES_PER_PIXEL belong together."));
   }
   if (has_center) {

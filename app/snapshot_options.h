@@ -11,6 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "app/robot_access.h"
+#include "geometry/rect.h"
 #include "map/catalogue.h"
 #include "render/tile_renderer.h"
 #include "scene/map_scene.h"
@@ -19,12 +20,14 @@ namespace mapwright::app {
 
 /// The words as typed; empty = not given.
 struct SnapshotWords {
-  std::string robot, output, mode, map, center, size = "1280x800", layers, colors = "normal", theme = "light",
-                                                settle = "complete", report, resolution, origin;
+  std::string robot, output, mode, map, region, center,
+      size = "1280x800", layers, colors = "normal", theme = "light", settle = "complete", report, resolution,
+      origin;
   std::optional<double> scale;
   double rotate_deg = 0, timeout_s = 60;
   int slice = 0;
   bool fit = false, raw = false, json = false, average = false, robot_anyway = false, force = false;
+  std::string bag, at;  // what the robot was like then
   AccessWords access;
 };
 
@@ -33,9 +36,14 @@ enum class SnapshotMode { Automatic, Submaps, Whole };
 
 struct SnapshotOptions {
   QString robot, output, report;
+  std::string bag;             // its name; empty = the robot as it is
+  std::optional<double> at_s;  // of a bag: seconds since the epoch
   SnapshotMode mode = SnapshotMode::Automatic;
-  std::optional<map::MapKey> map;           // nullopt = the live or the current one
-  bool average = false;                     // zoomed out: average instead of "occupied wins"
+  std::optional<map::MapKey> map;  // nullopt = the live or the current one
+  bool average = false;            // zoomed out: average instead of "occupied wins"
+  /// A part of a map that the robot gives by regions, and nothing else; its own size is that of the picture:
+  /// `size_px` is not known before the size of a cell is, nor `scale_m_per_px` where none was given.
+  std::optional<geometry::WorldRect> region;
   std::optional<Eigen::Vector2d> center_m;  // nullopt = fit
   double scale_m_per_px = 0;
   QSize size_px;
@@ -52,6 +60,9 @@ struct SnapshotOptions {
   std::optional<double> settle_s;  // nullopt = complete
   double timeout_s = 60;
 };
+
+/// The pixels of a region at so many metres each; nullopt = more than a picture may have.
+std::optional<QSize> pixelsOf(const geometry::WorldRect& region, double scale_m_per_px);
 
 /// The error is a sentence that names the option.
 tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords& words);

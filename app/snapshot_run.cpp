@@ -1,7 +1,6 @@
 #include "app/snapshot_run.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <QCoreApplication>
@@ -9,13 +8,17 @@
 #include <QMetaMethod>
 
 #include "app/exit_code.h"
-#include "app/fetch_ahead.h"
 #include "app/output_paths.h"
 #include "app/report.h"
 #include "app/robot_factory.h"
-#include "robot/address.h"
+#include "app/snapshot_content.h"
+#include "replay/replay_robot.h"
+#include "robot/bag_library.h"
 #include "scene/write_picture.h"
+#include "sentences/failure_sentence.h"
 #include "sentences/reason_sentence.h"
+#include "sentences/subject_name.h"
+#include "window/replay/track_on_map.h"
 
 namespace mapwright::app {
 namespace {
@@ -24,41 +27,17 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
 };
 
-constexpr double kFitMarginPx = 16;
 constexpr int kTries = 3;  // of a failing submap, before it counts as failed
 constexpr int kConnectAttempts = 3;
 constexpr double kConnectWithinS = 10;
 constexpr int kLookEveryMs = 20;
+constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its world, or not at all
 constexpr double kTopicsWithinS = 3;  // live layers, after connecting
 constexpr double kNoteEveryS = 0.25;
 // Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some,
 // too.
 constexpr double kDrawShare = 0.2, kDrawAtMostS = 5;
 constexpr double kListWithinS = 8, kListAtLeastS = 3;  // where a whole map can be drawn instead
-
-bool wantsSubmapsOf(const SnapshotOptions& options) {
-  return options.mode == SnapshotMode::Submaps || options.layers.contains(scene::Layer::Submaps);
-}
-
-SnapshotOptions decided(SnapshotOptions options, robot::Robot& robot) {
-  if (options.mode == SnapshotMode::Automatic) {
-    options.mode = robot.submapSource() ? SnapshotMode::Submaps : SnapshotMode::Whole;
-  }
-  return options;
-}
-
-/// Only what is drawn is asked for.
-session::Session::Options sessionOptions(const SnapshotOptions& options,
-                                         const std::shared_ptr<work::Workers>& workers) {
-  session::Session::Options session;
-  session.workers = workers;
-  session.scheduler.max_concurrent = kFetchAhead;
-  session.sidecar_folder = gridCacheFolder();
-  session.overview = false;  // a picture shows what is exact, or nothing
-  session.maps = false;
-  session.basics = LayerWish::basics(options.layers, wantsSubmapsOf(options));
-  return session;
-}
 
 int milliseconds(double seconds) { return int(std::clamp(seconds * 1000, 0.0, 2e9)); }
 
@@ -72,33 +51,35 @@ struct SnapshotChoice {
   bool refused = false;  // something was: not without (the right) secret
 };
 
-void SnapshotRun::StandingBoard::put(Standing standing) {
-  const std::lock_guard lock(mutex_);
-  standing_ = std::move(standing);
-}
-
-SnapshotRun::Standing SnapshotRun::StandingBoard::take() const {
-  const std::lock_guard lock(mutex_);
-  return standing_;
-}
-
 SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start)
     : automatic_(options.mode == SnapshotMode::Automatic),
       options_(decided(std::move(options), *robot)),
-      session_(std::move(robot), sessionOptions(options_, workers_)),
+      session_(std::move(robot), sessionFor(options_, workers_)),
       map_(session_, options_.map ? QString::fromStdString(map::toText(*options_.map)) : QString(),
            options_.layers.contains(scene::Layer::Waypoints)),
       live_layers_(session_),
+      cloud_(session_),
       start_(start) {
   session_.setSlice(options_.slice);
-  map_.setPatience(options_.timeout_s / 2);
+  replayed_ = qobject_cast<replay::ReplayRobot*>(&session_.robot());
+  if (replayed_) {
+    connect(replayed_, &replay::ReplayRobot::jumped, this,
+            [this](const map::World& world, replay::Knowledge knowledge) {
+              if (recalled_ || knowledge != replay::Knowledge::Exact) return;
+              recalled_ = true;
+              session_.reset(world);
+              for (const auto& [topic, stamp_s] : replayed_->topics()) live_layers_.hear(topic);
+            });
+  }
+  map_.setPatience(replayed_ ? kBagMapWithinS : options_.timeout_s / 2);
   for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
     timer->setSingleShot(true);
     timer->setTimerType(Qt::PreciseTimer);
   }
   connect(&timeout_, &QTimer::timeout, this, &SnapshotRun::timeOut);
   connect(&cut_off_, &QTimer::timeout, this, &SnapshotRun::cutOff);
-  connect(&settle_, &QTimer::timeout, this, [this] { paint(session_.settled(kTries)); });
+  connect(&settle_, &QTimer::timeout, this,
+          [this] { paint(!wantsSubmaps(options_) || session_.settled(kTries)); });
   connect(&poll_, &QTimer::timeout, this, &SnapshotRun::look);
   connect(&session_, &session::Session::connectionChanged, this, &SnapshotRun::look);
   connect(&session_, &session::Session::listChanged, this, [this] {
@@ -109,7 +90,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
   if (options_.average) session_.wholeMap().setReduction(grids::Reduction::Average);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, &SnapshotRun::look, Qt::QueuedConnection);
   connect(&session_.wholeMap(), &session::MapSlot::changed, this, [this] {
-    const auto grid = wantsWhole() ? map_.grid() : std::nullopt;
+    const auto grid = wantsWhole(options_) ? map_.grid() : std::nullopt;
     if (first_paint_s_ < 0 && grid && grid->cells->rowsReady() > 0) first_paint_s_ = seconds();
   });
   connect(&session_, &session::Session::submapsPlaced, this, [this] {
@@ -126,36 +107,13 @@ double SnapshotRun::seconds() const {
 void SnapshotRun::start() {
   timeout_.start(milliseconds(options_.timeout_s - seconds()));
   poll_.start(kLookEveryMs);
-  view_ = chooseView();
+  view_ = viewOf(options_, session_, map_);
   if (options_.center_m) session_.setView(view_.visibleWorld(), view_.center_m);
   noteStanding();
   session_.open();
 }
 
 bool SnapshotRun::isLocal() const { return session_.robot().isLocal(); }
-
-bool SnapshotRun::wantsSubmaps() const { return wantsSubmapsOf(options_); }
-
-bool SnapshotRun::wantsWhole() const {
-  return options_.mode == SnapshotMode::Whole || options_.layers.contains(scene::Layer::WholeMap);
-}
-
-geometry::ViewTransform SnapshotRun::chooseView() const {
-  geometry::ViewTransform view;
-  view.width_px = options_.size_px.width();
-  view.height_px = options_.size_px.height();
-  view.rotation_rad = options_.rotation_rad;
-  if (!options_.center_m) {
-    geometry::WorldRect bounds;
-    if (wantsSubmaps()) bounds.extend(session_.contentBounds());
-    const auto grid = wantsWhole() ? map_.grid() : std::nullopt;
-    if (grid) bounds.extend(grid->reference.bounds());
-    return view.fitted(bounds, kFitMarginPx);
-  }
-  view.center_m = *options_.center_m;
-  view.scale_m_per_px = options_.scale_m_per_px;
-  return view;
-}
 
 QString SnapshotRun::whatOfTheLink() const {
   const robot::ConnectionState link = session_.connection();
@@ -176,8 +134,12 @@ bool SnapshotRun::connected() {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Refused) {
     // A file that cannot be read is no robot that cannot be reached.
-    fail(isLocal() ? kUsage : kUnreachable,
-         QStringLiteral("%1: %2").arg(options_.robot, whyNotConnected(link)));
+    const int code = replayed_ ? exitCodeOf(link.failure, kUnreachable) : int(kUnreachable);
+    QString subject = options_.robot;
+    if (replayed_)
+      subject += QStringLiteral(": ") +
+                 sentences::nameOf(subjectOf(robot::BagKey{robot::BagKind::Bag, options_.bag}));
+    fail(isLocal() ? kUsage : code, QStringLiteral("%1: %2").arg(subject, whyNotConnected(link)));
     return false;
   }
   if (link.phase != robot::ConnectionPhase::Online) {
@@ -190,19 +152,38 @@ bool SnapshotRun::connected() {
     }
     return false;
   }
+  if (replayed_ && !recalled()) return false;
   connected_s_ = seconds();
   live_layers_.ask(options_.layers,
-                   wantsWhole() && (!options_.map || options_.map->kind == map::MapKind::Live));
+                   wantsWhole(options_) && (!options_.map || options_.map->kind == map::MapKind::Live));
   // A robot is drawn on the maps that it is in: which one that is, its list of maps tells.
-  asks_where_ = !options_.raw && wantsWhole() && options_.map && options_.map->kind != map::MapKind::Live &&
-                session_.robot().liveTopics() &&
+  asks_where_ = !options_.raw && wantsWhole(options_) && options_.map &&
+                options_.map->kind != map::MapKind::Live && session_.robot().liveTopics() &&
                 std::any_of(options_.layers.begin(), options_.layers.end(), scene::followsRobot);
   if (asks_where_) session_.catalogue().refresh();
+  if (options_.center_m && !options_.region && wantsCloud()) cloud_.ask(view_.visibleWorld());
   if (options_.settle_s) settle_.start(milliseconds(*options_.settle_s));
   return true;
 }
 
+bool SnapshotRun::recalled() {
+  if (!replayed_->at()) {
+    replayed_->reading()->setWhole(wantsTrack());
+    replayed_->goTo(*options_.at_s);
+  }
+  const replay::Cell* gap = replayed_->reading()->chunks().gapUntil(*options_.at_s);
+  const bool final = gap && (gap->tries >= kTries || gap->failure.kind == map::FailureKind::RejectedByRobot);
+  if (!recalled_ && final) {
+    const QString sentence = QString::fromStdString(sentences::sentenceOf(gap->failure));
+    fail(exitCodeOf(gap->failure.kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));
+  }
+  return recalled_;
+}
+
 double SnapshotRun::listWithin() const {
+  // What a bag does not hold does not come later: not a moment is waited.
+  if (replayed_) return -1;
+
   return std::clamp(options_.timeout_s / 4, kListAtLeastS, kListWithinS);
 }
 
@@ -210,9 +191,9 @@ bool SnapshotRun::wantsWholeInstead() {
   robot::Robot& robot = session_.robot();
   const bool for_submaps = options_.slice != 0 || options_.colors != render::ColorMode::Normal ||
                            options_.layers.contains(scene::Layer::Submaps);
-  return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps &&
-         !session_.book().listReceived() && seconds() - connected_s_ > listWithin() &&
-         robot.wholeMapSource() != nullptr;
+  const bool listed = replayed_ ? session_.world().submaps.has_value() : session_.book().listReceived();
+  return automatic_ && options_.mode == SnapshotMode::Submaps && !for_submaps && !listed &&
+         seconds() - connected_s_ > listWithin() && robot.wholeMapSource() != nullptr;
 }
 
 void SnapshotRun::takeWholeInstead() {
@@ -223,18 +204,24 @@ void SnapshotRun::takeWholeInstead() {
           "The robot sent no submap list within %1 s: its whole map is drawn instead. --mode submaps waits "
           "longer.")
           .arg(listWithin());
+  if (replayed_)
+    shown_instead_ = Words::tr("The bag holds no submap list until then: a whole map is drawn instead.");
   notes_ << shown_instead_;
   live_layers_.ask(options_.layers, true);
 }
 
 void SnapshotRun::look() {
   if (done_ || chosen_ || !connected()) return;
+  if (options_.region) return lookAtRegion();
   if (wantsWholeInstead()) takeWholeInstead();
-  if (wantsWhole() && map_.look(seconds() - connected_s_ - whole_asked_s_) == MapWish::State::Failed) {
+  // A picture that a bag names and the robot sends is not waited for in vain.
+  const bool coming = replayed_ && replayed_->picturesUnderWay() > 0;
+  const double waited_s = coming ? 0 : seconds() - connected_s_ - whole_asked_s_;
+  if (wantsWhole(options_) && map_.look(waited_s) == MapWish::State::Failed) {
     fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
     return;
   }
-  if (!options_.settle_s && everythingIn() && topicsIn()) {
+  if (!options_.settle_s && everythingIn() && topicsIn() && cloudIn()) {
     paint(true);
   } else if (goneForGood() && somethingIn()) {
     notes_ << Words::tr("Not everything had arrived.") + whatOfTheLink();
@@ -248,11 +235,12 @@ void SnapshotRun::look() {
 
 void SnapshotRun::tellProgress() {
   if (!isSignalConnected(QMetaMethod::fromSignal(&SnapshotRun::progressed))) return;
-  if (wantsWhole()) {
+  if (wantsWhole(options_)) {
     const session::MapSlot& slot = session_.wholeMap();
-    Q_EMIT progressed(Words::tr("Map %1: %2 % read").arg(slot.name()).arg(int(slot.progress() * 100)));
+    Q_EMIT progressed(
+        Words::tr("Map %1: %2 % read").arg(slot.name(), QString::number(int(slot.progress() * 100))));
   }
-  if (wantsSubmaps()) {
+  if (wantsSubmaps(options_)) {
     const QJsonObject submaps = board_->take().report[QLatin1String("submaps")].toObject();
     const auto count = [&](const char* what) { return submaps[QLatin1String(what)].toInt(); };
     Q_EMIT progressed(Words::tr("%1 of %2 submaps, %3 missing, %4 corrupt")
@@ -265,7 +253,7 @@ void SnapshotRun::tellProgress() {
 
 void SnapshotRun::noteStanding() {
   const double began_s = seconds();
-  Standing standing;
+  SnapshotStanding standing;
   const bool connected = connected_s_ >= 0;
   standing.exit_code = connected ? kIncomplete : kUnreachable;
   standing.sentence = connected ? Words::tr("Not complete. No picture could be made within %1 s (--timeout).")
@@ -282,16 +270,39 @@ void SnapshotRun::noteStanding() {
   note_took_s_ = noted_s_ - began_s;
 }
 
-bool SnapshotRun::topicsIn() const { return live_layers_.in() || seconds() - connected_s_ > kTopicsWithinS; }
+bool SnapshotRun::wantsTrack() const {
+  return replayed_ && !options_.raw && options_.layers.contains(scene::Layer::Track);
+}
+
+bool SnapshotRun::topicsIn() const {
+  if (replayed_)
+    return !session_.layerGrids().busy() && replayed_->picturesUnderWay() == 0 &&
+           (!wantsTrack() || replayed_->reading()->chunks().wholeRead());
+  return live_layers_.in() || seconds() - connected_s_ > kTopicsWithinS;
+}
+
+bool SnapshotRun::lacksSubmaps() const {
+  return replayed_ && recalled_ && wantsSubmaps(options_) && !session_.world().submaps;
+}
 
 bool SnapshotRun::everythingIn() const {
-  if (wantsSubmaps() && !session_.settled(kTries)) return false;
+  if (wantsSubmaps(options_) && !lacksSubmaps() && !session_.settled(kTries)) return false;
   if (asks_where_ && session_.catalogue().loading() && seconds() - connected_s_ < kTopicsWithinS)
     return false;
-  if (!wantsWhole()) return true;
+  if (!wantsWhole(options_)) return true;
   const bool points_in =
       !options_.layers.contains(scene::Layer::Waypoints) || !session_.wholeMap().waypointsAwaited();
   return map_.grid() && session_.wholeMap().settled() && points_in;
+}
+
+bool SnapshotRun::wantsCloud() const {
+  return !replayed_ && !options_.raw && options_.layers.contains(scene::Layer::DispatchedCloud);
+}
+
+bool SnapshotRun::cloudIn() {
+  if (!wantsCloud()) return true;
+  cloud_.ask(options_.region ? *options_.region : viewOf(options_, session_, map_).visibleWorld());
+  return cloud_.in();
 }
 
 bool SnapshotRun::goneForGood() const {
@@ -300,7 +311,7 @@ bool SnapshotRun::goneForGood() const {
 }
 
 bool SnapshotRun::somethingIn() const {
-  return wantsWhole() ? map_.grid().has_value() : session_.counts().texture_bytes > 0;
+  return wantsWhole(options_) ? map_.grid().has_value() : session_.counts().texture_bytes > 0;
 }
 
 void SnapshotRun::timeOut() {
@@ -312,7 +323,7 @@ void SnapshotRun::timeOut() {
   // What has come is drawn, as far as that takes no longer than a moment.
   cut_off_.start(milliseconds(options_.timeout_s + start_.grace.draw_s - seconds()));
   if (chosen_) return;
-  const bool no_list = wantsSubmaps() && !session_.book().listReceived();
+  const bool no_list = wantsSubmaps(options_) && !session_.book().listReceived();
   notes_ << (!no_list
                  ? Words::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
                        whatOfTheLink()
@@ -333,7 +344,8 @@ void SnapshotRun::cutOff() {
 }
 
 bool SnapshotRun::waypointsLost() const {
-  if (options_.raw || !wantsWhole() || !options_.layers.contains(scene::Layer::Waypoints)) return false;
+  if (options_.raw || !wantsWhole(options_) || !options_.layers.contains(scene::Layer::Waypoints))
+    return false;
   const auto& rows = session_.problems().rows();
   return std::any_of(rows.begin(), rows.end(), [](const session::LoggedProblem& row) {
     return !row.resolved && row.problem.subject.kind == map::SubjectKind::Places &&
@@ -341,27 +353,10 @@ bool SnapshotRun::waypointsLost() const {
   });
 }
 
-SnapshotContent SnapshotRun::chooseContent() const {
-  SnapshotContent content;
-  content.view = view_;
-  content.submaps = wantsSubmaps();
-  content.whole = options_.raw ? options_.mode == SnapshotMode::Whole : wantsWhole() && map_.grid();
-  if (!options_.raw) return content;
-  if (content.whole) {
-    content.grid = map_.grid();
-    return content;
-  }
-  for (const auto& [id, row] : session_.book().rows()) {
-    if (const auto placement = session_.book().placement(id, options_.slice)) {
-      content.textures.push_back({id, placement->texture, placement->world_from_texture, 0});
-    }
-  }
-  return content;
-}
-
 void SnapshotRun::paint(bool settled) {
   if (done_ || chosen_) return;
-  if (options_.mode == SnapshotMode::Whole && !map_.grid()) {
+  if (options_.region && !sizeRegion()) return;
+  if (!options_.region && options_.mode == SnapshotMode::Whole && !map_.grid()) {
     const QString which = options_.map
                               ? Words::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
                               : Words::tr("its map");
@@ -369,7 +364,8 @@ void SnapshotRun::paint(bool settled) {
          Words::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
                  .arg(options_.robot, which, QString::number(options_.settle_s.value_or(options_.timeout_s)),
                       options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")) +
-             whatOfTheLink());
+             whatOfTheLink() +
+             (QStringList(QString()) + map_.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
     return;
   }
   poll_.stop();
@@ -382,12 +378,27 @@ void SnapshotRun::paint(bool settled) {
   chosen_->counts = session_.counts();
   chosen_->problems = problemLines(session_.problems());
   chosen_->refused = anyRefused(session_.problems());
-  if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt) {
+  if (const auto grid = wantsWhole(options_) ? map_.grid() : std::nullopt) {
     chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
   }
-  complete_ = settled && (!wantsSubmaps() || submapsComplete(chosen_->counts)) &&
-              (!wantsWhole() || map_.complete()) && !waypointsLost();
+  complete_ = settled && (!wantsSubmaps(options_) || submapsComplete(chosen_->counts)) &&
+              (!wantsWhole(options_) || map_.complete()) && !waypointsLost() &&
+              (!options_.region || fetch_->complete()) && (!wantsCloud() || cloud_.came());
+  if (wantsCloud() && !cloud_.problem().isEmpty()) notes_ << cloud_.problem();
+  // Nothing may look as if it had been recorded.
+  if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&
+      map_.key()->kind != map::MapKind::Live) {
+    notes_ << (isLocal()
+                   ? Words::tr("The bag holds no map until then: the one that was recorded with it is drawn.")
+                   : Words::tr(
+                         "The bag holds no map until then: the one that the robot keeps now is drawn."));
+    shown_instead_ += (shown_instead_.isEmpty() ? QString() : QStringLiteral(" ")) + notes_.back();
+  }
+  if (lacksSubmaps())
+    notes_ << Words::tr("The bag holds no submap list until then: there are no submaps to draw.");
   for (const QString& topic : live_layers_.silent()) {
+    // A bag is not asked for anything: what is not in it is not missing.
+    if (replayed_) break;
     notes_ << Words::tr("Topic %1 gave nothing within %2 s.")
                   .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
   }
@@ -395,10 +406,13 @@ void SnapshotRun::paint(bool settled) {
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
     notes_ << Words::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
   }
-  view_ = chooseView();
+  view_ = viewOf(options_, session_, map_);
   noteStanding();
   Q_EMIT contentChosen();
-  const SnapshotContent content = chooseContent();
+  SnapshotContent content = contentOf(options_, session_, map_, view_);
+  if (options_.region) takeRegion(content);
+  if (wantsCloud()) content.cloud = cloud_.came();
+  if (wantsTrack()) content.track = window::trackOfBag(*replayed_->reading());
   picture_ = options_.raw ? makeRawPicture(content, workers_)
                           : makeScenePicture(options_, session_, content, workers_);
   connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
@@ -409,7 +423,8 @@ void SnapshotRun::paint(bool settled) {
 void SnapshotRun::write() {
   if (done_) return;
   made_ = picture_->made();
-  if (const auto grid = wantsWhole() ? map_.grid() : std::nullopt; grid && grid->cells->trouble().any()) {
+  if (const auto grid = wantsWhole(options_) ? map_.grid() : std::nullopt;
+      grid && grid->cells->trouble().any()) {
     complete_ = false;
     notes_.prepend(sentences::wordsOf(grid->cells->trouble()));
   }
@@ -458,32 +473,20 @@ QStringList SnapshotRun::warnings() const {
 }
 
 QJsonObject SnapshotRun::report() const {
-  const session::SubmapCounts counts = chosen_ ? chosen_->counts : session_.counts();
-  const auto secondsOrNull = [](double value) {
-    return value < 0 ? QJsonValue() : QJsonValue(std::round(value * 1000) / 1000);
-  };
-  QJsonObject report{
-      {QStringLiteral("complete"), complete_},
-      {QStringLiteral("mode"),
-       options_.mode == SnapshotMode::Whole ? QStringLiteral("whole") : QStringLiteral("submaps")},
-      {QStringLiteral("uuid"), QString::fromStdString(session_.book().uuid())},
-      {QStringLiteral("submaps"), submapsJson(counts)},
-      {QStringLiteral("painted"), std::round(made_ * 1000) / 1000},
-      {QStringLiteral("seconds"), QJsonObject{{QStringLiteral("connect"), secondsOrNull(connected_s_)},
-                                              {QStringLiteral("first_paint"), secondsOrNull(first_paint_s_)},
-                                              {QStringLiteral("complete"), secondsOrNull(complete_s_)}}},
-      {QStringLiteral("view"),
-       QJsonObject{{QStringLiteral("center"), QJsonArray{view_.center_m.x(), view_.center_m.y()}},
-                   {QStringLiteral("scale"), view_.scale_m_per_px},
-                   {QStringLiteral("size"), QJsonArray{view_.width_px, view_.height_px}},
-                   {QStringLiteral("rotation_deg"), geometry::degreesFromRadians(view_.rotation_rad)}}},
-      {QStringLiteral("peak_rss_bytes"), peakMemoryBytes()},
-      {QStringLiteral("warnings"), QJsonArray::fromStringList(warnings())},
-  };
-  const QJsonObject traffic = trafficJson(counts);
-  for (auto it = traffic.begin(); it != traffic.end(); ++it) report[it.key()] = it.value();
-  if (chosen_ && chosen_->map) report[QStringLiteral("map")] = *chosen_->map;
-  return report;
+  SnapshotFacts facts;
+  facts.complete = complete_;
+  facts.whole = options_.mode == SnapshotMode::Whole;
+  facts.uuid = QString::fromStdString(session_.book().uuid());
+  facts.counts = chosen_ ? chosen_->counts : session_.counts();
+  facts.made = made_;
+  facts.connected_s = connected_s_;
+  facts.first_paint_s = first_paint_s_;
+  facts.complete_s = complete_s_;
+  facts.view = view_;
+  facts.warnings = warnings();
+  if (chosen_) facts.map = chosen_->map;
+  facts.region = regionJson();
+  return reportOf(facts);
 }
 
 }  // namespace mapwright::app

@@ -2,20 +2,26 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 
 #include <QJsonObject>
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
 
+#include "app/cloud_wish.h"
 #include "app/deadline.h"
 #include "app/layer_wish.h"
 #include "app/map_wish.h"
 #include "app/snapshot_options.h"
 #include "app/snapshot_picture.h"
+#include "app/snapshot_report.h"
+#include "regions/region_fetch.h"
 #include "session/session.h"
 #include "work/workers.h"
+
+namespace mapwright::replay {
+class ReplayRobot;
+}
 
 namespace mapwright::app {
 
@@ -36,25 +42,13 @@ class SnapshotRun : public QObject {
   /// What is said of a picture that shows something else than was expected; empty = it does not.
   QString shownInstead() const { return shown_instead_; }
   const SnapshotOptions& options() const { return options_; }
+  /// Of the picture, once it is finished.
+  const geometry::ViewTransform& view() const { return view_; }
   /// A sentence when the picture or the report would replace a file that the map is read from.
   std::optional<QString> overItsSource() const;
 
-  /// How things stood a short while ago, for whoever ends the run from another thread.
-  struct Standing {
-    int exit_code = 0;
-    QString sentence;
-    QJsonObject report;
-  };
-  class StandingBoard {
-   public:
-    void put(Standing standing);
-    Standing take() const;
-
-   private:
-    mutable std::mutex mutex_;
-    Standing standing_;
-  };
-  std::shared_ptr<const StandingBoard> standing() const { return board_; }
+  /// How things stood a short while ago.
+  std::shared_ptr<const SnapshotBoard> standing() const { return board_; }
 
  Q_SIGNALS:
   void progressed(const QString& line);
@@ -64,6 +58,8 @@ class SnapshotRun : public QObject {
  private:
   void look();  // whatever may have changed: is it time for the next step?
   bool connected();
+  /// Of a bag: the world of its time has been taken over.
+  bool recalled();
   /// The mode was not chosen by anybody, no list of submaps comes, and a whole map can be had.
   bool wantsWholeInstead();
   void takeWholeInstead();
@@ -79,17 +75,24 @@ class SnapshotRun : public QObject {
   /// The waypoints that are to be drawn could not be had.
   bool waypointsLost() const;
   bool isLocal() const;
-  bool wantsSubmaps() const;
-  bool wantsWhole() const;
+  bool wantsTrack() const;  // of a whole bag
+  /// The same as look(), of a picture of a region.
+  void lookAtRegion();
+  /// How large the picture is, now that a cell's size is known; false: there is none, and it has failed.
+  bool sizeRegion();
+  void takeRegion(SnapshotContent& content);
+  std::optional<QJsonObject> regionJson() const;
   bool topicsIn() const;
+  bool lacksSubmaps() const;  // of a bag that lists none until then: none will come
   bool everythingIn() const;
+  /// Asks for the cloud of what is drawn, where that is wanted, once it is known what that is.
+  bool cloudIn();
+  bool wantsCloud() const;
   bool somethingIn() const;
   /// The link is lost, and it is about time to draw what has come.
   bool goneForGood() const;
   void fail(int exit_code, const QString& sentence);
   void finish(int exit_code);
-  SnapshotContent chooseContent() const;
-  geometry::ViewTransform chooseView() const;
   double seconds() const;
   /// How long a list of submaps is waited for where a whole map can be drawn instead.
   double listWithin() const;
@@ -100,9 +103,13 @@ class SnapshotRun : public QObject {
   session::Session session_;
   MapWish map_;
   LayerWish live_layers_;
+  CloudWish cloud_;
+  replay::ReplayRobot* replayed_ = nullptr;  // null = a robot as it is
+  bool recalled_ = false;
+  std::unique_ptr<regions::RegionFetch> fetch_;  // of a region
   std::unique_ptr<SnapshotChoice> chosen_;
   std::unique_ptr<SnapshotPicture> picture_;
-  std::shared_ptr<StandingBoard> board_ = std::make_shared<StandingBoard>();
+  std::shared_ptr<SnapshotBoard> board_ = std::make_shared<SnapshotBoard>();
   CommandStart start_;
   QTimer timeout_, cut_off_, settle_, poll_;
   geometry::ViewTransform view_;

@@ -1,13 +1,15 @@
 #include "app/waypoint_file.h"
 
+#include <string_view>
+
 #include <QCoreApplication>
 #include <QFileInfo>
 
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
-#include "app/waypoint_csv.h"
-#include "app/waypoint_json.h"
 #include "disk/read_file.h"
+#include "exchange/waypoint_csv.h"
+#include "exchange/waypoint_json.h"
 #include "reasons/file_reason.h"
 #include "robot/files/waypoint_file.h"
 #include "sentences/reason_sentence.h"
@@ -20,6 +22,16 @@ class Words {
 };
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+constexpr const char* kStandardInput = "-";
+
+/// After the mark of UTF-8 and blanks.
+bool beginsLikeJson(std::string_view bytes) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '{';
+}
 
 std::optional<WaypointFileKind> kindCalled(const QString& word) {
   if (word == QLatin1String("csv")) return WaypointFileKind::Csv;
@@ -40,17 +52,31 @@ tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path
       Words::tr("%1: the name ends in .geojson or .csv; or give --format geojson or csv.").arg(text(path)));
 }
 
-WantedFile readWantedFile(const std::string& path, const std::string& format) {
-  const auto kind = waypointFileKind(path, format);
+tl::expected<std::string, disk::Fault> bytesOf(const std::string& path, std::size_t most) {
+  return path == kStandardInput ? disk::readStandardInput(most + 1) : disk::readFile(path, most + 1);
+}
+
+QString inputCalled(const std::string& path) {
+  return path == kStandardInput ? Words::tr("The standard input") : text(path);
+}
+
+tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& path,
+                                                           const std::string& format) {
+  const bool by_content = path == kStandardInput && format.empty();
+  auto kind = by_content ? tl::expected<WaypointFileKind, QString>(WaypointFileKind::GeoJson)
+                         : waypointFileKind(path, format);
   if (!kind) return tl::make_unexpected(kind.error());
-  const auto bytes = disk::readFile(path, kMaxWantedBytes + 1);
+  const QString called = inputCalled(path);
+  const auto bytes = bytesOf(path, exchange::kMaxWantedBytes);
   if (!bytes)
-    return tl::make_unexpected(Words::tr("%1 cannot be read: %2.")
-                                   .arg(text(path), sentences::wordsOf(reasons::causeOf(bytes.error()))));
-  if (bytes->size() > kMaxWantedBytes)
-    return tl::make_unexpected(Words::tr("%1 is larger than 64 MiB.").arg(text(path)));
-  WantedFile wanted = *kind == WaypointFileKind::Csv ? wantedFromCsv(*bytes) : wantedFromGeoJson(*bytes);
-  if (!wanted) return tl::make_unexpected(QStringLiteral("%1: %2").arg(text(path), wanted.error()));
+    return tl::make_unexpected(
+        Words::tr("%1 cannot be read: %2.").arg(called, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+  if (bytes->size() > exchange::kMaxWantedBytes)
+    return tl::make_unexpected(Words::tr("%1 is larger than 64 MiB.").arg(called));
+  if (by_content && !beginsLikeJson(*bytes)) kind = WaypointFileKind::Csv;
+  exchange::WantedFile wanted =
+      *kind == WaypointFileKind::Csv ? exchange::wantedFromCsv(*bytes) : exchange::wantedFromGeoJson(*bytes);
+  if (!wanted) return tl::make_unexpected(QStringLiteral("%1: %2").arg(called, wanted.error()));
   return wanted;
 }
 

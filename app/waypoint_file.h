@@ -7,7 +7,8 @@
 #include <QString>
 #include <tl/expected.hpp>
 
-#include "app/wanted_waypoint.h"
+#include "disk/fault.h"
+#include "exchange/wanted_waypoint.h"
 #include "map/catalogue.h"
 
 namespace mapwright::app {
@@ -16,8 +17,15 @@ enum class WaypointFileKind { GeoJson, Csv };
 /// By `format` ("csv", "geojson"), else by the end of the name; "-" is GeoJSON. The error is a sentence.
 tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path, const std::string& format);
 
-/// What is in it. The error is a sentence with the name of the file.
-WantedFile readWantedFile(const std::string& path, const std::string& format);
+/// The bytes of a file, or ("-") what comes by the standard input; a little more than `most` where there are
+/// more.
+tl::expected<std::string, disk::Fault> bytesOf(const std::string& path, std::size_t most);
+/// What a sentence calls it.
+QString inputCalled(const std::string& path);
+
+/// What is in it; "-" is the standard input, GeoJSON where it begins with a brace. The error is a sentence
+/// with the name of the file.
+exchange::WantedFile readWantedFile(const std::string& path, const std::string& format);
 
 /// The local files that the map `key` of this robot and its waypoints are read from; none of a robot.
 std::vector<std::string> waypointSources(const std::string& address, const map::MapKey& key);

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include "app/table.h"
+#include "app/waypoint_warnings.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -14,32 +15,66 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(WaypointPreview)
 };
 
-}  // namespace
-
-QJsonArray callsOf(const ListedWaypoints& list, const std::vector<WaypointEdit>& edits) {
-  std::vector<robot::WaypointChange> changes;
-  for (const WaypointEdit& edit : edits) changes.push_back({edit.key, edit.before, edit.after});
-  return callsJson(*list.store, list.store->plan(list.stored, changes), list.map);
+QJsonArray doubtsJson(const DoubtsAhead& doubts) {
+  QJsonArray rows;
+  for (const DoubtAhead& one : doubts) {
+    rows << QJsonObject{
+        {QStringLiteral("id"), one.id.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(one.id))},
+        {QStringLiteral("name"), QString::fromStdString(one.name)},
+        {QStringLiteral("warnings"), warningsJson(one.warnings)}};
+  }
+  return rows;
 }
 
-void printPreview(const ListedWaypoints& list, const MergedEdits& edits, bool json) {
-  const std::vector<WaypointStep> steps = stepsOf(edits.edits);
+QJsonObject previewJson(const ListedWaypoints& list, const exchange::MergedEdits& edits,
+                        const std::optional<DoubtsAhead>& doubts) {
+  QJsonObject json{
+      {QStringLiteral("changes"), exchange::stepsJson(exchange::stepsOf(edits.edits), list.mapId())},
+      {QStringLiteral("calls"), callsOf(list, edits.edits)},
+      {QStringLiteral("conflicts"), exchange::conflictsJson(edits.conflicts, list.mapId())}};
+  if (doubts) json[QStringLiteral("warnings")] = doubtsJson(*doubts);
+  return json;
+}
+
+}  // namespace
+
+QJsonArray callsOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {
+  std::vector<robot::WaypointChange> changes;
+  for (const exchange::WaypointEdit& edit : edits) changes.push_back({edit.key, edit.before, edit.after});
+  return exchange::callsJson(*list.store, list.store->plan(list.stored, changes), list.map);
+}
+
+QJsonObject previewReport(const ListedWaypoints& list, const exchange::MergedEdits& edits,
+                          const std::optional<DoubtsAhead>& doubts) {
+  QJsonObject report = previewJson(list, edits, doubts);
+  report[QStringLiteral("dry_run")] = true;
+  report[QStringLiteral("map")] = QString::fromStdString(list.mapId());
+  return report;
+}
+
+void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edits, bool json,
+                  const std::optional<DoubtsAhead>& doubts) {
+  const std::vector<exchange::WaypointStep> steps = exchange::stepsOf(edits.edits);
   if (json) {
-    printJson(QJsonObject{{QStringLiteral("changes"), stepsJson(steps, list.mapId())},
-                          {QStringLiteral("calls"), callsOf(list, edits.edits)},
-                          {QStringLiteral("conflicts"), conflictsJson(edits.conflicts, list.mapId())}});
+    printJson(previewJson(list, edits, doubts));
     return;
   }
   std::vector<QStringList> table{
       {Words::tr("CHANGE"), Words::tr("ID"), Words::tr("NAME"), Words::tr("FROM NOW ON")}};
-  for (const WaypointStep& step : steps) {
+  for (const exchange::WaypointStep& step : steps) {
     const std::string id = step.id();
     table.push_back({wordOf(step.kind), id.empty() ? QStringLiteral("-") : words::plainName(id),
-                     words::plainName(step.name()), detailOf(step)});
+                     words::plainName(step.name()), exchange::detailOf(step)});
   }
-  for (const QString& line : conflictLines(edits.conflicts))
+  for (const QString& line : exchange::conflictLines(edits.conflicts))
     table.push_back({Words::tr("conflict"), QString(), QString(), line});
+  const bool changes = table.size() > 1;
+  for (const DoubtAhead& one : doubts.value_or(DoubtsAhead())) {
+    table.push_back({Words::tr("warning"), one.id.empty() ? QStringLiteral("-") : words::plainName(one.id),
+                     words::plainName(one.name), warningsLine(one.warnings)});
+  }
   if (table.size() > 1) {
+    if (!changes) std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));
     printTable(table);
   } else {
     std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));

@@ -1,14 +1,31 @@
 // What would be done to waypoints, for people and programs, before anything is sent.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "app/waypoint_list.h"
-#include "app/waypoint_plan.h"
+#include "exchange/waypoint_plan.h"
+#include "placing/warnings.h"
 
 namespace mapwright::app {
 
-/// {"changes","calls","conflicts"}, or a table.
-void printPreview(const ListedWaypoints& list, const MergedEdits& edits, bool json);
+/// What would be doubtful about one, were it so.
+struct DoubtAhead {
+  std::string id, name;  // the id is empty where it has none yet
+  placing::Warnings warnings;
+};
+using DoubtsAhead = std::vector<DoubtAhead>;
+
+/// The same for a report, with the map.
+QJsonObject previewReport(const ListedWaypoints& list, const exchange::MergedEdits& edits,
+                          const std::optional<DoubtsAhead>& doubts = {});
+/// {"changes","calls","conflicts"}, and "warnings" [{"id"|null,"name","warnings"}] where they were looked
+/// for; or a table.
+void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edits, bool json,
+                  const std::optional<DoubtsAhead>& doubts = {});
 /// The requests that the store would be sent.
-QJsonArray callsOf(const ListedWaypoints& list, const std::vector<WaypointEdit>& edits);
+QJsonArray callsOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits);
 
 }  // namespace mapwright::app

@@ -11,7 +11,6 @@
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/table.h"
-#include "edit/open_waypoints.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 
@@ -48,13 +47,13 @@ class Sending {
         at_failure_(at_failure),
         open_(*list.store, list.map, list.robot->session().robot().address(), {}) {}
 
-  CommandResult<SentWaypoints> run(const std::vector<WaypointEdit>& edits) {
+  CommandResult<SentWaypoints> run(const std::vector<exchange::WaypointEdit>& edits) {
     robot_.waitUntil([&] { return open_.phase() != edit::OpenWaypoints::Phase::Reading; });
     if (open_.phase() != edit::OpenWaypoints::Phase::Ready) {
       return tl::make_unexpected(list_.failure(open_.failure() ? *open_.failure() : robot_.tooLate({})));
     }
     open_.document().rebase(edits, {});
-    for (WaypointStep& step : stepsOf(open_.document().allChanges()))
+    for (exchange::WaypointStep& step : exchange::stepsOf(open_.document().allChanges()))
       sent_.steps.push_back({std::move(step)});
     takeConflicts();
     bool looked = true;  // nothing has been sent since
@@ -69,22 +68,18 @@ class Sending {
 
   /// True when what is kept now has been read at the end.
   bool send() {
-    for (;;) {
-      open_.save();
-      const bool in_time = settle();
-      if (!in_time) giveUp();
-      noteRows(in_time);
-      takeConflicts();
-      const auto& submission = open_.submission();
-      if (submission.phase() != edit::SubmissionPhase::Stopped)
-        return submission.phase() == edit::SubmissionPhase::Done;
-      sent_.failure = submission.failure();
-      const bool one_of_them = std::any_of(submission.rows().begin(), submission.rows().end(),
-                                           [](const Row& row) { return row.state == Row::State::Failed; });
-      if (at_failure_ == AtFailure::Stop || !in_time || !one_of_them || isOfTheLink(*sent_.failure))
-        return false;
-      leaveOutFailed();
-    }
+    open_.save(at_failure_);
+    const bool in_time = settle();
+    if (!in_time) giveUp();
+    noteRows(in_time);
+    takeConflicts();
+    const auto& submission = open_.submission();
+    if (submission.phase() != edit::SubmissionPhase::Stopped)
+      return submission.phase() == edit::SubmissionPhase::Done;
+    sent_.failure = submission.failure();
+    // It was taken back here, and not by whom it was asked for.
+    if (!in_time && sent_.failure) sent_.failure = robot_.tooLate(*sent_.failure);
+    return false;
   }
 
   bool settle() {
@@ -119,7 +114,7 @@ class Sending {
       case Row::State::Failed: {
         map::Failure failure = *row.failure;
         if (!in_time) failure = robot_.tooLate(std::move(failure));
-        if (failure.applied == map::Applied::Yes) return {StepState::Applied, std::nullopt};
+        if (failure.applied == map::Applied::Yes) return {StepState::Applied, std::move(failure)};
         const bool maybe = failure.applied == map::Applied::Maybe;
         return {maybe ? StepState::Unknown : StepState::Failed, std::move(failure)};
       }
@@ -141,7 +136,7 @@ class Sending {
       const Told now = toldBy(row, in_time);
       for (const robot::WaypointChange& change : row.request.changes) {
         const edit::Key key = open_.document().ourName(change.id);
-        for (const WaypointStep& step : stepsOf({{key, change.before, change.after}})) {
+        for (const exchange::WaypointStep& step : exchange::stepsOf({{key, change.before, change.after}})) {
           SentStep* const sent = find(key, step.kind);
           if (!sent) continue;
           const auto [known, is_new] = told.try_emplace(sent, now);
@@ -157,34 +152,14 @@ class Sending {
       if (sent->failure) sent->failure->asked_for = map::AskedFor::Change;
     }
   }
-  SentStep* find(const edit::Key& key, StepKind kind) {
+  SentStep* find(const edit::Key& key, exchange::StepKind kind) {
     SentStep* created = nullptr;
     for (SentStep& sent : sent_.steps) {
       if (sent.step.key != key) continue;
       if (sent.step.kind == kind) return &sent;
-      if (sent.step.kind == StepKind::Create) created = &sent;  // its other requests are part of it
+      if (sent.step.kind == exchange::StepKind::Create) created = &sent;  // its other requests are part of it
     }
     return created;
-  }
-
-  /// What failed is as it is kept, so that it is not asked for again.
-  void leaveOutFailed() {
-    edit::WaypointDocument& document = open_.document();
-    const WaypointItems kept = document.kept();
-    for (const Row& row : open_.submission().rows()) {
-      if (row.state != Row::State::Failed) continue;
-      for (const robot::WaypointChange& change : row.request.changes) {
-        const edit::Key key = document.ourName(change.id);
-        const map::Waypoint* const mine = document.find(key);
-        const auto base = kept.find(key);
-        std::optional<map::Waypoint> back = base == kept.end() ? std::nullopt : std::optional(base->second);
-        if (back && mine && change.before && change.after) {
-          back = *mine;
-          edit::assign(*back, base->second, edit::difference(*change.before, *change.after));
-        }
-        document.change({document.to(key, std::move(back))}, {});
-      }
-    }
   }
 
   /// How they are kept now; after a lost link it may take a moment until they can be read again.
@@ -194,7 +169,7 @@ class Sending {
         return list_.store->read(list_.map, std::move(reply));
       });
       if (stored) {
-        open_.document().take(itemsOf(stored->points));
+        open_.document().take(exchange::itemsOf(stored->points));
         takeConflicts();
         return true;
       }
@@ -210,13 +185,15 @@ class Sending {
   void judge() {
     for (SentStep& sent : sent_.steps) {
       const auto kept = sent_.kept.find(sent.step.key);
-      if (isDone(sent.step, kept == sent_.kept.end() ? nullptr : &kept->second)) {
+      if (exchange::isDone(sent.step, kept == sent_.kept.end() ? nullptr : &kept->second)) {
         sent.state = StepState::Applied;
         sent.failure.reset();
       } else if (sent.state == StepState::Applied) {
         sent.state = StepState::Failed;  // see SentStep::sentence()
-        sent.failure.reset();
-      } else if (sent.state == StepState::Unknown) {
+        const bool says_why = sent.failure && sent.failure->reason == map::FailureReason::Unfit;
+        if (!says_why) sent.failure.reset();
+      } else if (sent.state == StepState::Unknown && !isOfTheLink(*sent.failure)) {
+        // Whose answer has not come may be at work on it still: what is not so yet proves nothing.
         sent.state = StepState::Failed;
         sent.failure->applied = map::Applied::No;
       }
@@ -244,11 +221,27 @@ QString wordOf(StepState state) {
   return Words::tr("not sent");
 }
 
-QString shownName(const WaypointStep& step) { return words::plainName(step.name()); }
+/// For scripts (cli.md).
+const char* stableWordOf(StepState state) {
+  switch (state) {
+    case StepState::Applied:
+      return "applied";
+    case StepState::Failed:
+      return "failed";
+    case StepState::Unknown:
+      return "unknown";
+    case StepState::NotSent:
+      break;
+  }
+  return "not_sent";
+}
+
+QString shownName(const exchange::WaypointStep& step) { return words::plainName(step.name()); }
 
 }  // namespace
 
 QString SentStep::sentence() const {
+  if (state == StepState::Applied) return {};
   if (failure) return QString::fromStdString(sentences::sentenceOf(*failure));
   return state == StepState::Failed ? Words::tr("It was taken, but afterwards it is not so.") : QString();
 }
@@ -260,12 +253,13 @@ std::size_t SentWaypoints::count(StepState state) const {
 
 int SentWaypoints::exitCode() const {
   if (complete()) return kDone;
-  return count(StepState::Applied) + count(StepState::Unknown) == 0 ? kRobotError : kIncomplete;
+  if (count(StepState::Applied) + count(StepState::Unknown) > 0) return kIncomplete;
+  return failure ? exitCodeOf(failure->kind) : kRobotError;
 }
 
 QString SentWaypoints::sentence() const {
   if (!conflicts.empty()) {
-    const QStringList lines = conflictLines(conflicts);
+    const QStringList lines = exchange::conflictLines(conflicts);
     const QString first =
         lines.size() > 1 ? Words::tr("%1 (and %2 more)").arg(lines.first(), QString::number(lines.size() - 1))
                          : lines.first();
@@ -289,9 +283,9 @@ QString SentWaypoints::sentence() const {
            QString::number(count(StepState::NotSent)), first);
 }
 
-CommandResult<SentWaypoints> sendWaypoints(const ListedWaypoints& list, std::vector<WaypointEdit> edits,
-                                           AtFailure at_failure) {
-  for (WaypointEdit& edit : edits) {
+CommandResult<SentWaypoints> sendWaypoints(const ListedWaypoints& list,
+                                           std::vector<exchange::WaypointEdit> edits, AtFailure at_failure) {
+  for (exchange::WaypointEdit& edit : edits) {
     if (edit.after && edit.after->id.empty()) edit.after->id = edit.key;
   }
   return Sending(list, at_failure).run(edits);
@@ -302,7 +296,7 @@ QJsonObject sentJson(const SentWaypoints& sent, const std::string& map) {
     QJsonArray rows;
     for (const SentStep& one : sent.steps) {
       if (one.state != state) continue;
-      QJsonObject row = stepJson(one.step, map);
+      QJsonObject row = exchange::stepJson(one.step, map);
       row[QStringLiteral("sentence")] = one.sentence();
       rows << row;
     }
@@ -313,7 +307,25 @@ QJsonObject sentJson(const SentWaypoints& sent, const std::string& map) {
           {QStringLiteral("unknown"), rowsOf(StepState::Unknown)},
           {QStringLiteral("remaining"), int(sent.count(StepState::NotSent))},
           {QStringLiteral("complete"), sent.complete()},
-          {QStringLiteral("conflicts"), conflictsJson(sent.conflicts, map)}};
+          {QStringLiteral("conflicts"), exchange::conflictsJson(sent.conflicts, map)}};
+}
+
+QJsonObject sentReport(const SentWaypoints& sent, const std::string& map) {
+  QJsonArray changes;
+  for (const SentStep& one : sent.steps) {
+    QJsonObject row = exchange::stepJson(one.step, map);
+    // A created one has its id by now.
+    if (const auto kept = sent.kept.find(one.step.key);
+        kept != sent.kept.end() && one.state == StepState::Applied)
+      row[QStringLiteral("id")] = QString::fromStdString(kept->second.id);
+    row[QStringLiteral("state")] = QLatin1String(stableWordOf(one.state));
+    if (const QString why = one.sentence(); !why.isEmpty()) row[QStringLiteral("sentence")] = why;
+    changes << row;
+  }
+  QJsonObject report = sentJson(sent, map);
+  report[QStringLiteral("map")] = QString::fromStdString(map);
+  report[QStringLiteral("changes")] = changes;
+  return report;
 }
 
 void printSent(const SentWaypoints& sent) {
@@ -327,7 +339,7 @@ void printSent(const SentWaypoints& sent) {
                      why.isEmpty() ? shownName(one.step)
                                    : QStringLiteral("%1: %2").arg(shownName(one.step), oneLine(why))});
   }
-  for (const QString& line : conflictLines(sent.conflicts))
+  for (const QString& line : exchange::conflictLines(sent.conflicts))
     table.push_back({Words::tr("conflict"), QString(), QString(), line});
   if (table.size() > 1) printTable(table);
 }

@@ -8,7 +8,8 @@
 #include <QString>
 
 #include "app/waypoint_list.h"
-#include "app/waypoint_steps.h"
+#include "edit/open_waypoints.h"
+#include "exchange/waypoint_steps.h"
 
 namespace mapwright::app {
 
@@ -20,7 +21,7 @@ enum class StepState {
 };
 
 struct SentStep {
-  WaypointStep step;
+  exchange::WaypointStep step;
   StepState state = StepState::NotSent;
   std::optional<map::Failure> failure = {};
   /// Why it Failed or is Unknown.
@@ -30,26 +31,30 @@ struct SentStep {
 struct SentWaypoints {
   std::vector<SentStep> steps;  // what was so already is none of them
   /// What others have changed meanwhile and does not go together: of that nothing was sent.
-  WaypointConflicts conflicts = {};
+  exchange::WaypointConflicts conflicts = {};
   std::optional<map::Failure> failure = {};  // why it was stopped
-  WaypointItems kept = {};                   // under our keys, as far as is known
+  exchange::WaypointItems kept = {};         // under our keys, as far as is known
 
   std::size_t count(StepState state) const;
   bool complete() const { return conflicts.empty() && count(StepState::Applied) == steps.size(); }
-  /// 0 all, 1 some (or not known), 4 none.
+  /// 0 all, 1 some (or not known), 3 none, because the robot is out of reach, 4 none.
   int exitCode() const;
   /// What is to be said when it is not complete.
   QString sentence() const;
 };
 
-enum class AtFailure { Stop, GoOn };
+using edit::AtFailure;
 /// Looks how they are kept now, merges, sends one request after the other, and looks what has become of them.
 /// With a conflict nothing is sent. The time of the command bounds it: what is under way then is given up.
-CommandResult<SentWaypoints> sendWaypoints(const ListedWaypoints& list, std::vector<WaypointEdit> edits,
-                                           AtFailure at_failure);
+CommandResult<SentWaypoints> sendWaypoints(const ListedWaypoints& list,
+                                           std::vector<exchange::WaypointEdit> edits, AtFailure at_failure);
 
 /// {"applied","failed":[{"id","name","kind","sentence"}],"unknown":[…],"remaining","complete","conflicts"}.
 QJsonObject sentJson(const SentWaypoints& sent, const std::string& map);
+/// The same for a report: the map, and of every change what became of it: `changes` are as in a plan, each
+/// with a "state" (applied, failed, unknown, not_sent) and, where it is not applied, the "sentence" that says
+/// why.
+QJsonObject sentReport(const SentWaypoints& sent, const std::string& map);
 /// A table for people.
 void printSent(const SentWaypoints& sent);
 

@@ -67,11 +67,15 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
   if (is("delete")) command.add_flag("--yes", words.yes, help(Words::tr("Needed: they cannot be had back")));
   if (is("import", "plan"))
     command
-        .add_option("file", words.file,
-                    help(Words::tr("F.geojson or F.csv, with the columns of mapwright waypoints list")))
+        .add_option(
+            "file", words.file,
+            help(Words::tr("F.geojson or F.csv, with the columns of mapwright waypoints list; - is the "
+                           "standard input")))
         ->required();
   if (is("apply"))
-    command.add_option("file", words.file, help(Words::tr("What mapwright waypoints plan -o wrote")))
+    command
+        .add_option("file", words.file,
+                    help(Words::tr("What mapwright waypoints plan -o wrote; - is the standard input")))
         ->required();
   if (is("export"))
     command
@@ -82,6 +86,15 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
     command.add_option("-o,--output", words.output,
                        help(Words::tr("Where the plan is written, for mapwright waypoints apply; - is the "
                                       "standard output")));
+  if (is("list"))
+    command.add_flag(
+        "--warnings", words.warnings,
+        help(Words::tr("Also what is doubtful about each: in a wall, outside the map, near a wall, "
+                       "a name twice, an orientation of zero")));
+  if (is("list", "plan"))
+    command.add_option(
+        "--radius", words.radius,
+        help(Words::tr("Warn of walls that are closer, in metres; without it as the robot tells its shape")));
   if (is("import", "export", "plan"))
     command.add_option("--format", words.format,
                        help(Words::tr("csv or geojson, when the name of the file does not tell")));

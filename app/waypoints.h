@@ -27,6 +27,8 @@ struct WaypointsWords {
   bool yes = false;                             // delete: they may go
   std::string file, format, output;             // import, plan, apply; export: csv or geojson; export, plan
   bool force = false;                           // also over a file that is read, or on another robot
+  bool warnings = false;                        // list: what is doubtful about each
+  std::string radius;                           // list, plan: metres to a wall; empty = as the robot tells
   bool stop_at_failure = false, go_on = false;  // apply, import
 };
 

@@ -7,12 +7,13 @@
 
 #include "app/exit_code.h"
 #include "app/option_words.h"
-#include "app/waypoint_csv.h"
-#include "app/waypoint_json.h"
+#include "app/output_paths.h"
 #include "app/waypoint_list.h"
-#include "app/waypoint_plan.h"
 #include "app/waypoint_preview.h"
 #include "app/waypoint_sending.h"
+#include "exchange/waypoint_csv.h"
+#include "exchange/waypoint_json.h"
+#include "exchange/waypoint_plan.h"
 #include "geometry/pose.h"
 #include "words/qt_plain.h"
 
@@ -51,13 +52,13 @@ CommandResult<PlaceAt> placeAt(const std::string& words) {
 }
 
 CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::string& words) {
-  auto tags = tagsOf(words);
+  auto tags = exchange::tagsOf(words);
   if (tags) return std::move(*tags);
   return wrong(
       Words::tr("%1 %2: give tags like a,b (%3)").arg(QLatin1String(option), text(words), tags.error()));
 }
 
-using Edits = CommandResult<std::vector<WaypointEdit>>;
+using Edits = CommandResult<std::vector<exchange::WaypointEdit>>;
 
 /// What becomes of the chosen one.
 Edits editOf(const ListedWaypoints& list, const WaypointsWords& words,
@@ -66,18 +67,18 @@ Edits editOf(const ListedWaypoints& list, const WaypointsWords& words,
   if (!point) return tl::make_unexpected(point.error());
   map::Waypoint after = **point;
   change(after);
-  return std::vector<WaypointEdit>{{after.id, **point, after}};
+  return std::vector<exchange::WaypointEdit>{{after.id, **point, after}};
 }
 
-void printChanged(const SentWaypoints& sent, const std::vector<WaypointEdit>& edits,
+void printChanged(const SentWaypoints& sent, const std::vector<exchange::WaypointEdit>& edits,
                   const ListedWaypoints& list, const WaypointsWords& words) {
   QJsonArray rows;
-  for (const WaypointEdit& edit : edits) {
+  for (const exchange::WaypointEdit& edit : edits) {
     const auto kept = sent.kept.find(edit.key);
     const map::Waypoint& point = kept != sent.kept.end() ? kept->second
                                  : edit.after            ? *edit.after
                                                          : *edit.before;
-    rows << waypointJson(point, list.mapId());
+    rows << exchange::waypointJson(point, list.mapId());
     if (!words.json)
       std::printf("%s  %s\n", qUtf8Printable(words::plainName(point.id)),
                   qUtf8Printable(words::plainName(point.name)));
@@ -97,21 +98,26 @@ int change(const WaypointsWords& words, int& argc, char** argv,
     if (!list) return tl::make_unexpected(list.error());
     const Edits edits = editsOf(*list);
     if (!edits) return tl::make_unexpected(edits.error());
-    for (const WaypointEdit& edit : *edits) {
-      const QString why = edit.after ? whyNotKept(edit.before, *edit.after) : QString();
+    for (const exchange::WaypointEdit& edit : *edits) {
+      const QString why = edit.after ? exchange::whyNotKept(edit.before, *edit.after) : QString();
       if (!why.isEmpty()) return wrong(why);
     }
     if (words.dry_run) {
-      printPreview(*list, merged(*edits, itemsOf(list->stored.points)), words.json);
+      const exchange::MergedEdits together = exchange::merged(*edits, exchange::itemsOf(list->stored.points));
+      command.report(previewReport(*list, together));
+      if (!isStandardOutput(text(words.report))) printPreview(*list, together, words.json);
       return kDone;
     }
     const auto sent = sendWaypoints(*list, *edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
     if (!sent) return tl::make_unexpected(sent.error());
+    command.report(sentReport(*sent, list->mapId()));
+    const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
     if (sent->complete()) {
-      printChanged(*sent, *edits, *list, words);
+      if (!taken) printChanged(*sent, *edits, *list, words);
       return kDone;
     }
-    if (edits->size() > 1) words.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
+    if (edits->size() > 1 && !taken)
+      words.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
     const bool of_the_request = edits->size() == 1 && sent->conflicts.empty() && sent->steps.front().failure;
     return tl::make_unexpected(list->robot->failure(
         of_the_request ? list->failure(*sent->steps.front().failure).exit_code : sent->exitCode(),
@@ -139,7 +145,7 @@ int waypointsCreate(const WaypointsWords& words, int& argc, char** argv) {
         point.position_m = place->position_m;
         point.yaw_rad = place->yaw_rad;
         point.tags = *tags;
-        return std::vector<WaypointEdit>{{freshKey(), std::nullopt, point}};
+        return std::vector<exchange::WaypointEdit>{{exchange::freshKey(), std::nullopt, point}};
       });
 }
 
@@ -198,12 +204,13 @@ int waypointsDelete(const WaypointsWords& words, int& argc, char** argv) {
         kUsage, Words::tr("Waypoints that are deleted cannot be had back. Say --yes when they may go.")};
   };
   return change(words, argc, argv, check, [&](const ListedWaypoints& list) -> Edits {
-    std::vector<WaypointEdit> edits;
+    std::vector<exchange::WaypointEdit> edits;
     for (const std::string& word : words.which) {
       const auto point = chosen(list, word);
       if (!point) return tl::make_unexpected(point.error());
-      const bool is_new = std::none_of(edits.begin(), edits.end(),
-                                       [&](const WaypointEdit& edit) { return edit.key == (*point)->id; });
+      const bool is_new = std::none_of(edits.begin(), edits.end(), [&](const exchange::WaypointEdit& edit) {
+        return edit.key == (*point)->id;
+      });
       if (is_new) edits.push_back({(*point)->id, **point, std::nullopt});
     }
     return edits;

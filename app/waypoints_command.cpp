@@ -7,12 +7,13 @@
 #include "app/one_line.h"
 #include "app/output_paths.h"
 #include "app/table.h"
-#include "app/waypoint_csv.h"
 #include "app/waypoint_file.h"
-#include "app/waypoint_json.h"
 #include "app/waypoint_list.h"
-#include "app/waypoint_steps.h"
+#include "app/waypoint_warnings.h"
 #include "disk/written_file.h"
+#include "exchange/waypoint_csv.h"
+#include "exchange/waypoint_json.h"
+#include "exchange/waypoint_steps.h"
 #include "geometry/pose.h"
 #include "reasons/file_reason.h"
 #include "sentences/plural.h"
@@ -36,7 +37,7 @@ QStringList rowOf(const map::Waypoint& point) {
           metres(point.position_m.y()),
           point.yaw_rad ? QString::number(geometry::degreesFromRadians(*point.yaw_rad), 'f', 1)
                         : QStringLiteral("-"),
-          tagText(point),
+          exchange::tagText(point),
           words::plainName(point.name)};
 }
 
@@ -44,21 +45,38 @@ QStringList rowOf(const map::Waypoint& point) {
 
 int waypointsList(const WaypointsWords& words, int& argc, char** argv) {
   return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const auto radius_m = radiusFrom(words.radius);
+    if (!radius_m) return tl::make_unexpected(CommandFailure{kUsage, radius_m.error()});
     const auto list = listWaypoints(command, words, words.map, Use::Reading);
     if (!list) return tl::make_unexpected(list.error());
+    std::optional<DoubtfulWaypoints> doubtful;
+    if (words.warnings) doubtful = doubtsOf(*list, list->stored.points, *radius_m);
+    if (doubtful && !doubtful->untold.isEmpty()) list->robot->note(doubtful->untold);
+    // The list is there; what was asked for about it is not.
+    const int exit_code = doubtful && !doubtful->looked ? int(kIncomplete) : int(kDone);
     if (words.json) {
-      printJson(waypointsJson(list->stored.points, list->mapId()));
-      return kDone;
+      QJsonArray rows = exchange::waypointsJson(list->stored.points, list->mapId());
+      for (std::size_t i = 0; doubtful && i < doubtful->of.size(); ++i) {
+        QJsonObject row = rows[qsizetype(i)].toObject();
+        row[QStringLiteral("warnings")] = warningsJson(doubtful->of[i]);
+        rows[qsizetype(i)] = row;
+      }
+      printJson(rows);
+      return exit_code;
     }
     if (list->stored.points.empty()) {
       std::printf("%s\n", qUtf8Printable(Words::tr("There is no waypoint.")));
-      return kDone;
+      return exit_code;
     }
     std::vector<QStringList> table{{Words::tr("ID"), Words::tr("X (m)"), Words::tr("Y (m)"),
                                     Words::tr("YAW (°)"), Words::tr("TAGS"), Words::tr("NAME")}};
-    for (const map::Waypoint& point : list->stored.points) table.push_back(rowOf(point));
+    if (doubtful) table.front() << Words::tr("WARNINGS");
+    for (std::size_t i = 0; i < list->stored.points.size(); ++i) {
+      table.push_back(rowOf(list->stored.points[i]));
+      if (doubtful) table.back() << warningsLine(doubtful->of[i]);
+    }
     printTable(table);
-    return kDone;
+    return exit_code;
   });
 }
 
@@ -69,13 +87,13 @@ int waypointsGet(const WaypointsWords& words, int& argc, char** argv) {
     const auto point = chosen(*list, words.which.front());
     if (!point) return tl::make_unexpected(point.error());
     if (words.json) {
-      printJson(waypointJson(**point, list->mapId()));
+      printJson(exchange::waypointJson(**point, list->mapId()));
       return kDone;
     }
     std::vector<QStringList> table{{Words::tr("id"), words::plainName((*point)->id)},
                                    {Words::tr("name"), words::plainName((*point)->name)},
-                                   {Words::tr("place"), placeText(**point)},
-                                   {Words::tr("tags"), tagText(**point)}};
+                                   {Words::tr("place"), exchange::placeText(**point)},
+                                   {Words::tr("tags"), exchange::tagText(**point)}};
     if (!(*point)->type.empty()) table.push_back({Words::tr("type"), words::plainName((*point)->type)});
     table.push_back({Words::tr("map"), words::plainName(list->mapId())});
     printTable(table);
@@ -98,9 +116,10 @@ int waypointsExport(const WaypointsWords& words, int& argc, char** argv) {
     if (const auto why = overOwnSource({output}, waypointSources(words.robot, list->map));
         why && !words.force)
       return wrong(*why);
-    const std::string bytes = *kind == WaypointFileKind::Csv
-                                  ? waypointsCsv(list->stored.points, list->mapId())
-                                  : waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
+    const std::string bytes =
+        *kind == WaypointFileKind::Csv
+            ? exchange::waypointsCsv(list->stored.points, list->mapId())
+            : exchange::waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
     if (const auto trouble = disk::writeFile(words.output, bytes))
       return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
     if (!isStandardOutput(output) && !isStandardOutput(text(words.report))) {

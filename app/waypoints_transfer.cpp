@@ -8,11 +8,11 @@
 #include "app/output_paths.h"
 #include "app/waypoint_file.h"
 #include "app/waypoint_list.h"
-#include "app/waypoint_plan.h"
 #include "app/waypoint_preview.h"
 #include "app/waypoint_sending.h"
-#include "disk/read_file.h"
+#include "app/waypoint_warnings.h"
 #include "disk/written_file.h"
+#include "exchange/waypoint_plan.h"
 #include "reasons/file_reason.h"
 #include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
@@ -35,44 +35,67 @@ CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent
 }
 
 /// Sends the changes, or only shows them, and says what came of it.
-CommandResult<int> carryOut(const ListedWaypoints& list, const std::vector<WaypointEdit>& edits,
-                            const WaypointsWords& words) {
+CommandResult<int> carryOut(MapsCommand& command, const ListedWaypoints& list,
+                            const std::vector<exchange::WaypointEdit>& edits, const WaypointsWords& words) {
+  const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
   if (words.dry_run) {
-    const MergedEdits together = merged(edits, itemsOf(list.stored.points));
-    printPreview(list, together, words.json);
+    const exchange::MergedEdits together = exchange::merged(edits, exchange::itemsOf(list.stored.points));
+    command.report(previewReport(list, together));
+    if (!taken) printPreview(list, together, words.json);
     if (together.conflicts.empty()) return kDone;
     return notAll(list, SentWaypoints{{}, together.conflicts, {}, {}});
   }
   const auto sent = sendWaypoints(list, edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
   if (!sent) return tl::make_unexpected(sent.error());
-  words.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
-  if (!words.json && sent->steps.empty() && sent->conflicts.empty())
+  command.report(sentReport(*sent, list.mapId()));
+  if (!taken) words.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
+  if (!taken && !words.json && sent->steps.empty() && sent->conflicts.empty())
     std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));
   if (sent->complete()) return kDone;
   return notAll(list, *sent);
 }
 
 /// What the file asks for, of the waypoints as they are.
-CommandResult<std::vector<WaypointEdit>> wantedEdits(const ListedWaypoints& list, const WantedList& wanted,
-                                                     const WaypointsWords& words, Others others) {
+CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypoints& list,
+                                                               const exchange::WantedList& wanted,
+                                                               const WaypointsWords& words,
+                                                               exchange::Others others) {
   for (const QString& note : wanted.notes)
-    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(text(words.file), 200), note));
-  auto edits = editsFor(itemsOf(list.stored.points), wanted.points, others);
-  if (!edits) return wrong(QStringLiteral("%1: %2").arg(text(words.file), edits.error()));
+    list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(words.file), 200), note));
+  auto edits = exchange::editsFor(exchange::itemsOf(list.stored.points), wanted.points, others);
+  if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(words.file), edits.error()));
   return std::move(*edits);
+}
+
+/// What is doubtful about the list as the plan makes it; what cannot be told is said.
+DoubtsAhead doubtsAhead(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits,
+                        std::optional<double> radius_m) {
+  exchange::WaypointItems items = exchange::itemsOf(list.stored.points);
+  for (const exchange::WaypointEdit& edit : edits) {
+    edit.after ? void(items.insert_or_assign(edit.key, *edit.after)) : void(items.erase(edit.key));
+  }
+  std::vector<map::Waypoint> points;
+  for (auto& [key, point] : items) points.push_back(std::move(point));
+  const DoubtfulWaypoints doubtful = doubtsOf(list, points, radius_m);
+  if (!doubtful.untold.isEmpty()) list.robot->note(doubtful.untold);
+  DoubtsAhead ahead;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!doubtful.of[i].empty()) ahead.push_back({points[i].id, points[i].name, doubtful.of[i]});
+  }
+  return ahead;
 }
 
 }  // namespace
 
 int waypointsImport(const WaypointsWords& words, int& argc, char** argv) {
   return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    const WantedFile wanted = readWantedFile(words.file, words.format);
+    const exchange::WantedFile wanted = readWantedFile(words.file, words.format);
     if (!wanted) return wrong(wanted.error());
     const auto list = listWaypoints(command, words, words.map, Use::Changing);
     if (!list) return tl::make_unexpected(list.error());
-    const auto edits = wantedEdits(*list, *wanted, words, Others::Stay);
+    const auto edits = wantedEdits(*list, *wanted, words, exchange::Others::Stay);
     if (!edits) return tl::make_unexpected(edits.error());
-    return carryOut(*list, *edits, words);
+    return carryOut(command, *list, *edits, words);
   });
 }
 
@@ -82,41 +105,45 @@ int waypointsPlan(const WaypointsWords& words, int& argc, char** argv) {
     if (!output.isEmpty()) {
       if (const auto why = whyNotWritable(output)) return wrong(*why);
     }
+    const auto radius_m = radiusFrom(words.radius);
+    if (!radius_m) return wrong(radius_m.error());
     const QString printed = words.json ? QStringLiteral("-") : QString();
     if (const auto why = whyNotTogether({output, text(words.report), printed})) return wrong(*why);
-    const WantedFile wanted = readWantedFile(words.file, words.format);
+    const exchange::WantedFile wanted = readWantedFile(words.file, words.format);
     if (!wanted) return wrong(wanted.error());
     const auto list = listWaypoints(command, words, words.map, Use::Changing);
     if (!list) return tl::make_unexpected(list.error());
-    const auto edits = wantedEdits(*list, *wanted, words, Others::Go);
+    const auto edits = wantedEdits(*list, *wanted, words, exchange::Others::Go);
     if (!edits) return tl::make_unexpected(edits.error());
     if (!output.isEmpty()) {
       std::vector<std::string> sources = waypointSources(words.robot, list->map);
-      sources.push_back(words.file);
+      if (words.file != "-") sources.push_back(words.file);
       if (const auto why = overOwnSource({output}, sources); why && !words.force) return wrong(*why);
-      const WaypointPlan plan{list->robot->session().robot().address(), list->mapId(),
-                              itemsOf(list->stored.points), *edits};
-      const QByteArray bytes = planBytes(plan, callsOf(*list, *edits));
+      const exchange::WaypointPlan plan{list->robot->session().robot().address(), list->mapId(),
+                                        exchange::itemsOf(list->stored.points), *edits};
+      const QByteArray bytes = exchange::planBytes(plan, callsOf(*list, *edits));
       if (const auto trouble = disk::writeFile(words.output, bytes.toStdString()))
         return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
     }
     const bool taken = isStandardOutput(output) || isStandardOutput(text(words.report));
-    if (!taken) printPreview(*list, {*edits, {}}, words.json);
+    const DoubtsAhead doubts = doubtsAhead(*list, *edits, *radius_m);
+    command.report(previewReport(*list, {*edits, {}}, doubts));
+    if (!taken) printPreview(*list, {*edits, {}}, words.json, doubts);
     return kDone;
   });
 }
 
 int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
   return runWaypointsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
-    const QString file = text(words.file);
+    const QString file = inputCalled(words.file);
     // A plan holds its base, and what is to become of it.
-    constexpr std::size_t kMost = 4 * kMaxWantedBytes;
-    const auto bytes = disk::readFile(words.file, kMost + 1);
+    constexpr std::size_t kMost = 4 * exchange::kMaxWantedBytes;
+    const auto bytes = bytesOf(words.file, kMost);
     if (!bytes)
       return wrong(
           Words::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
     if (bytes->size() > kMost) return wrong(Words::tr("%1 is larger than 256 MiB.").arg(file));
-    const auto plan = planFromBytes(*bytes);
+    const auto plan = exchange::planFromBytes(*bytes);
     if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
     const auto list = listWaypoints(command, words, words.map.empty() ? plan->map : words.map, Use::Changing);
     if (!list) return tl::make_unexpected(list.error());
@@ -125,7 +152,8 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
       return wrong(
           Words::tr("%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
               .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
-    return carryOut(*list, withoutCreated(*plan, itemsOf(list->stored.points)), words);
+    return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),
+                    words);
   });
 }
 

@@ -12,11 +12,15 @@
 #include "app/robot_factory.h"
 #include "app/settings_file.h"
 #include "app/snapshot.h"
+#include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/files/picture_yamls.h"
+#include "robot/recorded/recorded_robot.h"
+#include "robot/second_server.h"
 #include "window/dialogs/trusted_certificates.h"
 #include "window/help/work_settings.h"
 #include "window/main_window.h"
+#include "window/replay/replay_state.h"
 #include "work/workers.h"
 
 namespace mapwright::app {
@@ -49,11 +53,18 @@ int showWindow(const QString& address, const RobotAccess& known) {
       [&](const QString& to, const QByteArray& typed_secret) {
         Access access = known.forAddress(to);
         if (!typed_secret.isEmpty()) access.secret = typed_secret;
-        if (const auto parsed = addresses.parse(to)) {
-          access.trust.pinned_sha256 =
-              net::fingerprintFrom(window::TrustedCertificates(*settings).of(robot::hostOf(*parsed)));
-        }
-        return makeRobot(to, access, DemoTime::Running);
+        const window::TrustedCertificates trusted(*settings);
+        const auto parsed = addresses.parse(to);
+        if (parsed) access.trust.pinned_sha256 = net::fingerprintFrom(trusted.of(robot::hostOf(*parsed)));
+        auto made = makeRobot(to, access, DemoTime::Running);
+        robot::SecondServer* const second = made ? robot::secondServerOf(**made) : nullptr;
+        const QString beside = second ? trusted.of(second->hostBeside()) : QString();
+        if (!beside.isEmpty()) second->trustBeside(beside);
+        // A recording is looked at by playing it.
+        if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
+          *made = std::make_unique<replay::ReplayRobot>(
+              std::move(*made), robot::recorded::bagNameOf(parsed->path), window::followedReading());
+        return made;
       },
       *settings, address};
   wanted.session = sessionOptions();

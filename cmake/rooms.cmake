@@ -71,6 +71,33 @@ function(rooms_within_reach result)
   set(${result} ${reached} PARENT_SCOPE)
 endfunction()
 
+# A test's class stands in its source, which includes what moc says of it. AUTOMOC would look through every header
+# that the test reaches and compile one more file: a third of the time that all tests take to build.
+function(moc_of_tests target)
+  set_target_properties(${target} PROPERTIES AUTOMOC OFF AUTORCC OFF)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc)
+  foreach(source ${ARGN})
+    get_filename_component(noun ${source} NAME_WE)
+    if(source MATCHES "\\.cpp$" AND noun MATCHES "^test_")
+      get_filename_component(path ${source} ABSOLUTE)
+      qt6_generate_moc(${path} ${folder}/${noun}.moc)
+      set_source_files_properties(${path} PROPERTIES OBJECT_DEPENDS ${folder}/${noun}.moc)
+      target_include_directories(${target} PRIVATE ${folder})
+    endif()
+  endforeach()
+endfunction()
+
+# Tests are many and each is linked for itself: lld takes a fifth of the time that the usual linker takes, gold a
+# quarter. The product is linked by the usual one.
+include(CheckLinkerFlag)
+foreach(linker lld gold)
+  check_linker_flag(CXX -fuse-ld=${linker} MAPWRIGHT_HAS_${linker})
+  if(MAPWRIGHT_HAS_${linker})
+    set(MAPWRIGHT_TEST_LINKER -fuse-ld=${linker})
+    break()
+  endif()
+endforeach()
+
 # A Qt Test program that runs offscreen under ctest: mapwright_test(name SOURCES ... USES ... [LIBRARIES ...])
 # It sees the rooms that it USES and those that they see.
 function(mapwright_test name)
@@ -82,12 +109,14 @@ function(mapwright_test name)
   endforeach()
   target_link_libraries(test_${name} PRIVATE mw_warnings ${PRELUDE_LIBRARIES_test} ${TEST_LIBRARIES})
   target_compile_options(test_${name} PRIVATE ${MAPWRIGHT_TEST_OPTIONS})
+  target_link_options(test_${name} PRIVATE ${MAPWRIGHT_TEST_LINKER})
   take_prelude(test_${name} test)
+  moc_of_tests(test_${name} ${TEST_SOURCES})
   target_compile_definitions(test_${name} PRIVATE
     MAPWRIGHT_TEST_DATA="${CMAKE_BINARY_DIR}/test-data")
   add_dependencies(test_${name} test_data)
   add_test(NAME ${name} COMMAND test_${name})
   set_tests_properties(${name} PROPERTIES
     TIMEOUT 600
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;TZ=UTC;XDG_CONFIG_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/config;XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/cache;XDG_DATA_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/data")
+    ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/leaks.supp:print_suppressions=0;QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;TZ=UTC;XDG_CONFIG_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/config;XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/cache;XDG_DATA_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/data")
 endfunction()

@@ -1,11 +1,17 @@
-// Editing a whole map: a step of a stroke, filling all of it, undoing that, tidying up. The fill's baseline
-// is OpenCV's on one picture in memory, which has no levels of detail and cannot be undone.
+// Editing a whole map: a step of a stroke, filling all of it, undoing that, tidying up, and all that in the
+// window. The fill's baseline is OpenCV's on one picture in memory, which has no levels of detail and cannot
+// be undone.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QTemporaryDir>
 #include <benchmark/benchmark.h>
 #include <opencv2/imgproc.hpp>
 
@@ -13,6 +19,14 @@
 #include "picture/fill.h"
 #include "picture/merge.h"
 #include "picture/tidy.h"
+#include "robot/files/file_address.h"
+#include "robot/files/file_robot.h"
+#include "scene/map_scene.h"
+#include "window/main_window.h"
+#include "window/map/map_view.h"
+#include "window/map/tool_choice.h"
+#include "window/picture/picture_controller.h"
+#include "window/picture/picture_tool.h"
 
 namespace {
 
@@ -172,6 +186,205 @@ BENCHMARK(pictureSpecks)
     ->ArgName("map")
     ->Arg(4'000)
     ->Arg(12'000)
+    ->Unit(benchmark::kMillisecond);
+
+// The window itself, on a map in a file.
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point from) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+}
+
+template <typename Done>
+bool waitFor(Done done) {
+  QElapsedTimer patience;
+  patience.start();
+  while (!done() && patience.elapsed() < 120'000)
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
+  return done();
+}
+
+/// How long the thread that draws the window was away at most, between two turns of its loop.
+template <typename Done>
+double longestTurnUntil(Done done) {
+  double longest = 0;
+  QElapsedTimer patience;
+  patience.start();
+  while (!done() && patience.elapsed() < 120'000) {
+    const auto from = Clock::now();
+    QCoreApplication::processEvents();
+    longest = std::max(longest, msSince(from));
+  }
+  return longest;
+}
+
+class Desk {
+ public:
+  explicit Desk(int edge)
+      : edge_(edge), settings_(folder_.filePath(QStringLiteral("s.ini")), QSettings::IniFormat) {
+    QFile pgm(folder_.filePath(QStringLiteral("hall.pgm")));
+    (void)pgm.open(QIODevice::WriteOnly);
+    const QByteArray size = QByteArray::number(edge);
+    pgm.write("P5\n" + size + ' ' + size + "\n255\n");
+    QByteArray row(edge, char(254));
+    for (int y = 0; y < edge; ++y) {
+      for (int x = 0; x < edge; ++x) {
+        const std::uint8_t cell = cellAt(x, y);
+        row[x] = char(cell == kFree ? 254 : cell == kOccupied ? 0 : 205);
+      }
+      pgm.write(row);
+    }
+    QFile yaml(folder_.filePath(QStringLiteral("hall.yaml")));
+    (void)yaml.open(QIODevice::WriteOnly);
+    yaml.write(
+        "image: hall.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
+        "free_thresh: 0.196\n");
+  }
+
+  /// Until it can be edited; milliseconds.
+  double open() {
+    window_.reset();
+    window::MainWindow::Dependencies wanted{
+        [](const QString& address,
+           const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          robot::files::FileOptions options;
+          options.path = address.mid(int(qstrlen("file:")));
+          return std::make_unique<robot::files::FileRobot>(address, options);
+        },
+        settings_};
+    wanted.addresses = robot::Addresses({robot::files::addressScheme()});
+    window_ = std::make_unique<window::MainWindow>(std::move(wanted));
+    window_->resize(1366, 768);
+    window_->show();
+    window_->view()->setAnimationMs(0);
+    QCoreApplication::processEvents();
+    const auto from = Clock::now();
+    (void)window_->connectTo(QStringLiteral("file:") + folder_.filePath(QStringLiteral("hall.yaml")));
+    (void)waitFor([this] { return editing().isOpen(); });
+    return msSince(from);
+  }
+  /// The tool is in the hand, `cells` cells a pixel in the middle of the map.
+  void begin(double cells, int across) {
+    QMetaObject::invokeMethod(window_->actionList().find(QLatin1String("pictureTool")), "trigger");
+    editing().setAcross(across);
+    geometry::ViewTransform camera = window_->mapScene()->view();
+    camera.center_m = {edge_ * 0.025, edge_ * 0.025};
+    camera.scale_m_per_px = 0.05 * cells;
+    window_->view()->moveTo(camera, false);
+    (void)waitFor([this] { return settled(); });
+  }
+  window::PictureEditing& editing() { return *window_->pictureEditor()->editing(); }
+  bool settled() { return window_->mapScene()->settled(); }
+  QWidget* map() { return window_->view()->viewport(); }
+  void mouse(QEvent::Type type, const QPointF& at) {
+    const bool moves = type == QEvent::MouseMove;
+    QMouseEvent event(type, at, map()->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
+                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+    QCoreApplication::sendEvent(map(), &event);
+  }
+
+ private:
+  int edge_;
+  QTemporaryDir folder_;
+  QSettings settings_;
+  std::unique_ptr<window::MainWindow> window_;
+};
+
+Desk& desk(int edge) {
+  static std::unique_ptr<Desk> made;
+  static int made_edge = 0;
+  if (!made || std::exchange(made_edge, edge) != edge) made = std::make_unique<Desk>(edge);
+  return *made;
+}
+
+void report(benchmark::State& state, const char* name, std::vector<double> ms) {
+  std::sort(ms.begin(), ms.end());
+  state.counters[std::string(name) + "_p50_ms"] = ms[ms.size() / 2];
+  state.counters[std::string(name) + "_p99_ms"] = ms[ms.size() * 99 / 100];
+}
+
+void windowOpens(benchmark::State& state) {
+  for (auto _ : state) state.SetIterationTime(desk(int(state.range(0))).open() / 1000);
+}
+BENCHMARK(windowOpens)
+    ->Name("PictureWindowOpens")
+    ->ArgName("map")
+    ->Arg(12'000)
+    ->Iterations(3)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// A stroke by hand: from the movement of the mouse to the frame, and to the frame that has all of it.
+void windowStroke(benchmark::State& state) {
+  constexpr int kMoves = 300;
+  Desk& at = desk(int(state.range(0)));
+  at.open();
+  at.begin(double(state.range(2)), int(state.range(1)));
+  std::vector<double> frame, shown;
+  for (auto _ : state) {
+    const QPointF middle = QPointF(at.map()->rect().center());
+    at.mouse(QEvent::MouseButtonPress, middle);
+    for (int i = 0; i < kMoves; ++i) {
+      const double angle = 2 * M_PI * i / 100, far = 80.0 + i / 3.0;
+      const auto from = Clock::now();
+      at.mouse(QEvent::MouseMove, middle + QPointF(std::cos(angle), std::sin(angle)) * far);
+      QCoreApplication::processEvents();
+      at.map()->repaint();
+      frame.push_back(msSince(from));
+      (void)waitFor([&] { return at.settled(); });
+      at.map()->repaint();
+      shown.push_back(msSince(from));
+    }
+    at.mouse(QEvent::MouseButtonRelease, middle);
+  }
+  report(state, "frame", frame);
+  report(state, "shown", shown);
+}
+BENCHMARK(windowStroke)
+    ->Name("PictureWindowStroke")
+    ->ArgNames({"map", "brush", "cells_a_pixel"})
+    ->Args({12'000, 9, 1})
+    ->Args({12'000, 101, 1})
+    ->Args({12'000, 101, 10})
+    ->Args({12'000, 1'000, 10})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+/// Filling and tidying up: how long until it is there, and how long the window stood still at most.
+void windowLongWork(benchmark::State& state) {
+  Desk& at = desk(int(state.range(0)));
+  at.open();
+  at.begin(10, 9);
+  double still = 0, undo = 0;
+  const double pixel_m = 0.05;
+  for (auto _ : state) {
+    const auto from = Clock::now();
+    if (state.range(1) == 0) {
+      at.editing().setKind(at.editing().kind() == Kind::Unknown ? Kind::Free : Kind::Unknown);
+      at.editing().fill({5 * pixel_m, 5 * pixel_m});
+    } else {
+      at.editing().lookFor(window::Tidying::Specks, 4);
+    }
+    still = std::max(still, msSince(from));
+    still = std::max(still,
+                     longestTurnUntil([&] { return !at.editing().reckoning() && !at.editing().looking(); }));
+    state.SetIterationTime(msSince(from) / 1000);
+    const auto undone = Clock::now();
+    at.editing().dropPreview();
+    at.editing().undoStack().undo();
+    undo = std::max(undo, msSince(undone));
+  }
+  state.counters["window_stood_ms"] = still;
+  state.counters["undo_ms"] = undo;
+}
+BENCHMARK(windowLongWork)
+    ->Name("PictureWindowFill0Specks1")
+    ->ArgNames({"map", "what"})
+    ->Args({12'000, 0})
+    ->Args({12'000, 1})
+    ->Iterations(2)
+    ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

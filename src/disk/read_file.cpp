@@ -50,6 +50,23 @@ tl::expected<std::string, Fault> readFile(const std::string& path, std::size_t m
   return bytes;
 }
 
+tl::expected<std::string, Fault> readStandardInput(std::size_t most) {
+  constexpr std::size_t kPiece = std::size_t(1) << 16;
+  std::string bytes;
+  ssize_t got = 1;
+  while (got > 0 && bytes.size() < most) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + std::min(kPiece, most - before));
+    do {
+      got = ::read(STDIN_FILENO, bytes.data() + before, bytes.size() - before);
+    } while (got < 0 && errno == EINTR);
+    const int why = errno;
+    bytes.resize(before + std::size_t(std::max<ssize_t>(got, 0)));
+    if (got < 0) return tl::make_unexpected(systemFault("-", why));
+  }
+  return bytes;
+}
+
 bool sameFile(const std::string& one, const std::string& other) {
   struct stat a {
   }, b{};

@@ -17,6 +17,9 @@ int openToRead(const std::string& path);
 /// Its first `most` bytes, or why it cannot be read.
 tl::expected<std::string, Fault> readFile(const std::string& path, std::size_t most);
 
+/// What comes by the standard input until its end, at most `most` bytes. Waits for whoever writes into it.
+tl::expected<std::string, Fault> readStandardInput(std::size_t most);
+
 /// Both are there and are one and the same file, whatever links lead to it.
 bool sameFile(const std::string& one, const std::string& other);
 

@@ -51,7 +51,9 @@ class Document : public DocumentEvents {
     unsaved_.clear();
     sent_.clear();
     conflicts_.clear();
+    in_doubt_.clear();
     their_ids_.clear();
+    our_ids_.clear();
     Q_EMIT changed({{}, {}, {}, true});
   }
 
@@ -59,6 +61,11 @@ class Document : public DocumentEvents {
   const Item* find(const Key& key) const {
     const auto found = items_.find(key);
     return found == items_.end() ? nullptr : &found->second;
+  }
+  /// As it is kept, as far as is known; null = it is not there.
+  const Item* findKept(const Key& key) const {
+    const auto found = base_.find(key);
+    return found == base_.end() ? nullptr : &found->second;
   }
   QUndoStack& undoStack() { return stack_; }
 
@@ -181,14 +188,16 @@ class Document : public DocumentEvents {
   }
   /// Where they are kept, the item of `key` is called `id`.
   void nameTheirs(const Key& key, const Key& id) {
-    if (key != id) their_ids_[id] = key;
+    if (key == id) return;
+    their_ids_[id] = key;
+    our_ids_[key] = id;
   }
+  /// It was sent, and neither an answer nor a look has told yet whether it has arrived.
+  bool inDoubt(const Key& key) const { return in_doubt_.contains(key); }
   /// What it is called there, and the reverse.
   Key theirName(const Key& key) const {
-    for (const auto& [id, ours] : their_ids_) {
-      if (ours == key) return id;
-    }
-    return key;
+    const auto known = our_ids_.find(key);
+    return known == our_ids_.end() ? key : known->second;
   }
   Key ourName(const Key& id) const {
     const auto known = their_ids_.find(id);
@@ -230,10 +239,11 @@ class Document : public DocumentEvents {
     bool mergeWith(const QUndoCommand* other) override {
       const auto& next = static_cast<const Command&>(*other);
       if (next.gesture_ != gesture_) return false;
+      std::unordered_map<Key, std::size_t> at;
+      for (std::size_t i = 0; i < changes_.size(); ++i) at.emplace(changes_[i].key, i);
       for (const Change<Item>& change : next.changes_) {
-        const auto known = std::find_if(changes_.begin(), changes_.end(),
-                                        [&](const auto& mine) { return mine.key == change.key; });
-        known == changes_.end() ? changes_.push_back(change) : void(known->after = change.after);
+        const auto known = at.find(change.key);
+        known == at.end() ? changes_.push_back(change) : void(changes_[known->second].after = change.after);
       }
       std::erase_if(changes_, [](const auto& one) { return same(one.before, one.after); });
       setObsolete(changes_.empty());
@@ -257,15 +267,20 @@ class Document : public DocumentEvents {
 
   enum class Became { Nothing, Added, Changed, Removed };
   Became set(const Key& key, std::optional<Item> item) {
-    const std::optional<Item> before = mine(key);
-    put(items_, key, item);
+    // Thousands at once pass here: nothing is copied that need not be.
+    const auto before = items_.find(key);
+    const bool was_there = before != items_.end(), is_there = item.has_value();
     const bool was_unsaved = unsaved_.contains(key);
-    refreshState(key);
-    if (before && item) {
-      const bool looks_the_same = same(before, item) && was_unsaved == unsaved_.contains(key);
-      return looks_the_same ? Became::Nothing : Became::Changed;
+    const bool same_value = was_there && is_there && difference(before->second, *item) == 0;
+    if (is_there) {
+      was_there ? void(before->second = std::move(*item)) : void(items_.emplace(key, std::move(*item)));
+    } else if (was_there) {
+      items_.erase(before);
     }
-    return item ? Became::Added : before ? Became::Removed : Became::Nothing;
+    refreshState(key);
+    if (was_there && is_there)
+      return same_value && was_unsaved == unsaved_.contains(key) ? Became::Nothing : Became::Changed;
+    return is_there ? Became::Added : was_there ? Became::Removed : Became::Nothing;
   }
   static void note(DocumentChange& told, const Key& key, Became became) {
     if (became == Became::Added) told.added.push_back(key);
@@ -273,7 +288,9 @@ class Document : public DocumentEvents {
     if (became == Became::Removed) told.removed.push_back(key);
   }
   void refreshState(const Key& key) {
-    same(valueOf(base_, key), mine(key)) ? void(unsaved_.erase(key)) : void(unsaved_.insert(key));
+    const Item *const kept = findKept(key), *const here = find(key);
+    const bool alike = !kept == !here && (!kept || difference(*kept, *here) == 0);
+    alike ? void(unsaved_.erase(key)) : void(unsaved_.insert(key));
   }
   void tell(DocumentChange told) { Q_EMIT changed(told); }
 
@@ -281,13 +298,16 @@ class Document : public DocumentEvents {
   /// stays.
   void exchange(const std::vector<Change<Item>>& changes, bool forth) {
     DocumentChange told;
+    told.fields = 0;
     for (const Change<Item>& change : changes) {
       const std::optional<Item>&from = forth ? change.before : change.after,
             &into = forth ? change.after : change.before;
       std::optional<Item> now = mine(change.key);
       if (from && into) {
         if (!now) continue;  // it is gone: there is nothing to change back
-        assign(*now, *into, difference(*from, *into));
+        const FieldMask fields = difference(*from, *into);
+        told.fields |= fields;
+        assign(*now, *into, fields);
       } else {
         now = into;
       }
@@ -300,6 +320,7 @@ class Document : public DocumentEvents {
         } else {
           put(base_, change.key, conflict->second.theirs);
           conflicts_.erase(conflict);
+          told.fields = ~FieldMask(0);
           note(told, change.key, set(change.key, std::move(merged.item)));
         }
       }
@@ -317,7 +338,7 @@ class Document : public DocumentEvents {
         if (base_.contains(id) || items_.contains(id) || their_ids_.contains(id) ||
             difference(theirs, *item) != 0)
           continue;
-        their_ids_[id] = key;
+        nameTheirs(key, id);
         break;
       }
     }
@@ -334,7 +355,8 @@ class Document : public DocumentEvents {
   std::set<Key> unsaved_;
   std::map<Key, std::optional<Item>> sent_, in_doubt_;
   std::map<Key, Conflict<Item>> conflicts_;
-  std::unordered_map<Key, Key> their_ids_;  // ours by theirs, where they differ
+  // Ours by theirs, where they differ, and the reverse.
+  std::unordered_map<Key, Key> their_ids_, our_ids_;
   QUndoStack stack_;
 };
 

@@ -1,6 +1,7 @@
 // What a document tells, whatever its items are.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace mapwright::edit {
 struct DocumentChange {
   std::vector<std::string> added, changed, removed;
   bool everything = false;  // look at all of it anew; the lists are empty
+  /// Of `changed`: the fields that may be others now, one bit each as in Fields<Item>::all. How they stand
+  /// may be another thing in any case.
+  std::uint32_t fields = ~std::uint32_t(0);
 };
 
 class DocumentEvents : public QObject {

@@ -65,12 +65,16 @@ void OpenWaypoints::noteSubmission() {
                          failure->kind == map::FailureKind::Conflict;
   if (overtaken && ++conflicts_met_ <= kMostOvertaken) {
     // Somebody was quicker, and nothing was applied: looked at again, it may well go together.
-    QMetaObject::invokeMethod(this, &OpenWaypoints::save, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &OpenWaypoints::startSaving, Qt::QueuedConnection);
   } else if (!saving()) {
     conflicts_met_ = 0;
   }
   Q_EMIT changed();
   if (submission_.phase() == SubmissionPhase::Done) Q_EMIT saved();
+  // Cancelled between two requests: what became of those before has not been looked at.
+  if (submission_.phase() == SubmissionPhase::Stopped && failure &&
+      failure->kind == map::FailureKind::Cancelled && way_.look_after_failure && !looked_)
+    read();
   if (!saving() && std::exchange(read_again_, false)) read();
 }
 
@@ -100,6 +104,9 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
   failure_.reset();
   phase_ = Phase::Ready;
   notes_ = stored.notes;
+  zero_turns_ = stored.zero_turns;
+  revision_ = stored.revision;
+  looked_ = true;
   if (std::exchange(has_read_, true)) {
     const bool gone = !stored.there && !document_.kept().empty();
     if (!gone) return document_.take(itemsOf(stored));
@@ -111,8 +118,58 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
   }
 }
 
-void OpenWaypoints::save() {
-  if (store_ && phase_ == Phase::Ready) submission_.start();
+std::set<Key> OpenWaypoints::zeroTurns() const {
+  std::set<Key> keys;
+  for (const std::string& id : zero_turns_) keys.insert(document_.ourName(id));
+  return keys;
+}
+
+void OpenWaypoints::save(AtFailure at_failure) {
+  if (saving()) return;
+  reviewed_.reset();
+  way_ = {at_failure, false};
+  startSaving();
+}
+
+void OpenWaypoints::send(const std::vector<PlannedRequest>& reviewed, AtFailure at_failure) {
+  if (saving()) return;
+  reviewed_.emplace();
+  for (const PlannedRequest& one : reviewed) reviewed_->push_back(one.call);
+  way_ = {at_failure, true};
+  startSaving();
+}
+
+void OpenWaypoints::startSaving() {
+  if (store_ && phase_ == Phase::Ready) submission_.start(way_);
+}
+
+std::vector<PlannedRequest> OpenWaypoints::planned() const {
+  std::vector<PlannedRequest> planned;
+  if (!store_ || phase_ != Phase::Ready) return planned;
+  robot::StoredWaypoints now;
+  now.revision = revision_;
+  for (auto& [key, point] : document_.kept()) {
+    now.points.push_back(point);
+    now.points.back().id = document_.theirName(key);
+  }
+  for (robot::WaypointRequest& request : store_->plan(now, wireChanges(document_.changes()))) {
+    robot::WaypointCall call = store_->callOf(map_, request);
+    planned.push_back({std::move(request), std::move(call)});
+  }
+  return planned;
+}
+
+robot::WaypointCall OpenWaypoints::callOf(const robot::WaypointRequest& request) const {
+  return store_ ? store_->callOf(map_, request) : robot::WaypointCall{};
+}
+
+bool OpenWaypoints::areReviewed(const std::vector<robot::WaypointRequest>& requests) const {
+  if (!reviewed_) return true;
+  return std::equal(requests.begin(), requests.end(), reviewed_->begin(), reviewed_->end(),
+                    [this](const robot::WaypointRequest& request, const robot::WaypointCall& reviewed) {
+                      const robot::WaypointCall call = callOf(request);
+                      return call.service == reviewed.service && call.arguments == reviewed.arguments;
+                    });
 }
 
 void OpenWaypoints::robotGone() {
@@ -135,9 +192,22 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
       [this](const robot::StoredWaypoints& stored) -> std::optional<std::vector<robot::WaypointRequest>> {
     take(stored);
     if (!document_.conflicts().empty()) return std::nullopt;
-    return store_->plan(stored, wireChanges(document_.changes()));
+    auto requests = store_->plan(stored, wireChanges(document_.changes()));
+    return areReviewed(requests) ? std::optional(std::move(requests)) : std::nullopt;
+  };
+  hears.needs = [](const robot::WaypointRequest& later, const robot::WaypointRequest& failed) {
+    // The same waypoint, or the name that it has not let go of.
+    return std::any_of(later.changes.begin(), later.changes.end(), [&](const robot::WaypointChange& one) {
+      return std::any_of(failed.changes.begin(), failed.changes.end(),
+                         [&](const robot::WaypointChange& other) {
+                           return one.id == other.id ||
+                                  (one.after && other.before && one.after->name == other.before->name &&
+                                   (!one.before || one.before->name != one.after->name));
+                         });
+    });
   };
   hears.sending = [this](const robot::WaypointRequest& request) {
+    looked_ = false;
     document_.markSent(ownChanges(request.changes));
   };
   hears.done = [this](const robot::WaypointRequest& request, const robot::WaypointReceipt& receipt) {

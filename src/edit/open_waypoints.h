@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <QDateTime>
@@ -22,6 +23,12 @@ namespace mapwright::edit {
 
 using WaypointSubmission = Submission<robot::StoredWaypoints, robot::WaypointRequest, robot::WaypointReceipt>;
 using WaypointDraft = Draft<map::Waypoint>;
+
+/// A request that saving would send, as the store takes it and as people read it.
+struct PlannedRequest {
+  robot::WaypointRequest request;
+  robot::WaypointCall call;
+};
 
 struct EditOptions {
   QString drafts_folder = {};  // empty = no drafts are kept
@@ -46,6 +53,8 @@ class OpenWaypoints : public QObject {
   /// Why they could not be read the last time; nullopt when they could.
   const std::optional<map::Failure>& failure() const { return failure_; }
   const std::vector<map::Reason>& notes() const { return notes_; }  // what is odd about them
+  /// Those that are kept with a quaternion of zero; one that has been turned here since has another yaw.
+  std::set<Key> zeroTurns() const;
   WaypointDocument& document() { return document_; }
   const WaypointDocument& document() const { return document_; }
   bool unsaved() const { return !document_.unsaved().empty(); }
@@ -53,7 +62,17 @@ class OpenWaypoints : public QObject {
   void read();
   /// Sends what is not saved. Ends in saved(), or in submission().phase() Undecided or Stopped; then it is
   /// gone on with by save() again.
-  void save();
+  void save(AtFailure at_failure = AtFailure::Stop);
+  /// What save() would send of what was read last, in that order. Asks nobody.
+  std::vector<PlannedRequest> planned() const;
+  /// As people read it; empty without a robot.
+  robot::WaypointCall callOf(const robot::WaypointRequest& request) const;
+  /// Sends these calls and no others, and looks at the end what has become of them, however it ends. When
+  /// they would not be the right ones any more (somebody else was there) nothing is sent: Undecided, without
+  /// a conflict; planned() says what it takes now.
+  void send(const std::vector<PlannedRequest>& reviewed, AtFailure at_failure);
+  /// What became of all that has been sent has been read since.
+  bool looked() const { return looked_; }
   bool saving() const { return submission_.running(); }
   /// There is something to be saved, it is not under way, and no conflict waits to be decided.
   bool maySave() const { return unsaved() && !saving() && document_.conflicts().empty(); }
@@ -84,6 +103,8 @@ class OpenWaypoints : public QObject {
 
  private:
   void take(const robot::StoredWaypoints& stored);
+  bool areReviewed(const std::vector<robot::WaypointRequest>& requests) const;
+  void startSaving();
   WaypointSubmission::Store storeOf();
   WaypointSubmission::Listener listener();
   std::vector<robot::WaypointChange> wireChanges(const std::vector<Change<map::Waypoint>>& changes) const;
@@ -102,6 +123,11 @@ class OpenWaypoints : public QObject {
   std::vector<map::Reason> notes_;
   bool has_read_ = false, reading_ = false, read_again_ = false;
   int conflicts_met_ = 0;  // in a row, while saving
+  bool looked_ = true;
+  std::set<std::string> zero_turns_;                          // their ids
+  std::string revision_;                                      // of what was read last
+  std::optional<std::vector<robot::WaypointCall>> reviewed_;  // nullopt = all that it takes
+  WaypointSubmission::Way way_;
   WaypointDocument document_;
   WaypointSubmission submission_;
   std::vector<WaypointDraft> offered_;

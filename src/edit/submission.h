@@ -25,6 +25,28 @@ enum class SubmissionPhase {
   Stopped,       // half-way or before: see failure()
 };
 
+/// What becomes of the requests behind one that failed.
+enum class AtFailure {
+  Stop,  // nothing more is sent
+  GoOn,  // those that do not need it are, unless the link is what failed
+};
+
+/// It says something about one request, and nothing about the next.
+inline bool concernsOneRequest(const map::Failure& failure) {
+  switch (failure.kind) {
+    case map::FailureKind::Unreachable:
+    case map::FailureKind::TimedOut:
+    case map::FailureKind::Refused:
+    case map::FailureKind::NotARobot:
+    case map::FailureKind::Certificate:
+    case map::FailureKind::Cancelled:
+    case map::FailureKind::Conflict:
+      return false;
+    default:
+      return true;
+  }
+}
+
 /// How one request stands.
 template <typename Request>
 struct SubmittedRequest {
@@ -57,6 +79,12 @@ class Submission : public SubmissionEvents {
     /// A request ended without being known to be applied.
     std::function<void(const Request&, const map::Failure&)> failed;
     std::function<void(const Stored&)> looked;  // afterwards
+    /// `later` makes no sense when `failed` has not been carried out. Empty = none needs another.
+    std::function<bool(const Request& later, const Request& failed)> needs = {};
+  };
+  struct Way {
+    AtFailure at_failure = AtFailure::Stop;
+    bool look_after_failure = false;  // what became of it, before it is Stopped
   };
 
   Submission(Store store, Listener listener, QObject* parent = nullptr)
@@ -82,10 +110,13 @@ class Submission : public SubmissionEvents {
 
   /// Begins, or goes on after it stopped or was decided: looks how it is kept now, so that nothing whose
   /// answer was lost is asked for twice, plans anew, and sends.
-  void start() {
+  void start(Way way = {}) {
     if (running()) return;
+    if (phase_ == SubmissionPhase::Done) rows_.clear();
     std::erase_if(rows_, [](const Row& row) { return row.state != Row::State::Done; });
+    way_ = way;
     failure_.reset();
+    met_.reset();
     enter(SubmissionPhase::Looking);
     call_ = store_.read(inThisRound<Stored>([this](robot::Outcome<Stored> stored) {
       if (!stored) return stop(stored.error());
@@ -101,7 +132,8 @@ class Submission : public SubmissionEvents {
   /// Nothing more is sent; what is under way is ended early where that is possible. It is Stopped when that
   /// has been answered.
   void cancel() {
-    if (!running() || phase_ == SubmissionPhase::LookingAgain) return;
+    // When all is sent there is nothing to be cancelled but a look that would not end.
+    if (!running() || (phase_ == SubmissionPhase::LookingAgain && !met_)) return;
     cancelled_ = true;
     call_.cancel();
   }
@@ -115,7 +147,7 @@ class Submission : public SubmissionEvents {
       row.failure = map::Failure{map::FailureKind::Unreachable, {}, map::Applied::Maybe};
       listener_.failed(row.request, *row.failure);
     }
-    stop(map::Failure{map::FailureKind::Unreachable});
+    stop(met_.value_or(map::Failure{map::FailureKind::Unreachable}));
   }
 
  private:
@@ -127,10 +159,27 @@ class Submission : public SubmissionEvents {
   }
   void stop(map::Failure failure) {
     failure_ = std::move(failure);
-    for (Row& row : rows_) {
-      if (row.state == Row::State::Waiting) row.state = Row::State::NotSent;
-    }
+    leaveOut([](const Request&) { return true; });
     enter(SubmissionPhase::Stopped);
+  }
+  template <typename Which>
+  void leaveOut(Which which) {
+    for (Row& row : rows_) {
+      if (row.state == Row::State::Waiting && which(row.request)) row.state = Row::State::NotSent;
+    }
+  }
+  /// A request has failed.
+  void goOnAfter(const Row& row) {
+    const map::Failure failure = *row.failure;
+    if (!met_) met_ = failure;
+    if (way_.at_failure == AtFailure::GoOn && !cancelled_ && concernsOneRequest(failure)) {
+      leaveOut([&](const Request& later) { return listener_.needs && listener_.needs(later, row.request); });
+      Q_EMIT changed();
+      return sendNext();
+    }
+    if (!way_.look_after_failure || failure.kind == map::FailureKind::Conflict) return stop(failure);
+    leaveOut([](const Request&) { return true; });
+    lookAgain();
   }
   /// Answers that come when nobody waits for them any more are dropped.
   template <typename T, typename Then>
@@ -143,7 +192,7 @@ class Submission : public SubmissionEvents {
   void sendNext() {
     std::size_t next = 0;
     while (next < rows_.size() && rows_[next].state != Row::State::Waiting) ++next;
-    if (next == rows_.size()) return lookAgain();
+    if (next == rows_.size()) return met_ && !way_.look_after_failure ? stop(*met_) : lookAgain();
     if (cancelled_) return stop(cancelled());
     rows_[next].state = Row::State::UnderWay;
     listener_.sending(rows_[next].request);
@@ -159,16 +208,17 @@ class Submission : public SubmissionEvents {
                              row.state = Row::State::Failed;
                              row.failure = receipt.error();
                              listener_.failed(row.request, receipt.error());
-                             stop(receipt.error());
+                             goOnAfter(row);
                            }));
     Q_EMIT changed();
   }
   void lookAgain() {
     enter(SubmissionPhase::LookingAgain);
     call_ = store_.read(inThisRound<Stored>([this](robot::Outcome<Stored> stored) {
-      if (!stored) return stop(stored.error());
+      // What the look itself says matters only where nothing worse has been met.
+      if (!stored) return stop(met_.value_or(stored.error()));
       listener_.looked(*stored);
-      enter(SubmissionPhase::Done);
+      met_ ? stop(*met_) : enter(SubmissionPhase::Done);
     }));
   }
 
@@ -176,7 +226,8 @@ class Submission : public SubmissionEvents {
   Listener listener_;
   SubmissionPhase phase_ = SubmissionPhase::Idle;
   std::vector<Row> rows_;
-  std::optional<map::Failure> failure_;
+  std::optional<map::Failure> failure_, met_;  // met_: the first one of a request, while it is under way
+  Way way_;
   robot::Call call_;
   bool cancelled_ = false;
   std::uint64_t round_ = 0;

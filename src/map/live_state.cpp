@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "map/fold.h"
+
 namespace mapwright::map {
 namespace {
 
@@ -77,7 +79,10 @@ struct Reducer {
   void operator()(const AutoDoorsMessage& doors) { state.doors = doors.doors; }
   void operator()(const PalletsMessage& pallets) { state.pallets = pallets.pallets; }
   void operator()(const RackMessage& racks) { state.racks = racks.racks; }
-  void operator()(const SeenObjectsMessage& seen) { state.seen_objects = seen.objects; }
+  void operator()(const SeenObjectsMessage& seen) {
+    state.seen_objects = seen.objects;
+    state.drawings = seen.drawings;
+  }
   void operator()(const ConstraintsMessage& constraints) { state.constraints = constraints; }
   void operator()(const GlobalPositioning& positioning) { state.global_positioning = positioning; }
   void operator()(const BarcodeMessage& barcode) { state.barcode = barcode; }
@@ -107,7 +112,7 @@ bool LiveState::operator==(const LiveState& other) const {
     return std::tie(s.session_uuid, s.robot_pose, s.trail, s.model, s.slam, s.grids, s.path, s.trajectory,
                     s.local_path, s.planning, s.map_info, s.alerts, s.battery, s.wheels, s.sensors,
                     s.nearby_robots, s.nearby_footprints, s.landmarks, s.doors, s.pallets, s.racks,
-                    s.seen_objects, s.constraints, s.global_positioning, s.barcode, s.safety);
+                    s.seen_objects, s.drawings, s.constraints, s.global_positioning, s.barcode, s.safety);
   };
   return rest(*this) == rest(other) && std::equal(clouds.begin(), clouds.end(), other.clouds.begin(),
                                                   other.clouds.end(), [](const auto& a, const auto& b) {
@@ -137,18 +142,23 @@ LiveState inNewFrame(LiveState state, bool map_stays) {
   state.pallets.clear();
   state.racks.clear();
   state.seen_objects.clear();
+  state.drawings.clear();
   state.constraints = {};
   if (state.global_positioning) state.global_positioning->pose.reset();
   if (state.barcode) state.barcode->pose.reset();
   return state;
 }
 
-LiveState reduce(LiveState state, const TopicMessage& message, double at_s) {
+void reduceInto(LiveState& state, const TopicMessage& message, double at_s) {
   std::visit(Reducer{state, at_s}, message);
-  const auto is = [&](auto one) { return std::holds_alternative<decltype(one)>(message); };
-  if (is(AlertsMessage{}) || is(WheelState{}) || is(SlamStatus{})) {
-    state.safety = continuedSafety(std::move(state.safety), state, at_s);
-  }
+  const bool tells = std::holds_alternative<AlertsMessage>(message) ||
+                     std::holds_alternative<WheelState>(message) ||
+                     std::holds_alternative<SlamStatus>(message);
+  if (tells) state.safety = continuedSafety(std::move(state.safety), state, at_s);
+}
+
+LiveState reduce(LiveState state, const TopicMessage& message, double at_s) {
+  reduceInto(state, message, at_s);
   return state;
 }
 

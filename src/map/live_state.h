@@ -56,6 +56,7 @@ struct LiveState {
   std::vector<Landmark> landmarks;
   std::vector<AutoDoor> doors;
   std::vector<GroundBox> pallets, racks, seen_objects;
+  std::vector<GroundDrawing> drawings;
   ConstraintsMessage constraints;
   std::optional<GlobalPositioning> global_positioning;
   std::optional<BarcodeMessage> barcode;

@@ -201,7 +201,25 @@ struct GroundBox {
   double length_m = 0;  // along the pose's x axis
   double width_m = 0;
   bool in_robot_frame = false;
+  std::optional<std::uint32_t> rgba = {};  // 0xRRGGBBAA where the robot names a colour
   bool operator==(const GroundBox&) const = default;
+};
+/// What a robot draws for people without saying what it is (a marker of ROS), flat on the ground.
+struct GroundDrawing {
+  enum class Kind {
+    Line,
+    Segments,   // each two points
+    Triangles,  // each three points, filled
+    Points,
+    Text,  // at its one point
+  };
+  Kind kind = Kind::Line;
+  Polyline points;
+  double size_m = 0;  // width of a line, edge of a point, height of a text; 0 = as small as can be seen
+  std::optional<std::uint32_t> rgba = {};  // 0xRRGGBBAA where the robot names a colour
+  std::vector<std::uint32_t> colors = {};  // as many as points, or none
+  std::string text = {};
+  bool operator==(const GroundDrawing&) const = default;
 };
 struct PalletsMessage {
   std::vector<GroundBox> pallets;
@@ -212,8 +230,9 @@ struct RackMessage {
   std::vector<GroundBox> racks;
   bool operator==(const RackMessage&) const = default;
 };
-struct SeenObjectsMessage {  // /vision_detected_objects
+struct SeenObjectsMessage {  // /vision_detected_objects; markers of ROS
   std::vector<GroundBox> objects;
+  std::vector<GroundDrawing> drawings = {};
   bool operator==(const SeenObjectsMessage&) const = default;
 };
 

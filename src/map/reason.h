@@ -225,9 +225,11 @@ enum class ReasonCode {
   RosLengthDiffers,  // field, how many it holds, how many are needed
   RosGridEmpty,      // width, height
   RosTurnIsZero,
-  RosCellsOutOfRange,  // how many
-  RosPatchOutside,     // its width and height, x and y, width and height of the grid
-  RosPointsThinned,    // how many came, of which each n-th is shown
+  RosCellsOutOfRange,    // how many
+  RosPatchOutside,       // its width and height, x and y, width and height of the grid
+  RosPointsThinned,      // how many came, of which each n-th is shown
+  RosPatchInOtherFrame,  // its frame, that of the grid
+  RosOneConnection,      // because: what became of the second
   // Where the frames of ROS lie to each other.
   RosFrameUnknown,     // frame
   RosFramesApart,      // frame, the other one
@@ -240,6 +242,9 @@ enum class ReasonCode {
   TopicNobodySends,
   TopicsNotTold,
   TopicListedOnly,
+  TopicAskedInstead,  // the service that was asked for it
+  MapServiceFailed,   // service; because: why
+  PoseSourceAway,     // host; because: why
   // A manager of maps (KABAM).
   NoAnswerInTime,
   LinkBrokeOff,
@@ -260,6 +265,10 @@ enum class ReasonCode {
   ChangedMeanwhile,    // name
   ListsNotTold,
   OnlyCurrentMapSent,
+  OnlyCurrentMapTaken,
+  PictureChangedMeanwhile,  // name
+  CellBetweenKinds,         // the cell, of 100
+  PictureShownOtherwise,    // how many cells
   MessageNotUnderstood,
   WaypointTurnIsZero,    // name
   WaypointInOtherFrame,  // name, frame, the map's frame
@@ -277,6 +286,48 @@ enum class ReasonCode {
   PositionUncertain,
   WheelsSlipping,
   AlertWithoutText,
+  // Bags.
+  BagWithoutTimes,
+  BagWithoutMessages,
+  BagNotAsked,         // what is wrong with the range that was asked for
+  BagFileNotWritten,   // path, the system's words
+  BagFileOfOtherSize,  // bytes that came, bytes as announced
+  // Recordings as files. Places are bytes from the start of the file.
+  RecordingNotOpened,  // its name; because: why
+  RecordingIsNone,
+  RecordingOfOtherVersion,
+  RecordingEncrypted,
+  RecordingOnlyRead,
+  RecordingLacksPicture,
+  RecordingLacksSubmap,
+  RecordingNotFinished,
+  RecordingWithoutIndex,
+  RecordingIndexUnusable,
+  RecordingCutOff,           // place
+  RecordingBytesSkipped,     // how many, place of the first
+  RecordingChunksCorrupt,    // how many, place of the first
+  RecordingChunksChanged,    // likewise
+  RecordingChunksTooLarge,   // likewise
+  RecordingChunksPacked,     // likewise, their compression
+  RecordingChunkTimesWrong,  // how many, place of the first
+  RecordingIndexLies,        // likewise
+  RecordingRecordsTooLarge,  // likewise
+  RecordingRecordsCorrupt,   // likewise
+  RecordingChannelsUnknown,  // likewise
+  RecordingChannelsChanged,  // likewise
+  RecordingFileInItCorrupt,  // its name
+  RecordingNotReadByDisk,    // place
+  // Messages in recordings.
+  RosSchemaTooLong,      // type
+  RosSchemaBroken,       // type, line, what stands there
+  RosSchemaTypeUnknown,  // type, the one that is missing
+  RosSchemaHoldsItself,  // type, the one in it
+  RosSchemaMissing,      // type
+  RosEncodingUnknown,    // encoding of the message, of its schema
+  RosMessageOtherwise,   // encoding
+  RosMessageCutOff,      // field
+  RosMessageTooLarge,    // field
+  RosMessageWideText,    // field
 
   // What goes over the network. Hosts come with their ports.
   RequestCancelled,

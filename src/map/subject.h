@@ -20,12 +20,15 @@ enum class SubjectKind {
   Topic,         // a live topic
   Condition,     // a state of the robot that people must know of (an alert, a pressed emergency stop)
   DiskCache,
+  Bag,  // a recording that the robot keeps, or a file of one
 };
 
 /// Parts of a catalogue: ids of subjects of that kind.
 inline constexpr const char* kMapsPart = "maps";
 inline constexpr const char* kMappingsPart = "mappings";
 inline constexpr const char* kCurrentMapPart = "current";
+inline constexpr const char* kBagsPart = "bags";
+inline constexpr const char* kRecordingsPart = "recordings";
 
 /// The same thing has the same subject in every state of it: versions, times and numbers belong into the
 /// reason. Ids and labels are untrusted plain text.

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 
 #include <QByteArray>
 #include <QDateTime>
-#include <QHash>
+#include <QObject>
 #include <QString>
 #include <QUrl>
 
+#include "net/cache_folder.h"
+#include "net/cache_writer.h"
 #include "net/reason.h"
 
 namespace mapwright::net {
@@ -23,18 +26,25 @@ struct CachedAnswer {
 };
 
 /// A private cache in one folder, one file per URL, written atomically (a torn file reads as a miss and is
-/// removed). Not thread-safe: owned by one thread; several processes may share the folder. Never fails
-/// loudly: a full or read-only disk turns it into a cache that forgets, and lastError() says why.
+/// removed). Not thread-safe: owned by one thread; several processes may share the folder. It writes behind
+/// (CacheWriter): what is stored, changed and removed here is seen here at once, and by others a moment
+/// later. Never fails loudly: a full or read-only disk turns it into a cache that forgets, and lastError()
+/// says why.
 class HttpCache {
  public:
   using Now = std::function<QDateTime()>;
   using Trouble = std::function<void(const Reason& why)>;
-  /// `budget_bytes` bounds the folder; the files used longest ago are removed first.
-  HttpCache(QString folder, qint64 budget_bytes, Now now = &QDateTime::currentDateTimeUtc);
+  /// `budget_bytes` bounds the folder; the files used longest ago are removed first. `now` is called on the
+  /// owner's thread, `write` on the writer's.
+  HttpCache(QString folder, qint64 budget_bytes, Now now = &QDateTime::currentDateTimeUtc,
+            WriteFile write = &writeWhole);
+  /// Returns when what waits is on the disk; nobody is told any more when that fails.
+  ~HttpCache();
 
   std::optional<CachedAnswer> find(const QUrl& url);
   /// Keeps the answer if its Cache-Control allows it. With neither Cache-Control nor ETag it is kept only
   /// when `content_addressed` (the URL names a version, so its body never changes), then as if immutable.
+  /// Returns at once, unless the disk is very far behind (CacheWriter::kMostWaitingBytes).
   void store(const QUrl& url, const QByteArray& body, const QByteArray& content_type,
              const QByteArray& cache_control, const QByteArray& etag, bool content_addressed);
   /// A 304 came: the stored body is fresh again under these headers.
@@ -44,38 +54,30 @@ class HttpCache {
   /// not stored.
   void copy(const QUrl& from, const QUrl& to);
 
-  qint64 bytes() const;
+  /// Returns when the folder is as it was asked for, for whoever hands it on; trouble is told before.
+  void flush();
+  /// Of all files, after a flush().
+  qint64 bytes();
   Reason lastError() const;
-  /// Told once, the first time that something cannot be kept or removed.
+  /// Told once, the first time that something cannot be kept or removed: on the owner's thread, from its
+  /// event loop or from flush() and bytes().
   void setTrouble(Trouble trouble) { trouble_ = std::move(trouble); }
-  QString folder() const { return folder_; }
+  QString folder() const { return folder_.path(); }
 
  private:
-  struct Entry {
-    qint64 bytes = 0;
-    qint64 last_use_ms = 0;  // since the epoch; the file's modification time carries it over restarts
-  };
-  struct Record;
+  std::optional<CacheRecord> read(const QByteArray& name, const QUrl& url);
+  void keep(const QByteArray& name, CacheRecord record);
+  void noteFailure(const Reason& why);  // on the writer's thread
+  void tell();
 
-  QString pathOf(const QByteArray& name) const;
-  std::optional<Record> read(const QByteArray& name, const QUrl& url);
-  void write(const QByteArray& name, const Record& record);
-  void forget(const QByteArray& name);
-  void scan() const;
-  void evict(const QByteArray& keep);
-  bool makeFolder(const QString& path);
-  void fail(Reason what);
-
-  QString folder_;
-  qint64 budget_bytes_;
-  Now now_;
-  // What the folder holds, read when it is first needed and again now and then, for other processes write
-  // there too.
-  mutable QHash<QByteArray, Entry> index_;
-  mutable qint64 bytes_ = -1;  // -1 = not read yet
-  mutable int stores_since_scan_ = 0;
-  Reason last_error_;
+  const Now now_;
   Trouble trouble_;
+  mutable std::mutex mutex_;  // of the two below
+  Reason last_error_;
+  std::optional<Reason> untold_;
+  QObject here_;  // the owner's thread
+  CacheFolder folder_;
+  CacheWriter writer_;  // goes first
 };
 
 }  // namespace mapwright::net

@@ -4,17 +4,13 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
-#include <QLocale>
-#include <QNetworkAccessManager>
-#include <QNetworkReply>
 #include <QSet>
-#include <QTimer>
 
-#include "net/http_cache.h"
-#include "net/one_way_body.h"
+#include "net/http_job.h"
 #include "net/plain_sentences.h"
-#include "net/secret.h"
 
 namespace mapwright::net {
 
@@ -22,70 +18,6 @@ namespace {
 
 constexpr int kMaxRedirects = 5;
 constexpr qsizetype kMostUnusable = 100'000;
-constexpr qint64 kReadAhead = qint64(1) << 20;  // what Qt may hold back that was not counted yet
-
-bool isRedirect(int status) {
-  return status == 301 || status == 302 || status == 303 || status == 307 || status == 308;
-}
-
-QByteArray nameOf(HttpMethod method) {
-  switch (method) {
-    case HttpMethod::Get:
-      break;
-    case HttpMethod::Post:
-      return "POST";
-    case HttpMethod::Put:
-      return "PUT";
-    case HttpMethod::Patch:
-      return "PATCH";
-    case HttpMethod::Delete:
-      return "DELETE";
-  }
-  return "GET";
-}
-
-/// Before there was a connection, so nothing can have been sent.
-bool neverConnected(QNetworkReply::NetworkError error) {
-  switch (error) {
-    case QNetworkReply::ConnectionRefusedError:
-    case QNetworkReply::HostNotFoundError:
-    case QNetworkReply::SslHandshakeFailedError:
-    case QNetworkReply::ProxyConnectionRefusedError:
-    case QNetworkReply::ProxyNotFoundError:
-      return true;
-    default:
-      return false;
-  }
-}
-
-QString grouped(qint64 number) { return QLocale(QLocale::English).toString(number); }
-
-HttpAnswer failure(HttpAnswer::Kind kind, Reason reason) {
-  HttpAnswer answer;
-  answer.kind = kind;
-  answer.reason = std::move(reason);
-  return answer;
-}
-
-Reason whyUnreachable(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
-  switch (error) {
-    case QNetworkReply::ConnectionRefusedError:
-      return {ReasonCode::ConnectionRefused, {hostAndPort(url)}};
-    case QNetworkReply::HostNotFoundError:
-      return {ReasonCode::HostUnknown, {plainText(url.host())}};
-    case QNetworkReply::RemoteHostClosedError:
-    case QNetworkReply::ContentReSendError:  // it was closed before an answer, and nothing is sent twice
-      return ReasonCode::ConnectionClosed;
-    case QNetworkReply::SslHandshakeFailedError:
-      return {ReasonCode::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)}};
-    case QNetworkReply::TimeoutError:
-      return {ReasonCode::HostSilent, {hostAndPort(url)}};
-    case QNetworkReply::UnknownNetworkError:
-      return {ReasonCode::ConnectionBroke, {hostAndPort(url)}};
-    default:
-      return {ReasonCode::HostNotReached, {hostAndPort(url), plainText(error_text)}};
-  }
-}
 
 }  // namespace
 
@@ -105,7 +37,7 @@ class HttpClient::Impl {
 
   RequestId add(const HttpRequest& request, Reply reply) {
     const RequestId id = ++last_id_;
-    Job& job = jobs_[id];
+    HttpJob& job = jobs_[id];
     job.request = request;
     job.reply = std::move(reply);
     job.url = request.url;
@@ -143,38 +75,23 @@ class HttpClient::Impl {
   }
 
  private:
-  struct Job {
-    HttpRequest request;
-    Reply reply;
-    QUrl url;  // the one under way: after redirects not the one asked for
-    int redirects = 0;
-    std::optional<CachedAnswer> stored;
-    std::optional<HttpAnswer> answer;                    // set: only waits to be told
-    std::unique_ptr<QNetworkAccessManager> own_network;  // a connection that nothing was sent over before
-    QNetworkReply* network_reply = nullptr;
-    OneWayBody* upload = nullptr;  // of network_reply
-    bool heard_sent = false;       // of this request
-    std::unique_ptr<QTimer> silence;
-    QByteArray body;
-  };
-
   template <typename Call>
   void later(Call call) {
     QMetaObject::invokeMethod(owner_, std::move(call), Qt::QueuedConnection);
   }
 
-  bool cached(const Job& job) const {
+  bool cached(const HttpJob& job) const {
     return job.request.cacheable && job.request.method == HttpMethod::Get && cache_ != nullptr;
   }
 
   /// The job, unless it is gone or finished already.
-  Job* active(RequestId id) {
+  HttpJob* active(RequestId id) {
     const auto found = jobs_.find(id);
     return found == jobs_.end() || found->second.answer ? nullptr : &found->second;
   }
 
   void begin(RequestId id) {
-    Job* job = active(id);
+    HttpJob* job = active(id);
     if (job == nullptr) {
       return;
     }
@@ -199,7 +116,7 @@ class HttpClient::Impl {
   void startWaiting() {
     for (auto at = waiting_.begin(); at != waiting_.end() && in_flight_ < kInFlight;) {
       const RequestId id = *at;
-      Job* const job = active(id);
+      HttpJob* const job = active(id);
       const int most = job != nullptr ? job->request.most_at_once : 0;
       if (most > 0 && bounded_in_flight_ >= most) {
         ++at;  // others may pass it
@@ -213,44 +130,18 @@ class HttpClient::Impl {
     }
   }
 
-  void send(RequestId id, Job& job) {
-    QNetworkRequest request(job.url);
-    request.setAttribute(QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::ManualRedirectPolicy);
-    request.setAttribute(QNetworkRequest::CacheLoadControlAttribute, QNetworkRequest::AlwaysNetwork);
-    request.setAttribute(QNetworkRequest::CookieLoadControlAttribute, QNetworkRequest::Manual);
-    request.setAttribute(QNetworkRequest::CookieSaveControlAttribute, QNetworkRequest::Manual);
-    request.setAttribute(QNetworkRequest::AuthenticationReuseAttribute, QNetworkRequest::Manual);
-    request.setAttribute(QNetworkRequest::Http2AllowedAttribute, false);
-    request.setDecompressedSafetyCheckThreshold(-1);
-    request.setRawHeader("Accept", headerSafe(job.request.accept));
-    if (const QByteArray secret = secret_.forUrl(job.url); !secret.isEmpty()) {
-      request.setRawHeader("Secret", secret);
-    }
-    if (job.url.scheme() == QLatin1String("https")) {
-      request.setSslConfiguration(tls_);
-    }
-    if (job.stored && !job.stored->etag.isEmpty()) {
-      request.setRawHeader("If-None-Match", headerSafe(job.stored->etag));
-    }
+  void send(RequestId id, HttpJob& job) {
     job.body.clear();
-    // Left to itself Qt asks again, at once and up to three times, when the connection closes without an
-    // answer: behind the back of whoever counts tries and waits between them, and of whoever changes
-    // something. A body that cannot be rewound, empty as it is for GET, forbids that.
+    job.handed_over = 0;
     const bool changes = job.request.method != HttpMethod::Get;
-    const QByteArray body = changes ? job.request.body : QByteArray();
-    if (!body.isEmpty()) request.setRawHeader("Content-Type", headerSafe(job.request.content_type));
-    request.setHeader(QNetworkRequest::ContentLengthHeader, body.size());
-    request.setAttribute(QNetworkRequest::DoNotBufferUploadDataAttribute, true);
     if (changes) {
-      // A connection that was idle may be closed by the other side just as it is used again; what is sent
-      // over it then is lost, and nobody knows whether it was read.
-      request.setRawHeader("Connection", "close");
       job.own_network = std::make_unique<QNetworkAccessManager>();
       job.own_network->setAutoDeleteReplies(false);
     }
     QNetworkAccessManager& network = changes ? *job.own_network : network_;
-    job.upload = new OneWayBody(body);
-    job.network_reply = network.sendCustomRequest(request, nameOf(job.request.method), job.upload);
+    job.upload = new OneWayBody(changes ? job.request.body : QByteArray());
+    job.network_reply =
+        network.sendCustomRequest(requestOf(job, secret_, tls_), verbOf(job.request.method), job.upload);
     job.upload->setParent(job.network_reply);
     job.heard_sent = false;
     QObject::connect(job.network_reply, &QNetworkReply::uploadProgress, owner_,
@@ -268,7 +159,7 @@ class HttpClient::Impl {
       job.silence = std::make_unique<QTimer>();
       job.silence->setSingleShot(true);
       QObject::connect(job.silence.get(), &QTimer::timeout, owner_, [this, id] {
-        if (const Job* silent = active(id)) {
+        if (const HttpJob* silent = active(id)) {
           finish(id, failure(HttpAnswer::Kind::TimedOut,
                              Reason(ReasonCode::NoAnswerWithin,
                                     {durationWords(silent->request.timeout.count())})));
@@ -279,7 +170,7 @@ class HttpClient::Impl {
   }
 
   void judge(RequestId id, const QList<QSslError>& errors) {
-    Job* job = active(id);
+    HttpJob* job = active(id);
     if (job == nullptr || job->network_reply == nullptr) {
       return;
     }
@@ -296,7 +187,7 @@ class HttpClient::Impl {
   }
 
   void noteSent(RequestId id, qint64 bytes, qint64 total) {
-    Job* job = active(id);
+    HttpJob* job = active(id);
     if (job == nullptr) {
       return;
     }
@@ -312,25 +203,8 @@ class HttpClient::Impl {
     }
   }
 
-  static qint64 declaredLength(const QNetworkReply& reply) {
-    return reply.header(QNetworkRequest::ContentLengthHeader).toLongLong();
-  }
-
-  /// Whether anything of the request may have left this computer.
-  static bool maySent(const Job& job, HttpAnswer::Kind kind) {
-    if (job.network_reply == nullptr || kind == HttpAnswer::Kind::Certificate) return false;
-    if (job.redirects > 0 || job.heard_sent || job.upload->begun()) return true;
-    if (job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).isValid()) return true;
-    if (neverConnected(job.network_reply->error())) return false;
-    // A body is read when there is a connection to write it to, and not before. Without a body only the word
-    // of the other thread tells, and it may be under way.
-    const bool has_body = job.request.method != HttpMethod::Get && !job.request.body.isEmpty();
-    const bool long_ago = kind == HttpAnswer::Kind::TimedOut;
-    return !has_body && !long_ago;
-  }
-
   void checkHeaders(RequestId id) {
-    Job* job = active(id);
+    HttpJob* job = active(id);
     if (job == nullptr || job->network_reply == nullptr) {
       return;
     }
@@ -342,14 +216,14 @@ class HttpClient::Impl {
 
   /// False when the job came to its end.
   bool takeBytes(RequestId id) {
-    Job* job = active(id);
+    HttpJob* job = active(id);
     if (job == nullptr || job->network_reply == nullptr) {
       return false;
     }
     job->silence->start();
-    const qsizetype before = job->body.size();
+    const qint64 before = job->received();
     while (job->network_reply->bytesAvailable() > 0) {
-      const qint64 room = job->request.max_bytes - job->body.size();
+      const qint64 room = job->request.max_bytes - job->received();
       const QByteArray part = job->network_reply->read(std::min(room + 1, kReadAhead));
       if (part.isEmpty()) {
         break;
@@ -358,21 +232,36 @@ class HttpClient::Impl {
         finish(id, tooLarge(*job));
         return false;
       }
-      job->body += part;
+      if (!keep(*job, part)) {
+        finish(id, failure(HttpAnswer::Kind::Cancelled, ReasonCode::RequestCancelled));
+        return false;
+      }
     }
-    if (job->request.progress && job->body.size() != before) {
+    if (job->request.progress && job->received() != before) {
       const qint64 length = declaredLength(*job->network_reply);
-      job->request.progress({false, job->body.size(), length > 0 ? std::optional(length) : std::nullopt});
+      job->request.progress({false, job->received(), length > 0 ? std::optional(length) : std::nullopt});
       return active(id) != nullptr;
     }
     return true;
+  }
+
+  /// False when who takes the parts wants no more.
+  static bool keep(HttpJob& job, const QByteArray& part) {
+    const int status = job.network_reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
+    if (!job.request.take || status < 200 || status >= 300) {
+      job.body += part;
+      return true;
+    }
+    const qint64 length = declaredLength(*job.network_reply);
+    job.handed_over += part.size();
+    return job.request.take(partOf(job, status, length > 0 ? std::optional(length) : std::nullopt, part));
   }
 
   void conclude(RequestId id) {
     if (!takeBytes(id)) {
       return;
     }
-    Job& job = *active(id);
+    HttpJob& job = *active(id);
     const QNetworkReply& reply = *job.network_reply;
     const int status = reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     const QNetworkReply::NetworkError error = reply.error();
@@ -384,9 +273,7 @@ class HttpClient::Impl {
                             ? !isRedirect(status)
                             : error != QNetworkReply::NoError && error < QNetworkReply::ContentAccessDenied;
     if (status == 0 || broken) {
-      finish(id, status == 0 ? failure(HttpAnswer::Kind::Unreachable,
-                                       whyUnreachable(error, reply.errorString(), job.url))
-                             : brokenOff(job));
+      finish(id, status == 0 ? unreachable(job) : brokenOff(job));
       return;
     }
     // Qt calls a body that cannot be unpacked so, and every status 4xx that it has no name for.
@@ -402,16 +289,7 @@ class HttpClient::Impl {
     finish(id, answered(job, status));
   }
 
-  static bool isShort(const Job& job, int status) {
-    const QNetworkReply& reply = *job.network_reply;
-    if (status == 304 || status == 204 || reply.hasRawHeader("Content-Encoding") ||
-        !reply.hasRawHeader("Content-Length")) {
-      return false;
-    }
-    return job.body.size() < declaredLength(reply);
-  }
-
-  void follow(RequestId id, Job& job) {
+  void follow(RequestId id, HttpJob& job) {
     const QUrl target = job.url.resolved(QUrl::fromEncoded(job.network_reply->rawHeader("Location")));
     if (!target.isValid() || !sameOrigin(target, job.url)) {
       finish(id, failure(HttpAnswer::Kind::Refused,
@@ -433,7 +311,7 @@ class HttpClient::Impl {
     send(id, job);
   }
 
-  HttpAnswer answered(Job& job, int status) {
+  HttpAnswer answered(HttpJob& job, int status) {
     const QNetworkReply& reply = *job.network_reply;
     const QByteArray cache_control = reply.rawHeader("Cache-Control");
     const QByteArray etag = reply.rawHeader("ETag");
@@ -442,17 +320,7 @@ class HttpClient::Impl {
       cache_->refresh(job.request.url, cache_control, etag);
       return storedAnswer(job);
     }
-    HttpAnswer answer;
-    answer.kind = HttpAnswer::Kind::Answered;
-    answer.status = status;
-    answer.content_type = reply.rawHeader("Content-Type");
-    answer.body = std::move(job.body);
-    if (!answer.ok()) {
-      answer.said = errorText(answer.body, answer.content_type);
-      answer.reason = answer.said.isEmpty()
-                          ? Reason(ReasonCode::AnsweredWithStatus, {}, status)
-                          : Reason(ReasonCode::AnsweredWithStatusSaying, {answer.said}, status);
-    }
+    HttpAnswer answer = answerOf(job, status);
     if (caching && status == 200) {
       cache_->store(job.request.url, answer.body, answer.content_type, cache_control, etag,
                     job.request.content_addressed);
@@ -462,32 +330,9 @@ class HttpClient::Impl {
     return answer;
   }
 
-  static HttpAnswer storedAnswer(const Job& job) {
-    HttpAnswer answer;
-    answer.kind = HttpAnswer::Kind::Answered;
-    answer.status = 200;
-    answer.body = job.stored->body;
-    answer.content_type = job.stored->content_type;
-    answer.from_cache = true;
-    return answer;
-  }
-
-  static HttpAnswer tooLarge(const Job& job) {
-    return failure(HttpAnswer::Kind::TooLarge,
-                   Reason(ReasonCode::AnswerTooLong, {grouped(job.request.max_bytes)}));
-  }
-
-  static HttpAnswer brokenOff(const Job& job) {
-    const qint64 length = declaredLength(*job.network_reply);
-    return failure(HttpAnswer::Kind::Unreachable,
-                   length > 0
-                       ? Reason(ReasonCode::AnswerBrokeOffEarly, {grouped(job.body.size()), grouped(length)})
-                       : Reason(ReasonCode::AnswerBrokeOff, {grouped(job.body.size())}));
-  }
-
   /// Takes the job off the network; its answer is told from the event loop.
   void finish(RequestId id, HttpAnswer answer) {
-    Job& job = jobs_.at(id);
+    HttpJob& job = jobs_.at(id);
     if (job.answer) {
       return;
     }
@@ -505,7 +350,7 @@ class HttpClient::Impl {
     later([this] { startWaiting(); });
   }
 
-  void drop(Job& job) {
+  void drop(HttpJob& job) {
     job.silence.reset();
     if (job.network_reply != nullptr) {
       job.network_reply->disconnect(owner_);
@@ -532,7 +377,7 @@ class HttpClient::Impl {
   QSslConfiguration tls_ = configurationFor({});
   HttpCache* cache_;
   QNetworkAccessManager network_;
-  std::map<RequestId, Job> jobs_;
+  std::map<RequestId, HttpJob> jobs_;
   QSet<QByteArray> unusable_;  // addresses whose last answer was discarded
   std::deque<RequestId> waiting_;
   int in_flight_ = 0;

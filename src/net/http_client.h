@@ -30,6 +30,17 @@ struct HttpProgress {
   std::optional<qint64> of_bytes;  // nullopt = not known
 };
 
+/// A part of a body on its way (HttpRequest::take).
+struct HttpPart {
+  int status = 0;                  // 206: it goes on where the request said; 200: it begins anew
+  std::optional<qint64> of_bytes;  // of this body; nullopt = not known
+  QByteArray bytes;
+  // Of a 206, as its Content-Range says: where it begins, and how long the whole is; nullopt = it does not.
+  std::optional<qint64> from_byte = {};
+  std::optional<qint64> whole_bytes = {};
+  QByteArray etag = {};  // as it was sent; empty = none
+};
+
 struct HttpRequest {
   HttpMethod method = HttpMethod::Get;
   QUrl url;  // absolute
@@ -42,6 +53,11 @@ struct HttpRequest {
   qint64 max_bytes = qint64(256) << 20;       // a longer body is cut off and fails
   std::chrono::milliseconds timeout{30'000};  // without a byte going out or coming in, once it is its turn
   std::function<void(HttpProgress)> progress = {};  // told before the answer; may cancel, must not destroy
+  qint64 from_byte = 0;     // > 0: only what comes from there on, where the server can (Range)
+  QByteArray if_etag = {};  // with from_byte: else it is to begin anew (If-Range); empty = whatever it is
+  /// Gets the parts of a 2xx body instead of the answer, which then has none; false ends the request as
+  /// cancelled. Must neither cancel nor destroy. Never together with `cacheable`.
+  std::function<bool(const HttpPart&)> take = {};
   // With so many under way that name a number here it waits; 0 = it only counts to kInFlight.
   int most_at_once = 0;
 };

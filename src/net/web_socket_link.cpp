@@ -136,6 +136,8 @@ class WebSocketLink::Impl {
     }
   }
 
+  qint64 unsent() const { return state_ == State::Open ? socket_->bytesToWrite() : 0; }
+
   State state() const { return state_; }
   const Reason& reason() const { return reason_; }
   Fault fault() const { return fault_; }
@@ -177,6 +179,7 @@ class WebSocketLink::Impl {
                      [this](const QString& text) { Q_EMIT owner_->textReceived(text.toUtf8()); });
     QObject::connect(socket_, &QWebSocket::binaryMessageReceived, owner_,
                      [this](const QByteArray& bytes) { Q_EMIT owner_->binaryReceived(bytes); });
+    QObject::connect(socket_, &QWebSocket::bytesWritten, owner_, &WebSocketLink::written);
     connect_limit_.start(options_.connect_timeout);
     QNetworkRequest request(urls_.at(url_));
     if (const QByteArray secret = secret_.forUrl(request.url()); !secret.isEmpty()) {
@@ -384,6 +387,7 @@ WebSocketLink::~WebSocketLink() = default;
 void WebSocketLink::open() { impl_->open(); }
 void WebSocketLink::close() { impl_->close(); }
 void WebSocketLink::sendText(const QString& text) { impl_->send(text); }
+qint64 WebSocketLink::unsentBytes() const { return impl_->unsent(); }
 WebSocketLink::State WebSocketLink::state() const { return impl_->state(); }
 void WebSocketLink::setTrust(const Trust& trust) { impl_->setTrust(trust); }
 Reason WebSocketLink::reason() const { return impl_->reason(); }

@@ -56,6 +56,8 @@ class WebSocketLink : public QObject {
   void sendText(const QString& text);  // dropped unless Open
   void setTrust(const Trust& trust);   // for the next connection
 
+  qint64 unsentBytes() const;  // of what was sent: still here. 0 unless Open
+
   State state() const;
   Reason reason() const;  // why it is not open
   Fault fault() const;    // None while open
@@ -69,6 +71,7 @@ class WebSocketLink : public QObject {
  Q_SIGNALS:
   void changed();
   void opened();
+  void written();  // some of unsentBytes() has left
   void textReceived(const QByteArray& utf8);
   void binaryReceived(const QByteArray& bytes);
 

@@ -43,7 +43,8 @@ Container sniffContainer(std::span<const std::uint8_t> bytes) {
 
 tl::expected<ByteBuffer, UnpackFailure> unpack(Container container, std::span<const std::uint8_t> packed,
                                                std::size_t limit) {
-  const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
+  // Of 40 KB: one for each thread, not for each picture.
+  static thread_local const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
       libdeflate_alloc_decompressor());
   if (decompressor == nullptr) {
     return tl::unexpected(UnpackFailure::Corrupt);

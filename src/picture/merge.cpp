@@ -20,6 +20,12 @@ std::int64_t differing(const std::uint8_t* one, const std::uint8_t* other) {
   return count;
 }
 
+std::int64_t differing(const EditedGrid& one, const EditedGrid& other, const TilePlace& place) {
+  if (one.own(place) == other.own(place)) return 0;
+  const auto mine = one.tile(0, place.x, place.y), theirs = other.tile(0, place.x, place.y);
+  return mine && theirs ? differing(mine->cells.get(), theirs->cells.get()) : 0;
+}
+
 /// The least rectangle around the cells of a tile that differ; there is one.
 CellRect differingRect(const std::uint8_t* one, const std::uint8_t* other) {
   CellRect rect;
@@ -36,12 +42,26 @@ CellRect differingRect(const std::uint8_t* one, const std::uint8_t* other) {
 
 }  // namespace
 
-void DifferenceCount::recount(const EditedGrid& one, const EditedGrid& other, const TilePlace& place) {
-  std::int64_t count = 0;
-  if (!(one.own(place) == other.own(place))) {
-    const auto mine = one.tile(0, place.x, place.y), theirs = other.tile(0, place.x, place.y);
-    if (mine && theirs) count = differing(mine->cells.get(), theirs->cells.get());
+DifferenceCount::Tiles DifferenceCount::of(const Patch& touched) const {
+  Tiles counts;
+  for (const auto& [place, change] : touched.tiles) {
+    if (place.level != 0) continue;
+    const auto found = tiles.find(place);
+    counts.emplace_back(place, found == tiles.end() ? 0 : found->second);
   }
+  return counts;
+}
+
+DifferenceCount::Tiles DifferenceCount::counted(const EditedGrid& one, const EditedGrid& other,
+                                                const Patch& touched) {
+  Tiles counts;
+  for (const auto& [place, change] : touched.tiles) {
+    if (place.level == 0) counts.emplace_back(place, differing(one, other, place));
+  }
+  return counts;
+}
+
+void DifferenceCount::set(const TilePlace& place, std::int64_t count) {
   if (const auto found = tiles.find(place); found != tiles.end()) {
     cells -= found->second;
     tiles.erase(found);
@@ -51,16 +71,18 @@ void DifferenceCount::recount(const EditedGrid& one, const EditedGrid& other, co
   tiles[place] = count;
 }
 
+void DifferenceCount::set(const Tiles& counts) {
+  for (const auto& [place, count] : counts) set(place, count);
+}
+
 void DifferenceCount::recount(const EditedGrid& one, const EditedGrid& other, const Patch& touched) {
-  for (const auto& [place, change] : touched.tiles) {
-    if (place.level == 0) recount(one, other, place);
-  }
+  set(counted(one, other, touched));
 }
 
 DifferenceCount DifferenceCount::between(const EditedGrid& one, const EditedGrid& other) {
   DifferenceCount count;
   for (const EditedGrid* grid : {&one, &other}) {
-    for (const TilePlace& place : grid->changedTiles()) count.recount(one, other, place);
+    for (const TilePlace& place : grid->changedTiles()) count.set(place, differing(one, other, place));
   }
   return count;
 }

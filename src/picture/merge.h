@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "picture/canvas.h"
@@ -14,14 +15,20 @@ namespace mapwright::picture {
 /// How many cells of one grid are others in another one of the same base, by tile of level 0; tiles without
 /// any are left out.
 struct DifferenceCount {
+  /// Of some tiles, those without any included.
+  using Tiles = std::vector<std::pair<TilePlace, std::int64_t>>;
   std::map<TilePlace, std::int64_t> tiles;
   std::int64_t cells = 0;
+  /// What is counted of the tiles of a patch now, and what would be, were they looked at.
+  Tiles of(const Patch& touched) const;
+  static Tiles counted(const EditedGrid& one, const EditedGrid& other, const Patch& touched);
+  void set(const Tiles& counts);
   /// Counts the tiles of a patch anew.
   void recount(const EditedGrid& one, const EditedGrid& other, const Patch& touched);
   static DifferenceCount between(const EditedGrid& one, const EditedGrid& other);
 
  private:
-  void recount(const EditedGrid& one, const EditedGrid& other, const TilePlace& place);
+  void set(const TilePlace& place, std::int64_t count);
 };
 
 /// What makes `other` of `grid`: a patch for it. Both have the same size and code (sameShape). Nothing when

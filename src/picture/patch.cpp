@@ -26,4 +26,24 @@ std::size_t Patch::bytes() const {
   return held.size() * kTileBytes;
 }
 
+void PatchMemory::add(const Patch& patch) {
+  for (const auto& [place, change] : patch.tiles) {
+    for (const TileState* state : {&change.before, &change.after}) {
+      if (state->cells) ++held_[state->cells.get()];
+    }
+  }
+}
+
+void PatchMemory::remove(const Patch& patch) {
+  for (const auto& [place, change] : patch.tiles) {
+    for (const TileState* state : {&change.before, &change.after}) {
+      if (!state->cells) continue;
+      const auto found = held_.find(state->cells.get());
+      if (found != held_.end() && --found->second == 0) held_.erase(found);
+    }
+  }
+}
+
+std::size_t PatchMemory::bytes() const { return held_.size() * kTileBytes; }
+
 }  // namespace mapwright::picture

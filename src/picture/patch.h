@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <unordered_map>
 
 #include "picture/cell_rect.h"
 
@@ -39,6 +40,17 @@ struct Patch {
   void append(const Patch& later);
   /// What it holds on to at most, in bytes: tiles may be shared with others.
   std::size_t bytes() const;
+};
+
+/// What several patches hold on to together, in bytes: what one leaves is what the next one finds.
+class PatchMemory {
+ public:
+  void add(const Patch& patch);
+  void remove(const Patch& patch);
+  std::size_t bytes() const;
+
+ private:
+  std::unordered_map<const std::uint8_t*, int> held_;
 };
 
 }  // namespace mapwright::picture

@@ -22,6 +22,21 @@ QString networkPrefix(const QString& text) {
   return like.match(text).captured(1);
 }
 
+/// An address without what stands before the @, wherever in a password there may be another one.
+QString withoutUser(const QString& typed) {
+  static const QRegularExpression scheme(QStringLiteral("^[a-z][a-z0-9]*://"),
+                                         QRegularExpression::CaseInsensitiveOption);
+  return scheme.match(typed).captured() + typed.mid(typed.lastIndexOf(QLatin1Char('@')) + 1);
+}
+
+/// Never with a password in it.
+QString leaveOutUser(const QString& shown) {
+  return Words::tr(
+             "%1: leave the user name and password out of the address. Give the secret in its own "
+             "field, by --secret-file or by MAPWRIGHT_SECRET.")
+      .arg(shown);
+}
+
 }  // namespace
 
 ParsedAddress Addresses::parse(const QString& typed) const {
@@ -31,6 +46,9 @@ ParsedAddress Addresses::parse(const QString& typed) const {
     return error(Words::tr("Give a robot address, for example %1.").arg(known.value(0)));
   }
   const auto parsed = [&](const AddressScheme& scheme, const QString& rest) {
+    if (scheme.on_network && rest.contains(QLatin1Char('@'))) {
+      return ParsedAddress(error(leaveOutUser(text.chopped(rest.size()) + withoutUser(rest))));
+    }
     ParsedAddress address = scheme.parse(rest);
     if (address) address->scheme = scheme.prefix;
     return address;
@@ -67,11 +85,8 @@ tl::expected<QUrl, QString> webAddress(const QString& typed, const QString& exam
   const QString rest = typed.contains(QLatin1String("://")) ? typed : QStringLiteral("http://") + typed;
   QUrl url(rest, QUrl::StrictMode);
   const QString scheme = url.scheme().toLower();
-  // Not repeated: the text may hold a password.
   if (!url.userInfo().isEmpty() || rest.contains(QLatin1Char('@'))) {
-    return error(
-        Words::tr("Leave the user name and password out of the address: give the secret in its own "
-                  "field, by --secret-file or by MAPWRIGHT_SECRET."));
+    return error(leaveOutUser(withoutUser(typed)));
   }
   if (!url.isValid() || url.host().isEmpty()) {
     return error(Words::tr("\"%1\" is not an address. Write for example %2.").arg(typed, example));

@@ -33,6 +33,7 @@ struct AddressScheme {
   std::function<ParsedAddress(const QString& rest)> parse;
   /// Whether something without any prefix can only be an address of its; null: never.
   std::function<bool(const QString& typed)> claims = {};
+  bool on_network = true;  // of a server: an @ in it tells of a user name, and nothing else
 };
 
 /// The addresses that this program understands. A value.
@@ -41,8 +42,8 @@ class Addresses {
   Addresses() = default;
   /// What no scheme claims is an address of the first.
   explicit Addresses(std::vector<AddressScheme> schemes) : schemes_(std::move(schemes)) {}
-  /// An address with a user or password in it is refused: secrets never go there. Schemes that nobody
-  /// registered are refused with a sentence that names those that are.
+  /// An address with a user or password in it is refused, by a sentence that names it without them: secrets
+  /// never go there. Schemes that nobody registered are refused with a sentence that names those that are.
   ParsedAddress parse(const QString& typed) const;
   /// Whether it begins like an address, of a kind that is registered or of one that is not: no name of a map.
   bool isAddress(const QString& typed) const;

@@ -16,6 +16,8 @@ enum class Capability {
   Live,             // LiveTopics
   Administration,   // MapAdministration
   PictureEditing,   // PictureStore
+  Bags,             // BagLibrary
+  Dispatch,         // MapDispatch
 };
 
 /// Why a robot lacks a capability.

@@ -45,6 +45,11 @@ class PictureStore : public QObject {
   /// Writes it whole or not at all, reads it back and compares. FailureKind::Conflict: what is kept is no
   /// longer of that revision; nothing is written then.
   virtual Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) = 0;
+
+ Q_SIGNALS:
+  /// What is kept of that map may be another picture: ask for the map again. Stores whose maps tell that by
+  /// Robot::mapsChanged() need not say it.
+  void changed(const mapwright::map::MapKey& map);
 };
 
 }  // namespace mapwright::robot

@@ -181,7 +181,9 @@ class LiveTopics {
   virtual void setTap(FrameTap tap) = 0;
 };
 
+class BagLibrary;         // robot/bag_library.h
 class MapAdministration;  // robot/map_administration.h
+class MapDispatch;        // robot/map_dispatch.h
 class PictureStore;       // robot/picture_store.h
 class WaypointStore;      // robot/waypoint_store.h
 
@@ -211,6 +213,8 @@ class Robot : public QObject {
   virtual LiveTopics* liveTopics() { return nullptr; }
   virtual MapAdministration* mapAdministration() { return nullptr; }
   virtual PictureStore* pictureStore() { return nullptr; }
+  virtual BagLibrary* bagLibrary() { return nullptr; }
+  virtual MapDispatch* mapDispatch() { return nullptr; }
 
   /// Why a capability is absent. Of one that is there it says nothing of use.
   virtual Absence whyNot(Capability) const { return {}; }

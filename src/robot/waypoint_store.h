@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct StoredWaypoints {
   std::string revision;               // another one whenever the list is; opaque
   std::vector<map::Reason> notes;     // what is odd about them
   bool there = true;                  // false: there is no list, not even an empty one
+  /// Ids of those that are kept with a quaternion of zero, which is no heading: their yaw is 0 here.
+  std::set<std::string> zero_turns = {};
 };
 
 /// One waypoint as it was and as it is to be; nullopt = it is not there.

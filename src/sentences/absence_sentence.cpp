@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "words/qt_plain.h"
+
 namespace mapwright::sentences {
 namespace {
 
@@ -39,6 +41,10 @@ QString nothing(Capability capability) {
       return Words::tr("The maps of this robot cannot be changed from here.");
     case Capability::PictureEditing:
       return Words::tr("This robot takes no changed pictures of its maps.");
+    case Capability::Bags:
+      return Words::tr("This robot keeps no bags that could be replayed.");
+    case Capability::Dispatch:
+      return Words::tr("This robot gives no parts of its map: no regions, no clouds, no projections.");
   }
   return {};
 }
@@ -52,20 +58,23 @@ QString whyAbsent(Capability capability, const Absence& absence) {
     case Reason::ReadOnly:
       return Words::tr("Read only: %1's interface offers no editing.").arg(argument(absence));
     case Reason::NotYetHere:
-      if (capability == Capability::Live) {
-        return argument(absence).isEmpty()
-                   ? Words::tr("Its live pose: not yet in this version.")
-                   : Words::tr("Its live pose over rosbridge (%1): not yet in this version.")
-                         .arg(argument(absence));
-      }
       return nothing(capability) + QLatin1Char(' ') + Words::tr("Not yet in this version.");
     case Reason::FirmwareLacks:
       return nothing(capability) + QLatin1Char(' ') +
              Words::tr("Its firmware does not know the question (%1).").arg(argument(absence));
     case Reason::NoService:
+      if (capability == Capability::Live)
+        return Words::tr(
+                   "Its interface does not tell where it is. If a rosbridge server runs on it, add %1 to its "
+                   "address.")
+            .arg(argument(absence));
       return nothing(capability) + QLatin1Char(' ') +
              Words::tr("It runs no %1, or none that is reached from here.").arg(argument(absence));
     case Reason::LocalFiles:
+      // What stands in the place of a robot is told by its name: replay::ReplayRobot.
+      if (!absence.arguments.empty())
+        return Words::tr("This is a replay of %1: nothing can be changed.")
+            .arg(words::plainName(absence.arguments.front()));
       if (capability == Capability::Live)
         return Words::tr("A local map: there is no robot, so nothing moves on it.");
       if (capability == Capability::Administration)
@@ -82,7 +91,8 @@ QString limitsOf(robot::Robot& robot) {
     // Of files nobody expects it.
     if (capability == Capability::Administration && absence.reason == Reason::LocalFiles) return;
     const bool telling = absence.reason == Reason::ReadOnly || absence.reason == Reason::NotYetHere ||
-                         absence.reason == Reason::LocalFiles;
+                         absence.reason == Reason::LocalFiles ||
+                         (capability == Capability::Live && absence.reason == Reason::NoService);
     if (telling) limits << whyAbsent(capability, absence);
   };
   if (!robot.mapAdministration()) add(Capability::Administration);

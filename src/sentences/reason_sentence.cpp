@@ -107,7 +107,8 @@ QString ended(const Reason& reason, const QString& whole) {
 
 QString templateOf(ReasonCode code, int count) {
   if (code == ReasonCode::Said) return QStringLiteral("%1");
-  for (const auto words : {wordsOfSubmaps, wordsOfMaps, wordsOfFiles, wordsOfLinks, wordsOfRos}) {
+  for (const auto words :
+       {wordsOfSubmaps, wordsOfMaps, wordsOfFiles, wordsOfLinks, wordsOfRos, wordsOfRecordings}) {
     if (const QString text = words(code, count); !text.isEmpty()) return text;
   }
   return {};  // None, and what is put together otherwise

@@ -33,6 +33,8 @@ QString partName(const std::string& part) {
   if (part == map::kMapsPart) return Words::tr("Maps");
   if (part == map::kMappingsPart) return Words::tr("Mappings");
   if (part == map::kCurrentMapPart) return Words::tr("Current map");
+  if (part == map::kBagsPart) return Words::tr("Bags");
+  if (part == map::kRecordingsPart) return Words::tr("Recordings");
   return shortened(part);
 }
 
@@ -71,6 +73,8 @@ QString nameOf(const Subject& subject) {
       return Words::tr("Topic %1").arg(id);
     case SubjectKind::DiskCache:
       return Words::tr("Disk cache");
+    case SubjectKind::Bag:
+      return Words::tr("Bag %1").arg(shortened(subject.id));
     case SubjectKind::Catalogue:
       return partName(subject.id);
     case SubjectKind::Condition:

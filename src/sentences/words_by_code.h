@@ -13,5 +13,6 @@ QString wordsOfMaps(map::ReasonCode code, int count);
 QString wordsOfFiles(map::ReasonCode code, int count);
 QString wordsOfLinks(map::ReasonCode code, int count);
 QString wordsOfRos(map::ReasonCode code, int count);
+QString wordsOfRecordings(map::ReasonCode code, int count);
 
 }  // namespace mapwright::sentences

@@ -40,6 +40,16 @@ QString ofTheRobot(ReasonCode code) {
       return Words::tr("The robot may not be where its wheels say.");
     case ReasonCode::AlertWithoutText:
       return Words::tr("The robot gives no text with it.");
+    case ReasonCode::BagWithoutTimes:
+      return Words::tr("the answer does not say when it begins and ends");
+    case ReasonCode::BagWithoutMessages:
+      return Words::tr("the answer holds no list of messages");
+    case ReasonCode::BagNotAsked:
+      return Words::tr("%1 is no range of time");
+    case ReasonCode::BagFileNotWritten:
+      return Words::tr("%1 cannot be written: %2");
+    case ReasonCode::BagFileOfOtherSize:
+      return Words::tr("%1 bytes came, and the robot says that it has %2");
     default:
       return {};
   }

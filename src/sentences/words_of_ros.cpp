@@ -28,11 +28,23 @@ QString ofRos(ReasonCode code, int count) {
       return Words::tr("Its orientation is no rotation (a zero quaternion). It is shown with yaw 0.");
     case ReasonCode::RosCellsOutOfRange:
       return Words::tr("%1 cells are neither -1 nor 0 to 100. They are shown as unknown.", nullptr, count);
+    case ReasonCode::PictureShownOtherwise:
+      return Words::tr(
+          "The robot has taken the picture, but shows %1 cells otherwise than they were sent. Compare both.",
+          nullptr, count);
     case ReasonCode::RosPatchOutside:
       return Words::tr(
           "An update of %1 x %2 cells at %3, %4 does not lie in its %5 x %6 cells. It was left out.");
     case ReasonCode::RosPointsThinned:
       return Words::tr("It has %1 points, too many to be drawn. One of every %2 is shown.");
+    case ReasonCode::RosPatchInOtherFrame:
+      return Words::tr(
+          "An update of it lies in the frame %1, but it lies in the frame %2. The update was left out.");
+    case ReasonCode::RosOneConnection:
+      return Words::tr(
+          "The rosbridge server takes no second connection: %1. Maps and clouds share the one that poses "
+          "come "
+          "by, so these may come late while a map is sent.");
     case ReasonCode::RosFrameUnknown:
       return Words::tr("The robot has sent no transform of the frame %1 yet, so it cannot be placed.");
     case ReasonCode::RosFramesApart:
@@ -57,7 +69,7 @@ QString ofRos(ReasonCode code, int count) {
 QString ofTopics(ReasonCode code) {
   switch (code) {
     case ReasonCode::TopicSilent:
-      return Words::tr("Waiting: nothing has come by it yet");
+      return Words::tr("Waiting: nothing comes by it now");
     case ReasonCode::TopicNotListed:
       return Words::tr("the robot knows no such topic now");
     case ReasonCode::TopicNobodySends:
@@ -66,6 +78,17 @@ QString ofTopics(ReasonCode code) {
       return Words::tr(
           "the robot does not tell which topics it has (its node rosapi does not run), so it may not have "
           "it");
+    case ReasonCode::TopicAskedInstead:
+      return Words::tr(
+          "Nothing has come by it. Its map has been asked for by the service %1, and is shown as it was "
+          "then.");
+    case ReasonCode::MapServiceFailed:
+      return Words::tr("The map could not be had by the service %1 either: %2. It will be asked for again.");
+    case ReasonCode::PoseSourceAway:
+      return Words::tr(
+          "The rosbridge that tells where the robot is cannot be reached at %1: %2. Maps and waypoints come "
+          "all "
+          "the same.");
     case ReasonCode::TopicListedOnly:
       return Words::tr(
           "the topic is there; it may have nothing to say now, or the rosbridge server may lack its type");
@@ -128,6 +151,17 @@ QString ofMapManagers(ReasonCode code) {
     case ReasonCode::OnlyCurrentMapSent:
       return Words::tr(
           "The robot sends only the map that it works with. Load this one on the robot to see it.");
+    case ReasonCode::OnlyCurrentMapTaken:
+      return Words::tr(
+          "The robot sends only the map that it works with, so only that one's picture can be saved and "
+          "compared. Nothing was sent. Load this map on the robot first.");
+    case ReasonCode::PictureChangedMeanwhile:
+      return Words::tr("the picture of \"%1\" has been changed on the robot meanwhile");
+    case ReasonCode::CellBetweenKinds:
+      return Words::tr(
+          "Some of its cells are neither free, occupied nor unknown but in between (%1 of 100), and for "
+          "these the "
+          "map manager names no shade. Nothing was sent. Export the map to edit it as files.");
     case ReasonCode::MessageNotUnderstood:
       return Words::tr("Its message is not what is expected there. It was left out.");
     case ReasonCode::WaypointTurnIsZero:

@@ -166,6 +166,7 @@ class Session : public QObject {
   std::optional<map::MapKey> placesOfLiveMap() const;
   void followLivePlaces();  // the places of the map that the robot sends
   void readLivePlacesAgain();
+  void readPictureAgain(const map::MapKey& key);
   void openFirstMap();
   void retryMaps();  // those that could not be had
   void askForOverview();

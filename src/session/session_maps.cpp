@@ -6,6 +6,8 @@
 
 #include <QPointer>
 
+#include "robot/picture_store.h"
+#include "robot/sends_map.h"
 #include "robot/waypoint_store.h"
 #include "sentences/absence_sentence.h"
 #include "session/session.h"
@@ -59,15 +61,18 @@ void Session::wireMaps() {
       openInto(whole_map_, whole_map_.key());
     }
   });
-  const auto hearStore = [this] {
+  const auto hearStores = [this] {
     if (robot::WaypointStore* const store = robot_->waypointStore())
       connect(store, &robot::WaypointStore::changed, this, &Session::readLivePlacesAgain,
               Qt::UniqueConnection);
+    if (robot::PictureStore* const pictures = robot_->pictureStore())
+      connect(pictures, &robot::PictureStore::changed, this, &Session::readPictureAgain,
+              Qt::UniqueConnection);
   };
-  hearStore();
-  connect(robot_.get(), &robot::Robot::capabilitiesChanged, this, [this, hearStore] {
+  hearStores();
+  connect(robot_.get(), &robot::Robot::capabilitiesChanged, this, [this, hearStores] {
     catalogue_.setSource(robot_->mapCatalogue());
-    hearStore();
+    hearStores();
     sendWants();  // other topics may bring what is wanted
     followLivePlaces();
   });
@@ -77,6 +82,18 @@ void Session::wireMaps() {
     listed_at_ = came ? std::optional(now()) : std::nullopt;
     openFirstMap();
     followLivePlaces();
+  });
+  connect(this, &Session::liveChanged, this, [this](int what) {
+    // What the live map is called may come later than the map itself: with the name it is shown once more.
+    const auto grid = live_.grids.find(map::GridKind::WholeMap);
+    if (what != map::topicIndex<map::MapInfo>() || still_ || !live_.map_info || grid == live_.grids.end())
+      return;
+    const QString name = QString::fromStdString(live_.map_info->name);
+    for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+      const bool live =
+          slot->phase() != MapSlot::Phase::Empty && slot->key() == map::MapKey{map::MapKind::Live, {}};
+      if (live && !name.isEmpty() && slot->name() != name) slot->show(liveMap(grid->second, live_));
+    }
   });
   connect(this, &Session::rowsChanged, this, [this] {
     if (overview_.phase() == MapSlot::Phase::Empty) return;
@@ -98,7 +115,8 @@ void Session::discardPicture(const std::string& fingerprint) {
 
 void Session::openFirstMap() {
   // A robot that sends its map by itself needs no help; of the others the current map is shown, and follows.
-  if (map_chosen_ || !maps_by_itself_ || still_ || robot_->liveTopics() || !robot_->wholeMapSource()) return;
+  if (map_chosen_ || !maps_by_itself_ || still_ || robot::sendsItsMap(*robot_) || !robot_->wholeMapSource())
+    return;
   const map::CatalogueEntry* entry = catalogue_.current();
   if (!entry && catalogue_.entries().size() == 1) entry = &catalogue_.entries().front();
   if (!entry || whole_map_.key() == entry->key) return;
@@ -185,6 +203,13 @@ std::optional<map::MapKey> Session::placesOfLiveMap() const {
 void Session::readLivePlacesAgain() {
   live_places_.clear();
   followLivePlaces();
+}
+
+void Session::readPictureAgain(const map::MapKey& key) {
+  if (still_) return;
+  for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+    if (slot->key() == key && slot->phase() != MapSlot::Phase::Empty) openInto(*slot, key);
+  }
 }
 
 void Session::followLivePlaces() {

@@ -11,10 +11,22 @@
 
 namespace mapwright::simulator {
 
+/// What is odd about a bag.
+enum class BagQuirk {
+  None,
+  ClockSetBack,  // by two minutes, in its middle: later messages have earlier stamps
+  SameStamps,    // the clock only tells half seconds
+  Gap,           // nothing was recorded in the middle of it
+  EndsLate,      // it goes on for half a minute after the end that it tells
+  OneMessage,
+  Empty,
+};
+
 /// Simulated seconds.
 struct BagSpan {
   double from_s = 0, until_s = 0;
   bool every_scan = false;  // recorded to find out about positioning
+  BagQuirk quirk = BagQuirk::None;
   bool operator==(const BagSpan&) const = default;
 };
 
@@ -29,13 +41,15 @@ class BagRecording {
   /// message may lie after endTime().
   std::int64_t startTime() const;
   std::int64_t endTime() const;
-  /// A JSON list of the messages in [from, until] (epoch seconds), oldest first. Before them what was said
-  /// last on each latched topic.
-  std::string messagesJson(double from, double until) const;
+  enum class End { Inclusive, Exclusive };
+  /// A JSON list of the messages in [from, until] (epoch seconds), as they were recorded. Before them what
+  /// was said last on each latched topic. Only these are made.
+  std::string messagesJson(double from, double until, End end = End::Inclusive) const;
 
  private:
   struct Tick {
-    std::int64_t stamp_ms = 0;  // of the epoch
+    std::int64_t stamp_ms = 0;  // of the epoch, as the clock told it
+    std::int64_t true_ms = 0;   // as it was
     std::size_t topic = 0;
   };
 
@@ -44,7 +58,10 @@ class BagRecording {
   const RobotState& state_;
   const std::optional<StoredMap> map_;
   const std::uint32_t seed_;
-  std::vector<Tick> ticks_;  // ascending
+  void apply(BagQuirk quirk);
+
+  std::vector<Tick> ticks_;    // as recorded
+  std::int64_t silent_s_ = 0;  // after the end that is told
 };
 
 }  // namespace mapwright::simulator

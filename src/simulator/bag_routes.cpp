@@ -1,5 +1,6 @@
 #include "simulator/bag_routes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "simulator/json_text.h"
@@ -112,11 +113,7 @@ HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQu
   if (!bag) return noSuchFile();
   if (part == "/download") {
     if (auto refused = refusedMethod(question, "GET")) return *refused;
-    HttpAnswer answer;
-    answer.content_type = "application/octet-stream";
-    answer.headers = {{"Content-Disposition", "attachment"}};
-    answer.body = std::make_shared<const std::string>(bagBytes(*bag));
-    return answer;
+    return download(bagBytes(*bag), question.range);
   }
   if (!part.empty() && part != "/") return notFound();
   if (auto refused = refusedMethod(question, "GET, DELETE")) return *refused;
@@ -134,6 +131,32 @@ HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQu
       break;
   }
   return noSuchFile();
+}
+
+HttpAnswer BagRoutes::download(std::string bytes, std::string_view range) const {
+  HttpAnswer answer;
+  answer.content_type = "application/octet-stream";
+  answer.headers = {{"Content-Disposition", "attachment"}};
+  constexpr std::string_view kUnit = "bytes=";
+  const bool asked = options_.ranges && range.starts_with(kUnit) && range.ends_with('-');
+  const auto from = asked
+                        ? numberFrom<std::size_t>(range.substr(kUnit.size(), range.size() - kUnit.size() - 1))
+                        : std::nullopt;
+  if (from) {
+    std::string range_of("bytes ");
+    if (*from >= bytes.size()) {
+      answer.status = 416;
+      range_of.append("*");
+    } else {
+      answer.status = 206;
+      range_of.append(std::to_string(*from)).append("-").append(std::to_string(bytes.size() - 1));
+    }
+    range_of.append("/").append(std::to_string(bytes.size()));
+    answer.headers.emplace_back("Content-Range", range_of);
+    bytes.erase(0, std::min(*from, bytes.size()));
+  }
+  answer.body = std::make_shared<const std::string>(std::move(bytes));
+  return answer;
 }
 
 std::shared_ptr<const BagRecording> BagRoutes::recordingOf(const Bag& bag) {
@@ -168,7 +191,10 @@ HttpAnswer BagRoutes::player(const std::optional<Bag>& bag, const HttpQuestion& 
   std::string body = "{\"total_messages\":" + std::to_string(recording->messages()) +
                      ",\"start_time\":" + std::to_string(recording->startTime()) +
                      ",\"end_time\":" + std::to_string(recording->endTime());
-  if (!whole) body += ",\"messages\":" + recording->messagesJson(*from, *until);
+  if (!whole)
+    body += ",\"messages\":" + recording->messagesJson(*from, *until,
+                                                       options_.end_exclusive ? BagRecording::End::Exclusive
+                                                                              : BagRecording::End::Inclusive);
   HttpAnswer answer = jsonAnswer(200, body + "}");
   answer.headers = {{"Cache-Control", "public, max-age=2592000"}};
   return answer;

@@ -14,6 +14,18 @@ constexpr double kBagS = 600;
 constexpr double kFirstBagS = -3 * kBagS;  // the robot was on before its world begins
 constexpr double kKeptBags = 12;
 constexpr double kCorruptBagS = -60 * kBagS;
+struct OddBag {
+  const char* name;
+  double long_s;
+  BagQuirk quirk;
+};
+constexpr OddBag kOddBags[] = {{"eight_hours.bag", 8 * 3600, BagQuirk::None},
+                               {"clock_set_back.bag", kBagS, BagQuirk::ClockSetBack},
+                               {"same_stamps.bag", kBagS, BagQuirk::SameStamps},
+                               {"gap.bag", kBagS, BagQuirk::Gap},
+                               {"ends_late.bag", kBagS, BagQuirk::EndsLate},
+                               {"one_message.bag", kBagS, BagQuirk::OneMessage},
+                               {"empty.bag", kBagS, BagQuirk::Empty}};
 constexpr std::size_t kBagHeaderBytes = 4096;
 constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                    "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
@@ -93,7 +105,7 @@ std::string bagBytes(const Bag& bag) {
   return bytes;
 }
 
-BagStore::BagStore(const RobotState& state) : state_(state) {
+BagStore::BagStore(const RobotState& state, bool odd) : state_(state), odd_(odd) {
   recordings_.push_back(recordingUntil(-1013, 120, "7002", true));
   Bag corrupt = recordingUntil(-86'400, 60, "1008", false);
   corrupt.condition = BagCondition::Corrupt;
@@ -104,6 +116,11 @@ std::vector<Bag> BagStore::bags() const {
   const double now_s = state_.time();
   const double newest_s = kBagS * std::floor(now_s / kBagS);
   std::vector<Bag> bags{bagFrom(kCorruptBagS, BagCondition::Corrupt)};
+  if (odd_) {
+    for (const OddBag& odd : kOddBags)
+      bags.push_back(
+          {odd.name, {kFirstBagS - odd.long_s, kFirstBagS, false, odd.quirk}, BagCondition::Whole});
+  }
   for (double from_s = std::max(kFirstBagS, newest_s - kKeptBags * kBagS); from_s < newest_s; from_s += kBagS)
     bags.push_back(bagFrom(from_s, BagCondition::Whole));
   bags.push_back(bagFrom(newest_s, BagCondition::Recording));

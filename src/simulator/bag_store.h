@@ -34,7 +34,8 @@ std::string bagBytes(const Bag& bag);
 /// Safe from any thread. Every ten minutes of simulated time are one bag; the newest dozen stay.
 class BagStore {
  public:
-  explicit BagStore(const RobotState& state);
+  /// `odd`: with the bags of BagOptions::odd.
+  BagStore(const RobotState& state, bool odd);
 
   std::vector<Bag> list(BagFolder folder) const;  // oldest first
   std::optional<Bag> find(BagFolder folder, std::string_view name) const;
@@ -50,6 +51,7 @@ class BagStore {
   std::vector<Bag> bags() const;
 
   const RobotState& state_;
+  const bool odd_;
   mutable std::mutex mutex_;
   std::set<std::string, std::less<>> removed_;  // bags
   std::vector<Bag> recordings_;

@@ -17,6 +17,7 @@ struct HttpQuestion {
   std::string_view if_none_match;
   std::string_view body;
   std::string_view content_type;
+  std::string_view range = {};
 };
 
 struct HttpAnswer {

@@ -69,7 +69,7 @@ HttpRoutes::HttpRoutes(RobotState& state, MapLibrary& library, MappingBook& mapp
       maps_(library, mappings, faults),
       mappings_(state, mappings, library, faults),
       chassis_(state, library, faults),
-      bags_(state, library, options.seed) {}
+      bags_(state, library, options.seed, options.bags) {}
 
 HttpAnswer HttpRoutes::answer(const HttpQuestion& question) {
   if (!allows(question.secret)) return jsonAnswer(401, jsonDetail("A valid Secret header is required."));
@@ -114,7 +114,10 @@ HttpAnswer HttpRoutes::routed(const HttpQuestion& question) {
   if (auto answer = maps_.answer(question)) return *answer;
   if (auto answer = mappings_.answer(question)) return *answer;
   if (auto answer = chassis_.answer(question)) return *answer;
-  if (auto answer = bags_.answer(question)) return *answer;
+  if (auto answer = bags_.answer(question)) {
+    answer->delay_ms += faults_.faults().map_latency_ms;
+    return *answer;
+  }
   return notFound();
 }
 

@@ -65,7 +65,8 @@ void HttpSession::take() {
                         view(request["Secret"]),
                         view(request[http::field::if_none_match]),
                         request.body(),
-                        view(request[http::field::content_type])};
+                        view(request[http::field::content_type]),
+                        view(request[http::field::range])};
   RequestRecord record;
   record.method = question.method;
   record.target = target;

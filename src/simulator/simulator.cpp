@@ -36,6 +36,10 @@ std::optional<std::string> problemOf(const Options& options, bool scene_exists) 
   if (options.ros.waypoints < 0 || options.ros.waypoints > 100'000) {
     return "The number of waypoints must lie between 0 and 100,000.";
   }
+  if (const double edge = options.ros.dispatcher.edge_m;
+      !(edge >= 10 && edge <= 2000 && edge == std::floor(edge))) {
+    return "The building of the map dispatcher has an edge of whole metres between 10 and 2000.";
+  }
   return std::nullopt;
 }
 
@@ -132,6 +136,8 @@ std::string Simulator::rosAddress() const { return "ros+ws://127.0.0.1:" + std::
 
 std::string Simulator::kabamAddress() const { return "kabam+ws://127.0.0.1:" + std::to_string(rosPort()); }
 
+std::string Simulator::rep130Address() const { return "rep130+ws://127.0.0.1:" + std::to_string(rosPort()); }
+
 std::vector<RequestRecord> Simulator::requestLog() const { return impl_->log.records(); }
 
 void Simulator::clearRequestLog() { impl_->log.clear(); }
@@ -186,6 +192,11 @@ int Simulator::openWebSockets() const {
 int Simulator::openRosLinks() const {
   const std::lock_guard lock(impl_->server_mutex);
   return impl_->ros_server ? impl_->ros_server->openLinks() : 0;
+}
+
+void Simulator::otherPainter() {
+  const std::lock_guard lock(impl_->server_mutex);
+  if (impl_->ros_server) impl_->ros_server->otherPainter();
 }
 
 void Simulator::otherOperator() {

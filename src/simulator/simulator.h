@@ -39,7 +39,7 @@ struct Faults {
   // "zero-resolution", "negative-resolution", "no-resolution" or "no-origin" in picture topics and map
   // details
   std::string grid_fault;
-  int map_latency_ms = 0;       // added to every answer about maps and static files
+  int map_latency_ms = 0;       // added to every answer about maps, bags and static files
   bool map_list_error = false;  // 500 for /maps/
   // Requests that change something (POST, PUT, PATCH, DELETE).
   int write_latency_ms = 0;       // added to every answer
@@ -47,6 +47,15 @@ struct Faults {
   double drop_writes = 0;         // the connection is closed without an answer; nothing is changed
   double lose_write_answers = 0;  // the connection is closed without an answer, and all is changed
   RosFaults ros;
+};
+
+/// What it has recorded.
+struct BagOptions {
+  /// Besides the usual ones: eight hours with more than 100,000 messages, a clock that was set back, equal
+  /// stamps, a gap, messages after the end that is told, one message, none.
+  bool odd = false;
+  bool end_exclusive = false;  // a range ends before its end_time
+  bool ranges = true;          // downloads can go on (Range)
 };
 
 /// How the robot behaves and what it offers.
@@ -66,6 +75,7 @@ struct Options {
   double scan_hz = 5;             // how often they come; above 0, at most 100
   int costmap_cells = 200;        // edge of /maps/5cm/1hz; 20..4000
   double pose_hz = 10;            // how often /tracked_pose comes; above 0, at most 100
+  BagOptions bags;
   RosOptions ros;
   Faults faults;
 };
@@ -100,8 +110,9 @@ class Simulator {
   std::uint16_t aimdkPort() const;
   std::string aimdkAddress() const;  // "aimdk+http://127.0.0.1:PORT"
   std::uint16_t rosPort() const;
-  std::string rosAddress() const;    // "ros+ws://127.0.0.1:PORT"
-  std::string kabamAddress() const;  // the same robot: "kabam+ws://127.0.0.1:PORT"
+  std::string rosAddress() const;     // "ros+ws://127.0.0.1:PORT"
+  std::string kabamAddress() const;   // the same robot: "kabam+ws://127.0.0.1:PORT"
+  std::string rep130Address() const;  // likewise: "rep130+ws://127.0.0.1:PORT"
 
   std::vector<RequestRecord> requestLog() const;
   void clearRequestLog();
@@ -119,6 +130,7 @@ class Simulator {
   std::string uuid() const;
   int openWebSockets() const;
   int openRosLinks() const;
+  void otherPainter();   // somebody else paints on the current map of the ROS robot
   void otherOperator();  // somebody else changes a waypoint or a map of the ROS robot
 
  private:

@@ -59,7 +59,7 @@ class CommandLineTest : public QObject {
     QTest::addColumn<QString>("line");
     for (const char* line :
          {"nonsense", "snapshot", "snapshot --output p.png",
-          "snapshot --robot demo: --output p.png --size big", "snapshot --robot rep130+ws://h --output p.png",
+          "snapshot --robot demo: --output p.png --size big", "snapshot --robot rep131+ws://h --output p.png",
           "snapshot --robot demo:?scene=moon --output p.png",
           "snapshot --robot demo: --output /no/such/folder/p.png", "simulate --scene moon",
           "simulate --drop-rate 2", "snapshot --robot demo: --secret-file /no/such/file --output p.png",

@@ -172,6 +172,27 @@ class OtherRobotsTest : public QObject {
     QCOMPARE(outcome.err.count(QLatin1Char('\n')), 1);
   }
 
+  void aPasswordInAnAddressIsNotRepeated_data() {
+    QTest::addColumn<QString>("line");
+    for (const char* line :
+         {"maps diff http://u:hush@127.0.0.1:1/ 1", "maps diff u:hush@127.0.0.1:1 1",
+          "maps diff 1 axbot+http://u:hush@127.0.0.1:1 --robot demo:", "maps list --robot u:hush@127.0.0.1:1",
+          "maps export --robot ros+ws://u:hush@127.0.0.1:1 -o m.png",
+          "maps list --robot demo: --secret-file-for http://u:hush@127.0.0.1:1 /no/such/file",
+          "snapshot --robot http://u:hush@127.0.0.1:1 -o p.png"}) {
+      QTest::newRow(line) << QString::fromLatin1(line);
+    }
+  }
+  void aPasswordInAnAddressIsNotRepeated() {
+    QFETCH(QString, line);
+    const Outcome outcome = run(line);
+    QVERIFY2(outcome.code == 2, qPrintable(outcome.err));
+    QCOMPARE(outcome.err.count(QLatin1Char('\n')), 1);
+    QVERIFY2(!outcome.err.contains(QStringLiteral("hush")), qPrintable(outcome.err));
+    QVERIFY2(outcome.err.contains(QStringLiteral("127.0.0.1:1")), qPrintable(outcome.err));
+    QVERIFY2(outcome.err.contains(QStringLiteral("MAPWRIGHT_SECRET")), qPrintable(outcome.err));
+  }
+
   void aSecretFileWithoutItsRobotIsRefused() {
     const QString secret = file(QStringLiteral("s"), "hush");
     const Outcome outcome = run(QStringLiteral("maps diff axbot+http://127.0.0.1:1 axbot+http://127.0.0.1:2 "

@@ -100,6 +100,23 @@ class RosCommandsTest : public QObject {
                            QStringLiteral("--robot"), kabam()});
     QVERIFY2(shown.exit_code == 0, shown.error.constData());
     QCOMPARE(QJsonDocument::fromJson(shown.out)[QLatin1String("waypoints")].toArray().size(), 12);
+    // Of the others the robot sends no picture: the rest is told, and that one is missing.
+    const Ran bare = run({QStringLiteral("maps"), QStringLiteral("show"), other, QStringLiteral("--json"),
+                          QStringLiteral("--robot"), kabam()});
+    QCOMPARE(bare.exit_code, 1);
+    QCOMPARE(bare.error.count('\n'), 1);
+    QVERIFY2(bare.error.contains("only the map that it works with"), bare.error.constData());
+    const QJsonObject told = QJsonDocument::fromJson(bare.out).object();
+    QCOMPARE(told[QLatin1String("id")].toString(), other);
+    QVERIFY(!told[QLatin1String("name")].toString().isEmpty());
+    QVERIFY(told[QLatin1String("grid")].isNull() && told.contains(QLatin1String("grid")));
+    const Ran listed = run({QStringLiteral("waypoints"), QStringLiteral("list"), QStringLiteral("--map"),
+                            other, QStringLiteral("--json"), QStringLiteral("--robot"), kabam()});
+    QCOMPARE(told[QLatin1String("waypoints")].toArray().size(),
+             QJsonDocument::fromJson(listed.out).array().size());
+    const Ran for_people =
+        run({QStringLiteral("maps"), QStringLiteral("show"), other, QStringLiteral("--robot"), kabam()});
+    QVERIFY(for_people.exit_code == 1 && for_people.out.contains("picture"));
     // The live map has the waypoints of the one that the robot works with.
     const Ran live = run({QStringLiteral("maps"), QStringLiteral("show"), QStringLiteral("--json"),
                           QStringLiteral("--robot"), kabam()});
@@ -163,6 +180,33 @@ class RosCommandsTest : public QObject {
     const Ran twice = waypoints(QStringLiteral("create Last --at 1,2"));
     QVERIFY2(twice.exit_code == 4 && twice.error.contains("has not been changed"), twice.error.constData());
     QVERIFY(waypoints(QStringLiteral("delete New Last --yes")).exit_code == 0);
+  }
+
+  void aRobotWhoseOnlyMapDoesNotComeSaysSo() {
+    simulator::Options options;
+    options.paused = true;
+    options.ros.kabam = false;
+    options.faults.ros.silent = {"/map"};
+    options.faults.ros.refuse = {"/static_map"};
+    robot_ = std::make_unique<simulator::Simulator>(options);
+    QVERIFY(!robot_->start());
+    QTemporaryDir folder;
+    const Ran ran =
+        run({QStringLiteral("snapshot"), QStringLiteral("--timeout"), QStringLiteral("20"),
+             QStringLiteral("--robot"), ros(), QStringLiteral("-o"), folder.filePath(QStringLiteral("a.png")),
+             QStringLiteral("--report"), folder.filePath(QStringLiteral("r.json"))});
+    QCOMPARE(ran.exit_code, 4);
+    QVERIFY2(ran.error.contains("It sends no map now. Topic /static_map: "), ran.error.constData());
+    QVERIFY(bytesOf(folder.filePath(QStringLiteral("r.json"))).size() < 10'000);
+  }
+
+  void aPictureOfWhatCameInTimeIsComplete() {
+    start(false);
+    QTemporaryDir folder;
+    const Ran ran = run({QStringLiteral("snapshot"), QStringLiteral("--settle"), QStringLiteral("3"),
+                         QStringLiteral("--robot"), ros(), QStringLiteral("-o"),
+                         folder.filePath(QStringLiteral("a.png"))});
+    QVERIFY2(ran.exit_code == 0, ran.error.constData());
   }
 
   void aRobotWithoutAMapManagerHasItsLiveMap() {

@@ -6,8 +6,9 @@
 
 #include "../edit/fake_waypoint_store.h"
 #include "app/exit_code.h"
-#include "app/waypoint_plan.h"
 #include "app/waypoint_sending.h"
+#include "exchange/waypoint_plan.h"
+#include "sentences/failure_sentence.h"
 
 using namespace mapwright;
 using test::FakeWaypointStore;
@@ -38,8 +39,8 @@ class WaypointSendingTest : public QObject {
                                         app::MapReading::Purpose::Maps, workers_);
     return opened ? std::move(*opened) : nullptr;
   }
-  static std::vector<app::WaypointEdit> threeMoves(const FakeWaypointStore& store) {
-    std::vector<app::WaypointEdit> edits;
+  static std::vector<exchange::WaypointEdit> threeMoves(const FakeWaypointStore& store) {
+    std::vector<exchange::WaypointEdit> edits;
     for (const map::Waypoint& point : store.points) {
       map::Waypoint after = point;
       after.position_m += Eigen::Vector2d(10, 0);
@@ -64,7 +65,7 @@ class WaypointSendingTest : public QObject {
     QVERIFY(robot);
     app::ListedWaypoints list{robot.get(), {}, {}, &store};
     auto edits = threeMoves(store);
-    edits.push_back({app::freshKey(), std::nullopt, waypoint("", 5, 5, "New")});
+    edits.push_back({exchange::freshKey(), std::nullopt, waypoint("", 5, 5, "New")});
     const auto sent = app::sendWaypoints(list, edits, app::AtFailure::Stop);
     QVERIFY(sent.has_value());
     QCOMPARE(states(*sent), QStringLiteral("AAAA"));
@@ -126,6 +127,39 @@ class WaypointSendingTest : public QObject {
     QCOMPARE(states(*sent), QStringLiteral("ANN"));  // over a lost link nothing goes on
   }
 
+  // It may be at work on it still: that nothing is to be seen yet proves nothing.
+  void whoseAnswerIsLostMayDoItLater() {
+    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    fill(store);
+    store.failures = {failed(map::FailureKind::Unreachable, map::Applied::Maybe)};
+    store.does_what_fails = false;
+    const auto robot = reading();
+    QVERIFY(robot);
+    app::ListedWaypoints list{robot.get(), {}, {}, &store};
+    const auto sent = app::sendWaypoints(list, threeMoves(store), app::AtFailure::GoOn);
+    QVERIFY(sent.has_value());
+    QCOMPARE(states(*sent), QStringLiteral("UNN"));
+    QVERIFY2(sent->sentence().contains(QStringLiteral("Whether it has been changed is not known")),
+             qPrintable(sent->sentence()));
+  }
+
+  void whatIsTakenInPartSaysWhichPart() {
+    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    fill(store);
+    map::Failure tags = failed(map::FailureKind::RejectedByRobot, map::Applied::Yes);
+    tags.reason = map::FailureReason::Unfit;
+    tags.cause = {map::ReasonCode::TagsNotTaken, {"Ada"}};
+    store.failures = {tags};
+    store.does_what_fails = false;
+    const auto robot = reading();
+    QVERIFY(robot);
+    app::ListedWaypoints list{robot.get(), {}, {}, &store};
+    const auto sent = app::sendWaypoints(list, threeMoves(store), app::AtFailure::GoOn);
+    QVERIFY(sent.has_value());
+    QCOMPARE(int(sent->steps.front().state), int(app::StepState::Failed));
+    QCOMPARE(sent->steps.front().sentence(), QString::fromStdString(sentences::sentenceOf(tags)));
+  }
+
   void whatNobodyCanTellIsNamed() {
     FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
     fill(store);
@@ -174,6 +208,20 @@ class WaypointSendingTest : public QObject {
     QCOMPARE(states(*sent), QStringLiteral("FNN"));
     QCOMPARE(store.asked.size(), std::size_t(1));
     QVERIFY2(sent->sentence().contains(QStringLiteral("within 5 s")), qPrintable(sent->sentence()));
+    QCOMPARE(sent->exitCode(), int(app::kUnreachable));
+  }
+
+  void whoIsOutOfReachBeforeAnythingIsSentIsNoErrorOfTheRobot() {
+    FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
+    fill(store);
+    store.readable = 1;
+    const auto robot = reading();
+    QVERIFY(robot);
+    app::ListedWaypoints list{robot.get(), {}, {}, &store};
+    const auto sent = app::sendWaypoints(list, threeMoves(store), app::AtFailure::GoOn);
+    QVERIFY(sent.has_value());
+    QCOMPARE(states(*sent), QStringLiteral("NNN"));
+    QCOMPARE(sent->exitCode(), int(app::kUnreachable));
   }
 };
 

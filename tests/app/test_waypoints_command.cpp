@@ -39,7 +39,7 @@ class WaypointsCommandTest : public QObject {
   Q_OBJECT
   std::unique_ptr<QTemporaryDir> folder_;
 
-  Outcome run(const QStringList& words) const {
+  Outcome run(const QStringList& words, const QByteArray& input = {}) const {
     QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
     for (const char* name :
          {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
@@ -51,6 +51,8 @@ class WaypointsCommandTest : public QObject {
     process.setProcessEnvironment(env);
     process.setWorkingDirectory(folder_->path());
     process.start(QStringLiteral(MAPWRIGHT_PROGRAM), QStringList{QStringLiteral("waypoints")} + words);
+    process.write(input);
+    process.closeWriteChannel();
     if (!process.waitForFinished(120'000)) return {};
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
             QString::fromUtf8(process.readAllStandardError())};
@@ -83,6 +85,29 @@ class WaypointsCommandTest : public QObject {
     return names;
   }
 
+  /// 4 m x 3 m at 5 cm: free, a wall of 25 cm along its left edge, a corner that nobody knows.
+  void putHall() const {
+    QByteArray cells;
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 80; ++x) cells += x < 5 ? '\x00' : x > 70 && y < 10 ? '\x80' : '\xfe';
+    }
+    put("hall.pgm", "P5\n80 60\n255\n" + cells);
+    put("many.csv",
+        "id,name,x,y\nin,In,0.1,1\nout,Out,9,9\nnear,Near,0.35,1\nfree,Free,2,1\none,Twin,2.5,1\n"
+        "two,Twin,3,1\ndark,Dark,3.9,2.9\n");
+    QFile::remove(folder_->filePath(QStringLiteral("hall.waypoints.geojson")));
+    QCOMPARE(at(QStringLiteral("import many.csv")).code, 0);
+  }
+  static QMap<QString, QStringList> kindsOf(const QJsonArray& rows) {
+    QMap<QString, QStringList> kinds;
+    for (const QJsonValue& row : rows) {
+      QStringList& of = kinds[row[QStringLiteral("name")].toString()];
+      for (const QJsonValue& warning : row[QStringLiteral("warnings")].toArray())
+        of << warning[QStringLiteral("kind")].toString();
+    }
+    return kinds;
+  }
+
  private Q_SLOTS:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
@@ -109,6 +134,63 @@ class WaypointsCommandTest : public QObject {
     QFile::remove(folder_->filePath(QStringLiteral("hall.waypoints.geojson")));
     QCOMPARE(at(QStringLiteral("list --json")).array().size(), 0);
     QCOMPARE(at(QStringLiteral("list")).code, 0);
+  }
+
+  void whatIsDoubtfulIsToldBesideEach() {
+    putHall();
+    const Outcome list = at(QStringLiteral("list --warnings --json"));
+    QVERIFY2(list.code == 0 && list.err.isEmpty(), qPrintable(list.err));
+    const auto kinds = kindsOf(list.array());
+    const auto is = [&](const char* name, const QStringList& wanted) {
+      return kinds[QLatin1String(name)] == wanted;
+    };
+    QVERIFY(is("In", {QStringLiteral("in_wall")}));
+    QVERIFY(is("Out", {QStringLiteral("outside_map")}));
+    QVERIFY(is("Near", {QStringLiteral("near_wall")}));  // closer than the usual 30 cm
+    QVERIFY(is("Free", {}));
+    QVERIFY(is("Twin", {QStringLiteral("name_twice"), QStringLiteral("name_twice")}));
+    QVERIFY(is("Dark", {QStringLiteral("on_unknown")}));
+    for (const QJsonValue& row : list.array()) {
+      if (row[QStringLiteral("name")] != QStringLiteral("Near")) continue;
+      const QJsonObject near = row[QStringLiteral("warnings")].toArray().first().toObject();
+      QVERIFY(std::abs(near[QStringLiteral("distance_m")].toDouble() - 0.1) < 0.001);
+      QCOMPARE(near[QStringLiteral("radius_m")].toDouble(), 0.3);
+      QVERIFY(near[QStringLiteral("sentence")].toString().contains(QStringLiteral("0.10 m from a wall")));
+    }
+    QVERIFY(
+        kindsOf(at(QStringLiteral("list --warnings --json --radius 0.05")).array())[QStringLiteral("Near")]
+            .isEmpty());
+    const Outcome table = at(QStringLiteral("list --warnings"));
+    QVERIFY(table.code == 0 && table.out.contains(QStringLiteral("WARNINGS")) &&
+            table.out.contains(QStringLiteral("It is in a wall.")));
+    QVERIFY(
+        !at(QStringLiteral("list --json")).array().first().toObject().contains(QStringLiteral("warnings")));
+    for (const char* word : {"-1", "11", "far", "nan"})
+      QCOMPARE(at(QStringLiteral("list --warnings --radius %1").arg(QLatin1String(word))).code, 2);
+  }
+
+  void withoutItsMapTheRestIsDoubtfulAllTheSame() {
+    putHall();
+    put("hall.pgm", "no picture");
+    const Outcome list = at(QStringLiteral("list --warnings --json"));
+    QCOMPARE(list.code, 1);
+    QVERIFY2(list.err.contains(QStringLiteral("walls are not told")), qPrintable(list.err));
+    const auto kinds = kindsOf(list.array());
+    QVERIFY(kinds[QStringLiteral("In")].isEmpty());
+    QCOMPARE(kinds[QStringLiteral("Twin")].size(), 2);
+  }
+
+  void aPlanTellsWhatWillBeDoubtful() {
+    putHall();
+    put("wanted.csv", "id,name,x,y\nin,In,1,1\nfree,Free,0.1,1\n,New,8,1\n");
+    const Outcome plan = at(QStringLiteral("plan wanted.csv --json"));
+    QVERIFY2(plan.code == 0, qPrintable(plan.err));
+    const auto kinds = kindsOf(plan.object()[QStringLiteral("warnings")].toArray());
+    QCOMPARE(kinds.keys(), (QStringList{QStringLiteral("Free"), QStringLiteral("New")}));
+    QCOMPARE(kinds[QStringLiteral("Free")], QStringList{QStringLiteral("in_wall")});
+    QCOMPARE(kinds[QStringLiteral("New")], QStringList{QStringLiteral("outside_map")});
+    const Outcome table = at(QStringLiteral("plan wanted.csv"));
+    QVERIFY(table.code == 0 && table.out.contains(QStringLiteral("It is outside the map.")));
   }
 
   void oneIsToldByItsIdOrItsName() {
@@ -294,6 +376,45 @@ class WaypointsCommandTest : public QObject {
       QCOMPARE(theirs[QStringLiteral("name")].toString(), QStringLiteral("Entry"));
       QCOMPARE(kept(), before);
     }
+  }
+
+  void theStandardInputIsAFileLikeAnyOther() {
+    const QStringList import{QStringLiteral("import"), QStringLiteral("-"), QStringLiteral("--robot"),
+                             QStringLiteral("hall.yaml")};
+    const Outcome csv = run(import, "id,name,x,y\n,Gate,5,6\n");
+    QVERIFY2(csv.code == 0, qPrintable(csv.err));
+    QVERIFY(kept().contains("Gate"));
+    QByteArray moved = kTwo;
+    moved.replace("[3, 4]", "[7, 8]");
+    const Outcome json = run(import, moved);
+    QVERIFY2(json.code == 0, qPrintable(json.err));
+    const QJsonArray rows = at(QStringLiteral("list --json")).array();
+    QCOMPARE(rows.size(), 3);
+    const Outcome none = run(import, "neither");
+    QCOMPARE(none.code, 2);
+    QVERIFY2(none.err.contains(QStringLiteral("The standard input")), qPrintable(none.err));
+  }
+
+  void theReportTellsWhatBecameOfEachChange() {
+    const auto report = [this] {
+      return QJsonDocument::fromJson(read("r.json")).object()[QStringLiteral("waypoints")].toObject();
+    };
+    QCOMPARE(at(QStringLiteral("move w2 --at 9,9 --report r.json")).code, 0);
+    const QJsonObject moved = report();
+    QCOMPARE(moved[QStringLiteral("applied")].toInt(), 1);
+    QVERIFY(moved[QStringLiteral("complete")].toBool());
+    const QJsonObject change = moved[QStringLiteral("changes")].toArray().at(0).toObject();
+    QCOMPARE(change[QStringLiteral("id")].toString(), QStringLiteral("w2"));
+    QCOMPARE(change[QStringLiteral("kind")].toString(), QStringLiteral("move"));
+    QCOMPARE(change[QStringLiteral("state")].toString(), QStringLiteral("applied"));
+    QCOMPARE(change[QStringLiteral("x")].toDouble(), 9.0);
+    QCOMPARE(at(QStringLiteral("delete w1 --dry-run --report r.json")).code, 0);
+    QVERIFY(report()[QStringLiteral("dry_run")].toBool());
+    QCOMPARE(report()[QStringLiteral("changes")].toArray().size(), 1);
+    // Nothing else is printed where the report goes.
+    const Outcome printed = at(QStringLiteral("create Gate --at 1,1 --report -"));
+    QVERIFY2(printed.code == 0, qPrintable(printed.err));
+    QCOMPARE(printed.object()[QStringLiteral("waypoints")].toObject()[QStringLiteral("applied")].toInt(), 1);
   }
 
   void aPlanBelongsToItsMap() {

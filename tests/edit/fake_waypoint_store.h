@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 #include <QTimer>
 
@@ -21,7 +24,6 @@ inline map::Waypoint waypoint(const std::string& id, double x, double y, const s
 }
 
 class FakeWaypointStore : public robot::WaypointStore {
-  Q_OBJECT
  public:
   enum class Way { OneByOne, AllAtOnce };
   explicit FakeWaypointStore(Way way) : way_(way) {}
@@ -29,10 +31,10 @@ class FakeWaypointStore : public robot::WaypointStore {
   robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::StoredWaypoints> reply) override {
     ++reads;
     return later([this, reply] {
-      if (unreadable) {
+      if (unreadable || reads > readable) {
         reply(tl::make_unexpected(map::Failure{map::FailureKind::Unreachable}));
       } else {
-        reply(robot::StoredWaypoints{points, std::to_string(revision), {}, there});
+        reply(robot::StoredWaypoints{points, std::to_string(revision), {}, there, zero_turns});
       }
     });
   }
@@ -43,6 +45,14 @@ class FakeWaypointStore : public robot::WaypointStore {
     std::vector<robot::WaypointRequest> requests;
     for (const auto& change : changes) requests.push_back({{change}, now.revision});
     return requests;
+  }
+  robot::WaypointCall callOf(const map::MapKey&, const robot::WaypointRequest& request) const override {
+    if (!is_called || request.changes.empty()) return {};
+    const auto& change = request.changes.front();
+    const auto& point = change.after ? *change.after : *change.before;
+    const std::string arguments = "{\"id\":\"" + change.id + "\",\"name\":\"" + point.name +
+                                  "\",\"x\":" + std::to_string(point.position_m.x()) + "}";
+    return {!change.before ? "create" : !change.after ? "delete" : "change", arguments};
   }
   robot::Call perform(const map::MapKey&, const robot::WaypointRequest& request,
                       robot::OutcomeTo<robot::WaypointReceipt> reply) override {
@@ -67,7 +77,7 @@ class FakeWaypointStore : public robot::WaypointStore {
     if (way_ == Way::AllAtOnce && request.revision != std::to_string(revision))
       failure = map::Failure{map::FailureKind::Conflict};
     // A lost answer: the robot has done it.
-    const bool does = !failure || failure->applied != map::Applied::No;
+    const bool does = !failure || (does_what_fails && failure->applied != map::Applied::No);
     robot::WaypointReceipt receipt;
     if (does) apply(request, receipt);
     return later([reply, failure, receipt] {
@@ -95,10 +105,14 @@ class FakeWaypointStore : public robot::WaypointStore {
   }
 
   std::vector<map::Waypoint> points;
+  std::set<std::string> zero_turns;  // ids
   int revision = 1, reads = 0;
   bool hold = false, unreadable = false;
+  bool is_called = false;             // its requests are calls of services
+  int readable = 1'000'000;           // times
   bool there = true;                  // the list, be it empty
   std::deque<map::Failure> failures;  // of the next requests
+  bool does_what_fails = true;        // where the failure says that it may have been done
   std::vector<robot::WaypointRequest> asked;
   std::function<void()> before_performing;
 
@@ -113,17 +127,22 @@ class FakeWaypointStore : public robot::WaypointStore {
     return robot::Call(state);
   }
   void apply(const robot::WaypointRequest& request, robot::WaypointReceipt& receipt) {
+    std::unordered_map<std::string, map::Waypoint> made;  // thousands at once cost no more than each
+    std::unordered_set<std::string> gone;
     for (const auto& change : request.changes) {
-      remove(change.id);
+      gone.insert(change.id);
       if (!change.after) continue;
-      map::Waypoint made = *change.after;
-      made.id = change.id;
+      map::Waypoint point = *change.after;
+      point.id = change.id;
       if (!change.before && way_ == Way::OneByOne) {
-        made.id = "robot-" + std::to_string(++last_id_);
-        receipt.ids[change.id] = made.id;
+        point.id = "robot-" + std::to_string(++last_id_);
+        receipt.ids[change.id] = point.id;
       }
-      put(made);
+      made.emplace(point.id, std::move(point));
     }
+    std::erase_if(points, [&](const map::Waypoint& one) { return gone.contains(one.id); });
+    for (auto& [id, point] : made) points.push_back(std::move(point));
+    ++revision;
   }
   Way way_;
   int last_id_ = 0;

@@ -124,6 +124,10 @@ void TestTexts::whatPeopleReadCanBeTranslated() {
       QStringLiteral("requests a version that we don't support"),
       // What a server says, to be cut off.
       QStringLiteral("responded with an error: "),
+      QStringLiteral("does not exist"),
+      // What stands in a file for other programs.
+      QStringLiteral("property float intensity\\n"),
+      QStringLiteral("property uchar red\\nproperty uchar green\\nproperty uchar blue\\n"),
   };
   int translated = 0;
   QStringList wrong;

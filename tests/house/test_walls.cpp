@@ -42,7 +42,10 @@ QStringList headersOf(const Room& room, const QList<Room>& rooms) {
       return other.folder.startsWith(room.folder + QLatin1Char('/')) &&
              path.startsWith(other.folder + QLatin1Char('/'));
     });
-    if (!of_inner_room) headers << room.prefix + QLatin1Char('/') + inside;
+    // A program of its own, as the benchmarks are, keeps its headers to itself.
+    const QString below = inside.section(QLatin1Char('/'), 0, 0);
+    const bool of_program = below != inside && folder.exists(below + QStringLiteral("/CMakeLists.txt"));
+    if (!of_inner_room && !of_program) headers << room.prefix + QLatin1Char('/') + inside;
   }
   return headers;
 }

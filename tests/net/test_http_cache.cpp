@@ -1,8 +1,11 @@
+#include <atomic>
 #include <sys/stat.h>
 
 #include <QDir>
 #include <QDirIterator>
+#include <QSemaphore>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QtTest>
 
 #include "net/cache_control.h"
@@ -22,6 +25,22 @@ QStringList filesIn(const QString& folder) {
   }
   return files;
 }
+
+/// A disk that is busy until it is told to go on.
+struct SlowDisk {
+  QSemaphore begun, may_go_on;
+  std::atomic<int> written = 0;
+  WriteFile write() {
+    return [this](const std::string& path, const std::array<QByteArray, 3>& parts, qint64 now_ms) {
+      begun.release();
+      may_go_on.acquire();
+      const int failure = writeWhole(path, parts, now_ms);
+      written += failure == 0;
+      return failure;
+    };
+  }
+  void beFastAgain() { may_go_on.release(1'000'000); }
+};
 
 }  // namespace
 
@@ -71,6 +90,7 @@ class TestHttpCache : public QObject {
     cache.store(kUrl, "body", "text/plain", cache_control, etag, content_addressed);
     const auto found = cache.find(kUrl);
     QCOMPARE(found.has_value(), kept);
+    cache.flush();
     if (!kept) {
       QVERIFY(filesIn(folder_->path()).isEmpty());
       return;
@@ -118,13 +138,17 @@ class TestHttpCache : public QObject {
     HttpCache first = open();
     HttpCache second = open();
     first.store(kUrl, "one", {}, "immutable", {}, true);
+    first.flush();
     QCOMPARE(second.find(kUrl)->body, QByteArray("one"));
     second.store(kUrl, "two", {}, "immutable", {}, true);
+    second.flush();
     QCOMPARE(first.find(kUrl)->body, QByteArray("two"));
     second.remove(kUrl);
+    second.flush();
     QVERIFY(!first.find(kUrl));
     first.remove(kUrl);
     first.store(kUrl, "three", {}, "immutable", {}, true);
+    first.flush();
     QCOMPARE(open().find(kUrl)->body, QByteArray("three"));
     QVERIFY(!first.lastError().any());
   }
@@ -138,10 +162,12 @@ class TestHttpCache : public QObject {
     cache.store(other, "eight", {}, "immutable", {}, true);
     QCOMPARE(cache.find(kUrl)->body, QByteArray("seven"));
     QCOMPARE(cache.find(other)->body, QByteArray("eight"));
+    cache.flush();
     // A file under the name of another address is not believed.
     const QString path_of_other = [&] {
       QStringList before = filesIn(folder_->path());
       cache.remove(other);
+      cache.flush();
       for (const QString& left : filesIn(folder_->path())) {
         before.removeAll(left);
       }
@@ -149,6 +175,7 @@ class TestHttpCache : public QObject {
     }();
     QVERIFY(QFile::copy(filesIn(folder_->path()).value(0), path_of_other));
     QVERIFY(!cache.find(other));
+    cache.flush();
     QVERIFY(!QFile::exists(path_of_other));
   }
 
@@ -165,6 +192,7 @@ class TestHttpCache : public QObject {
     QFETCH(int, damage);
     HttpCache cache = open();
     cache.store(kUrl, QByteArray(1000, 'b'), "t/t", "immutable", {}, true);
+    cache.flush();
     const QStringList files = filesIn(folder_->path());
     QCOMPARE(files.size(), 1);
     QFile file(files[0]);
@@ -197,6 +225,7 @@ class TestHttpCache : public QObject {
     QVERIFY(filesIn(folder_->path()).isEmpty());
     QVERIFY(!cache.find(kUrl));
     cache.store(kUrl, "again", {}, "immutable", {}, true);
+    cache.flush();
     QCOMPARE(cache.find(kUrl)->body, QByteArray("again"));
   }
 
@@ -206,6 +235,7 @@ class TestHttpCache : public QObject {
       now_ = now_.addSecs(600);
       cache.store(numbered(i), QByteArray(10'000, 'x'), {}, "immutable", {}, true);
     }
+    cache.flush();
     now_ = now_.addSecs(600);
     QVERIFY(cache.find(numbered(0)));  // now the one used last
     now_ = now_.addSecs(600);
@@ -220,6 +250,7 @@ class TestHttpCache : public QObject {
     HttpCache next = open(100'000);
     QCOMPARE(next.bytes(), cache.bytes());
     next.store(numbered(10), QByteArray(40'000, 'x'), {}, "immutable", {}, true);
+    next.flush();
     QVERIFY(next.find(numbered(0)));
     QVERIFY(!next.find(numbered(3)));
     qint64 on_disk = 0;
@@ -238,11 +269,26 @@ class TestHttpCache : public QObject {
     QCOMPARE(cache.bytes(), qint64(0));
   }
 
+  void theBudgetIsOfWholeFiles() {
+    HttpCache cache = open();
+    cache.store(kUrl, "body", "a/b", "immutable", "\"x\"", true);
+    const qint64 whole = cache.bytes();
+    QCOMPARE(whole, QFileInfo(filesIn(folder_->path()).value(0)).size());
+    HttpCache exact = open(whole), short_by_one = open(whole - 1);
+    exact.store(kUrl, "BODY", "a/b", "immutable", "\"x\"", true);
+    QCOMPARE(exact.bytes(), whole);
+    QCOMPARE(exact.find(kUrl)->body, QByteArray("BODY"));
+    short_by_one.store(kUrl, "BODY", "a/b", "immutable", "\"x\"", true);
+    QVERIFY(!short_by_one.find(kUrl));
+    QCOMPARE(short_by_one.bytes(), qint64(0));
+  }
+
   void aFolderThatCannotBeWrittenMakesItForget() {
     QFile in_the_way(folder_->filePath(QStringLiteral("file")));
     QVERIFY(in_the_way.open(QIODevice::WriteOnly));
     HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
     cache.store(kUrl, "body", {}, "immutable", {}, true);
+    cache.flush();
     QVERIFY(!cache.find(kUrl));
     QVERIFY(cache.lastError().any());
   }
@@ -254,8 +300,146 @@ class TestHttpCache : public QObject {
     QList<Reason> told;
     cache.setTrouble([&](const Reason& why) { told << why; });
     for (int i = 0; i < 5; ++i) cache.store(numbered(i), "body", {}, "immutable", {}, true);
+    cache.flush();
     QCOMPARE(told.size(), qsizetype(1));
     QVERIFY(told.first().arguments.value(0).startsWith(in_the_way.fileName()));
+    cache.store(kUrl, "body", {}, "immutable", {}, true);
+    cache.flush();
+    QCoreApplication::processEvents();
+    QCOMPARE(told.size(), qsizetype(1));
+  }
+
+  void itIsToldOnTheOwnersThreadWithoutBeingAsked() {
+    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+    QList<QThread*> told_on;
+    cache.setTrouble([&](const Reason&) { told_on << QThread::currentThread(); });
+    cache.store(kUrl, "body", {}, "immutable", {}, true);
+    QVERIFY(told_on.isEmpty());  // never from within
+    QTRY_COMPARE(told_on, QList<QThread*>{QThread::currentThread()});
+    QVERIFY(cache.lastError().any());
+  }
+
+  void nobodyIsToldByACacheThatIsGone() {
+    QFile in_the_way(folder_->filePath(QStringLiteral("file")));
+    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    int told = 0;
+    {
+      HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
+      cache.setTrouble([&](const Reason&) { ++told; });
+      cache.store(kUrl, "body", {}, "immutable", {}, true);
+    }
+    QCoreApplication::processEvents();
+    QCOMPARE(told, 0);
+  }
+
+  void answersComeWhileTheDiskIsBusy() {
+    SlowDisk disk;
+    const QUrl a = numbered(1), b = numbered(2), c = numbered(3);
+    {
+      HttpCache cache(
+          folder_->path(), 1 << 20, [this] { return now_; }, disk.write());
+      cache.store(a, "one", "a/b", "max-age=60", "\"x\"", false);
+      disk.begun.acquire();  // from now on it is being written
+      cache.store(b, "two", "c/d", "max-age=60", "\"y\"", false);
+      QCOMPARE(cache.find(a)->body, QByteArray("one"));
+      QCOMPARE(cache.find(b)->body, QByteArray("two"));
+      QCOMPARE(cache.find(b)->content_type, QByteArray("c/d"));
+      cache.copy(a, c);
+      QCOMPARE(cache.find(c)->body, QByteArray("one"));
+      now_ = now_.addSecs(100);
+      QVERIFY(!cache.find(b)->fresh);
+      cache.refresh(b, "max-age=60", "\"z\"");
+      QVERIFY(cache.find(b)->fresh);
+      QCOMPARE(cache.find(b)->etag, QByteArray("\"z\""));
+      QVERIFY(!cache.find(a)->fresh);
+      cache.refresh(a, "max-age=60", {});
+      QVERIFY(cache.find(a)->fresh);
+      QVERIFY(!cache.find(c)->fresh);
+      QCOMPARE(int(disk.written), 0);
+      disk.beFastAgain();
+      cache.flush();
+      QCOMPARE(filesIn(folder_->path()).size(), qsizetype(3));
+    }
+    HttpCache next = open();
+    QVERIFY(next.find(a)->fresh);
+    QCOMPARE(next.find(b)->etag, QByteArray("\"z\""));
+    QCOMPARE(next.find(c)->body, QByteArray("one"));
+    QVERIFY(!next.find(c)->fresh);
+  }
+
+  void whatIsRemovedIsNotWrittenAfterwards() {
+    SlowDisk disk;
+    const QUrl under_way = numbered(1), waits = numbered(2), again = numbered(3), old = numbered(4);
+    open().store(old, "old", {}, "immutable", {}, true);
+    HttpCache cache(
+        folder_->path(), 1 << 20, [this] { return now_; }, disk.write());
+    cache.store(under_way, "one", {}, "immutable", {}, true);
+    disk.begun.acquire();
+    cache.store(waits, "two", {}, "immutable", {}, true);
+    cache.store(again, "three", {}, "immutable", {}, true);
+    for (const QUrl& url : {under_way, waits, again, old}) {
+      cache.remove(url);
+      QVERIFY(!cache.find(url));
+    }
+    cache.refresh(waits, "max-age=60", {});
+    cache.copy(waits, numbered(5));
+    cache.store(again, "four", {}, "immutable", {}, true);
+    QCOMPARE(cache.find(again)->body, QByteArray("four"));
+    disk.beFastAgain();
+    cache.flush();
+    QCOMPARE(filesIn(folder_->path()).size(), qsizetype(1));
+    QCOMPARE(open().find(again)->body, QByteArray("four"));
+    QCOMPARE(cache.bytes(), QFileInfo(filesIn(folder_->path()).value(0)).size());
+  }
+
+  void ofWhatWaitsForAnAddressOnlyTheLastIsWritten() {
+    SlowDisk disk;
+    HttpCache cache(
+        folder_->path(), 1 << 20, [this] { return now_; }, disk.write());
+    cache.store(numbered(1), "one", {}, "immutable", {}, true);
+    disk.begun.acquire();
+    for (int i = 0; i < 50; ++i) cache.store(numbered(2), QByteArray::number(i), {}, "immutable", {}, true);
+    disk.beFastAgain();
+    cache.flush();
+    QCOMPARE(int(disk.written), 2);
+    QCOMPARE(open().find(numbered(2))->body, QByteArray("49"));
+  }
+
+  void whatWaitsIsWrittenBeforeItGoes() {
+    {
+      HttpCache cache = open();
+      for (int i = 0; i < 50; ++i) cache.store(numbered(i), QByteArray(i, 'x'), {}, "immutable", {}, true);
+    }
+    QCOMPARE(filesIn(folder_->path()).size(), qsizetype(50));
+    HttpCache next = open();
+    for (int i = 0; i < 50; ++i) QCOMPARE(next.find(numbered(i))->body, QByteArray(i, 'x'));
+  }
+
+  void whoeverIsFarAheadOfTheDiskWaitsForIt() {
+    const QByteArray body(CacheWriter::kMostWaitingBytes / 5 * 2, 'x');  // two of them may wait
+    QSemaphore stored;
+    std::atomic<bool> first = true, overtaken = false;
+    const auto write = [&](const std::string&, const std::array<QByteArray, 3>&, qint64) {
+      if (first.exchange(false)) {
+        stored.acquire(2);
+        overtaken = stored.tryAcquire(1, 50);
+      }
+      return 0;
+    };
+    HttpCache cache(
+        folder_->path(), qint64(1) << 30, [this] { return now_; }, write);
+    for (int i = 0; i < 3; ++i) {
+      cache.store(numbered(i), body, {}, "immutable", {}, true);
+      stored.release();
+    }
+    cache.flush();
+    QVERIFY(!overtaken);
+    // Alone even one goes that is longer than all that may wait.
+    cache.store(numbered(4), body + body + body, {}, "immutable", {}, true);
+    cache.flush();
+    QVERIFY(cache.bytes() > CacheWriter::kMostWaitingBytes);
   }
 
   void whatIsNoFileReadsAsAMissAndHoldsNobodyUp_data() {
@@ -267,6 +451,7 @@ class TestHttpCache : public QObject {
     QFETCH(bool, pipe);
     HttpCache cache = open();
     cache.store(kUrl, "body", {}, "immutable", {}, true);
+    cache.flush();
     const QString path = filesIn(folder_->path()).value(0);
     QVERIFY(QFile::remove(path));
     QVERIFY(pipe ? ::mkfifo(QFile::encodeName(path).constData(), 0600) == 0 : QDir().mkdir(path));
@@ -275,6 +460,7 @@ class TestHttpCache : public QObject {
     cache.copy(kUrl, numbered(1));
     QVERIFY(!cache.find(numbered(1)));
     cache.store(kUrl, "body", {}, "immutable", {}, true);
+    cache.flush();
     QCOMPARE(cache.find(kUrl).has_value(), pipe);  // a folder stays in the way
   }
 
@@ -282,6 +468,7 @@ class TestHttpCache : public QObject {
     const QString folder = folder_->filePath(QStringLiteral("deep/cache"));
     HttpCache cache(folder, 1 << 20, [this] { return now_; });
     cache.store(kUrl, "body", {}, "immutable", {}, true);
+    cache.flush();
     const QFileDevice::Permissions others = QFileDevice::ReadGroup | QFileDevice::WriteGroup |
                                             QFileDevice::ExeGroup | QFileDevice::ReadOther |
                                             QFileDevice::WriteOther | QFileDevice::ExeOther;

@@ -28,6 +28,37 @@ Patch painted(EditedGrid& grid, const CellRect& rect, char letter) {
 class TestPictureMerge : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void whatPatchesHoldTogetherIsCountedOnce() {
+    EditedGrid grid(pyramidOf(256, 256, [](int, int) { return byteOf('.'); }));
+    const Patch first = painted(grid, {10, 10, 20, 20}, '#'), second = painted(grid, {30, 30, 40, 40}, '#');
+    PatchMemory memory;
+    memory.add(first);
+    const std::size_t one = memory.bytes();
+    QVERIFY(one >= 65'536);
+    memory.add(second);
+    QCOMPARE(memory.bytes(), 2 * one);  // what the first left is what the second found
+    memory.remove(first);
+    QCOMPARE(memory.bytes(), 2 * one);
+    memory.remove(second);
+    QCOMPARE(memory.bytes(), std::size_t(0));
+  }
+
+  void countsMayBeReckonedElsewhereAndSet() {
+    EditedGrid grid(pyramidOf(600, 600, [](int, int) { return byteOf('.'); }));
+    const auto saved = grid.snapshot();
+    const auto elsewhere = grid.snapshot();
+    const Patch patch = painted(*elsewhere, {250, 250, 260, 260}, '#');
+    DifferenceCount count;
+    QCOMPARE(count.of(patch).size(), std::size_t(4));
+    const auto before = count.of(patch), after = DifferenceCount::counted(*elsewhere, *saved, patch);
+    grid.apply(patch);
+    count.set(after);
+    QCOMPARE(count.cells, 100);
+    count.set(before);
+    QCOMPARE(count.cells, 0);
+    QVERIFY(count.tiles.empty());
+  }
+
   void changedCellsAreCountedAsTheyComeAndGo() {
     EditedGrid grid(pyramidOf(600, 600, [](int, int) { return byteOf('.'); }));
     const auto saved = grid.snapshot();

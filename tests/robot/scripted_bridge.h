@@ -80,6 +80,17 @@ class ScriptedBridge {
     latched_[topic] = msg;
     send(topic, msg);
   }
+  void forgetLatched(const QString& topic) { latched_.remove(topic); }
+  /// The same of a message with bytes in it, which JSON has none of.
+  void latch(const QString& topic, const QCborMap& msg) {
+    frames_[topic] = QCborValue(QCborMap{{QStringLiteral("op"), QStringLiteral("publish")},
+                                         {QStringLiteral("topic"), topic},
+                                         {QStringLiteral("msg"), msg}})
+                         .toCbor();
+    for (QWebSocket* peer : subscribers_.value(topic)) peer->sendBinaryMessage(frames_[topic]);
+  }
+  /// Only to who asks from now on.
+  void keep(const QString& topic, const QJsonObject& msg) { latched_[topic] = msg; }
   void send(const QString& topic, const QJsonObject& msg) {
     for (QWebSocket* peer : subscribers_.value(topic)) sendTo(*peer, topic, msg);
   }
@@ -105,7 +116,9 @@ class ScriptedBridge {
   }
   bool isAskedFor(const char* topic) const { return !subscriptionOf(QLatin1String(topic)).isEmpty(); }
 
-  QList<QJsonObject> asked;  // every operation
+  QList<QJsonObject> asked;          // every operation, those in pieces once they are whole
+  int pieces = 0;                    // that came
+  std::function<void(int)> atPiece;  // its number within its message
   QList<QWebSocket*> peers;
   QSet<QString> lost_in_cbor;  // topics that never arrive when they are compressed
 
@@ -123,12 +136,14 @@ class ScriptedBridge {
     peer.sendBinaryMessage(QCborValue(QCborMap::fromJsonObject(publish)).toCbor());
   }
   void take(QWebSocket& peer, const QJsonObject& asked_now) {
+    if (asked_now[QLatin1String("op")] == QLatin1String("fragment")) return join(peer, asked_now);
     asked << asked_now;
     const QString op = asked_now[QLatin1String("op")].toString(),
                   topic = asked_now[QLatin1String("topic")].toString();
     if (op == QLatin1String("subscribe")) {
       subscribers_[topic].insert(&peer);
       if (latched_.contains(topic)) sendTo(peer, topic, latched_[topic]);
+      if (frames_.contains(topic)) peer.sendBinaryMessage(frames_[topic]);
     } else if (op == QLatin1String("unsubscribe")) {
       subscribers_[topic].remove(&peer);
     } else if (op == QLatin1String("call_service")) {
@@ -154,6 +169,20 @@ class ScriptedBridge {
     }
   }
 
+  void join(QWebSocket& peer, const QJsonObject& piece) {
+    ++pieces;
+    const int number = piece[QLatin1String("num")].toInt();
+    QMap<int, QString>& held = held_[piece[QLatin1String("id")].toString()];
+    held[number] = piece[QLatin1String("data")].toString();
+    const bool whole = held.size() == piece[QLatin1String("total")].toInt();
+    const QString text = whole ? QStringList(held.values()).join(QString()) : QString();
+    if (whole) held_.remove(piece[QLatin1String("id")].toString());
+    if (atPiece) atPiece(number);
+    if (whole) take(peer, QJsonDocument::fromJson(text.toUtf8()).object());
+  }
+
+  QMap<QString, QMap<int, QString>> held_;
+  QMap<QString, QByteArray> frames_;  // latched
   QWebSocketServer server_;
   quint16 port_ = 0;
   QMap<QString, Service> services_;

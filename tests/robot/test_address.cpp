@@ -43,6 +43,8 @@ class AddressTest : public QObject {
     row("aimdk+http://192.0.2.9", "aimdk+http://192.0.2.9:50807");
     row("AIMDK+https://agi.example:443/", "aimdk+https://agi.example:443");
     row("aimdk+http://h?tf=ws://h:9090", "aimdk+http://h:50807?tf=ws://h:9090");
+    row("aimdk+http://h?tf=ws://h", "aimdk+http://h:50807?tf=ws://h:9090");
+    row("aimdk+https://h?tf=wss://other:443/bridge/", "aimdk+https://h:50807?tf=wss://other:443/bridge");
     row("file:/maps/../maps/a.yaml", "file:/maps/a.yaml");
     row("file:///maps/a%20b.yaml", "file:/maps/a b.yaml");
     row("/maps/a.pgm", "file:/maps/a.pgm");
@@ -121,6 +123,9 @@ class AddressTest : public QObject {
                               "rep130+ws://host",
                               "aimdk+http://",
                               "aimdk+http://host?tf=http://x",
+                              "aimdk+http://host?tf=ws://u:pw@x",
+                              "aimdk+http://host?tf=ws://x%3Ftoken=1",
+                              "aimdk+http://host?tf=ws://x&tf=ws://y",
                               "aimdk+http://u:pw@h",
                               "aimdk+http://host?other=1",
                               "file:",
@@ -143,6 +148,36 @@ class AddressTest : public QObject {
     QVERIFY(!address.has_value());
     QVERIFY(address.error().endsWith(QLatin1Char('.')));
     QVERIFY(!address.error().contains(QStringLiteral("pw")));
+  }
+
+  void anAddressWithAPasswordIsNamedWithoutIt_data() {
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("named");
+    const auto row = [](const char* typed, const char* named) {
+      QTest::newRow(typed) << QString::fromLatin1(typed) << QString::fromLatin1(named);
+    };
+    row("http://user:pw@192.0.2.7:8090/", "http://192.0.2.7:8090/");
+    row("user:pw@192.0.2.7", "192.0.2.7");
+    row("user@host", "host");
+    row("axbot+http://pw@host:1", "axbot+http://host:1");
+    row("AXBOT+HTTPS://u:pw@host", "AXBOT+HTTPS://host");
+    row("aimdk+http://u:p@pw@h/pw@h?tf=ws://pw@robot", "aimdk+http://robot");
+    row("u:pw://x/pw@host", "host");
+    row("http://u:p/w#pw?pw@host", "http://host");
+  }
+  void anAddressWithAPasswordIsNamedWithoutIt() {
+    QFETCH(QString, typed);
+    QFETCH(QString, named);
+    const auto address = parse(typed);
+    QVERIFY(!address.has_value());
+    QVERIFY2(address.error().startsWith(named + QStringLiteral(": ")), qPrintable(address.error()));
+    QVERIFY(!address.error().contains(QStringLiteral("pw")));
+    QVERIFY(address.error().contains(QStringLiteral("--secret-file")));
+  }
+
+  void aFileMayHaveAnAtSignInItsName() {
+    QCOMPARE(parse(QStringLiteral("/maps/a:b@c.png"))->path, QStringLiteral("/maps/a:b@c.png"));
+    QCOMPARE(parse(QStringLiteral("file:/maps/a:b@c.png"))->path, QStringLiteral("/maps/a:b@c.png"));
   }
 };
 

@@ -55,10 +55,9 @@ class AimdkRobotTest : public QObject {
                    "{\"data\":{\"points\":[{\"point_id\":1,\"name\":\"A\",\"pixel_pose\":{\"position\":{"
                    "\"u\":9,\"v\":9},\"angle\":0},\"pose\":{\"position\":{\"x\":1,\"y\":1,\"z\":0}}}]}}");
   }
-  void makeRobot(const QUrl& tf = {}) {
+  void makeRobot() {
     aimdk::LinkOptions options;
     options.base = server_->url();
-    options.tf = tf;
     options.poll_every = std::chrono::milliseconds(5);
     options.backoff_first = std::chrono::milliseconds(5);
     options.backoff_limit = std::chrono::milliseconds(20);
@@ -182,14 +181,12 @@ class AimdkRobotTest : public QObject {
   void itSaysThatItCannotEdit() {
     QVERIFY(!robot_->mapAdministration());
     QCOMPARE(robot_->whyNot(Capability::Administration), (Absence{Absence::Reason::ReadOnly, {"Agibot"}}));
-    QCOMPARE(robot_->whyNot(Capability::Live), (Absence{Absence::Reason::NotYetHere, {""}}));
+    QCOMPARE(robot_->whyNot(Capability::Live), (Absence{Absence::Reason::NoService, {"?tf=ws://HOST:9090"}}));
     QCOMPARE(sentences::limitsOf(*robot_),
-             QStringLiteral("Read only: Agibot's interface offers no editing. Its live pose: not yet in this "
-                            "version."));
+             QStringLiteral(
+                 "Read only: Agibot's interface offers no editing. Its interface does not tell where it "
+                 "is. If a rosbridge server runs on it, add ?tf=ws://HOST:9090 to its address."));
     QVERIFY(!robot_->liveTopics() && !robot_->submapSource());
-    makeRobot(QUrl(QStringLiteral("ws://h:9090")));
-    QVERIFY(sentences::limitsOf(*robot_).contains(
-        QStringLiteral("over rosbridge (/tf): not yet in this version")));
   }
 };
 

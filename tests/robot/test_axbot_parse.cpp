@@ -110,8 +110,8 @@ class AxbotParseTest : public QObject {
   }
 
   void numbersInNamesAreLeftAlone() {
-    QCOMPARE(repairNumbers(R"({"a":"NaN \" -Infinity","b":NaN,"c":[1,-2.5e3,123456789012345678901]})"),
-             std::string(R"({"a":"NaN \" -Infinity","b":null,"c":[1,-2.5e3,null]})"));
+    QCOMPARE(repairNumbers("{\"a\":\"NaN \\\" -Infinity\",\"b\":NaN,\"c\":[1,-2.5e3,123456789012345678901]}"),
+             std::string("{\"a\":\"NaN \\\" -Infinity\",\"b\":null,\"c\":[1,-2.5e3,null]}"));
   }
 
   void garbageIsReportedNotFatal() {

@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "net/http_cache.h"
 #include "robot/axbot/axbot_robot.h"
 #include "ros_messages/wrapper.pb.h"
 #include "scripted_robot.h"

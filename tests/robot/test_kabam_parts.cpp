@@ -107,6 +107,24 @@ class KabamPartsTest : public QObject {
     QCOMPARE(read.tags, std::vector<std::string>{"localisation"});
   }
 
+  void twoHundredThousandWaypointsAreAllThere() {
+    constexpr int kCount = 200'000;
+    QByteArray text = R"({"waypoints":[)";
+    for (int i = 0; i < kCount; ++i) {
+      const QByteArray n = QByteArray::number(i);
+      text +=
+          "{\"name\":\"n" + n + "\",\"id\":\"w" + n +
+          "\",\"frame_id\":\"map\",\"map_id\":\"m1\",\"waypoint_tags\":[],\"pose\":{\"position\":{\"x\":" +
+          n + ",\"y\":0,\"z\":0},\"orientation\":{\"x\":0,\"y\":0,\"z\":0,\"w\":1}}},";
+    }
+    text.chop(1);
+    const auto stored = readWaypoints(byJson(text + "]}").msg, "m1", "map");
+    QVERIFY(stored);
+    QCOMPARE(stored->points.size(), std::size_t(kCount));
+    QVERIFY(stored->notes.empty());
+    QCOMPARE(stored->points.back().position_m.x(), double(kCount - 1));
+  }
+
   void whatIsNotChangedGoesBackAsItCame() {
     const Sent sent = byJson(QByteArray(R"({"waypoints":[)") + kRow + "]}");
     map::Waypoint read = readWaypoints(sent.msg, "m1", "map")->points.front();
@@ -127,6 +145,7 @@ class KabamPartsTest : public QObject {
     auto stored = readWaypoints(sent.msg, "m1", "map");
     QVERIFY(stored && stored->notes.size() == 1);
     QCOMPARE(stored->notes.front().code, ReasonCode::WaypointTurnIsZero);
+    QCOMPARE(stored->zero_turns, std::set<std::string>{stored->points.front().id});
     map::Waypoint read = stored->points.front();
     QCOMPARE(read.yaw_rad, std::optional(0.0));
     const auto w = [](const QByteArray& json) {
@@ -135,6 +154,25 @@ class KabamPartsTest : public QObject {
     QCOMPARE(w(waypointJson(read, read.id, "m1", "map")), 0.0);
     read.yaw_rad = 0.5;  // somebody has turned it
     QVERIFY(w(waypointJson(read, read.id, "m1", "map")) > 0.9);
+  }
+
+  void everyZeroOrientationIsKnownHoweverManyAreToldOf() {
+    QByteArray zero = kRow;
+    zero.replace("0.7071067811865475", "0").replace("0.7071067811865476", "0");
+    const QByteArray id = QByteArray::fromStdString(
+        readWaypoints(byJson("{\"waypoints\":[" + zero + "]}").msg, "m1", "map")->points.front().id);
+    QByteArray rows = QByteArray(kRow);
+    for (int i = 0; i < 100; ++i) {
+      QByteArray row = zero;
+      row.replace("\"" + id + "\"", "\"zero-" + QByteArray::number(i) + "\"");
+      rows += "," + row;
+    }
+    const Sent sent = byJson("{\"waypoints\":[" + rows + "]}");
+    const auto stored = readWaypoints(sent.msg, "m1", "map");
+    QVERIFY(stored && stored->points.size() == 101);
+    QCOMPARE(stored->zero_turns.size(), std::size_t(100));
+    QVERIFY(!stored->zero_turns.contains(id.toStdString()));
+    QVERIFY(stored->notes.size() < 100);
   }
 
   void aNewWaypointIsWhole() {

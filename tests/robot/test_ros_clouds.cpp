@@ -137,6 +137,40 @@ class RosCloudsTest : public QObject {
     QCOMPARE(brightest("[null,null]"), 0);
   }
 
+  void aScanKnowsWhenEachOfItsPointsWas() {
+    QByteArray text = scanText(R"("range_min":0,"range_max":10,"ranges":[1,null,2,3])");
+    QVERIFY(readLaserScan(byJson(text).msg)->when.empty());
+    text.replace(R"("time_increment":0)", R"("time_increment":0.1)");
+    const auto scan = readLaserScan(byJson(text).msg);
+    QVERIFY(scan);
+    QVERIFY(std::abs(scan->sweep_s - 0.3) < 1e-9);
+    QCOMPARE(scan->points.size(), std::size_t(3));
+    QCOMPARE(scan->when.size(), std::size_t(3));
+    QVERIFY(scan->when[0] == 0 && std::abs(scan->when[1] - 2.0f / 3) < 1e-6f && scan->when[2] == 1);
+    // A time that no scan takes is none.
+    for (const char* absurd : {"-0.1", "1e9", "null"}) {
+      QByteArray odd = text;
+      odd.replace(R"("time_increment":0.1)", R"("time_increment":)" + QByteArray(absurd));
+      const auto read = readLaserScan(byJson(odd).msg);
+      QVERIFY2(read && read->sweep_s == 0 && read->when.empty(), absurd);
+    }
+  }
+
+  void pointsOfASweepAreEachPlacedAsItsFrameLayThen() {
+    Points points;
+    points.points = {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
+    points.when = {0, 0.5f, 1};
+    points.sweep_s = 0.1;
+    const Transform3 from,
+        to{{2, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()))};
+    const auto placed = placedAlong(points, "/scan", {from, to});
+    QVERIFY(isAt(placed.points->at(0), 1, 0));
+    QVERIFY(isAt(placed.points->at(1), 1, 1));
+    QVERIFY(isAt(placed.points->at(2), 1, 0));
+    const auto at_once = placedAlong(points, "/scan", {to});
+    for (const map::CloudPoint& point : *at_once.points) QVERIFY(isAt(point, 1, 0));
+  }
+
   void aScanWithoutItsAnglesIsNone() {
     QCOMPARE(readLaserScan(byJson(R"({"angle_min":0,"ranges":[1]})").msg).error(),
              map::Reason(ReasonCode::RosFieldMissing, {"angle_increment"}));
@@ -267,6 +301,11 @@ class RosCloudsTest : public QObject {
     const auto points = readPointCloud2(cloud.sent({}).msg);
     QVERIFY(points);
     QVERIFY(points->points.empty());
+    // A driver that sees nothing sends a message that was never filled in.
+    cloud.point_step = cloud.row_step = 0;
+    cloud.fields = "[]";
+    const auto unfilled = readPointCloud2(cloud.sent({}).msg);
+    QVERIFY(unfilled && unfilled->points.empty());
   }
 
   void whatDoesNotFitIsNamed() {

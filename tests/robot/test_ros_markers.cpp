@@ -48,54 +48,86 @@ class RosMarkersTest : public QObject {
       QCOMPARE(box->length_m, 2.0);
       QCOMPARE(box->width_m, 1.0);
       QCOMPARE(box->pose.x_m, 2.0);
-      QVERIFY(linesOf(marker, Transform3{}).empty());
+      QCOMPARE(box->rgba, std::optional(0xff8000ffu));
+      QVERIFY(!drawingOf(marker, Transform3{}));
     }
     QCOMPARE(readMarkers(byJson("{}").msg).error(), map::Reason(ReasonCode::RosFieldMissing, {"markers"}));
   }
 
-  void allCommonKindsOfMarkersAreKnown_data() {
+  void allKindsOfMarkersAreDrawn_data() {
     QTest::addColumn<int>("type");
     QTest::addColumn<int>("kind");
-    QTest::addColumn<int>("lines");
+    QTest::addColumn<int>("drawn");
+    QTest::addColumn<int>("points");
     using Kind = Marker::Kind;
-    const auto row = [](const char* name, int type, Kind kind, int lines) {
-      QTest::newRow(name) << type << int(kind) << lines;
+    using Drawn = map::GroundDrawing::Kind;
+    constexpr int kNothing = -1;
+    const auto row = [](const char* name, int type, Kind kind, int drawn, int points) {
+      QTest::newRow(name) << type << int(kind) << drawn << points;
     };
-    row("arrow", 0, Kind::Arrow, 1);
-    row("cube", 1, Kind::Cube, 0);
-    row("sphere", 2, Kind::Sphere, 0);
-    row("cylinder", 3, Kind::Cylinder, 0);
-    row("line strip", 4, Kind::LineStrip, 1);
-    row("line list", 5, Kind::LineList, 2);
-    row("points", 8, Kind::Points, 0);
-    row("text", 9, Kind::Text, 0);
-    row("mesh", 10, Kind::Other, 0);
-    row("unheard of", 77, Kind::Other, 0);
+    row("arrow", 0, Kind::Arrow, int(Drawn::Line), 5);
+    row("cube", 1, Kind::Cube, kNothing, 0);
+    row("sphere", 2, Kind::Sphere, kNothing, 0);
+    row("cylinder", 3, Kind::Cylinder, kNothing, 0);
+    row("line strip", 4, Kind::LineStrip, int(Drawn::Line), 4);
+    row("line list", 5, Kind::LineList, int(Drawn::Segments), 4);
+    row("cube list", 6, Kind::CubeList, int(Drawn::Points), 4);
+    row("sphere list", 7, Kind::SphereList, int(Drawn::Points), 4);
+    row("points", 8, Kind::Points, int(Drawn::Points), 4);
+    row("text", 9, Kind::Text, int(Drawn::Text), 1);
+    row("mesh", 10, Kind::Other, kNothing, 0);
+    row("triangles", 11, Kind::Triangles, int(Drawn::Triangles), 3);
+    row("unheard of", 77, Kind::Other, kNothing, 0);
   }
-  void allCommonKindsOfMarkersAreKnown() {
+  void allKindsOfMarkersAreDrawn() {
     QFETCH(int, type);
     QFETCH(int, kind);
-    QFETCH(int, lines);
+    QFETCH(int, drawn);
+    QFETCH(int, points);
     const auto markers =
-        markersOf(R"({"type":)" + QByteArray::number(type) + R"(,"action":0,"pose":)" + kPose +
-                  R"(,"scale":{"x":2},"points":[{"x":0,"y":0,"z":0},{"x":1,"y":0,"z":0},)"
+        markersOf(R"({"type":)" + QByteArray::number(type) + R"(,"action":0,"text":"Here","pose":)" + kPose +
+                  R"(,"scale":{"x":2,"y":0.1,"z":0.3},"points":[{"x":0,"y":0,"z":0},{"x":1,"y":0,"z":0},)"
                   R"({"x":2,"y":1,"z":0},{"x":3,"y":1,"z":0},{"x":null}]})");
     QCOMPARE(markers.size(), std::size_t(1));
     QCOMPARE(int(markers[0].kind), kind);
     QCOMPARE(markers[0].points.size(), std::size_t(4));
-    const auto drawn = linesOf(markers[0], Transform3{});
-    QCOMPARE(int(drawn.size()), lines);
+    const auto drawing = drawingOf(markers[0], Transform3{});
+    QCOMPARE(drawing ? int(drawing->kind) : -1, drawn);
+    QCOMPARE(drawing ? int(drawing->points.size()) : 0, points);
+    const bool boxed = kind == int(Marker::Kind::Cube) || kind == int(Marker::Kind::Sphere) ||
+                       kind == int(Marker::Kind::Cylinder);
+    QCOMPARE(boxOf(markers[0], Transform3{}).has_value(), boxed);
     // Points are in the marker's own coordinates, which are turned round here.
     if (markers[0].kind == Marker::Kind::LineList)
-      QVERIFY((drawn[1][1] - Eigen::Vector2d(1 - 3, -2.5 - 1)).norm() < 1e-9);
+      QVERIFY((drawing->points[3] - Eigen::Vector2d(1 - 3, -2.5 - 1)).norm() < 1e-9);
+    if (markers[0].kind == Marker::Kind::Text) {
+      QCOMPARE(drawing->text, std::string("Here"));
+      QCOMPARE(drawing->size_m, 0.3);
+    }
+  }
+
+  void eachPointMayHaveAColourOfItsOwn() {
+    const QByteArray begin =
+        R"({"type":8,"pose":)" + QByteArray(kPose) +
+        R"(,"scale":{"x":0.1},"color":{"r":0,"g":0,"b":0,"a":0},"points":[{"x":0,"y":0},{"x":null},{"x":1,"y":0}])";
+    const QByteArray red = R"({"r":1,"g":0,"b":0,"a":1})", blue = R"({"r":0,"g":0,"b":1,"a":0.5})";
+    const auto coloured = markersOf(begin + R"(,"colors":[)" + red + ',' + red + ',' + blue + "]}");
+    const auto drawing = drawingOf(coloured.at(0), {});
+    QVERIFY(drawing && drawing->points.size() == 2);
+    // That of a point that is left out goes with it.
+    QCOMPARE(drawing->colors, (std::vector<std::uint32_t>{0xff0000ffu, 0x0000ff80u}));
+    // What cannot be seen at all is no colour.
+    QVERIFY(!drawing->rgba);
+    const auto few = markersOf(begin + R"(,"colors":[)" + red + "]}");
+    QVERIFY(drawingOf(few.at(0), {})->colors.empty());
   }
 
   void anArrowLiesAlongItsAxisOrBetweenTwoPoints() {
     const QByteArray begin = R"({"type":0,"pose":)" + QByteArray(kPose) + R"(,"scale":{"x":2,"y":1,"z":1})";
     const auto along = markersOf(begin + "}");
     const auto by_points = markersOf(begin + R"(,"points":[{"x":0,"y":0,"z":0},{"x":0,"y":1,"z":0}]})");
-    QVERIFY((linesOf(along.at(0), {})[0][1] - Eigen::Vector2d(-1, -2.5)).norm() < 1e-9);
-    QVERIFY((linesOf(by_points.at(0), {})[0][1] - Eigen::Vector2d(1, -3.5)).norm() < 1e-9);
+    QVERIFY((drawingOf(along.at(0), {})->points[1] - Eigen::Vector2d(-1, -2.5)).norm() < 1e-9);
+    QVERIFY((drawingOf(by_points.at(0), {})->points[1] - Eigen::Vector2d(1, -3.5)).norm() < 1e-9);
   }
 
   void markersComeAndGo() {

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "robot/ros/ros_address.h"
+#include "robot/ros/ros_subscriptions.h"
 #include "robot/ros/ros_topics.h"
 #include "robot/ros/ros_world.h"
 #include "ros_messages.h"
@@ -47,6 +48,11 @@ QByteArray path(const char* frame, double stamp_s) {
          pose(1, 0, 0) + "},{" + header(frame, stamp_s) + R"(,"pose":)" + pose(2, 0, 0) + "}]}";
 }
 
+QByteArray marker(int id, const char* frame, const QByteArray& more = {}) {
+  return "{" + header(frame, kNow) + R"(,"ns":"a","id":)" + QByteArray::number(id) +
+         R"(,"type":1,"action":0,"pose":)" + pose(0, 0, 0) + R"(,"scale":{"x":1,"y":1,"z":1})" + more + "}";
+}
+
 const Source kTf{Stream::Pose, Form::Tf, "/tf", {}, {}, true};
 const Source kStatic{Stream::Pose, Form::StaticTf, "/tf_static", {}, {}, true};
 const Source kMap{Stream::WholeMap, Form::Grid, "/map", {}, {}, true};
@@ -57,10 +63,12 @@ const Source kPatches{Stream::CostmapHigh,
                       {},
                       "/local_costmap/costmap",
                       true};
+const Source kScan{Stream::Cloud, Form::LaserScan, "/scan", {}, {}, true};
 const Source kPath{Stream::LocalPath, Form::Path, "/local_plan", {}, {}, true};
 const Source kFootprint{Stream::Model, Form::Polygon, "/footprint", {}, {}, true};
 const Source kAmcl{Stream::Pose, Form::PoseWithCovariance, "/amcl_pose", {}, {}, true};
 const Source kOdom{Stream::Pose, Form::Odometry, "/odom", {}, {}, true};
+const Source kMarkers{Stream::SeenObjects, Form::Markers, "/markers", {}, {}, true};
 
 WorldResults give(RosWorld& world, const Source& source, const QByteArray& text, double at_s = kNow) {
   const Sent sent = byJson(text);
@@ -90,7 +98,7 @@ QStringList names(const std::vector<Source>& sources) {
 }
 
 QString normal(const QString& typed) {
-  const robot::Addresses addresses({rosAddressScheme(), kabamAddressScheme()});
+  const robot::Addresses addresses({rosAddressScheme(), kabamAddressScheme(), rep130AddressScheme()});
   const auto address = addresses.parse(typed);
   return address ? address->text : QStringLiteral("refused: ") + address.error();
 }
@@ -111,6 +119,9 @@ class RosPartsTest : public QObject {
     row("ROS+WSS://Robot:7/bridge/", "ros+wss://robot:7/bridge");
     row("kabam+ws://robot", "kabam+ws://robot:9090");
     row("ros+ws://robot?ns=/a/b/", "ros+ws://robot:9090?ns=/a/b");
+    row("rep130+ws://robot", "rep130+ws://robot:9090");
+    row("rep130+wss://robot?projected_map=p/q&get_sub_map=/other/name&ns=/map_dispatcher",
+        "rep130+wss://robot:9090?ns=/map_dispatcher&get_sub_map=/other/name&projected_map=/p/q");
   }
   void addressesAreMadeWhole() {
     QFETCH(QString, typed);
@@ -120,9 +131,13 @@ class RosPartsTest : public QObject {
 
   void addressesOfOtherThingsAreRefused_data() {
     QTest::addColumn<QString>("typed");
-    for (const char* typed : {"ros+http://robot", "ros+ws://user:secret@robot", "ros+ws://robot?ns=a",
-                              "ros+ws://robot?ns=/a&ns=/b", "ros+ws://robot?other=/a", "ros+ws://robot#a",
-                              "ros+ws://", "ros+ftp://robot", "ros+ws://robot?ns=/a b"})
+    for (const char* typed :
+         {"ros+http://robot", "ros+ws://user:secret@robot", "ros+ws://robot?ns=a",
+          "ros+ws://robot?ns=/a&ns=/b", "ros+ws://robot?other=/a", "ros+ws://robot#a", "ros+ws://",
+          "ros+ftp://robot", "ros+ws://robot?ns=/a b", "ros+ws://robot?get_map=/a",
+          "rep130+ws://robot?get_map=/a&get_map=/b", "rep130+ws://robot?get_map=1",
+          "rep130+ws://robot?get_map=", "rep130+ws://robot?map=/a", "rep130+http://robot",
+          "rep130+ws://user:secret@robot"})
       QTest::newRow(typed) << QString::fromLatin1(typed);
   }
   void addressesOfOtherThingsAreRefused() {
@@ -222,6 +237,32 @@ class RosPartsTest : public QObject {
     QVERIFY(messageOf<map::LocalPathMessage>(give(world, kStatic, tf("map", "odom", 0, 0, 0, 0), kNow + 5)));
   }
 
+  // More of them come than are kept: none of those is ever as old as it takes to be late.
+  void aFastTopicWithoutATransformIsTold() {
+    RosWorld world;
+    for (int i = 0; i < 30; ++i) {
+      give(world, kPath, path("odom", kNow + 0.05 * i), kNow + 0.05 * i);
+      QCOMPARE(unplaced(world.overdue(kNow + 0.05 * i)).has_value(), i == 21);
+    }
+    // The newest of them are there when it comes.
+    give(world, kStatic, tf("map", "odom", 0, 0, 0, 0), kNow + 2);
+    QVERIFY(world.overdue(kNow + 9).empty());
+  }
+
+  void markersThatHaveLivedTheirTimeGo() {
+    RosWorld world;
+    const QByteArray cube = "{" + header("map", kNow) + R"(,"ns":"a","id":1,"type":1,"action":0,"pose":)" +
+                            pose(1, 2, 0) +
+                            R"(,"scale":{"x":1,"y":1,"z":1},"lifetime":{"secs":2,"nsecs":0}})";
+    const auto shown =
+        messageOf<map::SeenObjectsMessage>(give(world, kMarkers, R"({"markers":[)" + cube + "]}", kNow));
+    QVERIFY(shown && shown->objects.size() == 1);
+    QVERIFY(world.overdue(kNow + 1).empty());
+    const auto left = messageOf<map::SeenObjectsMessage>(world.overdue(kNow + 3));
+    QVERIFY(left && left->objects.empty());
+    QVERIFY(world.overdue(kNow + 4).empty());
+  }
+
   void framesThatDoNotHangTogetherAreNamed() {
     RosWorld world;
     give(world, kStatic, tf("map", "other", 0, 0, 0, 0));
@@ -240,6 +281,130 @@ class RosPartsTest : public QObject {
     QVERIFY(changed && changed->topic == "/local_costmap/costmap");
     const std::string cells = changed->png->substr(changed->png->size() - 4);
     QCOMPARE(cells, (std::string{char(255), 8, 0, 7}));  // row 0 on top
+  }
+
+  void anUpdateOfAnotherFrameIsLeftOutAndNamed() {
+    RosWorld world;
+    world.keepGrids({"/local_costmap/costmap"});
+    give(world, kLocal, grid("map", kNow));
+    const auto patch = [](const char* frame, double at_s) {
+      return "{" + header(frame, at_s) + R"(,"x":1,"y":0,"width":1,"height":2,"data":[7,8]})";
+    };
+    const auto results = give(world, kPatches, patch("odom", kNow));
+    QVERIFY(!messageOf<map::GridMessage>(results));
+    QCOMPARE(results.back().unreadable, map::Reason(ReasonCode::RosPatchInOtherFrame, {"odom", "map"}));
+    // One from before the grid is in it already.
+    const auto late = give(world, kPatches, patch("map", kNow - 1));
+    QVERIFY(!messageOf<map::GridMessage>(late) && !late.back().unreadable);
+    QVERIFY(messageOf<map::GridMessage>(give(world, kPatches, patch("map", kNow + 1))));
+  }
+
+  void aScanIsPutRightByWhereTheRobotWasMeanwhile() {
+    RosWorld world;
+    give(world, kTf, tf("map", "laser", 0, 0, 0, kNow));
+    const QByteArray scan = "{" + header("laser", kNow) +
+                            R"(,"angle_min":0,"angle_increment":0,"time_increment":0.5,"range_min":0,)"
+                            R"("range_max":9,"ranges":[1,1,1]})";
+    // The end of its sweep is not known yet.
+    QVERIFY(!messageOf<map::PointCloudMessage>(give(world, kScan, scan)));
+    const auto placed =
+        messageOf<map::PointCloudMessage>(give(world, kTf, tf("map", "laser", 4, 0, 0, kNow + 1)));
+    QVERIFY(placed);
+    for (int i = 0; i < 3; ++i)
+      QVERIFY(std::abs(placed->points->at(std::size_t(i)).x_m - (1 + 2 * i)) < 1e-6);
+  }
+
+  void aScanWhoseEndStaysUnknownIsPlacedByItsBeginning() {
+    RosWorld world;
+    give(world, kTf, tf("map", "laser", 3, 0, 0, kNow));
+    const QByteArray scan = "{" + header("laser", kNow) +
+                            R"(,"angle_min":0,"angle_increment":0,"time_increment":0.5,"range_min":0,)"
+                            R"("range_max":9,"ranges":[1,1,1]})";
+    QVERIFY(!messageOf<map::PointCloudMessage>(give(world, kScan, scan)));
+    const auto placed = messageOf<map::PointCloudMessage>(world.overdue(kNow + 2));
+    QVERIFY(placed);
+    for (const map::CloudPoint& point : *placed->points) QVERIFY(std::abs(point.x_m - 4) < 1e-6);
+  }
+
+  void aMarkerWithoutAPlaceKeepsNoOtherFromItsOwn() {
+    RosWorld world;
+    give(world, kStatic, tf("map", "odom", 5, 0, 0, 0));
+    const QByteArray both = R"({"markers":[)" + marker(1, "odom") + ',' + marker(2, "nowhere") + "]}";
+    const auto results = give(world, kMarkers, both);
+    const auto seen = messageOf<map::SeenObjectsMessage>(results);
+    QVERIFY(seen && seen->objects.size() == 1);
+    QVERIFY(std::abs(seen->objects[0].pose.x_m - 5) < 1e-9);
+    QVERIFY(!unplaced(results));
+    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(ReasonCode::RosFrameUnknown));
+    const auto later = give(world, kStatic, tf("map", "nowhere", 1, 0, 0, 0), kNow + 3);
+    QCOMPARE(messageOf<map::SeenObjectsMessage>(later)->objects.size(), std::size_t(2));
+    QVERIFY(!unplaced(world.overdue(kNow + 4)));
+  }
+
+  void markersOfAllTopicsAreSeenTogetherAndGoWhenTheirTimeIsOver() {
+    RosWorld world;
+    give(world, kStatic, tf("map", "odom", 5, 0, 0, 0));
+    const Source other{Stream::SeenObjects, Form::Markers, "/objects", {}, {}, true};
+    give(world, kMarkers, marker(1, "map"));
+    const auto both = messageOf<map::SeenObjectsMessage>(
+        give(world, other, marker(1, "map", R"(,"lifetime":{"sec":2,"nanosec":0})")));
+    QVERIFY(both && both->objects.size() == 2);
+    QVERIFY(!messageOf<map::SeenObjectsMessage>(world.overdue(kNow + 1.9)));
+    const auto left = messageOf<map::SeenObjectsMessage>(world.overdue(kNow + 2.1));
+    QVERIFY(left && left->objects.size() == 1);
+  }
+
+  void aMarkerStaysWhereItWasPutUnlessItIsLockedToItsFrame() {
+    RosWorld world;
+    give(world, kTf, tf("map", "base_link", 1, 0, 0, kNow));
+    give(world, kMarkers,
+         R"({"markers":[)" + marker(1, "base_link") + ',' +
+             marker(2, "base_link", R"(,"frame_locked":true)") + "]}");
+    give(world, kTf, tf("map", "base_link", 9, 0, 0, kNow + 1), kNow + 1);
+    const auto seen = messageOf<map::SeenObjectsMessage>(world.overdue(kNow + 1.1));
+    QVERIFY(seen && seen->objects.size() == 2);
+    QVERIFY(std::abs(seen->objects[0].pose.x_m - 1) < 1e-9);
+    QVERIFY(std::abs(seen->objects[1].pose.x_m - 9) < 1e-9);
+  }
+
+  void aMarkerThatIsSentAgainIsSeenUntilTheNewOneHasItsPlace() {
+    RosWorld world;
+    give(world, kTf, tf("map", "base_link", 1, 0, 0, kNow));
+    give(world, kMarkers, marker(1, "base_link"));
+    QByteArray next = marker(1, "base_link");
+    next.replace(R"("sec":100)", R"("sec":101)");
+    const auto held = messageOf<map::SeenObjectsMessage>(give(world, kMarkers, next, kNow + 1));
+    QVERIFY(held && held->objects.size() == 1 && std::abs(held->objects[0].pose.x_m - 1) < 1e-9);
+    const auto moved = messageOf<map::SeenObjectsMessage>(
+        give(world, kTf, tf("map", "base_link", 2, 0, 0, kNow + 1), kNow + 1.2));
+    QVERIFY(moved && std::abs(moved->objects[0].pose.x_m - 2) < 1e-9);
+  }
+
+  void servicesThatGiveAMapAreKnownByTheirNames() {
+    const auto like = likeMapServices({"/robot/dynamic_map", "/static_map", "/map_server/map", "/save_map",
+                                       "/rosapi/topics", "/mapper/get_map"},
+                                      "/robot");
+    QCOMPARE(like, (std::vector<std::string>{"/robot/dynamic_map", "/static_map", "/map_server/map",
+                                             "/mapper/get_map"}));
+    std::vector<Source> sources{kMap};
+    addMapServices(sources, {"/static_map"});
+    QCOMPARE(sources.size(), std::size_t(2));
+    QVERIFY(sources[1].form == Form::MapService && sources[1].base == "/map");
+    // It is no topic, and nobody subscribes to it.
+    QVERIFY(!topicsFor({{Stream::WholeMap}, {}, {}, {}, false}, sources, {}).contains("/static_map"));
+  }
+
+  void aTransformThatIsNoneIsNamed() {
+    RosWorld world;
+    QByteArray wrong = tf("odom", "base_link", 1, 0, 0, kNow);
+    wrong.replace(R"("w":1)", R"("w":0)");
+    const auto noteOf = [](const WorldResults& results) {
+      return results.back().notes.empty() ? map::Reason() : results.back().notes.front();
+    };
+    const map::Reason named(ReasonCode::RosFieldMissing, {"transforms[base_link].transform"});
+    QCOMPARE(noteOf(give(world, kTf, wrong)), named);
+    QCOMPARE(noteOf(give(world, kTf, tf("map", "odom", 1, 0, 0, kNow))), named);  // that is another one
+    QCOMPARE(noteOf(give(world, kTf, tf("odom", "base_link", 1, 0, 0, kNow))), map::Reason());
   }
 
   void whereTheRobotIsComesByTransforms() {

@@ -261,6 +261,25 @@ class RosRobotTest : public QObject {
     QTRY_VERIFY(isWell("/nowhere"));  // nobody waits for it any more
   }
 
+  void whatCameAllTheTimeAndStopsIsTold() {
+    server_->advertise(QStringLiteral("/odom"), QStringLiteral("nav_msgs/Odometry"));
+    server_->serve(QStringLiteral("/rosapi/publishers"),
+                   [](const QJsonObject&) { return json(R"({"publishers":["/dead"]})"); });
+    QVERIFY(online());
+    QTRY_VERIFY(server_->isAskedFor("/odom"));
+    const auto drive = [this](int times) {
+      for (int i = 0; i < times; ++i) server_->send(QStringLiteral("/odom"), json(R"({"pose":{}})"));
+    };
+    drive(20);
+    QTRY_VERIFY(problemOf("/odom", map::ProblemCode::Unavailable));
+    const map::Problem silent = *problemOf("/odom", map::ProblemCode::Unavailable);
+    QCOMPARE(silent.reason, map::Reason(map::ReasonCode::TopicSilent));
+    QCOMPARE(silent.severity, map::Severity::Warning);
+    recoveries_.clear();
+    drive(1);
+    QTRY_VERIFY(isWell("/odom"));
+  }
+
   void topicsThatComeLaterAreFound() {
     QVERIFY(online());
     want({Stream::CostmapHigh});
@@ -548,6 +567,33 @@ class RosRobotTest : public QObject {
     map::Waypoint after = before;
     after.position_m.x() = 12;
     QVERIFY(perform({"w9", before, after}, "m2"));
+  }
+
+  void aChangeOfAnotherMapThatSomebodyElseMadeFirstIsAConflict() {
+    manage();
+    auto x = std::make_shared<double>(9);
+    serve("get_waypoint", [x](const QJsonObject&) {
+      return QJsonObject{{text("waypoints"), waypoints({waypoint("w9", "Far", *x, "m2")})}};
+    });
+    serve("reposition_waypoint", [](const QJsonObject&) { return json(R"({"result":3})"); });
+    serve("delete_waypoint", [](const QJsonObject&) { return json(R"({"result":5})"); });
+    QVERIFY(online());
+    const map::Waypoint before = read("m2")->points.front();
+    map::Waypoint after = before;
+    after.position_m.x() = 12;
+    *x = 10;
+    for (const WaypointChange& change :
+         {WaypointChange{"w9", before, after}, WaypointChange{"w9", before, std::nullopt}}) {
+      const auto outcome = perform(change, "m2");
+      QVERIFY(!outcome);
+      QVERIFY(outcome.error().kind == map::FailureKind::Conflict);
+      QVERIFY(outcome.error().applied == map::Applied::No);
+      QCOMPARE(outcome.error().cause, map::Reason(map::ReasonCode::ChangedMeanwhile, {"Far"}));
+    }
+    QCOMPARE(server_->timesCalled(text("/map_manager/reposition_waypoint")), 0);
+    QCOMPARE(server_->timesCalled(text("/map_manager/delete_waypoint")), 0);
+    QCOMPARE(server_->argumentsOf(text("/map_manager/get_waypoint")).last()[text("waypoint_id")].toString(),
+             text("w9"));
   }
 
   void aMapIsRenamedWhenTheListSaysSo() {

@@ -3,6 +3,7 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTest>
 #include <QWebSocket>
 #include <QWebSocketServer>
 
@@ -27,6 +28,7 @@ class RosbridgeServer {
         peer->setParent(&server_);
         const int number = int(peers.size());
         peers.append(peer);
+        if (arrived) arrived(number);
         QObject::connect(peer, &QWebSocket::textMessageReceived, peer, [this, number](const QString& text) {
           seen.append({number, QJsonDocument::fromJson(text.toUtf8()).object(), text.toUtf8()});
           if (answer) answer(seen.last());
@@ -46,6 +48,20 @@ class RosbridgeServer {
             ",\"result\":" + result + "}",
         call.peer);
   }
+  /// All that has been said to the peer has arrived there, and what it sent before that has arrived here: a
+  /// WebSocket keeps the order, and answers a ping in its turn.
+  bool settled(int peer = -1) {
+    QWebSocket* const socket = at(peer);
+    bool answered = false;
+    const auto connection =
+        QObject::connect(socket, &QWebSocket::pong, socket, [&](quint64, const QByteArray& payload) {
+          if (payload == "settled") answered = true;
+        });
+    socket->ping("settled");
+    const bool in_time = QTest::qWaitFor([&] { return answered; }, 30'000);
+    QObject::disconnect(connection);
+    return in_time;
+  }
   /// As a server that dies: no farewell, code 1006.
   void dropAll() {
     for (const QPointer<QWebSocket>& peer : peers) {
@@ -63,6 +79,7 @@ class RosbridgeServer {
   QList<Seen> seen;
   QList<QPointer<QWebSocket>> peers;
   std::function<void(const Seen&)> answer;
+  std::function<void(int)> arrived;  // a peer
 
  private:
   QWebSocket* at(int peer) { return peers.at(peer < 0 ? peers.size() - 1 : peer); }
@@ -74,6 +91,12 @@ class RosbridgeServer {
 struct StandingClock {
   std::shared_ptr<std::chrono::milliseconds> time = std::make_shared<std::chrono::milliseconds>(1'000'000);
   void pass(std::chrono::milliseconds by) { *time += by; }
+  /// Who goes by it has looked at it, and done what was due: the second look begins when the first is over.
+  bool seen() const {
+    const int before = *looks;
+    return QTest::qWaitFor([&] { return *looks >= before + 2; }, 30'000);
+  }
+  std::shared_ptr<int> looks = std::make_shared<int>(0);
 };
 
 inline ClientOptions quick(const StandingClock& clock = {}) {
@@ -85,7 +108,10 @@ inline ClientOptions quick(const StandingClock& clock = {}) {
   options.link.backoff_limit = std::chrono::milliseconds(20);
   options.link.jitter_seed = 1;
   options.look_every = std::chrono::milliseconds(2);
-  options.now = [time = clock.time] { return *time; };
+  options.now = [time = clock.time, looks = clock.looks] {
+    ++*looks;
+    return *time;
+  };
   options.wall_s = [] { return 1'700'000'000.5; };
   return options;
 }

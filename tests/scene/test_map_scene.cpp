@@ -175,11 +175,12 @@ class MapSceneTest : public QObject {
   void namesOfLayersAreThoseOfTheCommandLine() {
     QStringList names;
     for (const Layer layer : scene::allLayers()) names << scene::layerName(layer);
-    QCOMPARE(
-        names.join(QLatin1Char(',')),
-        QStringLiteral("whole,submaps,incremental,match,symmetry,costmap,costmap-high,grid,overlays,"
-                       "waypoints,landmarks,doors,boxes,constraints,outlines,ids,trajectory,path,"
-                       "local-path,target,cloud,robots,trail,expanded-footprint,footprint,robot,scalebar"));
+    QCOMPARE(names.join(QLatin1Char(',')),
+             QStringLiteral(
+                 "whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-cloud,"
+                 "grid,overlays,"
+                 "waypoints,landmarks,doors,boxes,constraints,outlines,ids,trajectory,path,"
+                 "local-path,target,cloud,robots,track,trail,expanded-footprint,footprint,robot,scalebar"));
   }
 
   void aSceneMayOutliveNothingAndBeTakenDownInAnyOrder() {

@@ -263,6 +263,10 @@ class SentencesTest : public QObject {
              QStringLiteral("Local maps are called like their files, and no robot works with them."));
     QCOMPARE(sentences::whyAbsent(Capability::Submaps, {Reason::LocalFiles, {}}),
              QStringLiteral("There are no submaps here, only whole maps."));
+    for (const Capability changing :
+         {Capability::WaypointEditing, Capability::Administration, Capability::PictureEditing})
+      QCOMPARE(sentences::whyAbsent(changing, {Reason::LocalFiles, {"drive.bag"}}),
+               QStringLiteral("This is a replay of drive.bag: nothing can be changed."));
   }
 };
 

@@ -36,7 +36,6 @@ class FakeRobot : public robot::Robot,
                   public robot::OverviewSource,
                   public robot::WaypointSource,
                   public robot::LiveTopics {
-  Q_OBJECT
  public:
   // Capabilities beside submaps are there when the test says so.
   robot::MapCatalogue* mapCatalogue() override { return has_maps ? this : nullptr; }

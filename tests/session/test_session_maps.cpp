@@ -59,6 +59,26 @@ class SessionMapsTest : public QObject {
     QTRY_COMPARE(shownGray(), 0);
   }
 
+  void theNameOfTheLiveMapMayComeAfterIt() {
+    make(true, true);
+    goOnline();
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
+    QVERIFY(session_->wholeMap().name().isEmpty());
+    map::MapInfo info;
+    info.name = "Ground floor";
+    robot_->say(info);
+    QCOMPARE(session_->wholeMap().name(), QStringLiteral("Ground floor"));
+    QVERIFY(session_->wholeMap().cells());  // it stays on screen
+    QTRY_COMPARE(session_->wholeMap().shown().name, std::string("Ground floor"));
+    // A stored one that was opened has its own.
+    session_->openMap({map::MapKind::Stored, "1"});
+    const QString stored = session_->wholeMap().name();
+    info.name = "Attic";
+    robot_->say(info);
+    QCOMPARE(session_->wholeMap().name(), stored);
+  }
+
   void aWorldThatIsGivenIsShownAsIfItsMessagesHadCome() {
     // The world of one robot, as a session keeps it ...
     QDateTime now(QDate(2024, 5, 1), QTime(12, 0), Qt::UTC);

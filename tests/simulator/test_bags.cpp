@@ -1,5 +1,7 @@
 // The bags of the simulated robot, its recordings, and the player that reads them in windows.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <QJsonArray>
 #include <QMap>
@@ -178,6 +180,21 @@ class TestBags : public QObject {
     }
   }
 
+  void submapListsAreRecordedAndNotSaidBeforeAWindow() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    int lists = 0;
+    for (const QJsonValue& message : messages(robot, kStart + 100, kStart + 159.9995)) {
+      if (topicOf(message) != QLatin1String("/submap_list")) continue;
+      ++lists;
+      QVERIFY(!isLatched(message));
+      QCOMPARE(message[QLatin1String("uuid")].toString().toStdString(), robot.uuid());
+      QVERIFY(!message[QLatin1String("submap")].toArray().isEmpty());
+      QVERIFY(stampOf(message) >= kStart + 100);
+    }
+    QCOMPARE(lists, 6);
+  }
+
   void thePastStaysAsItWas() {
     Simulator robot(paused());
     QVERIFY(!robot.start());
@@ -288,6 +305,68 @@ class TestBags : public QObject {
     QCOMPARE(array(raw::get(robot.port(), "/bags/").body).size(), 1);
     QCOMPARE(raw::send(robot.port(), "DELETE", "/recording/", "").status, 204);
     QCOMPARE(array(raw::get(robot.port(), "/recording/").body).size(), 0);
+  }
+
+  void oddBagsAreOddInTheirOwnWay() {
+    Options options = paused();
+    options.bags.odd = true;
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    const auto all = [&](const char* name) {
+      return object(window(robot, 0, 4e9, std::string("/bags/") + name).body);
+    };
+    const auto stamps = [](const QJsonObject& bag) {
+      std::vector<double> all_stamps;
+      for (const QJsonValue& message : bag[QLatin1String("messages")].toArray())
+        all_stamps.push_back(stampOf(message));
+      return all_stamps;
+    };
+    QCOMPARE(all("empty.bag")[QLatin1String("total_messages")].toInt(), 0);
+    QCOMPARE(stamps(all("one_message.bag")).size(), std::size_t(1));
+    const auto back = stamps(all("clock_set_back.bag"));
+    QVERIFY(!std::is_sorted(back.begin(), back.end()));
+    const auto same = stamps(all("same_stamps.bag"));
+    QVERIFY(std::is_sorted(same.begin(), same.end()));
+    QVERIFY(std::adjacent_find(same.begin(), same.end()) != same.end());
+    const QJsonObject late = all("ends_late.bag");
+    QVERIFY(stamps(late).back() > late[QLatin1String("end_time")].toDouble() + 29);
+  }
+
+  void aBagOfEightHoursIsMadeRangeByRange() {
+    Options options = paused();
+    options.bags.odd = true;
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    const std::string bag = "/bags/eight_hours.bag";
+    const QJsonObject info = object(raw::get(robot.port(), bag + "/player").body);
+    QVERIFY(info[QLatin1String("total_messages")].toInt() > 100'000);
+    const double end = info[QLatin1String("end_time")].toDouble();
+    QVERIFY(end - info[QLatin1String("start_time")].toDouble() > 8 * 3600 - 60);
+    const QJsonObject part = object(window(robot, end - 100, end - 90, bag).body);
+    QVERIFY(part[QLatin1String("messages")].toArray().size() > 100);
+  }
+
+  void aRangeMayEndBeforeItsEnd() {
+    const QJsonArray inclusive = [] {
+      Simulator robot(paused());
+      return robot.start() ? QJsonArray() : messages(robot, kStart, kStart + 10);
+    }();
+    Options options = paused();
+    options.bags.end_exclusive = true;
+    Simulator robot(options);
+    QVERIFY(!robot.start());
+    const double last = stampOf(inclusive.last());
+    QCOMPARE(stampOf(messages(robot, kStart, last).last()) < last, true);
+  }
+
+  void aDownloadGoesOnFromAByte() {
+    Simulator robot(paused());
+    QVERIFY(!robot.start());
+    const auto whole = raw::get(robot.port(), kBag + "/download");
+    const auto rest = raw::get(robot.port(), kBag + "/download", {{"Range", "bytes=100-"}});
+    QCOMPARE(rest.status, 206);
+    QCOMPARE(rest.body, whole.body.substr(100));
+    QCOMPARE(raw::get(robot.port(), kBag + "/download", {{"Range", "bytes=99999999-"}}).status, 416);
   }
 
   void anEmptyRobotRecordsHowItIs() {

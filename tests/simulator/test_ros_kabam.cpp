@@ -192,6 +192,54 @@ class TestRosKabam : public QObject {
     QCOMPARE(now[0].toInt(), 0);
   }
 
+  void aPictureMayComeInPieces() {
+    Kabam robot;
+    robot->subscribe("/map");
+    const QJsonObject map = robot->first("/map");
+    const int width = at(map, "info.width").toInt(), height = at(map, "info.height").toInt();
+    const QByteArray cells(qsizetype(width) * height, char(254));
+    const QByteArray whole =
+        R"({"op":"call_service","id":"p","service":"/map_manager/update_map_image","args":)" +
+        id(robot.map(0), image(width, height, cells)) + '}';
+    constexpr qsizetype kPiece = 10'000;
+    const qsizetype total = (whole.size() + kPiece - 1) / kPiece;
+    for (qsizetype i = total; i-- > 0;) {  // in whatever order
+      const QJsonObject piece{{QStringLiteral("op"), QStringLiteral("fragment")},
+                              {QStringLiteral("id"), QStringLiteral("p")},
+                              {QStringLiteral("num"), i},
+                              {QStringLiteral("total"), total},
+                              {QStringLiteral("data"), QString::fromUtf8(whole.mid(i * kPiece, kPiece))}};
+      robot->send(QJsonDocument(piece).toJson(QJsonDocument::Compact));
+    }
+    QCOMPARE(at(robot->answerTo(QStringLiteral("p")), "values.result").toInt(), 0);
+    QTRY_COMPARE(robot->count("/map"), 2);
+  }
+
+  void somebodyElseMayPaint() {
+    Kabam robot;
+    robot->subscribe("/map");
+    const QJsonArray before = at(robot->first("/map"), "data").toArray();
+    robot.robot.otherPainter();
+    QTRY_COMPARE(robot->count("/map"), 2);
+    QVERIFY(at(robot->last("/map"), "data").toArray() != before);
+    robot.robot.otherPainter();
+    QTRY_COMPARE(robot->count("/map"), 3);
+  }
+
+  void aPictureMayBeRefusedOrIgnored() {
+    Options options = RosRobot::still();
+    options.faults.ros.picture_code = 4;
+    QCOMPARE(Kabam(options).code("update_map_image", "{}"), 4);
+    options.faults.ros = {};
+    options.faults.ros.picture_ignored = true;
+    Kabam robot(options);
+    robot->subscribe("/map");
+    robot->first("/map");
+    QCOMPARE(robot.code("update_map_image", "{}"), 0);
+    QVERIFY(robot->settle());
+    QCOMPARE(robot->count("/map"), 1);
+  }
+
   void waypointsAreCreatedWithAnIdOfTheRobots() {
     Kabam robot;
     const QJsonObject like = robot.waypoint(0);

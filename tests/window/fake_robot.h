@@ -12,6 +12,7 @@
 #include "../session/topic_names.h"
 #include "robot/map_administration.h"
 #include "robot/robot.h"
+#include "robot/second_server.h"
 
 namespace mapwright::test {
 
@@ -69,7 +70,6 @@ inline map::Failure failed(const std::string& detail) {
 
 /// Answers about maps what it is told to.
 class FakeMaps : public QObject, public robot::MapCatalogue, public robot::WholeMapSource {
-  Q_OBJECT
  public:
   robot::Call list(robot::OutcomeTo<std::vector<map::CatalogueEntry>> reply) override {
     QTimer::singleShot(0, this, [this, reply = std::move(reply)] {
@@ -100,7 +100,12 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
   robot::Call fetch(const map::MapKey& key, robot::OutcomeTo<map::WholeMap> reply) override {
     opened.push_back(key);
     QTimer::singleShot(0, this, [this, key, reply = std::move(reply)] {
-      if (map_error.empty()) {
+      if (without_picture.contains(key.id)) {
+        reply(tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
+                                               .subject = map::subjectOf(key),
+                                               .reason = map::FailureReason::Unfit,
+                                               .cause = {map::ReasonCode::OnlyCurrentMapSent}}));
+      } else if (map_error.empty()) {
         reply(wholeMap(key, "Map " + key.id, 80, 60));
       } else {
         reply(tl::make_unexpected(failed(map_error)));
@@ -111,6 +116,7 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
 
   std::vector<map::CatalogueEntry> entries;
   std::string list_error, map_error;
+  std::set<std::string> without_picture;  // ids of maps of which none is sent
   std::vector<map::MapKey> opened;
 };
 
@@ -118,8 +124,8 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
 class FakeRobot : public robot::Robot,
                   public robot::SubmapSource,
                   public robot::LiveTopics,
-                  public robot::WaypointSource {
-  Q_OBJECT
+                  public robot::WaypointSource,
+                  public robot::SecondServer {
  public:
   explicit FakeRobot(QString address = QStringLiteral("axbot+http://192.0.2.7:8090"))
       : address_(std::move(address)) {}
@@ -132,6 +138,9 @@ class FakeRobot : public robot::Robot,
   }
   void disconnectFromRobot() override {}
   void trustCertificate(const QString& sha256) override { trusted << sha256; }
+  QString hostBeside() const override { return beside ? beside->host : QString(); }
+  std::optional<robot::UntrustedCertificate> certificateBeside() const override { return beside; }
+  void trustBeside(const QString& sha256) override { trusted_beside << sha256; }
   robot::ConnectionState connection() const override { return state; }
   robot::RobotIdentity identity() const override { return who; }
   robot::SubmapSource* submapSource() override { return has_submaps ? this : nullptr; }
@@ -253,7 +262,8 @@ class FakeRobot : public robot::Robot,
   robot::WaypointStore* waypoint_store = nullptr;      // not owned
   const map::WaypointList* told_waypoints = nullptr;   // those that can only be read; not owned
   FakeMaps maps;
-  QStringList wanted, trusted;
+  QStringList wanted, trusted, trusted_beside;
+  std::optional<robot::UntrustedCertificate> beside;  // of its second server
   bool watching = false;
   int side = 100;
   int connects = 0, fetches = 0;

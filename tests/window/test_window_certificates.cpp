@@ -158,6 +158,33 @@ class WindowCertificatesTest : public QObject {
     QVERIFY(bench.window->findChild<CertificateDialog*>());
   }
 
+  void thatOfAServerBesideTheRobotIsDecidedOnToo() {
+    Bench bench;
+    bench.open();
+    QVERIFY(!bench.window->connectTo(kAddress));
+    bench.load();
+    window::NoticeBar* const notice = bench.window->overlay()->notice();
+    robot::UntrustedCertificate beside = *refused(kSecond).certificate;
+    beside.host = QStringLiteral("192.0.2.7:9090");
+    bench.robot->beside = beside;
+    Q_EMIT bench.robot->connectionChanged();
+    QTRY_VERIFY(notice->isVisible());
+    QVERIFY2(notice->sentence().contains(beside.host), qPrintable(notice->sentence()));
+    QPushButton* const offer = button(*notice, QStringLiteral("Certificate…"));
+    QVERIFY(offer);
+    offer->click();
+    auto* const dialog = bench.window->findChild<CertificateDialog*>();
+    QVERIFY(dialog && textOf(*dialog).contains(beside.host));
+    dialog->trustButton()->click();
+    QCOMPARE(bench.robot->trusted_beside, QStringList{kSecond});
+    QVERIFY2(bench.robot->trusted.isEmpty(), "the robot's own is another one");
+    QCOMPARE(TrustedCertificates(bench.settings).of(beside.host), kSecond);
+    QVERIFY(TrustedCertificates(bench.settings).of(kHost).isEmpty());
+    bench.robot->beside.reset();
+    Q_EMIT bench.robot->connectionChanged();
+    QTRY_VERIFY(!notice->isVisible());
+  }
+
   void aForgottenRobotIsNotTrustedAnyMore() {
     Bench bench;
     TrustedCertificates trusted(bench.settings);

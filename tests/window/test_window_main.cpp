@@ -250,6 +250,24 @@ class TestWindowMain : public QObject {
     QTRY_COMPARE(front(again), wanted);
   }
 
+  void bringsTheRobotToTheFrontWhereThereAreNoSubmaps() {
+    Bench bench;
+    const auto in_front = [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); };
+    bench.prepare = [](test::FakeRobot& robot) { robot.has_submaps = false; };
+    MainWindow& window = bench.open();
+    QTRY_VERIFY(in_front(window.inspector()));
+    QVERIFY(!window.connectTo(test::kAddress));
+    QTRY_VERIFY(in_front(window.robotPanel()));
+    bench.prepare = {};
+    QVERIFY(!window.connectTo(test::kAddress));
+    QTRY_VERIFY(in_front(window.inspector()));
+    // Whoever has chosen another panel keeps it.
+    window.robotPanel()->raise();
+    QVERIFY(!window.connectTo(test::kAddress));
+    QCoreApplication::processEvents();
+    QTRY_VERIFY(in_front(window.robotPanel()));
+  }
+
   void bringsAPanelThatIsOpenedToTheFront() {
     Bench bench;
     MainWindow& window = bench.open();

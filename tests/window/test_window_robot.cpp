@@ -6,6 +6,7 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "window/docks/message_view.h"
 #include "window/docks/messages_dock.h"
 #include "window/docks/pretty_json.h"
 #include "window/docks/robot_dock.h"

@@ -7,103 +7,29 @@
 #include <QTableView>
 #include <QtTest>
 
-#include "../edit/fake_waypoint_store.h"
+#include "session/lacks_picture.h"
+#include "waypoints_desk.h"
 #include "window/action_bars.h"
+#include "window/map/empty_state.h"
 #include "window/map/hit_list.h"
 #include "window/map/map_overlay.h"
 #include "window/map/notice_bar.h"
 #include "window/map/toast_stack.h"
 #include "window/waypoints/name_editor.h"
 #include "window/waypoints/waypoint_form.h"
+#include "window/waypoints/waypoint_snapping.h"
 #include "window/waypoints/waypoint_text.h"
 #include "window/waypoints/waypoint_tool.h"
 #include "window/waypoints/waypoints_controller.h"
 #include "window/waypoints/waypoints_dock.h"
-#include "window_bench.h"
 
 using namespace mapwright;
 using namespace mapwright::window;
-using test::FakeWaypointStore;
 using test::waypoint;
 
 namespace {
 
-/// A window on a robot of one map of 4 m x 3 m whose waypoints can be changed; 1 cm a pixel, its middle in
-/// the middle.
-struct Desk : test::Bench {
-  ~Desk() { window.reset(); }  // before what its robot keeps
-  Desk() {
-    store.points = {waypoint("a", 1, 1, "Dock"), waypoint("b", 3, 2, "Kitchen")};
-    prepare = [this](test::FakeRobot& made) {
-      made.has_catalogue = true;
-      made.has_submaps = false;
-      made.maps.entries = {test::catalogued("1", "Ground floor"), test::catalogued("2", "Attic")};
-      made.maps.entries[0].is_current = true;
-      if (writable) made.waypoint_store = &store;
-      if (!told.points.empty()) made.told_waypoints = &told;
-    };
-    edit.drafts_folder = folder.filePath(QStringLiteral("drafts"));
-    edit.later = [](std::chrono::milliseconds, const std::function<void()>&) {};
-  }
-  void start() {
-    open();
-    QVERIFY(!window->connectTo(test::kAddress));
-    QTRY_VERIFY(editing().document());
-    look();
-  }
-  void look() {
-    geometry::ViewTransform camera = window->mapScene()->view();
-    camera.center_m = {2, 1.5};
-    camera.scale_m_per_px = 0.01;
-    window->view()->moveTo(camera, false);
-  }
-  WaypointsController& control() { return *window->waypoints(); }
-  WaypointEditing& editing() { return *control().editing(); }
-  WaypointsDock& dock() { return *control().dock(); }
-  const edit::Items<map::Waypoint>& items() { return editing().document()->items(); }
-  QUndoStack& undo() { return editing().document()->undoStack(); }
-  QPoint px(double x, double y) {
-    const Eigen::Vector2d at = window->mapScene()->view().pixelFromWorld({x, y});
-    return {qRound(at.x()), qRound(at.y())};
-  }
-  void take() {
-    key(Qt::Key_W);
-    QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
-  }
-  void click(const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mouseClick(window->view()->viewport(), Qt::LeftButton, modifiers, at);
-  }
-  void moveTo(const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
-    QMouseEvent move(QEvent::MouseMove, at, window->view()->viewport()->mapToGlobal(at), Qt::NoButton,
-                     Qt::LeftButton, modifiers);
-    QApplication::sendEvent(window->view()->viewport(), &move);
-  }
-  void press(const QPoint& at) { QTest::mousePress(window->view()->viewport(), Qt::LeftButton, {}, at); }
-  void release(const QPoint& at) { QTest::mouseRelease(window->view()->viewport(), Qt::LeftButton, {}, at); }
-  void drag(const QPoint& from, const QPoint& to) {
-    press(from);
-    moveTo((from + to) / 2, Qt::AltModifier);
-    moveTo(to, Qt::AltModifier);
-    QTest::mouseRelease(window->view()->viewport(), Qt::LeftButton, Qt::AltModifier, to);
-  }
-  void answer(QMessageBox::StandardButton button) {
-    QTRY_VERIFY(control().question());
-    control().question()->button(button)->click();
-  }
-  void keepAsDraft() {
-    QTRY_VERIFY(control().question());
-    control().question()->findChild<QPushButton*>(QStringLiteral("keepDraft"))->click();
-  }
-  NoticeBar* notice() { return window->overlay()->editNotice(); }
-  bool near(const edit::Key& key, double x, double y) {
-    const map::Waypoint* const point = editing().find(key);
-    return point && (point->position_m - Eigen::Vector2d(x, y)).norm() < 0.011;
-  }
-
-  FakeWaypointStore store{FakeWaypointStore::Way::AllAtOnce};
-  map::WaypointList told;
-  bool writable = true;
-};
+using Desk = test::WaypointsDesk;
 
 }  // namespace
 
@@ -496,6 +422,83 @@ class TestWindowWaypoints : public QObject {
     QVERIFY(desk.dock().conflictShown().isEmpty() && !desk.notice()->isVisible());
   }
 
+  void aConflictIsDecidedOnTheMap_data() {
+    QTest::addColumn<QString>("choice");
+    QTest::addColumn<QPointF>("where");  // the menu is opened
+    QTest::addColumn<QPointF>("a");
+    QTest::addColumn<int>("count");
+    QTest::newRow("mine") << QStringLiteral("conflictMine") << QPointF(1.5, 1) << QPointF(1.5, 1) << 2;
+    QTest::newRow("theirs") << QStringLiteral("conflictTheirs") << QPointF(1.5, 1) << QPointF(0.5, 0.5) << 2;
+    QTest::newRow("where theirs lies")
+        << QStringLiteral("conflictMine") << QPointF(0.5, 0.5) << QPointF(1.5, 1) << 2;
+    QTest::newRow("both") << QStringLiteral("conflictBoth") << QPointF(1.5, 1) << QPointF(0.5, 0.5) << 3;
+  }
+  void aConflictIsDecidedOnTheMap() {
+    QFETCH(QString, choice);
+    QFETCH(QPointF, where);
+    QFETCH(QPointF, a);
+    QFETCH(int, count);
+    Desk desk;
+    desk.start();
+    desk.editing().select({"a"});
+    desk.editing().moveSelected({0.5, 0});
+    desk.store.put(waypoint("a", 0.5, 0.5, "Dock"));
+    Q_EMIT desk.store.changed();
+    QTRY_VERIFY(!desk.dock().conflictShown().isEmpty());
+    const auto menuAt = [&](const QPointF& at) {
+      auto menu = std::make_unique<QMenu>();
+      window::fillMapMenu(*menu, desk.window->actionList(), {at.x(), at.y()});
+      return menu;
+    };
+    QVERIFY2(!menuAt({2.5, 0.5})->findChild<QAction*>(choice), "nothing is in conflict there");
+    const auto menu = menuAt(where);
+    QAction* const action = menu->findChild<QAction*>(choice);
+    QVERIFY(action && action->isEnabled());
+    action->trigger();
+    QVERIFY(desk.dock().conflictShown().isEmpty());
+    QVERIFY(desk.near("a", a.x(), a.y()));
+    QCOMPARE(int(desk.items().size()), count);
+    if (count == 3) {
+      const edit::Key mine = *desk.editing().selected().begin();
+      QVERIFY(desk.near(mine, 1.5, 1) && desk.editing().find(mine)->name != "Dock");
+      desk.undo().undo();
+      QCOMPARE(int(desk.items().size()), 2);
+    }
+    QVERIFY(!menuAt(where)->findChild<QAction*>(choice));
+  }
+
+  void ofAMapWithoutAPictureTheWaypointsAreShown() {
+    Desk desk;
+    desk.prepare = [&, before = desk.prepare](test::FakeRobot& made) {
+      before(made);
+      made.maps.without_picture = {"2"};
+    };
+    desk.open();
+    QVERIFY(!desk.window->connectTo(test::kAddress));
+    desk.window->openMap({map::MapKind::Stored, "2"});
+    QTRY_VERIFY(session::lacksPicture(desk.window->session()->wholeMap()));
+    QTRY_VERIFY(desk.editing().document() && desk.editing().editable());
+    QCOMPARE(int(desk.items().size()), 2);
+    // They are looked at, drawn, and can be taken; the sentence stands above them.
+    const QImage with = desk.window->mapPicture();
+    for (const auto& [key, point] : desk.items()) {
+      const QPoint at = desk.px(point.position_m.x(), point.position_m.y());
+      QVERIFY(desk.window->view()->viewport()->rect().contains(at));
+    }
+    desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, false);
+    QVERIFY(desk.window->mapPicture() != with);
+    desk.window->mapScene()->setLayerVisible(scene::Layer::Waypoints, true);
+    desk.take();
+    const map::Waypoint& one = desk.items().begin()->second;
+    desk.click(desk.px(one.position_m.x(), one.position_m.y()));
+    QCOMPARE(desk.editing().selected(), std::set<edit::Key>{desk.items().begin()->first});
+    QVERIFY(!desk.window->overlay()->card()->isVisible());
+    NoticeBar* const notice = desk.window->overlay()->notice();
+    QTRY_VERIFY(notice->isVisible());
+    QVERIFY2(notice->sentence().contains(QLatin1String("only the map that it works with")),
+             qPrintable(notice->sentence()));
+  }
+
   void theMenuOfTheMapAddsOneWhereItWasOpened() {
     Desk desk;
     desk.start();
@@ -564,8 +567,9 @@ class TestWindowWaypoints : public QObject {
     desk.take();
     desk.click(desk.px(50, 50));
     QCOMPARE(desk.editing().only()->position_m, Eigen::Vector2d(50, 50));
+    const edit::Key gone = *desk.editing().selected().begin();
     desk.key(Qt::Key_Delete);
-    QCOMPARE(desk.dock().model()->rowCount(), 9'999);
+    QVERIFY(!desk.editing().find(gone));
     desk.click(desk.px(50, 50));  // nothing lies there any more
     QCOMPARE(desk.items().size(), std::size_t(10'000));
   }
@@ -587,12 +591,17 @@ class TestWindowWaypoints : public QObject {
     QCOMPARE(found[0].key, std::string("nearer"));
     QVERIFY(std::abs(found[0].distance_px - 3) < 1e-9);
     const auto none = [](const Hit&) { return false; };
-    QCOMPARE(snap(scene, hits, {0, 0}, {}, 9, none).world_m, Eigen::Vector2d(0.03, 0));
-    QCOMPARE(snap(scene, hits, {0, 0}, {}, 9, [](const Hit& hit) { return hit.key == "nearer"; }).world_m,
+    WaypointSnapping snapping(&scene, &hits);
+    const auto place = [&](double x, double y, Qt::KeyboardModifiers modifiers) {
+      return snapping.place({x, y}, modifiers, none).at_m;
+    };
+    QCOMPARE(place(0, 0, {}), Eigen::Vector2d(0.03, 0));
+    QCOMPARE(snapping.place({0, 0}, {}, [](const Hit& hit) { return hit.key == "nearer"; }).at_m,
              Eigen::Vector2d(0.05, 0));
-    QCOMPARE(snap(scene, hits, {0.01, 0.02}, Qt::AltModifier, 9, none).world_m, Eigen::Vector2d(0.01, 0.02));
-    const Snapped grid = snap(scene, hits, {0.96, 1.04}, Qt::ControlModifier, 9, none);
-    QVERIFY((grid.world_m - Eigen::Vector2d(1, 1)).norm() < 1e-9);
+    QCOMPARE(place(0.01, 0.02, Qt::AltModifier), Eigen::Vector2d(0.01, 0.02));
+    QVERIFY((place(0.96, 1.04, Qt::ControlModifier) - Eigen::Vector2d(1, 1)).norm() < 1e-9);
+    snapping.setOn(false);
+    QCOMPARE(place(0, 0, {}), Eigen::Vector2d(0, 0));
     points.put("nearer", {5, 5});
     QCOMPARE(hits.at({0, 0}, 9).size(), std::size_t(1));
     scene.setLayerVisible(scene::Layer::Waypoints, false);

@@ -12,8 +12,9 @@
 
 namespace mapwright::scene {
 
-/// How it stands towards where it is kept: told by shape and colour. Disc, square, framed square, triangle.
-enum class WaypointMark { Saved, Unsaved, Sent, Conflict };
+/// How it stands towards where it is kept: told by shape and colour. Disc, square, framed square, triangle,
+/// diamond, cross, and the frame of a triangle for what others made of one in conflict.
+enum class WaypointMark { Saved, Unsaved, Sent, Conflict, New, Deleted, Theirs };
 
 struct DrawnWaypoint {
   std::string name;
@@ -21,6 +22,8 @@ struct DrawnWaypoint {
   std::optional<double> yaw_rad;
   WaypointMark mark = WaypointMark::Saved;
   bool selected = false;
+  bool warned = false;  // something is doubtful about it: an exclamation mark beside it
+  std::optional<Eigen::Vector2d> from_m = {};  // a line leads here from there: where it is kept, or mine
 };
 
 /// The waypoints of one map.

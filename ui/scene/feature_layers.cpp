@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "scene/ground_drawings.h"
 #include "scene/live_layers.h"
 #include "sentences/overlay_name.h"
 #include "words/qt_plain.h"
@@ -20,6 +21,8 @@ QColor translucent(QColor color, int alpha) {
   color.setAlpha(alpha);
   return color;
 }
+
+QColor opaque(QColor color) { return translucent(color, 255); }
 
 QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen::Vector2d>& world) {
   QPolygonF polygon;
@@ -119,12 +122,16 @@ void DoorsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
 
 void BoxesLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const map::LiveState& live = *context_.live;
-  const QColor color = colorOr(context_.theme.place);
+  const QColor common = colorOr(context_.theme.place);
+  drawGroundDrawings(*painter, context_, live.drawings, common);
   painter->setRenderHint(QPainter::Antialiasing);
   for (const auto* boxes : {&live.pallets, &live.racks, &live.seen_objects}) {
     for (const map::GroundBox& box : *boxes) {
-      if (box.in_robot_frame && !live.robot_pose) continue;
-      const geometry::Pose2 pose = box.in_robot_frame ? *live.robot_pose * box.pose : box.pose;
+      const auto robot = context_.robotPose();
+      if (box.in_robot_frame && !robot) continue;
+      const geometry::Pose2 pose = box.in_robot_frame ? *robot * box.pose : box.pose;
+      // The user's choice goes before the robot's.
+      const QColor color = box.rgba && !style().color.isValid() ? opaque(colorFrom(*box.rgba)) : common;
       const double a = box.length_m / 2, b = box.width_m / 2;
       if (a > 0 && b > 0) {
         const QPolygonF polygon = toPolygon(context_.view, {pose.apply({a, b}), pose.apply({-a, b}),

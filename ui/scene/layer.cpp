@@ -16,12 +16,14 @@ struct Row {
 
 constexpr std::array kRows{
     Row{Layer::WholeMap, "whole", QT_TRANSLATE_NOOP("scene", "Whole map"), false},
+    Row{Layer::Regions, "regions", QT_TRANSLATE_NOOP("scene", "Map by regions"), true},
     Row{Layer::Submaps, "submaps", QT_TRANSLATE_NOOP("scene", "Submaps"), true},
     Row{Layer::Incremental, "incremental", QT_TRANSLATE_NOOP("scene", "Incremental"), false},
     Row{Layer::EnvMatch, "match", QT_TRANSLATE_NOOP("scene", "Match map"), false},
     Row{Layer::EnvSymmetry, "symmetry", QT_TRANSLATE_NOOP("scene", "Symmetry map"), false},
     Row{Layer::CostmapLow, "costmap", QT_TRANSLATE_NOOP("scene", "Costmap, coarse"), false},
     Row{Layer::CostmapHigh, "costmap-high", QT_TRANSLATE_NOOP("scene", "Costmap, fine"), false},
+    Row{Layer::DispatchedCloud, "dispatched-cloud", QT_TRANSLATE_NOOP("scene", "Cloud of the map"), true},
     Row{Layer::Grid, "grid", QT_TRANSLATE_NOOP("scene", "Grid"), true},
     Row{Layer::Overlays, "overlays", QT_TRANSLATE_NOOP("scene", "Overlays"), true},
     Row{Layer::Waypoints, "waypoints", QT_TRANSLATE_NOOP("scene", "Waypoints"), true},
@@ -37,6 +39,7 @@ constexpr std::array kRows{
     Row{Layer::Target, "target", QT_TRANSLATE_NOOP("scene", "Target"), true},
     Row{Layer::Cloud, "cloud", QT_TRANSLATE_NOOP("scene", "Lidar points"), true},
     Row{Layer::NearbyRobots, "robots", QT_TRANSLATE_NOOP("scene", "Nearby robots"), true},
+    Row{Layer::Track, "track", QT_TRANSLATE_NOOP("scene", "Track of the bag"), true},
     Row{Layer::Trail, "trail", QT_TRANSLATE_NOOP("scene", "Trail"), true},
     Row{Layer::ExpandedFootprint, "expanded-footprint", QT_TRANSLATE_NOOP("scene", "Wide footprint"), false},
     Row{Layer::Footprint, "footprint", QT_TRANSLATE_NOOP("scene", "Footprint"), true},
@@ -101,11 +104,14 @@ map::Streams layerStreams(Layer layer) {
       return {Stream::Cloud};
     case Layer::NearbyRobots:
       return {Stream::NearbyRobots, Stream::NearbyFootprints};
+    case Layer::Regions:
     case Layer::Submaps:
+    case Layer::DispatchedCloud:  // is asked for, region by region
     case Layer::Grid:
     case Layer::Waypoints:
     case Layer::Outlines:
     case Layer::Ids:
+    case Layer::Track:
     case Layer::Trail:
     case Layer::ExpandedFootprint:
     case Layer::Footprint:
@@ -119,6 +125,8 @@ map::Streams layerStreams(Layer layer) {
 bool followsRobot(Layer layer) {
   switch (layer) {
     case Layer::WholeMap:
+    case Layer::Regions:
+    case Layer::DispatchedCloud:
     case Layer::Grid:
     case Layer::Overlays:
     case Layer::Waypoints:
@@ -156,6 +164,25 @@ LayerTraits layerTraits(Layer layer) {
       traits.choices = {QCoreApplication::translate("scene", "One colour"),
                         QCoreApplication::translate("scene", "By intensity"),
                         QCoreApplication::translate("scene", "By height")};
+      return traits;
+    case Layer::DispatchedCloud:
+      traits.color = true;
+      traits.size_px = {1, 8};
+      traits.default_size_px = 2;
+      traits.size_title = QCoreApplication::translate("scene", "Point size");
+      traits.choice_title = QCoreApplication::translate("scene", "Colour");
+      traits.choices = {QCoreApplication::translate("scene", "By height"),
+                        QCoreApplication::translate("scene", "By intensity"),
+                        QCoreApplication::translate("scene", "Own colour"),
+                        QCoreApplication::translate("scene", "One colour")};
+      return traits;
+    case Layer::Track:
+      traits = line(3);
+      traits.color = false;
+      traits.choice_title = QCoreApplication::translate("scene", "Colour");
+      traits.choices = {QCoreApplication::translate("scene", "By time"),
+                        QCoreApplication::translate("scene", "By speed"),
+                        QCoreApplication::translate("scene", "By position quality")};
       return traits;
     case Layer::Path:
       return line(3);

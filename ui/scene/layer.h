@@ -15,12 +15,14 @@ namespace mapwright::scene {
 /// Everything that can be shown, in the default order, bottom first.
 enum class Layer {
   WholeMap,
+  Regions,  // a map too large to be moved whole, as far as it has been fetched
   Submaps,
   Incremental,
   EnvMatch,
   EnvSymmetry,
   CostmapLow,
   CostmapHigh,
+  DispatchedCloud,  // of the map, in space
   Grid,
   Overlays,
   Waypoints,
@@ -36,6 +38,7 @@ enum class Layer {
   Target,
   Cloud,
   NearbyRobots,
+  Track,  // of a whole bag
   Trail,
   ExpandedFootprint,
   Footprint,
@@ -80,7 +83,9 @@ LayerTraits layerTraits(Layer layer);
 
 /// The choices of the layers that have some.
 enum class WholeMapChoice { OccupiedWins, Average };
+enum class TrackChoice { Time, Speed, Quality };
 enum class CloudChoice { OneColor, Intensity, Height };
+enum class DispatchedCloudChoice { Height, Intensity, Rgb, OneColor };
 
 /// How two maps are compared on screen.
 enum class CompareMode { Off, Swipe, Difference };

@@ -21,8 +21,14 @@ namespace mapwright::scene {
 struct LayerContext {
   geometry::ViewTransform view;  // logical pixels
   MapTheme theme;
-  const map::LiveState* live = nullptr;  // never null while items exist; of the session, or an empty one
-  LabelSpace* labels = nullptr;          // never null while items exist; empty at the start of a frame
+  std::optional<geometry::Pose2> between;  // where the robot is drawn instead, if it is drawn
+  const map::LiveState* live = nullptr;    // never null while items exist; of the session, or an empty one
+  LabelSpace* labels = nullptr;            // never null while items exist; empty at the start of a frame
+
+  /// Where the robot is drawn.
+  std::optional<geometry::Pose2> robotPose() const {
+    return live->robot_pose && between ? between : live->robot_pose;
+  }
 };
 
 QPointF toPoint(const Eigen::Vector2d& v);

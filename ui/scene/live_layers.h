@@ -107,7 +107,7 @@ class DoorsLayer : public LayerItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 };
 
-/// Pallets, racks, seen objects.
+/// Pallets, racks, seen objects, and what the robot draws besides.
 class BoxesLayer : public LayerItem {
  public:
   using LayerItem::LayerItem;

@@ -6,7 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "scene/bag_track.h"
+#include "scene/map_clouds.h"
 #include "scene/map_scene_impl.h"
+#include "scene/pose_between.h"
+#include "scene/regions_on_map.h"
 
 namespace mapwright::scene {
 namespace {
@@ -33,6 +37,34 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* pare
     Q_EMIT contentChanged();
   });
   connect(renderer_.get(), &render::TileRenderer::tilesChanged, this, &MapScene::paintContentSoon);
+  auto* const between = new PoseBetween(this);
+  connect(between, &PoseBetween::changed, this, [this, between] {
+    impl_->context.between = between->pose();
+    if (session_) takeLive(map::topicIndex<map::TrackedPose>());
+  });
+  auto* const track = new BagTrack(this);
+  connect(track, &BagTrack::changed, this, [this, track] {
+    impl_->track = track->track();
+    impl_->items.at(Layer::Track)->update();
+  });
+  auto* const regions = new RegionsOnMap(this);
+  connect(regions, &RegionsOnMap::shownChanged, this, [this, regions] {
+    impl_->region_ground->setMap(regions->map());
+    impl_->raster.setRegions(regions->map());
+    for (LayerItem* item : impl_->itemsOf(Layer::Regions)) item->update();
+    Q_EMIT contentChanged();
+  });
+  connect(regions, &RegionsOnMap::regionsChanged, this, [this] { impl_->region_ground->update(); });
+  connect(regions, &RegionsOnMap::sheetsChanged, this, [this] { impl_->raster.regionSheetsChanged(); });
+  connect(regions, &RegionsOnMap::cellsChanged, this, [this](const geometry::WorldRect& where) {
+    impl_->raster.regionCellsChanged(where);
+    impl_->region_ground->update();
+  });
+  auto* const clouds = new MapClouds(this, renderer_options.workers);
+  impl_->dispatched->setClouds(clouds);
+  connect(clouds, &MapClouds::changed, this, [this] { impl_->dispatched->refresh(); });
+  connect(clouds, &MapClouds::settledChanged, this, &MapScene::noteSettled);
+  connect(&impl_->dispatched->tiles(), &render::PaintedTiles::settledChanged, this, &MapScene::noteSettled);
   impl_->clock.start();
   impl_->repaint_timer.setSingleShot(true);
   impl_->repaint_timer.setTimerType(Qt::PreciseTimer);
@@ -84,7 +116,7 @@ work::Budgets MapScene::memory() const {
   work::Budgets held;
   held.dense = tiles.dense_bytes;
   held.tiles = tiles.cache_bytes;
-  held.grid_tiles = impl_->raster.cacheBytes();
+  held.grid_tiles = impl_->raster.cacheBytes() + impl_->dispatched->tiles().cacheBytes();
   return held;
 }
 
@@ -97,6 +129,9 @@ void MapScene::setSession(session::Session* session) {
       slot->disconnect(this);
   }
   session_ = session;
+  PoseBetween::of(*this).show(std::nullopt);
+  BagTrack::of(*this).show(nullptr);
+  MapClouds::of(*this).clear();
   impl_->highlighted.clear();
   impl_->context.live = session_ ? &session_->live() : &impl_->nothing_live;
   impl_->has_compared = false;
@@ -192,6 +227,7 @@ void MapScene::setView(const geometry::ViewTransform& view) {
   }
   impl_->tiles->sendView();
   impl_->raster.sendView();
+  impl_->dispatched->sendView();
   impl_->robot_rect = impl_->robot->robotRect();
   if (session_) session_->setView(view_.visibleWorld(), view_.center_m);
   update();
@@ -202,6 +238,7 @@ void MapScene::setTheme(const MapTheme& theme) {
   theme_ = theme;
   impl_->context.theme = theme;
   impl_->raster.setTheme(theme);
+  impl_->dispatched->refresh();
   setBackgroundBrush(QColor(theme.map.unknown));
   syncColors();
   update();
@@ -297,6 +334,8 @@ geometry::WorldRect MapScene::contentBounds() const {
   if (impl_->items.at(Layer::Submaps)->isVisible()) bounds.extend(session_->contentBounds());
   if (impl_->items.at(Layer::WholeMap)->isVisible() || bounds.empty())
     bounds.extend(impl_->raster.wholeBounds());
+  if (impl_->items.at(Layer::Regions)->isVisible()) bounds.extend(impl_->raster.regionBounds());
+  if (layerVisible(Layer::DispatchedCloud)) bounds.extend(MapClouds::of(*this).bounds());
   return bounds.empty() ? session_->contentBounds() : bounds;
 }
 
@@ -346,6 +385,9 @@ std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
       return int(std::lround((1.0 - *intensity / 255.0) * 100.0));
     }
   }
+  if (impl_->items.at(Layer::Regions)->isVisible()) {
+    if (const auto occupancy = impl_->raster.regionOccupancyAt(world_m)) return occupancy;
+  }
   const auto whole = impl_->raster.wholeMap();
   if (!whole || !impl_->items.at(Layer::WholeMap)->isVisible()) return std::nullopt;
   const Eigen::Vector2d cell = whole->reference.cellFromWorld(world_m);
@@ -359,14 +401,20 @@ std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
 }
 
 bool MapScene::picturesSettled() const {
-  return (!impl_->items.at(Layer::Submaps)->isVisible() || renderer_->settled()) && impl_->raster.drawn();
+  return (!impl_->items.at(Layer::Submaps)->isVisible() || renderer_->settled()) && impl_->raster.drawn() &&
+         cloudsSettled();
 }
 
 bool MapScene::settled() const {
   const bool submaps = impl_->items.at(Layer::Submaps)->isVisible();
   if (submaps && !renderer_->settled()) return false;
   if (submaps && session_ && !session_->settled(1)) return false;
-  return impl_->raster.settled();
+  return cloudsSettled() && impl_->raster.settled();
+}
+
+bool MapScene::cloudsSettled() const {
+  return !impl_->dispatched->isVisible() ||
+         (MapClouds::of(*this).settled() && impl_->dispatched->tiles().settled());
 }
 
 void MapScene::setStale(bool stale) { impl_->stale->setVisible(stale); }

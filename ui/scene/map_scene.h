@@ -113,6 +113,7 @@ class MapScene : public QGraphicsScene {
   void tilesSettled();
   void robotPlaceChanged();
   void contentChanged();  // another whole map, or its end
+  void cellsEdited(const mapwright::geometry::WorldRect& where);
 
  protected:
   void drawBackground(QPainter* painter, const QRectF& rect) override;
@@ -129,6 +130,7 @@ class MapScene : public QGraphicsScene {
   void sendWants();
   void applyReduction();
   void noteSettled();
+  bool cloudsSettled() const;
   void syncPlaced(const std::vector<map::SubmapId>& ids);
   void paintContentSoon();
   void paintContent();

@@ -16,7 +16,10 @@ void MapScene::setEditedCells(const map::MapKey& map, std::shared_ptr<const grid
   impl_->raster.setEdited(map, std::move(cells));
 }
 
-void MapScene::editedCellsChanged(const geometry::WorldRect& where) { impl_->raster.editedChanged(where); }
+void MapScene::editedCellsChanged(const geometry::WorldRect& where) {
+  impl_->raster.editedChanged(where);
+  Q_EMIT cellsEdited(where);
+}
 
 bool MapScene::layerVisible(Layer layer) const { return impl_->shown.at(layer); }
 
@@ -40,6 +43,7 @@ const LayerStyle& MapScene::layerStyle(Layer layer) const { return impl_->items.
 void MapScene::setLayerStyle(Layer layer, const LayerStyle& style) {
   for (LayerItem* item : impl_->itemsOf(layer)) item->setStyle(style);
   if (layer == Layer::WholeMap) applyReduction();
+  if (layer == Layer::DispatchedCloud) impl_->dispatched->refresh();
   Q_EMIT layersChanged();
 }
 

@@ -1,5 +1,6 @@
 #include "scene/raster_stack.h"
 
+#include <algorithm>
 #include <array>
 
 #include "render/grid_palettes.h"
@@ -32,6 +33,16 @@ render::GridPalette paletteOf(GridKind kind, const session::LayerGrid& grid, con
   }
 }
 
+/// As a whole map, but that unknown ground is opaque: what has not been fetched must not look like it.
+render::GridPalette regionsPalette(const render::MapColors& colors) {
+  render::GridPalette palette = render::wholeMapPalette(colors, grids::CellCode::Occupancy);
+  const grids::CellMeaning& meaning = grids::meaningOf(grids::CellCode::Occupancy);
+  for (std::size_t byte = 0; byte < palette.size(); ++byte) {
+    if (!meaning.known[byte]) palette[byte] = byte == regions::kNotFetched ? 0 : colors.unknown;
+  }
+  return palette;
+}
+
 }  // namespace
 
 RasterStack::RasterStack(const LayerContext& context, render::GridRenderer::Options options, QObject* parent)
@@ -41,6 +52,10 @@ RasterStack::RasterStack(const LayerContext& context, render::GridRenderer::Opti
   compared_ = makeSheet();
   difference_ = makeSheet();
   for (const auto& [layer, kind] : kGridLayers) grids_[kind] = makeSheet();
+  for (Sheet& sheet : region_sheets_) {
+    sheet = makeSheet();
+    sheet.renderer->setPalette(regionsPalette(theme_.map));
+  }
   for (RasterLayer* item : {compared_.item, difference_.item}) item->setVisible(false);
 }
 
@@ -59,6 +74,7 @@ RasterStack::Sheet RasterStack::makeSheet() {
 std::vector<const RasterStack::Sheet*> RasterStack::sheets() const {
   std::vector<const Sheet*> all{&whole_, &overview_, &compared_, &difference_};
   for (const auto& [kind, sheet] : grids_) all.push_back(&sheet);
+  for (const Sheet& sheet : region_sheets_) all.push_back(&sheet);
   return all;
 }
 
@@ -167,8 +183,69 @@ void RasterStack::syncGrid(map::GridKind kind) {
   sheet->second.renderer->setGrid(render::PlacedGrid{grid->picture.indices, grid->reference});
 }
 
+std::vector<RasterLayer*> RasterStack::regionItems() const {
+  std::vector<RasterLayer*> items;
+  for (const Sheet& sheet : region_sheets_) items.push_back(sheet.item);
+  return items;
+}
+
+void RasterStack::setRegions(const regions::RegionMap* map) {
+  regions_ = map;
+  regionSheetsChanged();
+}
+
+void RasterStack::regionSheetsChanged() {
+  std::vector<render::PlacedGrid> placed;
+  if (regions_) {
+    for (const auto& sheet : regions_->regions().sheets()) placed.push_back({sheet, sheet->reference()});
+  }
+  // Sheets do not cover each other: whoever is drawn already stays where it is.
+  std::vector<Sheet*> free;
+  for (Sheet& sheet : region_sheets_) {
+    const auto& shown = sheet.renderer->grid();
+    const auto found = shown ? std::find(placed.begin(), placed.end(), *shown) : placed.end();
+    if (found == placed.end()) {
+      free.push_back(&sheet);
+    } else {
+      placed.erase(found);
+    }
+  }
+  for (Sheet* sheet : free) {
+    if (placed.empty()) {
+      sheet->renderer->setGrid(std::nullopt);
+      continue;
+    }
+    sheet->renderer->setGrid(std::move(placed.back()));
+    placed.pop_back();
+  }
+}
+
+void RasterStack::regionCellsChanged(const geometry::WorldRect& where) {
+  for (Sheet& sheet : region_sheets_) {
+    if (sheet.renderer->grid()) sheet.renderer->cellsChanged(where);
+  }
+}
+
+geometry::WorldRect RasterStack::regionBounds() const {
+  return regions_ ? regions_->regions().reach() : geometry::WorldRect{};
+}
+
+std::optional<int> RasterStack::regionOccupancyAt(const Eigen::Vector2d& world_m) const {
+  if (!regions_) return std::nullopt;
+  const grids::CellMeaning& meaning = grids::meaningOf(grids::CellCode::Occupancy);
+  for (const auto& sheet : regions_->regions().sheets()) {
+    const Eigen::Vector2d cell = sheet->reference().cellFromWorld(world_m);
+    if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() < sheet->width() && cell.y() < sheet->height()))
+      continue;
+    const std::uint8_t byte = sheet->at(int(cell.x()), int(cell.y()));
+    if (meaning.known[byte]) return meaning.occupancy[byte];
+  }
+  return std::nullopt;
+}
+
 void RasterStack::setTheme(const MapTheme& theme) {
   theme_ = theme;
+  for (Sheet& sheet : region_sheets_) sheet.renderer->setPalette(regionsPalette(theme.map));
   if (!session_) return;
   syncSlot(session_->wholeMap(), whole_);
   syncSlot(session_->overview(), overview_);

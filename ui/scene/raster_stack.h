@@ -2,11 +2,13 @@
 // with the renderer that keeps its tiles.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 
 #include <QObject>
 
+#include "regions/region_map.h"
 #include "render/grid_renderer.h"
 #include "scene/layer.h"
 #include "scene/live_layers.h"
@@ -21,6 +23,9 @@ class RasterStack : public QObject {
   RasterStack(const LayerContext& context, render::GridRenderer::Options options, QObject* parent);
   ~RasterStack() override;
 
+  /// What the renderers were made with: the budget is one for all.
+  const render::GridRenderer::Options& options() const { return options_; }
+
   /// The item of a raster layer; nullptr for any other.
   RasterLayer* item(Layer layer) const;
   RasterLayer* overview() const { return overview_.item; }
@@ -28,6 +33,8 @@ class RasterStack : public QObject {
   RasterLayer* difference() const { return difference_.item; }
   /// All items, bottom first.
   std::vector<RasterLayer*> items() const;
+  /// Those of a map by regions: one for each lattice of cells that it may have.
+  std::vector<RasterLayer*> regionItems() const;
 
   /// Not owned; null = none.
   void setSession(session::Session* session);
@@ -48,6 +55,14 @@ class RasterStack : public QObject {
   /// Shown in the place of the cells of the whole map, while that is the map `map`; null = none are.
   void setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
   void editedChanged(const geometry::WorldRect& where);
+
+  /// Not owned; null = none.
+  void setRegions(const regions::RegionMap* map);
+  void regionSheetsChanged();
+  void regionCellsChanged(const geometry::WorldRect& where);
+  geometry::WorldRect regionBounds() const;
+  /// The cell of a region at a point; nullopt where none has been fetched, or it is unknown.
+  std::optional<int> regionOccupancyAt(const Eigen::Vector2d& world_m) const;
 
  Q_SIGNALS:
   void settledChanged();
@@ -71,6 +86,8 @@ class RasterStack : public QObject {
   MapTheme theme_;
   Sheet whole_, overview_, compared_, difference_;
   std::map<map::GridKind, Sheet> grids_;
+  std::array<Sheet, regions::RegionCells::kMostSheets> region_sheets_;
+  const regions::RegionMap* regions_ = nullptr;
   map::MapKey edited_map_;
   std::shared_ptr<const grids::GridPyramid> edited_;
 };

@@ -32,13 +32,14 @@ void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
 
 QRectF RobotLayer::robotRect() const {
   const map::LiveState& live = *context_.live;
-  if (!live.robot_pose) return {};
+  const auto pose = context_.robotPose();
+  if (!pose) return {};
   double reach_m = 0;
   for (const auto* outline : {&live.model.footprint, &live.model.expanded_footprint}) {
     for (const Eigen::Vector2d& corner : *outline) reach_m = std::max(reach_m, corner.norm());
   }
   const double reach = std::max(kMarkPx, reach_m / context_.view.scale_m_per_px) + 8;
-  const QPointF center = toPoint(context_.view.pixelFromWorld({live.robot_pose->x_m, live.robot_pose->y_m}));
+  const QPointF center = toPoint(context_.view.pixelFromWorld({pose->x_m, pose->y_m}));
   return {center.x() - reach, center.y() - reach, 2 * reach, 2 * reach};
 }
 
@@ -48,10 +49,11 @@ FootprintLayer::FootprintLayer(const LayerContext& context, bool expanded)
 void FootprintLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const map::LiveState& live = *context_.live;
   const auto& corners = expanded_ ? live.model.expanded_footprint : live.model.footprint;
-  if (!live.robot_pose || corners.size() < 3) return;
+  const auto pose = context_.robotPose();
+  if (!pose || corners.size() < 3) return;
   QPolygonF outline;
   for (const Eigen::Vector2d& corner : corners) {
-    outline << toPoint(context_.view.pixelFromWorld(live.robot_pose->apply(corner)));
+    outline << toPoint(context_.view.pixelFromWorld(pose->apply(corner)));
   }
   const QColor color = colorOr(context_.theme.robot);
   QColor fill = color;
@@ -63,8 +65,9 @@ void FootprintLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
 }
 
 void RobotLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  if (!context_.live->robot_pose) return;
-  const geometry::Pose2& pose = *context_.live->robot_pose;
+  const auto drawn = context_.robotPose();
+  if (!drawn) return;
+  const geometry::Pose2& pose = *drawn;
   painter->setRenderHint(QPainter::Antialiasing);
   const QPointF center = toPoint(context_.view.pixelFromWorld({pose.x_m, pose.y_m}));
   const double heading = pose.yaw_rad + context_.view.rotation_rad;

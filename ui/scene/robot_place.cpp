@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "session/lacks_picture.h"
 #include "session/session.h"
 
 namespace mapwright::scene {
@@ -27,6 +28,9 @@ RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_sc
   const map::LiveState& live = session.live();
   const bool afresh = map::mapsAfresh(live, ofStoredMap(session.book()));
   const auto in = [&](const session::MapSlot& slot) {
+    if (session::lacksPicture(slot))  // its waypoints are on screen
+      return map::whereabouts(slot.key(), slot.name().toStdString(), live, session.catalogue().entries(),
+                              afresh);
     if (!slot.cells()) return Whereabouts::Here;  // nothing that it could be drawn on wrongly
     const map::WholeMap& shown = slot.shown();
     return map::whereabouts(shown.state_of.value_or(shown.key), shown.name, live,

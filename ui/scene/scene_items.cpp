@@ -5,6 +5,8 @@
 
 #include <QGraphicsScene>
 
+#include "session/lacks_picture.h"
+
 namespace mapwright::scene {
 namespace {
 
@@ -41,7 +43,10 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
   for (const Layer layer : allLayers()) {
     if (RasterLayer* item = raster.item(layer)) add(scene, layer, item);
   }
+  region_ground = add(scene, Layer::Regions, new RegionGround(context));
+  for (RasterLayer* item : raster.regionItems()) add(scene, Layer::Regions, item);
   for (RasterLayer* item : {raster.overview(), raster.compared(), raster.difference()}) add(scene, item);
+  dispatched = add(scene, Layer::DispatchedCloud, new DispatchedCloudLayer(context, raster.options()));
   add(scene, Layer::Grid, new GridLayer(context));
   add(scene, Layer::Outlines, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Outlines));
   add(scene, Layer::Ids, new OutlineLayer(context, outlines, highlighted, OutlineLayer::What::Ids));
@@ -64,6 +69,7 @@ SceneItems::SceneItems(QGraphicsScene& scene, render::TileRenderer& renderer,
   add(scene, Layer::Target, new TargetLayer(context));
   cloud = add(scene, Layer::Cloud, new CloudLayer(context));
   add(scene, Layer::NearbyRobots, new NearbyRobotsLayer(context));
+  add(scene, Layer::Track, new TrackLayer(context, track));
   add(scene, Layer::Trail, new TrailLayer(context));
   add(scene, Layer::ExpandedFootprint, new FootprintLayer(context, true));
   add(scene, Layer::Footprint, new FootprintLayer(context, false));
@@ -141,6 +147,10 @@ void SceneItems::applyVisibility() {
     items.at(Layer::WholeMap)->setVisible(false);
     items.at(Layer::Submaps)->setVisible(false);
   }
+  // Regions are on neither side of a comparison.
+  if (swiping || difference) {
+    for (LayerItem* item : by_layer.at(Layer::Regions)) item->setVisible(false);
+  }
   raster.compared()->setVisible(swiping && second);
   raster.difference()->setVisible(difference);
   const auto part = [&](ScreenPart which) { return swiping ? rectOf(which) : std::nullopt; };
@@ -165,6 +175,7 @@ void SceneItems::applyVisibility() {
   swipe->setVisible(swiping);
   swipe->setAt(swipe_at);
   raster.syncActive();
+  dispatched->tiles().setActive(dispatched->isVisible());
 }
 
 bool SceneItems::placeRobot(const session::Session* session) {
@@ -187,7 +198,7 @@ bool SceneItems::placeRobot(const session::Session* session) {
 void SceneItems::takeWaypoints(const session::Session* session) {
   const auto take = [this, session](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
     features.waypoints.clear();
-    if (!on_screen || !slot.cells()) return;
+    if (!on_screen || !(slot.cells() || session::lacksPicture(slot))) return;
     if (edited && edited->map == session->placesOf(slot)) {
       features.waypoints = edited->points;
       return;

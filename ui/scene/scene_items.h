@@ -7,10 +7,13 @@
 #include <set>
 #include <vector>
 
+#include "scene/dispatched_cloud_layer.h"
 #include "scene/live_layers.h"
 #include "scene/map_layers.h"
 #include "scene/raster_stack.h"
+#include "scene/regions_layer.h"
 #include "scene/robot_place.h"
+#include "scene/track_layer.h"
 
 class QGraphicsScene;
 
@@ -50,6 +53,7 @@ class SceneItems {
   Outlines outlines;
   std::set<map::SubmapId> highlighted;
   std::vector<Eigen::Vector2d> measured;
+  std::shared_ptr<const Track> track;  // null = none
   MapFeatures of_whole, of_compared, of_robot;
   RobotPlace place;
   std::optional<DrawnWaypoints> edited;  // instead of what the robot tells of that map
@@ -68,8 +72,10 @@ class SceneItems {
   std::vector<LayerItem*> all;
   std::vector<LayerItem*> robots_own;  // all that mean something only where the robot is; not the submaps
   TileLayer* tiles = nullptr;
+  RegionGround* region_ground = nullptr;
   OutlineLayer* highlight = nullptr;
   CloudLayer* cloud = nullptr;
+  DispatchedCloudLayer* dispatched = nullptr;
   RobotLayer* robot = nullptr;
   MeasureLayer* measure = nullptr;
   StaleLayer* stale = nullptr;

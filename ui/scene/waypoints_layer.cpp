@@ -16,6 +16,7 @@ constexpr int kLongestName = 40;
 constexpr double kRadiusPx = 5;
 constexpr std::size_t kCrowd = 500;  // of so many, those that would hide each other are drawn once
 constexpr double kCrowdPx = 4;
+constexpr std::size_t kWaypointMarks = std::size_t(WaypointMark::Theirs) + 1;
 
 QString shortName(const std::string& name) {
   const QString text = words::plainName(name);
@@ -27,24 +28,65 @@ QColor colorOf(const MapTheme& theme, WaypointMark mark) {
     case WaypointMark::Saved:
       return theme.place;
     case WaypointMark::Conflict:
+    case WaypointMark::Theirs:
       return theme.bad;
     default:
       return theme.warn;
   }
 }
 
-/// A saved one as a finished picture: thousands of them are drawn in a moment. Its middle is the middle.
-QImage dot(const MapTheme& theme, qreal ratio) {
-  constexpr double kSide = 2 * (kRadiusPx + 2);
-  QImage image(QSize(int(std::ceil(kSide * ratio)), int(std::ceil(kSide * ratio))),
-               QImage::Format_ARGB32_Premultiplied);
-  image.setDevicePixelRatio(ratio);
-  image.fill(Qt::transparent);
-  QPainter painter(&image);
-  paintWaypointMark(painter, QPointF(kSide / 2, kSide / 2), kRadiusPx, WaypointMark::Saved, theme.place,
-                    theme.text_halo);
-  return image;
+/// An exclamation mark above the right of `at`, readable on any ground.
+void paintWarning(QPainter& painter, const MapTheme& theme, const QPointF& at) {
+  const QPointF foot = at + QPointF(kRadiusPx + 3, -kRadiusPx - 1);
+  for (const auto& [color, width] : {std::pair(theme.text_halo, 5.5), std::pair(theme.warn, 2.8)}) {
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(foot + QPointF(0, -4.2), foot + QPointF(0, -9));
+    painter.drawPoint(foot);
+  }
 }
+
+void paintRing(QPainter& painter, const MapTheme& theme, const QPointF& at) {
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [ring, width] : {std::pair(theme.text_halo, 4.0), std::pair(theme.accent, 2.0)}) {
+    painter.setPen(QPen(ring, width));
+    painter.drawEllipse(at, 10, 10);
+  }
+}
+
+/// Marks as finished pictures: thousands of them are drawn in a moment. The middle of each is the middle.
+class Sprites {
+ public:
+  Sprites(const MapTheme& theme, qreal ratio) : theme_(theme), ratio_(ratio) {}
+
+  void draw(QPainter& painter, const QPointF& at, WaypointMark mark, bool selected, bool warned) {
+    QImage& image = images_[std::size_t(mark)][selected][warned];
+    if (image.isNull()) image = make(mark, selected, warned);
+    const double half = image.width() / ratio_ / 2;
+    painter.drawImage(QPointF(std::round(at.x() - half), std::round(at.y() - half)), image);
+  }
+
+ private:
+  QImage make(WaypointMark mark, bool selected, bool warned) const {
+    constexpr double kSide = 2 * (kRadiusPx + 14);
+    const QPointF middle(kSide / 2, kSide / 2);
+    const int side = int(std::ceil(kSide * ratio_));
+    QImage image(QSize(side, side), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(ratio_);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (selected) paintRing(painter, theme_, middle);
+    paintWaypointMark(painter, middle, kRadiusPx, mark, colorOf(theme_, mark), theme_.text_halo);
+    if (warned) paintWarning(painter, theme_, middle);
+    return image;
+  }
+
+  const MapTheme& theme_;
+  qreal ratio_;
+  std::array<std::array<std::array<QImage, 2>, 2>, kWaypointMarks> images_;
+};
+
+bool isSpecial(const DrawnWaypoint& point) { return point.selected || point.mark != WaypointMark::Saved; }
 
 }  // namespace
 
@@ -66,6 +108,23 @@ void paintWaypointMark(QPainter& painter, const QPointF& at, double radius, Wayp
       painter.setPen(QPen(fill, 2));
       painter.drawRect(square);
       return;
+    case WaypointMark::New: {
+      const double r = radius * 1.35;
+      painter.drawPolygon(
+          QPolygonF{at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)});
+      return;
+    }
+    case WaypointMark::Deleted:
+      for (const auto& [color, width] : {std::pair(edge, 4.5), std::pair(fill, 2.0)}) {
+        painter.setPen(QPen(color, width));
+        painter.drawLine(square.topLeft(), square.bottomRight());
+        painter.drawLine(square.topRight(), square.bottomLeft());
+      }
+      return;
+    case WaypointMark::Theirs:
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(fill, 2));
+      [[fallthrough]];
     case WaypointMark::Conflict:
       const double r = radius * 1.4;
       painter.drawPolygon(
@@ -82,33 +141,43 @@ void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
   const MapTheme& theme = context_.theme;
   const QRectF seen = QRectF(0, 0, view.width_px, view.height_px).adjusted(-220, -20, 20, 20);
   const bool crowd = points_.size() > kCrowd && view.scale_m_per_px > kNameFromMPerPx;
-  const QImage sprite = crowd ? dot(theme, painter->device()->devicePixelRatioF()) : QImage();
-  const double half = crowd ? sprite.width() / sprite.devicePixelRatio() / 2 : 0;
-  std::unordered_set<std::uint64_t> taken;
+  // Many that are in the hand, or have just been moved, tell neither headings nor whence they came.
+  std::size_t special_seen = 0;
+  for (const DrawnWaypoint& point : points_)
+    special_seen += isSpecial(point) && seen.contains(toPoint(view.pixelFromWorld(point.position_m)));
+  const bool crowd_of_special = special_seen > kCrowd;
+  Sprites sprites(theme, painter->device()->devicePixelRatioF());
+  std::unordered_set<std::uint64_t> taken, taken_by_special;
   painter->setRenderHint(QPainter::Antialiasing);
-  // What stands out lies on top of the others.
-  for (const bool special : {false, true}) {
+  // What stands out lies on top of the others; of a crowd those that are warned of take the place.
+  for (const auto& [special, warned] :
+       {std::pair(false, true), std::pair(false, false), std::pair(true, true), std::pair(true, false)}) {
+    const bool as_sprites = special ? crowd_of_special : crowd;
+    if (special && !as_sprites && !warned) continue;  // drawn already, in their order
     for (const DrawnWaypoint& point : points_) {
-      if ((point.selected || point.mark != WaypointMark::Saved) != special) continue;
+      if (isSpecial(point) != special) continue;
+      if ((!special || as_sprites) && point.warned != warned) continue;
       const QPointF at = toPoint(view.pixelFromWorld(point.position_m));
       if (!seen.contains(at)) continue;
-      if (!special && crowd) {
+      if (as_sprites) {
         const auto cell = [](double px) { return std::uint64_t(std::uint32_t(std::int32_t(px / kCrowdPx))); };
-        if (!taken.insert(cell(at.x()) << 32 | cell(at.y())).second) continue;
-        painter->drawImage(QPointF(std::round(at.x() - half), std::round(at.y() - half)), sprite);
+        std::unordered_set<std::uint64_t>& cells = special ? taken_by_special : taken;
+        // What somebody has to decide is never left out.
+        const bool alone = point.mark == WaypointMark::Conflict || point.mark == WaypointMark::Theirs;
+        if (cells.insert(cell(at.x()) << 32 | cell(at.y())).second || alone)
+          sprites.draw(*painter, at, point.mark, point.selected, point.warned);
         continue;
       }
       const QColor color = colorOf(theme, point.mark);
-      if (point.selected) {
-        painter->setBrush(Qt::NoBrush);
-        for (const auto& [ring, width] : {std::pair(theme.text_halo, 4.0), std::pair(theme.accent, 2.0)}) {
-          painter->setPen(QPen(ring, width));
-          painter->drawEllipse(at, 10, 10);
-        }
+      if (point.from_m) {
+        painter->setPen(QPen(color, 1.2, Qt::DashLine));
+        painter->drawLine(toPoint(view.pixelFromWorld(*point.from_m)), at);
       }
+      if (point.selected) paintRing(*painter, theme, at);
       if (point.yaw_rad && std::isfinite(*point.yaw_rad))
         drawHeading(*painter, context_, at, *point.yaw_rad, color);
       paintWaypointMark(*painter, at, kRadiusPx, point.mark, color, theme.text_halo);
+      if (point.warned) paintWarning(*painter, theme, at);
       if (view.scale_m_per_px <= kNameFromMPerPx) {
         const double reach = point.selected ? 11 : kRadiusPx;
         drawName(*painter, context_, QRectF(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)),

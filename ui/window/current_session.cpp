@@ -2,9 +2,31 @@
 
 #include <initializer_list>
 
+#include <QPointer>
+
+#include "replay/replay_robot.h"
 #include "scene/map_scene.h"
 
 namespace mapwright::window {
+
+namespace {
+
+constexpr int kBagMapWithinMs = 1'000;  // the map of a bag is there with its world, or not at all
+
+/// In a replay the time of day is the recorded one, and what was wrong with the robot then is no problem now.
+session::Session::Options optionsOf(robot::Robot& robot, session::Session::Options options) {
+  auto* const replayed = qobject_cast<replay::ReplayRobot*>(&robot);
+  if (!replayed) return options;
+  options.log_safety = false;
+  options.live_map_within_ms = kBagMapWithinMs;
+  options.wall = [replay = QPointer(replayed)] {
+    const auto at_s = replay ? replay->at() : std::nullopt;
+    return at_s ? QDateTime::fromMSecsSinceEpoch(qint64(*at_s * 1000)) : QDateTime::currentDateTime();
+  };
+  return options;
+}
+
+}  // namespace
 
 CurrentSession::CurrentSession(scene::MapScene& scene, session::Session::Options options, QObject* parent)
     : QObject(parent), scene_(scene), options_(std::move(options)) {
@@ -18,7 +40,8 @@ QString CurrentSession::address() const { return session_ ? session_->robot().ad
 
 void CurrentSession::begin(std::unique_ptr<robot::Robot> robot) {
   leave();
-  session_ = std::make_unique<session::Session>(std::move(robot), options_);
+  const session::Session::Options options = optionsOf(*robot, options_);
+  session_ = std::make_unique<session::Session>(std::move(robot), options);
   scene_.setSession(session_.get());
   watch();
   Q_EMIT changed(session_.get());

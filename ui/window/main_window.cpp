@@ -12,10 +12,12 @@
 
 #include "window/action_bars.h"
 #include "window/administration/administration_controller.h"
+#include "window/clouds/clouds_controller.h"
 #include "window/compare/compare_controller.h"
 #include "window/connection/connection_controller.h"
 #include "window/current_session.h"
 #include "window/docks/maps_dock.h"
+#include "window/docks/messages_dock.h"
 #include "window/edit/edit_controller.h"
 #include "window/files/export_controller.h"
 #include "window/files/files_controller.h"
@@ -32,7 +34,12 @@
 #include "window/notices.h"
 #include "window/panels.h"
 #include "window/picture/picture_controller.h"
+#include "window/plots/plots_controller.h"
 #include "window/problems/problems_controller.h"
+#include "window/recording/recording_controller.h"
+#include "window/recordings/recordings_controller.h"
+#include "window/regions/regions_controller.h"
+#include "window/replay/replay_controller.h"
 #include "window/robot/robot_controller.h"
 #include "window/status/status_controller.h"
 #include "window/status/window_status_bar.h"
@@ -152,6 +159,11 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   controllers_.push_back(new EditController(context, this));
   make(waypoints_);
   make(picture_);
+  make(recordings_);
+  make(replay_, [this](const QString& address) { return connection_->another(address); });
+  make(plots_, replay_->clock());
+  make(regions_);
+  make(clouds_);
   make(problems_);
   make(maps_);
   make(administration_);
@@ -160,6 +172,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(files_, *placing_);
   make(export_, dependencies.yamls_naming);
   make(connection_, dependencies.connect);
+  make(recording_);
   controllers_.push_back(new StatusController(context, this));
   controllers_.push_back(new HelpController(context, this));
   for (Controller* controller : controllers_) context.unsaved.watch(controller);
@@ -168,6 +181,10 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
 
 void MainWindow::connectControllers() {
   connect(tools_, &ToolsController::clicked, inspector_, &InspectorController::clickedOnMap);
+  connect(tools_, &ToolsController::clicked, replay_, &ReplayController::clickedOnMap);
+  connect(recordings_, &RecordingsController::openWanted, replay_, &ReplayController::openBag);
+  connect(plots_, &PlotsController::rawWanted, messages_->dock(), &MessagesDock::setWantedElsewhere);
+  connect(messages_->dock(), &MessagesDock::plotWanted, plots_, &PlotsController::plot);
   connect(inspector_, &InspectorController::colorModeWanted, layers_, &LayersController::setColorMode);
   connect(layers_, &LayersController::colorModeChanged, inspector_, &InspectorController::setColorMode);
   connect(picture_, &PictureController::compareWanted, compare_, &CompareController::compareWithSaved);

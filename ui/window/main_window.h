@@ -30,6 +30,7 @@ namespace mapwright::window {
 
 class AdministrationController;
 class AppearanceController;
+class CloudsController;
 class CompareControl;
 class CompareController;
 class ConnectDialog;
@@ -53,8 +54,13 @@ class MessagesDock;
 class PictureController;
 class PictureDialog;
 class PicturePlacing;
+class PlotsController;
 class ProblemsController;
 class ProblemsDock;
+class RecordingsController;
+class RegionsController;
+class ReplayController;
+class RecordingController;
 class RobotController;
 class RobotDock;
 class ToolsController;
@@ -117,6 +123,12 @@ class MainWindow : public QMainWindow {
   MeasureTool* measureTool() const;
   WaypointsController* waypoints() const { return waypoints_; }
   PictureController* pictureEditor() const { return picture_; }
+  RecordingsController* recordings() const { return recordings_; }
+  ReplayController* replay() const { return replay_; }
+  PlotsController* plots() const { return plots_; }
+  CloudsController* clouds() const { return clouds_; }
+  RecordingController* recorder() const { return recording_; }
+  RegionsController* regions() const { return regions_; }
 
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);
@@ -160,6 +172,7 @@ class MainWindow : public QMainWindow {
   std::optional<WindowContext> context_;
 
   AppearanceController* appearance_ = nullptr;
+  CloudsController* clouds_ = nullptr;
   CompareController* compare_ = nullptr;
   ConnectionController* connection_ = nullptr;
   ExportController* export_ = nullptr;
@@ -171,7 +184,12 @@ class MainWindow : public QMainWindow {
   MessagesController* messages_ = nullptr;
   PictureController* picture_ = nullptr;
   PicturePlacing* placing_ = nullptr;
+  PlotsController* plots_ = nullptr;
   ProblemsController* problems_ = nullptr;
+  RecordingsController* recordings_ = nullptr;
+  ReplayController* replay_ = nullptr;
+  RecordingController* recording_ = nullptr;
+  RegionsController* regions_ = nullptr;
   RobotController* robot_ = nullptr;
   ToolsController* tools_ = nullptr;
   WaypointsController* waypoints_ = nullptr;

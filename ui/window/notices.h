@@ -15,7 +15,7 @@ namespace mapwright::window {
 class NoticeBar;
 
 /// Who goes before whom.
-enum class NoticeRank { Link, Map, Limits };
+enum class NoticeRank { Link, Map, Replay, Regions, Limits };
 
 struct Notice {
   Mark mark = Mark::Neutral;

@@ -3,6 +3,9 @@
 #include <QCoreApplication>
 
 #include "map/whereabouts.h"
+#include "regions/region_map.h"
+#include "scene/regions_on_map.h"
+#include "window/replay/replay_state.h"
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
@@ -11,8 +14,11 @@ namespace mapwright::window {
 bool comparing(const scene::MapScene& scene) { return scene.compareMode() != scene::CompareMode::Off; }
 
 MapsInView mapsInView(const scene::MapScene& scene) {
+  const regions::RegionMap* const regions = scene::RegionsOnMap::of(scene).map();
+  const bool by_region = regions && scene.layerVisible(scene::Layer::Regions);
   return {scene.layerVisible(scene::Layer::Submaps),
-          scene.layerVisible(scene::Layer::WholeMap) || comparing(scene)};
+          scene.layerVisible(scene::Layer::WholeMap) || comparing(scene), by_region,
+          by_region && regions->regions().bytes() > 0};
 }
 
 QString robotCalled(const robot::Robot& robot) {
@@ -30,7 +36,11 @@ QString submapsOf(session::Session* session, const scene::MapScene& scene) {
 
 QString windowTitle(session::Session* session, const scene::MapScene& scene) {
   if (!session) return QStringLiteral("mapwright");
-  const QString name = robotCalled(session->robot()).left(80);
+  const replay::ReplayRobot* const replayed = replayOf(session);
+  const QString robot = robotCalled(session->robot()).left(80);
+  const QString name =
+      replayed ? QCoreApplication::translate("window", "Replay of %1 – %2").arg(bagCalled(*replayed), robot)
+               : robot;
   QString map;
   if (mapsInView(scene).whole) {
     const session::MapSlot& slot = session->wholeMap();

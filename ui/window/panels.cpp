@@ -72,7 +72,9 @@ void Panels::arrange() {
     if (restored_) return;
     for (const Edge& edge : kEdges) {
       const auto stack = onSide(edge.side);
-      if (!stack.empty() && stack.back().place.open) stack.back().dock->raise();
+      const auto last =
+          std::find_if(stack.rbegin(), stack.rend(), [](const Panel& panel) { return panel.place.open; });
+      if (last != stack.rend()) last->dock->raise();
     }
     Q_EMIT arranged();
   });

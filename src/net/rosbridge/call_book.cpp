@@ -69,6 +69,12 @@ CallBook::Answered CallBook::answered(const std::optional<QString>& id, const st
   return result;
 }
 
+void CallBook::goesOn(quint64 number, std::chrono::milliseconds now) {
+  for (Call& call : under_way_) {
+    if (call.number == number) call.until = now + call.request.patience;
+  }
+}
+
 std::vector<CallBook::Call> CallBook::timedOut(std::chrono::milliseconds now) {
   std::erase_if(given_up_, [&](const GivenUp& call) { return call.until <= now; });
   std::vector<Call> late;
@@ -92,6 +98,14 @@ std::vector<CallBook::Call> CallBook::lost(bool large) {
     under_way_.erase(here);
   }
   return gone;
+}
+
+void CallBook::allQuick() {
+  for (Call& call : waiting_) call.request.large = false;
+}
+
+bool CallBook::waitsForLarge() const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [](const Call& call) { return call.request.large; });
 }
 
 void CallBook::giveUp(const Call& call, std::chrono::milliseconds now) {

@@ -13,13 +13,18 @@
 #include <QString>
 
 #include "net/rosbridge/frame.h"
+#include "net/rosbridge/upload.h"
 
 namespace mapwright::net::rosbridge {
 
 struct CallRequest {
   std::string service;
-  QByteArray args = "{}";                      // a JSON object; messages in it complete
-  std::chrono::milliseconds patience{10'000};  // for the answer, from the moment that it was sent
+  QByteArray args = "{}";  // a JSON object; messages in it complete
+  /// Instead of `args`, for what is too large to be held as text.
+  std::shared_ptr<ArgsSource> made_while_sent = {};
+  /// Of these, how much has left, and of how much; on the client's thread, never from within call().
+  std::function<void(qint64 bytes, qint64 of_bytes)> travelled = {};
+  std::chrono::milliseconds patience{10'000};  // for the answer, from the moment that the last of it was sent
   bool large = false;  // its answer may be megabytes: by the connection for large things
 };
 
@@ -37,7 +42,8 @@ struct CallAnswer {
   Field values;                        // Answered: the service's answer
   std::string words;                   // Refused, Malformed: untrusted plain text
   /// It may have reached the robot. Then nothing but Answered says what was done there: a service that breaks
-  /// off after its work is Refused as well.
+  /// off after its work is Refused as well. What broke off while it travelled has not: no server acts on a
+  /// part of it.
   bool sent = false;
 };
 
@@ -74,9 +80,15 @@ class CallBook {
     bool late = false;
   };
   Answered answered(const std::optional<QString>& id, const std::string& service, bool large);
+  /// It is on its way still: its patience begins anew.
+  void goesOn(quint64 number, std::chrono::milliseconds now);
   std::vector<Call> timedOut(std::chrono::milliseconds now);
   /// All that were sent by a connection that is lost.
   std::vector<Call> lost(bool large);
+
+  /// All that wait go by the quick connection from now on.
+  void allQuick();
+  bool waitsForLarge() const;
 
   bool hasSent() const { return !under_way_.empty() || !given_up_.empty(); }
   static QString idOf(quint64 number);

@@ -1,17 +1,27 @@
 #include "net/rosbridge/client.h"
 
 #include <algorithm>
+#include <array>
+#include <deque>
 #include <map>
+#include <utility>
 
 #include <QDateTime>
 #include <QTimer>
 
 #include "net/plain_sentences.h"
+#include "net/rosbridge/read_answer.h"
 
 namespace mapwright::net::rosbridge {
 namespace {
 
 using Kind = CallAnswer::Kind;
+
+/// A connection that goes so soon after the other one came may have had to make way for it.
+constexpr std::chrono::milliseconds kSoonLost{2'000};
+constexpr int kMostStrikes = 2;
+/// What the system has not taken yet; more would stand before pings and other calls.
+constexpr qint64 kMostUnsent = 512 * 1024;
 
 ClientOptions withClocks(ClientOptions options) {
   if (!options.now) {
@@ -24,46 +34,6 @@ ClientOptions withClocks(ClientOptions options) {
     options.wall_s = [] { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; };
   }
   return options;
-}
-
-/// An id as text, whatever the server made of it.
-std::optional<QString> idIn(const Field& id) {
-  if (id.isText()) return QString::fromStdString(id.text());
-  const std::optional<std::int64_t> whole = id.integer();
-  return whole ? std::optional(QString::number(*whole)) : std::nullopt;
-}
-
-/// Of a server, for people: bounded, and plain.
-std::string plainWords(const std::string& words) {
-  return plainText(QString::fromStdString(words)).toStdString();
-}
-
-/// What the answer to a call says (rosbridge v2, "service_response").
-CallAnswer answerIn(const std::shared_ptr<const Frame>& frame) {
-  constexpr qsizetype kShown = 300;
-  CallAnswer answer;
-  answer.frame = frame;
-  answer.sent = true;
-  const Field root = frame->root();
-  const Field values = root["values"];
-  const Field result = root["result"];
-  // Old servers say no result of calls that worked.
-  const std::optional<bool> worked = result              ? result.flag()
-                                     : values.isObject() ? std::optional(true)
-                                                         : std::nullopt;
-  if (worked == false) {
-    answer.kind = Kind::Refused;
-    answer.words = values.isText() ? plainWords(innerWords(values.text()))
-                   : values        ? plainWords(values.toJson(kShown).toStdString())
-                                   : std::string();
-  } else if (worked == true && (values.isObject() || values.isNull() || values.isText())) {
-    answer.kind = Kind::Answered;
-    answer.values = values;
-  } else {
-    answer.kind = Kind::Malformed;
-    answer.words = plainWords(root.toJson(kShown).toStdString());
-  }
-  return answer;
 }
 
 }  // namespace
@@ -80,16 +50,16 @@ class Client::Impl {
     QObject::connect(&look_, &QTimer::timeout, owner_, [this] { look(); });
   }
 
-  void open() {
-    quick_.link().open();
-    const bool any_large = std::any_of(topics_.begin(), topics_.end(),
-                                       [](const auto& topic) { return topic.second.wanted.large; });
-    if (any_large) needLarge();
-  }
+  void open() { quick_.link().open(); }
 
   void close() {
+    closing_ = true;
     large_.link().close();
     quick_.link().close();
+    closing_ = false;
+    // Another server may be there the next time.
+    sharing_ = Sharing::No;
+    strikes_ = 0;
     advance();
   }
 
@@ -99,6 +69,7 @@ class Client::Impl {
   }
 
   quint64 call(CallRequest request, Reply reply) {
+    request.large = request.large && sharing_ == Sharing::No;
     if (request.large) needLarge();
     const quint64 number = book_.add(std::move(request), std::move(reply));
     advance();
@@ -109,7 +80,7 @@ class Client::Impl {
     if (const auto taken = book_.cancel(number, options_.now())) {
       CallAnswer answer;
       answer.kind = Kind::Cancelled;
-      answer.sent = taken->sent;
+      answer.sent = taken->sent && !breakOff(number);
       deliver(taken->call, std::move(answer));
       advance();
     }
@@ -131,7 +102,7 @@ class Client::Impl {
     const auto known = topics_.find(topic);
     if (known == topics_.end()) return;
     if (!known->second.id.isEmpty()) {
-      connection(known->second.wanted.large).send(unsubscribeRequest(known->second.id, topic));
+      connection(isLarge(known->second)).send(unsubscribeRequest(known->second.id, topic));
     }
     topics_.erase(known);
   }
@@ -159,13 +130,29 @@ class Client::Impl {
     std::chrono::milliseconds since{0};
   };
 
+  /// Whether all goes by one connection.
+  enum class Sharing {
+    No,
+    UntilReconnect,  // the second was refused; the server may have been busy
+    ForGood,         // one of the two is always closed
+  };
+
+  struct Uploading {
+    quint64 number = 0;
+    Upload upload;
+    std::function<void(qint64, qint64)> travelled;
+  };
+
   Connection& connection(bool large) { return large ? large_ : quick_; }
+  bool isLarge(const Topic& topic) const { return topic.wanted.large && sharing_ == Sharing::No; }
 
   void listen(bool large) {
     Connection& heard = connection(large);
     QObject::connect(&heard, &Connection::becameReady, owner_, [this, large] { begin(large); });
     QObject::connect(&heard, &Connection::wasLost, owner_, [this, large] { lose(large); });
-    QObject::connect(&heard, &Connection::changed, owner_, [this] {
+    QObject::connect(&heard.link(), &WebSocketLink::written, owner_, [this, large] { pump(large); });
+    QObject::connect(&heard, &Connection::changed, owner_, [this, large] {
+      if (large) judgeLarge();
       advance();
       Q_EMIT owner_->changed();
     });
@@ -181,15 +168,20 @@ class Client::Impl {
                      [this](Oddity what, const QString& detail) { tell(what, detail); });
   }
 
-  /// The second connection follows the first: what is closed stays closed.
+  /// The second connection follows the first: what is closed stays closed, and where there is room for one
+  /// only it is not the second that takes it.
   void needLarge() {
-    const bool closed = quick_.link().state() == WebSocketLink::State::Closed;
-    if (!closed && large_.down()) large_.link().open();
+    if (quick_.ready() && sharing_ == Sharing::No && large_.down()) large_.link().open();
   }
 
   void begin(bool large) {
+    ready_at_ = options_.now();
+    if (!large && sharing_ == Sharing::UntilReconnect) sharing_ = Sharing::No;
+    const bool any_large = std::any_of(topics_.begin(), topics_.end(),
+                                       [](const auto& topic) { return topic.second.wanted.large; });
+    if (!large && (any_large || book_.waitsForLarge())) needLarge();
     for (auto& [topic, state] : topics_) {
-      if (state.wanted.large == large) send(state);
+      if (isLarge(state) == large) send(state);
     }
     advance();
     if (!large) Q_EMIT owner_->opened();
@@ -197,13 +189,103 @@ class Client::Impl {
 
   void lose(bool large) {
     for (auto& [topic, state] : topics_) {
-      if (state.wanted.large == large) state.id.clear();
+      if (isLarge(state) == large) state.id.clear();
     }
-    for (const CallBook::Call& call : book_.lost(large)) fail(call, Kind::LinkLost, true);
+    for (const CallBook::Call& call : book_.lost(large)) fail(call, Kind::LinkLost, !breakOff(call.number));
+    uploads_[large].clear();
+    if (sharing_ != Sharing::No || closing_) return;
+    // A server that bears one connection closes the other: again and again, each time when both are there.
+    const bool soon = !connection(!large).down() && options_.now() - ready_at_ <= kSoonLost;
+    strikes_ = soon ? strikes_ + 1 : 0;
+    if (strikes_ >= kMostStrikes) share(Sharing::ForGood, connection(large).link().reason());
+  }
+
+  /// A second connection that is refused while the first one stands.
+  void judgeLarge() {
+    const WebSocketLink& link = large_.link();
+    const bool refused = large_.down() && !large_was_open_ && link.reason().any();
+    large_was_open_ = link.state() == WebSocketLink::State::Open ||
+                      (large_was_open_ && link.state() == WebSocketLink::State::Waiting);
+    if (refused && sharing_ == Sharing::No && quick_.ready()) share(Sharing::UntilReconnect, link.reason());
+  }
+
+  void share(Sharing how, const Reason& why) {
+    const Reason reason = why;  // closing forgets it
+    for (auto& [topic, state] : topics_) {
+      if (state.wanted.large) state.id.clear();
+    }
+    for (const CallBook::Call& call : book_.lost(true)) fail(call, Kind::LinkLost, !breakOff(call.number));
+    uploads_[true].clear();
+    sharing_ = how;
+    book_.allQuick();
+    large_.link().close();
+    for (auto& [topic, state] : topics_) {
+      if (state.wanted.large) send(state);
+    }
+    if (!std::exchange(told_, true)) Q_EMIT owner_->sharesOneConnection(reason);
+  }
+
+  /// Nothing more of it is sent. True: some of it had not been, so nobody can act on it.
+  bool breakOff(quint64 number) {
+    for (auto& uploads : uploads_) {
+      for (auto one = uploads.begin(); one != uploads.end(); ++one) {
+        if (one->number != number) continue;
+        const bool partly = !one->upload.done();
+        uploads.erase(one);
+        return partly;
+      }
+    }
+    return false;
+  }
+
+  void beginUpload(const CallBook::Call& call) {
+    const bool large = call.request.large;
+    uploads_[large].push_back(
+        {call.number,
+         Upload(CallBook::idOf(call.number), call.request.service, call.request.made_while_sent,
+                options_.most_whole_bytes, options_.fragment_bytes),
+         call.request.travelled});
+    QMetaObject::invokeMethod(
+        owner_, [this, large] { pump(large); }, Qt::QueuedConnection);
+  }
+
+  /// As much as the system takes, and no more.
+  void pump(bool large) {
+    if (std::exchange(pumping_, true)) return;  // sending may tell that something was written
+    pumpOnce(large);
+    pumping_ = false;
+  }
+
+  void pumpOnce(bool large) {
+    Connection& by = connection(large);
+    auto& uploads = uploads_[large];
+    while (!uploads.empty() && by.ready()) {
+      const quint64 number = uploads.front().number;
+      Upload& upload = uploads.front().upload;
+      while (!upload.done() && by.link().unsentBytes() < kMostUnsent) {
+        const std::optional<QString> frame = upload.next();
+        if (!frame) break;
+        by.send(*frame);
+        if (!by.ready()) return;  // it has just been lost
+      }
+      if (upload.givenUp()) {
+        cancel(number);  // its maker does not want it sent after all
+        continue;
+      }
+      const qint64 unsent = by.link().unsentBytes();
+      book_.goesOn(number, options_.now());
+      const auto travelled = uploads.front().travelled;
+      const qint64 of = upload.bytes();
+      const qint64 gone = std::clamp<qint64>(upload.handedOut() - unsent, 0, of);
+      const bool over = upload.done() && unsent == 0;
+      if (over) uploads.pop_front();
+      if (travelled) travelled(gone, of);  // may cancel it
+      if (!over) return;
+    }
   }
 
   void send(Topic& topic) {
-    Connection& by = connection(topic.wanted.large);
+    Connection& by = connection(isLarge(topic));
     if (!by.ready()) return;
     topic.id = QLatin1Char('s') + QString::number(++last_subscription_);
     topic.since = options_.now();
@@ -214,9 +296,16 @@ class Client::Impl {
   void advance() {
     const auto next = [this](const CallBook::Call& call) {
       const Connection& by = connection(call.request.large);
-      return by.ready() ? CallBook::Next::Send : by.down() ? CallBook::Next::Fail : CallBook::Next::Wait;
+      if (by.ready()) return CallBook::Next::Send;
+      // The large one is opened once the quick one is there.
+      const bool coming = !by.down() || (call.request.large && !quick_.down() && !quick_.ready());
+      return coming ? CallBook::Next::Wait : CallBook::Next::Fail;
     };
     const auto send = [this](const CallBook::Call& call) {
+      if (call.request.made_while_sent) {
+        if (!call.request.service.empty()) beginUpload(call);
+        return !call.request.service.empty();
+      }
       const std::optional<QString> request =
           callRequest(CallBook::idOf(call.number), call.request.service, call.request.args);
       if (request) connection(call.request.large).send(*request);
@@ -252,7 +341,7 @@ class Client::Impl {
     auto topic = topics_.find(name);
     if (topic == topics_.end()) topic = topics_.find(name.front() == '/' ? name.substr(1) : '/' + name);
     // Of a topic that was unsubscribed, or of its former subscription: under way as that was sent.
-    if (topic == topics_.end() || topic->second.wanted.large != large) return;
+    if (topic == topics_.end() || isLarge(topic->second) != large) return;
     topic->second.since = options_.now();
     message.topic = topic->first;
     message.frame = frame;
@@ -266,7 +355,8 @@ class Client::Impl {
     const std::optional<QString> id = idIn(frame->root()["id"]);
     const CallBook::Answered answered = book_.answered(id, frame->root()["service"].text(), large);
     if (answered.call) {
-      deliver(*answered.call, answerIn(frame));
+      breakOff(answered.call->number);
+      deliver(*answered.call, readAnswer(frame));
     } else if (!answered.late) {
       tell(Oddity::UnknownCall, plainText(id.value_or(QString())));
     }
@@ -283,7 +373,7 @@ class Client::Impl {
         CallAnswer answer;
         answer.kind = Kind::Refused;
         answer.words = words.toStdString();
-        answer.sent = true;
+        answer.sent = !breakOff(answered.call->number);
         deliver(*answered.call, std::move(answer));
         advance();
       }
@@ -294,7 +384,8 @@ class Client::Impl {
   void look() {
     quick_.expire();
     large_.expire();
-    for (const CallBook::Call& call : book_.timedOut(options_.now())) fail(call, Kind::TimedOut, true);
+    for (const CallBook::Call& call : book_.timedOut(options_.now()))
+      fail(call, Kind::TimedOut, !breakOff(call.number));
     advance();
     if (!needsLooks()) look_.stop();
   }
@@ -329,8 +420,15 @@ class Client::Impl {
   std::map<std::string, Topic> topics_;
   quint64 last_subscription_ = 0;
   quint64 oddities_ = 0;
+  Sharing sharing_ = Sharing::No;
+  int strikes_ = 0;                        // how often in a row one went soon after both were there
+  std::chrono::milliseconds ready_at_{0};  // the last of the two
+  bool large_was_open_ = false;            // in this attempt, or before it lost its server
+  bool closing_ = false, told_ = false;
   QTimer look_;
-  Connection quick_, large_;  // the first to go
+  bool pumping_ = false;
+  std::array<std::deque<Uploading>, 2> uploads_;  // by whether they go by the connection for large things
+  Connection quick_, large_;                      // the first to go
 };
 
 Client::Client(const QUrl& url, ClientOptions options, QObject* parent)

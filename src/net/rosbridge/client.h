@@ -31,7 +31,8 @@ struct TopicMessage {
 
 /// Lives on the thread that made it, like its signals and replies. Two WebSockets to one server: a quick one
 /// (calls, poses) and one for large topics and answers, opened when something large is first wanted. Not to
-/// be deleted in a slot of its own signals (deleteLater); in a reply it may be.
+/// be deleted in a slot of its own signals (deleteLater); in a reply it may be. A server that takes one
+/// connection only gets one: everything goes by the quick one then.
 class Client : public QObject {
   Q_OBJECT
  public:
@@ -43,7 +44,7 @@ class Client : public QObject {
   void close();
   void setTrust(const Trust& trust);       // for the next connection
   const WebSocketLink& link() const;       // the quick one: state, reason, fault, certificate, attempt …
-  const WebSocketLink& largeLink() const;  // Closed until it is needed
+  const WebSocketLink& largeLink() const;  // Closed until it is needed, and while one has to do
 
   using Reply = rosbridge::Reply;
   /// The reply comes exactly once, later, never from within call(), and not after the client is gone. At most
@@ -68,6 +69,8 @@ class Client : public QObject {
   void changed();  // state or reason of a link
   void opened();   // the quick one is (again) open: its subscriptions have been sent again
   void received(const mapwright::net::rosbridge::TopicMessage& message);
+  /// The server takes no second connection; told once. `why`: what became of it.
+  void sharesOneConnection(const mapwright::net::Reason& why);
   /// The server's opinion: level ("error", "warning", …), words, and the id of what it is about. Untrusted.
   void statusReceived(const QString& level, const QString& words, const QString& id);
   void frameReceived(std::string_view bytes, bool binary,

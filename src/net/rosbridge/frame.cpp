@@ -3,6 +3,7 @@
 #include <simdjson.h>
 
 #include "net/rosbridge/access.h"
+#include "net/rosbridge/cbor_item.h"
 #include "net/rosbridge/png_text.h"
 #include "net/rosbridge/repair_json.h"
 
@@ -53,6 +54,7 @@ Frame::Fault Frame::parse(const QByteArray& utf8) {
     if (parser.allocate(std::size_t(text.size()), kMaxDepth) != simdjson::SUCCESS) return simdjson::MEMALLOC;
     return parser.parse_into_document(json_->document, text.constData(), std::size_t(text.size())).get(root);
   };
+  text_ = utf8;
   simdjson::error_code error = parsed(utf8);
   if (error != simdjson::SUCCESS && error != simdjson::MEMALLOC && error != simdjson::CAPACITY &&
       error != simdjson::DEPTH_ERROR) {
@@ -73,6 +75,33 @@ Frame::Fault Frame::parse(const QByteArray& utf8) {
       json_.reset();
       return Fault::NotJson;
   }
+}
+
+std::optional<std::string_view> Frame::rawMember(std::string_view name) const {
+  if (fault_ != Fault::None) return std::nullopt;
+  if (wire_ == Wire::Binary) {
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(cbor_.constData());
+    const auto* const end = first + cbor_.size();
+    std::optional<std::string_view> found;
+    eachMember(CborItem::at(first, end), end, [&](std::string_view member, const std::uint8_t* at) {
+      if (member == name)
+        found.emplace(reinterpret_cast<const char*>(at), std::size_t(pastItem(at, end) - at));
+      return !found;
+    });
+    return found;
+  }
+  // The parser of the root forgets where things stood. What only robots call numbers is no matter to one that
+  // does not look into them.
+  const simdjson::padded_string padded(text_.constData(), std::size_t(text_.size()));
+  simdjson::ondemand::parser parser;
+  simdjson::ondemand::document document;
+  simdjson::ondemand::object root, member;
+  std::string_view raw;
+  if (parser.allocate(padded.size(), std::size_t(kMaxDepth)) != simdjson::SUCCESS ||
+      parser.iterate(padded).get(document) || document.get_object().get(root) ||
+      root.find_field_unordered(name).get_object().get(member) || member.raw_json().get(raw))
+    return std::nullopt;
+  return std::string_view(text_.constData() + (raw.data() - padded.data()), raw.size());
 }
 
 void Frame::readBinary(const QByteArray& bytes) {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include <QByteArray>
 
@@ -15,8 +17,8 @@ struct FrameLimits {
 };
 
 /// What was read, and what its fields look into. Does not change, may be shared among threads.
-/// Memory: of JSON about as much as the text, eight times that if it is all small numbers; of CBOR the frame
-/// itself.
+/// Memory: of JSON about twice as much as the text, nine times that if it is all small numbers; of CBOR the
+/// frame itself.
 class Frame {
  public:
   enum class Wire { Text, Binary };
@@ -42,6 +44,10 @@ class Frame {
   Fault fault() const { return fault_; }
   Wire wire() const { return wire_; }
   qint64 bytes() const { return bytes_; }  // as they came
+  /// A member of the root exactly as it came, valid as long as the frame: the text of a JSON object, or an
+  /// item of CBOR; of a {"op":"png"} that of the message in it. nullopt: there is no such one. JSON is looked
+  /// through for it.
+  std::optional<std::string_view> rawMember(std::string_view name) const;
 
  private:
   struct Json;
@@ -51,7 +57,7 @@ class Frame {
   Fault parse(const QByteArray& utf8);
 
   std::unique_ptr<Json> json_;
-  QByteArray cbor_;
+  QByteArray text_, cbor_;
   Field root_;
   Fault fault_ = Fault::None;
   Wire wire_ = Wire::Text;

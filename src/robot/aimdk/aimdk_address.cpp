@@ -13,9 +13,13 @@ class Words {
 
 auto error(const QString& why) { return tl::make_unexpected(why); }
 
+constexpr int kRosbridgePort = 9090;
+
+/// Neither a user nor a query: a password could stand there, and addresses are shown.
 bool usable(const QUrl& tf) {
   const QString scheme = tf.scheme();
-  return tf.isValid() && !tf.host().isEmpty() && tf.userInfo().isEmpty() &&
+  return tf.isValid() && !tf.host().isEmpty() && tf.userInfo().isEmpty() && !tf.hasQuery() &&
+         !tf.hasFragment() && tf.port() != 0 &&
          (scheme == QLatin1String("ws") || scheme == QLatin1String("wss"));
 }
 
@@ -24,8 +28,9 @@ ParsedAddress parse(const QString& rest) {
   if (!url) return error(url.error());
   Address address;
   address.options = QUrlQuery(*url);
-  for (const auto& [name, value] : address.options.queryItems(QUrl::FullyDecoded)) {
-    if (name != QLatin1String("tf") || !usable(QUrl(value, QUrl::StrictMode))) {
+  const auto options = address.options.queryItems(QUrl::FullyDecoded);
+  for (const auto& [name, value] : options) {
+    if (name != QLatin1String("tf") || !usable(QUrl(value, QUrl::StrictMode)) || options.size() > 1) {
       return error(
           Words::tr("The address of an Agibot robot may only have ?tf=ws://HOST:9090 (its rosbridge) after "
                     "the host."));
@@ -46,7 +51,13 @@ AddressScheme addressScheme() {
 }
 
 QUrl tfOf(const Address& address) {
-  return QUrl(address.options.queryItemValue(QStringLiteral("tf"), QUrl::FullyDecoded), QUrl::StrictMode);
+  QUrl url(address.options.queryItemValue(QStringLiteral("tf"), QUrl::FullyDecoded), QUrl::StrictMode);
+  if (url.isEmpty()) return url;
+  if (url.port() == -1) url.setPort(kRosbridgePort);
+  QString path = url.path();
+  while (path.endsWith(QLatin1Char('/'))) path.chop(1);
+  url.setPath(path);
+  return url;
 }
 
 }  // namespace mapwright::robot::aimdk

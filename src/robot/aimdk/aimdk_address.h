@@ -7,7 +7,7 @@
 namespace mapwright::robot::aimdk {
 
 AddressScheme addressScheme();
-/// The rosbridge of the pose; empty = none.
+/// The rosbridge of the pose, its port filled in; empty = none.
 QUrl tfOf(const Address& address);
 
 }  // namespace mapwright::robot::aimdk

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <QDateTime>
+
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 #include "robot/wire/net_reason.h"
@@ -52,8 +54,9 @@ map::Failure unasked(map::Subject subject, const char* ids) {
 
 }  // namespace
 
-AimdkLink::AimdkLink(LinkOptions options)
+AimdkLink::AimdkLink(LinkOptions options, std::shared_ptr<wire::DeliveryPlace> deliveries)
     : options_(std::move(options)),
+      deliveries_(std::move(deliveries)),
       backoff_(options_.backoff_first, options_.backoff_limit, options_.jitter_seed) {}
 
 AimdkLink::~AimdkLink() = default;
@@ -93,6 +96,22 @@ void AimdkLink::ask(const char* method, const QByteArray& body, Taken taken) {
   asking_ = http_->send(request(method, body, options_.patience), std::move(taken));
 }
 
+void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
+  if (!answer.ok()) return;
+  const std::string_view call = method;
+  const auto body = std::make_shared<const QByteArray>(answer.body);
+  wire::DeliveryPlace::Parcel parcel;
+  parcel.name = "/aimdk/" + std::string(call.substr(call.rfind('/') + 1));
+  parcel.encoding = "json";
+  parcel.slot = parcel.name;
+  parcel.bytes = view(*body);
+  parcel.held_bytes = std::size_t(body->size());
+  parcel.keeps = body;
+  parcel.received_s =
+      options_.wall_s ? options_.wall_s() : double(QDateTime::currentMSecsSinceEpoch()) / 1000;
+  deliveries_->pass(std::move(parcel));
+}
+
 void AimdkLink::open() {
   start();
   wanted_ = true;
@@ -127,6 +146,7 @@ void AimdkLink::attempt() {
   ask(kMapNames, mapNamesRequest(), [this](const net::HttpAnswer& answer) {
     if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
     asking_ = 0;
+    deliver(kMapNames, answer);
     const auto maps = parseMapNames(view(answer.body));
     if (answer.ok() && maps) {
       goOnline();
@@ -158,6 +178,7 @@ void AimdkLink::poll() {
   ask(kCurrentMap, currentMapRequest(), [this](const net::HttpAnswer& answer) {
     if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
     asking_ = 0;
+    deliver(kCurrentMap, answer);
     // An answer with an error is a sign of life: the robot may have no map in use.
     if (answer.kind != net::HttpAnswer::Kind::Answered) {
       interrupt(answer);
@@ -217,6 +238,7 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
   start();
   wire::send(errand, *http_, request(kMapNames, mapNamesRequest(), options_.patience),
              [this, errand, reply](const net::HttpAnswer& answer) {
+               deliver(kMapNames, answer);
                auto maps =
                    outcomeOf(answer, catalogueSubject(map::kMapsPart), parseMapNames(view(answer.body)));
                if (!maps) {
@@ -225,6 +247,7 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
                }
                wire::send(errand, *http_, request(kCurrentMap, currentMapRequest(), options_.patience),
                           [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
+                            deliver(kCurrentMap, current);
                             const auto id = outcomeOf(current, catalogueSubject(map::kCurrentMapPart),
                                                       parseCurrentMap(view(current.body)));
                             if (!id && id.error().kind == map::FailureKind::Cancelled) {
@@ -320,6 +343,7 @@ void AimdkLink::askPoints(const wire::ErrandPtr& errand, const map::MapKey& key,
   start();
   wire::send(errand, *http_, request(kTopology, body, options_.patience),
              [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
+               deliver(kTopology, answer);
                const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
                reply(outcomeOf(answer, map::placesOf(key), parseTopology(view(answer.body), frame)));
              });

@@ -17,13 +17,13 @@
 #include "net/http_client.h"
 #include "robot/aimdk/parse_rpc.h"
 #include "robot/robot.h"
+#include "robot/wire/delivery_place.h"
 #include "robot/wire/errand.h"
 
 namespace mapwright::robot::aimdk {
 
 struct LinkOptions {
   QUrl base;  // http(s)://host:port[/prefix]
-  QUrl tf;    // the rosbridge of the pose; empty = none
   net::Trust trust;
   std::chrono::milliseconds poll_every{10'000};  // while online, so that a loss is noticed
   std::chrono::milliseconds patience{10'000};    // for the small questions
@@ -31,12 +31,14 @@ struct LinkOptions {
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
   std::chrono::milliseconds healthy_after{30'000};  // online for so long = the next loss is a first one
   quint32 jitter_seed = 1;
+  std::function<double()> wall_s = {};  // seconds since the epoch, on any thread; null = the system's clock
 };
 
 class AimdkLink : public QObject {
   Q_OBJECT
  public:
-  explicit AimdkLink(LinkOptions options);
+  /// Answers go to whoever sits in `deliveries`, which is shared with others.
+  AimdkLink(LinkOptions options, std::shared_ptr<wire::DeliveryPlace> deliveries);
   ~AimdkLink() override;
 
   void open();
@@ -59,6 +61,7 @@ class AimdkLink : public QObject {
                            std::chrono::milliseconds patience) const;
   /// The connection's own question.
   void ask(const char* method, const QByteArray& body, Taken taken);
+  void deliver(const char* method, const net::HttpAnswer& answer);
   void attempt();
   void poll();
   void goOnline();
@@ -71,6 +74,7 @@ class AimdkLink : public QObject {
   void fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 
   LinkOptions options_;
+  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   std::unique_ptr<net::HttpClient> http_;
   std::unique_ptr<QTimer> timer_;    // until the next try, or the next poll
   std::unique_ptr<QTimer> healthy_;  // while online, until it counts as healthy

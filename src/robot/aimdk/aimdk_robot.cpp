@@ -5,11 +5,13 @@
 
 namespace mapwright::robot::aimdk {
 
-AimdkRobot::AimdkRobot(QString address, LinkOptions options, QObject* parent)
+AimdkRobot::AimdkRobot(QString address, LinkOptions options, std::unique_ptr<LiveBeside> live,
+                       QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
-      has_tf_(!options.tf.isEmpty()),
-      link_(new AimdkLink(std::move(options))),
+      live_(std::move(live)),
+      deliveries_(std::make_shared<wire::DeliveryPlace>()),
+      link_(new AimdkLink(std::move(options), deliveries_)),
       catalogue_({this, link_}),
       whole_maps_({this, link_}),
       points_({this, link_}) {
@@ -28,29 +30,56 @@ AimdkRobot::AimdkRobot(QString address, LinkOptions options, QObject* parent)
   connect(link_, &AimdkLink::problemFound, this, &Robot::problemFound);
   connect(link_, &AimdkLink::recovered, this, &Robot::recovered);
   connect(link_, &AimdkLink::currentMapChanged, this, &Robot::mapsChanged);
+  if (live_) {
+    connect(live_.get(), &LiveBeside::topicReceived, this, &Robot::topicReceived);
+    connect(live_.get(), &LiveBeside::rawReceived, this, &Robot::rawReceived);
+    connect(live_.get(), &LiveBeside::problemFound, this, &Robot::problemFound);
+    connect(live_.get(), &LiveBeside::recovered, this, &Robot::recovered);
+    connect(live_.get(), &LiveBeside::topicsChanged, this, &Robot::capabilitiesChanged);
+    connect(live_.get(), &LiveBeside::certificateChanged, this, &Robot::connectionChanged);
+  }
   thread_.start();
 }
 
 AimdkRobot::~AimdkRobot() {
+  live_.reset();
   link_->disconnect(this);
   thread_.quit();
   thread_.wait();
 }
 
-void AimdkRobot::connectToRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::open); }
+void AimdkRobot::connectToRobot() {
+  QMetaObject::invokeMethod(link_, &AimdkLink::open);
+  if (live_) live_->connectToRobot();
+}
 
 void AimdkRobot::trustCertificate(const QString& sha256) {
   QMetaObject::invokeMethod(link_, [link = link_, pin = net::fingerprintFrom(sha256)] { link->trust(pin); });
 }
 
-void AimdkRobot::disconnectFromRobot() { QMetaObject::invokeMethod(link_, &AimdkLink::close); }
+std::optional<UntrustedCertificate> AimdkRobot::certificateBeside() const {
+  return live_ ? live_->connection().certificate : std::nullopt;
+}
+
+void AimdkRobot::trustBeside(const QString& sha256) {
+  if (live_) live_->trustCertificate(sha256);
+}
+
+void AimdkRobot::disconnectFromRobot() {
+  QMetaObject::invokeMethod(link_, &AimdkLink::close);
+  if (live_) live_->disconnectFromRobot();
+}
+
+void AimdkRobot::setDeliveryTap(DeliveryTap tap) {
+  deliveries_->set(tap);
+  if (live_) live_->setDeliveryTap(std::move(tap));
+}
 
 Absence AimdkRobot::whyNot(Capability capability) const {
   if (capability == Capability::Administration || capability == Capability::WaypointEditing ||
       capability == Capability::PictureEditing)
     return {Absence::Reason::ReadOnly, {"Agibot"}};
-  if (capability == Capability::Live)
-    return {Absence::Reason::NotYetHere, {has_tf_ ? std::string("/tf") : std::string()}};
+  if (capability == Capability::Live) return {Absence::Reason::NoService, {"?tf=ws://HOST:9090"}};
   return {};
 }
 

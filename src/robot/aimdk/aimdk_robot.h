@@ -1,10 +1,14 @@
-// An Agibot robot behind the port: maps and waypoints to look at. Source: aimdk.md.
+// An Agibot robot behind the port: maps and waypoints to look at; where it is, if a rosbridge beside it
+// tells. Source: aimdk.md.
 #pragma once
 
 #include <QThread>
 
 #include "robot/aimdk/aimdk_link.h"
+#include "robot/aimdk/live_beside.h"
+#include "robot/delivery.h"
 #include "robot/robot.h"
+#include "robot/second_server.h"
 #include "robot/wire/pending_calls.h"
 
 namespace mapwright::robot::aimdk {
@@ -48,26 +52,35 @@ class Points : public WaypointSource {
   wire::PendingCalls<map::WaypointList> lists_;
 };
 
-class AimdkRobot : public Robot {
+class AimdkRobot : public Robot, public SecondServer, public Delivers {
   Q_OBJECT
  public:
-  AimdkRobot(QString address, LinkOptions options, QObject* parent = nullptr);
+  /// `live`: what is beside the interface and tells where the robot is; null = nothing.
+  AimdkRobot(QString address, LinkOptions options, std::unique_ptr<LiveBeside> live = nullptr,
+             QObject* parent = nullptr);
   ~AimdkRobot() override;
 
   QString address() const override { return address_; }
   void connectToRobot() override;
   void disconnectFromRobot() override;
   void trustCertificate(const QString& sha256) override;
+  QString hostBeside() const override { return live_ ? live_->host() : QString(); }
+  std::optional<UntrustedCertificate> certificateBeside() const override;
+  void trustBeside(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
   RobotIdentity identity() const override { return identity_; }
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
   WaypointSource* waypointSource() override { return &points_; }
+  LiveTopics* liveTopics() override { return live_.get(); }
   Absence whyNot(Capability capability) const override;
+  /// Of the interface and of what is beside it.
+  void setDeliveryTap(DeliveryTap tap) override;
 
  private:
   QString address_;
-  bool has_tf_ = false;
+  std::unique_ptr<LiveBeside> live_;
+  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   QThread thread_;
   AimdkLink* link_;  // lives on thread_, deleted when it ends
   Catalogue catalogue_;

@@ -7,6 +7,7 @@
 #include <QJsonObject>
 #include <QUrlQuery>
 
+#include "net/http_cache.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/robot_urls.h"
@@ -60,8 +61,11 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
 
 AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-                     std::shared_ptr<wire::TapPlace> tap)
-    : options_(std::move(options)), mailbox_(std::move(mailbox)), tap_(std::move(tap)) {}
+                     std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries)
+    : options_(std::move(options)),
+      mailbox_(std::move(mailbox)),
+      tap_(std::move(tap)),
+      deliveries_(std::move(deliveries)) {}
 
 AxbotLink::~AxbotLink() {
   // Replies of what is under way must not reach a half-destroyed object.
@@ -88,10 +92,27 @@ void AxbotLink::start() {
       *http_, options_.base, options_.patience,
       [this](const map::Problem& found) { Q_EMIT problemFound(found); },
       [this](const map::Recovery& well) { Q_EMIT recovered(well); });
+  bags_ = std::make_unique<BagRequests>(
+      *http_, options_.base, options_.patience,
+      [this](const map::Problem& found) { Q_EMIT problemFound(found); },
+      [this](const map::Recovery& well) { Q_EMIT recovered(well); });
   grids_ = std::make_unique<GridFetcher>(*http_, options_.base, [this](map::TopicMessage message) {
     const auto* grid = std::get_if<map::GridMessage>(&message);
     const std::string topic = grid ? grid->topic : std::string();
     emitTopic(topic, std::move(message));
+  });
+  grids_->setKeeper([this](const std::string& topic, const std::string& data_url, const char* media_type,
+                           std::shared_ptr<const std::string> picture) {
+    wire::DeliveryPlace::Parcel parcel;
+    parcel.kind = Delivery::Kind::Picture;
+    parcel.name = data_url;
+    parcel.encoding = media_type;
+    parcel.slot = "picture of " + topic;
+    parcel.bytes = *picture;
+    parcel.held_bytes = picture->size();
+    parcel.keeps = std::move(picture);
+    parcel.received_s = options_.wall_s();
+    deliveries_->pass(std::move(parcel));
   });
   clock_.start();
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
@@ -122,6 +143,7 @@ void AxbotLink::start() {
   });
   connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
+    deliveries_->forget();
     topics_confirmed_ = false;
     subscribed_ = false;
     // It may have got another firmware.
@@ -159,10 +181,10 @@ void AxbotLink::close() {
 QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const {
   QUrl url = options_.base;
   const QString uuid = QString::fromLatin1(QUrl::toPercentEncoding(QString::fromStdString(key.uuid)));
-  url.setPath(
-      QString::fromLatin1(QUrl::toPercentEncoding(options_.base.path(), "/")) +
-          QStringLiteral("/ros/slam/submaps/%1/%2/%3").arg(uuid).arg(key.id.trajectory).arg(key.id.index),
-      QUrl::TolerantMode);
+  url.setPath(QString::fromLatin1(QUrl::toPercentEncoding(options_.base.path(), "/")) +
+                  QStringLiteral("/ros/slam/submaps/%1/%2/%3")
+                      .arg(uuid, QString::number(key.id.trajectory), QString::number(key.id.index)),
+              QUrl::TolerantMode);
   QUrlQuery query;
   query.addQueryItem(QStringLiteral("ver"), QString::number(version));
   url.setQuery(query);
@@ -253,9 +275,26 @@ void AxbotLink::send(const QStringList& requests) {
   for (const QString& request : requests) socket_->sendText(request);
 }
 
+void AxbotLink::deliver(const QByteArray& frame, const std::string& topic, bool binary,
+                        std::optional<double> said_s) {
+  wire::DeliveryPlace::Parcel parcel;
+  const auto kept = std::make_shared<const QByteArray>(frame);
+  parcel.name = topic;
+  parcel.encoding = binary ? "protobuf" : "json";
+  // One topic may come both ways; what has no topic is about what was asked a moment ago.
+  if (!topic.empty()) parcel.slot = parcel.encoding + topic;
+  parcel.bytes = view(*kept);
+  parcel.held_bytes = std::size_t(kept->size());
+  parcel.keeps = kept;
+  parcel.received_s = options_.wall_s();
+  parcel.said_s = said_s;
+  deliveries_->pass(std::move(parcel));
+}
+
 void AxbotLink::takeText(const QByteArray& utf8) {
   tap_->pass({view(utf8), false, options_.wall_s()});
   TextFrame frame = topic_reader_.read(view(utf8));
+  deliver(utf8, frame.topic, false, frame.stamp_s);
   if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
     Q_EMIT rawReceived(rawText(frame.topic, view(utf8)));
   }
@@ -276,6 +315,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
 
 void AxbotLink::takeBinary(const QByteArray& bytes) {
   tap_->pass({view(bytes), true, options_.wall_s()});
+  deliver(bytes, topicOfBinaryFrame(view(bytes)), true, std::nullopt);
   if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
     Q_EMIT rawReceived(rawBinary(view(bytes)));
   if (auto message = parseBinaryFrame(view(bytes))) {
@@ -313,6 +353,11 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
 MapRequests& AxbotLink::maps() {
   start();
   return *maps_;
+}
+
+BagRequests& AxbotLink::bags() {
+  start();
+  return *bags_;
 }
 
 void AxbotLink::fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply) {
@@ -374,6 +419,16 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
       return;
     }
     answer.from_cache = http.from_cache;
+    if (answer.outcome == Outcome::Ok) {
+      wire::DeliveryPlace::Parcel parcel;
+      parcel.kind = Delivery::Kind::Submap;
+      parcel.encoding = "application/x-protobuf";
+      parcel.submap = key;
+      if (answer.version > 0) parcel.submap.version = answer.version;
+      parcel.bytes = view(http.body);
+      parcel.received_s = options_.wall_s();
+      deliveries_->pass(std::move(parcel));
+    }
     if (cache_ && !http.from_cache) {
       // The address names the version asked for; the body is the version that the robot has. Keep it under
       // its own name only, so that neither a failure nor an older picture is taken for that version after a

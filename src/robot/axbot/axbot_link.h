@@ -15,18 +15,23 @@
 
 #include "map/live_topics.h"
 #include "map/stream.h"
-#include "net/http_cache.h"
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
+#include "robot/axbot/bag_requests.h"
 #include "robot/axbot/grid_fetcher.h"
 #include "robot/axbot/map_requests.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/robot.h"
+#include "robot/wire/delivery_place.h"
 #include "robot/wire/raw_limit.h"
 #include "robot/wire/tap_place.h"
 #include "robot/wire/topic_mailbox.h"
+
+namespace mapwright::net {
+class HttpCache;
+}
 
 namespace mapwright::robot::axbot {
 
@@ -52,9 +57,10 @@ struct LinkOptions {
 class AxbotLink : public QObject {
   Q_OBJECT
  public:
-  /// Large messages go into `mailbox`, frames to whoever sits in `tap`: both are shared with others.
+  /// Large messages go into `mailbox`, frames to whoever sits in `tap`, all that comes to whoever sits in
+  /// `deliveries`: they are shared with others.
   AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-            std::shared_ptr<wire::TapPlace> tap);
+            std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries);
   ~AxbotLink() override;
 
   void open();
@@ -70,6 +76,7 @@ class AxbotLink : public QObject {
   void setBasics(const LiveTopics::Basics& basics);
   void setWatching(bool on) { watching_ = on; }
   MapRequests& maps();
+  BagRequests& bags();
   /// A question of the overview, to be noted when this robot does not know it.
   void fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
@@ -94,6 +101,7 @@ class AxbotLink : public QObject {
   void askForWanted();
   /// Streams of which nothing has come, and that older firmware calls otherwise.
   map::Streams silentStreams() const;
+  void deliver(const QByteArray& frame, const std::string& topic, bool binary, std::optional<double> said_s);
   void takeText(const QByteArray& utf8);
   void takeBinary(const QByteArray& bytes);
   void ask(quint64 ticket, const map::SubmapKey& key);
@@ -108,6 +116,7 @@ class AxbotLink : public QObject {
   LinkOptions options_;
   std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
+  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
   std::set<std::string> unreadable_topics_;  // whose last message could not be read
@@ -116,6 +125,7 @@ class AxbotLink : public QObject {
   std::unique_ptr<net::HttpCache> cache_;
   std::unique_ptr<net::HttpClient> http_;
   std::unique_ptr<MapRequests> maps_;
+  std::unique_ptr<BagRequests> bags_;
   std::unique_ptr<GridFetcher> grids_;
   std::unique_ptr<net::WebSocketLink> socket_;
   std::unique_ptr<QTimer> list_timer_, subscribe_timer_, older_timer_;

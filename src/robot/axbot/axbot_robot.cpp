@@ -12,13 +12,15 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
       address_(std::move(address)),
       mailbox_(std::make_shared<wire::TopicMailbox>()),
       tap_(std::make_shared<wire::TapPlace>()),
-      link_(new AxbotLink(std::move(options), mailbox_, tap_)),
+      deliveries_(std::make_shared<wire::DeliveryPlace>()),
+      link_(new AxbotLink(std::move(options), mailbox_, tap_, deliveries_)),
       submaps_({this, link_}),
       catalogue_({this, link_}),
       whole_maps_({this, link_}),
       overview_({this, link_}),
       topics_({this, link_}, tap_),
-      administration_({this, link_}, [this] { Q_EMIT mapsChanged(); }) {
+      administration_({this, link_}, [this] { Q_EMIT mapsChanged(); }),
+      bags_({this, link_}) {
   qRegisterMetaType<ConnectionState>();
   qRegisterMetaType<RobotIdentity>();
   qRegisterMetaType<map::StampedMessage>();

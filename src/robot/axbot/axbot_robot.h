@@ -5,13 +5,15 @@
 
 #include <QThread>
 
+#include "robot/axbot/axbot_bags.h"
 #include "robot/axbot/axbot_capabilities.h"
 #include "robot/axbot/axbot_link.h"
+#include "robot/delivery.h"
 #include "robot/robot.h"
 
 namespace mapwright::robot::axbot {
 
-class AxbotRobot : public Robot {
+class AxbotRobot : public Robot, public Delivers {
   Q_OBJECT
  public:
   AxbotRobot(QString address, LinkOptions options, QObject* parent = nullptr);
@@ -29,7 +31,9 @@ class AxbotRobot : public Robot {
   OverviewSource* overviewSource() override { return overview_unknown_ ? nullptr : &overview_; }
   LiveTopics* liveTopics() override { return &topics_; }
   MapAdministration* mapAdministration() override { return &administration_; }
+  BagLibrary* bagLibrary() override { return &bags_; }
   Absence whyNot(Capability capability) const override;
+  void setDeliveryTap(DeliveryTap tap) override { deliveries_->set(std::move(tap)); }
 
  private:
   void takeTopic(const map::StampedMessage& stamped);
@@ -38,6 +42,7 @@ class AxbotRobot : public Robot {
   QString address_;
   std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
+  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   QThread thread_;
   AxbotLink* link_;  // lives on thread_, deleted when it ends
   Submaps submaps_;
@@ -46,6 +51,7 @@ class AxbotRobot : public Robot {
   Overview overview_;
   Topics topics_;
   Administration administration_;
+  Bags bags_;
   ConnectionState state_;
   RobotIdentity identity_;
   std::optional<QString> overview_unknown_;    // what it answered when it was asked for one

@@ -28,13 +28,13 @@ void GridFetcher::start(const GridToFetch& wanted) {
   }
   request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
   request.cacheable = true;
-  jobs_[wanted.grid.topic].request =
-      http_.send(request, [this, grid = wanted.grid, url = request.url](const net::HttpAnswer& answer) {
-        finish(grid, url, answer);
-      });
+  jobs_[wanted.grid.topic].request = http_.send(
+      request,
+      [this, wanted, url = request.url](const net::HttpAnswer& answer) { finish(wanted, url, answer); });
 }
 
-void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const net::HttpAnswer& answer) {
+void GridFetcher::finish(const GridToFetch& wanted, const QUrl& url, const net::HttpAnswer& answer) {
+  const map::GridMessage& grid = wanted.grid;
   if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
   auto job = jobs_.extract(grid.topic);
   if (!job.empty() && job.mapped().next) start(*job.mapped().next);
@@ -45,6 +45,7 @@ void GridFetcher::finish(const map::GridMessage& grid, const QUrl& url, const ne
     complete.body_bytes = std::size_t(answer.body.size());
     complete.from_cache = answer.from_cache;
     origins_.note(complete.fingerprint, url);
+    if (keep_) keep_(grid.topic, wanted.data_url, "image/png", complete.png);
     take_(std::move(complete));
     return;
   }

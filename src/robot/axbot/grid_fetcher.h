@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,11 @@ class GridFetcher {
   /// `http` outlives this object. `take` gets a GridMessage with its picture, or an UnreadableMessage.
   GridFetcher(net::HttpClient& http, QUrl base, Take take);
 
+  /// Gets every picture that came, by its topic and as the message named it.
+  using Keep = std::function<void(const std::string& topic, const std::string& data_url,
+                                  const char* media_type, std::shared_ptr<const std::string> picture)>;
+  void setKeeper(Keep keep) { keep_ = std::move(keep); }
+
   void fetch(GridToFetch wanted);
   /// Forgets what is under way or waits.
   void cancelAll();
@@ -36,11 +42,12 @@ class GridFetcher {
     std::optional<GridToFetch> next;
   };
   void start(const GridToFetch& wanted);
-  void finish(const map::GridMessage& grid, const QUrl& url, const net::HttpAnswer& answer);
+  void finish(const GridToFetch& wanted, const QUrl& url, const net::HttpAnswer& answer);
 
   net::HttpClient& http_;
   QUrl base_;
   Take take_;
+  Keep keep_;
   PictureOrigins origins_;
   std::map<std::string, Job> jobs_;  // by topic
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "robot/axbot/cloud_points.h"
 #include "robot/axbot/parse_binary_cloud.h"
 #include "robot/axbot/topic_subjects.h"
 #include "robot/wire/base64.h"
@@ -12,44 +13,11 @@
 namespace mapwright::robot::axbot {
 namespace {
 
-using map::CloudPoint;
 using wire::Json;
 
-constexpr std::size_t kMaxPoints = 2'000'000;
 constexpr std::size_t kMaxCloudBytes = std::size_t(128) << 20;
-constexpr double kFarthestM = 1e7;
 
 static_assert(std::endian::native == std::endian::little, "packed records are read as they lie in memory");
-
-/// Points under way to a message: what is not finite or absurdly far is left out, and no more than kMaxPoints
-/// are taken. Intensities come as 0..1 or 0..255; which of the two, all of them together tell.
-class Cloud {
- public:
-  bool full() const { return points_.size() >= kMaxPoints; }
-  void reserve(std::size_t count) {
-    points_.reserve(std::min(count, kMaxPoints));
-    intensities_.reserve(std::min(count, kMaxPoints));
-  }
-  void add(double x, double y, double z, double intensity) {
-    if (full() || !(std::abs(x) <= kFarthestM) || !(std::abs(y) <= kFarthestM)) return;
-    points_.push_back({x, y, std::isfinite(z) ? float(z) : 0, 0});
-    const float kept = intensity > 0 && std::isfinite(intensity) ? float(intensity) : 0;
-    brightest_ = std::max(brightest_, kept);
-    intensities_.push_back(kept);
-  }
-  map::PointCloudMessage message(const std::string& topic, bool bytes = false) {
-    const float scale = brightest_ <= 1 && !bytes ? 255 : 1;
-    for (std::size_t i = 0; i < points_.size() && brightest_ > 0; ++i) {
-      points_[i].intensity = std::uint8_t(std::min(255.0f, intensities_[i] * scale + 0.5f));
-    }
-    return {topic, std::make_shared<const std::vector<CloudPoint>>(std::move(points_))};
-  }
-
- private:
-  std::vector<CloudPoint> points_;
-  std::vector<float> intensities_;
-  float brightest_ = 0;
-};
 
 double plainNumber(const Json& value) {
   double number = 0;
@@ -58,7 +26,7 @@ double plainNumber(const Json& value) {
 }
 
 map::TopicMessage listedPoints(const std::string& topic, const wire::JsonList& rows) {
-  Cloud cloud;
+  CloudPoints cloud;
   cloud.reserve(rows.size());
   for (const Json row : rows) {
     if (cloud.full()) break;
@@ -192,7 +160,7 @@ map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, s
   if (!bytes) return unreadable(topic, map::ReasonCode::PointsNotBase64);
   const Field *x = layout.find("x"), *y = layout.find("y"), *z = layout.find("z");
   const Field* bright = layout.brightness();
-  Cloud cloud;
+  CloudPoints cloud;
   cloud.reserve(bytes->size() / layout.record);
   for (std::size_t at = 0; at + layout.record <= bytes->size() && !cloud.full(); at += layout.record) {
     const char* record = bytes->data() + at;
@@ -207,7 +175,7 @@ map::TopicMessage tabledPoints(const std::string& topic, const Layout& layout, c
   const auto column = [&](const Field* field) { return field ? field - layout.fields.data() : -1; };
   const auto x = column(layout.find("x")), y = column(layout.find("y")), z = column(layout.find("z"));
   const auto bright = column(layout.brightness());
-  Cloud cloud;
+  CloudPoints cloud;
   cloud.reserve(rows.size());
   for (const Json row : rows) {
     wire::JsonList numbers;
@@ -261,7 +229,7 @@ map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointC
   const int count = std::min(message.xs_size(), message.ys_size());
   const std::string& brightness =
       message.intensities().empty() ? message.probabilities() : message.intensities();
-  Cloud cloud;
+  CloudPoints cloud;
   cloud.reserve(std::size_t(count));
   const bool delta = message.is_delta_encoded();
   std::int64_t x = 0, y = 0, z = 0;

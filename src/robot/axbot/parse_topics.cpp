@@ -13,6 +13,8 @@ std::string anyText(const wire::Json& root, std::string_view name) {
   return text.empty() ? std::string(simdjson::minify(*value)) : text;
 }
 
+}  // namespace
+
 TextFrame readFrame(const wire::Json& root) {
   TextFrame frame;
   frame.topic = wire::text(root, {"topic"});
@@ -41,12 +43,14 @@ TextFrame readFrame(const wire::Json& root) {
   return frame;
 }
 
-}  // namespace
-
 TextFrame TopicReader::read(std::string_view utf8) {
   const auto root = json_.read(utf8);
-  if (root && root->is_object()) return readFrame(*root);
   TextFrame frame;
+  if (root && root->is_object()) {
+    frame = readFrame(*root);
+    if (!frame.topic.empty()) frame.stamp_s = wire::epochSeconds(*root, {"stamp"});
+    return frame;
+  }
   frame.message =
       map::UnreadableMessage{kUnknownTopic, {map::ReasonCode::MessageNotJson, {std::int64_t(utf8.size())}}};
   return frame;

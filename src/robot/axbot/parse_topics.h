@@ -31,6 +31,7 @@ struct TextFrame {
   std::optional<GridToFetch> grid_to_fetch;
   std::optional<std::vector<std::string>> enabled_topics;  // the answer to enable_topic
   std::string error;                                       // the robot's own error text
+  std::optional<double> stamp_s;                           // the robot's own, seconds since the epoch
 };
 
 /// Reads text frames one after the other, keeping the parser's memory. Literal NaN and Infinity (not JSON,
@@ -42,6 +43,9 @@ class TopicReader {
  private:
   wire::JsonReader json_;
 };
+
+/// The same of a text that is read already.
+TextFrame readFrame(const wire::Json& root);
 
 /// The same for a single frame.
 TextFrame parseTextFrame(std::string_view utf8);

@@ -97,7 +97,7 @@ bool claims(const QString& typed) {
 }  // namespace
 
 AddressScheme addressScheme() {
-  return {QStringLiteral("file:"), QStringLiteral("file:/maps/office.yaml"), parse, claims};
+  return {QStringLiteral("file:"), QStringLiteral("file:/maps/office.yaml"), parse, claims, false};
 }
 
 PicturePlace placeOf(const Address& address) {

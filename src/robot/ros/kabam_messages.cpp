@@ -88,9 +88,15 @@ bool sameAngle(double a, double b, double within) {
   return std::abs(geometry::normalizeAngle(a - b)) <= within;
 }
 
-/// A row as a waypoint; nullopt: it has no place.
-std::optional<map::Waypoint> waypointOf(const Field& row, std::vector<map::Reason>& notes) {
+struct ReadWaypoint {
   map::Waypoint point;
+  bool zero_turn = false;
+};
+
+/// A row as a waypoint; nullopt: it has no place.
+std::optional<ReadWaypoint> waypointOf(const Field& row) {
+  ReadWaypoint read;
+  map::Waypoint& point = read.point;
   point.id = row["id"].text();
   point.name = row["name"].text();
   const Field position = row["pose"]["position"], q = row["pose"]["orientation"];
@@ -99,12 +105,11 @@ std::optional<map::Waypoint> waypointOf(const Field& row, std::vector<map::Reaso
   point.position_m = {*x, *y};
   const Turn turn = turnOf(q["x"].number().value_or(0), q["y"].number().value_or(0),
                            q["z"].number().value_or(0), q["w"].number().value_or(0));
-  if (turn.zero && int(notes.size()) < kMostNotes)
-    notes.push_back({map::ReasonCode::WaypointTurnIsZero, {point.name.empty() ? point.id : point.name}});
+  read.zero_turn = turn.zero;
   point.yaw_rad = turn.yaw_rad;
   row["waypoint_tags"].each([&](const Field& tag) { point.tags.push_back(tag.text()); });
   point.source = compact(jsonOf(row).toObject()).toStdString();
-  return point;
+  return read;
 }
 
 }  // namespace
@@ -146,7 +151,10 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     const std::string of = row["map_id"].text();
     if (!of.empty() && of != map_id) return;
     const std::string frame = frameName(row["frame_id"].text());
-    auto point = waypointOf(row, stored.notes);
+    auto read = waypointOf(row);
+    map::Waypoint* const point = read ? &read->point : nullptr;
+    if (read && read->zero_turn)
+      note(map::ReasonCode::WaypointTurnIsZero, {point->name.empty() ? point->id : point->name});
     if (!point) {
       ++placeless;
     } else if (point->id.empty()) {
@@ -157,6 +165,7 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     } else if (!ids.insert(point->id).second) {
       note(map::ReasonCode::WaypointIdTwice, {point->id});
     } else {
+      if (read->zero_turn) stored.zero_turns.insert(point->id);
       stored.points.push_back(std::move(*point));
     }
   });
@@ -215,8 +224,9 @@ QByteArray manageWaypointArgs(const QByteArray& waypoint, bool delete_waypoint) 
                   {QStringLiteral("delete_waypoint"), delete_waypoint}});
 }
 
-QByteArray getWaypointArgs(const std::string& map_id) {
-  return compact({{QStringLiteral("map_id"), text(map_id)}, {QStringLiteral("waypoint_id"), QString()}});
+QByteArray getWaypointArgs(const std::string& map_id, const std::string& waypoint_id) {
+  return compact(
+      {{QStringLiteral("map_id"), text(map_id)}, {QStringLiteral("waypoint_id"), text(waypoint_id)}});
 }
 
 QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_name) {
@@ -238,6 +248,22 @@ QByteArray updateMapArgs(const KabamMap& map, const std::string& label, bool arc
                   {QStringLiteral("new_map_label"), text(label)},
                   {QStringLiteral("set_archive"), archived},
                   {QStringLiteral("delete_map"), delete_map}});
+}
+
+QByteArray updateImageHead(const KabamMap& map, int width, int height) {
+  const QJsonObject image{{QStringLiteral("height"), height},
+                          {QStringLiteral("width"), width},
+                          {QStringLiteral("encoding"), QStringLiteral("mono8")},
+                          {QStringLiteral("is_bigendian"), 0},
+                          {QStringLiteral("step"), width}};
+  QByteArray all = compact({{QStringLiteral("map_id"), text(map.id)},
+                            {QStringLiteral("new_map_label"), QString()},
+                            {QStringLiteral("set_archive"), map.archived},
+                            {QStringLiteral("delete_map"), false}});
+  QByteArray picture = compact(image);
+  all.chop(1);
+  picture.chop(1);
+  return all + ",\"updated_image\":" + picture + ",\"data\":\"";
 }
 
 QByteArray saveMapArgs(const std::string& name) {

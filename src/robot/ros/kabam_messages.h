@@ -50,10 +50,13 @@ QByteArray waypointJson(const map::Waypoint& point, const std::string& id, const
                         const std::string& fixed_frame);
 /// The arguments of ManageWaypoint, GetWaypoint, LoadMap and UpdateMap, whole.
 QByteArray manageWaypointArgs(const QByteArray& waypoint, bool delete_waypoint);
-QByteArray getWaypointArgs(const std::string& map_id);
+/// `waypoint_id`: one of them; empty = all.
+QByteArray getWaypointArgs(const std::string& map_id, const std::string& waypoint_id = {});
 QByteArray loadMapArgs(const std::string& map_id, const std::string& waypoint_name);
 /// `label`: what it is called from now on; empty = nothing is said of that.
 QByteArray updateMapArgs(const KabamMap& map, const std::string& label, bool archived, bool delete_map);
+/// The same with a picture of mono8, up to where its base64 begins; `"}}` ends it.
+QByteArray updateImageHead(const KabamMap& map, int width, int height);
 QByteArray saveMapArgs(const std::string& name);
 
 /// Whether both are the same place with the same name, as far as that can be told of numbers that have

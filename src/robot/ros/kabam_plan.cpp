@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace mapwright::robot::ros {
@@ -19,11 +20,81 @@ map::Waypoint called(map::Waypoint point, const std::string& name) {
   return point;
 }
 
-/// "Dock ~1", such that nobody is, or will be, called so.
-std::string freeName(const std::string& like, const std::set<std::string>& taken) {
-  std::string name;
-  for (int n = 1; name.empty() || taken.contains(name); ++n) name = like + " ~" + std::to_string(n);
-  return name;
+/// Who is called how at each step, and every name that is or will be there.
+class Names {
+ public:
+  void reserve(const std::string& name) { taken_.insert(name); }
+  void put(const std::string& id, const std::string& name) {
+    remove(id);
+    names_[id] = name;
+    holders_[name].insert(id);
+    taken_.insert(name);
+  }
+  void remove(const std::string& id) {
+    const auto known = names_.find(id);
+    if (known == names_.end()) return;
+    holders_[known->second].erase(id);
+    names_.erase(known);
+  }
+  const std::set<std::string>& holders(const std::string& name) { return holders_[name]; }
+  /// "Dock ~1", such that nobody is, or will be, called so.
+  std::string freeName(const std::string& like) const {
+    std::string name;
+    for (int n = 1; name.empty() || taken_.contains(name); ++n) name = like + " ~" + std::to_string(n);
+    return name;
+  }
+
+ private:
+  std::unordered_map<std::string, std::string> names_;  // by id
+  std::unordered_map<std::string, std::set<std::string>> holders_;
+  std::unordered_set<std::string> taken_;
+};
+
+/// Renames such that no name is used twice on the way. Their number costs no more than a sort.
+std::vector<WaypointChange> inOrder(std::vector<WaypointChange> renamed, Names& names) {
+  std::unordered_map<std::string, std::size_t> waiting;                   // by id
+  std::unordered_map<std::string, std::vector<std::size_t>> wishing_for;  // by name
+  std::set<std::size_t> left, ready;
+  for (std::size_t i = 0; i < renamed.size(); ++i) {
+    waiting.emplace(renamed[i].id, i);
+    wishing_for[renamed[i].after->name].push_back(i);
+    left.insert(i);
+  }
+  // One whose name is free, or held by somebody who will not let go: that the robot has to refuse.
+  const auto look = [&](std::size_t i) {
+    const auto& holders = names.holders(renamed[i].after->name);
+    const bool held =
+        std::any_of(holders.begin(), holders.end(), [&](const auto& id) { return waiting.contains(id); });
+    if (left.contains(i)) held ? void(ready.erase(i)) : void(ready.insert(i));
+  };
+  const auto lookAtThoseFor = [&](const std::string& name) {
+    for (const std::size_t i : wishing_for[name]) look(i);
+  };
+  for (const std::size_t i : left) look(i);
+  std::vector<WaypointChange> ordered;
+  while (!left.empty()) {
+    if (!ready.empty()) {
+      const std::size_t next = *ready.begin();
+      WaypointChange& change = renamed[next];
+      ready.erase(next);
+      left.erase(next);
+      waiting.erase(change.id);
+      const std::string freed = change.before->name, taken = change.after->name;
+      names.put(change.id, taken);
+      ordered.push_back(std::move(change));
+      for (const std::string& name : {freed, taken}) lookAtThoseFor(name);
+      continue;
+    }
+    // They wait for one another in a ring: the first steps aside.
+    WaypointChange& first = renamed[*left.begin()];
+    const std::string freed = first.before->name;
+    const map::Waypoint aside = called(*first.before, names.freeName(freed));
+    names.put(first.id, aside.name);
+    ordered.push_back({first.id, first.before, aside});
+    first.before = aside;
+    lookAtThoseFor(freed);
+  }
+  return ordered;
 }
 
 }  // namespace
@@ -51,14 +122,10 @@ const char* nameOf(WaypointService service) {
 std::vector<WaypointRequest> planWaypoints(const StoredWaypoints& now,
                                            const std::vector<WaypointChange>& changes) {
   std::vector<WaypointChange> deleted, renamed, created, moved;
-  std::map<std::string, std::string> names;  // as they are at each step, by id
-  std::set<std::string> taken;               // every name that is or will be there
-  for (const map::Waypoint& point : now.points) {
-    names[point.id] = point.name;
-    taken.insert(point.name);
-  }
+  Names names;
+  for (const map::Waypoint& point : now.points) names.put(point.id, point.name);
   for (const WaypointChange& change : changes) {
-    if (change.after) taken.insert(change.after->name);
+    if (change.after) names.reserve(change.after->name);
     if (!change.before && !change.after) continue;
     if (!change.before) {
       created.push_back(change);
@@ -66,7 +133,7 @@ std::vector<WaypointRequest> planWaypoints(const StoredWaypoints& now,
     }
     if (!change.after) {
       deleted.push_back(change);
-      names.erase(change.id);
+      names.remove(change.id);
       continue;
     }
     const bool rename = change.before->name != change.after->name;
@@ -83,30 +150,7 @@ std::vector<WaypointRequest> planWaypoints(const StoredWaypoints& now,
   }
 
   std::vector<WaypointChange> ordered = std::move(deleted);
-  const auto holder = [&](const std::string& name) {
-    return std::find_if(names.begin(), names.end(), [&](const auto& one) { return one.second == name; });
-  };
-  while (!renamed.empty()) {
-    // One whose name is free, or held by somebody who will not let go: that the robot has to refuse.
-    const auto next = std::find_if(renamed.begin(), renamed.end(), [&](const WaypointChange& change) {
-      const auto held = holder(change.after->name);
-      return held == names.end() || std::none_of(renamed.begin(), renamed.end(),
-                                                 [&](const auto& other) { return other.id == held->first; });
-    });
-    if (next != renamed.end()) {
-      names[next->id] = next->after->name;
-      ordered.push_back(*next);
-      renamed.erase(next);
-      continue;
-    }
-    // They wait for one another in a ring: the first steps aside.
-    WaypointChange& first = renamed.front();
-    const map::Waypoint aside = called(*first.before, freeName(first.before->name, taken));
-    taken.insert(aside.name);
-    names[first.id] = aside.name;
-    ordered.push_back({first.id, first.before, aside});
-    first.before = aside;
-  }
+  for (WaypointChange& change : inOrder(std::move(renamed), names)) ordered.push_back(std::move(change));
   for (auto* rest : {&created, &moved}) std::move(rest->begin(), rest->end(), std::back_inserter(ordered));
 
   std::vector<WaypointRequest> requests;

@@ -41,6 +41,19 @@ const map::Waypoint* find(const StoredWaypoints& stored, const std::string& id) 
   return found == stored.points.end() ? nullptr : &*found;
 }
 
+/// It is not kept as it was when the change of it was made.
+std::optional<map::Failure> conflictIn(const StoredWaypoints& stored, const WaypointChange& change,
+                                       const map::Subject& subject) {
+  const map::Waypoint* const kept = find(stored, change.id);
+  if (kept && sameAsKept(*kept, *change.before)) return std::nullopt;
+  map::Failure failure;
+  failure.kind = map::FailureKind::Conflict;
+  failure.subject = subject;
+  failure.asked_for = map::AskedFor::Change;
+  failure.cause = {map::ReasonCode::ChangedMeanwhile, {change.before->name}};
+  return failure;
+}
+
 }  // namespace
 
 KabamRequests::KabamRequests(net::rosbridge::Client& client, KabamPatience patience,
@@ -168,18 +181,40 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
                  failure->asked_for = map::AskedFor::Change;
                  return reply(fail(std::move(*failure)));
                }
-               // Somebody else may have been quicker; of the current map the topic tells.
+               // Somebody else may have been quicker.
                const WaypointChange& change = request.changes.front();
-               const auto stored = book_.isCurrent(key.id) ? book_.waypoints(fixed_frame_()) : std::nullopt;
-               const map::Waypoint* const kept = stored ? find(*stored, change.id) : nullptr;
-               if (stored && change.before && (!kept || !sameAsKept(*kept, *change.before))) {
-                 return reply(fail({.kind = map::FailureKind::Conflict,
-                                    .subject = subject,
-                                    .asked_for = map::AskedFor::Change,
-                                    .cause = {map::ReasonCode::ChangedMeanwhile, {change.before->name}}}));
+               if (!change.before) return send(errand, key, request, reply);
+               if (book_.isCurrent(key.id)) {
+                 if (const auto stored = book_.waypoints(fixed_frame_())) {
+                   if (auto conflict = conflictIn(*stored, change, subject)) return reply(fail(*conflict));
+                   return send(errand, key, request, reply);
+                 }
                }
-               send(errand, key, request, reply);
+               lookFirst(errand, key, request, reply);
              });
+}
+
+// No topic tells of the waypoints of a map that the robot does not work with.
+void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key,
+                              const WaypointRequest& asked, OutcomeTo<WaypointReceipt> reply) {
+  const std::string id = asked.changes.front().id;
+  call(errand, client_, request("get_waypoint", getWaypointArgs(key.id, id)),
+       [this, errand, key, asked, reply](const CallAnswer& answer) {
+         const map::Subject subject = map::placesOf(key);
+         const auto stored = answer.kind == CallAnswer::Kind::Answered
+                                 ? readWaypoints(answer.values, key.id, fixed_frame_())
+                                 : std::nullopt;
+         if (!stored) {
+           // What was only looked at has changed nothing.
+           map::Failure failure = failed(answer, subject);
+           failure.asked_for = map::AskedFor::Change;
+           failure.applied = map::Applied::No;
+           return reply(fail(std::move(failure)));
+         }
+         if (auto conflict = conflictIn(*stored, asked.changes.front(), subject))
+           return reply(fail(*conflict));
+         send(errand, key, asked, reply);
+       });
 }
 
 void KabamRequests::send(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& asked,

@@ -67,6 +67,8 @@ class KabamRequests : public QObject {
   void await(const wire::ErrandPtr& errand, std::chrono::milliseconds within, std::function<bool()> holds,
              Then then);
   net::rosbridge::CallRequest request(const char* service, QByteArray args) const;
+  void lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& asked,
+                 OutcomeTo<WaypointReceipt> reply);
   void send(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
             OutcomeTo<WaypointReceipt> reply);
   void confirm(const wire::ErrandPtr& errand, const ChangePtr& change, std::optional<map::Failure> doubt);

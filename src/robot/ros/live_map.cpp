@@ -32,10 +32,21 @@ void LiveMap::take(const map::GridMessage& grid) {
   last_ = grid;
   const std::list<Entry> now = waiting_;
   for (const Entry& entry : now) end(entry, wholeMap(grid, entry->key, entry->name));
+  Q_EMIT came();
+}
+
+std::shared_ptr<void> LiveMap::listen() {
+  if (std::shared_ptr<void> held = listeners_.lock()) return held;
+  const std::shared_ptr<void> made(static_cast<void*>(this), [self = QPointer<LiveMap>(this)](void*) {
+    if (self) Q_EMIT self->wantedChanged();
+  });
+  listeners_ = made;
+  Q_EMIT wantedChanged();
+  return made;
 }
 
 void LiveMap::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
-                    OutcomeTo<map::WholeMap> reply) {
+                    OutcomeTo<map::WholeMap> reply, std::chrono::milliseconds longer) {
   if (last_) return reply(wholeMap(*last_, key, name));
   const auto entry = std::make_shared<Waiting>();
   entry->key = key;
@@ -49,7 +60,7 @@ void LiveMap::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const
   };
   connect(entry->patience.get(), &QTimer::timeout, this,
           [endAs] { endAs(map::FailureKind::TimedOut, map::ReasonCode::NoAnswerInTime); });
-  entry->patience->start(patience_);
+  entry->patience->start(patience_ + longer);
   waiting_.push_back(entry);
   entry->number = errand->begun([this, endAs] {
     QMetaObject::invokeMethod(

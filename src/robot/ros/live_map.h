@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 
 #include "map/live_topics.h"
@@ -26,14 +27,19 @@ class LiveMap : public QObject {
   void forget() { last_.reset(); }
   const std::optional<map::GridMessage>& last() const { return last_; }
   /// The last map that came, or the next one, under that key and name.
+  /// `longer`: to wait than usual, for a large one.
   void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const std::string& name,
-             OutcomeTo<map::WholeMap> reply);
-  /// Somebody waits for it.
-  bool wanted() const { return !waiting_.empty(); }
+             OutcomeTo<map::WholeMap> reply, std::chrono::milliseconds longer = {});
+  /// Somebody waits for it, or wants to hear of each.
+  bool wanted() const { return !waiting_.empty() || !listeners_.expired(); }
+  /// As long as it is held, the map is asked for; came() tells of each. Let go of it on the link's thread,
+  /// while this lives or after.
+  std::shared_ptr<void> listen();
   void endAll(const map::Failure& failure);
 
  Q_SIGNALS:
   void wantedChanged();
+  void came();
 
  private:
   struct Waiting {
@@ -50,6 +56,7 @@ class LiveMap : public QObject {
   std::chrono::milliseconds patience_;
   std::optional<map::GridMessage> last_;
   std::list<Entry> waiting_;
+  std::weak_ptr<void> listeners_;
 };
 
 }  // namespace mapwright::robot::ros

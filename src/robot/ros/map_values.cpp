@@ -1,5 +1,6 @@
 #include "robot/ros/map_values.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -7,6 +8,18 @@ namespace mapwright::robot::ros {
 namespace {
 
 constexpr std::uint8_t kUnknownByte = 255;  // Mode::Raw takes all above 100 for unknown
+
+/// A colour that cannot be seen at all was left out by its sender.
+std::optional<std::uint32_t> seen(std::uint32_t rgba) {
+  return (rgba & 255) != 0 ? std::optional(rgba) : std::nullopt;
+}
+
+/// A line with the two barbs of its tip.
+map::Polyline arrow(const Eigen::Vector2d& tail, const Eigen::Vector2d& tip) {
+  const Eigen::Vector2d back = (tail - tip) * 0.25;
+  const Eigen::Vector2d aside(-back.y() * 0.6, back.x() * 0.6);
+  return {tail, tip, tip + back + aside, tip, tip + back - aside};
+}
 
 std::uint8_t byteOf(std::int8_t cell) { return cell >= 0 && cell <= 100 ? std::uint8_t(cell) : kUnknownByte; }
 
@@ -59,6 +72,25 @@ map::PointCloudMessage placedIn(const Points& points, const std::string& topic, 
   return {topic, std::move(placed)};
 }
 
+map::PointCloudMessage placedAlong(const Points& points, const std::string& topic,
+                                   const std::vector<Transform3>& along) {
+  if (along.size() < 2 || points.when.size() != points.points.size())
+    return placedIn(points, topic, along.front());
+  auto placed = std::make_shared<std::vector<map::CloudPoint>>(points.points);
+  const double steps = double(along.size() - 1);
+  for (std::size_t i = 0; i < placed->size(); ++i) {
+    map::CloudPoint& point = (*placed)[i];
+    const double place = std::clamp(double(points.when[i]), 0.0, 1.0) * steps;
+    const std::size_t step = std::min(std::size_t(place), along.size() - 2);
+    const Transform3 in_map = between(along[step], along[step + 1], place - double(step));
+    const Eigen::Vector3d at = in_map.apply({point.x_m, point.y_m, double(point.z_m)});
+    point.x_m = at.x();
+    point.y_m = at.y();
+    point.z_m = float(at.z());
+  }
+  return {topic, std::move(placed)};
+}
+
 std::optional<map::GroundBox> boxOf(const Marker& marker, const Transform3& in_map) {
   using Kind = Marker::Kind;
   if (marker.kind != Kind::Cube && marker.kind != Kind::Sphere && marker.kind != Kind::Cylinder)
@@ -69,31 +101,66 @@ std::optional<map::GroundBox> boxOf(const Marker& marker, const Transform3& in_m
   box.pose = (in_map * marker.pose).flat();
   box.length_m = marker.scale_m.x();
   box.width_m = marker.scale_m.y();
+  box.rgba = seen(marker.rgba);
   return box;
 }
 
-std::vector<map::Polyline> linesOf(const Marker& marker, const Transform3& in_map) {
+std::optional<map::GroundDrawing> drawingOf(const Marker& marker, const Transform3& in_map) {
   using Kind = Marker::Kind;
+  using Drawn = map::GroundDrawing::Kind;
   const Transform3 placed = in_map * marker.pose;
   const auto at = [&placed](const Eigen::Vector3d& point) -> Eigen::Vector2d {
     return placed.apply(point).head<2>();
   };
-  std::vector<map::Polyline> lines;
-  if (marker.kind == Kind::Arrow) {
-    // Either two points say where it begins and ends, or it lies along x, as long as its scale says.
-    const bool by_points = marker.points.size() == 2;
-    const Eigen::Vector3d tail = by_points ? marker.points[0] : Eigen::Vector3d(0, 0, 0);
-    const Eigen::Vector3d tip = by_points ? marker.points[1] : Eigen::Vector3d(marker.scale_m.x(), 0, 0);
-    lines.push_back({at(tail), at(tip)});
-  } else if (marker.kind == Kind::LineStrip && marker.points.size() > 1) {
-    map::Polyline line;
-    for (const Eigen::Vector3d& point : marker.points) line.push_back(at(point));
-    lines.push_back(std::move(line));
-  } else if (marker.kind == Kind::LineList) {
-    for (std::size_t i = 0; i + 1 < marker.points.size(); i += 2)
-      lines.push_back({at(marker.points[i]), at(marker.points[i + 1])});
+  map::GroundDrawing drawing;
+  drawing.size_m = marker.scale_m.x();
+  drawing.rgba = seen(marker.rgba);
+  const auto takePoints = [&](Drawn kind, std::size_t group) {
+    drawing.kind = kind;
+    const std::size_t count = marker.points.size() / group * group;
+    for (std::size_t i = 0; i < count; ++i) drawing.points.push_back(at(marker.points[i]));
+    if (marker.colors.size() >= count)
+      drawing.colors.assign(marker.colors.begin(), marker.colors.begin() + std::ptrdiff_t(count));
+  };
+  switch (marker.kind) {
+    case Kind::Arrow: {
+      // Either two points say where it begins and ends, or it lies along x, as long as its scale says.
+      const bool by_points = marker.points.size() == 2;
+      const Eigen::Vector3d tail = by_points ? marker.points[0] : Eigen::Vector3d(0, 0, 0);
+      const Eigen::Vector3d tip = by_points ? marker.points[1] : Eigen::Vector3d(marker.scale_m.x(), 0, 0);
+      drawing.size_m = by_points ? marker.scale_m.x() : marker.scale_m.y();
+      drawing.points = arrow(at(tail), at(tip));
+      break;
+    }
+    case Kind::LineStrip:
+      takePoints(Drawn::Line, 1);
+      break;
+    case Kind::LineList:
+      takePoints(Drawn::Segments, 2);
+      break;
+    case Kind::Triangles:
+      takePoints(Drawn::Triangles, 3);
+      break;
+    case Kind::Points:
+    case Kind::CubeList:
+    case Kind::SphereList:
+      takePoints(Drawn::Points, 1);
+      break;
+    case Kind::Text:
+      drawing.kind = Drawn::Text;
+      drawing.text = marker.text;
+      drawing.size_m = marker.scale_m.z();
+      if (!marker.text.empty()) drawing.points = {at({0, 0, 0})};
+      break;
+    case Kind::Cube:
+    case Kind::Sphere:
+    case Kind::Cylinder:
+    case Kind::Other:
+      break;
   }
-  return lines;
+  if (drawing.points.empty() || (drawing.kind == Drawn::Line && drawing.points.size() < 2))
+    return std::nullopt;
+  return drawing;
 }
 
 }  // namespace mapwright::robot::ros

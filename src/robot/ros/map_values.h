@@ -26,11 +26,16 @@ map::GridMessage gridMessage(const Grid& grid, const std::string& topic, map::Gr
 geometry::Pose2 placedIn(const Placed& placed, const Transform3& in_map);
 map::Polyline placedIn(const Outline& outline, const Transform3& in_map);
 map::PointCloudMessage placedIn(const Points& points, const std::string& topic, const Transform3& in_map);
+/// Each point as the frame lay when it was taken: `along` are its poses during the sweep, evenly in time,
+/// from its beginning to its end; at least one.
+map::PointCloudMessage placedAlong(const Points& points, const std::string& topic,
+                                   const std::vector<Transform3>& along);
 
 /// A cube, cylinder or sphere as the box on the ground that it stands on, called by its text or by its
 /// namespace and number; nullopt for all else.
 std::optional<map::GroundBox> boxOf(const Marker& marker, const Transform3& in_map);
-/// The lines of a marker (arrow, line strip, line list), each as one line; empty for all else.
-std::vector<map::Polyline> linesOf(const Marker& marker, const Transform3& in_map);
+/// Every other marker with something to be seen, as it lies on the ground; nullopt for a box and for a mesh.
+/// A colour that cannot be seen is none.
+std::optional<map::GroundDrawing> drawingOf(const Marker& marker, const Transform3& in_map);
 
 }  // namespace mapwright::robot::ros

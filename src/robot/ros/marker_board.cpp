@@ -4,14 +4,25 @@
 
 namespace mapwright::robot::ros {
 
+void MarkerBoard::put(Row& row, const Marker& marker, double now_s) {
+  row.until_s = marker.lifetime_s > 0 ? now_s + marker.lifetime_s : std::numeric_limits<double>::infinity();
+  // One that waits for its transform and is sent again waits on.
+  const bool waits = row.since_s > 0 && (!row.placed || row.next);
+  if (!waits) row.since_s = now_s;
+  if (row.placed) {
+    row.next = marker;
+  } else {
+    row.marker = marker;
+  }
+}
+
 void MarkerBoard::take(const std::vector<Marker>& markers, double now_s) {
   for (const Marker& marker : markers) {
     const std::pair key(marker.ns, marker.id);
     switch (marker.action) {
       case Marker::Action::Add:
         if (rows_.size() >= kMost && !rows_.contains(key)) break;
-        rows_[key] = {marker, marker.lifetime_s > 0 ? now_s + marker.lifetime_s
-                                                    : std::numeric_limits<double>::infinity()};
+        put(rows_[key], marker, now_s);
         break;
       case Marker::Action::Delete:
         rows_.erase(key);
@@ -30,7 +41,7 @@ bool MarkerBoard::expire(double now_s) {
 std::vector<Marker> MarkerBoard::markers() const {
   std::vector<Marker> all;
   all.reserve(rows_.size());
-  for (const auto& [key, row] : rows_) all.push_back(row.marker);
+  for (const auto& [key, row] : rows_) all.push_back(row.next.value_or(row.marker));
   return all;
 }
 

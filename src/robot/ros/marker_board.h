@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,11 +24,23 @@ class MarkerBoard {
   /// By namespace and number.
   std::vector<Marker> markers() const;
 
- private:
   struct Row {
-    Marker marker;
+    Marker marker;               // the one to be seen
+    std::optional<Marker> next;  // as it has been sent since, not placed yet
     double until_s = 0;
+    double since_s = 0;  // when the one that waits for its place was put
+    /// Where its frame lay in the fixed one when it was placed, and which one that was.
+    std::optional<Transform3> placed;
+    std::string fixed_frame;
   };
+  /// `take` each, by namespace and number.
+  template <typename Take>
+  void each(const Take& take) {
+    for (auto& [key, row] : rows_) take(row);
+  }
+
+ private:
+  static void put(Row& row, const Marker& marker, double now_s);
   std::map<std::pair<std::string, std::int64_t>, Row> rows_;
 };
 

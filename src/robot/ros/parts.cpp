@@ -58,15 +58,16 @@ void PointList::reserve(std::size_t count) {
   intensities_.reserve(count);
 }
 
-void PointList::add(double x_m, double y_m, double z_m, double intensity) {
+bool PointList::add(double x_m, double y_m, double z_m, double intensity) {
   if (!(std::abs(x_m) <= kFarthestM) || !(std::abs(y_m) <= kFarthestM) || !(std::abs(z_m) <= kFarthestM)) {
     leaveOut();
-    return;
+    return false;
   }
   points_.push_back({x_m, y_m, float(z_m), 0});
   const float kept = intensity > 0 && std::isfinite(intensity) ? float(std::min(intensity, 1e30)) : 0;
   brightest_ = std::max(brightest_, kept);
   intensities_.push_back(kept);
+  return true;
 }
 
 Points PointList::points(Header header, bool bytes) && {

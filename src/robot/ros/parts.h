@@ -38,8 +38,8 @@ inline std::size_t strideFor(std::size_t count, std::size_t most) {
 class PointList {
  public:
   void reserve(std::size_t count);
-  /// What is not finite, or farther than 10,000 km, is left out.
-  void add(double x_m, double y_m, double z_m, double intensity);
+  /// What is not finite, or farther than 10,000 km, is left out: false.
+  bool add(double x_m, double y_m, double z_m, double intensity);
   void leaveOut() { ++left_out_; }
   /// `bytes`: intensities are 0..255 whatever they look like.
   Points points(Header header, bool bytes) &&;

@@ -4,75 +4,19 @@
 #include <limits>
 
 #include "robot/ros/parts.h"
+#include "robot/ros/read_cells.h"
 
 namespace mapwright::robot::ros {
 namespace {
 
 constexpr std::int64_t kMostCells = std::int64_t(1) << 28;  // a frame of rosbridge holds no more
-/// Cells that are no bytes take eight times the memory while they are read.
-constexpr std::size_t kMostOddCells = std::size_t(1) << 25;
-constexpr std::int8_t kUnknown = -1, kOccupied = 100;
-
-struct Cells {
-  std::vector<std::int8_t> cells;
-  std::size_t odd = 0;
-};
-
-Read<Cells> readCells(const Field& data, std::int64_t width, std::int64_t height) {
-  const std::size_t needed = std::size_t(width * height);
-  if (!data.isList()) return fieldMissing("data");
-  // Some of a list of the wrong length would be cells of other places.
-  if (data.size() != needed) {
-    return tl::unexpected(map::Reason(map::ReasonCode::RosLengthDiffers,
-                                      {"data", std::int64_t(data.size()), std::int64_t(needed)}));
-  }
-  Cells read;
-  if (auto bytes = data.int8s(needed)) {
-    read.cells = std::move(*bytes);
-    for (std::int8_t& cell : read.cells) {
-      if (cell >= kUnknown && cell <= kOccupied) continue;
-      cell = kUnknown;
-      ++read.odd;
-    }
-    return read;
-  }
-  const auto numbers = data.numbers(kMostOddCells);
-  if (!numbers || numbers->size() != needed) return fieldMissing("data");
-  read.cells.reserve(needed);
-  for (const double value : *numbers) {
-    const bool whole = value >= kUnknown && value <= kOccupied && value == std::floor(value);
-    read.cells.push_back(whole ? std::int8_t(value) : kUnknown);
-    read.odd += !whole;
-  }
-  return read;
-}
-
-/// Width and height, at least 1.
-struct Size {
-  std::int64_t width = 0, height = 0;
-};
-Read<Size> readSize(const Field& of, const std::string& prefix) {
-  const auto width = of["width"].integer(), height = of["height"].integer();
-  if (!width) return fieldMissing(prefix + "width");
-  if (!height) return fieldMissing(prefix + "height");
-  if (*width < 0 || *width > kMostCells) return fieldWrong(prefix + "width", double(*width));
-  if (*height < 0 || *height > kMostCells) return fieldWrong(prefix + "height", double(*height));
-  if (*width == 0 || *height == 0)
-    return tl::unexpected(map::Reason(map::ReasonCode::RosGridEmpty, {*width, *height}));
-  if (*height > kMostCells / *width) return fieldWrong(prefix + "height", double(*height));
-  return Size{*width, *height};
-}
-
-void noteOdd(std::vector<map::Reason>& notes, std::size_t odd) {
-  if (odd > 0) notes.push_back({map::ReasonCode::RosCellsOutOfRange, {std::int64_t(odd)}});
-}
 
 }  // namespace
 
 Read<Grid> readGrid(const Field& msg) {
   const Field info = msg["info"];
   if (!info.isObject()) return fieldMissing("info");
-  const auto size = readSize(info, "info.");
+  const auto size = readGridSize(info, "info.", kMostCells, EmptyGrids::Refused);
   if (!size) return tl::unexpected(size.error());
   const PoseRead origin = poseOf(info["origin"]);
   Grid grid;
@@ -84,10 +28,10 @@ Read<Grid> readGrid(const Field& msg) {
   if (origin.upright) grid.notes.push_back(map::ReasonCode::RosTurnIsZero);
   if (const auto why = map::whyUnusable({grid.width, grid.height, grid.resolution_m, grid.origin}))
     return tl::unexpected(*why);
-  auto cells = readCells(msg["data"], size->width, size->height);
+  auto cells = readCells(msg["data"], size->width, size->height, OddCells::Unknown);
   if (!cells) return tl::unexpected(cells.error());
   grid.cells = std::move(cells->cells);
-  noteOdd(grid.notes, cells->odd);
+  noteOddCells(grid.notes, cells->odd);
   return grid;
 }
 
@@ -98,9 +42,9 @@ Read<GridPatch> readGridPatch(const Field& msg) {
   if (!y) return fieldMissing("y");
   if (!kFits(*x)) return fieldWrong("x", double(*x));
   if (!kFits(*y)) return fieldWrong("y", double(*y));
-  const auto size = readSize(msg, {});
+  const auto size = readGridSize(msg, {}, kMostCells, EmptyGrids::Refused);
   if (!size) return tl::unexpected(size.error());
-  auto cells = readCells(msg["data"], size->width, size->height);
+  auto cells = readCells(msg["data"], size->width, size->height, OddCells::Unknown);
   if (!cells) return tl::unexpected(cells.error());
   GridPatch patch;
   patch.header = headerOf(msg);
@@ -109,7 +53,7 @@ Read<GridPatch> readGridPatch(const Field& msg) {
   patch.width = int(size->width);
   patch.height = int(size->height);
   patch.cells = std::move(cells->cells);
-  noteOdd(patch.notes, cells->odd);
+  noteOddCells(patch.notes, cells->odd);
   return patch;
 }
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kMostMarkers = 20'000;
 constexpr std::size_t kMostMarkerPoints = 100'000;
+constexpr std::size_t kMostPointsOfAll = 500'000;
 
 Marker::Kind kindOf(std::int64_t type) {
   using Kind = Marker::Kind;
@@ -25,10 +26,18 @@ Marker::Kind kindOf(std::int64_t type) {
       return Kind::LineStrip;
     case 5:
       return Kind::LineList;
+    case 6:
+      return Kind::CubeList;
+    case 7:
+      return Kind::SphereList;
     case 8:
       return Kind::Points;
     case 9:
       return Kind::Text;
+    case 11:
+      return Kind::Triangles;
+    case 12:  // arrows one after the other (newer ROS 2)
+      return Kind::LineStrip;
     default:
       return Kind::Other;
   }
@@ -51,7 +60,26 @@ std::uint32_t rgbaOf(const Field& color) {
   return rgba;
 }
 
-std::optional<Marker> markerOf(const Field& field) {
+/// At most `most` points, with their colours where there are as many.
+void readPoints(const Field& field, std::size_t most, Marker& marker) {
+  std::vector<bool> taken;
+  field["points"].each([&](const Field& item) {
+    if (marker.points.size() >= most) return;
+    Eigen::Vector3d point = pointOf(item);
+    if (std::isnan(point.z())) point.z() = 0;
+    taken.push_back(point.allFinite());
+    if (taken.back()) marker.points.push_back(point);
+  });
+  const Field colors = field["colors"];
+  if (colors.size() < taken.size() || taken.empty()) return;
+  std::size_t at = 0;
+  colors.each([&](const Field& item) {
+    if (at < taken.size() && taken[at]) marker.colors.push_back(rgbaOf(item));
+    ++at;
+  });
+}
+
+std::optional<Marker> markerOf(const Field& field, std::size_t most_points) {
   const auto action = actionOf(field["action"].integer().value_or(0));
   if (!action) return std::nullopt;
   const PoseRead pose = poseOf(field["pose"]);
@@ -71,12 +99,8 @@ std::optional<Marker> markerOf(const Field& field) {
   marker.rgba = rgbaOf(field["color"]);
   marker.text = field["text"].text();
   marker.lifetime_s = std::max(0.0, field["lifetime"].time().value_or(0));
-  field["points"].each([&marker](const Field& item) {
-    if (marker.points.size() >= kMostMarkerPoints) return;
-    Eigen::Vector3d point = pointOf(item);
-    if (std::isnan(point.z())) point.z() = 0;
-    if (point.allFinite()) marker.points.push_back(point);
-  });
+  marker.frame_locked = field["frame_locked"].flag().value_or(false);
+  readPoints(field, most_points, marker);
   return marker;
 }
 
@@ -84,9 +108,13 @@ std::optional<Marker> markerOf(const Field& field) {
 
 Read<std::vector<Marker>> readMarkers(const Field& msg) {
   std::vector<Marker> markers;
-  const auto take = [&markers](const Field& field) {
+  std::size_t points = 0;
+  const auto take = [&](const Field& field) {
     if (markers.size() >= kMostMarkers) return;
-    if (auto marker = markerOf(field)) markers.push_back(std::move(*marker));
+    auto marker = markerOf(field, std::min(kMostMarkerPoints, kMostPointsOfAll - points));
+    if (!marker) return;
+    points += marker->points.size();
+    markers.push_back(std::move(*marker));
   };
   const Field list = msg["markers"];
   if (list.isList()) {

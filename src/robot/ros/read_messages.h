@@ -68,6 +68,10 @@ struct Points {
   std::vector<map::CloudPoint> points;  // at most kMostPoints
   std::size_t left_out = 0;             // no number, out of range, absurdly far
   std::vector<map::Reason> notes;       // that it was thinned
+  /// Of a scan that was taken while time went on: how long, and when each point was (0..1 of it). The stamp
+  /// is that of its beginning. 0 and empty: all at once.
+  double sweep_s = 0;
+  std::vector<float> when;
 };
 inline constexpr std::size_t kMostPoints = 2'000'000;
 
@@ -81,7 +85,20 @@ inline constexpr std::size_t kMostOutlinePoints = 100'000;
 
 /// visualization_msgs/Marker.
 struct Marker {
-  enum class Kind { Arrow, Cube, Sphere, Cylinder, LineStrip, LineList, Points, Text, Other };
+  enum class Kind {
+    Arrow,
+    Cube,
+    Sphere,
+    Cylinder,
+    LineStrip,
+    LineList,
+    CubeList,
+    SphereList,
+    Points,
+    Text,
+    Triangles,
+    Other
+  };
   enum class Action { Add, Delete, DeleteAll };
   Header header;
   std::string ns;
@@ -93,6 +110,8 @@ struct Marker {
   Eigen::Vector3d scale_m{1, 1, 1};  // size along its axes; of lines x is the width, of a text z the height
   std::uint32_t rgba = 0xffffffff;   // 0xRRGGBBAA
   std::vector<Eigen::Vector3d> points;  // in the marker's own coordinates
+  std::vector<std::uint32_t> colors;    // as many as points, or none
+  bool frame_locked = false;            // it goes with its frame; else it stays where it was put
   std::string text;
   double lifetime_s = 0;  // 0 = for ever
 };
@@ -120,7 +139,7 @@ Read<Placed> readPoseWithCovariance(const Field& msg);
 Read<Placed> readOdometry(const Field& msg);
 
 /// sensor_msgs/LaserScan: the ends of its rays that hit something, z = 0. A range_max that is no number or
-/// not above range_min is no bound. The robot's own movement during the scan is not taken into account.
+/// not above range_min is no bound. With a time_increment the points know when they were (Points::when).
 Read<Points> readLaserScan(const Field& msg);
 /// sensor_msgs/PointCloud2: x, y, z and intensity, of any type at any offset; colours are not read.
 Read<Points> readPointCloud2(const Field& msg);

@@ -33,24 +33,63 @@ QString asWeb(const QString& typed) {
   return typed;
 }
 
+/// Names in an address are whole; those without a slash lie in the root.
+QString wholeName(const QString& typed) {
+  return typed.startsWith(QLatin1Char('/')) ? typed : QLatin1Char('/') + typed;
+}
+
+/// All that may follow the ? beside ns.
+QStringList dispatchOptions() {
+  QStringList all;
+  for (const DispatchName name : kDispatchNames) all << QLatin1String(usualName(name));
+  return all << QLatin1String(kProjectedMap);
+}
+
+using MaybeQuery = tl::expected<QUrlQuery, QString>;
+
+MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
+  const auto options = typed.queryItems(QUrl::FullyDecoded);
+  const QStringList known = dispatchOptions();
+  QUrlQuery read;
+  for (const auto& [name, value] : options) {
+    const bool ns = name == QLatin1String("ns");
+    const bool fits = ns || (dispatcher && known.contains(name));
+    const QString whole = ns ? value : wholeName(value);
+    if (!fits || !isNamespace(whole) || read.hasQueryItem(name)) {
+      return error(
+          dispatcher ? Words::tr("The address of a map dispatcher may only have names of ROS after its ?, "
+                                 "each once: ?ns=/NAMESPACE, or %1 with the name that it has instead.")
+                           .arg(known.join(QStringLiteral(", ")))
+                     : Words::tr("The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
+    }
+    QString kept = whole;
+    while (kept.endsWith(QLatin1Char('/'))) kept.chop(1);
+    read.addQueryItem(name, kept);
+  }
+  return read;
+}
+
+/// In the order of the specification, however they were typed.
+QString textOf(const QUrlQuery& options) {
+  QStringList parts;
+  for (const QString& name : QStringList(QStringLiteral("ns")) + dispatchOptions()) {
+    if (options.hasQueryItem(name)) parts << name + QLatin1Char('=') + options.queryItemValue(name);
+  }
+  return parts.isEmpty() ? QString() : QLatin1Char('?') + parts.join(QLatin1Char('&'));
+}
+
 ParsedAddress parse(const QString& rest, const QString& prefix) {
   auto url = webAddress(asWeb(rest), prefix + QStringLiteral("ws://192.168.1.7:9090"), kPort);
   if (!url) return error(url.error());
   Address address;
-  address.options = QUrlQuery(*url);
-  const auto options = address.options.queryItems(QUrl::FullyDecoded);
-  for (const auto& [name, value] : options) {
-    if (name != QLatin1String("ns") || !isNamespace(value) || options.size() > 1) {
-      return error(Words::tr("The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
-    }
-  }
+  const auto options = readOptions(QUrlQuery(*url), prefix == QLatin1String("rep130+"));
+  if (!options) return error(options.error());
+  address.options = *options;
   if (url->hasFragment()) return error(Words::tr("The address of a ROS robot has no part after #."));
   url->setQuery(QString());
   url->setScheme(url->scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
   address.url = *url;
-  address.text = prefix + url->toString();
-  if (const std::string ns = namespaceOf(address); !ns.empty())
-    address.text += QStringLiteral("?ns=") + QString::fromStdString(ns);
+  address.text = prefix + url->toString() + textOf(address.options);
   return address;
 }
 
@@ -66,10 +105,27 @@ AddressScheme rosAddressScheme() { return schemeOf("ros+"); }
 
 AddressScheme kabamAddressScheme() { return schemeOf("kabam+"); }
 
+AddressScheme rep130AddressScheme() { return schemeOf("rep130+"); }
+
 std::string namespaceOf(const Address& address) {
   std::string ns = address.options.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded).toStdString();
   while (!ns.empty() && ns.back() == '/') ns.pop_back();
   return ns;
+}
+
+DispatchWish dispatchWishOf(const Address& address) {
+  DispatchWish wish;
+  const std::string ns = namespaceOf(address);
+  wish.expected = address.scheme == QLatin1String("rep130+");
+  (wish.expected ? wish.ns : wish.near) = ns;
+  for (const DispatchName name : kDispatchNames) {
+    const QString key = QLatin1String(usualName(name));
+    if (address.options.hasQueryItem(key))
+      wish.names[name] = address.options.queryItemValue(key, QUrl::FullyDecoded).toStdString();
+  }
+  wish.projected_map =
+      address.options.queryItemValue(QLatin1String(kProjectedMap), QUrl::FullyDecoded).toStdString();
+  return wish;
 }
 
 }  // namespace mapwright::robot::ros

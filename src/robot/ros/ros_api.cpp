@@ -95,7 +95,7 @@ void RosApi::step(const LookPtr& look) {
   look->then(look->found);
 }
 
-void RosApi::look(std::function<void(Found)> then) {
+void RosApi::look(const std::string& ns, const DispatchWish& dispatch, std::function<void(Found)> then) {
   const auto look = std::make_shared<Look>();
   look->then = std::move(then);
   look->waits_for = 2;
@@ -110,9 +110,11 @@ void RosApi::look(std::function<void(Found)> then) {
     }
     step(look);
   });
-  ask("/rosapi/services", "{}", [this, look](const CallAnswer& answer) {
-    if (answered(answer) && answer.values["services"].isList())
+  ask("/rosapi/services", "{}", [this, look, ns, dispatch](const CallAnswer& answer) {
+    if (answered(answer) && answer.values["services"].isList()) {
       look->found.services = textsOf(answer.values["services"]);
+      askServiceTypes(look, ns, dispatch);
+    }
     step(look);
   });
 }
@@ -134,6 +136,37 @@ void RosApi::askTypes(const LookPtr& look) {
           for (FoundTopic& one : *look->found.topics) {
             if (one.name == name) one.type = type;
           }
+          step(look);
+        });
+  }
+}
+
+/// What is called like a service that gives a map may be another one.
+void RosApi::askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchWish& dispatch) {
+  look->found.map_services = likeMapServices(*look->found.services, ns);
+  look->found.dispatch_services.emplace();
+  std::vector<std::string> names = likeDispatchServices(*look->found.services, dispatch);
+  for (const std::string& name : names) look->found.dispatch_services->push_back({name, {}});
+  for (const std::string& name : look->found.map_services) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const auto judge = [](const LookPtr& of, const std::string& name, const std::string& type) {
+    if (plainType(type) != "nav_msgs/GetMap") std::erase(of->found.map_services, name);
+    for (TypedService& service : *of->found.dispatch_services) {
+      if (service.name == name) service.type = type;
+    }
+  };
+  for (const std::string& name : names) {
+    if (const auto known = service_types_.find(name); known != service_types_.end()) {
+      judge(look, name, known->second);
+      continue;
+    }
+    ++look->waits_for;
+    ask("/rosapi/service_type", withText("service", name),
+        [this, look, name, judge](const CallAnswer& answer) {
+          const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
+          if (!type.empty()) service_types_[name] = type;
+          judge(look, name, type);
           step(look);
         });
   }

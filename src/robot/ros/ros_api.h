@@ -12,6 +12,7 @@
 #include <QObject>
 
 #include "net/rosbridge/client.h"
+#include "robot/ros/dispatch_names.h"
 #include "robot/ros/ros_topics.h"
 
 namespace mapwright::robot::ros {
@@ -20,6 +21,9 @@ namespace mapwright::robot::ros {
 struct Found {
   std::optional<std::vector<FoundTopic>> topics;
   std::optional<std::vector<std::string>> services;
+  std::vector<std::string> map_services;  // those of type nav_msgs/GetMap, the better ones first
+  /// Those that may be a dispatcher's; nullopt like the services.
+  std::optional<std::vector<TypedService>> dispatch_services = {};
   bool operator==(const Found&) const = default;
 };
 
@@ -35,8 +39,8 @@ class RosApi : public QObject {
  public:
   RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience, QObject* parent = nullptr);
 
-  /// Asks for all topics with their types, and all services.
-  void look(std::function<void(Found)> then);
+  /// Asks for all topics with their types, and all services. What lies below `ns` goes first.
+  void look(const std::string& ns, const DispatchWish& dispatch, std::function<void(Found)> then);
   /// How many nodes send by the topic; nullopt: it does not tell.
   void countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then);
   /// Whether a map manager answers at `place`, where nobody tells which services there are.
@@ -51,11 +55,13 @@ class RosApi : public QObject {
   using LookPtr = std::shared_ptr<Look>;
   void ask(const char* service, const QByteArray& args, net::rosbridge::Client::Reply reply);
   void askTypes(const LookPtr& look);
+  void askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchWish& dispatch);
   void step(const LookPtr& look);
 
   net::rosbridge::Client& client_;
   std::chrono::milliseconds patience_;
-  std::map<std::string, std::string> types_;  // asked for one by one, by topic
+  std::map<std::string, std::string> types_;          // asked for one by one, by topic
+  std::map<std::string, std::string> service_types_;  // likewise
 };
 
 }  // namespace mapwright::robot::ros

@@ -6,16 +6,18 @@
 #include <QDateTime>
 
 #include "robot/wire/link_state.h"
+#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::ros {
 
 using net::WebSocketLink;
 
 RosLink::RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-                 std::shared_ptr<wire::TapPlace> tap)
+                 std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries)
     : options_(std::move(options)),
       mailbox_(std::move(mailbox)),
       tap_(std::move(tap)),
+      deliveries_(std::move(deliveries)),
       world_(options_.ns),
       sources_(sourcesOf(std::nullopt, options_.ns)) {}
 
@@ -25,6 +27,8 @@ RosLink::~RosLink() {
   client_->disconnect(this);
   subscriptions_->disconnect(this);
   live_map_->disconnect(this);
+  asked_map_->disconnect(this);
+  dispatch_->disconnect(this);
   client_.reset();
 }
 
@@ -44,9 +48,22 @@ void RosLink::start() {
   kabam_ = std::make_unique<KabamRequests>(*client_, options_.kabam, [this] { return world_.mapFrame(); });
   subscriptions_ = std::make_unique<RosSubscriptions>(*client_, *api_, options_.topics);
   live_map_ = std::make_unique<LiveMap>(options_.map_patience);
+  asked_map_ = std::make_unique<AskedMap>(*client_, options_.asked_map);
+  dispatch_ = std::make_unique<DispatchRequests>(*client_, options_.dispatch, options_.dispatch_patience);
+  pictures_ = std::make_unique<KabamPictures>(
+      KabamPictures::Means{*client_, *kabam_, *live_map_,
+                           [this] {
+                             for (const Source& source : sourcesFor(map::Stream::WholeMap, sources_)) {
+                               if (source.form == Form::Grid) subscriptions_->askAgain(source.topic);
+                             }
+                           }},
+      options_.kabam);
   look_timer_ = std::make_unique<QTimer>();
   pose_timer_ = std::make_unique<QTimer>();
   overdue_timer_ = std::make_unique<QTimer>();
+  picture_timer_ = std::make_unique<QTimer>();
+  picture_timer_->setSingleShot(true);
+  picture_timer_->setInterval(options_.picture_settles);
   look_timer_->setSingleShot(true);
   pose_timer_->setSingleShot(true);
   overdue_timer_->setInterval(options_.topics.look_every);
@@ -68,6 +85,9 @@ void RosLink::wireClient() {
     if (serious)
       report(map::Severity::Warning, {map::ReasonCode::ItAnswered, {words.left(300).toStdString()}});
   });
+  connect(client_.get(), &Client::sharesOneConnection, this, [this](const net::Reason& why) {
+    report(map::Severity::Info, {map::ReasonCode::RosOneConnection, {}, {wire::reasonOf(why)}});
+  });
   connect(client_.get(), &Client::odd, this,
           [this] { report(map::Severity::Info, {map::ReasonCode::MessageNotUnderstood}); });
 }
@@ -84,6 +104,24 @@ void RosLink::wireParts() {
   connect(live_map_.get(), &LiveMap::wantedChanged, this, [this] {
     if (std::exchange(wish_.whole_map, live_map_->wanted()) != live_map_->wanted()) sync();
   });
+  connect(asked_map_.get(), &AskedMap::came, this, &RosLink::takeAskedMap);
+  connect(asked_map_.get(), &AskedMap::failed, this,
+          [this](const std::string& service, const map::Reason& why) {
+            note(service, map::ProblemCode::Unavailable,
+                 map::Reason(map::ReasonCode::MapServiceFailed, {service}, {why}));
+          });
+  connect(dispatch_.get(), &DispatchRequests::offersChanged, this,
+          [this] { Q_EMIT dispatchKnown(dispatch_->found()); });
+  connect(dispatch_.get(), &DispatchRequests::topicsChanged, this, &RosLink::sync);
+  connect(dispatch_.get(), &DispatchRequests::lookWanted, this, &RosLink::look);
+  connect(dispatch_.get(), &DispatchRequests::mapChanged, this, &RosLink::dispatchedMapChanged);
+  connect(dispatch_.get(), &DispatchRequests::projectedCame, this, &RosLink::projectedCame);
+  connect(dispatch_.get(), &DispatchRequests::projectedGone, this, &RosLink::projectedGone);
+  connect(pictures_.get(), &KabamPictures::doubted, this, [this](const std::string& map_id) {
+    pictures_doubted_.insert(map_id);
+    picture_timer_->start();
+  });
+  connect(picture_timer_.get(), &QTimer::timeout, this, &RosLink::comparePicture);
   connect(look_timer_.get(), &QTimer::timeout, this, &RosLink::look);
   connect(pose_timer_.get(), &QTimer::timeout, this, &RosLink::tellPose);
   connect(overdue_timer_.get(), &QTimer::timeout, this, [this] {
@@ -140,9 +178,12 @@ void RosLink::begin() {
   ++round_;
   known_ = looking_ = false;
   found_ = {};
+  deliveries_->forget();
   world_.forgetAll();
   kabam_->book().forget();
   live_map_->forget();
+  asked_map_->beginAnew();
+  dispatch_->beginAnew();
   subscriptions_->beginAnew();
   overdue_timer_->start();
   look();
@@ -155,6 +196,8 @@ void RosLink::noteLink() {
     look_timer_->stop();
     overdue_timer_->stop();
     subscriptions_->pause();
+    asked_map_->beginAnew();
+    dispatch_->lose();
     while (!troubles_.empty()) forgetTrouble(troubles_.begin()->first);
     // Who waits for a first connection goes on waiting; there is none to wait for any more otherwise.
     if (client_->link().state() != WebSocketLink::State::Connecting) {
@@ -191,7 +234,7 @@ void RosLink::report(map::Severity severity, map::Reason reason) {
 
 void RosLink::look() {
   if (std::exchange(looking_, true)) return;
-  api_->look([this, round = round_](Found found) {
+  api_->look(options_.ns, options_.dispatch, [this, round = round_](Found found) {
     if (round != round_) return;
     auto manager = mapManagerIn(found, options_.ns);
     if (manager || found.services) return takeLook(std::move(found), std::move(manager));
@@ -208,9 +251,12 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   look_timer_->start(options_.look_every);
   // One that has told before is only slow now.
   if (known_ && !found.topics) found.topics = found_.topics;
+  if (known_ && !found.services) found.dispatch_services = found_.dispatch_services;
   if (!manager && options_.kabam_only && !was_known_) return refuse();
   found_ = std::move(found);
   sources_ = sourcesOf(found_.topics, options_.ns);
+  dispatch_->take(dispatchIn(found_.dispatch_services, found_.topics, options_.dispatch));
+  addMapServices(sources_, found_.map_services);
   KnownTopics topics{sources_, {}};
   if (found_.topics) {
     for (const FoundTopic& topic : *found_.topics) topics.names.push_back(topic.name);
@@ -228,9 +274,13 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
     if (source.form == Form::GridPatch) patched.insert(source.base);
   }
   world_.keepGrids(std::move(patched));
+  const bool takes_pictures =
+      manager && (!found_.services || std::find(found_.services->begin(), found_.services->end(),
+                                                *manager + "/update_map_image") != found_.services->end());
   const bool first = !std::exchange(known_, true);
   was_known_ = true;
   const bool other = std::exchange(has_manager_, manager.has_value()) != has_manager_;
+  Q_EMIT pictureServiceKnown(takes_pictures);
   if (first || other) Q_EMIT mapManagerKnown(has_manager_);
   sync();
   if (!first) return;
@@ -249,7 +299,20 @@ void RosLink::refuse() {
 void RosLink::sync() {
   // Before it is known what there is, nothing is asked for.
   if (!known_) return;
-  subscriptions_->ask(topicsFor(wish_, sources_, found_), found_);
+  wish_.dispatchers_own = dispatch_->topics();
+  const auto wanted = topicsFor(wish_, sources_, found_);
+  subscriptions_->ask(wanted, found_);
+  const bool by_topic = std::any_of(wanted.begin(), wanted.end(), [](const auto& topic) {
+    return std::any_of(topic.second.sources.begin(), topic.second.sources.end(), [](const Source& source) {
+      return source.stream == map::Stream::WholeMap && source.form == Form::Grid;
+    });
+  });
+  // The map of a dispatcher that gives it by region may be gigabytes: about the whole people decide.
+  const bool by_region = dispatch_->found().has(DispatchService::GridRegion);
+  const bool map_wanted = wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !by_region);
+  AskedMap::Services services{found_.map_services, found_.services.has_value()};
+  if (!services.known) services.names = usualMapServices(options_.ns);
+  asked_map_->want(map_wanted, by_topic, std::move(services));
 }
 
 }  // namespace mapwright::robot::ros

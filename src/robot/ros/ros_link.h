@@ -16,13 +16,18 @@
 #include <QUrl>
 
 #include "net/rosbridge/client.h"
+#include "robot/picture_store.h"
 #include "robot/robot.h"
+#include "robot/ros/asked_map.h"
+#include "robot/ros/dispatch_requests.h"
+#include "robot/ros/kabam_pictures.h"
 #include "robot/ros/kabam_requests.h"
 #include "robot/ros/live_map.h"
 #include "robot/ros/ros_api.h"
 #include "robot/ros/ros_subscriptions.h"
 #include "robot/ros/ros_world.h"
 #include "robot/waypoint_store.h"
+#include "robot/wire/delivery_place.h"
 #include "robot/wire/errand.h"
 #include "robot/wire/raw_limit.h"
 #include "robot/wire/tap_place.h"
@@ -42,6 +47,11 @@ struct LinkOptions {
   std::chrono::milliseconds look_patience{3'000};
   std::chrono::milliseconds pose_every{50};  // told at most so often
   std::chrono::milliseconds map_patience{10'000};
+  AskedMap::Patience asked_map;
+  DispatchWish dispatch;
+  DispatchPatience dispatch_patience;
+  /// Which map a picture is of is told by another topic, before it or after it: both have come by then.
+  std::chrono::milliseconds picture_settles{1'000};
   RosSubscriptions::Patience topics;
   KabamPatience kabam;
 };
@@ -56,9 +66,10 @@ struct KnownTopics {
 class RosLink : public QObject {
   Q_OBJECT
  public:
-  /// Large messages go into `mailbox`, frames to whoever sits in `tap`: both are shared with others.
+  /// Large messages go into `mailbox`, frames to whoever sits in `tap`, all messages to whoever sits in
+  /// `deliveries`: they are shared with others.
   RosLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-          std::shared_ptr<wire::TapPlace> tap);
+          std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries);
   ~RosLink() override;
 
   void open();
@@ -75,6 +86,17 @@ class RosLink : public QObject {
   void perform(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
                OutcomeTo<WaypointReceipt> reply);
   void carryOut(const wire::ErrandPtr& errand, const MapOrder& order, OutcomeTo<map::CatalogueEntry> reply);
+  void dispatchGrid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
+                    OutcomeTo<map::GridPart> reply);
+  void dispatchCloud(const wire::ErrandPtr& errand, CloudKind kind,
+                     const std::optional<map::CloudRegion>& region,
+                     OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply);
+  void dispatchSave(const wire::ErrandPtr& errand, const std::string& filename, OutcomeTo<std::string> reply);
+  void dispatchProjections(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Projection>> reply);
+  void dispatchProject(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+                       OutcomeTo<std::vector<map::Projection>> reply);
+  void writePicture(const wire::ErrandPtr& errand, const PictureChange& change,
+                    OutcomeTo<PictureReceipt> reply);
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
@@ -85,9 +107,15 @@ class RosLink : public QObject {
   void recovered(const mapwright::map::Recovery& recovery);
   void topicsKnown(const mapwright::robot::ros::KnownTopics& known);
   void mapManagerKnown(bool there);
+  void pictureServiceKnown(bool there);         // comes before mapManagerKnown()
+  void pictureChanged(const QString& map_id);   // of the current map: it is another one, or may be
   void mapManagerStands(const QString& state);  // what it does now; comes before mapsChanged()
   void mapsChanged();
   void waypointsChanged();
+  void dispatchKnown(const mapwright::robot::ros::FoundDispatch& found);
+  void dispatchedMapChanged();
+  void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
+  void projectedGone(int index);
 
  private:
   /// What was told of a topic last, and when: the same is not told at the rate of its messages.
@@ -114,7 +142,13 @@ class RosLink : public QObject {
   void sync();
   void publishState();
   void take(const net::rosbridge::TopicMessage& message);
+  void deliver(const std::string& name, std::string type, std::string slot,
+               const std::shared_ptr<const net::rosbridge::Frame>& frame, const char* member,
+               std::optional<double> said_s, double received_s);
+  void deliverMessage(const net::rosbridge::TopicMessage& message);
+  void takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer);
   void takeOfManager(const net::rosbridge::TopicMessage& message);
+  void comparePicture();
   void tell(WorldResult result);
   void note(const std::string& topic, map::ProblemCode code, const std::optional<map::Reason>& reason);
   void forgetTrouble(const std::string& topic);
@@ -127,18 +161,29 @@ class RosLink : public QObject {
                  std::function<void(std::optional<map::Failure>)> then);
   void endEarly(const EarlyPtr& early, std::optional<map::FailureKind> failure);
   std::optional<map::CatalogueEntry> liveEntry() const;
+  // What a dispatcher projects is listed and fetched like maps.
+  std::shared_ptr<const ProjectedPart> findProjected(const map::MapKey& key) const;
+  void listKept(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void addProjected(std::vector<map::CatalogueEntry>& entries) const;
+  Outcome<map::WholeMap> projectedMap(const ProjectedPart& projected) const;
   bool open_() const;
   double wall() const;
 
   LinkOptions options_;
   std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
+  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   std::unique_ptr<net::rosbridge::Client> client_;
   std::unique_ptr<RosApi> api_;
   std::unique_ptr<KabamRequests> kabam_;
   std::unique_ptr<RosSubscriptions> subscriptions_;
   std::unique_ptr<LiveMap> live_map_;
-  std::unique_ptr<QTimer> look_timer_, pose_timer_, overdue_timer_;
+  std::unique_ptr<AskedMap> asked_map_;
+  std::unique_ptr<DispatchRequests> dispatch_;
+  std::unique_ptr<KabamPictures> pictures_;
+  std::unique_ptr<QTimer> look_timer_, pose_timer_, overdue_timer_, picture_timer_;
+  std::map<std::string, std::string> pictures_seen_;  // fingerprints, by map
+  std::set<std::string> pictures_doubted_;            // maps whose picture is to be looked at anew
   RosWorld world_;
   TopicWish wish_;
   Found found_;
@@ -161,3 +206,5 @@ class RosLink : public QObject {
 }  // namespace mapwright::robot::ros
 
 Q_DECLARE_METATYPE(mapwright::robot::ros::KnownTopics)
+Q_DECLARE_METATYPE(mapwright::robot::ros::FoundDispatch)
+Q_DECLARE_METATYPE(std::shared_ptr<const mapwright::robot::ProjectedPart>)

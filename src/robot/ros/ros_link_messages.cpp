@@ -29,24 +29,86 @@ RawMessage rawOf(const TopicMessage& message) {
   return raw;
 }
 
+/// A robot's frames are told by many, each of some: one message does not stand for the others.
+std::string slotOf(const TopicMessage& message) {
+  std::string slot = message.topic;
+  if (lastPart(message.topic) != "tf_static") return slot;
+  message.msg["transforms"].each(
+      [&](const net::rosbridge::Field& transform) { slot += '\n' + transform["child_frame_id"].text(); });
+  return slot;
+}
+
 }  // namespace
 
+void RosLink::deliver(const std::string& name, std::string type, std::string slot,
+                      const std::shared_ptr<const net::rosbridge::Frame>& frame, const char* member,
+                      std::optional<double> said_s, double received_s) {
+  wire::DeliveryPlace::Parcel parcel;
+  parcel.name = name;
+  parcel.schema = std::move(type);
+  parcel.encoding = frame->wire() == net::rosbridge::Frame::Wire::Binary ? "cbor" : "json";
+  parcel.slot = std::move(slot);
+  parcel.keeps = frame;
+  parcel.held_bytes = std::size_t(frame->bytes()) * (parcel.encoding[0] == 'j' ? 3 : 1);
+  parcel.find = [frame = frame.get(), member] { return frame->rawMember(member); };
+  parcel.received_s = received_s;
+  parcel.said_s = said_s;
+  deliveries_->pass(std::move(parcel));
+}
+
+void RosLink::deliverMessage(const TopicMessage& message) {
+  std::string type = typeOf(found_, message.topic);
+  if (type.empty()) {
+    // Asked for by its usual name.
+    const auto source = std::find_if(sources_.begin(), sources_.end(),
+                                     [&](const Source& one) { return one.topic == message.topic; });
+    if (source != sources_.end()) type = source->type;
+  }
+  deliver(message.topic, std::move(type), slotOf(message), message.frame, "msg",
+          message.msg["header"]["stamp"].time(), message.received_s);
+}
+
 void RosLink::take(const TopicMessage& message) {
+  deliverMessage(message);
   if (watching_ && raw_limit_.allow(clock_.elapsed(), message.bytes)) Q_EMIT rawReceived(rawOf(message));
   const WantedTopic* const wanted = subscriptions_->heard(message.topic);
   if (!wanted) return;
   takeOfManager(message);
+  if (std::any_of(wish_.dispatchers_own.begin(), wish_.dispatchers_own.end(),
+                  [&](const FoundTopic& own) { return own.name == message.topic; }))
+    note(message.topic, map::ProblemCode::Unreadable, dispatch_->hear(message.topic, message.msg));
   bool of_pose = false;
   const std::vector<Source> sources = wanted->sources;
   for (const Source& source : sources) {
     for (WorldResult& result : world_.take(source, message.msg, message.received_s)) tell(std::move(result));
     of_pose |= source.stream == map::Stream::Pose;
+    if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) asked_map_->heard();
   }
   if (of_pose && wish_.basics.pose && !pose_timer_->isActive()) {
     const qint64 since = pose_told_.isValid() ? pose_told_.elapsed() : options_.pose_every.count();
     pose_timer_->start(
         std::max(std::chrono::milliseconds(0), options_.pose_every - std::chrono::milliseconds(since)));
   }
+}
+
+void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {
+  const auto known = std::find_if(sources_.begin(), sources_.end(), [&](const Source& source) {
+    return source.form == Form::MapService && source.topic == service;
+  });
+  Source source{map::Stream::WholeMap, Form::MapService, service, {}, {}, true};
+  const std::vector<Source> maps = sourcesFor(map::Stream::WholeMap, sources_);
+  if (known != sources_.end()) {
+    source.base = known->base;
+  } else if (!maps.empty()) {
+    source.base = maps.front().topic;
+  }
+  note(service, map::ProblemCode::Unavailable, std::nullopt);
+  deliver(service, "nav_msgs/GetMapResponse", service, answer.frame, "values",
+          answer.values["map"]["header"]["stamp"].time(), wall());
+  // Patches, and whoever listens to the topic, take it for what that would have brought.
+  if (!source.base.empty()) source.topic = source.base;
+  for (WorldResult& result : world_.take(source, answer.values["map"], wall())) tell(std::move(result));
+  if (!source.base.empty()) subscriptions_->replacedBy(source.base, service);
 }
 
 void RosLink::takeOfManager(const TopicMessage& message) {
@@ -60,6 +122,7 @@ void RosLink::takeOfManager(const TopicMessage& message) {
   if (taken.maps && book.current() && !book.current()->map.id.empty())
     emitTopic(book.topics().front(), book.mapInfo(), message.received_s, std::nullopt);
   if (taken.maps) {
+    picture_timer_->start();
     Q_EMIT mapManagerStands(QString::fromStdString(book.state()));
     Q_EMIT mapsChanged();
   }
@@ -77,8 +140,26 @@ void RosLink::tell(WorldResult result) {
   if (!result.message) return;
   const auto* const grid = std::get_if<map::GridMessage>(&*result.message);
   const bool whole = grid && grid->kind == map::GridKind::WholeMap;
-  if (whole) live_map_->take(*grid);
+  if (whole) {
+    live_map_->take(*grid);
+    if (live_map_->last()) dispatch_->sawMap(live_map_->last()->fingerprint);
+    picture_timer_->start();
+  }
   emitTopic(topic, std::move(*result.message), result.received_s, result.recorded_s);
+}
+
+void RosLink::comparePicture() {
+  const KabamBook& book = kabam_->book();
+  if (!known_ || !has_manager_ || !book.current() || book.current()->map.id.empty() || book.isMapping())
+    return;
+  const std::string& id = book.current()->map.id;
+  bool other = pictures_doubted_.erase(id) > 0;
+  if (live_map_->last()) {
+    std::string& seen = pictures_seen_[id];
+    other |= !seen.empty() && seen != live_map_->last()->fingerprint;
+    seen = live_map_->last()->fingerprint;
+  }
+  if (other) Q_EMIT pictureChanged(QString::fromStdString(id));
 }
 
 void RosLink::note(const std::string& topic, map::ProblemCode code,

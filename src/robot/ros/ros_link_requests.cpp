@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/ros/projected_maps.h"
 #include "robot/ros/ros_link.h"
 
 namespace mapwright::robot::ros {
@@ -12,6 +13,7 @@ using MaybeFailure = std::optional<map::Failure>;
 auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
 
 const map::MapKey kLive{map::MapKind::Live, {}};
+const map::Subject kDispatcher{std::string("map dispatcher (REP 130)")};
 
 map::Failure notThere(const map::MapKey& key) {
   return {.kind = map::FailureKind::RejectedByRobot,
@@ -82,14 +84,52 @@ std::optional<map::CatalogueEntry> RosLink::liveEntry() const {
   return entry;
 }
 
+std::shared_ptr<const ProjectedPart> RosLink::findProjected(const map::MapKey& key) const {
+  const auto index = projectedIndex(key);
+  if (!index) return nullptr;
+  const auto found = dispatch_->projected().find(*index);
+  return found == dispatch_->projected().end() ? nullptr : found->second;
+}
+
+void RosLink::addProjected(std::vector<map::CatalogueEntry>& entries) const {
+  for (const auto& [index, part] : dispatch_->projected()) entries.push_back(entryOf(*part));
+}
+
+Outcome<map::WholeMap> RosLink::projectedMap(const ProjectedPart& projected) const {
+  const map::MapKey key = projectedKey(projected.index);
+  map::Failure failure{.kind = map::FailureKind::RejectedByRobot, .subject = map::subjectOf(key)};
+  if (projected.part.grid.width < 1 || projected.part.grid.height < 1) {
+    failure.reason = map::FailureReason::Empty;
+    return fail(std::move(failure));
+  }
+  const std::string& frame = projected.part.frame;
+  if (frame.empty() || frame == world_.fixedFrame()) return wholeMapOf(projected, Transform3());
+  const auto in_map = world_.transforms().find(world_.fixedFrame(), frame, std::nullopt);
+  if (in_map) return wholeMapOf(projected, *in_map);
+  failure.reason = map::FailureReason::Unfit;
+  failure.cause = reasonOf(in_map.error());
+  return fail(std::move(failure));
+}
+
+void RosLink::listKept(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
+  if (has_manager_) return kabam_->list(errand, std::move(reply));
+  std::vector<map::CatalogueEntry> entries;
+  if (auto entry = liveEntry()) entries.push_back(std::move(*entry));
+  reply(std::move(entries));
+}
+
 void RosLink::list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
   whenKnown(errand, {map::SubjectKind::Catalogue, map::kMapsPart}, map::AskedFor::All,
             [this, errand, reply = std::move(reply)](MaybeFailure failure) {
               if (failure) return reply(fail(std::move(*failure)));
-              if (has_manager_) return kabam_->list(errand, reply);
-              std::vector<map::CatalogueEntry> entries;
-              if (auto entry = liveEntry()) entries.push_back(std::move(*entry));
-              reply(std::move(entries));
+              dispatch_->awaitProjected(
+                  errand, [this, errand, reply](const Outcome<std::vector<map::Projection>>& shown) {
+                    if (!shown) return reply(fail(shown.error()));
+                    listKept(errand, [this, reply](Outcome<std::vector<map::CatalogueEntry>> told) {
+                      if (told) addProjected(*told);
+                      reply(std::move(told));
+                    });
+                  });
             });
 }
 
@@ -100,6 +140,16 @@ void RosLink::describe(const wire::ErrandPtr& errand, const map::MapKey& key,
               if (failure) return reply(fail(std::move(*failure)));
               auto entry = key == kLive ? liveEntry() : std::nullopt;
               if (entry) return reply(std::move(*entry));
+              if (projectedIndex(key) && !findProjected(key)) {
+                return dispatch_->awaitProjected(
+                    errand, [this, key, reply](const Outcome<std::vector<map::Projection>>& shown) {
+                      if (!shown) return reply(fail(shown.error()));
+                      const auto projected = findProjected(key);
+                      if (!projected) return reply(fail(notThere(key)));
+                      reply(entryOf(*projected));
+                    });
+              }
+              if (const auto projected = findProjected(key)) return reply(entryOf(*projected));
               if (!has_manager_ || key == kLive) return reply(fail(notThere(key)));
               kabam_->describe(errand, key, [this, reply](Outcome<map::CatalogueEntry> told) {
                 if (told && told->is_current && live_map_->last()) told->grid = live_map_->last()->grid;
@@ -111,6 +161,7 @@ void RosLink::describe(const wire::ErrandPtr& errand, const map::MapKey& key,
 void RosLink::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
   describe(errand, key, [this, errand, key, reply = std::move(reply)](Outcome<map::CatalogueEntry> entry) {
     if (!entry) return reply(fail(entry.error()));
+    if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
     if (!entry->is_current)
       return reply(fail(unsupported(map::subjectOf(key), {map::ReasonCode::OnlyCurrentMapSent})));
     if (sourcesFor(map::Stream::WholeMap, sources_).empty())
@@ -149,6 +200,63 @@ void RosLink::carryOut(const wire::ErrandPtr& errand, const MapOrder& order,
               if (failure) return reply(fail(std::move(*failure)));
               if (!has_manager_) return reply(fail(unsupported(subject, {})));
               kabam_->carryOut(errand, order, reply);
+            });
+}
+
+void RosLink::dispatchGrid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
+                           OutcomeTo<map::GridPart> reply) {
+  whenKnown(errand, kDispatcher, map::AskedFor::All,
+            [this, errand, region, reply = std::move(reply)](MaybeFailure failure) {
+              if (failure) return reply(fail(std::move(*failure)));
+              dispatch_->grid(errand, region, reply);
+            });
+}
+
+void RosLink::dispatchCloud(const wire::ErrandPtr& errand, CloudKind kind,
+                            const std::optional<map::CloudRegion>& region,
+                            OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply) {
+  whenKnown(errand, kDispatcher, map::AskedFor::All,
+            [this, errand, kind, region, reply = std::move(reply)](MaybeFailure failure) {
+              if (failure) return reply(fail(std::move(*failure)));
+              dispatch_->cloud(errand, kind, region, reply);
+            });
+}
+
+void RosLink::dispatchSave(const wire::ErrandPtr& errand, const std::string& filename,
+                           OutcomeTo<std::string> reply) {
+  whenKnown(errand, kDispatcher, map::AskedFor::Change,
+            [this, errand, filename, reply = std::move(reply)](MaybeFailure failure) {
+              if (failure) return reply(fail(std::move(*failure)));
+              dispatch_->save(errand, filename, reply);
+            });
+}
+
+void RosLink::dispatchProjections(const wire::ErrandPtr& errand,
+                                  OutcomeTo<std::vector<map::Projection>> reply) {
+  whenKnown(errand, kDispatcher, map::AskedFor::All,
+            [this, errand, reply = std::move(reply)](MaybeFailure failure) {
+              if (failure) return reply(fail(std::move(*failure)));
+              dispatch_->projections(errand, reply);
+            });
+}
+
+void RosLink::dispatchProject(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+                              OutcomeTo<std::vector<map::Projection>> reply) {
+  whenKnown(errand, kDispatcher, map::AskedFor::Change,
+            [this, errand, wanted, reply = std::move(reply)](MaybeFailure failure) {
+              if (failure) return reply(fail(std::move(*failure)));
+              dispatch_->project(errand, wanted, reply);
+            });
+}
+
+void RosLink::writePicture(const wire::ErrandPtr& errand, const PictureChange& change,
+                           OutcomeTo<PictureReceipt> reply) {
+  const map::Subject subject = map::subjectOf(change.map);
+  whenKnown(errand, subject, map::AskedFor::Change,
+            [this, errand, change, subject, reply = std::move(reply)](MaybeFailure failure) {
+              if (failure) return reply(fail(std::move(*failure)));
+              if (!has_manager_) return reply(fail(unsupported(subject, {})));
+              pictures_->write(errand, change, reply);
             });
 }
 

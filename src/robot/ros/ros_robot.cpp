@@ -12,19 +12,24 @@ RosRobot::RosRobot(QString address, LinkOptions options, QObject* parent)
       known_{sourcesOf(std::nullopt, options.ns), {}},
       mailbox_(std::make_shared<wire::TopicMailbox>()),
       tap_(std::make_shared<wire::TapPlace>()),
-      link_(new RosLink(std::move(options), mailbox_, tap_)),
+      deliveries_(std::make_shared<wire::DeliveryPlace>()),
+      link_(new RosLink(std::move(options), mailbox_, tap_, deliveries_)),
       catalogue_({this, link_}),
       whole_maps_({this, link_}),
       topics_({this, link_}, tap_, known_),
       waypoints_({this, link_}),
       waypoint_store_(link_),
-      administration_({this, link_}, [this] { Q_EMIT mapsChanged(); }) {
+      picture_store_(link_),
+      administration_({this, link_}, [this] { Q_EMIT mapsChanged(); }),
+      dispatch_(link_) {
   qRegisterMetaType<ConnectionState>();
   qRegisterMetaType<map::StampedMessage>();
   qRegisterMetaType<map::Problem>();
   qRegisterMetaType<map::Recovery>();
   qRegisterMetaType<RawMessage>();
   qRegisterMetaType<KnownTopics>();
+  qRegisterMetaType<FoundDispatch>();
+  qRegisterMetaType<std::shared_ptr<const ProjectedPart>>();
   link_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("ros link"));
   connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
@@ -35,6 +40,8 @@ RosRobot::RosRobot(QString address, LinkOptions options, QObject* parent)
 RosRobot::~RosRobot() {
   link_->disconnect(this);
   link_->disconnect(&waypoint_store_);
+  link_->disconnect(&picture_store_);
+  link_->disconnect(&dispatch_);
   thread_.quit();
   thread_.wait();
 }
@@ -59,6 +66,15 @@ void RosRobot::listen() {
     known_ = known;
     if (other) Q_EMIT capabilitiesChanged();
   });
+  connect(link_, &RosLink::pictureServiceKnown, this, [this](bool there) {
+    if (std::exchange(takes_pictures_, there) != there) Q_EMIT capabilitiesChanged();
+  });
+  connect(link_, &RosLink::dispatchKnown, this, [this](const FoundDispatch& found) {
+    const QPointer<RosRobot> alive(this);
+    dispatch_.setFound(found);
+    if (alive && std::exchange(has_dispatch_, found.any()) != found.any()) Q_EMIT capabilitiesChanged();
+  });
+  connect(&dispatch_, &MapDispatch::projectedChanged, this, &Robot::mapsChanged);
   connect(link_, &RosLink::mapManagerKnown, this, [this](bool there) {
     if (std::exchange(has_manager_, there) == there) return;
     const QPointer<RosRobot> alive(this);
@@ -86,7 +102,12 @@ void RosRobot::trustCertificate(const QString& sha256) {
 Absence RosRobot::whyNot(Capability capability) const {
   const bool managers = capability == Capability::Waypoints || capability == Capability::WaypointEditing ||
                         capability == Capability::Administration;
-  if (managers) return {Absence::Reason::NoService, {"KABAM map manager (/map_manager)"}};
+  if (capability == Capability::PictureEditing && has_manager_)
+    return {Absence::Reason::NoService, {"service /map_manager/update_map_image"}};
+  if (managers || capability == Capability::PictureEditing)
+    return {Absence::Reason::NoService, {"KABAM map manager (/map_manager)"}};
+  if (capability == Capability::Dispatch)
+    return {Absence::Reason::NoService, {"map dispatcher (REP 130: get_sub_map, get_point_map …)"}};
   return {};
 }
 

@@ -4,14 +4,17 @@
 
 #include <QThread>
 
+#include "robot/delivery.h"
 #include "robot/robot.h"
+#include "robot/ros/dispatch_capability.h"
 #include "robot/ros/kabam_capabilities.h"
+#include "robot/ros/kabam_picture_store.h"
 #include "robot/ros/ros_capabilities.h"
 #include "robot/ros/ros_link.h"
 
 namespace mapwright::robot::ros {
 
-class RosRobot : public Robot {
+class RosRobot : public Robot, public Delivers {
   Q_OBJECT
  public:
   RosRobot(QString address, LinkOptions options, QObject* parent = nullptr);
@@ -29,7 +32,10 @@ class RosRobot : public Robot {
   WaypointStore* waypointStore() override { return has_manager_ ? &waypoint_store_ : nullptr; }
   LiveTopics* liveTopics() override { return &topics_; }
   MapAdministration* mapAdministration() override { return has_manager_ ? &administration_ : nullptr; }
+  PictureStore* pictureStore() override { return takes_pictures_ ? &picture_store_ : nullptr; }
+  MapDispatch* mapDispatch() override { return has_dispatch_ ? &dispatch_ : nullptr; }
   Absence whyNot(Capability capability) const override;
+  void setDeliveryTap(DeliveryTap tap) override { deliveries_->set(std::move(tap)); }
 
  private:
   void listen();
@@ -39,6 +45,7 @@ class RosRobot : public Robot {
   KnownTopics known_;
   std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
+  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   QThread thread_;
   RosLink* link_;  // lives on thread_, deleted when it ends
   Catalogue catalogue_;
@@ -46,9 +53,11 @@ class RosRobot : public Robot {
   Topics topics_;
   KabamWaypoints waypoints_;
   KabamWaypointStore waypoint_store_;
+  KabamPictureStore picture_store_;
   KabamAdministration administration_;
+  RosDispatch dispatch_;
   ConnectionState state_;
-  bool has_manager_ = false;
+  bool has_manager_ = false, takes_pictures_ = false, has_dispatch_ = false;
 };
 
 }  // namespace mapwright::robot::ros

@@ -13,6 +13,7 @@ using net::rosbridge::Subscription;
 using Compression = Subscription::Compression;
 
 constexpr std::size_t kLongestName = 256;
+constexpr int kSteadyFrom = 5;  // messages
 
 map::Subject subjectOf(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
 
@@ -49,6 +50,7 @@ Subscription subscriptionFor(const Source& source) {
     case Form::Markers:
     case Form::Tf:
     case Form::StaticTf:
+    case Form::MapService:  // no topic
       break;
   }
   return wanted;
@@ -69,6 +71,7 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
   });
   std::map<std::string, WantedTopic> wanted;
   for (const Source& source : sources) {
+    if (source.form == Form::MapService) continue;
     if (!streams.contains(source.stream) && !(placed && isTransform(source))) continue;
     WantedTopic& topic = wanted[source.topic];
     if (topic.sources.empty()) topic.subscription = subscriptionFor(source);
@@ -89,6 +92,15 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
     add(name);
     // Every change counts, and texts in lists do not survive compression.
     wanted[name].subscription.throttle_ms = 0;
+  }
+  for (const FoundTopic& topic : wish.dispatchers_own) {
+    if (wanted.contains(topic.name)) continue;
+    add(topic.name);
+    WantedTopic& own = wanted[topic.name];
+    own.necessary = false;  // it tells something once there is something to be told
+    own.subscription.type = topic.type;
+    own.subscription.compression = Compression::Cbor;
+    own.subscription.large = true;
   }
   return wanted;
 }
@@ -133,9 +145,17 @@ void RosSubscriptions::ask(std::map<std::string, WantedTopic> wanted, const Foun
   timer_.start();
 }
 
+void RosSubscriptions::askAgain(const std::string& topic) {
+  const auto asked = asked_.find(topic);
+  if (asked == asked_.end()) return;
+  client_.unsubscribe(topic);
+  subscribe(asked->second);
+}
+
 void RosSubscriptions::beginAnew() {
   for (auto& [topic, asked] : asked_) {
-    asked.heard = false;
+    asked.came = 0;
+    asked.replaced = false;
     asked.since.start();
   }
   timer_.start();
@@ -149,7 +169,8 @@ void RosSubscriptions::pause() {
 const WantedTopic* RosSubscriptions::heard(const std::string& topic) {
   const auto asked = asked_.find(topic);
   if (asked == asked_.end()) return nullptr;
-  asked->second.heard = true;
+  asked->second.came = std::min(asked->second.came + 1, kSteadyFrom);
+  asked->second.since.start();
   recover(topic, asked->second);
   return &asked->second.wanted;
 }
@@ -158,13 +179,24 @@ void RosSubscriptions::recover(const std::string& topic, Asked& asked) {
   if (std::exchange(asked.told, false)) Q_EMIT recovered({subjectOf(topic), map::ProblemCode::Unavailable});
 }
 
+void RosSubscriptions::replacedBy(const std::string& topic, const std::string& service) {
+  const auto found = asked_.find(topic);
+  if (found == asked_.end() || found->second.heard()) return;
+  recover(topic, found->second);
+  found->second.told = found->second.replaced = true;
+  Q_EMIT problemFound({map::Severity::Info,
+                       subjectOf(topic),
+                       {map::ReasonCode::TopicAskedInstead, {service}},
+                       map::ProblemCode::Unavailable});
+}
+
 void RosSubscriptions::look() {
   std::vector<std::string> silent;
   for (auto& [topic, asked] : asked_) {
-    if (asked.heard) continue;
+    if (asked.heard() && !isSteady(asked)) continue;
     const auto waited = std::chrono::milliseconds(asked.since.elapsed());
     const bool packed = asked.wanted.subscription.compression != Compression::None;
-    if (packed && !asked.plain && waited > patience_.json_after && lists(found_, topic)) {
+    if (packed && !asked.plain && !asked.heard() && waited > patience_.json_after && lists(found_, topic)) {
       asked.plain = true;
       subscribe(asked);
     }
@@ -173,8 +205,14 @@ void RosSubscriptions::look() {
   for (const std::string& topic : silent) tellSilence(topic);
 }
 
+bool RosSubscriptions::isSteady(const Asked& asked) {
+  if (asked.came < kSteadyFrom || asked.wanted.sources.empty()) return false;
+  const Form form = asked.wanted.sources.front().form;
+  return form == Form::Tf || form == Form::Odometry || form == Form::LaserScan || form == Form::PointCloud;
+}
+
 bool RosSubscriptions::mayBeSilent(const std::string& topic, const Asked& asked) const {
-  if (asked.wanted.necessary || asked.wanted.sources.empty()) return false;
+  if (asked.heard() || asked.wanted.necessary || asked.wanted.sources.empty()) return false;
   const Source& own = asked.wanted.sources.front();
   if (own.form == Form::GridPatch || own.form == Form::StaticTf) return true;
   // Where a stream may come by several topics one is enough, and of none the best one tells.
@@ -185,7 +223,7 @@ bool RosSubscriptions::mayBeSilent(const std::string& topic, const Asked& asked)
     const Source& source = beside.wanted.sources.front();
     if (source.stream != own.stream || source.form == Form::GridPatch || source.form == Form::StaticTf)
       continue;
-    if (beside.heard || beside.told) return true;
+    if (beside.heard() || beside.told) return true;
   }
   return false;
 }
@@ -196,15 +234,18 @@ void RosSubscriptions::tellSilence(const std::string& topic) {
   if (mayBeSilent(topic, silent)) return;
   silent.told = true;
   const auto tell = [self = QPointer<RosSubscriptions>(this), topic](map::ReasonCode why) {
+    using Code = map::ReasonCode;
     if (!self) return;
     const auto asked = self->asked_.find(topic);
-    if (asked == self->asked_.end() || !asked->second.told) return;
-    const map::Severity severity =
-        asked->second.wanted.necessary ? map::Severity::Warning : map::Severity::Info;
-    Q_EMIT self->problemFound({severity,
-                               subjectOf(topic),
-                               {map::ReasonCode::TopicSilent, {}, {why}},
-                               map::ProblemCode::Unavailable});
+    if (asked == self->asked_.end() || !asked->second.told || asked->second.replaced) return;
+    // What has stopped is shown still, as if it were so now.
+    const bool stopped = asked->second.heard();
+    const bool serious = stopped || asked->second.wanted.necessary;
+    map::Reason reason(Code::TopicSilent);
+    // Of one that did come before, neither the server nor a missing list is the cause.
+    if (!stopped || (why != Code::TopicListedOnly && why != Code::TopicsNotTold)) reason.because = {why};
+    Q_EMIT self->problemFound({serious ? map::Severity::Warning : map::Severity::Info, subjectOf(topic),
+                               std::move(reason), map::ProblemCode::Unavailable});
   };
   if (!found_.topics) return tell(map::ReasonCode::TopicsNotTold);
   if (!lists(found_, topic)) return tell(map::ReasonCode::TopicNotListed);

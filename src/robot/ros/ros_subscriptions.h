@@ -27,8 +27,9 @@ struct TopicWish {
   map::Streams streams;
   std::vector<std::string> names;  // by people, whatever they bring
   LiveTopics::Basics basics;
-  std::vector<std::string> managers_own;  // of a map manager
-  bool whole_map = false;                 // for a request that is under way
+  std::vector<std::string> managers_own;         // of a map manager
+  bool whole_map = false;                        // for a request that is under way
+  std::vector<FoundTopic> dispatchers_own = {};  // of a map dispatcher
 };
 
 /// A topic that is to be asked for, and what for.
@@ -50,7 +51,7 @@ class RosSubscriptions : public QObject {
  public:
   struct Patience {
     std::chrono::milliseconds json_after{3'000};    // a compressed topic may be lost in compression
-    std::chrono::milliseconds silent_after{5'000};  // then its silence is told
+    std::chrono::milliseconds silent_after{5'000};  // then its silence is told, at first and later
     std::chrono::milliseconds look_every{250};
   };
   RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience, QObject* parent = nullptr);
@@ -62,6 +63,10 @@ class RosSubscriptions : public QObject {
   void pause();
   /// A message of the topic has come. What it is to be read as; nullptr: it is not asked for.
   const WantedTopic* heard(const std::string& topic);
+  /// What the silent topic should have brought has come by that service.
+  void replacedBy(const std::string& topic, const std::string& service);
+  /// What is latched of the topic is to be sent again; nothing where it is not asked for.
+  void askAgain(const std::string& topic);
   bool asksFor(const std::string& topic) const { return asked_.contains(topic); }
 
  Q_SIGNALS:
@@ -73,11 +78,16 @@ class RosSubscriptions : public QObject {
   struct Asked {
     WantedTopic wanted;
     QElapsedTimer since;
-    bool heard = false, plain = false, told = false;
+    int came = 0;  // messages of this connection, as far as that matters
+    bool plain = false, told = false;
+    bool replaced = false;  // by the answer of a service, which has been told
+    bool heard() const { return came > 0; }
   };
   void subscribe(Asked& asked);
   void look();
   bool mayBeSilent(const std::string& topic, const Asked& asked) const;
+  /// It came again and again, and is of a kind that does so as long as its node runs.
+  static bool isSteady(const Asked& asked);
   void tellSilence(const std::string& topic);
   void recover(const std::string& topic, Asked& asked);
 

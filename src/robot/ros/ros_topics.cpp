@@ -1,6 +1,7 @@
 #include "robot/ros/ros_topics.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "robot/ros/read_messages.h"
@@ -52,7 +53,13 @@ const std::vector<Rule>& rules() {
        "geometry_msgs/PolygonStamped",
        {"local_costmap/published_footprint", "local_costmap/footprint", "published_footprint", "footprint"}},
       {Stream::Planning, Form::PoseStamped, "geometry_msgs/PoseStamped", {"current_goal", "goal_pose"}},
-      {Stream::SeenObjects, Form::Markers, "visualization_msgs/MarkerArray", {"markers", "objects"}},
+      {Stream::SeenObjects,
+       Form::Markers,
+       "visualization_msgs/MarkerArray",
+       {"markers", "objects", "visualization_marker_array", "marker_array"},
+       true,
+       3},
+      {Stream::SeenObjects, Form::Markers, "visualization_msgs/Marker", {"visualization_marker", "marker"}},
       {Stream::Battery, Form::Battery, "sensor_msgs/BatteryState", {"battery_state", "battery"}, true},
   };
   return all;
@@ -156,6 +163,41 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& foun
                found);
   }
   return sources;
+}
+
+std::vector<std::string> usualMapServices(const std::string& ns) {
+  std::vector<std::string> names;
+  for (const char* name : {"/static_map", "/map_server/map", "/dynamic_map"}) {
+    if (!ns.empty()) names.push_back(ns + name);
+  }
+  for (const char* name : {"/static_map", "/map_server/map", "/dynamic_map"}) names.emplace_back(name);
+  return names;
+}
+
+std::vector<std::string> likeMapServices(const std::vector<std::string>& names, const std::string& ns) {
+  constexpr std::size_t kMost = 6;
+  constexpr std::string_view kTails[] = {"static_map", "map_server/map", "dynamic_map", "map", "get_map"};
+  using Rank = std::tuple<bool, std::size_t, std::size_t, std::string_view>;
+  std::vector<std::pair<Rank, std::string>> fitting;
+  for (const std::string& name : names) {
+    if (name.size() > kLongestName) continue;
+    std::size_t rank = 0;
+    while (rank < std::size(kTails) && !endsWith(name, kTails[rank])) ++rank;
+    if (rank < std::size(kTails)) fitting.push_back({{!below(name, ns), rank, name.size(), name}, name});
+  }
+  std::sort(fitting.begin(), fitting.end());
+  std::vector<std::string> like;
+  for (std::size_t i = 0; i < fitting.size() && i < kMost; ++i) like.push_back(fitting[i].second);
+  return like;
+}
+
+void addMapServices(std::vector<Source>& sources, const std::vector<std::string>& services) {
+  const auto topic = std::find_if(sources.begin(), sources.end(), [](const Source& source) {
+    return source.stream == Stream::WholeMap && source.form == Form::Grid;
+  });
+  const std::string base = topic == sources.end() ? std::string() : topic->topic;
+  for (const std::string& service : services)
+    sources.push_back({Stream::WholeMap, Form::MapService, service, {}, base, true});
 }
 
 std::vector<Source> sourcesFor(map::Stream stream, const std::vector<Source>& all) {

@@ -16,6 +16,7 @@ namespace mapwright::robot::ros {
 enum class Form {
   Grid,                // nav_msgs/OccupancyGrid
   GridPatch,           // map_msgs/OccupancyGridUpdate
+  MapService,          // nav_msgs/GetMap: no topic, but a service that is asked
   Path,                // nav_msgs/Path
   PoseStamped,         // geometry_msgs/PoseStamped
   PoseWithCovariance,  // geometry_msgs/PoseWithCovarianceStamped
@@ -40,8 +41,8 @@ struct Source {
   map::Stream stream = map::Stream::Pose;
   Form form = Form::Grid;
   std::string topic;
-  std::string type;    // as the server writes it; empty = not known, or not asked
-  std::string base;    // of a patch: the topic of the grid that it changes
+  std::string type;  // as the server writes it; empty = not known, or not asked
+  std::string base;  // of a patch: the topic of the grid that it changes; of a service: that it stands in for
   bool found = false;  // the server says that it is there
   bool operator==(const Source&) const = default;
 };
@@ -49,6 +50,13 @@ struct Source {
 /// Every source that there is, the better ones of a stream first. Without a list of topics (nullopt: the
 /// server does not tell) the usual names. What lies below `ns` goes before all else.
 std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& found, const std::string& ns);
+
+/// The services that are called like those that give a map (`names`), the better ones first.
+std::vector<std::string> likeMapServices(const std::vector<std::string>& names, const std::string& ns);
+/// The usual ones, where nobody says what there is.
+std::vector<std::string> usualMapServices(const std::string& ns);
+/// What gives the map when asked, after all that brings it: `services` of type nav_msgs/GetMap.
+void addMapServices(std::vector<Source>& sources, const std::vector<std::string>& services);
 
 /// Those of one stream.
 std::vector<Source> sourcesFor(map::Stream stream, const std::vector<Source>& all);

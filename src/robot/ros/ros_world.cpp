@@ -1,10 +1,12 @@
 #include "robot/ros/ros_world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "robot/ros/map_values.h"
+#include "robot/ros/parts.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::ros {
@@ -14,6 +16,10 @@ using map::Stream;
 using Missing = Transforms::Missing;
 
 constexpr const char* kMap = "map";
+constexpr double kSweepStepS = 0.01;  // how often the pose of a scan is looked up while it is taken
+constexpr int kMostSweepSteps = 32;
+constexpr double kMarkersEveryS = 0.05;    // how often those that wait for a transform are looked at
+constexpr std::size_t kMostUnusable = 20;  // frames without a usable transform that are named
 
 map::GridKind kindOf(Stream stream) {
   return stream == Stream::CostmapLow    ? map::GridKind::CostmapLow
@@ -47,17 +53,18 @@ void RosWorld::forget(const std::string& topic) {
   grids_.erase(topic);
   waiting_.erase(topic);
   told_poses_.erase(topic);
-  boards_.erase(topic);
+  markers_.forget(topic);
 }
 
 void RosWorld::forgetAll() {
   transforms_ = {};
+  unusable_.clear();
   map_frame_.clear();
   first_transform_s_ = latest_s_ = 0;
   grids_.clear();
   waiting_.clear();
   told_poses_.clear();
-  boards_.clear();
+  markers_ = {};
 }
 
 std::string RosWorld::robotFrame() const {
@@ -91,6 +98,7 @@ bool RosWorld::posedByTransforms() const {
 }
 
 std::string RosWorld::fixedFrame() const {
+  if (!given_frame_.empty()) return given_frame_;
   if (!map_frame_.empty()) return map_frame_;
   const std::vector<std::string> frames = transforms_.frames();
   if (frames.empty() || std::binary_search(frames.begin(), frames.end(), kMap)) return kMap;
@@ -101,6 +109,18 @@ std::string RosWorld::fixedFrame() const {
     if (!robot.empty() && root != robot && transforms_.find(root, robot, {})) return root;
   }
   return kMap;
+}
+
+Read<bool> patchGrid(Grid& grid, const GridPatch& patch) {
+  const Header &of_grid = grid.header, &of_patch = patch.header;
+  if (!of_patch.frame.empty() && !of_grid.frame.empty() && of_patch.frame != of_grid.frame) {
+    return tl::unexpected(
+        map::Reason(map::ReasonCode::RosPatchInOtherFrame, {of_patch.frame, of_grid.frame}));
+  }
+  // The two topics overtake one another: what the grid holds already would set it back.
+  if (of_patch.stamp_s && of_grid.stamp_s && *of_patch.stamp_s < *of_grid.stamp_s) return false;
+  if (auto why = applyPatch(grid, patch)) return tl::unexpected(std::move(*why));
+  return true;
 }
 
 tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const Placed& placed) const {
@@ -133,10 +153,22 @@ std::optional<tl::expected<geometry::Pose2, map::Reason>> RosWorld::pose() const
 }
 
 void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& result) {
-  for (const TfRow& row : readTf(msg))
-    transforms_.take(row.parent, row.child, row.transform, row.stamp_s, source.form == Form::StaticTf);
+  for (const TfRow& row : readTf(msg)) {
+    const auto taken =
+        transforms_.take(row.parent, row.child, row.transform, row.stamp_s, source.form == Form::StaticTf);
+    if (taken != Transforms::Taken::NoNumbers) {
+      unusable_.erase({source.topic, row.child});
+    } else if (unusable_.size() < kMostUnusable) {
+      unusable_.insert({source.topic, row.child});
+    }
+  }
   if (first_transform_s_ == 0) first_transform_s_ = result.received_s;
   latest_s_ = result.received_s;
+  // Many nodes share a topic: what one of them sends does not mend what another has sent.
+  for (const auto& [topic, child] : unusable_) {
+    if (topic == source.topic)
+      result.notes.push_back(fieldMissing("transforms[" + child + "].transform").value());
+  }
   for (const Missing& loop : transforms_.loops()) result.notes.push_back(reasonOf(loop));
 }
 
@@ -148,16 +180,25 @@ void RosWorld::takePatch(const Source& source, const Field& msg, WorldResult& re
     result.unreadable = std::move(patch.error());
     return;
   }
-  if (auto why = applyPatch(grid->second, *patch)) {
-    result.unreadable = std::move(*why);
-    return;
-  }
+  const Read<bool> patched = patchGrid(grid->second, *patch);
+  if (!patched) result.unreadable = patched.error();
+  if (!patched || !*patched) return;
   result.notes = patch->notes;
   result.recorded_s = patch->header.stamp_s;
   Source of = source;
   of.form = Form::Grid;
   of.topic = source.base;
   takeContent(of, grid->second, result);
+}
+
+WorldResult RosWorld::take(const Source& source, const Grid& grid, double received_s) {
+  WorldResult result;
+  result.topic = source.topic;
+  result.received_s = received_s;
+  result.recorded_s = grid.header.stamp_s;
+  result.notes = grid.notes;
+  takeContent(source, grid, result);
+  return result;
 }
 
 WorldResults RosWorld::take(const Source& source, const Field& msg, double received_s) {
@@ -180,7 +221,10 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
     case Form::StaticTf:
       takeTf(source, msg, result);
       results = placeWaiting();
+      if (markers_.waits() && std::abs(received_s - markers_looked_s_) >= kMarkersEveryS)
+        lookAtMarkers(received_s, results);
       break;
+    case Form::MapService:
     case Form::Grid:
       with(readGrid(msg), [&](Grid grid) {
         result.notes = grid.notes;
@@ -227,12 +271,14 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
         result.unreadable = std::move(markers.error());
         break;
       }
-      MarkerBoard& board = boards_[source.topic];
-      board.take(*markers, received_s);
-      board.expire(received_s);
-      Board shown;  // made member by member: g++ 12 takes it for uninitialised otherwise
-      shown.markers = board.markers();
-      taking(std::move(shown));
+      markers_.take(source.topic, *markers, received_s);
+      lookAtMarkers(received_s, results);
+      std::erase_if(results, [&](WorldResult& one) {
+        if (one.topic != source.topic) return false;
+        result.unplaced = std::move(one.unplaced);
+        return true;
+      });
+      result.message = markers_.seen();
       break;
     }
     case Form::Battery:
@@ -247,19 +293,23 @@ const Header& RosWorld::headerOf(const Content& content) {
   return std::visit([](const auto& one) -> const Header& { return one.header; }, content);
 }
 
-RosWorld::Placing RosWorld::boxes(const std::vector<Marker>& markers) const {
-  map::SeenObjectsMessage seen;
-  for (const Marker& marker : markers) {
-    const auto found =
-        transforms_.find(fixedFrame(), marker.header.frame.empty() ? fixedFrame() : marker.header.frame, {});
+RosWorld::Placing RosWorld::placeScan(const Points& points, const std::string& topic, const std::string& into,
+                                      const Transform3& beginning, Sweep sweep) const {
+  std::vector<Transform3> along{beginning};
+  const Header& header = points.header;
+  const std::string& frame = header.frame.empty() ? into : header.frame;
+  if (sweep == Sweep::Beginning || points.sweep_s <= 0 || !header.stamp_s || frame == into)
+    return placedAlong(points, topic, along);
+  const int steps = std::clamp(int(std::ceil(points.sweep_s / kSweepStepS)), 1, kMostSweepSteps);
+  for (int step = 1; step <= steps; ++step) {
+    const auto found = transforms_.find(into, frame, *header.stamp_s + points.sweep_s * step / steps);
     if (!found) return tl::make_unexpected(found.error());
-    if (auto box = boxOf(marker, *found)) seen.objects.push_back(std::move(*box));
+    along.push_back(*found);
   }
-  return seen;
+  return placedAlong(points, topic, along);
 }
 
-RosWorld::Placing RosWorld::place(const Source& source, const Content& content) const {
-  if (const auto* board = std::get_if<Board>(&content)) return boxes(board->markers);
+RosWorld::Placing RosWorld::place(const Source& source, const Content& content, Sweep sweep) const {
   const Header& header = headerOf(content);
   const std::string fixed = fixedFrame();
   // The outline of the robot is drawn around the robot.
@@ -280,17 +330,28 @@ RosWorld::Placing RosWorld::place(const Source& source, const Content& content) 
     model.footprint = std::move(points);
     return model;
   }
-  if (const auto* cloud = std::get_if<Points>(&content)) return placedIn(*cloud, source.topic, *found);
+  if (const auto* cloud = std::get_if<Points>(&content))
+    return placeScan(*cloud, source.topic, into, *found, sweep);
   map::PlanningState planning;
   planning.targets = {placedIn(std::get<Placed>(content), *found)};
   return planning;
 }
 
 void RosWorld::takeContent(const Source& source, Content content, WorldResult& result) {
-  auto placed = place(source, content);
+  auto placed = place(source, content, Sweep::Whole);
   if (placed) {
     waiting_.erase(source.topic);  // what is older is of no use any more
     result.message = std::move(*placed);
+    return;
+  }
+  if (!given_frame_.empty()) {
+    // Of a scan whose end is not known the beginning will do.
+    placed = place(source, content, Sweep::Beginning);
+    if (placed) {
+      result.message = std::move(*placed);
+    } else {
+      result.unplaced = reasonOf(placed.error());
+    }
     return;
   }
   // What is older than all that is known can only get older.
@@ -298,52 +359,78 @@ void RosWorld::takeContent(const Source& source, Content content, WorldResult& r
     result.unplaced = reasonOf(placed.error());
     return;
   }
-  std::deque<Waiting>& queue = waiting_[source.topic];
-  const bool told = !queue.empty() && queue.front().told;
-  queue.push_back({source, std::move(content), result.received_s, false});
+  Queue& queue = waiting_[source.topic];
+  if (queue.messages.empty()) queue.since_s = result.received_s;
+  queue.messages.push_back({source, std::move(content), result.received_s});
   // One that is known to have no place makes way for the next, and so does the oldest of too many.
-  if (told || queue.size() > kWaiting) {
-    queue.pop_front();
-    queue.front().told = told;
-  }
+  if (queue.told || queue.messages.size() > kWaiting) queue.messages.pop_front();
 }
 
 WorldResults RosWorld::placeWaiting() {
   WorldResults results;
   for (auto& [topic, queue] : waiting_) {
-    for (std::size_t i = queue.size(); i-- > 0;) {
-      auto placed = place(queue[i].source, queue[i].content);
+    std::deque<Waiting>& messages = queue.messages;
+    for (std::size_t i = messages.size(); i-- > 0;) {
+      auto placed = place(messages[i].source, messages[i].content, Sweep::Whole);
       if (!placed) continue;
       WorldResult result;
       result.topic = topic;
-      result.received_s = queue[i].received_s;
-      result.recorded_s = headerOf(queue[i].content).stamp_s;
+      result.received_s = messages[i].received_s;
+      result.recorded_s = headerOf(messages[i].content).stamp_s;
       result.message = std::move(*placed);
       results.push_back(std::move(result));
-      queue.erase(queue.begin(), queue.begin() + std::ptrdiff_t(i) + 1);
+      messages.erase(messages.begin(), messages.begin() + std::ptrdiff_t(i) + 1);
+      queue.told = false;
+      if (!messages.empty()) queue.since_s = messages.front().received_s;
       break;
     }
   }
-  std::erase_if(waiting_, [](const auto& topic) { return topic.second.empty(); });
+  std::erase_if(waiting_, [](const auto& topic) { return topic.second.messages.empty(); });
   return results;
+}
+
+void RosWorld::lookAtMarkers(double now_s, WorldResults& results) {
+  markers_looked_s_ = now_s;
+  const SeenMarkers::Look look = markers_.look(transforms_, fixedFrame(), now_s);
+  bool told = !look.changed;  // one message holds those of all topics
+  for (const std::string& topic : markers_.topics()) {
+    const auto why = look.unplaced.find(topic);
+    if (told && why == look.unplaced.end()) continue;
+    WorldResult result;
+    result.topic = topic;
+    result.received_s = now_s;
+    if (why != look.unplaced.end()) result.unplaced = why->second;
+    if (!std::exchange(told, true)) result.message = markers_.seen();
+    results.push_back(std::move(result));
+  }
 }
 
 WorldResults RosWorld::overdue(double now_s) {
   WorldResults results;
   for (auto& [topic, queue] : waiting_) {
+    std::deque<Waiting>& messages = queue.messages;
     // The newest of those that have waited too long stays, in case that its transform comes all the same.
-    while (queue.size() > 1 && now_s - queue[1].received_s > kPatienceS) queue.pop_front();
-    Waiting& oldest = queue.front();
-    if (oldest.told || now_s - oldest.received_s <= kPatienceS) continue;
-    auto placed = place(oldest.source, oldest.content);
-    oldest.told = true;
-    if (placed) continue;  // told by the next transform
+    while (messages.size() > 1 && now_s - messages[1].received_s > kPatienceS) messages.pop_front();
+    if (queue.told || now_s - queue.since_s <= kPatienceS) continue;
+    const Waiting& oldest = messages.front();
+    // Of a scan whose end is not known the beginning will do.
+    auto placed = place(oldest.source, oldest.content, Sweep::Beginning);
+    queue.told = !placed;
     WorldResult result;
     result.topic = topic;
     result.received_s = oldest.received_s;
-    result.unplaced = reasonOf(placed.error());
+    if (placed) {
+      result.recorded_s = headerOf(oldest.content).stamp_s;
+      result.message = std::move(*placed);
+      messages.pop_front();
+      queue.since_s = now_s;
+    } else {
+      result.unplaced = reasonOf(placed.error());
+    }
     results.push_back(std::move(result));
   }
+  std::erase_if(waiting_, [](const auto& topic) { return topic.second.messages.empty(); });
+  lookAtMarkers(now_s, results);
   return results;
 }
 

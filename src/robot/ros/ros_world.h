@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "map/live_topics.h"
-#include "robot/ros/marker_board.h"
 #include "robot/ros/read_messages.h"
 #include "robot/ros/ros_topics.h"
+#include "robot/ros/seen_markers.h"
 #include "robot/ros/transforms.h"
 
 namespace mapwright::robot::ros {
@@ -30,6 +30,9 @@ struct WorldResult {
 };
 using WorldResults = std::vector<WorldResult>;
 
+/// Puts the patch into a grid of its own frame; false: the grid is newer than it, and stays as it is.
+Read<bool> patchGrid(Grid& grid, const GridPatch& patch);
+
 /// All that is kept between two messages. The fixed frame is that of the map; without a map it is called
 /// `map`, and where no such frame has come a while after the first transform, it is the root of the robot's
 /// own. What needs a transform that is not there is not placed: a transform is waited for, then named, never
@@ -42,11 +45,19 @@ class RosWorld {
   /// `ns`: frames below this namespace are looked for first.
   explicit RosWorld(std::string ns = {}) : ns_(std::move(ns)) {}
 
+  /// For recordings, whose later transforms are taken first: this is the fixed frame from now on, whatever
+  /// comes, and a message whose transform is not there when it is taken is `unplaced` at once. Markers wait.
+  void placeAtOnce(std::string fixed_frame) { given_frame_ = std::move(fixed_frame); }
   /// Grids of these topics are kept whole, for patches.
   void keepGrids(std::set<std::string> topics);
   /// A message of `source`. Transforms may place what has waited: more than one result.
   WorldResults take(const Source& source, const Field& msg, double received_s);
-  /// What has waited for its transform for too long, at `now_s`.
+  /// A grid that was read already.
+  WorldResult take(const Source& source, const Grid& grid, double received_s);
+  /// As seen by the last message of markers, or by overdue().
+  const map::SeenObjectsMessage& seenObjects() const { return markers_.seen(); }
+  /// What has waited for its transform for too long, at `now_s`; and the markers, where time or transforms
+  /// have changed what is to be seen of them.
   WorldResults overdue(double now_s);
   /// Nothing of what a topic sent holds any more.
   void forget(const std::string& topic);
@@ -68,16 +79,18 @@ class RosWorld {
   const Transforms& transforms() const { return transforms_; }
 
  private:
-  struct Board {
-    Header header;  // with its frame empty: each marker has its own
-    std::vector<Marker> markers;
-  };
-  using Content = std::variant<Grid, Outline, Points, Placed, Board>;
+  using Content = std::variant<Grid, Outline, Points, Placed>;
   struct Waiting {
     Source source;
     Content content;
     double received_s = 0;
-    bool told = false;  // that it has no transform
+  };
+  /// The messages of one topic. Those of a fast one make way for each other sooner than any of them is late:
+  /// what counts is how long none has been placed.
+  struct Queue {
+    std::deque<Waiting> messages;  // the oldest first
+    double since_s = 0;
+    bool told = false;  // that there is no transform
   };
   using Placing = tl::expected<map::TopicMessage, Transforms::Missing>;
 
@@ -85,24 +98,32 @@ class RosWorld {
   void takePatch(const Source& source, const Field& msg, WorldResult& result);
   void takeContent(const Source& source, Content content, WorldResult& result);
   static const Header& headerOf(const Content& content);
-  Placing place(const Source& source, const Content& content) const;
-  Placing boxes(const std::vector<Marker>& markers) const;
+  /// A scan is placed point by point, once all of its sweep is known; or as it lay at its beginning.
+  enum class Sweep { Whole, Beginning };
+  Placing place(const Source& source, const Content& content, Sweep sweep) const;
+  Placing placeScan(const Points& points, const std::string& topic, const std::string& into,
+                    const Transform3& beginning, Sweep sweep) const;
+  void lookAtMarkers(double now_s, WorldResults& results);
   WorldResults placeWaiting();
   tl::expected<geometry::Pose2, Transforms::Missing> inFixedFrame(const Placed& placed) const;
 
   std::string ns_;
   Transforms transforms_;
+  /// By topic and frame: its last transform was no numbers or no rotation (tf2 takes no such, either).
+  std::set<std::pair<std::string, std::string>> unusable_;
   std::string map_frame_;
+  std::string given_frame_;                      // placeAtOnce(); empty: frames are found
   double first_transform_s_ = 0, latest_s_ = 0;  // when they came; 0 = none yet
   std::set<std::string> kept_topics_;
-  std::map<std::string, Grid> grids_;  // by topic
-  std::map<std::string, std::deque<Waiting>> waiting_;
+  std::map<std::string, Grid> grids_;     // by topic
+  std::map<std::string, Queue> waiting_;  // by topic
   struct Told {
     Form form;
     Placed placed;
   };
-  std::map<std::string, Told> told_poses_;     // by topic
-  std::map<std::string, MarkerBoard> boards_;  // by topic
+  std::map<std::string, Told> told_poses_;  // by topic
+  SeenMarkers markers_;
+  double markers_looked_s_ = 0;
 };
 
 }  // namespace mapwright::robot::ros

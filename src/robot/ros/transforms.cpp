@@ -18,11 +18,11 @@ std::optional<Transform3> normalised(const Transform3& transform) {
   return Transform3{transform.t_m, Eigen::Quaterniond(transform.q.coeffs() / length)};
 }
 
+}  // namespace
+
 Transform3 between(const Transform3& from, const Transform3& to, double part) {
   return {from.t_m + (to.t_m - from.t_m) * part, from.q.slerp(part, to.q)};
 }
-
-}  // namespace
 
 Transform3 Transform3::operator*(const Transform3& child) const {
   return {apply(child.t_m), (q * child.q).normalized()};

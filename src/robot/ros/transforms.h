@@ -30,6 +30,9 @@ struct Transform3 {
   geometry::Pose2 flat() const;
 };
 
+/// The part 0..1 of the way from one to the other.
+Transform3 between(const Transform3& from, const Transform3& to, double part);
+
 /// The name of a frame without the slashes that ROS 1 of old put before it.
 std::string frameName(std::string_view name);
 

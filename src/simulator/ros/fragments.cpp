@@ -5,6 +5,10 @@
 namespace mapwright::simulator::ros {
 namespace {
 
+constexpr std::int64_t kMostPieces = 1'000'000;
+constexpr std::size_t kMostBytes = std::size_t{512} << 20;
+constexpr std::size_t kMostMessages = 16;
+
 bool beginsCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
 
 }  // namespace
@@ -34,6 +38,35 @@ std::vector<std::string> fragmentsOf(std::string text, std::size_t size, const V
                             writer);
   }
   return pieces;
+}
+
+std::optional<std::string> FragmentShelf::take(const Value& piece, std::string& complaint) {
+  const std::int64_t* const number = piece["num"].as<std::int64_t>();
+  const std::int64_t* const total = piece["total"].as<std::int64_t>();
+  const std::string* const data = piece["data"].as<std::string>();
+  const std::int64_t* const id = piece["id"].as<std::int64_t>();
+  const std::string name = id != nullptr ? std::to_string(*id) : piece["id"].text();
+  if (number == nullptr || total == nullptr || data == nullptr || name.empty() || *total < 1 ||
+      *total > kMostPieces || *number < 0 || *number >= *total) {
+    complaint = "A field of fragment is missing or of another type";
+    return std::nullopt;
+  }
+  if (messages_.count(name) == 0 && messages_.size() >= kMostMessages) messages_.erase(messages_.begin());
+  Message& message = messages_[name];
+  if (message.total == 0) message.total = static_cast<std::size_t>(*total);
+  message.bytes += data->size();
+  if (message.total != static_cast<std::size_t>(*total) || message.bytes > kMostBytes) {
+    messages_.erase(name);
+    complaint = "The pieces of a message do not fit together";
+    return std::nullopt;
+  }
+  message.pieces[static_cast<std::size_t>(*number)] = *data;
+  if (message.pieces.size() < message.total) return std::nullopt;
+  std::string whole;
+  whole.reserve(message.bytes);
+  for (const auto& [at, text] : message.pieces) whole += text;
+  messages_.erase(name);
+  return whole;
 }
 
 }  // namespace mapwright::simulator::ros

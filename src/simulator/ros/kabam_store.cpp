@@ -293,4 +293,35 @@ UpdateResult KabamStore::replaceImage(const std::string& id, const Value& image)
   return UpdateResult::Updated;
 }
 
+void KabamStore::otherPainter() {
+  constexpr int kSpot = 6;
+  const std::optional<KabamMap> map = current();
+  const std::shared_ptr<const FloorCells> cells = map ? pictures_.cells(map->wish) : nullptr;
+  if (!cells || cells->width < 4 * kSpot || cells->height < 4 * kSpot) return;
+  auto picture = std::make_shared<GrayPicture>();
+  if (map->image) {
+    *picture = *map->image;
+  } else {
+    *picture = {cells->width, cells->height, {}};
+    for (const FloorCell cell : cells->cells) {
+      const int shade = cell == FloorCell::Unknown ? 205 : cell == FloorCell::Free ? 254 : 0;
+      picture->levels.push_back(static_cast<std::uint8_t>(shade));
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  KabamMap* kept = mapOf(map->id);
+  if (kept == nullptr || kept->picture_edits != map->picture_edits) return;
+  Dice dice(hashOf(seed_, 131, spots_++));
+  const int left = dice.integer(0, cells->width - kSpot);
+  const int top = dice.integer(0, cells->height - kSpot);
+  for (int row = top; row < top + kSpot; ++row) {
+    const auto at = picture->levels.begin() + std::ptrdiff_t{row} * cells->width + left;
+    std::fill(at, at + kSpot, std::uint8_t{0});
+  }
+  kept->image = std::move(picture);
+  kept->picture_edits = ++picture_edits_;
+  touch(*kept);
+  ++edits_.picture;
+}
+
 }  // namespace mapwright::simulator::ros

@@ -94,6 +94,8 @@ class KabamStore {
 
   /// Somebody else changes something: each time something else, in turn.
   void otherOperator();
+  /// Somebody else paints a spot on the current map: each time somewhere else.
+  void otherPainter();
 
  private:
   struct Place {
@@ -120,7 +122,7 @@ class KabamStore {
   ManagerState state_ = ManagerState::Idle;
   std::optional<double> mapping_since_s_;  // of what is mapped, or has been and is not saved
   double mapping_until_s_ = 0;             // once stopped
-  std::uint64_t ids_ = 0, turns_ = 0, picture_edits_ = 0;
+  std::uint64_t ids_ = 0, turns_ = 0, spots_ = 0, picture_edits_ = 0;
   KabamEdits edits_;
 };
 

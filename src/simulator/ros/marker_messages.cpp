@@ -53,6 +53,11 @@ Value markersMessage(const Moment& moment, const std::optional<KabamMap>& map) {
     const geometry::Pose2 at = moment.robot.poseAhead(s);
     points.push_back(xyz(at.x_m, at.y_m, 0));
   }
+  const Value ahead = poseOf(moment.robot.poseAhead(6));
+  Value label = marker(moment, "plan", 3, kText, ahead, xyz(0, 0, 0.3));
+  label.set("text", "6 m ahead");
+  markers.push_back(marker(moment, "plan", 2, kArrow, ahead, xyz(0.6, 0.1, 0.1)));
+  markers.push_back(std::move(label));
   trail.set("points", points);
   dots.set("points", points);
   markers.push_back(std::move(trail));

@@ -164,7 +164,9 @@ std::optional<Value> Messages::messageOf(std::string_view topic) {
   if (topic == "/local_plan") return pathMessage(moment, kLocalPlanM);
   if (topic == "/scan") return laserScanMessage(moment);
   if (topic == "/points") return pointCloudMessage(moment);
-  if (topic == "/markers") return markersMessage(moment, kabam_.current());
+  // Where the manager tells of waypoints, nobody else needs to.
+  if (topic == "/markers")
+    return markersMessage(moment, options_.ros.kabam ? std::nullopt : kabam_.current());
   if (topic.ends_with("footprint")) return footprintMessage(moment);
   if (topic == "/map" || topic == "/map_updates" || topic.find("costmap/costmap") != std::string_view::npos)
     return gridTopic(topic, moment);

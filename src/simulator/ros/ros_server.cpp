@@ -28,7 +28,8 @@ RosServer::RosServer(const Options& options, const RobotState& robot, const Faul
       log_(log),
       kabam_(kabam),
       messages_(robot, options, faults, kabam, pictures),
-      services_(options, faults, kabam, messages_),
+      dispatcher_(options, faults),
+      services_(options, faults, kabam, messages_, dispatcher_),
       rows_(topicTable(options, {})) {}
 
 RosServer::~RosServer() {
@@ -52,7 +53,7 @@ std::optional<std::string> RosServer::start(std::uint16_t port) {
            " on 127.0.0.1: " + error.message() + ". Choose another port, or 0 for a free one.";
   }
   published_ = kabam_.edits();
-  tick_at_ = restarted_at_ = edited_at_ = garbage_at_ = steady_clock::now();
+  tick_at_ = restarted_at_ = edited_at_ = painted_at_ = garbage_at_ = steady_clock::now();
   for (const TopicRow& row : rows_) {
     if (row.period_s <= 0) continue;
     const auto period =
@@ -132,6 +133,11 @@ void RosServer::keepFaultSchedule(steady_clock::time_point now) {
     edited_at_ = now;
     kabam_.otherOperator();
   }
+  if (faults.other_painter_every_s > 0 &&
+      now - painted_at_ >= std::chrono::seconds(faults.other_painter_every_s)) {
+    painted_at_ = now;
+    kabam_.otherPainter();
+  }
   if (faults.garbage && now - garbage_at_ >= kGarbageEvery) {
     garbage_at_ = now;
     const Garbage piece = garbageOf(garbage_++);
@@ -139,7 +145,18 @@ void RosServer::keepFaultSchedule(steady_clock::time_point now) {
   }
 }
 
+std::optional<Value> RosServer::messageOf(const std::string& topic) {
+  if (std::optional<Value> own = dispatcher_.messageOf(topic)) return own;
+  return messages_.messageOf(topic);
+}
+
 void RosServer::publishChanges() {
+  const Dispatcher::Edits dispatcher = dispatcher_.edits();
+  const Dispatcher::Edits dispatched = std::exchange(dispatched_, dispatcher);
+  if (dispatcher.map != dispatched.map) publish("/map_metadata");
+  if (dispatcher.projections != dispatched.projections) {
+    for (const std::string_view name : Dispatcher::projectedTopics()) publish(name);
+  }
   const KabamEdits edits = kabam_.edits();
   const KabamEdits before = std::exchange(published_, edits);
   if (edits == before) return;
@@ -209,7 +226,7 @@ void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_fo
     if (for_all) return deliverAll(message);
     if (const std::shared_ptr<RosSession> session = only_for.lock()) session->deliver(message, true);
   };
-  if (row == nullptr || !row->slow) return done(publicationOf(topic, messages_.messageOf(topic)));
+  if (row == nullptr || !row->slow) return done(publicationOf(topic, messageOf(topic)));
   if (for_all) {
     const auto [entry, is_new] = making_.try_emplace(topic, false);
     if (!is_new) {
@@ -218,7 +235,7 @@ void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_fo
     }
   }
   boost::asio::post(workers_, [this, topic, for_all, done] {
-    PublicationPtr message = publicationOf(topic, messages_.messageOf(topic));
+    PublicationPtr message = publicationOf(topic, messageOf(topic));
     boost::asio::post(io_, [this, topic, for_all, done, message = std::move(message)] {
       const bool again = for_all && making_.extract(topic).mapped();
       done(message);
@@ -278,6 +295,13 @@ void RosServer::refresh() {
 void RosServer::otherOperator() {
   runAndWait([this] {
     kabam_.otherOperator();
+    publishChanges();
+  });
+}
+
+void RosServer::otherPainter() {
+  runAndWait([this] {
+    kabam_.otherPainter();
     publishChanges();
   });
 }

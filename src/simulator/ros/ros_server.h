@@ -46,6 +46,7 @@ class RosServer {
   void dropLinks();
   void refresh();  // every topic says how things are
   void otherOperator();
+  void otherPainter();
 
   // For the sessions, on the server's thread.
   const Options& options() const { return options_; }
@@ -79,6 +80,7 @@ class RosServer {
   void deliverAll(const PublicationPtr& message);
   const TopicRow* rowOf(std::string_view topic) const;
   bool isSilent(std::string_view topic) const;
+  std::optional<Value> messageOf(const std::string& topic);
   PublicationPtr publicationOf(const std::string& topic, std::optional<Value> msg) const;
   void runAndWait(const std::function<void()>& action);
 
@@ -87,6 +89,7 @@ class RosServer {
   RequestLog& log_;
   KabamStore& kabam_;
   Messages messages_;
+  Dispatcher dispatcher_;
   Services services_;
   boost::asio::io_context io_{1};
   boost::asio::thread_pool workers_{1};
@@ -100,7 +103,8 @@ class RosServer {
   std::map<std::string, PublicationPtr, std::less<>> last_;  // of latched topics
   std::map<std::string, bool> making_;                       // true: once more when it is done
   KabamEdits published_;
-  std::chrono::steady_clock::time_point tick_at_, restarted_at_, edited_at_, garbage_at_;
+  Dispatcher::Edits dispatched_;
+  std::chrono::steady_clock::time_point tick_at_, restarted_at_, edited_at_, painted_at_, garbage_at_;
   std::size_t garbage_ = 0;
   std::atomic<int> open_ = 0;
   std::thread thread_;

@@ -27,7 +27,10 @@ Value triggered(bool done, std::string_view verb, std::string_view past) {
 
 std::vector<Services::Row> Services::rows() const {
   const bool is_ros1 = options_.ros.dialect == RosDialect::Ros1;
-  std::vector<Row> rows{{is_ros1 ? "/static_map" : "/map_server/map", "nav_msgs/GetMap"}};
+  std::vector<Row> rows;
+  if (!options_.ros.dispatcher.there)
+    rows.push_back({is_ros1 ? "/static_map" : "/map_server/map", "nav_msgs/GetMap"});
+  for (const Dispatcher::Row& row : dispatcher_.services()) rows.push_back({row.name, row.type});
   if (options_.ros.kabam) {
     for (const Row& row : {Row{"/map_manager/start_mapping", "std_srvs/Trigger"},
                            Row{"/map_manager/stop_mapping", "std_srvs/Trigger"},
@@ -58,7 +61,22 @@ std::string Services::typeOf(const Row& row) const {
   if (options_.ros.dialect == RosDialect::Ros2 && row.type.starts_with("rosapi/")) {
     return "rosapi_msgs/srv/" + std::string(row.type.substr(row.type.find('/') + 1));
   }
-  return typeName(row.type, "srv", options_.ros.dialect);
+  std::string name = typeName(row.type, "srv", options_.ros.dialect);
+  if (options_.ros.dispatcher.map_msg && name.starts_with("map_msgs/")) name.erase(7, 1);
+  return name;
+}
+
+/// Those that there are now.
+std::vector<TopicRow> Services::topics() const {
+  std::vector<TopicRow> rows = topicTable(options_, faults_.faults().ros);
+  const std::vector<Dispatcher::Row> own = dispatcher_.topics();
+  std::erase_if(rows, [&](const TopicRow& row) {
+    const auto& projected = Dispatcher::projectedTopics();
+    if (std::find(projected.begin(), projected.end(), row.name) == projected.end()) return false;
+    return std::none_of(own.begin(), own.end(),
+                        [&](const Dispatcher::Row& there) { return there.name == row.name; });
+  });
+  return rows;
 }
 
 bool Services::has(std::string_view service) const {
@@ -66,19 +84,22 @@ bool Services::has(std::string_view service) const {
   return std::any_of(all.begin(), all.end(), [&](const Row& row) { return row.name == service; });
 }
 
-CallOutcome Services::call(std::string_view service, const Value& args) {
+CallOutcome Services::call(std::string_view name, const Value& args) {
+  // ROS resolves names that are not whole; roslib asks for "rosapi/topics".
+  const std::string service = name.starts_with('/') ? std::string(name) : '/' + std::string(name);
   const std::vector<Row> all = rows();
   const auto row =
       std::find_if(all.begin(), all.end(), [&](const Row& known) { return known.name == service; });
-  if (row == all.end()) return {false, "Service " + std::string(service) + " does not exist"};
+  if (row == all.end()) return {false, "Service " + service + " does not exist"};
   const std::string type = std::string(row->type) + "Request";
   const tl::expected<Value, std::string> request = args.as<Value::List>() != nullptr
                                                        ? types_.fromList(type, *args.as<Value::List>())
                                                        : types_.complete(type, args);
   if (!request) return {false, request.error()};
+  if (dispatcher_.has(service)) return dispatcher_.call(service, *request);
   Value values = answer(service, *request);
   if (values.isNull())
-    return {false, "service [" + std::string(service) + "] responded with an error: b'there is no map'"};
+    return {false, "service [" + service + "] responded with an error: b'there is no map'"};
   return {true, std::move(values)};
 }
 
@@ -104,7 +125,12 @@ Value Services::answerManager(std::string_view verb, const Value& request) {
   if (verb == "delete_map") return resultOnly(kabam_.remove(map_id, request["delete_map"].flag()));
   if (verb == "archive_map") return resultOnly(kabam_.archive(map_id, request["set_archive"].flag()));
   if (verb == "rename_map") return resultOnly(kabam_.relabel(map_id, request["new_map_label"].text()));
-  if (verb == "update_map_image") return resultOnly(kabam_.replaceImage(map_id, request["updated_image"]));
+  if (verb == "update_map_image") {
+    const RosFaults faults = faults_.faults().ros;
+    if (faults.picture_code > 0) return Value::Object{{"result", faults.picture_code}};
+    if (faults.picture_ignored) return resultOnly(UpdateResult::Updated);
+    return resultOnly(kabam_.replaceImage(map_id, request["updated_image"]));
+  }
   if (verb == "get_waypoint") {
     return Value::Object{{"waypoints", waypointsOf(map_id, request["waypoint_id"].text())}};
   }
@@ -132,7 +158,7 @@ Value Services::waypointsOf(const std::string& map_id, const std::string& waypoi
 }
 
 Value Services::answerRosapi(std::string_view verb, const Value& request) const {
-  const std::vector<TopicRow> topics = topicTable(options_, faults_.faults().ros);
+  const std::vector<TopicRow> topics = this->topics();
   Value::List names, types;
   if (verb == "topics") {
     for (const TopicRow& topic : topics) {
@@ -169,6 +195,7 @@ Value Services::answerRosapi(std::string_view verb, const Value& request) const 
        {"/amcl", "/map_server", "/move_base", "/robot_state_publisher", "/rosbridge_websocket"})
     names.emplace_back(node);
   if (options_.ros.kabam) names.emplace_back("/map_manager");
+  if (options_.ros.dispatcher.there) names.emplace_back("/map_dispatcher");
   if (options_.ros.rosapi) names.emplace_back("/rosapi");
   return Value::Object{{"nodes", std::move(names)}};
 }

@@ -5,8 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "simulator/ros/dispatcher.h"
 #include "simulator/ros/kabam_store.h"
 #include "simulator/ros/ros_messages.h"
+#include "simulator/ros/topic_table.h"
 #include "simulator/ros/type_book.h"
 
 namespace mapwright::simulator::ros {
@@ -20,12 +22,18 @@ struct CallOutcome {
 /// Safe from any thread.
 class Services {
  public:
-  Services(const Options& options, const FaultPlan& faults, KabamStore& kabam, Messages& messages)
-      : options_(options), faults_(faults), kabam_(kabam), messages_(messages), types_(options.ros.dialect) {}
+  Services(const Options& options, const FaultPlan& faults, KabamStore& kabam, Messages& messages,
+           Dispatcher& dispatcher)
+      : options_(options),
+        faults_(faults),
+        kabam_(kabam),
+        messages_(messages),
+        dispatcher_(dispatcher),
+        types_(options.ros.dialect) {}
 
   bool has(std::string_view service) const;
   /// `args` as the client sent them: an object, a list in the order of the fields, or nothing.
-  CallOutcome call(std::string_view service, const Value& args);
+  CallOutcome call(std::string_view name, const Value& args);
   const TypeBook& types() const { return types_; }
 
  private:
@@ -36,6 +44,7 @@ class Services {
   std::string typeOf(const Row& row) const;
   Value answer(std::string_view service, const Value& request);
   Value answerManager(std::string_view verb, const Value& request);
+  std::vector<TopicRow> topics() const;
   Value answerRosapi(std::string_view verb, const Value& request) const;
   Value waypointsOf(const std::string& map_id, const std::string& waypoint_id) const;
 
@@ -43,6 +52,7 @@ class Services {
   const FaultPlan& faults_;
   KabamStore& kabam_;
   Messages& messages_;
+  Dispatcher& dispatcher_;
   const TypeBook types_;
 };
 

@@ -87,7 +87,7 @@ void RosSession::read() {
   });
 }
 
-void RosSession::understand(std::string_view text) {
+void RosSession::understand(std::string_view text, bool joined) {
   const std::optional<Value> message = fromJson(text);
   if (!message || (*message)["op"].text().empty()) {
     if (server_.options().ros.needs_auth && !authenticated_) return cut();
@@ -104,6 +104,13 @@ void RosSession::understand(std::string_view text) {
   // Whoever asks for fragments gets them for as long as he is connected.
   if (const std::int64_t* size = (*message)["fragment_size"].as<std::int64_t>(); size != nullptr && *size > 0)
     fragment_size_ = static_cast<std::size_t>(*size);
+  if (op == "fragment" && !joined) {
+    std::string complaint;
+    const std::optional<std::string> whole = shelf_.take(*message, complaint);
+    if (!complaint.empty()) return complain(complaint, id);
+    if (whole) understand(*whole, true);
+    return;
+  }
   if (op == "call_service") return call(*message);
   if (op == "subscribe") return subscribe(*message);
   if (op == "unsubscribe") return unsubscribe(*message);

@@ -11,6 +11,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include "simulator/ros/fragments.h"
 #include "simulator/ros/subscriptions.h"
 
 namespace mapwright::simulator::ros {
@@ -41,7 +42,7 @@ class RosSession : public std::enable_shared_from_this<RosSession> {
     bool binary = false;
   };
   void read();
-  void understand(std::string_view text);
+  void understand(std::string_view text, bool joined = false);
   void subscribe(const Value& message);
   void unsubscribe(const Value& message);
   void publish(const Value& message);
@@ -59,6 +60,7 @@ class RosSession : public std::enable_shared_from_this<RosSession> {
   boost::beast::flat_buffer buffer_;
   Subscriptions subscriptions_;
   std::size_t fragment_size_ = 0;
+  FragmentShelf shelf_;
   std::string status_level_;  // "error" and the like: told of mistakes
   bool authenticated_ = false;
   bool open_ = false;

@@ -1,5 +1,7 @@
 #include "simulator/ros/topic_table.h"
 
+#include "simulator/ros/dispatcher.h"
+
 namespace mapwright::simulator::ros {
 
 std::vector<TopicRow> topicTable(const Options& options, const RosFaults& faults) {
@@ -30,6 +32,14 @@ std::vector<TopicRow> topicTable(const Options& options, const RosFaults& faults
     rows.push_back({kMapListTopic, "kabam_msgs/MapList", 0, kLatched});
     rows.push_back({kArchivedListTopic, "kabam_msgs/MapList", 0, kLatched});
     rows.push_back({kWaypointsTopic, "kabam_msgs/MapWaypointList", 0, kLatched});
+  }
+  const DispatcherOptions& dispatcher = options.ros.dispatcher;
+  if (dispatcher.there) {
+    std::erase_if(rows, [](const TopicRow& row) { return row.name == "/map" || row.name == "/map_updates"; });
+    if (dispatcher.planar) rows.push_back({"/map_metadata", "nav_msgs/MapMetaData", 0, kLatched});
+    for (const std::string_view name : Dispatcher::projectedTopics()) {
+      if (dispatcher.spatial) rows.push_back({name, "map_msgs/ProjectedMap", 0, kLatched, kSlow});
+    }
   }
   for (TopicRow& row : rows) {
     if (faults.wrong_type && hasOddType(row.name)) row.type = "std_msgs/String";

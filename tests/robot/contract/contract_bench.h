@@ -15,17 +15,24 @@
 #include <QTest>
 
 #include "answer_gate.h"
+#include "grids/grid_pyramid.h"
+#include "recording/append_file.h"
+#include "recording/mcap_writer.h"
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
+#include "robot/bag_library.h"
 #include "robot/files/file_robot.h"
 #include "robot/map_administration.h"
+#include "robot/map_dispatch.h"
+#include "robot/picture_store.h"
+#include "robot/recorded/recorded_robot.h"
 #include "robot/ros/ros_robot.h"
 #include "robot/waypoint_store.h"
 #include "simulator/simulator.h"
 
 namespace mapwright::robot::testing {
 
-enum class Adapter { Axbot, Aimdk, Ros, Kabam, Files };
+enum class Adapter { Axbot, Aimdk, Ros, Kabam, Rep130, Files, Recorded };
 
 /// How a question of whatever kind ended: nullopt = in its value.
 using Ended = std::optional<map::Failure>;
@@ -48,11 +55,17 @@ class Bench {
       yaml.write("image: hall.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n");
       key = {map::MapKind::File, "hall.yaml"};
       unknown = {map::MapKind::File, "nowhere.yaml"};
+    } else if (adapter == Adapter::Recorded) {
+      writeRecording();
+      key = {map::MapKind::Stored, "12"};
+      unknown = {map::MapKind::Stored, "17"};
     } else {
       simulator::Options options;
       options.paused = true;
       options.faults = faults;
       options.ros.kabam = adapter == Adapter::Kabam;
+      options.ros.dispatcher.there = adapter == Adapter::Rep130;
+      options.ros.dispatcher.edge_m = 20;
       robot_itself = std::make_unique<simulator::Simulator>(options);
       (void)robot_itself->start();
       const bool axbot = adapter == Adapter::Axbot;
@@ -60,15 +73,18 @@ class Bench {
                                           : axbot         ? robot_itself->port()
                                                           : robot_itself->aimdkPort());
       key = {map::MapKind::Stored, axbot ? "2" : "1764059676131"};
-      if (adapter == Adapter::Ros) key = {map::MapKind::Live, {}};
+      if (adapter == Adapter::Ros || adapter == Adapter::Rep130) key = {map::MapKind::Live, {}};
       unknown = {map::MapKind::Stored, axbot ? "99" : "17"};
     }
     make();
     if (adapter == Adapter::Kabam) findCurrentMap();
+    takePicture();
   }
 
   /// It tells by itself what it is asked for, so much is at hand without a question.
-  bool overRosbridge() const { return adapter_ == Adapter::Ros || adapter_ == Adapter::Kabam; }
+  bool overRosbridge() const {
+    return adapter_ == Adapter::Ros || adapter_ == Adapter::Kabam || adapter_ == Adapter::Rep130;
+  }
 
   /// What the simulated Autoxing robot calls a map, asked behind the adapter's back.
   class Name {
@@ -97,10 +113,17 @@ class Bench {
       robot = std::make_unique<files::FileRobot>(QStringLiteral("file:test"), options);
       return;
     }
+    if (adapter_ == Adapter::Recorded) {
+      recorded::RecordedOptions options;
+      options.path = recordingPath();
+      robot = std::make_unique<recorded::RecordedRobot>(QStringLiteral("file:test.mcap"), options);
+      return;
+    }
     if (overRosbridge()) {
       ros::LinkOptions options;
       options.url = QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(gate->port()));
       options.kabam_only = adapter_ == Adapter::Kabam;
+      options.dispatch.expected = adapter_ == Adapter::Rep130;
       robot = std::make_unique<ros::RosRobot>(QStringLiteral("ros+test"), options);
       robot->connectToRobot();
       (void)QTest::qWaitFor([this] { return robot->connection().phase == ConnectionPhase::Online; }, 30'000);
@@ -140,7 +163,7 @@ class Bench {
     if (auto* store = robot->waypointStore())
       all.push_back({"stored waypoints", [=, of = key](auto end) { return store->read(of, tell(end)); }});
     if (auto* submaps = robot->submapSource()) {
-      const std::string uuid = robot_itself->uuid();
+      const std::string uuid = robot_itself ? robot_itself->uuid() : std::string("u");
       all.push_back({"submap", [=](auto end) {
                        return submaps->fetch({uuid, {0, 0}, 24}, [end](const map::SubmapAnswer& answer) {
                          using Outcome = map::SubmapAnswer::Outcome;
@@ -150,6 +173,30 @@ class Bench {
                          end(answer.outcome == Outcome::Ok ? Ended() : Ended(failure));
                        });
                      }});
+    }
+    if (auto* dispatch = robot->mapDispatch()) {
+      const map::GridRegion square{{0, 0}, {2, 2}};
+      const map::CloudRegion box{{0, 0, 1}, 0, {2, 2, 2}};
+      all.push_back({"region", [=](auto end) { return dispatch->grid(square, tell(end)); }});
+      all.push_back({"points", [=](auto end) { return dispatch->cloud(CloudKind::Points, box, tell(end)); }});
+      all.push_back({"voxels", [=](auto end) {
+                       return dispatch->cloud(CloudKind::Occupancy, std::nullopt, tell(end));
+                     }});
+      all.push_back({"projections", [=](auto end) { return dispatch->projections(tell(end)); }});
+    }
+    if (auto* bags = robot->bagLibrary(); bags && adapter_ == Adapter::Recorded) {
+      const BagKey bag{BagKind::File, recorded::bagNameOf(recordingPath())};
+      all.push_back({"bags", [=](auto end) { return bags->list(tell(end)); }});
+      all.push_back({"bag", [=](auto end) { return bags->info(bag, tell(end)); }});
+      all.push_back({"messages", [=](auto end) { return bags->messages(bag, {0, 100}, tell(end)); }});
+      all.push_back({"bag's removal", [=](auto end) { return bags->remove(bag, tell(end)); }});
+    }
+    if (auto* pictures = robot->pictureStore()) {
+      all.push_back({"picture",
+                     [=, of = key, wanted = picture](auto end) {
+                       return pictures->write({of, wanted.cells, wanted.revision}, tell(end));
+                     },
+                     true});
     }
     if (auto* maps = robot->mapAdministration()) {
       all.push_back({"rename",
@@ -166,12 +213,40 @@ class Bench {
     return all;
   }
 
+  /// The picture of the map that it has, to be written as it is.
+  struct Picture {
+    std::shared_ptr<const grids::GridPyramid> cells;  // null: it takes none
+    std::string revision;
+  };
+
   map::MapKey key, unknown;
+  Picture picture;
   std::unique_ptr<simulator::Simulator> robot_itself;  // null: files
   std::unique_ptr<AnswerGate> gate;                    // null: files
   std::unique_ptr<Robot> robot;
 
  private:
+  QString recordingPath() const { return folder_.filePath(QStringLiteral("test.mcap")); }
+  /// A map with its places, a submap, a message.
+  void writeRecording() const {
+    auto target = recording::appendFile(recordingPath().toStdString(), recording::Existing::Replace);
+    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    const auto attach = [&](const std::string& name, const std::string& bytes) {
+      (void)(*writer)->attach({name, "application/octet-stream", 1, 0, bytes});
+    };
+    attach("maps/stored/12", "P5\n4 4\n255\n" + std::string(16, char(254)));
+    attach("maps/stored/12.json", R"({"name":"Hall","grid":{"width":4,"height":4,"resolution_m":0.05}})");
+    attach("waypoints/stored/12.json", R"({"waypoints":[]})");
+    attach("submaps/u/0/0/24", std::string("\x10\x18", 2));
+    recording::Channel channel;
+    channel.topic = "/alerts";
+    channel.message_encoding = "json";
+    const std::string text = R"({"topic":"/alerts","alerts":[]})";
+    (void)(*writer)->write(*(*writer)->addChannel(channel), {5, 5, 1},
+                           {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    (void)(*writer)->close();
+  }
+
   void findCurrentMap() {
     bool told = false;
     robot->mapCatalogue()->list([&](const Outcome<std::vector<map::CatalogueEntry>>& entries) {
@@ -179,6 +254,24 @@ class Bench {
       for (const map::CatalogueEntry& entry : entries.value_or(std::vector<map::CatalogueEntry>{})) {
         if (entry.is_current) key = entry.key;
       }
+    });
+    (void)QTest::qWaitFor([&] { return told; }, 30'000);
+  }
+
+  void takePicture() {
+    if (!robot->pictureStore()) return;
+    bool told = false;
+    robot->wholeMapSource()->fetch(key, [&](const Outcome<map::WholeMap>& map) {
+      told = true;
+      if (!map) return;
+      picture.revision = map->fingerprint;
+      grids::GridOptions options;
+      options.reading = map->reading;
+      auto reading =
+          map->bytes ? grids::openGrid(map->bytes, options) : grids::openGridFile(map->path, options);
+      if (!reading) return;
+      (void)(*reading)->read(std::atomic<bool>(false), {});
+      picture.cells = (*reading)->pyramid();
     });
     (void)QTest::qWaitFor([&] { return told; }, 30'000);
   }

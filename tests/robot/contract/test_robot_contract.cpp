@@ -62,7 +62,9 @@ class RobotContractTest : public QObject {
     QTest::newRow("aimdk") << Adapter::Aimdk;
     QTest::newRow("ros") << Adapter::Ros;
     QTest::newRow("kabam") << Adapter::Kabam;
+    QTest::newRow("rep130") << Adapter::Rep130;
     if (with_files) QTest::newRow("files") << Adapter::Files;
+    if (with_files) QTest::newRow("recorded") << Adapter::Recorded;
   }
 
  private Q_SLOTS:
@@ -313,7 +315,9 @@ class RobotContractTest : public QObject {
         {Capability::WaypointEditing, robot.waypointStore() != nullptr},
         {Capability::Live, robot.liveTopics() != nullptr},
         {Capability::Administration, robot.mapAdministration() != nullptr},
-        {Capability::PictureEditing, robot.pictureStore() != nullptr}};
+        {Capability::PictureEditing, robot.pictureStore() != nullptr},
+        {Capability::Bags, robot.bagLibrary() != nullptr},
+        {Capability::Dispatch, robot.mapDispatch() != nullptr}};
     for (const auto& [capability, there] : all) {
       if (there) continue;
       const QString why = sentences::whyAbsent(capability, robot.whyNot(capability));

@@ -22,7 +22,7 @@ CompareController::CompareController(WindowContext& context, PicturePlacing& pla
   compare_ = context_.actions.add({.id = "compare",
                                    .text = tr("Com&pare…"),
                                    .icon = "compare",
-                                   .keys = {"Ctrl+D"},
+                                   .keys = {"Ctrl+Shift+D"},
                                    .tip = tr("Set the open map against another one"),
                                    .menu = {MenuGroup::WholeMap, 10},
                                    .bar = {BarGroup::Maps, 40}},

@@ -4,6 +4,7 @@
 
 #include <QDir>
 
+#include "robot/second_server.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/reason_sentence.h"
 #include "window/connection/robot_menus.h"
@@ -18,6 +19,7 @@
 #include "window/map/toast_stack.h"
 #include "window/notices.h"
 #include "window/on_screen.h"
+#include "window/replay/replay_state.h"
 #include "window/status/connection_chip.h"
 #include "window/unsaved_changes.h"
 #include "words/qt_plain.h"
@@ -88,11 +90,20 @@ std::optional<QString> ConnectionController::connectTo(const QString& address, c
   auto robot = make_robot_(address, secret);
   if (!robot) return robot.error();
   if (!*robot) return tr("This address gives no robot.");
+  secret_of_ = (*robot)->address();
+  secret_ = secret;
   // Shared, because what is called later has to be copyable.
   context_.unsaved.whenMayLeave([this,
                                  made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)),
                                  address] { begin(std::move(*made), address); });
   return std::nullopt;
+}
+
+tl::expected<std::unique_ptr<robot::Robot>, QString> ConnectionController::another(
+    const QString& address) const {
+  auto robot = make_robot_(address, address == secret_of_ ? secret_ : QByteArray());
+  if (robot && !*robot) return tl::make_unexpected(tr("This address gives no robot."));
+  return robot;
 }
 
 void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const QString& address) {
@@ -153,18 +164,27 @@ void ConnectionController::enterSecret() {
   dialog->askForSecret(context_.current.address(), sentences::wordsOf(session->connection().reason));
 }
 
+std::optional<robot::UntrustedCertificate> ConnectionController::certificateBeside() const {
+  session::Session* const session = context_.current.session();
+  robot::SecondServer* const second = session ? robot::secondServerOf(session->robot()) : nullptr;
+  return second ? second->certificateBeside() : std::nullopt;
+}
+
 void ConnectionController::openCertificate() {
   const session::Session* const session = context_.current.session();
-  const auto certificate = session ? session->connection().certificate : std::nullopt;
-  if (!certificate || context_.window.findChild<CertificateDialog*>()) return;
+  if (!session || context_.window.findChild<CertificateDialog*>()) return;
+  // Its own goes before that of the server beside it.
+  const auto own = session->connection().certificate, certificate = own ? own : certificateBeside();
+  if (!certificate) return;
   auto* const dialog = new CertificateDialog(*certificate, &context_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, decided = *certificate] {
+  connect(dialog, &QDialog::accepted, this, [this, decided = *certificate, is_own = own.has_value()] {
     // The robot may have been left meanwhile, or shows yet another one.
     session::Session* const present = context_.current.session();
-    if (!present || present->connection().certificate != decided) return;
+    if (!present || (is_own ? present->connection().certificate : certificateBeside()) != decided) return;
     TrustedCertificates(context_.settings).trust(decided.host, decided.sha256);
-    present->robot().trustCertificate(decided.sha256);
+    is_own ? present->robot().trustCertificate(decided.sha256)
+           : robot::secondServerOf(present->robot())->trustBeside(decided.sha256);
   });
   dialog->open();
 }
@@ -231,8 +251,12 @@ void ConnectionController::refreshChip() {
   if (!identity.model.isEmpty()) detail << tr("Model %1").arg(identity.model);
   if (!identity.serial.isEmpty()) detail << tr("Serial number %1").arg(identity.serial);
   if (!identity.version.isEmpty()) detail << tr("Version %1").arg(identity.version);
-  const StateText state = connectionText(connection);
+  const StateText state = replayText(session).value_or(connectionText(connection));
   detail << state.text;
+  if (replayText(session)) {
+    chip_->setRobot(bagCalled(*replayOf(session)), state.mark, tr("replay"), detail.join(QLatin1Char('\n')));
+    return;
+  }
   chip_->setRobot(robotCalled(session->robot()), state.mark, connectionWord(connection.phase),
                   detail.join(QLatin1Char('\n')));
 }
@@ -258,6 +282,12 @@ void ConnectionController::refreshNotices() {
       link.offer = tr("Retry now");
       link.take = [this] { retry(); };
     }
+  }
+  if (const auto beside = certificateBeside(); beside && link.sentence.isEmpty()) {
+    link = {Mark::Warning,
+            tr("The certificate of %1 is not trusted: the robot's position and what it sees are missing.")
+                .arg(beside->host),
+            tr("Certificate…"), [this] { openCertificate(); }};
   }
   if (session) limits = {.sentence = sentences::limitsOf(session->robot()), .closable = true};
   context_.notices.set(NoticeRank::Link, std::move(link));

@@ -33,6 +33,9 @@ class ConnectionController : public Controller {
   /// Leaves the present robot and goes to another, once what is not saved is saved or let go of; the error is
   /// a sentence, then everything stays as it was.
   std::optional<QString> connectTo(const QString& address, const QByteArray& secret = {});
+  /// A robot of this address, not yet connected, with the secret that was typed for it last. The error is a
+  /// sentence.
+  tl::expected<std::unique_ptr<robot::Robot>, QString> another(const QString& address) const;
   /// What went wrong becomes a toast.
   void goTo(const QString& address);
   /// What went wrong stays above the map.
@@ -56,6 +59,8 @@ class ConnectionController : public Controller {
   void openDialog();
   void enterSecret();
   void openCertificate();
+  /// That of the robot's second server, if any is in the way.
+  std::optional<robot::UntrustedCertificate> certificateBeside() const;
   void noteSettings();
   void noteIdentity();
   void noteRestart();
@@ -71,6 +76,8 @@ class ConnectionController : public Controller {
   QAction *retry_ = nullptr, *disconnect_ = nullptr;
   SafetyText safety_;
   QString last_uuid_;
+  QString secret_of_;           // an address
+  QByteArray secret_;           // was typed for it
   bool settings_told_ = false;  // that they cannot be kept
 };
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "robot/map_dispatch.h"
 #include "sentences/absence_sentence.h"
 
 namespace mapwright::window {
@@ -24,6 +25,13 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
       return submaps ? QString() : why(robot::Capability::Submaps);
     case Layer::WholeMap:
       return whole || live ? QString() : why(robot::Capability::WholeMaps);
+    case Layer::Regions: {
+      const robot::MapDispatch* const dispatch = robot.mapDispatch();
+      if (!dispatch) return why(robot::Capability::Dispatch);
+      return dispatch->offered(robot::DispatchService::GridRegion)
+                 ? QString()
+                 : QCoreApplication::translate("window", "This robot gives its map only as a whole.");
+    }
     case Layer::Overlays:
     case Layer::Landmarks:
     case Layer::Trajectory:
@@ -31,6 +39,8 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
                            : QCoreApplication::translate("window", "This robot tells nothing of the kind.");
     case Layer::Waypoints:
       return robot.waypointSource() || robot.waypointStore() ? QString() : why(robot::Capability::Waypoints);
+    case Layer::DispatchedCloud:
+      return robot.mapDispatch() ? QString() : why(robot::Capability::Dispatch);
     case Layer::Grid:
     case Layer::ScaleBar:
       return {};

@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QImageReader>
 
+#include "robot/sends_map.h"
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
@@ -98,7 +99,7 @@ std::vector<MapsModel::Row> MapsModel::build() {
     return std::all_of(words_.begin(), words_.end(),
                        [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
   };
-  if (session_->robot().liveTopics()) {
+  if (robot::sendsItsMap(session_->robot())) {
     Row row;
     row.kind = RowKind::Live;
     row.key.kind = map::MapKind::Live;

@@ -7,7 +7,6 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSplitter>
@@ -16,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "sentences/absence_sentence.h"
+#include "window/docks/message_view.h"
 #include "window/docks/pretty_json.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
@@ -43,7 +43,7 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
       model_(new TopicsModel(this)),
       sorted_(new QSortFilterProxyModel(this)),
       table_(new QuietTableView(this)),
-      message_(new QPlainTextEdit(this)),
+      message_(new MessageView(this)),
       caption_(new PlainLabel(this)),
       filter_(new QLineEdit(this)),
       topic_(new QLineEdit(this)),
@@ -57,9 +57,10 @@ MessagesDock::MessagesDock(std::function<qint64()> monotonic, QWidget* parent)
   message_->setReadOnly(true);
   message_->setUndoRedoEnabled(false);
   message_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  message_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  message_->setLineWrapMode(MessageView::NoWrap);
   message_->setFrameShape(QFrame::NoFrame);
   message_->setAccessibleName(tr("Last message"));
+  connect(message_, &MessageView::plotWanted, this, &MessagesDock::plotWanted);
   caption_->setSecondary(true);
   caption_->setSample(QStringLiteral("x"));
   caption_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -202,10 +203,10 @@ void MessagesDock::buildTable() {
 
 void MessagesDock::setSession(session::Session* session) {
   if (session_) {
-    if (watching_ && session_->robot().liveTopics()) session_->robot().liveTopics()->setWatching(false);
+    if (asks_ && session_->robot().liveTopics()) session_->robot().liveTopics()->setWatching(false);
     session_->robot().disconnect(this);
   }
-  watching_ = false;
+  watching_ = asks_ = false;
   session_ = session;
   asked_.clear();
   log_ = {};
@@ -239,9 +240,16 @@ void MessagesDock::updateWatching() {
   for (QWidget* widget : {static_cast<QWidget*>(topic_), static_cast<QWidget*>(pause_)})
     widget->setEnabled(live != nullptr);
   add_->setEnabled(live && !topic_->text().trimmed().isEmpty());
-  if (wanted == watching_) return;
   watching_ = wanted;
-  if (live) live->setWatching(wanted);
+  const bool asks = wanted || (live && wanted_elsewhere_);
+  if (asks == asks_) return;
+  asks_ = asks;
+  if (live) live->setWatching(asks);
+}
+
+void MessagesDock::setWantedElsewhere(bool wanted) {
+  wanted_elsewhere_ = wanted;
+  updateWatching();
 }
 
 void MessagesDock::refresh() {
@@ -274,6 +282,7 @@ void MessagesDock::showMessage(bool force) {
   }
   if (!force && tally->count == shown_count_) return;
   shown_count_ = tally->count;
+  message_->setTopic(tally->binary ? QString() : chosen_);
   caption_->setText(QStringLiteral("%1  %2, %3%4")
                         .arg(chosen_.left(100), tally->last.toString(QStringLiteral("HH:mm:ss.zzz")),
                              bytesText(tally->last_bytes), tally->cut ? tr(", cut") : QString()));

@@ -10,19 +10,20 @@
 
 #include "session/session.h"
 #include "window/docks/topics_model.h"
+#include "window/plots/plot_wish.h"
 
 class QCompleter;
 class QLineEdit;
-class QPlainTextEdit;
 class QPushButton;
 class QStringListModel;
 class QTableView;
 
 namespace mapwright::window {
 
+class MessageView;
 class PlainLabel;
 
-/// Listens only while it is on screen and not paused.
+/// Keeps what comes only while it is on screen and not paused.
 class MessagesDock : public QDockWidget {
   Q_OBJECT
  public:
@@ -39,15 +40,18 @@ class MessagesDock : public QDockWidget {
   QPushButton* pauseButton() const { return pause_; }
   QPushButton* clearButton() const { return clear_; }
   QPushButton* copyButton() const { return copy_; }
-  QPlainTextEdit* messageView() const { return message_; }
+  MessageView* messageView() const { return message_; }
   QString chosenTopic() const { return chosen_; }
   bool watching() const { return watching_; }
   void chooseTopic(const QString& topic);
+  /// Somebody else needs the messages of the robot as they come: they do although nobody looks here.
+  void setWantedElsewhere(bool wanted);
   /// Shows now what has come.
   void refresh();
 
  Q_SIGNALS:
   void copyWanted(const QString& text, const QString& what);
+  void plotWanted(const mapwright::window::PlotWish& wish);
 
  private:
   QWidget* buildControls();
@@ -63,13 +67,13 @@ class MessagesDock : public QDockWidget {
   TopicLog log_;
   QStringList asked_;
   QString chosen_;
-  bool watching_ = false, on_screen_ = false, dirty_ = false;
+  bool watching_ = false, on_screen_ = false, dirty_ = false, wanted_elsewhere_ = false, asks_ = false;
   quint64 shown_count_ = 0;
   QTimer refresh_timer_;
   TopicsModel* model_;
   QSortFilterProxyModel* sorted_;
   QTableView* table_;
-  QPlainTextEdit* message_;
+  MessageView* message_;
   PlainLabel* caption_;
   QLineEdit *filter_, *topic_;
   QStringListModel* known_;

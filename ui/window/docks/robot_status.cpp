@@ -109,9 +109,9 @@ void addPlanning(const map::PlanningState& planning, std::vector<StatusSection>&
   Section section(QT_TRANSLATE_NOOP("window", "Planning"));
   QString action = plain(planning.action_type);
   if (planning.action_id && *planning.action_id > 0) {
-    action = QStringLiteral("%1 #%2")
-                 .arg(action.isEmpty() ? QCoreApplication::translate("window", "action") : action)
-                 .arg(*planning.action_id);
+    action = QStringLiteral("%1 #%2").arg(
+        action.isEmpty() ? QCoreApplication::translate("window", "action") : action,
+        QString::number(*planning.action_id));
   }
   section.add(QT_TRANSLATE_NOOP("window", "Action"), action);
   const std::string& state = planning.move_state;

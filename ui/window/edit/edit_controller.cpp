@@ -1,7 +1,11 @@
 #include "window/edit/edit_controller.h"
 
+#include <QDockWidget>
+#include <QKeyEvent>
 #include <QUndoGroup>
+#include <QUndoView>
 
+#include "window/panels.h"
 #include "window/unsaved_changes.h"
 
 namespace mapwright::window {
@@ -13,6 +17,18 @@ QString withName(const QString& verb, QString command) {
   command.replace(QLatin1Char('&'), QLatin1String("&&"));
   return command.isEmpty() ? verb : QStringLiteral("%1 %2").arg(verb, command);
 }
+
+/// Steps of what is being edited; a click goes back, or forth, to one. Single letters are left to the window.
+class History : public QUndoView {
+ public:
+  using QUndoView::QUndoView;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    event->key() == Qt::Key_Escape ? event->ignore() : QUndoView::keyPressEvent(event);
+  }
+  void keyboardSearch(const QString&) override {}
+};
 
 }  // namespace
 
@@ -50,7 +66,21 @@ EditController::EditController(WindowContext& context, QObject* parent)
           [this](const QString& what) { undo_->setText(withName(tr("&Undo"), what)); });
   connect(&group, &QUndoGroup::redoTextChanged, redo_,
           [this](const QString& what) { redo_->setText(withName(tr("&Redo"), what)); });
+  addHistory();
   refresh();
+}
+
+EditController::~EditController() { delete history_; }
+
+void EditController::addHistory() {
+  history_ = new QDockWidget(tr("History"), &context_.window);
+  history_->setObjectName(QStringLiteral("history"));
+  auto* const steps = new History(&context_.undo, history_);
+  steps->setEmptyLabel(tr("As it was opened"));
+  steps->setAccessibleName(tr("Steps that can be undone"));
+  steps->setUniformItemSizes(true);
+  history_->setWidget(steps);
+  context_.panels.add(history_, {.side = PanelPlace::Side::Right, .tab = 17, .menu_rank = 47, .open = false});
 }
 
 void EditController::refresh() {

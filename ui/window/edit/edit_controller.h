@@ -1,8 +1,10 @@
-// Undoing, making it again and saving, whatever is being edited.
+// Undoing, making it again and saving, whatever is being edited; the history of it as a dock.
 #pragma once
 
 #include "window/controller.h"
 #include "window/window_context.h"
+
+class QDockWidget;
 
 namespace mapwright::window {
 
@@ -10,11 +12,15 @@ class EditController : public Controller {
   Q_OBJECT
  public:
   explicit EditController(WindowContext& context, QObject* parent = nullptr);
+  ~EditController() override;
+  QDockWidget* history() const { return history_; }
 
  private:
+  void addHistory();
   void refresh();
 
   WindowContext& context_;
+  QDockWidget* history_ = nullptr;
   QAction *undo_, *redo_, *save_;
 };
 

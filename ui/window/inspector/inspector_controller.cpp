@@ -1,5 +1,7 @@
 #include "window/inspector/inspector_controller.h"
 
+#include <utility>
+
 #include <QLineEdit>
 #include <QMenu>
 
@@ -59,7 +61,13 @@ void InspectorController::clickedOnMap(const Eigen::Vector2d& world_m) {
   if (!context_.scene.highlightedAt(world_m)) dock_->clearSelection();
 }
 
-void InspectorController::setSession(session::Session* session) { dock_->setSession(session); }
+void InspectorController::setSession(session::Session* session) {
+  dock_->setSession(session);
+  if (!session) return;
+  // A robot without submaps has put another panel before it.
+  const bool has_submaps = session->robot().submapSource() != nullptr;
+  if (std::exchange(behind_, !has_submaps) && has_submaps) context_.panels.suggest(dock_);
+}
 
 bool InspectorController::escape() {
   const bool pointed_at = !context_.scene.highlighted().empty();

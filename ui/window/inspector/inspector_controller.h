@@ -32,6 +32,7 @@ class InspectorController : public Controller {
 
   WindowContext& context_;
   InspectorDock* dock_;
+  bool behind_ = false;  // the robot of before had no submaps
 };
 
 }  // namespace mapwright::window

@@ -11,6 +11,7 @@
 
 #include "render/grid_palettes.h"
 #include "render/sample_grid.h"
+#include "robot/sends_map.h"
 #include "sentences/problem_sentence.h"
 #include "window/docks/maps_model.h"
 #include "window/look/icons.h"
@@ -134,7 +135,7 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
     titles << title;
   };
   if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they lie on the left)"));
-  if (session->robot().liveTopics()) offer(map::MapKey{map::MapKind::Live, {}}, tr("Live map"));
+  if (robot::sendsItsMap(session->robot())) offer(map::MapKey{map::MapKind::Live, {}}, tr("Live map"));
   for (const map::CatalogueEntry& entry : session->catalogue().entries()) {
     QString title =
         QStringLiteral("%1  (%2)")

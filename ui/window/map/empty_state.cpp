@@ -9,9 +9,11 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "robot/sends_map.h"
 #include "sentences/plural.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/reason_sentence.h"
+#include "session/lacks_picture.h"
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"
 #include "window/status/status_text.h"
@@ -26,6 +28,11 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   const session::SubmapCounts counts = session->counts();
   const session::MapSlot& slot = session->wholeMap();
   if (in_view.whole && slot.cells()) return std::nullopt;
+  if (in_view.regions_held) return std::nullopt;
+  // What is not there yet is marked on the map.
+  if (in_view.regions && session->connection().phase == ConnectionPhase::Online) return std::nullopt;
+  // Its waypoints are to be seen: the notice says what is missing.
+  if (in_view.whole && session::lacksPicture(slot) && session->robot().waypointStore()) return std::nullopt;
   const auto of_submaps = emptyState(session->robot().address(), session->connection(), &counts);
   const bool has_submaps = session->robot().submapSource() != nullptr;
   if (in_view.submaps && has_submaps) return of_submaps;
@@ -36,7 +43,7 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   if (!online && (slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live)) {
     if (of_submaps) return of_submaps;
   }
-  return wholeMapState(slot, session->catalogue().offered(), session->robot().liveTopics() != nullptr);
+  return wholeMapState(slot, session->catalogue().offered(), robot::sendsItsMap(session->robot()));
 }
 
 std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offers_catalogue, bool live) {

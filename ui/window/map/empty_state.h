@@ -40,6 +40,8 @@ struct EmptyState {
 /// Which maps the view is to show.
 struct MapsInView {
   bool submaps = true, whole = false;
+  bool regions = false;       // a map by regions is there, and wanted
+  bool regions_held = false;  // some of it has come
 };
 
 /// nullopt while there is something on the map. `session` may be null.

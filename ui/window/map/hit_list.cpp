@@ -8,8 +8,6 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
-#include "scene/grid_steps.h"
-
 namespace mapwright::window {
 namespace {
 
@@ -17,11 +15,12 @@ namespace bg = boost::geometry;
 using Point = bg::model::d2::point_xy<double>;
 using Entry = std::pair<Point, std::string>;
 constexpr std::size_t kNodeSize = 16;
+using Rtree = bg::index::rtree<Entry, bg::index::quadratic<kNodeSize>>;
 
 }  // namespace
 
 struct PointIndex::Tree {
-  bg::index::rtree<Entry, bg::index::quadratic<kNodeSize>> tree;
+  Rtree tree;
   std::unordered_map<std::string, Point> places;
 };
 
@@ -33,7 +32,23 @@ void PointIndex::clear() {
   tree_->places.clear();
 }
 
+void PointIndex::reset(const std::vector<std::pair<std::string, Eigen::Vector2d>>& points) {
+  clear();
+  std::vector<Entry> entries;
+  entries.reserve(points.size());
+  tree_->places.reserve(points.size());
+  for (const auto& [key, world_m] : points) {
+    if (!world_m.allFinite()) continue;
+    const Point point(world_m.x(), world_m.y());
+    if (tree_->places.emplace(key, point).second) entries.push_back({point, key});
+  }
+  tree_->tree = Rtree(entries);  // packed at once
+}
+
 void PointIndex::put(const std::string& key, const Eigen::Vector2d& world_m) {
+  const auto known = tree_->places.find(key);
+  if (known != tree_->places.end() && known->second.x() == world_m.x() && known->second.y() == world_m.y())
+    return;
   remove(key);
   if (!world_m.allFinite()) return;
   const Point point(world_m.x(), world_m.y());
@@ -76,20 +91,14 @@ std::vector<Hit> HitList::at(const Eigen::Vector2d& world_m, double reach_px) co
   return hits;
 }
 
-Snapped snap(const scene::MapScene& scene, const HitList& hits, const Eigen::Vector2d& world_m,
-             Qt::KeyboardModifiers modifiers, double reach_px,
-             const std::function<bool(const Hit&)>& ignored) {
-  if (modifiers & Qt::ControlModifier) {
-    const double step = scene::gridSteps(scene.view()).minor_m;
-    return {{std::round(world_m.x() / step) * step, std::round(world_m.y() / step) * step},
-            Snapped::To::Grid};
+void HitList::within(const geometry::WorldRect& area, const std::function<void(const Hit&)>& found) const {
+  if (area.empty()) return;
+  for (const Source& source : sources_) {
+    if (!scene_.layerVisible(source.layer)) continue;
+    source.points->within(area, [&](const std::string& key, const Eigen::Vector2d& at) {
+      found({source.layer, key, at, 0});
+    });
   }
-  if (!(modifiers & Qt::AltModifier)) {
-    for (const Hit& hit : hits.at(world_m, reach_px)) {
-      if (!ignored(hit)) return {hit.world_m, Snapped::To::Thing};
-    }
-  }
-  return {world_m, Snapped::To::Nothing};
 }
 
 }  // namespace mapwright::window

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/rect.h"
@@ -19,6 +20,8 @@ class PointIndex {
   PointIndex();
   ~PointIndex();
   void clear();
+  /// All anew, at a fraction of what it takes one by one; not finite ones are left out.
+  void reset(const std::vector<std::pair<std::string, Eigen::Vector2d>>& points);
   /// Adds or moves. A place that is not finite is none: the key is forgotten.
   void put(const std::string& key, const Eigen::Vector2d& world_m);
   void remove(const std::string& key);
@@ -46,6 +49,8 @@ class HitList {
   void add(scene::Layer layer, const PointIndex* points) { sources_.push_back({layer, points}); }
   /// All within `reach_px`, nearest first.
   std::vector<Hit> at(const Eigen::Vector2d& world_m, double reach_px) const;
+  /// All in a rectangle, in no order, with the distance 0.
+  void within(const geometry::WorldRect& area, const std::function<void(const Hit&)>& found) const;
 
  private:
   struct Source {
@@ -55,18 +60,5 @@ class HitList {
   const scene::MapScene& scene_;
   std::vector<Source> sources_;
 };
-
-/// Where a hand that lets go near something lets go.
-struct Snapped {
-  enum class To { Nothing, Thing, Grid };
-  Eigen::Vector2d world_m{0, 0};
-  To to = To::Nothing;
-};
-
-/// With Ctrl to the lines of the grid, with Alt to nothing; else to the nearest thing within reach, but for
-/// those that `ignored` tells of (what is being moved).
-Snapped snap(const scene::MapScene& scene, const HitList& hits, const Eigen::Vector2d& world_m,
-             Qt::KeyboardModifiers modifiers, double reach_px,
-             const std::function<bool(const Hit&)>& ignored);
 
 }  // namespace mapwright::window

@@ -9,6 +9,7 @@
 #include <QStyle>
 
 #include "geometry/pose.h"
+#include "scene/pose_between.h"
 
 namespace mapwright::window {
 
@@ -160,24 +161,29 @@ void MapView::setFollowing(bool following) {
   if (session::Session* session = scene_->session()) {
     if (following) {
       connect(session, &session::Session::liveChanged, this, &MapView::centreOnRobot, Qt::UniqueConnection);
-      if (session->live().robot_pose && scene_->robotPlace().drawn != scene::ScreenPart::None) {
+      connect(&scene::PoseBetween::of(*scene_), &scene::PoseBetween::changed, this, &MapView::centreOnRobot,
+              Qt::UniqueConnection);
+      const auto pose = scene::poseDrawn(*scene_);
+      if (pose && scene_->robotPlace().drawn != scene::ScreenPart::None) {
         geometry::ViewTransform to = destination();
-        to.center_m = {session->live().robot_pose->x_m, session->live().robot_pose->y_m};
+        to.center_m = {pose->x_m, pose->y_m};
         moveTo(to, true);
       }
     } else {
       disconnect(session, &session::Session::liveChanged, this, &MapView::centreOnRobot);
+      disconnect(&scene::PoseBetween::of(*scene_), &scene::PoseBetween::changed, this,
+                 &MapView::centreOnRobot);
     }
   }
   Q_EMIT followingChanged(following);
 }
 
 void MapView::centreOnRobot() {
-  const session::Session* session = scene_->session();
-  if (!following_ || !session || !session->live().robot_pose) return;
+  const auto pose = scene::poseDrawn(*scene_);
+  if (!following_ || !pose) return;
   // Where it is not drawn there is nothing to follow.
   if (scene_->robotPlace().drawn == scene::ScreenPart::None) return;
-  const Eigen::Vector2d robot(session->live().robot_pose->x_m, session->live().robot_pose->y_m);
+  const Eigen::Vector2d robot(pose->x_m, pose->y_m);
   if (motion_) {
     motion_->to.center_m = robot;
     motion_->anchor.reset();

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sentences/problem_sentence.h"
+#include "session/lacks_picture.h"
 #include "window/clipboard.h"
 #include "window/current_session.h"
 #include "window/docks/maps_dock.h"
@@ -122,7 +123,11 @@ void MapsController::refreshNotice() {
       QStringLiteral("%1: %2").arg(mapCalled(slot.name(), slot.key()), sentences::sentenceOf(slot.remark()));
   const auto retry = [this] { Q_EMIT retryWanted(); };
   // While there is nothing else on screen the card says it.
-  if (slot.phase() == session::MapSlot::Phase::Failed && !emptyState(session, in_view)) {
+  if (session::lacksPicture(slot) && !emptyState(session, in_view)) {
+    context_.notices.set(
+        NoticeRank::Map,
+        {Mark::Warning, tr("%1 Its waypoints are shown without it.").arg(sentence), {}, {}, true});
+  } else if (slot.phase() == session::MapSlot::Phase::Failed && !emptyState(session, in_view)) {
     context_.notices.set(NoticeRank::Map, {Mark::Bad, sentence, tr("Retry"), retry});
   } else if (slot.phase() == session::MapSlot::Phase::Ready && slot.remark()) {
     context_.notices.set(NoticeRank::Map,

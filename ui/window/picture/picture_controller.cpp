@@ -1,12 +1,11 @@
 #include "window/picture/picture_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QMessageBox>
-#include <QPushButton>
 
 #include "sentences/absence_sentence.h"
-#include "sentences/failure_sentence.h"
 #include "sentences/reason_sentence.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
@@ -25,8 +24,9 @@ namespace mapwright::window {
 using session::MapSlot;
 
 namespace {
-constexpr int kKeep = -1;  // the answer that QMessageBox has no name for
-}
+const QString kUndoMb = QStringLiteral("picture/undo_mb");
+constexpr unsigned kUsualUndoMb = 256;
+}  // namespace
 
 PictureController::PictureController(WindowContext& context, QObject* parent)
     : Controller(parent),
@@ -46,9 +46,17 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     may_leave_ = false;
     if (drafts_) drafts_->touch();
     refresh();
+    if (when_reverted_ && !editing_.reckoning())
+      QMetaObject::invokeMethod(this, std::exchange(when_reverted_, nullptr), Qt::QueuedConnection);
   });
+  connect(&editing_, &PictureEditing::stepsForgotten, this, &PictureController::noteForgotten);
+  const std::size_t undo_mb =
+      std::clamp<std::size_t>(context_.settings.value(kUndoMb, kUsualUndoMb).toUInt(), 16, 65'536);
+  editing_.setUndoBudget(undo_mb << 20);
   connect(&editing_, &PictureEditing::mergeDone, this, &PictureController::noteMerged);
   connect(tool_, &PictureTool::activated, this, [this] {
+    wanted_map_ = mapInstead();
+    if (wanted_map_) session_->openMap(map::MapKey(*wanted_map_));
     context_.scene.setLayerVisible(scene::Layer::WholeMap, true);
     context_.undo.setActiveStack(&editing_.undoStack());
     context_.panels.open(dock_);
@@ -60,6 +68,7 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
   });
   connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
+  connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
   connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
   connect(dock_, &PictureDock::draftWanted, this, [this] {
@@ -99,9 +108,13 @@ void PictureController::addActions() {
 void PictureController::setSession(session::Session* session) {
   if (session_) session_->wholeMap().disconnect(this);
   if (session_) session_->robot().disconnect(this);
+  if (session_) session_->catalogue().disconnect(this);
   closeMap();
   session_ = session;
+  wanted_map_.reset();
   if (session_) {
+    dock_->setLocal(session_->robot().isLocal());
+    connect(&session_->catalogue(), &session::Catalogue::changed, this, &PictureController::refresh);
     connect(&session_->wholeMap(), &MapSlot::changed, this, &PictureController::syncMap);
     connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &PictureController::syncMap);
   }
@@ -130,6 +143,7 @@ void PictureController::openMap(const MapSlot& slot) {
   seen_ = slot.cells();
   revision_ = slot.shown().fingerprint;
   own_revisions_.clear();
+  forgetting_told_ = false;
   ++opened_;
   editing_.open(seen_, slot.reference(), session_->robot().pictureStore()->holdsUnknown(slot.shown()));
   watchDrafts();
@@ -139,11 +153,12 @@ void PictureController::closeMap() {
   if (!open_map_) return;
   if (shown_) context_.scene.setEditedCells(*open_map_, nullptr);
   shown_ = saving_ = again_ = false;
+  dock_->setTravelled(std::nullopt);
   trouble_.clear();
   seen_.reset();
   open_map_.reset();
   ++opened_;
-  when_saved_ = nullptr;
+  when_saved_ = when_reverted_ = nullptr;
   keepDraft();
   editing_.close();
 }
@@ -210,12 +225,43 @@ void PictureController::showCells() {
   context_.scene.setEditedCells(*open_map_, std::move(cells));
 }
 
+std::optional<map::MapKey> PictureController::mapInstead() const {
+  if (!session_ || editing_.isOpen() || !session_->robot().pictureStore()) return std::nullopt;
+  const MapSlot& slot = session_->wholeMap();
+  const map::CatalogueEntry* const current = session_->catalogue().current();
+  if (!slot.cells() || slot.shown().key.kind != map::MapKind::Live || !current ||
+      current->key.kind != map::MapKind::Stored)
+    return std::nullopt;
+  return current->key;
+}
+
+/// It is on its way.
+bool PictureController::opening() const {
+  if (!session_ || !wanted_map_ || editing_.isOpen()) return false;
+  const MapSlot& slot = session_->wholeMap();
+  const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
+  return on_its_way && slot.key() == *wanted_map_;
+}
+
+void PictureController::noteForgotten() {
+  if (std::exchange(forgetting_told_, true)) return;
+  context_.overlay.toasts()->add(Mark::Warning, tr("The oldest changes of this map cannot be undone any "
+                                                   "more: undoing them would take too much memory."));
+}
+
 QString PictureController::whyNot() const {
   if (!session_) return tr("Open a map file (Ctrl+Shift+O) to edit its picture.");
   robot::PictureStore* const store = session_->robot().pictureStore();
   constexpr auto kEditing = robot::Capability::PictureEditing;
   if (!store) return sentences::whyAbsent(kEditing, session_->robot().whyNot(kEditing));
   if (editing_.isOpen()) return {};
+  if (opening()) return tr("The map is being read.");
+  if (const auto key = mapInstead()) {
+    const map::CatalogueEntry* const entry = session_->catalogue().find(*key);
+    return tr("This is the map as the robot sends it now. The tool (B) edits \"%1\", the stored map that it "
+              "works with.")
+        .arg(entry ? QString::fromStdString(entry->name) : QString::fromStdString(key->id));
+  }
   const MapSlot& slot = session_->wholeMap();
   if (!slot.cells()) return tr("Pictures belong to a whole map. Open one in the panel Maps.");
   if (const auto obstacle = store->obstacle(slot.shown())) return obstacleText(*obstacle);
@@ -228,128 +274,11 @@ void PictureController::refresh() {
   dock_->setWhyNot(sentence);
   dock_->setSaving(saving_, !trouble_.isEmpty() || !drafts_ ? trouble_ : drafts_->trouble());
   dock_->setOffer(drafts_ ? drafts_->offer() : QString());
-  const bool usable = sentence.isEmpty();
+  const bool usable = sentence.isEmpty() || mapInstead() || opening();
   tool_action_->setEnabled(usable);
   tool_action_->setToolTip(usable ? tool_action_->property("tip").toString() : plainToolTip(sentence));
   if (!usable && context_.tools.chosen() == tool_) context_.tools.putAway();
   if (std::exchange(was_unsaved_, unsaved()) != unsaved()) Q_EMIT unsavedChanged();
-}
-
-void PictureController::askToDecide() {
-  when_saved_ = nullptr;
-  context_.overlay.toasts()->add(
-      Mark::Warning,
-      tr("The map is not saved yet: some cells were changed here and elsewhere. Choose which are right."));
-  context_.panels.open(dock_);
-}
-
-void PictureController::save() {
-  editing_.endStroke();
-  if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
-  if (editing_.conflicts() > 0) return askToDecide();
-  robot::PictureStore* const store = session_->robot().pictureStore();
-  if (!store) return;
-  saving_ = true;
-  trouble_.clear();
-  const auto cells = editing_.snapshot();
-  store->write({*open_map_, cells, revision_},
-               [this, cells, opened = opened_](robot::Outcome<robot::PictureReceipt> outcome) {
-                 if (opened == opened_) noteWritten(cells, outcome);
-               });
-  refresh();
-}
-
-void PictureController::noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
-                                    const robot::Outcome<robot::PictureReceipt>& outcome) {
-  saving_ = false;
-  if (outcome) {
-    revision_ = outcome->revision;
-    own_revisions_.insert(revision_);
-    Q_EMIT written();
-    editing_.noteSaved(cells);
-    context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()));
-    // Leaving ends the session, and it is its robot that is speaking.
-    if (const auto then = std::exchange(when_saved_, nullptr))
-      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
-  } else if (outcome.error().kind == map::FailureKind::Conflict) {
-    again_ = true;
-    trouble_ = tr("It has changed elsewhere meanwhile, and is being read again.");
-  } else {
-    when_saved_ = nullptr;
-    trouble_ = QString::fromStdString(sentences::sentenceOf(outcome.error()));
-    context_.overlay.toasts()->add(Mark::Bad, tr("The map is not saved. %1").arg(trouble_));
-  }
-  // What came while it was being written was not looked at.
-  syncMap();
-}
-
-void PictureController::noteMerged(qint64 taken) {
-  revision_ = coming_revision_;
-  trouble_.clear();
-  const bool again = std::exchange(again_, false);
-  if (editing_.conflicts() > 0) {
-    askToDecide();
-  } else if (again) {
-    if (editing_.unsaved()) {
-      save();
-    } else if (const auto then = std::exchange(when_saved_, nullptr)) {
-      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
-    }
-  } else if (taken > 0) {
-    context_.overlay.toasts()->add(Mark::Warning,
-                                   tr("%1 has changed elsewhere. Both are put together.").arg(mapName()));
-  }
-  refresh();
-}
-
-QString PictureController::mapName() const {
-  return session_ ? mapCalled(session_->wholeMap().name(), session_->wholeMap().key()) : QString();
-}
-
-void PictureController::beforeLeaving(std::function<void()> then) {
-  editing_.endStroke();
-  if (!unsaved() || may_leave_) return then();
-  when_left_ = std::move(then);
-  if (question_) return question_->raise();
-  question_ = new QMessageBox(
-      QMessageBox::Question, tr("The map is not saved"),
-      tr("Changes of %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells())),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
-  question_->setTextFormat(Qt::PlainText);
-  question_->setAttribute(Qt::WA_DeleteOnClose);
-  question_->setDefaultButton(QMessageBox::Save);
-  if (drafts_) {
-    QPushButton* const keep = question_->addButton(tr("Keep as draft"), QMessageBox::ActionRole);
-    keep->setObjectName(QStringLiteral("keepDraft"));
-    keep->setToolTip(tr("They are offered again when this map is opened"));
-  }
-  connect(question_, &QMessageBox::finished, this, [this] {
-    QMessageBox* const asked = std::exchange(question_, nullptr);
-    QAbstractButton* const clicked = asked->clickedButton();
-    if (!clicked) return answer(QMessageBox::Cancel);
-    const auto standard = asked->standardButton(clicked);
-    answer(standard == QMessageBox::NoButton ? kKeep : int(standard));
-  });
-  question_->open();
-}
-
-void PictureController::answer(int button) {
-  const auto then = std::exchange(when_left_, nullptr);
-  if (!then || !open_map_) return;
-  if (button == QMessageBox::Save) {
-    when_saved_ = then;
-    save();
-  } else if (button == QMessageBox::Discard) {
-    editing_.revert();
-    then();
-  } else if (button == kKeep && drafts_) {
-    if (const auto trouble = drafts_->keep()) {
-      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
-    } else {
-      may_leave_ = true;
-      then();
-    }
-  }
 }
 
 }  // namespace mapwright::window

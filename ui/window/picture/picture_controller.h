@@ -39,6 +39,7 @@ class PictureController : public Controller {
   PictureDock* dock() const { return dock_; }
   PictureDrafts* drafts() const { return drafts_.get(); }  // null: none are kept
   QMessageBox* question() const;                           // null: nothing is asked
+  QMessageBox* sendingQuestion() const;                    // the same, before a robot's map is overwritten
   bool saving() const { return saving_; }
 
  Q_SIGNALS:
@@ -50,6 +51,7 @@ class PictureController : public Controller {
  private:
   void addActions();
   void syncMap();
+  void noteForgotten();
   void openMap(const session::MapSlot& slot);
   void closeMap();
   void takeOther(const session::MapSlot& slot);
@@ -60,9 +62,14 @@ class PictureController : public Controller {
                    const robot::Outcome<robot::PictureReceipt>& outcome);
   void noteMerged(qint64 taken);
   void askToDecide();
+  void askToSend();
+  void send();
   void watchDrafts();
   void keepDraft();
   void answer(int button);
+  /// The map that is kept, of which what is sent now is on screen: it would be edited instead.
+  std::optional<map::MapKey> mapInstead() const;
+  bool opening() const;
   QString mapName() const;
 
   WindowContext& context_;
@@ -72,6 +79,9 @@ class PictureController : public Controller {
   PictureDock* dock_;
   QAction* tool_action_ = nullptr;
   std::optional<map::MapKey> open_map_;
+  std::optional<map::MapKey> wanted_map_;  // that the tool has asked for
+  robot::Call write_call_;
+  bool forgetting_told_ = false;
   std::shared_ptr<const grids::GridPyramid> seen_;  // what came with the map last
   std::string revision_, coming_revision_;          // of what is saved; of what is being merged
   std::set<std::string> own_revisions_;             // that were saved from here
@@ -82,8 +92,8 @@ class PictureController : public Controller {
   bool may_leave_ = false;  // the draft is to be kept as it is
   quint64 opened_ = 0;      // counts maps: answers about earlier ones are of no use
   QString trouble_;         // of saving
-  QPointer<QMessageBox> question_;
-  std::function<void()> when_left_, when_saved_;
+  QPointer<QMessageBox> question_, sending_question_;
+  std::function<void()> when_left_, when_saved_, when_reverted_;
 };
 
 }  // namespace mapwright::window

@@ -211,7 +211,10 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
   row->addWidget(apply_);
   row->addWidget(drop_);
   connect(apply_, &QPushButton::clicked, editing_, &PictureEditing::applyPreview);
-  connect(drop_, &QPushButton::clicked, editing_, &PictureEditing::dropPreview);
+  connect(drop_, &QPushButton::clicked, editing_, [this] {
+    editing_->stop();
+    editing_->dropPreview();
+  });
   column->addWidget(preview_row_);
 }
 
@@ -244,18 +247,22 @@ void PictureDock::buildEnd(QVBoxLayout* column) {
   discard_->setToolTip(tr("All as it is saved; can be undone"));
   save_ = compact(tr("Save"), body_);
   save_->setIcon(themedIcon(QStringLiteral("save")));
-  save_->setToolTip(tr("Write the picture of the map (Ctrl+S). Its map.yaml stays as it is"));
+  stop_ = compact(tr("Stop"), body_);
+  stop_->setToolTip(tr("The rest of it is not sent, and the robot keeps the picture that it has"));
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
   row->addWidget(compare_);
   row->addStretch();
   row->addWidget(discard_);
+  row->addWidget(stop_);
   row->addWidget(save_);
   column->addWidget(status_);
   column->addLayout(row);
   connect(compare_, &QPushButton::clicked, this, &PictureDock::compareWanted);
   connect(discard_, &QPushButton::clicked, this, &PictureDock::discardWanted);
   connect(save_, &QPushButton::clicked, this, &PictureDock::saveWanted);
+  connect(stop_, &QPushButton::clicked, this, &PictureDock::stopSavingWanted);
+  setLocal(true);
 }
 
 void PictureDock::setWhyNot(const QString& sentence) {
@@ -267,6 +274,25 @@ void PictureDock::setSaving(bool saving, const QString& trouble) {
   saving_ = saving;
   trouble_ = trouble;
   refresh();
+}
+
+void PictureDock::setTravelled(std::optional<double> part) {
+  const auto percent = part ? std::optional(int(*part * 100)) : std::nullopt;
+  if (percent == travelled_) return;
+  travelled_ = percent;
+  refresh();
+}
+
+void PictureDock::setLocal(bool local) {
+  save_->setToolTip(
+      local ? tr("Write the picture of the map (Ctrl+S). Its map.yaml stays as it is")
+            : tr("Send the picture to the robot (Ctrl+S). Its place, size and resolution stay as they are"));
+}
+
+QString PictureDock::savingText() const {
+  if (!travelled_) return tr("Being saved …");
+  if (*travelled_ < 100) return tr("Being sent: %1 %").arg(*travelled_);
+  return tr("Sent. Waiting for the robot to show it …");
 }
 
 QString PictureDock::status() const { return status_->text(); }
@@ -297,21 +323,28 @@ void PictureDock::refresh() {
                            ? tr("In the whole map. Select a part to tidy up only that.")
                            : tr("In the selection."));
   colour(tidy_where_, appColors().secondary_text);
-  const bool previewing = editing_->preview().has_value() || editing_->looking();
+  const bool reckoning = editing_->reckoning();
+  const bool previewing = editing_->preview().has_value() || editing_->looking() || reckoning;
   for (QPushButton* button : tidy_buttons_) button->setEnabled(!saving_);
   preview_row_->setVisible(previewing);
-  found_->setText(editing_->preview() ? previewText(*editing_->preview()) : tr("Looking …"));
-  apply_->setEnabled(editing_->preview() && !editing_->preview()->patch.empty());
+  found_->setText(reckoning             ? tr("Being reckoned …")
+                  : editing_->preview() ? previewText(*editing_->preview())
+                                        : tr("Looking …"));
+  apply_->setVisible(!reckoning);
+  apply_->setEnabled(editing_->preview() && !editing_->preview()->step.patch.empty());
   decision_->setVisible(editing_->conflicts() > 0);
   conflict_->setText(conflictText(editing_->conflicts()));
   colour(conflict_, appColors().warning_text);
   status_->setText(!trouble_.isEmpty() ? trouble_
-                   : saving_           ? tr("Being saved …")
+                   : saving_           ? savingText()
                                        : changedText(editing_->changedCells()));
   colour(status_, trouble_.isEmpty() ? appColors().secondary_text : appColors().error_text);
   const bool unsaved = editing_->unsaved();
   compare_->setEnabled(unsaved);
   discard_->setEnabled(unsaved && !saving_);
+  save_->setVisible(!saving_ || !travelled_);
+  stop_->setVisible(saving_ && travelled_);
+  stop_->setEnabled(travelled_ && *travelled_ < 100);
   save_->setEnabled(unsaved && !saving_ && editing_->conflicts() == 0);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <QDockWidget>
 
@@ -26,6 +27,10 @@ class PictureDock : public QDockWidget {
   void setWhyNot(const QString& sentence);
   /// What is under way or has gone wrong with saving; empty = nothing.
   void setSaving(bool saving, const QString& trouble);
+  /// How much of what is saved has travelled, 0 .. 1; nullopt = it does not travel, or nobody knows.
+  void setTravelled(std::optional<double> part);
+  /// Where it is kept: files beside a map.yaml, or a robot.
+  void setLocal(bool local);
 
   QToolButton* modeButton(PaintMode mode) const { return modes_[std::size_t(mode)]; }
   QToolButton* kindButton(picture::Kind kind) const { return kinds_[std::size_t(kind)]; }
@@ -38,6 +43,7 @@ class PictureDock : public QDockWidget {
   /// A draft that was left behind; empty = none.
   void setOffer(const QString& sentence);
   QPushButton* restoreButton() const { return restore_; }
+  QPushButton* stopButton() const { return stop_; }
   QString status() const;
 
  Q_SIGNALS:
@@ -48,6 +54,7 @@ class PictureDock : public QDockWidget {
   void discardWanted();
   void compareWanted();
   void locateConflictWanted();
+  void stopSavingWanted();
 
  private:
   void buildModes(QVBoxLayout* column);
@@ -57,6 +64,7 @@ class PictureDock : public QDockWidget {
   void buildDecision(QVBoxLayout* column);
   void buildEnd(QVBoxLayout* column);
   void refresh();
+  QString savingText() const;
 
   PictureEditing* editing_;
   PictureTool* tool_;
@@ -79,7 +87,8 @@ class PictureDock : public QDockWidget {
   QPushButton* restore_ = nullptr;
   QPushButton *mine_ = nullptr, *theirs_ = nullptr;
   QLabel* status_ = nullptr;
-  QPushButton *compare_ = nullptr, *discard_ = nullptr, *save_ = nullptr;
+  QPushButton *compare_ = nullptr, *discard_ = nullptr, *save_ = nullptr, *stop_ = nullptr;
+  std::optional<int> travelled_;  // percent
 };
 
 }  // namespace mapwright::window

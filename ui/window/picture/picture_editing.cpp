@@ -1,8 +1,7 @@
 #include "window/picture/picture_editing.h"
 
+#include <algorithm>
 #include <utility>
-
-#include <QUndoCommand>
 
 #include "picture/fill.h"
 
@@ -15,41 +14,20 @@ using picture::Ink;
 using picture::Kind;
 using picture::Patch;
 
-namespace {
-constexpr int kMostUndone = 200;
-}
-
-/// What it does has been done when it is pushed.
-class PictureEditing::Command : public QUndoCommand {
- public:
-  Command(PictureEditing& editing, Patch patch, const QString& text)
-      : QUndoCommand(text), editing_(editing), patch_(std::move(patch)) {}
-  void undo() override { editing_.exchange(patch_, false); }
-  void redo() override {
-    if (!std::exchange(done_, false)) editing_.exchange(patch_, true);
-  }
-
- private:
-  PictureEditing& editing_;
-  Patch patch_;
-  bool done_ = true;
-};
-
 PictureEditing::PictureEditing(const std::shared_ptr<work::Workers>& workers, QObject* parent)
-    : QObject(parent), share_(workers) {
-  undo_.setUndoLimit(kMostUndone);
-}
+    : QObject(parent), share_(workers) {}
 
 PictureEditing::~PictureEditing() {
-  stopLooking();
-  if (merging_) merging_->store(true);
+  for (const StopFlag& flag : {looking_, merging_, reckoning_}) {
+    if (flag) flag->store(true);
+  }
 }
 
 void PictureEditing::open(std::shared_ptr<const grids::GridPyramid> cells,
                           const map::GridReference& reference, bool holds_unknown) {
   reset();
   grid_ = std::make_shared<EditedGrid>(std::move(cells));
-  saved_ = grid_->snapshot();
+  setSaved(grid_->snapshot());
   reference_ = reference;
   holds_unknown_ = holds_unknown;
   if (!holds(kind_)) kind_ = Kind::Free;
@@ -65,6 +43,10 @@ void PictureEditing::reset() {
   stopLooking();
   if (merging_) merging_->store(true);
   merging_.reset();
+  if (reckoning_) reckoning_->store(true);
+  reckoning_.reset();
+  waiting_.clear();
+  stroke_waits_ = false;
   stroke_.reset();
   undo_.clear();
   grid_.reset();
@@ -100,85 +82,86 @@ Ink PictureEditing::groundInk() const {
 }
 
 void PictureEditing::beginStroke(bool eraser) {
-  if (!grid_) return;
+  if (grid_) startStroke(eraser, {across_, ink()});
+}
+
+void PictureEditing::startStroke(bool eraser, const picture::Brush& brush) {
+  if (waits([this, eraser, brush] { startStroke(eraser, brush); })) {
+    stroke_waits_ = true;
+    return;
+  }
   endStroke();
   dropPreview();
   erasing_ = eraser;
-  stroke_.emplace(*grid_, picture::Brush{across_, eraser ? Ink{0, saved_} : ink()});
+  stroke_.emplace(*grid_, picture::Brush{brush.across, eraser ? Ink{0, saved_} : brush.ink});
 }
 
 void PictureEditing::strokeTo(const Eigen::Vector2d& world_m) {
-  if (!stroke_) return;
+  if (waits([this, world_m] { strokeTo(world_m); }) || !stroke_) return;
   const CellRect touched = stroke_->to(cellAt(world_m));
   if (!touched.empty()) Q_EMIT cellsChanged(worldOf(touched));
 }
 
 void PictureEditing::endStroke() {
-  if (!stroke_) return;
-  Patch patch = stroke_->finish();
-  stroke_.reset();
-  if (patch.empty()) return;
-  noteTouched(patch);
-  undo_.push(new Command(*this, std::move(patch), erasing_ ? tr("eraser") : tr("brush")));
-  Q_EMIT stateChanged();
-}
-
-void PictureEditing::push(Patch patch, const QString& text) {
-  if (patch.empty()) return;
-  exchange(patch, true);
-  undo_.push(new Command(*this, std::move(patch), text));
-}
-
-void PictureEditing::take(Canvas& canvas, const QString& text) { push(canvas.take(), text); }
-
-void PictureEditing::exchange(const Patch& patch, bool forward) {
-  // What is under way was made for the cells as they were: it never was.
-  if (stroke_) grid_->revert(stroke_->finish());
-  stroke_.reset();
-  dropPreview();
-  if (forward) {
-    grid_->apply(patch);
-  } else {
-    grid_->revert(patch);
+  if (stroke_waits_ && waits([this] { endStroke(); })) {
+    stroke_waits_ = false;
+    return;
   }
-  noteTouched(patch);
-  Q_EMIT cellsChanged(worldOf(patch.cells));
+  if (!stroke_) return;
+  PictureStep step;
+  step.patch = stroke_->finish();
+  stroke_.reset();
+  if (step.patch.empty()) return;
+  step.before = count_.of(step.patch);
+  step.after = picture::DifferenceCount::counted(*grid_, *saved_, step.patch);
+  step.of_saved = saved_number_;
+  count_.set(step.after);
+  note(std::move(step), erasing_ ? tr("eraser") : tr("brush"));
   Q_EMIT stateChanged();
 }
-
-void PictureEditing::noteTouched(const Patch& patch) { count_.recount(*grid_, *saved_, patch); }
 
 void PictureEditing::drawLine(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) {
   if (!grid_) return;
-  Canvas canvas(*grid_);
-  picture::drawLine(canvas, cellAt(from_m), cellAt(to_m), {across_, ink()});
-  take(canvas, tr("line"));
+  const Eigen::Vector2d from = cellAt(from_m), to = cellAt(to_m);
+  const std::int64_t most = std::int64_t(across_) * std::max(grid_->width(), grid_->height());
+  change(tr("line"), most, [from, to, brush = picture::Brush{across_, ink()}](Canvas& canvas, const auto&) {
+    picture::drawLine(canvas, from, to, brush);
+    return true;
+  });
 }
 
 void PictureEditing::drawRectangle(const CellRect& rect) {
   if (!grid_) return;
-  Canvas canvas(*grid_);
-  picture::drawRectangle(canvas, rect, ink());
-  take(canvas, tr("rectangle"));
+  change(tr("rectangle"), rect.intersected(grid_->all()).area(),
+         [rect, ink = ink()](Canvas& canvas, const auto&) {
+           picture::drawRectangle(canvas, rect, ink);
+           return true;
+         });
 }
 
 void PictureEditing::drawPolygon(const std::vector<Eigen::Vector2d>& corners_m) {
   if (!grid_) return;
   std::vector<Eigen::Vector2d> corners;
-  for (const Eigen::Vector2d& corner : corners_m) corners.push_back(cellAt(corner));
-  Canvas canvas(*grid_);
-  picture::drawPolygon(canvas, corners, ink());
-  take(canvas, tr("polygon"));
+  CellRect bounds;
+  for (const Eigen::Vector2d& corner : corners_m) {
+    corners.push_back(cellAt(corner));
+    bounds = bounds.united(picture::rectangleOf(corners.back(), corners.back()));
+  }
+  change(tr("polygon"), bounds.intersected(grid_->all()).area(),
+         [corners, ink = ink()](Canvas& canvas, const auto&) {
+           picture::drawPolygon(canvas, corners, ink);
+           return true;
+         });
 }
 
-bool PictureEditing::fill(const Eigen::Vector2d& at_m) {
-  if (!grid_) return true;
+void PictureEditing::fill(const Eigen::Vector2d& at_m) {
+  if (!grid_) return;
   const Eigen::Vector2d at = cellAt(at_m);
-  if (!(at.x() >= 0 && at.y() >= 0 && at.x() < grid_->width() && at.y() < grid_->height())) return true;
-  Canvas canvas(*grid_);
-  if (!picture::floodFill(canvas, int(at.x()), int(at.y()), ink())) return false;
-  take(canvas, tr("fill"));
-  return true;
+  if (!(at.x() >= 0 && at.y() >= 0 && at.x() < grid_->width() && at.y() < grid_->height())) return;
+  change(tr("fill"), grid_->all().area(),
+         [column = int(at.x()), row = int(at.y()), ink = ink()](Canvas& canvas, const auto& stop) {
+           return picture::floodFill(canvas, column, row, ink, &stop);
+         });
 }
 
 void PictureEditing::select(const CellRect& rect) {
@@ -193,29 +176,36 @@ bool PictureEditing::copySelection() {
   Canvas canvas(*grid_);
   auto copy = picture::copyCells(canvas, selection_);
   if (!copy) return false;
-  clip_ = std::move(copy);
+  clip_ = std::make_shared<const picture::Clip>(std::move(*copy));
   Q_EMIT stateChanged();
   return true;
 }
 
 void PictureEditing::pasteAt(int left, int top) {
   if (!grid_ || !clip_) return;
-  Canvas canvas(*grid_);
-  picture::putClip(canvas, *clip_, left, top);
-  take(canvas, tr("paste"));
-  select({left, top, left + clip_->width, top + clip_->height});
+  const CellRect where{left, top, left + clip_->width, top + clip_->height};
+  change(
+      tr("paste"), where.area(),
+      [clip = clip_, left, top](Canvas& canvas, const auto&) {
+        picture::putClip(canvas, *clip, left, top);
+        return true;
+      },
+      [this, where] { select(where); });
 }
 
 void PictureEditing::moveSelection(int columns, int rows, bool leaves_copy) {
   if (!grid_ || selection_.empty() || (columns == 0 && rows == 0)) return;
-  Canvas canvas(*grid_);
-  const auto piece = picture::copyCells(canvas, selection_);
-  if (!piece) return;
   const CellRect from = selection_;
-  if (!leaves_copy) picture::drawRectangle(canvas, from, groundInk());
-  picture::putClip(canvas, *piece, from.left + columns, from.top + rows);
-  take(canvas, leaves_copy ? tr("copy") : tr("move"));
-  select(from.moved(columns, rows));
+  change(
+      leaves_copy ? tr("copy") : tr("move"), 2 * from.area(),
+      [from, columns, rows, leaves_copy, ground = groundInk()](Canvas& canvas, const auto&) {
+        const auto piece = picture::copyCells(canvas, from);
+        if (!piece) return false;
+        if (!leaves_copy) picture::drawRectangle(canvas, from, ground);
+        picture::putClip(canvas, *piece, from.left + columns, from.top + rows);
+        return true;
+      },
+      [this, to = from.moved(columns, rows)] { select(to); });
 }
 
 void PictureEditing::paintSelection() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,11 +22,19 @@ namespace mapwright::window {
 
 enum class Tidying { Specks, Gaps, Edges };
 
+/// A change to be made, and undone, and what it makes of the count of changed cells: reckoned with it where
+/// that takes long.
+struct PictureStep {
+  picture::Patch patch;
+  picture::DifferenceCount::Tiles before, after;
+  quint64 of_saved = 0;  // which saved state they were counted against; 0 = they are not known
+};
+
 /// What tidying up would change, to be looked at before it is done.
 struct TidyPreview {
   Tidying what = Tidying::Specks;
   picture::Tidied found;
-  picture::Patch patch;
+  PictureStep step;
   std::shared_ptr<const picture::EditedGrid> cells;  // as they would be
   std::vector<picture::CellRect> runs;               // what would change, as far as it can be marked
 };
@@ -52,21 +61,26 @@ class PictureEditing : public QObject {
   int across() const { return across_; }  // of the brush, cells
   void setAcross(int cells);
 
-  // Painting. Positions are world metres; each of them is one change to undo, a stroke as a whole.
+  // Painting. Positions are world metres; each of them is one change to undo, a stroke as a whole. What may
+  // touch very many cells is reckoned on the crew: reckoning() until it is on the map. What is asked for
+  // meanwhile waits for it, strokes as well; undoing anything, and stop(), end it.
   void beginStroke(bool eraser);
   void strokeTo(const Eigen::Vector2d& world_m);
   void endStroke();
-  bool stroking() const { return stroke_.has_value(); }
+  bool stroking() const { return stroke_.has_value() || stroke_waits_; }
   void drawLine(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
   void drawRectangle(const picture::CellRect& rect);
   void drawPolygon(const std::vector<Eigen::Vector2d>& corners_m);
-  /// False: it would reach too far.
-  bool fill(const Eigen::Vector2d& at_m);
+  /// tooLarge(): it would reach too far.
+  void fill(const Eigen::Vector2d& at_m);
+  bool reckoning() const { return reckoning_ != nullptr; }
+  /// Nothing comes of what is under way, nor of what waits for it.
+  void stop();
 
   // The selection: a rectangle of cells.
   const picture::CellRect& selection() const { return selection_; }
   void select(const picture::CellRect& rect);
-  bool hasCopy() const { return clip_.has_value(); }
+  bool hasCopy() const { return clip_ != nullptr; }
   bool copySelection();
   void pasteAt(int left, int top);
   /// Where it was becomes unknown (free, where the picture holds no unknown).
@@ -80,13 +94,17 @@ class PictureEditing : public QObject {
   void applyPreview();
   void dropPreview();
 
+  /// What undoing may take, bytes: of more the oldest steps are forgotten, never the last one.
+  void setUndoBudget(std::size_t bytes) { undo_budget_ = bytes; }
+  std::size_t undoBytes() const { return held_.bytes(); }
+
   // What is saved.
   std::int64_t changedCells() const { return count_.cells; }
   bool unsaved() const { return count_.cells > 0; }
   std::shared_ptr<const picture::EditedGrid> snapshot() const;
   const std::shared_ptr<const picture::EditedGrid>& saved() const { return saved_; }
   /// A change that was made elsewhere for the grid as it stands.
-  void takeUp(picture::Patch patch, const QString& text) { push(std::move(patch), text); }
+  void takeUp(picture::Patch patch, const QString& text);
   /// What is kept is this now (snapshot()).
   void noteSaved(const std::shared_ptr<const picture::EditedGrid>& saved);
   /// All as it is saved; can be undone.
@@ -107,10 +125,22 @@ class PictureEditing : public QObject {
   void stateChanged();           // choices, counts, selection, preview, conflicts
   void previewChanged();         // another grid is to be shown
   void mergeDone(qint64 taken);  // takeIn() has ended
+  void tooLarge();
+  void stepsForgotten(int steps);  // they took more than setUndoBudget()
 
  private:
   class Command;
+  using StopFlag = std::shared_ptr<std::atomic<bool>>;
+  /// On the crew: what it writes is one change. False: it would reach too far.
+  using Make = std::function<bool(picture::Canvas& canvas, const std::atomic<bool>& stop)>;
+  struct Taken;
   void reset();
+  void change(const QString& text, std::int64_t most_cells, Make make, std::function<void()> then = {});
+  void reckon(const QString& text, Make make, std::function<void()> then);
+  void land(std::optional<PictureStep> step, const QString& text, const std::function<void()>& then);
+  bool waits(std::function<void()> operation);
+  void startStroke(bool eraser, const picture::Brush& brush);
+  void forgetOldest();
   struct Conflict {
     picture::Patch theirs;
     std::shared_ptr<const picture::EditedGrid> base;
@@ -119,11 +149,13 @@ class PictureEditing : public QObject {
   };
   picture::Ink ink() const;
   picture::Ink groundInk() const;
-  void push(picture::Patch patch, const QString& text);
-  void take(picture::Canvas& canvas, const QString& text);
-  void exchange(const picture::Patch& patch, bool forward);
-  void noteTouched(const picture::Patch& patch);
-  void takeDifference(const std::shared_ptr<const picture::EditedGrid>& base, const picture::Patch& theirs);
+  void push(PictureStep step, const QString& text);
+  void note(PictureStep step, const QString& text);
+  void exchange(PictureStep& step, bool forward);
+  void setSaved(std::shared_ptr<const picture::EditedGrid> saved);
+  static Taken takenFrom(const picture::EditedGrid& mine, const picture::EditedGrid& base,
+                         picture::Patch theirs);
+  void take(Taken taken, const std::shared_ptr<const picture::EditedGrid>& base);
   void stopLooking();
 
   std::shared_ptr<picture::EditedGrid> grid_;
@@ -133,13 +165,17 @@ class PictureEditing : public QObject {
   picture::Kind kind_ = picture::Kind::Occupied;
   int across_ = 3;
   std::optional<picture::Stroke> stroke_;
-  bool erasing_ = false;
+  bool erasing_ = false, stroke_waits_ = false;
   picture::CellRect selection_;
-  std::optional<picture::Clip> clip_;
+  std::shared_ptr<const picture::Clip> clip_;
   picture::DifferenceCount count_;
   std::optional<TidyPreview> preview_;
   std::optional<Conflict> conflict_;
-  std::shared_ptr<std::atomic<bool>> looking_, merging_;  // set to stop it; null: nothing is looked for
+  StopFlag looking_, merging_, reckoning_;  // set to stop it; null: nothing of the kind is under way
+  std::vector<std::function<void()>> waiting_;
+  quint64 saved_number_ = 1;  // of states that were saved
+  std::size_t undo_budget_ = std::size_t(256) << 20;
+  picture::PatchMemory held_;  // by the steps; goes after them
   QUndoStack undo_;
   work::Share share_;  // last
 };

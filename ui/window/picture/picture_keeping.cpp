@@ -1,4 +1,5 @@
 // PictureEditing: tidying up beside the window, what is saved, and what others have changed.
+#include <atomic>
 #include <utility>
 
 #include "window/picture/picture_editing.h"
@@ -34,21 +35,26 @@ void PictureEditing::stopLooking() {
 }
 
 void PictureEditing::lookFor(Tidying what, int cells) {
-  if (!grid_) return;
+  if (!grid_ || waits([this, what, cells] { lookFor(what, cells); })) return;
   endStroke();
   dropPreview();
   looking_ = std::make_shared<std::atomic<bool>>(false);
   const auto where = selection_.empty() ? grid_->all() : selection_;
-  share_.startLong([this, what, cells, where, now = grid_->snapshot(), stop = looking_] {
+  share_.startLong([this, what, cells, where, now = grid_->snapshot(), saved = saved_, number = saved_number_,
+                    stop = looking_] {
     Canvas canvas(*now);
     TidyPreview made;
     made.what = what;
     made.found = tidy(canvas, where, what, cells, stop.get());
-    made.patch = canvas.take();
-    made.runs = picture::changedRuns(*now, made.patch, kMostMarked);
+    PictureStep& step = made.step;
+    step.patch = canvas.take();
+    made.runs = picture::changedRuns(*now, step.patch, kMostMarked);
     const auto then = now->snapshot();
-    then->apply(made.patch);
+    then->apply(step.patch);
     made.cells = then;
+    step.before = picture::DifferenceCount::counted(*now, *saved, step.patch);
+    step.after = picture::DifferenceCount::counted(*then, *saved, step.patch);
+    step.of_saved = number;
     QMetaObject::invokeMethod(
         this,
         [this, stop, made = std::move(made)]() mutable {
@@ -65,12 +71,12 @@ void PictureEditing::lookFor(Tidying what, int cells) {
 
 void PictureEditing::applyPreview() {
   if (!preview_) return;
-  Patch patch = std::move(preview_->patch);
+  PictureStep step = std::move(preview_->step);
   const QString text = preview_->what == Tidying::Specks ? tr("remove specks")
                        : preview_->what == Tidying::Gaps ? tr("close gaps")
                                                          : tr("smooth edges");
   dropPreview();
-  push(std::move(patch), text);
+  push(std::move(step), text);
 }
 
 void PictureEditing::dropPreview() {
@@ -85,53 +91,92 @@ std::shared_ptr<const EditedGrid> PictureEditing::snapshot() const { return grid
 
 void PictureEditing::noteSaved(const std::shared_ptr<const EditedGrid>& saved) {
   if (!grid_ || saved->base() != grid_->base()) return;
-  saved_ = saved;
+  setSaved(saved);
   count_ = picture::DifferenceCount::between(*grid_, *saved_);
   Q_EMIT stateChanged();
 }
 
 void PictureEditing::revert() {
-  if (!grid_) return;
+  if (!grid_ || waits([this] { revert(); })) return;
   endStroke();
   conflict_.reset();
-  Canvas canvas(*grid_);
   constexpr int kEdge = Canvas::kEdge;
-  for (const auto& [place, count] : count_.tiles) {
-    for (int row = 0; row < kEdge; ++row)
-      canvas.paintRow(place.y * kEdge + row, place.x * kEdge, (place.x + 1) * kEdge, {0, saved_});
-  }
-  take(canvas, tr("discard changes"));
+  std::vector<picture::TilePlace> places;
+  for (const auto& [place, count] : count_.tiles) places.push_back(place);
+  change(tr("discard changes"), std::int64_t(places.size()) * kEdge * kEdge,
+         [places, saved = saved_](Canvas& canvas, const auto&) {
+           for (const picture::TilePlace& place : places) {
+             for (int row = 0; row < kEdge; ++row)
+               canvas.paintRow(place.y * kEdge + row, place.x * kEdge, (place.x + 1) * kEdge, {0, saved});
+           }
+           return true;
+         });
+}
+
+/// What others have made of the saved picture, put together with what is here.
+struct PictureEditing::Taken {
+  Patch theirs;
+  picture::Merge merge;
+  std::shared_ptr<const EditedGrid> saved;
+  picture::DifferenceCount count;
+};
+
+PictureEditing::Taken PictureEditing::takenFrom(const EditedGrid& mine, const EditedGrid& base,
+                                                Patch theirs) {
+  Taken taken;
+  taken.merge = picture::mergeCells(mine, theirs, base);
+  const auto saved = base.snapshot();
+  saved->apply(theirs);
+  taken.saved = saved;
+  const auto then = mine.snapshot();
+  then->apply(taken.merge.patch);
+  taken.count = picture::DifferenceCount::between(*then, *saved);
+  taken.theirs = std::move(theirs);
+  return taken;
 }
 
 void PictureEditing::takeIn(std::shared_ptr<const grids::GridPyramid> theirs) {
   if (!grid_) return;
   if (merging_) merging_->store(true);
   merging_ = std::make_shared<std::atomic<bool>>(false);
-  share_.startLong([this, theirs = std::move(theirs), base = saved_, stop = merging_] {
-    Patch difference = picture::differenceTo(*base, *theirs, stop.get());
+  share_.startLong([this, theirs = std::move(theirs), base = saved_, mine = grid_->snapshot(),
+                    revision = grid_->revision(), stop = merging_] {
+    const auto taken =
+        std::make_shared<Taken>(takenFrom(*mine, *base, picture::differenceTo(*base, *theirs, stop.get())));
     QMetaObject::invokeMethod(
         this,
-        [this, stop, base, difference = std::move(difference)] {
+        [this, stop, base, revision, taken] {
           if (stop != merging_) return;
           merging_.reset();
-          takeDifference(base, difference);
+          const auto land = [this, base, revision, taken] {
+            endStroke();
+            if (grid_->revision() != revision) *taken = takenFrom(*grid_, *base, std::move(taken->theirs));
+            take(std::move(*taken), base);
+          };
+          if (!waits(land)) land();
         },
         Qt::QueuedConnection);
   });
 }
 
-void PictureEditing::takeDifference(const std::shared_ptr<const EditedGrid>& base, const Patch& theirs) {
-  endStroke();
-  picture::Merge merge = picture::mergeCells(*grid_, theirs, *base);
-  const auto saved = base->snapshot();
-  saved->apply(theirs);
-  saved_ = saved;
+void PictureEditing::take(Taken taken, const std::shared_ptr<const EditedGrid>& base) {
+  setSaved(taken.saved);
   conflict_.reset();
-  if (merge.conflicts > 0) conflict_ = Conflict{theirs, base, merge.conflicts, merge.where};
-  push(std::move(merge.patch), tr("changes from elsewhere"));
-  count_ = picture::DifferenceCount::between(*grid_, *saved_);
+  if (taken.merge.conflicts > 0)
+    conflict_ = Conflict{std::move(taken.theirs), base, taken.merge.conflicts, taken.merge.where};
+  PictureStep step;
+  step.patch = std::move(taken.merge.patch);
+  step.of_saved = saved_number_;
+  for (const auto& [place, change] : step.patch.tiles) {
+    if (place.level != 0) continue;
+    const auto found = taken.count.tiles.find(place);
+    step.after.emplace_back(place, found == taken.count.tiles.end() ? 0 : found->second);
+  }
+  step.before = picture::DifferenceCount::counted(*grid_, *saved_, step.patch);
+  push(std::move(step), tr("changes from elsewhere"));
+  count_ = std::move(taken.count);
   Q_EMIT stateChanged();
-  Q_EMIT mergeDone(merge.taken);
+  Q_EMIT mergeDone(taken.merge.taken);
 }
 
 geometry::WorldRect PictureEditing::whereConflicts() const {
@@ -139,11 +184,12 @@ geometry::WorldRect PictureEditing::whereConflicts() const {
 }
 
 void PictureEditing::decide(bool take_theirs) {
-  if (!conflict_) return;
+  if (!conflict_ || waits([this, take_theirs] { decide(take_theirs); })) return;
   endStroke();
   const Conflict conflict = *std::exchange(conflict_, std::nullopt);
   if (take_theirs)
-    push(picture::mergeCells(*grid_, conflict.theirs, *conflict.base, true).patch, tr("take theirs"));
+    push({picture::mergeCells(*grid_, conflict.theirs, *conflict.base, true).patch, {}, {}, 0},
+         tr("take theirs"));
   Q_EMIT stateChanged();
 }
 

@@ -127,7 +127,7 @@ QString cellsText(std::int64_t cells) {
 }
 
 QString previewText(const TidyPreview& preview) {
-  if (preview.patch.empty()) return Words::tr("There is nothing to tidy up.");
+  if (preview.step.patch.empty()) return Words::tr("There is nothing to tidy up.");
   if (preview.what != Tidying::Specks)
     return Words::tr("%1 would change.").arg(cellsText(preview.found.cells));
   const QString specks = sentences::counted(

@@ -32,6 +32,9 @@ PictureTool::PictureTool(PictureEditing* editing, scene::MapScene* scene, QObjec
     Q_EMIT changed();
     Q_EMIT hintChanged();
   });
+  connect(editing_, &PictureEditing::tooLarge, this, [this] {
+    Q_EMIT refused(tr("This is too large to be changed at once. Fence it off, then change the parts."));
+  });
 }
 
 void PictureTool::setMode(PaintMode mode) {
@@ -133,8 +136,7 @@ void PictureTool::end(const MapPoint& at) {
       corners_.push_back(at.world_m);
       break;
     case PaintMode::Fill:
-      if (!editing_->fill(at.world_m))
-        Q_EMIT refused(tr("This area is too large to be filled at once. Fence it off, then fill the parts."));
+      editing_->fill(at.world_m);
       break;
     case PaintMode::Select:
       if (std::exchange(taken_hold_, false)) editing_->moveSelection(columns, rows, copies_);
@@ -168,6 +170,8 @@ bool PictureTool::keyPressed(const MapKeyPress& press) {
     case Qt::Key_Escape:
       if (busy()) {
         giveUp();
+      } else if (editing_->reckoning()) {
+        editing_->stop();
       } else if (editing_->preview() || editing_->looking()) {
         editing_->dropPreview();
       } else if (!editing_->selection().empty()) {
@@ -324,6 +328,7 @@ void PictureTool::paintBrush(QPainter& painter) const {
 
 QString PictureTool::hint() const {
   if (!editing_->isOpen()) return {};
+  if (editing_->reckoning()) return tr("Being reckoned … Esc stops. What you draw meanwhile comes after it.");
   if (editing_->looking()) return tr("Looking … Esc stops.");
   if (editing_->preview()) return tr("This is how it would be. Enter changes it, Esc leaves it as it is.");
   switch (mode_) {

@@ -14,6 +14,9 @@ namespace mapwright::window {
 RobotController::RobotController(WindowContext& context, QObject* parent)
     : Controller(parent), context_(context), dock_(new RobotDock(&context.window)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 10, .menu_rank = 40});
+  connect(&context_.panels, &Panels::arranged, this, [this] {
+    if (comesFirst(context_.current.session())) context_.panels.suggest(dock_);
+  });
   const auto open = [this] { context_.panels.open(dock_); };
   connect(&context_.bar, &WindowStatusBar::safetyWanted, this, open);
   connect(context_.overlay.safetyNotice(), &NoticeBar::offerTaken, this, open);
@@ -28,8 +31,14 @@ RobotController::RobotController(WindowContext& context, QObject* parent)
   connect(&context_.current, &CurrentSession::stateChanged, this, &RobotController::refreshPlace);
 }
 
+bool RobotController::comesFirst(session::Session* session) const {
+  // What the inspector lists is not there, and of files nothing is live.
+  return session && !session->robot().submapSource() && !session->robot().isLocal();
+}
+
 void RobotController::setSession(session::Session* session) {
   dock_->setSession(session);
+  if (comesFirst(session)) context_.panels.suggest(dock_);
   if (session)
     connect(&session->safety(), &session::SafetyWatch::changed, this, &RobotController::refreshSafety);
 }

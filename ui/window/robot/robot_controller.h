@@ -23,6 +23,7 @@ class RobotController : public Controller {
   void safetyChanged(const mapwright::window::SafetyText& text);
 
  private:
+  bool comesFirst(session::Session* session) const;
   void refreshSafety();
   void refreshPlace();
   void sayPlace(const QString& sentence, const QString& offer, bool closable, Mark mark = Mark::Neutral);

@@ -3,6 +3,7 @@
 #include "window/current_session.h"
 #include "window/map/map_overlay.h"
 #include "window/on_screen.h"
+#include "window/replay/replay_state.h"
 #include "window/status/window_status_bar.h"
 #include "window/unsaved_changes.h"
 
@@ -19,7 +20,12 @@ void StatusController::setSession(session::Session* session) { context_.bar.setS
 void StatusController::refresh() {
   session::Session* const session = context_.current.session();
   const MapsInView in_view = mapsInView(context_.scene);
-  context_.overlay.card()->setState(emptyState(session, in_view));
+  auto state = emptyState(session, in_view);
+  // What a bag does not hold by this time is not on its way: nothing hides the rest of it.
+  const bool waits = state && state->kind == EmptyState::Kind::WaitingForList;
+  if (waits && replayOf(session) && session->connection().phase == robot::ConnectionPhase::Online)
+    state.reset();
+  context_.overlay.card()->setState(state);
   const bool submaps_left_out = context_.scene.robotPlace().drawn == scene::ScreenPart::None;
   context_.bar.setInView(in_view.submaps && !submaps_left_out, in_view.whole,
                          submapsOf(session, context_.scene));

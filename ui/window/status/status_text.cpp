@@ -143,6 +143,8 @@ QString mapProgressText(const session::MapSlot& slot) {
                  ? QCoreApplication::translate("window", "Waiting for %1").arg(name)
                  : QCoreApplication::translate("window", "Fetching %1").arg(name);
     case session::MapSlot::Phase::Reading:
+      // A newer state of the whole map on screen, as some robots send it several times a second.
+      if (slot.cells() && slot.shown().key == slot.key() && slot.cells()->complete()) return {};
       return QCoreApplication::translate("window", "Reading %1 %2 %")
           .arg(name, QString::number(int(slot.progress() * 100)));
     case session::MapSlot::Phase::Failed:

@@ -8,6 +8,7 @@
 
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
+#include "window/replay/replay_state.h"
 #include "window/status/safety_badge.h"
 #include "window/status/state_mark.h"
 
@@ -135,7 +136,10 @@ WindowStatusBar::WindowStatusBar(QWidget* parent)
   line->addWidget(problems_, 0);
   line->addStretch(1);
   for (PlainLabel* label : {coordinates_, occupancy_, scale_, rotation_}) {
-    label->setFixedWidth(label->sizeHint().width());
+    // Where the bar is crowded they give way before the window has to grow.
+    const int width = label->sizeHint().width();
+    label->setMinimumWidth(width * 6 / 10);
+    label->setMaximumWidth(width);
     line->addWidget(label, 0);
   }
   addWidget(row, 1);
@@ -188,7 +192,7 @@ void WindowStatusBar::refreshConnection() {
 }
 
 void WindowStatusBar::refreshCountdown() {
-  connection_->setState(connectionText(read_, read_clock_.elapsed()));
+  connection_->setState(replayText(session_).value_or(connectionText(read_, read_clock_.elapsed())));
   const bool counts = read_.phase == robot::ConnectionPhase::Interrupted && read_.retry_in_ms;
   if (counts && !countdown_.isActive()) countdown_.start();
   if (!counts) countdown_.stop();

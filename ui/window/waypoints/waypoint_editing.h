@@ -2,6 +2,7 @@
 // form, and what is selected.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -10,11 +11,13 @@
 #include <QPointer>
 
 #include "edit/waypoint_fields.h"
+#include "placing/arrange.h"
 
 namespace mapwright::window {
 
-/// Where waypoints are while a hand moves them, before it lets go.
-using WaypointPreview = std::map<edit::Key, map::Waypoint>;
+/// Where waypoints are while a hand moves them, before it lets go: their places and headings alone, so that a
+/// step of thousands costs little.
+using WaypointPreview = std::map<edit::Key, placing::Spot>;
 
 class WaypointEditing : public QObject {
   Q_OBJECT
@@ -36,23 +39,41 @@ class WaypointEditing : public QObject {
   const map::Waypoint* only() const { return selected_.size() == 1 ? find(*selected_.begin()) : nullptr; }
   void select(std::set<edit::Key> keys);
   void toggle(const edit::Key& key);
+  void selectAll();
+  void invertSelection();
 
   /// A hand's movement that becomes one command.
   edit::Gesture newGesture() { return ++last_gesture_; }
 
   /// A new one with a name that no other has; it is selected.
   edit::Key add(const Eigen::Vector2d& world_m, edit::Gesture gesture = 0);
+  /// New ones as one command: their ids are ours to give, and a name where one has none. They are selected.
+  std::set<edit::Key> addAll(std::vector<map::Waypoint> points, const QString& what,
+                             edit::Gesture gesture = 0);
+  /// The names that are in use.
+  std::set<std::string> names() const;
   void rename(const edit::Key& key, const QString& name, edit::Gesture gesture = 0);
   /// One item as it is to be; `what`: the name of the command.
   void set(const edit::Key& key, const map::Waypoint& to, const QString& what, edit::Gesture gesture = 0);
+  /// The same change of all that are selected, as one command; `what` names it, with %1 for what it is about.
+  void changeSelected(const QString& what, const std::function<void(map::Waypoint&)>& change,
+                      edit::Gesture gesture = 0);
+  /// What I deleted of these is there again, as it is kept.
+  void restore(const std::vector<edit::Key>& keys);
+  /// The changes as one command; those that are there afterwards are selected.
+  void make(std::vector<edit::Change<map::Waypoint>> changes, const QString& what);
   void removeSelected();
   void moveSelected(const Eigen::Vector2d& by_m, edit::Gesture gesture = 0);
 
   /// While a hand moves them they are drawn here; empty = where they are.
   const WaypointPreview& preview() const { return preview_; }
+  /// Where it is now, in a hand or not; nullopt = it is not there.
+  std::optional<placing::Spot> spotOf(const edit::Key& key) const;
   void setPreview(WaypointPreview preview);
   /// Makes the preview true, as one command.
   void applyPreview(const QString& what);
+  /// Several items put there, as one command.
+  void apply(const WaypointPreview& to, const QString& what, edit::Gesture gesture = 0);
 
  Q_SIGNALS:
   void opened();  // another document, or none

@@ -8,7 +8,11 @@
 #include <QSignalBlocker>
 
 #include "geometry/pose.h"
+#include "sentences/placing_sentence.h"
+#include "window/look/ui_colors.h"
+#include "window/waypoints/tag_completer.h"
 #include "window/waypoints/waypoint_text.h"
+#include "window/waypoints/waypoint_warnings.h"
 
 namespace mapwright::window {
 
@@ -41,11 +45,16 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
       tags_(new QLineEdit(this)),
       x_(metres(tr("x of the waypoint"), this)),
       y_(metres(tr("y of the waypoint"), this)),
-      yaw_(new QDoubleSpinBox(this)) {
+      yaw_(new QDoubleSpinBox(this)),
+      doubtful_(new QLabel(this)) {
+  doubtful_->setTextFormat(Qt::PlainText);
+  doubtful_->setWordWrap(true);
+  doubtful_->hide();
   name_->setMaxLength(kLongestName);
   name_->setAccessibleName(tr("Name of the waypoint"));
   tags_->setAccessibleName(tr("Tags of the waypoint"));
   tags_->setPlaceholderText(tr("separated by commas"));
+  new TagCompleter(editing_, tags_);
   yaw_->setLocale(QLocale::c());
   yaw_->setRange(kNoHeading, 180);
   yaw_->setSpecialValueText(tr("none"));
@@ -69,6 +78,7 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
   form->addRow(tr("x, y"), place);
   form->addRow(tr("Heading"), yaw_);
   form->addRow(tr("Tags"), tags_);
+  form->addRow(doubtful_);
 
   connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointForm::refresh);
   connect(editing_, &WaypointEditing::previewChanged, this, &WaypointForm::refresh);
@@ -108,6 +118,24 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
   refresh();
 }
 
+void WaypointForm::setWarnings(const WaypointWarnings* warnings) {
+  warnings_ = warnings;
+  connect(warnings, &WaypointWarnings::changed, this, &WaypointForm::showWarnings);
+  showWarnings();
+}
+
+QString WaypointForm::warningsShown() const { return doubtful_->isHidden() ? QString() : doubtful_->text(); }
+
+void WaypointForm::showWarnings() {
+  const QString text =
+      warnings_ && !shown_.empty() ? sentences::sentencesOf(warnings_->of(shown_)) : QString();
+  QPalette palette = doubtful_->palette();
+  palette.setColor(QPalette::WindowText, appColors().warning_text);
+  doubtful_->setPalette(palette);
+  doubtful_->setText(text);
+  doubtful_->setVisible(!text.isEmpty());
+}
+
 void WaypointForm::takeName(const QString& text) {
   const map::Waypoint* const now = editing_->find(shown_);
   if (refreshing_ || !now) return;
@@ -135,11 +163,10 @@ void WaypointForm::apply(const QString& what, edit::FieldMask field,
 
 void WaypointForm::refresh() {
   refreshing_ = true;
-  const map::Waypoint* point = editing_->only();
+  const map::Waypoint* const point = editing_->only();
   const edit::Key key = point ? *editing_->selected().begin() : edit::Key();
   if (std::exchange(shown_, key) != key) last_field_ = 0;
-  if (const auto preview = editing_->preview().find(key); preview != editing_->preview().end())
-    point = &preview->second;
+  const std::optional<placing::Spot> spot = point ? editing_->spotOf(key) : std::nullopt;
   setEnabled(point && editing_->editable());
   const auto show = [this](QLineEdit* edit, const QString& text) {
     if (edit->isModified() && (typing_ || edit->hasFocus())) return;  // somebody is typing
@@ -151,15 +178,15 @@ void WaypointForm::refresh() {
     const QSignalBlocker quiet(box);
     box->setValue(value);
   };
-  number(x_, point ? point->position_m.x() : 0);
-  number(y_, point ? point->position_m.y() : 0);
-  number(yaw_, point && point->yaw_rad
-                   ? geometry::degreesFromRadians(geometry::normalizeAngle(*point->yaw_rad))
-                   : kNoHeading);
+  number(x_, spot ? spot->position_m.x() : 0);
+  number(y_, spot ? spot->position_m.y() : 0);
+  number(yaw_, spot && spot->yaw_rad ? geometry::degreesFromRadians(geometry::normalizeAngle(*spot->yaw_rad))
+                                     : kNoHeading);
   if (!point) {
     for (QDoubleSpinBox* box : {x_, y_, yaw_}) box->clear();  // the text alone
   }
   refreshing_ = false;
+  showWarnings();
 }
 
 }  // namespace mapwright::window

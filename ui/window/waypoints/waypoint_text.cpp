@@ -76,6 +76,49 @@ QString stateText(const edit::ItemState& state) {
   return state.unsaved ? Words::tr("Not saved yet.") : QString();
 }
 
+int pendingOf(const edit::ItemState& state, const map::Waypoint* kept, const map::Waypoint* now) {
+  using namespace edit::waypoint_field;
+  int pending = state.changed_elsewhere ? kConflicting : 0;
+  if (!state.unsaved) return pending;
+  pending |= kUnsaved;
+  if (!kept || !now) return pending | (now ? kNew : kDeleted);
+  const edit::FieldMask fields = edit::difference(*kept, *now);
+  if (fields & (kPosition | kYaw)) pending |= kMoved;
+  if (fields & kName) pending |= kRenamed;
+  if (fields & (kTags | kType)) pending |= kRetagged;
+  return pending;
+}
+
+QString pendingText(const edit::ItemState& state, int pending) {
+  if (state.changed_elsewhere || state.sent || !(pending & kUnsaved)) return stateText(state);
+  QStringList parts;
+  if (pending & kNew) parts << Words::tr("new");
+  if (pending & kDeleted) parts << Words::tr("deleted");
+  if (pending & kRenamed) parts << Words::tr("renamed");
+  if (pending & kMoved) parts << Words::tr("moved");
+  if (pending & kRetagged) parts << Words::tr("retagged");
+  if (parts.isEmpty()) return stateText(state);
+  return Words::tr("Not saved yet: %1.").arg(parts.join(QStringLiteral(", ")));
+}
+
+QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after) {
+  using namespace edit::waypoint_field;
+  if (!before && !after) return {};
+  if (!after) return Words::tr("deleted");
+  if (!before) {
+    const edit::FieldMask said = kPosition | (after->yaw_rad ? kYaw : 0) | (after->tags.empty() ? 0 : kTags) |
+                                 (after->type.empty() ? 0 : kType);
+    return Words::tr("new: %1").arg(fieldsText(after, said));
+  }
+  const edit::FieldMask changed = edit::difference(*before, *after);
+  QStringList parts;
+  for (edit::FieldMask field = 1; field <= changed; field <<= 1) {
+    if (changed & field)
+      parts << Words::tr("%1 → %2").arg(fieldsText(before, field), fieldsText(after, field));
+  }
+  return parts.isEmpty() ? Words::tr("as it was") : parts.join(QStringLiteral("; "));
+}
+
 QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
   edit::FieldMask mine = conflict.fields, theirs = conflict.fields;
   if (!conflict.mine || !conflict.theirs) {

@@ -22,6 +22,23 @@ QString changesText(qsizetype count);
 
 /// How an item stands, in words; empty when it is as it is kept.
 QString stateText(const edit::ItemState& state);
+
+/// What is pending of one waypoint, as flags; several may be so at once.
+enum Pending : int {
+  kUnsaved = 1,
+  kNew = 2,
+  kMoved = 4,  // or turned
+  kRenamed = 8,
+  kRetagged = 16,  // or of another type
+  kDeleted = 32,
+  kConflicting = 64,
+};
+/// `kept`, `now`: null = it is not there.
+int pendingOf(const edit::ItemState& state, const map::Waypoint* kept, const map::Waypoint* now);
+/// "Not saved yet: renamed, moved."; empty when nothing is pending.
+QString pendingText(const edit::ItemState& state, int pending);
+/// "name “A” to “B”, position 1.000, 2.000 m to 2.000, 2.000 m"; "new: …", "deleted".
+QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "Changed here: position 1.000, 2.000. Changed elsewhere: position 4.000, 2.000."
 QString conflictText(const edit::Conflict<map::Waypoint>& conflict);
 /// What went wrong, and what of it was applied.

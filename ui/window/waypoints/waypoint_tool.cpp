@@ -3,9 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include <QLocale>
-#include <QPainter>
-
 #include "geometry/pose.h"
 #include "scene/layer_item.h"
 #include "window/waypoints/waypoint_text.h"
@@ -14,23 +11,15 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr double kHandleRadiusPx = 6;
-constexpr double kTurnStep = geometry::radiansFromDegrees(15);  // with Ctrl
-constexpr int kFarCells = 10;                                   // with Shift
-
-/// To the millimetre: a hand is no more exact, and files stay readable.
-Eigen::Vector2d exactEnough(const Eigen::Vector2d& at_m) {
-  return {std::round(at_m.x() * 1000) / 1000, std::round(at_m.y() * 1000) / 1000};
-}
-
-QString metres(double value) { return QLocale::c().toString(value, 'f', 2); }
+constexpr int kFarCells = 10;  // with Shift
 
 }  // namespace
 
 WaypointTool::WaypointTool(WaypointEditing* editing, const scene::MapScene* scene, const HitList* hits,
-                           QObject* parent)
-    : MapTool(parent), editing_(editing), scene_(scene), hits_(hits) {
+                           WaypointSnapping* snapping, QObject* parent)
+    : MapTool(parent), editing_(editing), scene_(scene), hits_(hits), snapping_(snapping) {
   const auto look_anew = [this] {
+    group_.reset();
     Q_EMIT changed();
     Q_EMIT hintChanged();
   };
@@ -38,6 +27,11 @@ WaypointTool::WaypointTool(WaypointEditing* editing, const scene::MapScene* scen
   connect(editing, &WaypointEditing::previewChanged, this, look_anew);
   connect(editing, &WaypointEditing::opened, this, [this, look_anew] {
     dragCancelled();
+    if (editing_->document())
+      connect(editing_->document(), &edit::DocumentEvents::changed, this, [this] {
+        group_.reset();
+        Q_EMIT changed();
+      });
     look_anew();
   });
 }
@@ -51,6 +45,7 @@ QCursor WaypointTool::cursor() const {
 void WaypointTool::deactivate() {
   dragCancelled();
   hovered_.reset();
+  landing_.reset();
 }
 
 std::optional<edit::Key> WaypointTool::under(const MapPoint& at) const {
@@ -58,18 +53,6 @@ std::optional<edit::Key> WaypointTool::under(const MapPoint& at) const {
     if (hit.layer == scene::Layer::Waypoints) return hit.key;
   }
   return std::nullopt;
-}
-
-std::optional<QPointF> WaypointTool::handle() const {
-  if (!editing_->editable() || editing_->selected().size() != 1) return std::nullopt;
-  const edit::Key& key = *editing_->selected().begin();
-  const auto preview = editing_->preview().find(key);
-  const map::Waypoint* const point =
-      preview == editing_->preview().end() ? editing_->only() : &preview->second;
-  if (!point) return std::nullopt;
-  const double heading = point->yaw_rad.value_or(0) + scene_->view().rotation_rad;
-  return scene::toPoint(scene_->view().pixelFromWorld(point->position_m)) +
-         QPointF(std::cos(heading), -std::sin(heading)) * kHandlePx;
 }
 
 bool WaypointTool::onHandle(const MapPoint& at) const {
@@ -81,16 +64,21 @@ bool WaypointTool::pressed(const MapPoint& at) {
   drag_ = Drag::None;
   nudging_ = 0;
   pressed_on_one_ = true;
+  landing_.reset();
   press_m_ = at.world_m;
+  press_px_ = now_px_ = at.px;
   if (onHandle(at)) {
     grabbed_ = *editing_->selected().begin();
-    drag_ = Drag::Turn;
+    drag_ = editing_->selected().size() == 1 ? Drag::Turn : Drag::TurnGroup;
+    turned_by_rad_ = 0;
     return true;
   }
   const auto key = under(at);
   if (!key) {
     pressed_on_one_ = false;
-    return false;
+    if (!(at.modifiers & Qt::ShiftModifier) || !editing_->document()) return false;
+    drag_ = Drag::Frame;
+    return true;
   }
   grabbed_ = *key;
   if (at.modifiers & Qt::ShiftModifier) {
@@ -103,42 +91,104 @@ bool WaypointTool::pressed(const MapPoint& at) {
 }
 
 void WaypointTool::dragged(const MapPoint& at) {
-  const map::Waypoint* const grabbed = editing_->find(grabbed_);
-  if (drag_ == Drag::None || !grabbed) return;
-  WaypointPreview preview;
-  if (drag_ == Drag::Turn) {
-    map::Waypoint to = *grabbed;
-    const Eigen::Vector2d towards = at.world_m - to.position_m;
-    if (towards.norm() <= 0) return;
-    double yaw = std::atan2(towards.y(), towards.x());
-    if (at.modifiers & Qt::ControlModifier) yaw = std::round(yaw / kTurnStep) * kTurnStep;
-    to.yaw_rad = geometry::normalizeAngle(yaw);
-    preview.emplace(grabbed_, std::move(to));
-  } else {
-    const Eigen::Vector2d free = grabbed->position_m + (at.world_m - press_m_);
-    snapped_ = snap(*scene_, *hits_, free, at.modifiers, kReachPx, [this](const Hit& hit) {
-      return hit.layer == scene::Layer::Waypoints && editing_->selected().contains(hit.key);
-    });
-    const Eigen::Vector2d there =
-        snapped_.to == Snapped::To::Thing ? snapped_.world_m : exactEnough(snapped_.world_m);
-    const Eigen::Vector2d by = there - grabbed->position_m;
-    for (const edit::Key& key : editing_->selected()) {
-      map::Waypoint to = *editing_->find(key);
-      to.position_m += by;
-      preview.emplace(key, std::move(to));
-    }
+  now_px_ = at.px;
+  switch (drag_) {
+    case Drag::None:
+      return;
+    case Drag::Frame:
+      Q_EMIT changed();
+      Q_EMIT hintChanged();
+      return;
+    case Drag::Move:
+      return move(at);
+    case Drag::Turn:
+      return turn(at);
+    case Drag::TurnGroup:
+      return turnGroup(at);
   }
+}
+
+void WaypointTool::move(const MapPoint& at) {
+  const map::Waypoint* const grabbed = editing_->find(grabbed_);
+  if (!grabbed) return;
+  const Eigen::Vector2d free = grabbed->position_m + (at.world_m - press_m_);
+  snapped_ = snapping_->place(free, at.modifiers, [this](const Hit& hit) {
+    return hit.layer == scene::Layer::Waypoints && editing_->selected().contains(hit.key);
+  });
+  const Eigen::Vector2d by = snapped_.at_m - grabbed->position_m;
+  WaypointPreview preview;
+  for (const edit::Key& key : editing_->selected()) {
+    const map::Waypoint& from = *editing_->find(key);
+    preview.emplace_hint(preview.end(), key, placing::Spot{from.position_m + by, from.yaw_rad});
+  }
+  // Exactly what caught it, without what the sum loses.
+  preview.at(grabbed_).position_m = snapped_.at_m;
   editing_->setPreview(std::move(preview));
+}
+
+void WaypointTool::turn(const MapPoint& at) {
+  const map::Waypoint* const grabbed = editing_->find(grabbed_);
+  if (!grabbed) return;
+  placing::Spot to{grabbed->position_m, grabbed->yaw_rad};
+  const Eigen::Vector2d towards = at.world_m - to.position_m;
+  if (towards.norm() <= 0) return;
+  const double yaw = std::atan2(towards.y(), towards.x());
+  to.yaw_rad = geometry::normalizeAngle(snapping_->heading(yaw, at.modifiers));
+  WaypointPreview preview;
+  preview.emplace(grabbed_, to);
+  editing_->setPreview(std::move(preview));
+}
+
+void WaypointTool::turnGroup(const MapPoint& at) {
+  const auto& keys = editing_->selected();
+  std::vector<placing::Spot> spots;
+  spots.reserve(keys.size());
+  for (const edit::Key& key : keys) {
+    const map::Waypoint& point = *editing_->find(key);
+    spots.push_back({point.position_m, point.yaw_rad});
+  }
+  const Eigen::Vector2d pivot = placing::middleOf(spots);
+  const Eigen::Vector2d from = press_m_ - pivot, towards = at.world_m - pivot;
+  if (towards.norm() <= 0) return;
+  double by = geometry::normalizeAngle(std::atan2(towards.y(), towards.x()) - std::atan2(from.y(), from.x()));
+  if (at.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) by = snapping_->heading(by, at.modifiers);
+  turned_by_rad_ = by;
+  spots = placing::turned(std::move(spots), pivot, by);
+  WaypointPreview preview;
+  std::size_t i = 0;
+  for (const edit::Key& key : keys) preview.emplace_hint(preview.end(), key, spots[i++]);
+  editing_->setPreview(std::move(preview));
+}
+
+std::set<edit::Key> WaypointTool::inFrame() const {
+  const geometry::ViewTransform& view = scene_->view();
+  const QRectF frame = QRectF(press_px_, now_px_).normalized();
+  geometry::WorldRect around;  // of a turned view more than the frame
+  for (const QPointF& corner : {frame.topLeft(), frame.topRight(), frame.bottomLeft(), frame.bottomRight()})
+    around.extend(view.worldFromPixel({corner.x(), corner.y()}));
+  std::set<edit::Key> keys;
+  hits_->within(around, [&](const Hit& hit) {
+    if (hit.layer == scene::Layer::Waypoints &&
+        frame.contains(scene::toPoint(view.pixelFromWorld(hit.world_m))))
+      keys.insert(hit.key);
+  });
+  return keys;
 }
 
 void WaypointTool::released(const MapPoint& at) {
   dragged(at);
   const Drag drag = std::exchange(drag_, Drag::None);
+  if (drag == Drag::Frame) {
+    std::set<edit::Key> keys = inFrame();
+    keys.insert(editing_->selected().begin(), editing_->selected().end());
+    editing_->select(std::move(keys));
+    return endDrag();
+  }
   const map::Waypoint* const one = editing_->find(grabbed_);
   const auto count = editing_->preview().size();
   if (one && count > 0) {
     const QString what = count == 1 ? shortWaypointName(*one) : waypointsText(qsizetype(count));
-    editing_->applyPreview((drag == Drag::Turn ? tr("turn %1") : tr("move %1")).arg(what));
+    editing_->applyPreview((drag == Drag::Move ? tr("move %1") : tr("turn %1")).arg(what));
   }
   endDrag();
 }
@@ -158,28 +208,38 @@ void WaypointTool::endDrag() {
 
 void WaypointTool::clicked(const MapPoint& at) {
   drag_ = Drag::None;
+  landing_.reset();
   if (pressed_on_one_) {
     if (!(at.modifiers & Qt::ShiftModifier) && under(at) == std::optional(grabbed_))
       editing_->select({grabbed_});
     return;
   }
+  if (at.modifiers & Qt::ShiftModifier) return;  // a frame of nothing
   if (!editing_->editable()) {
     editing_->select({});
     return;
   }
-  const Snapped where = snap(*scene_, *hits_, at.world_m, at.modifiers, 0, [](const Hit&) { return true; });
+  const auto where = snapping_->place(at.world_m, at.modifiers, [](const Hit&) { return false; });
   const edit::Gesture gesture = editing_->newGesture();
-  const edit::Key key = editing_->add(exactEnough(where.world_m), gesture);
+  const edit::Key key = editing_->add(where.at_m, gesture);
   if (!key.empty()) Q_EMIT editing_->renameWanted(key, gesture);
 }
 
 void WaypointTool::hovered(const MapPoint& at) {
   const auto key = onHandle(at) ? std::optional(*editing_->selected().begin()) : under(at);
-  if (std::exchange(hovered_, key) != key) Q_EMIT changed();
+  const bool had_landing = landing_.has_value();
+  landing_.reset();
+  if (!key && editing_->editable() && !(at.modifiers & Qt::ShiftModifier)) {
+    auto place = snapping_->place(at.world_m, at.modifiers, [](const Hit&) { return false; });
+    if (!place.guides.empty()) landing_ = std::move(place);
+  }
+  if (std::exchange(hovered_, key) != key || had_landing || landing_) Q_EMIT changed();
 }
 
 void WaypointTool::left() {
-  if (std::exchange(hovered_, std::nullopt)) Q_EMIT changed();
+  const bool had_landing = landing_.has_value();
+  landing_.reset();
+  if (std::exchange(hovered_, std::nullopt) || had_landing) Q_EMIT changed();
 }
 
 bool WaypointTool::doubleClicked(const MapPoint& at) {
@@ -249,56 +309,6 @@ bool WaypointTool::keyPressed(const MapKeyPress& press) {
     default:
       return false;
   }
-}
-
-void WaypointTool::paint(QPainter& painter) {
-  const scene::MapTheme& theme = scene_->theme();
-  painter.setRenderHint(QPainter::Antialiasing);
-  for (const auto& [key, to] : editing_->preview()) {
-    const map::Waypoint* const from = editing_->find(key);
-    if (!from || drag_ != Drag::Move) continue;
-    const QPointF a = scene::toPoint(scene_->view().pixelFromWorld(from->position_m)),
-                  b = scene::toPoint(scene_->view().pixelFromWorld(to.position_m));
-    for (const auto& [color, width] : {std::pair(theme.text_halo, 3.5), std::pair(theme.accent, 1.5)}) {
-      painter.setPen(QPen(color, width, Qt::DashLine, Qt::RoundCap));
-      painter.drawLine(a, b);
-    }
-    painter.setPen(QPen(theme.accent, 1.5));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(a, 4, 4);
-    // Where it has caught something there is a cross.
-    if (key == grabbed_ && snapped_.to != Snapped::To::Nothing) {
-      painter.setPen(QPen(theme.measure, 1.5));
-      painter.drawLine(b - QPointF(14, 0), b + QPointF(14, 0));
-      painter.drawLine(b - QPointF(0, 14), b + QPointF(0, 14));
-    }
-  }
-  const auto grip = handle();
-  if (!grip || drag_ == Drag::Move) return;
-  const map::Waypoint* const only = editing_->only();
-  const bool has_heading = only->yaw_rad || drag_ == Drag::Turn;
-  const QPointF from = scene::toPoint(scene_->view().pixelFromWorld(only->position_m));
-  for (const auto& [color, width] : {std::pair(theme.text_halo, 3.5), std::pair(theme.accent, 1.5)}) {
-    painter.setPen(QPen(color, width, has_heading ? Qt::SolidLine : Qt::DotLine, Qt::RoundCap));
-    painter.drawLine(from, *grip);
-  }
-  painter.setPen(QPen(theme.accent, 2));
-  painter.setBrush(has_heading ? QBrush(theme.accent) : QBrush(theme.text_halo));
-  painter.drawEllipse(*grip, kHandleRadiusPx, kHandleRadiusPx);
-}
-
-QString WaypointTool::hint() const {
-  if (!editing_->document()) return tr("There is no waypoint list here. Esc leaves.");
-  if (!editing_->editable()) return editing_->whyNot();
-  if (drag_ == Drag::Turn && editing_->preview().contains(grabbed_))
-    return tr("Heading %1. Ctrl turns by 15°, Esc cancels.")
-        .arg(yawText(editing_->preview().at(grabbed_).yaw_rad));
-  if (drag_ == Drag::Move && editing_->preview().contains(grabbed_)) {
-    const Eigen::Vector2d at = editing_->preview().at(grabbed_).position_m;
-    return tr("%1, %2 m. Ctrl: to the grid, Alt: free, Esc cancels.").arg(metres(at.x()), metres(at.y()));
-  }
-  if (editing_->selected().empty()) return tr("Click adds a waypoint, drag moves one. Esc leaves.");
-  return tr("Drag or arrows move, F2 renames, Delete deletes. Esc lets go.");
 }
 
 }  // namespace mapwright::window

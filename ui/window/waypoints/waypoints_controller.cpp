@@ -3,13 +3,11 @@
 #include <utility>
 
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
 
-#include "scene/drawn_waypoint.h"
 #include "scene/layer_item.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/reason_sentence.h"
+#include "session/lacks_picture.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
@@ -19,29 +17,41 @@
 #include "window/map/tool_choice.h"
 #include "window/panels.h"
 #include "window/undo_stacks.h"
+#include "window/waypoints/conflict_menu.h"
 #include "window/waypoints/name_editor.h"
+#include "window/waypoints/waypoint_placing.h"
+#include "window/waypoints/waypoint_review.h"
 #include "window/waypoints/waypoint_text.h"
 #include "window/waypoints/waypoint_tool.h"
+#include "window/waypoints/waypoint_transfer.h"
 #include "window/waypoints/waypoints_dock.h"
+#include "window/waypoints/waypoints_on_map.h"
 
 namespace mapwright::window {
-
-namespace {
-constexpr int kKeep = -1;  // the answer that QMessageBox has no name for
-}
 
 WaypointsController::WaypointsController(WindowContext& context, QObject* parent)
     : Controller(parent),
       context_(context),
+      questions_(&context.window),
+      placing_(new WaypointPlacing(context, &editing_, this)),
+      on_map_(new WaypointsOnMap(&editing_, &context.scene, &context.hits, this)),
       dock_(new WaypointsDock(&editing_, &context.window)),
-      tool_(new WaypointTool(&editing_, &context.scene, &context.hits, this)),
-      name_editor_(new NameEditor(context.view.viewport())) {
+      tool_(new WaypointTool(&editing_, &context.scene, &context.hits, placing_->snapping(), this)),
+      name_editor_(new NameEditor(context.view.viewport())),
+      transfer_(nullptr),
+      review_(new WaypointReview(&context.window)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 15, .menu_rank = 45});
-  context_.hits.add(scene::Layer::Waypoints, &places_);
+  connect(&context_.panels, &Panels::arranged, this, [this] {
+    if (comesFirst()) context_.panels.suggest(dock_);
+  });
   addActions();
-  const auto draw = [this] { drawAll(); };
-  connect(&editing_, &WaypointEditing::selectionChanged, this, draw);
-  connect(&editing_, &WaypointEditing::previewChanged, this, draw);
+  transfer_ = new WaypointTransfer(context_, &editing_, tool_, this);
+  on_map_->setWarnings(placing_->warnings());
+  dock_->setWarnings(placing_->warnings());
+  connect(dock_, &WaypointsDock::nextWarningWanted, placing_, &WaypointPlacing::showNextWarning);
+  connect(placing_, &WaypointPlacing::made, this, [this] {
+    if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
+  });
   connect(&editing_, &WaypointEditing::renameWanted, this, &WaypointsController::askName);
   connect(tool_, &WaypointTool::activated, this, [this] {
     context_.scene.setLayerVisible(scene::Layer::Waypoints, true);
@@ -49,6 +59,10 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
     if (list_) context_.undo.setActiveStack(&list_->document().undoStack());
   });
   connect(dock_, &WaypointsDock::addWanted, this, [this] { addAt(context_.scene.view().center_m); });
+  connect(dock_, &WaypointsDock::copyWanted, transfer_, &WaypointTransfer::copy);
+  connect(dock_, &WaypointsDock::pasteWanted, transfer_, &WaypointTransfer::paste);
+  // Nobody waits for it any more.
+  connect(review_, &WaypointReview::givenUp, this, [this] { when_saved_ = nullptr; });
   connect(dock_, &WaypointsDock::saveWanted, this, &WaypointsController::save);
   connect(dock_, &WaypointsDock::cancelWanted, this, [this] {
     if (list_) list_->cancelSaving();
@@ -60,7 +74,7 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
     if (const map::Waypoint* const point = editing_.find(key)) context_.view.lookAt(point->position_m);
   });
   connect(dock_, &WaypointsDock::decided, this, [this](const edit::Key& key, bool mine) {
-    if (list_) list_->document().decide(key, mine ? edit::Side::Mine : edit::Side::Theirs, tr("take theirs"));
+    decideConflict(editing_, key, mine ? ConflictChoice::Mine : ConflictChoice::Theirs);
   });
   NoticeBar* const notice = context_.overlay.editNotice();
   connect(notice, &NoticeBar::offerTaken, this, [this] {
@@ -81,8 +95,6 @@ WaypointsController::~WaypointsController() {
   delete dock_;  // it looks at what is here
 }
 
-QMessageBox* WaypointsController::question() const { return question_; }
-
 void WaypointsController::addActions() {
   tool_action_ = context_.actions.add({.id = "waypointTool",
                                        .text = tr("&Waypoints"),
@@ -98,6 +110,12 @@ void WaypointsController::addActions() {
   context_.actions.placeOnMapMenu(
       {MapMenuGroup::Edit, 10}, [this](QMenu& menu, const Eigen::Vector2d& world_m) {
         if (!editing_.editable()) return;
+        const double reach_m = MapTool::kReachPx * context_.scene.view().scale_m_per_px;
+        if (const auto key = conflictAt(*editing_.document(), world_m, reach_m)) {
+          fillConflictMenu(menu, *editing_.document(), *key,
+                           [this, key](ConflictChoice choice) { decideConflict(editing_, *key, choice); });
+          menu.addSeparator();
+        }
         menu.addAction(themedIcon(QStringLiteral("waypoint")), tr("Add &waypoint here"), this,
                        [this, world_m] { addAt(world_m); });
       });
@@ -123,20 +141,35 @@ void WaypointsController::setSession(session::Session* session) {
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &WaypointsController::syncMap);
     connect(&session_->robot(), &robot::Robot::capabilitiesChanged, this, &WaypointsController::syncMap);
   }
+  placing_->setSession(session);
+  if (comesFirst()) context_.panels.suggest(dock_);
   syncMap();
   refresh();
 }
 
+bool WaypointsController::comesFirst() const {
+  // Of files nothing is live, and there are no submaps to be inspected.
+  return session_ && session_->robot().isLocal() && session_->robot().waypointStore();
+}
+
+void WaypointsController::recall(const QSettings& settings) { placing_->recall(settings); }
+
+void WaypointsController::remember(QSettings& settings) { placing_->remember(settings); }
+
 void WaypointsController::syncMap() {
   const session::MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
   std::optional<map::MapKey> key;
-  if (slot && slot->cells()) key = session_->placesOf(*slot);
+  // On an empty ground, too: a robot may keep waypoints of maps that it sends no picture of.
+  const bool bare = slot && session::lacksPicture(*slot) && session_->robot().waypointStore();
+  if (slot && (slot->cells() || bare)) key = session_->placesOf(*slot);
   if (slot && slot->cells()) editing_.setCell(slot->reference().resolution_m);
   const bool store_went = list_ && session_ && !session_->robot().waypointStore();
   const bool store_came = !list_ && key && session_->robot().waypointStore();
   if (key != open_map_ || store_went || store_came) {
     closeList();
     open_map_ = key;
+    on_map_->setMap(key);
+    transfer_->setMap(key);
     if (key && session_->robot().waypointStore()) openList(*key);
   }
   if (key && !session_->robot().waypointStore() && session_->robot().waypointSource()) openReadOnly();
@@ -194,6 +227,8 @@ void WaypointsController::closeList() {
   name_editor_->finish();
   may_leave_ = false;
   open_map_.reset();
+  review_->forget();
+  on_map_->setMap(std::nullopt);
   editing_.setDocument(nullptr, {});
   dock_->setList(nullptr, {});
   shown_only_.reset();
@@ -207,20 +242,16 @@ void WaypointsController::closeList() {
     list_->document().disconnect(this);
     list_.reset();
   }
-  indexAll();
-  drawAll();
 }
 
 void WaypointsController::noteSaving() {
   // The list can be edited from when it has been read.
   const bool ready = list_ && list_->phase() == edit::OpenWaypoints::Phase::Ready;
-  if (ready && editing_.document() != &list_->document()) {
-    editing_.setDocument(&list_->document(), {});
-    indexAll();
-    drawAll();
-  }
+  if (ready && editing_.document() != &list_->document()) editing_.setDocument(&list_->document(), {});
   const edit::SubmissionPhase phase = list_->submission().phase();
-  if (phase == edit::SubmissionPhase::Undecided && !std::exchange(said_decide_, true)) {
+  // Without a conflict it is the review that has to be looked at again.
+  const bool to_decide = phase == edit::SubmissionPhase::Undecided && !list_->document().conflicts().empty();
+  if (to_decide && !std::exchange(said_decide_, true)) {
     when_saved_ = nullptr;
     context_.overlay.toasts()->add(
         Mark::Warning,
@@ -231,53 +262,20 @@ void WaypointsController::noteSaving() {
   const auto& failure = list_->submission().failure();
   if (phase == edit::SubmissionPhase::Stopped && failure && failure->kind != map::FailureKind::Conflict &&
       std::exchange(told_failure_, failure) != failure) {
-    when_saved_ = nullptr;
-    context_.overlay.toasts()->add(Mark::Bad,
-                                   tr("The waypoints are not saved. %1").arg(failureText(*failure)));
+    // The review says it, and can go on.
+    if (!review_->isVisible()) {
+      when_saved_ = nullptr;
+      context_.overlay.toasts()->add(Mark::Bad,
+                                     tr("The waypoints are not saved. %1").arg(failureText(*failure)));
+    }
   }
   if (list_->saving()) told_failure_.reset();
   refresh();
 }
 
-void WaypointsController::takeChange(const edit::DocumentChange& change) {
+void WaypointsController::takeChange() {
   may_leave_ = false;
-  if (change.everything) {
-    indexAll();
-  } else {
-    for (const auto* keys : {&change.added, &change.changed}) {
-      for (const edit::Key& key : *keys) {
-        if (const map::Waypoint* const point = editing_.find(key)) places_.put(key, point->position_m);
-      }
-    }
-    for (const edit::Key& key : change.removed) places_.remove(key);
-  }
-  drawAll();
   refresh();
-}
-
-void WaypointsController::indexAll() {
-  places_.clear();
-  if (!editing_.document()) return;
-  for (const auto& [key, point] : editing_.document()->items()) places_.put(key, point.position_m);
-}
-
-void WaypointsController::drawAll() {
-  const edit::WaypointDocument* const document = editing_.document();
-  if (!document || !open_map_) return context_.scene.setWaypoints(std::nullopt);
-  scene::DrawnWaypoints drawn{*open_map_, {}};
-  drawn.points.reserve(document->items().size());
-  for (const auto& [key, kept] : document->items()) {
-    const auto moving = editing_.preview().find(key);
-    const map::Waypoint& point = moving == editing_.preview().end() ? kept : moving->second;
-    const edit::ItemState state = document->state(key);
-    drawn.points.push_back({point.name.empty() ? point.id : point.name, point.position_m, point.yaw_rad,
-                            state.changed_elsewhere ? scene::WaypointMark::Conflict
-                            : state.sent            ? scene::WaypointMark::Sent
-                            : state.unsaved         ? scene::WaypointMark::Unsaved
-                                                    : scene::WaypointMark::Saved,
-                            editing_.selected().contains(key)});
-  }
-  context_.scene.setWaypoints(std::move(drawn));
 }
 
 void WaypointsController::refresh() {
@@ -294,6 +292,7 @@ void WaypointsController::refresh() {
   } else if (list_ && list_->failure()) {
     sentence = failureText(*list_->failure());
   }
+  placing_->warnings()->setZeroTurns(list_ ? list_->zeroTurns() : std::set<edit::Key>());
   dock_->setList(list_.get(), sentence);
   const bool usable = editing_.document() != nullptr;
   tool_action_->setEnabled(usable);
@@ -334,7 +333,9 @@ void WaypointsController::save() {
   // What is still being typed somewhere counts.
   if (QWidget* const typing = context_.window.focusWidget(); typing && dock_->isAncestorOf(typing))
     typing->clearFocus();
-  if (list_) list_->save();
+  if (!list_) return;
+  if (WaypointReview::isWorthIt(*list_)) return review_->review(list_.get(), mapName());
+  list_->save();
 }
 
 void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
@@ -354,65 +355,42 @@ QString WaypointsController::mapName() const {
 }
 
 void WaypointsController::revertAll() {
-  if (!unsaved() || question_) return;
-  question_ = new QMessageBox(QMessageBox::Warning, tr("Discard changes"),
-                              tr("Discard %1 of the waypoints of %2? This cannot be undone.")
-                                  .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
-                              QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
-  question_->setTextFormat(Qt::PlainText);
-  question_->setAttribute(Qt::WA_DeleteOnClose);
-  question_->setDefaultButton(QMessageBox::Cancel);
-  connect(question_, &QMessageBox::finished, this, [this](int button) {
-    question_ = nullptr;
-    if (button == QMessageBox::Discard && list_) list_->discard();
-  });
-  question_->open();
+  if (!unsaved()) return;
+  questions_.askToDiscard(tr("Discard %1 of the waypoints of %2? This cannot be undone.")
+                              .arg(changesText(qsizetype(list_->document().unsaved().size())), mapName()),
+                          [this] {
+                            if (list_) list_->discard();
+                          });
 }
 
 void WaypointsController::beforeLeaving(std::function<void()> then) {
   name_editor_->finish();
   if (!unsaved() || may_leave_) return then();
-  when_left_ = std::move(then);
-  if (question_) return question_->raise();
-  question_ =
-      new QMessageBox(QMessageBox::Question, tr("Waypoints are not saved"),
-                      tr("Waypoints of %1: %2 not saved.")
-                          .arg(mapName(), changesText(qsizetype(list_->document().unsaved().size()))),
-                      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
-  question_->setTextFormat(Qt::PlainText);
-  question_->setAttribute(Qt::WA_DeleteOnClose);
-  question_->setDefaultButton(QMessageBox::Save);
-  if (!context_.edit.drafts_folder.isEmpty()) {
-    QPushButton* const keep = question_->addButton(tr("Keep as draft"), QMessageBox::ActionRole);
-    keep->setObjectName(QStringLiteral("keepDraft"));
-    keep->setToolTip(tr("They are offered again when this map is opened"));
-  }
-  connect(question_, &QMessageBox::finished, this, [this] {
-    QMessageBox* const asked = std::exchange(question_, nullptr);
-    QAbstractButton* const clicked = asked->clickedButton();
-    if (!clicked) return answer(QMessageBox::Cancel);
-    const auto standard = asked->standardButton(clicked);
-    answer(standard == QMessageBox::NoButton ? kKeep : int(standard));
-  });
-  question_->open();
+  questions_.askToLeave(
+      tr("Waypoints of %1: %2 not saved.")
+          .arg(mapName(), changesText(qsizetype(list_->document().unsaved().size()))),
+      !context_.edit.drafts_folder.isEmpty(),
+      [this, then = std::move(then)](WaypointQuestions::Leaving said) { answer(said, then); });
 }
 
-void WaypointsController::answer(int button) {
-  const auto then = std::exchange(when_left_, nullptr);
-  if (!then || !list_) return;
-  if (button == QMessageBox::Save) {
-    when_saved_ = then;
-    list_->save();
-  } else if (button == QMessageBox::Discard) {
-    list_->discard();
-    then();
-  } else if (button == kKeep) {
-    if (const auto trouble = list_->keepDraft()) {
-      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
-    } else {
+void WaypointsController::answer(WaypointQuestions::Leaving answer, const std::function<void()>& then) {
+  if (!list_) return;
+  switch (answer) {
+    case WaypointQuestions::Leaving::Save:
+      when_saved_ = then;
+      return save();
+    case WaypointQuestions::Leaving::Discard:
+      list_->discard();
+      return then();
+    case WaypointQuestions::Leaving::Keep:
+      if (const auto trouble = list_->keepDraft()) {
+        context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
+        return;
+      }
       may_leave_ = true;
-      then();
-    }
+      return then();
+    case WaypointQuestions::Leaving::Stay:
+      return;
   }
 }
 

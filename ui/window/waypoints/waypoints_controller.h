@@ -10,15 +10,18 @@
 
 #include "window/controller.h"
 #include "window/waypoints/waypoint_editing.h"
+#include "window/waypoints/waypoint_questions.h"
 #include "window/window_context.h"
-
-class QMessageBox;
 
 namespace mapwright::window {
 
 class NameEditor;
+class WaypointPlacing;
+class WaypointReview;
 class WaypointTool;
+class WaypointTransfer;
 class WaypointsDock;
+class WaypointsOnMap;
 
 class WaypointsController : public Controller {
   Q_OBJECT
@@ -27,6 +30,8 @@ class WaypointsController : public Controller {
   ~WaypointsController() override;
 
   void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
   bool unsaved() const override { return list_ && list_->unsaved(); }
   bool maySave() const override { return list_ && list_->maySave(); }
   void save() override;
@@ -35,9 +40,12 @@ class WaypointsController : public Controller {
   WaypointsDock* dock() const { return dock_; }
   WaypointTool* tool() const { return tool_; }
   WaypointEditing* editing() { return &editing_; }
+  WaypointPlacing* placing() const { return placing_; }
   edit::OpenWaypoints* list() const { return list_.get(); }
+  WaypointTransfer* transfer() const { return transfer_; }
+  WaypointReview* review() const { return review_; }
   NameEditor* nameEditor() const { return name_editor_; }
-  QMessageBox* question() const;  // null: nothing is asked
+  QMessageBox* question() const { return questions_.shown(); }  // null: nothing is asked
 
  private:
   void addActions();
@@ -45,17 +53,16 @@ class WaypointsController : public Controller {
   void openList(const map::MapKey& key);
   void openReadOnly();
   void closeList();
+  bool comesFirst() const;  // of what is there the waypoints are most to the point
   /// A new one there, and its name asked for.
   void addAt(const Eigen::Vector2d& world_m);
-  void drawAll();
-  void indexAll();
-  void takeChange(const edit::DocumentChange& change);
+  void takeChange();
   void refresh();
   void refreshNotice();
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
   void noteSaving();
-  void answer(int button);
+  void answer(WaypointQuestions::Leaving answer, const std::function<void()>& then);
   QString mapName() const;
 
   WindowContext& context_;
@@ -64,13 +71,16 @@ class WaypointsController : public Controller {
   std::unique_ptr<edit::WaypointDocument> shown_only_;  // of a robot whose waypoints can only be read
   std::unique_ptr<edit::OpenWaypoints> list_;
   std::optional<map::MapKey> open_map_;
-  PointIndex places_;
+  WaypointQuestions questions_;
+  WaypointPlacing* placing_;
+  WaypointsOnMap* on_map_;
   WaypointsDock* dock_;
   WaypointTool* tool_;
   NameEditor* name_editor_;
+  WaypointTransfer* transfer_;
+  WaypointReview* review_;
   QAction *tool_action_ = nullptr, *revert_action_ = nullptr;
-  QPointer<QMessageBox> question_;
-  std::function<void()> when_left_, when_saved_;
+  std::function<void()> when_saved_;
   std::optional<map::Failure> told_failure_;  // that of the last save
   bool was_unsaved_ = false, could_save_ = false, said_decide_ = false;
   bool may_leave_ = false;  // the draft is to be kept as it is

@@ -1,25 +1,33 @@
 #include "window/waypoints/waypoints_dock.h"
 
-#include <QCollator>
-#include <QFrame>
+#include <algorithm>
+
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
 #include <QTableView>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "edit/open_waypoints.h"
+#include "sentences/placing_sentence.h"
+#include "sentences/plural.h"
 #include "sentences/reason_sentence.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
+#include "window/waypoints/conflict_box.h"
+#include "window/waypoints/group_form.h"
+#include "window/waypoints/waypoint_filter.h"
 #include "window/waypoints/waypoint_form.h"
 #include "window/waypoints/waypoint_text.h"
+#include "window/waypoints/waypoint_warnings.h"
 
 namespace mapwright::window {
 
@@ -36,42 +44,6 @@ void secondary(QLabel* label, bool bad) {
 
 }  // namespace
 
-/// Finds names and tags; "Rack 2" stands before "Rack 10".
-class WaypointFilter : public QSortFilterProxyModel {
- public:
-  explicit WaypointFilter(QObject* parent) : QSortFilterProxyModel(parent) {
-    // The C locale compares bytes, whatever is asked of it.
-    if (order_.locale().language() == QLocale::C)
-      order_.setLocale(QLocale(QLocale::English, QLocale::UnitedStates));
-    order_.setNumericMode(true);
-    order_.setCaseSensitivity(Qt::CaseInsensitive);
-  }
-  void look(const QString& text) {
-    wanted_ = text.trimmed();
-    invalidateFilter();
-  }
-
- protected:
-  bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
-    if (wanted_.isEmpty()) return true;
-    for (const int column : {WaypointsModel::NameColumn, WaypointsModel::TagsColumn}) {
-      if (sourceModel()->index(row, column, parent).data().toString().contains(wanted_, Qt::CaseInsensitive))
-        return true;
-    }
-    return false;
-  }
-
-  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
-    const QVariant one = left.data(sortRole()), other = right.data(sortRole());
-    if (one.typeId() != QMetaType::QString) return QSortFilterProxyModel::lessThan(left, right);
-    return order_.compare(one.toString(), other.toString()) < 0;
-  }
-
- private:
-  QString wanted_;
-  QCollator order_;
-};
-
 WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
     : QDockWidget(tr("Waypoints"), parent),
       editing_(editing),
@@ -79,22 +51,21 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
       sorted_(new WaypointFilter(this)),
       filter_(new QLineEdit(this)),
       table_(new QuietTableView(this)),
+      pending_(new QComboBox(this)),
       empty_(new QLabel(this)),
       status_(new QLabel(this)),
-      conflict_(new QLabel(this)),
-      conflict_box_(buildConflict()),
+      conflicts_(new ConflictBox(this)),
       add_(new QPushButton(tr("Add"), this)),
       remove_(new QPushButton(tr("Delete"), this)),
       save_(new QPushButton(tr("Save"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
       retry_(new QPushButton(tr("Retry"), this)),
-      form_(new WaypointForm(editing, this)) {
+      next_warning_(new QToolButton(this)),
+      form_(new WaypointForm(editing, this)),
+      group_(new GroupForm(editing, this)) {
   setObjectName(QStringLiteral("waypoints"));
   buildTable();
-  filter_->setPlaceholderText(tr("Filter by name or tag"));
-  filter_->setClearButtonEnabled(true);
-  filter_->setAccessibleName(tr("Filter waypoints"));
-  filter_->installEventFilter(this);
+  buildFilter();
   for (QLabel* label : {empty_, status_}) {
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
@@ -110,17 +81,25 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   for (QPushButton* button : {add_, remove_, save_, cancel_, retry_})
     button->setObjectName(QStringLiteral("compact"));
 
+  next_warning_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  next_warning_->setIconSize({16, 16});
+  next_warning_->setFocusPolicy(Qt::StrongFocus);
+  next_warning_->setToolTip(plainToolTip(tr("Show the next waypoint with a warning (F8)")));
+  next_warning_->hide();
+
   auto* body = new QWidget(this);
   auto* top = new QHBoxLayout;
   top->setContentsMargins(6, 6, 6, 4);
   top->setSpacing(4);
   top->addWidget(filter_, 1);
+  top->addWidget(pending_);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(8, 4, 8, 4);
   buttons->setSpacing(6);
   buttons->addWidget(add_);
   buttons->addWidget(remove_);
   buttons->addStretch();
+  buttons->addWidget(next_warning_);
   for (QPushButton* button : {retry_, cancel_, save_}) buttons->addWidget(button);
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
@@ -128,24 +107,24 @@ WaypointsDock::WaypointsDock(WaypointEditing* editing, QWidget* parent)
   column->addLayout(top);
   column->addWidget(empty_);
   column->addWidget(table_, 1);
-  column->addWidget(conflict_box_);
+  column->addWidget(conflicts_);
   column->addWidget(form_);
+  column->addWidget(group_);
   column->addLayout(buttons);
   column->addWidget(status_);
   body->setMinimumWidth(220);
   setWidget(body);
 
-  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    sorted_->look(text);
-    refresh();
-  });
   connect(add_, &QPushButton::clicked, this, &WaypointsDock::addWanted);
   connect(remove_, &QPushButton::clicked, editing_, &WaypointEditing::removeSelected);
   connect(save_, &QPushButton::clicked, this, &WaypointsDock::saveWanted);
   connect(cancel_, &QPushButton::clicked, this, &WaypointsDock::cancelWanted);
   connect(retry_, &QPushButton::clicked, this, &WaypointsDock::retryWanted);
-  connect(mine_, &QPushButton::clicked, this, [this] { Q_EMIT decided(shown_conflict_, true); });
-  connect(theirs_, &QPushButton::clicked, this, [this] { Q_EMIT decided(shown_conflict_, false); });
+  connect(conflicts_, &ConflictBox::decided, this, &WaypointsDock::decided);
+  connect(conflicts_, &ConflictBox::locateWanted, this, &WaypointsDock::locateWanted);
+  // Rows that are all made anew are selected as before.
+  connect(sorted_, &QAbstractItemModel::modelReset, this, &WaypointsDock::showSelection);
+  connect(next_warning_, &QToolButton::clicked, this, &WaypointsDock::nextWarningWanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &WaypointsDock::takeSelection);
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
@@ -189,6 +168,8 @@ void WaypointsDock::buildTable() {
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setAccessibleName(tr("Waypoints"));
   table_->installEventFilter(this);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_, &QWidget::customContextMenuRequested, this, &WaypointsDock::showMenu);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(22);
@@ -204,27 +185,28 @@ void WaypointsDock::buildTable() {
   header->resizeSection(WaypointsModel::TagsColumn, wide("charge"));
 }
 
-QWidget* WaypointsDock::buildConflict() {
-  auto* box = new QFrame(this);
-  box->setObjectName(QStringLiteral("details"));
-  conflict_->setTextFormat(Qt::PlainText);
-  conflict_->setWordWrap(true);
-  mine_ = new QPushButton(tr("Keep mine"), box);
-  theirs_ = new QPushButton(tr("Take theirs"), box);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  for (QPushButton* button : {mine_, theirs_}) {
-    button->setObjectName(QStringLiteral("compact"));
-    row->addWidget(button);
-  }
-  row->addStretch();
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(8, 6, 8, 6);
-  column->setSpacing(4);
-  column->addWidget(conflict_);
-  column->addLayout(row);
-  box->hide();
-  return box;
+void WaypointsDock::buildFilter() {
+  filter_->setPlaceholderText(tr("Filter by name or tag"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setAccessibleName(tr("Filter waypoints"));
+  filter_->installEventFilter(this);
+  pending_->setAccessibleName(tr("Filter by what is not saved"));
+  pending_->addItem(tr("All"), 0);
+  pending_->addItem(tr("Not saved"), int(kUnsaved));
+  pending_->addItem(tr("New"), int(kNew));
+  pending_->addItem(tr("Moved"), int(kMoved));
+  pending_->addItem(tr("Renamed"), int(kRenamed));
+  pending_->addItem(tr("Retagged"), int(kRetagged));
+  pending_->addItem(tr("Deleted"), int(kDeleted));
+  pending_->addItem(tr("In conflict"), int(kConflicting));
+  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    sorted_->look(text);
+    refresh();
+  });
+  connect(pending_, &QComboBox::currentIndexChanged, this, [this] {
+    sorted_->lookForPending(pending_->currentData().toInt());
+    refresh();
+  });
 }
 
 void WaypointsDock::setList(const edit::OpenWaypoints* list, const QString& sentence) {
@@ -240,17 +222,49 @@ void WaypointsDock::setList(const edit::OpenWaypoints* list, const QString& sent
   refresh();
 }
 
+void WaypointsDock::setWarnings(const WaypointWarnings* warnings) {
+  warnings_ = warnings;
+  model_->setWarnings(warnings);
+  form_->setWarnings(warnings);
+  connect(warnings, &WaypointWarnings::changed, this, [this] {
+    showWarnings();
+    status_->setText(statusText());
+    table_->viewport()->update();
+  });
+  showWarnings();
+}
+
+void WaypointsDock::showWarnings() {
+  const auto count = qint64(warnings_->count());
+  next_warning_->setVisible(count > 0);
+  next_warning_->setIcon(iconPixmap(QStringLiteral("problem"), 16, devicePixelRatioF(), appColors().warning));
+  // The number alone: a dock is narrow.
+  next_warning_->setText(QString::number(count));
+  next_warning_->setAccessibleName(
+      sentences::counted(tr("%1 warnings", nullptr, sentences::formOf(count)), count));
+}
+
 void WaypointsDock::showSelection() {
   if (showing_selection_) return;
   showing_selection_ = true;
-  QItemSelection selection;
-  QModelIndex last;
+  // Rows that lie side by side are one range: thousands of ranges would be compared one by one.
+  std::vector<int> rows;
   for (const edit::Key& key : editing_->selected()) {
-    last = sorted_->mapFromSource(model_->indexOf(key));
-    if (last.isValid()) selection.select(last, last);
+    const QModelIndex at = sorted_->mapFromSource(model_->indexOf(key));
+    if (at.isValid()) rows.push_back(at.row());
   }
-  table_->selectionModel()->select(selection,
-                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  std::sort(rows.begin(), rows.end());
+  QItemSelection selection;
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t end = i + 1;
+    while (end < rows.size() && rows[end] == rows[end - 1] + 1) ++end;
+    selection.append(QItemSelectionRange(sorted_->index(rows[i], 0),
+                                         sorted_->index(rows[end - 1], WaypointsModel::kColumns - 1)));
+    i = end;
+  }
+  const QModelIndex last =
+      rows.empty() ? QModelIndex() : sorted_->index(rows.back(), WaypointsModel::NameColumn);
+  table_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
   if (last.isValid()) {
     table_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
     table_->scrollTo(last);
@@ -262,9 +276,11 @@ void WaypointsDock::takeSelection() {
   if (showing_selection_) return;
   showing_selection_ = true;
   std::set<edit::Key> keys;
-  for (const QModelIndex& row : table_->selectionModel()->selectedRows()) {
-    const edit::Key key = model_->key(sorted_->mapToSource(row));
-    if (!key.empty()) keys.insert(key);
+  for (const QItemSelectionRange& range : table_->selectionModel()->selection()) {
+    for (int row = range.top(); row <= range.bottom(); ++row) {
+      const edit::Key key = model_->key(sorted_->mapToSource(sorted_->index(row, 0)));
+      if (editing_->find(key)) keys.insert(key);  // those that I deleted can only be restored
+    }
   }
   editing_->select(std::move(keys));
   showing_selection_ = false;
@@ -275,14 +291,17 @@ void WaypointsDock::refresh() {
   const bool editable = editing_->editable(), saving = list_ && list_->saving();
   empty_->setText(emptyText());
   empty_->setVisible(!empty_->text().isEmpty());
-  filter_->setEnabled(document && !document->items().empty());
+  filter_->setEnabled(document && model_->rowCount() > 0);
+  pending_->setEnabled(filter_->isEnabled());
   add_->setEnabled(editable);
   remove_->setEnabled(editable && !editing_->selected().empty());
   save_->setEnabled(list_ && list_->maySave());
   save_->setVisible(!saving);
   cancel_->setVisible(saving);
   retry_->setVisible(list_ && list_->failure() && !saving);
-  form_->setVisible(document != nullptr);
+  const bool several = editing_->selected().size() > 1;
+  form_->setVisible(document && !several);
+  group_->setVisible(document && several);
   const bool bad =
       list_ && (list_->failure() || list_->submission().phase() == edit::SubmissionPhase::Stopped ||
                 list_->draftTrouble().any());
@@ -291,23 +310,7 @@ void WaypointsDock::refresh() {
   status_->setVisible(!status_->text().isEmpty());
   secondary(status_, bad);
 
-  // The conflict of what is selected, else the first one.
-  shown_conflict_.clear();
-  if (document && !document->conflicts().empty()) {
-    shown_conflict_ = document->conflicts().begin()->first;
-    for (const edit::Key& key : editing_->selected()) {
-      if (document->conflicts().contains(key)) shown_conflict_ = key;
-    }
-    const auto& conflict = document->conflicts().at(shown_conflict_);
-    const auto& any = conflict.mine ? conflict.mine : conflict.theirs ? conflict.theirs : conflict.base;
-    const auto count = qsizetype(document->conflicts().size());
-    const QString which = any ? shortWaypointName(*any) : QString();
-    conflict_->setText(
-        (count == 1 ? tr("%1 was changed here and elsewhere.").arg(which)
-                    : tr("%1 was changed here and elsewhere, like %2 more.").arg(which).arg(count - 1)) +
-        QLatin1Char('\n') + conflictText(conflict));
-  }
-  conflict_box_->setVisible(!shown_conflict_.empty());
+  conflicts_->refresh(document, editing_->selected());
 }
 
 QString WaypointsDock::statusText() const {
@@ -336,6 +339,10 @@ QString WaypointsDock::statusText() const {
   QString count = waypointsText(qsizetype(document->items().size()));
   if (unsaved > 0) count += tr(", %1 not saved").arg(changesText(unsaved));
   parts << count + QLatin1Char('.');
+  if (warnings_ && !document->items().empty() && !warnings_->looking()) {
+    const QString ground = sentences::sentenceOf(warnings_->ground());
+    if (!ground.isEmpty()) parts << ground;
+  }
   for (std::size_t i = 0; i < std::min<std::size_t>(list_->notes().size(), 3); ++i)
     parts << sentences::sentenceOf(list_->notes()[i]);
   return parts.join(QLatin1Char('\n'));
@@ -344,40 +351,81 @@ QString WaypointsDock::statusText() const {
 QString WaypointsDock::emptyText() const {
   const edit::WaypointDocument* const document = editing_->document();
   if (!document) return sentence_;
-  if (document->items().empty())
+  if (model_->rowCount() == 0)
     return editing_->editable() ? tr("No waypoints yet. Press W and click on the map to add one.")
                                 : tr("There are no waypoints.");
   return sorted_->rowCount() == 0 ? tr("No waypoint matches the filter.") : QString();
 }
 
 QString WaypointsDock::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
-QString WaypointsDock::conflictShown() const {
-  return conflict_box_->isHidden() ? QString() : conflict_->text();
-}
+QString WaypointsDock::conflictShown() const { return conflicts_->shown(); }
+QPushButton* WaypointsDock::mineButton() const { return conflicts_->mineButton(); }
+QPushButton* WaypointsDock::theirsButton() const { return conflicts_->theirsButton(); }
 QString WaypointsDock::emptyShown() const { return empty_->isHidden() ? QString() : empty_->text(); }
+
+std::vector<edit::Key> WaypointsDock::selectedDeleted() const {
+  std::vector<edit::Key> keys;
+  for (const QItemSelectionRange& range : table_->selectionModel()->selection()) {
+    for (int row = range.top(); row <= range.bottom(); ++row) {
+      const edit::Key key = model_->key(sorted_->mapToSource(sorted_->index(row, 0)));
+      if (!key.empty() && !editing_->find(key)) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+void WaypointsDock::showMenu(const QPoint& at) {
+  QMenu menu(this);
+  const auto deleted = selectedDeleted();
+  const bool any = !editing_->selected().empty(), editable = editing_->editable();
+  QAction* const show = menu.addAction(tr("&Show on the map"), this,
+                                       [this] { Q_EMIT locateWanted(*editing_->selected().begin()); });
+  show->setEnabled(any);
+  menu.addSeparator();
+  menu.addAction(tr("&Copy"), this, &WaypointsDock::copyWanted)->setEnabled(any);
+  menu.addAction(tr("&Paste"), this, &WaypointsDock::pasteWanted)->setEnabled(editable);
+  menu.addSeparator();
+  menu.addAction(tr("&Restore"), this, [this, deleted] { editing_->restore(deleted); })
+      ->setEnabled(editable && !deleted.empty());
+  menu.addAction(themedIcon(QStringLiteral("trash")), tr("&Delete"), editing_,
+                 &WaypointEditing::removeSelected)
+      ->setEnabled(editable && any);
+  menu.exec(table_->viewport()->mapToGlobal(at));
+}
+
+bool WaypointsDock::pressed(QKeyEvent* press) {
+  if (press->matches(QKeySequence::Copy)) {
+    Q_EMIT copyWanted();
+    return true;
+  }
+  if (press->matches(QKeySequence::Paste)) {
+    Q_EMIT pasteWanted();
+    return true;
+  }
+  switch (press->key()) {
+    case Qt::Key_Delete:
+      editing_->removeSelected();
+      return true;
+    case Qt::Key_F2:
+      if (form_->isEnabled() && form_->isVisible()) {
+        form_->nameEdit()->setFocus();
+        form_->nameEdit()->selectAll();
+      }
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (editing_->only()) Q_EMIT locateWanted(*editing_->selected().begin());
+      return true;
+    default:
+      return false;
+  }
+}
 
 bool WaypointsDock::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
-    const auto* press = static_cast<QKeyEvent*>(event);
-    if (watched == table_) {
-      switch (press->key()) {
-        case Qt::Key_Delete:
-          editing_->removeSelected();
-          return true;
-        case Qt::Key_F2:
-          if (form_->isEnabled()) {
-            form_->nameEdit()->setFocus();
-            form_->nameEdit()->selectAll();
-          }
-          return true;
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-          if (editing_->only()) Q_EMIT locateWanted(*editing_->selected().begin());
-          return true;
-        default:
-          break;
-      }
-    } else if (watched == filter_ && press->key() == Qt::Key_Down) {
+    auto* press = static_cast<QKeyEvent*>(event);
+    if (watched == table_ && pressed(press)) return true;
+    if (watched == filter_ && press->key() == Qt::Key_Down) {
       table_->setFocus();
       return true;
     }

@@ -1,4 +1,5 @@
-// The rows of the waypoint list: follows a document change by change.
+// The rows of the waypoint list: follows a document change by change. Those that I deleted stay as rows until
+// that is saved.
 #pragma once
 
 #include <unordered_map>
@@ -8,8 +9,11 @@
 #include <QPointer>
 
 #include "edit/waypoint_fields.h"
+#include "placing/warnings.h"
 
 namespace mapwright::window {
+
+class WaypointWarnings;
 
 class WaypointsModel : public QAbstractTableModel {
   Q_OBJECT
@@ -17,10 +21,14 @@ class WaypointsModel : public QAbstractTableModel {
   enum Column { StateColumn, NameColumn, XColumn, YColumn, YawColumn, TagsColumn, kColumns };
   /// What rows are sorted by.
   static constexpr int kSortRole = Qt::UserRole + 1;
+  /// Flags of Pending.
+  static constexpr int kPendingRole = Qt::UserRole + 2;
 
   using QAbstractTableModel::QAbstractTableModel;
   /// null = none.
   void setDocument(edit::WaypointDocument* document);
+  /// What is doubtful about them; must outlive this.
+  void setWarnings(const WaypointWarnings* warnings);
 
   edit::Key key(const QModelIndex& index) const;  // empty = none
   QModelIndex indexOf(const edit::Key& key, int column = NameColumn) const;
@@ -33,11 +41,17 @@ class WaypointsModel : public QAbstractTableModel {
  private:
   void take(const edit::DocumentChange& change);
   void begin();
+  bool belongs(const edit::Key& key) const;
+  /// As it is, or as it is kept when I deleted it; null = neither.
+  const map::Waypoint* point(const edit::Key& key) const;
+  int pending(const edit::Key& key) const;
   void number(std::size_t from);
+  const placing::Warnings& warningsOf(const edit::Key& key) const;
   QVariant text(const map::Waypoint& point, int column) const;
   QVariant sortValue(const edit::Key& key, const map::Waypoint& point, int column) const;
 
   QPointer<edit::WaypointDocument> document_;
+  const WaypointWarnings* warnings_ = nullptr;
   std::vector<edit::Key> rows_;
   std::unordered_map<edit::Key, int> row_of_;
 };

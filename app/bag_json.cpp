@@ -1,0 +1,178 @@
+#include "app/bag_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Bags)
+};
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+/// Stable (docs/command-line.md).
+QString wordOf(replay::EventKind kind) {
+  switch (kind) {
+    case replay::EventKind::AlertBegan:
+      return QStringLiteral("alert_begin");
+    case replay::EventKind::AlertEnded:
+      return QStringLiteral("alert_end");
+    case replay::EventKind::MoveState:
+      return QStringLiteral("move_state");
+    case replay::EventKind::PositionJump:
+      return QStringLiteral("jump");
+    case replay::EventKind::MapChanged:
+      return QStringLiteral("map");
+    case replay::EventKind::SessionChanged:
+      return QStringLiteral("session");
+    case replay::EventKind::QualityLow:
+      return QStringLiteral("low_quality_begin");
+    case replay::EventKind::QualityGood:
+      return QStringLiteral("low_quality_end");
+    case replay::EventKind::EmergencyStopOn:
+      return QStringLiteral("emergency_stop_begin");
+    case replay::EventKind::EmergencyStopOff:
+      return QStringLiteral("emergency_stop_end");
+  }
+  return {};
+}
+
+bool hasCode(replay::EventKind kind) {
+  return kind == replay::EventKind::AlertBegan || kind == replay::EventKind::AlertEnded ||
+         kind == replay::EventKind::QualityLow || kind == replay::EventKind::QualityGood;
+}
+
+template <typename Value>
+QJsonValue orNull(const std::optional<Value>& value) {
+  return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
+}
+
+bool knowsSlam(const map::SlamStatus& slam) {
+  return !slam.state.empty() || slam.position_quality || slam.reliable;
+}
+
+}  // namespace
+
+std::string jsonLine(std::string_view json) {
+  std::string line(json);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return line;
+}
+
+QString timeText(double epoch_s) {
+  if (!std::isfinite(epoch_s) || std::abs(epoch_s) > 4e11) return QStringLiteral("-");
+  return QDateTime::fromMSecsSinceEpoch(qint64(std::floor(epoch_s * 1000 + 0.5)), Qt::UTC)
+      .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz"));
+}
+
+QJsonObject bagJson(const robot::BagEntry& entry) {
+  const bool recording = entry.key.kind == robot::BagKind::Recording;
+  return {{QStringLiteral("name"), text(entry.key.name)},
+          {QStringLiteral("kind"), recording ? QStringLiteral("recording") : QStringLiteral("bag")},
+          {QStringLiteral("size_bytes"),
+           entry.size_bytes ? QJsonValue(qint64(*entry.size_bytes)) : QJsonValue(QJsonValue::Null)},
+          {QStringLiteral("end"), orNull(entry.end_s)}};
+}
+
+QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
+  return {{QStringLiteral("name"), text(name)},
+          {QStringLiteral("messages"), qint64(info.messages)},
+          {QStringLiteral("start"), info.start_s},
+          {QStringLiteral("end"), info.end_s}};
+}
+
+QJsonObject stateJson(double at_s, const replay::Moment& moment) {
+  const map::LiveState& live = moment.at.world.live;
+  const QJsonValue null(QJsonValue::Null);
+  QJsonObject state;
+  state[QStringLiteral("at")] = at_s;
+  state[QStringLiteral("pose")] =
+      live.robot_pose ? QJsonValue(QJsonObject{{QStringLiteral("x"), live.robot_pose->x_m},
+                                               {QStringLiteral("y"), live.robot_pose->y_m},
+                                               {QStringLiteral("yaw_rad"), live.robot_pose->yaw_rad}})
+                      : null;
+  state[QStringLiteral("battery")] = live.battery ? orNull(live.battery->level) : null;
+  QJsonArray alerts;
+  for (const map::Alert& alert : live.alerts) alerts.append(qint64(alert.code));
+  state[QStringLiteral("alerts")] = alerts;
+  state[QStringLiteral("slam")] =
+      knowsSlam(live.slam)
+          ? QJsonValue(QJsonObject{{QStringLiteral("state"), text(live.slam.state)},
+                                   {QStringLiteral("position_quality"), orNull(live.slam.position_quality)}})
+          : null;
+  state[QStringLiteral("planning")] =
+      live.planning ? QJsonValue(QJsonObject{{QStringLiteral("move_state"), text(live.planning->move_state)}})
+                    : null;
+  state[QStringLiteral("map")] =
+      live.map_info
+          ? QJsonValue(QJsonObject{{QStringLiteral("name"), text(live.map_info->name)},
+                                   {QStringLiteral("uid"), text(live.map_info->uid)},
+                                   {QStringLiteral("map_version"), orNull(live.map_info->map_version)}})
+          : null;
+  state[QStringLiteral("path_points")] = qint64(live.path.size());
+  state[QStringLiteral("local_path_points")] = qint64(live.local_path.points.size());
+  const auto& submaps = moment.at.world.submaps;
+  state[QStringLiteral("submaps")] =
+      submaps ? QJsonValue(QJsonObject{{QStringLiteral("uuid"), text(submaps->uuid)},
+                                       {QStringLiteral("count"), qint64(submaps->entries.size())}})
+              : null;
+  QJsonObject topics;
+  for (const auto& [topic, stamp_s] : moment.topics)
+    topics[text(topic)] = QJsonObject{{QStringLiteral("stamp"), stamp_s}};
+  state[QStringLiteral("topics")] = topics;
+  return state;
+}
+
+std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment) {
+  const map::LiveState& live = moment.at.world.live;
+  std::vector<QStringList> rows{{Words::tr("at"), timeText(at_s)}};
+  if (live.robot_pose) {
+    rows.push_back({Words::tr("pose"), Words::tr("%1, %2, %3 rad")
+                                           .arg(live.robot_pose->x_m, 0, 'f', 3)
+                                           .arg(live.robot_pose->y_m, 0, 'f', 3)
+                                           .arg(live.robot_pose->yaw_rad, 0, 'f', 3)});
+  }
+  if (live.battery && live.battery->level)
+    rows.push_back({Words::tr("battery"), QStringLiteral("%1 %").arg(qRound(*live.battery->level * 100))});
+  for (const map::Alert& alert : live.alerts)
+    rows.push_back(
+        {Words::tr("alert"), QStringLiteral("%1 %2").arg(alert.code).arg(words::plainName(alert.text))});
+  if (knowsSlam(live.slam)) rows.push_back({Words::tr("SLAM"), words::plainName(live.slam.state)});
+  if (live.planning) rows.push_back({Words::tr("planner"), words::plainName(live.planning->move_state)});
+  if (live.map_info) rows.push_back({Words::tr("map"), words::plainName(live.map_info->name)});
+  if (const auto& submaps = moment.at.world.submaps)
+    rows.push_back({Words::tr("submaps"), QString::number(submaps->entries.size())});
+  for (const auto& [topic, stamp_s] : moment.topics)
+    rows.push_back({timeText(stamp_s), words::plainName(topic)});
+  return rows;
+}
+
+QJsonArray eventsJson(const std::vector<replay::Event>& events) {
+  QJsonArray all;
+  for (const replay::Event& event : events) {
+    QJsonObject row{{QStringLiteral("at"), event.at_s}, {QStringLiteral("kind"), wordOf(event.kind)}};
+    if (hasCode(event.kind)) row[QStringLiteral("code")] = qint64(event.code);
+    if (!event.text.empty()) row[QStringLiteral("text")] = text(event.text);
+    if (event.kind == replay::EventKind::PositionJump) row[QStringLiteral("metres")] = event.metres;
+    all.append(row);
+  }
+  return all;
+}
+
+QStringList eventRow(const replay::Event& event) {
+  QString what = words::plainName(event.text);
+  if (hasCode(event.kind)) what = QStringLiteral("%1 %2").arg(event.code).arg(what);
+  if (event.kind == replay::EventKind::PositionJump)
+    what = QStringLiteral("%1 m").arg(event.metres, 0, 'f', 2);
+  return {timeText(event.at_s), wordOf(event.kind), what};
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,33 @@
+// Bags as JSON (cli.md) and as rows for people. Pure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QStringList>
+
+#include "replay/events.h"
+#include "replay/reading.h"
+#include "robot/bag_library.h"
+
+namespace mapwright::app {
+
+/// {"name","kind","size_bytes","end"}: size and end are null where the robot does not tell them.
+QJsonObject bagJson(const robot::BagEntry& entry);
+/// {"name","messages","start","end"}
+QJsonObject infoJson(const std::string& name, const robot::BagInfo& info);
+/// The world of a time (cli.md, `bags state`).
+QJsonObject stateJson(double at_s, const replay::Moment& moment);
+std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment);
+/// [{"at","kind"}] with "code", "text" or "metres" where it has them.
+QJsonArray eventsJson(const std::vector<replay::Event>& events);
+QStringList eventRow(const replay::Event& event);
+/// JSON as recorded, on one line: line breaks between values become blanks, and none stands within a text.
+std::string jsonLine(std::string_view json);
+/// "2024-06-03 09:00:00.250", UTC.
+QString timeText(double epoch_s);
+
+}  // namespace mapwright::app

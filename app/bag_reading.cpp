@@ -1,0 +1,186 @@
+#include "app/bag_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QEventLoop>
+#include <QTimer>
+
+#include "app/exit_code.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/subject_name.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Bags)
+};
+
+constexpr int kTries = 3;
+constexpr int kLookEveryMs = 50;
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+/// Asking again would not help.
+bool isFinal(const replay::Cell& cell) {
+  return cell.tries >= kTries || cell.failure.kind == map::FailureKind::RejectedByRobot ||
+         cell.failure.kind == map::FailureKind::Refused || cell.failure.kind == map::FailureKind::Certificate;
+}
+
+}  // namespace
+
+CommandFailure BagReading::failure(const map::Failure& failed) const {
+  // A file that cannot be read is no robot that answers with an error.
+  const int code = robot_->local() ? int(kUsage) : int(exitCodeOf(failed.kind));
+  if (failed.subject.kind != map::SubjectKind::Bag || failed.subject.id.empty())
+    return robot_->failure(code, QString::fromStdString(sentences::sentenceOf(failed)));
+  return robot_->failure(code,
+                         QStringLiteral("%1: %2").arg(sentences::nameOf(failed.subject),
+                                                      QString::fromStdString(sentences::sentenceOf(failed))));
+}
+
+CommandResult<double> timeFrom(const std::string& word, const QString& option) {
+  bool is_number = false;
+  const double seconds = text(word).toDouble(&is_number);
+  if (is_number && std::isfinite(seconds)) return seconds;
+  QDateTime time = QDateTime::fromString(text(word), Qt::ISODateWithMs);
+  if (time.isValid() && time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);
+  if (time.isValid()) return double(time.toMSecsSinceEpoch()) / 1000;
+  return tl::make_unexpected(CommandFailure{
+      kUsage, word.empty()
+                  ? Words::tr("%1 is needed: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
+                  : Words::tr("%1 %2 is no time: seconds since 1970, or 2024-06-03T09:00:00Z.")
+                        .arg(option, text(word))});
+}
+
+CommandResult<TimeSpan> timeSpanFrom(const BagsWords& words) {
+  TimeSpan span;
+  for (const auto& [word, option, value] :
+       {std::tuple(&words.from, "--from", &span.from_s), std::tuple(&words.to, "--to", &span.to_s)}) {
+    if (word->empty()) continue;
+    const auto time = timeFrom(*word, QString::fromLatin1(option));
+    if (!time) return tl::make_unexpected(time.error());
+    *value = *time;
+  }
+  if (span.from_s && span.to_s && *span.to_s < *span.from_s)
+    return tl::make_unexpected(CommandFailure{kUsage, Words::tr("--to lies before --from.")});
+  return span;
+}
+
+CommandResult<BagReading> BagReading::open(MapsCommand& command, const BagsWords& words) {
+  const QString address = text(words.robot);
+  const auto access = RobotAccess::read(words.access, address);
+  if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
+  auto opened = command.open(address, access->forAddress(address), MapReading::Purpose::Bags);
+  if (!opened) return tl::make_unexpected(opened.error());
+  BagReading reading;
+  reading.robot_ = *opened;
+  reading.library_ = reading.robot_->session().robot().bagLibrary();
+  if (!reading.library_) return tl::make_unexpected(reading.robot_->lacks(robot::Capability::Bags));
+  return reading;
+}
+
+robot::BagKey BagReading::keyOf(const std::string& name) const {
+  const auto rows = robot_->ask<std::vector<robot::BagEntry>>(
+      [&](robot::OutcomeTo<std::vector<robot::BagEntry>> reply) { return library_->list(std::move(reply)); });
+  std::optional<robot::BagKey> recording;
+  if (rows) {
+    for (const robot::BagEntry& row : *rows) {
+      if (row.key.name != name) continue;
+      if (row.key.kind != robot::BagKind::Recording) return row.key;
+      recording = row.key;
+    }
+  }
+  return recording.value_or(robot::BagKey{robot::BagKind::Bag, name});
+}
+
+CommandResult<replay::Reading*> BagReading::replay(const std::string& name, replay::ChunksOptions chunks) {
+  replay::Reading::Options options;
+  options.chunks = chunks;
+  reading_ = std::make_unique<replay::Reading>(*library_, keyOf(name), std::move(options));
+  std::optional<map::Failure> failed;
+  bool opened = false;
+  QObject context;
+  QObject::connect(reading_.get(), &replay::Reading::opened, &context, [&] { opened = true; });
+  QObject::connect(reading_.get(), &replay::Reading::failed, &context,
+                   [&](const map::Failure& failure) { failed = failure; });
+  reading_->open();
+  if (!robot_->waitUntil([&] { return opened || failed; }))
+    failed = robot_->tooLate({.subject = subjectOf(reading_->key())});
+  if (failed) return tl::make_unexpected(failure(*failed));
+  return reading_.get();
+}
+
+std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>& done) {
+  QEventLoop loop;
+  QTimer look;
+  std::optional<CommandFailure> failed;
+  bool is_done = done();
+  // Gaps are rare: they and the time are looked for now and then.
+  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+    // What lies later is only read ahead.
+    const double wanted_s = reading_->chunks().wanted().value_or(-1e300);
+    for (const auto& [from, cell] : reading_->chunks().cells()) {
+      if (replay::secondsOf(from) > wanted_s) break;
+      if (cell.tries > 0 && isFinal(cell)) failed = failure(cell.failure);
+    }
+    if (!failed && robot_->time().over())
+      failed = failure(robot_->tooLate({.subject = subjectOf(reading_->key())}));
+    if (failed) loop.quit();
+  });
+  QObject::connect(reading_.get(), &replay::Reading::changed, &loop, [&] {
+    is_done = is_done || done();
+    if (is_done) loop.quit();
+  });
+  look.start(kLookEveryMs);
+  if (!is_done) loop.exec();
+  return is_done ? std::nullopt : failed;
+}
+
+std::optional<CommandFailure> BagReading::readRanges(std::optional<double> from_s, std::optional<double> to_s,
+                                                     const TakeRange& take) {
+  replay::Reading& reading = *reading_;
+  double next_s = from_s.value_or(-1e300);
+  const replay::Cell* cell = reading.chunks().cellAt(next_s);
+  while (cell && (!to_s || replay::secondsOf(cell->from) <= *to_s)) {
+    reading.want(std::max(next_s, replay::secondsOf(cell->from)));
+    replay::ChunkPtr chunk;
+    if (auto failed = waitUntil([&] {
+          // It may have been made of several meanwhile.
+          cell = reading.chunks().cellAt(*reading.chunks().wanted());
+          chunk = reading.chunkAt(cell->from);
+          return chunk != nullptr;
+        }))
+      return failed;
+    if (auto failed = take(*chunk)) return failed;
+    const auto after = reading.chunks().cells().upper_bound(cell->from);
+    cell = after == reading.chunks().cells().end() ? nullptr : &after->second;
+    if (cell) next_s = replay::secondsOf(cell->from);
+  }
+  return std::nullopt;
+}
+
+std::optional<CommandFailure> BagReading::readWhole() {
+  // From the end back to the start, whatever lies beyond what is told.
+  reading_->want(1e300);
+  return waitUntil([&] { return reading_->chunks().wholeRead(); });
+}
+
+CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
+  reading_->want(at_s);
+  replay::Moment moment;
+  // Looking at the world costs the more the more is known of it: not before all of it is.
+  const auto failed = waitUntil([&] {
+    if (!reading_->chunks().readUntil(at_s)) return false;
+    moment = reading_->moment();
+    return moment.knowledge == replay::Knowledge::Exact;
+  });
+  if (failed) return tl::make_unexpected(*failed);
+  return moment;
+}
+
+}  // namespace mapwright::app

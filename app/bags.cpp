@@ -1,0 +1,177 @@
+// Bags as files: which there are, fetching, deleting, recording.
+#include "app/bags.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QLocale>
+
+#include "app/bag_json.h"
+#include "app/bag_reading.h"
+#include "app/exit_code.h"
+#include "app/one_line.h"
+#include "app/output_paths.h"
+#include "app/table.h"
+#include "app/waypoint_list.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Bags)
+};
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+auto wrong(const QString& sentence) { return tl::make_unexpected(CommandFailure{kUsage, sentence}); }
+
+int runBags(const BagsWords& words, int& argc, char** argv,
+            const std::function<CommandResult<int>(MapsCommand&, BagReading&)>& work) {
+  return MapsCommand(words.timeout_s, text(words.report))
+      .run(argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+        auto opened = BagReading::open(command, words);
+        if (!opened) return tl::make_unexpected(opened.error());
+        return work(command, *opened);
+      });
+}
+
+QStringList rowOf(const robot::BagEntry& entry) {
+  const QString size = entry.size_bytes ? QLocale::c().formattedDataSize(*entry.size_bytes)
+                                        : words::plainName(entry.size_text);
+  const QString end = entry.end_s ? timeText(*entry.end_s).chopped(4) : words::plainName(entry.end_text);
+  return {entry.key.kind == robot::BagKind::Recording ? Words::tr("recording") : Words::tr("bag"),
+          size.isEmpty() ? QStringLiteral("-") : size, end.isEmpty() ? QStringLiteral("-") : end,
+          words::plainName(entry.key.name)};
+}
+
+/// Where a bag goes when nobody says it: its name is the robot's, and must not lead anywhere else.
+QString fileFor(const BagsWords& words) {
+  if (!words.output.empty()) return text(words.output);
+  const QString name = QFileInfo(text(words.name)).fileName();
+  return name == QLatin1String("..") || name == QLatin1String(".") ? QString() : name;
+}
+
+void tellProgress(robot::Progress progress) {
+  const QString bytes = QLocale::c().formattedDataSize(progress.bytes);
+  const QString of =
+      progress.of_bytes ? QLocale::c().formattedDataSize(*progress.of_bytes) : QStringLiteral("?");
+  std::fprintf(stderr, "\r%-40s", qUtf8Printable(Words::tr("%1 of %2").arg(bytes, of)));
+}
+
+}  // namespace
+
+int bagsList(const BagsWords& words, int& argc, char** argv) {
+  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
+    const auto rows = bags.robot().ask<std::vector<robot::BagEntry>>(
+        [&](robot::OutcomeTo<std::vector<robot::BagEntry>> reply) {
+          return bags.library().list(std::move(reply));
+        });
+    if (!rows) return tl::make_unexpected(bags.failure(rows.error()));
+    if (words.json) {
+      QJsonArray all;
+      for (const robot::BagEntry& entry : *rows) all.append(bagJson(entry));
+      printJson(all);
+      return kDone;
+    }
+    if (rows->empty()) {
+      std::printf("%s\n", qUtf8Printable(Words::tr("There is no bag.")));
+      return kDone;
+    }
+    std::vector<QStringList> table{
+        {Words::tr("KIND"), Words::tr("SIZE"), Words::tr("END (UTC)"), Words::tr("NAME")}};
+    for (const robot::BagEntry& entry : *rows) table.push_back(rowOf(entry));
+    printTable(table);
+    return kDone;
+  });
+}
+
+int bagsInfo(const BagsWords& words, int& argc, char** argv) {
+  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
+    const robot::BagKey key = bags.keyOf(words.name);
+    const auto info = bags.robot().ask<robot::BagInfo>(
+        [&](robot::OutcomeTo<robot::BagInfo> reply) { return bags.library().info(key, std::move(reply)); });
+    if (!info) return tl::make_unexpected(bags.failure(info.error()));
+    if (words.json) {
+      printJson(infoJson(words.name, *info));
+      return kDone;
+    }
+    printTable({{Words::tr("name"), words::plainName(words.name)},
+                {Words::tr("messages"), QString::number(info->messages)},
+                {Words::tr("start"), timeText(info->start_s)},
+                {Words::tr("end"), timeText(info->end_s)}});
+    return kDone;
+  });
+}
+
+int bagsDownload(const BagsWords& words, int& argc, char** argv) {
+  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
+    const QString path = fileFor(words);
+    if (path.isEmpty()) return wrong(Words::tr("Where should it go? Give -o FILE."));
+    if (isStandardOutput(path))
+      return wrong(
+          Words::tr("A download can go on where it broke off: it needs a file of its own (-o FILE)."));
+    if (const auto why = whyNotWritable(path)) return wrong(*why);
+    if (QFileInfo::exists(path) && !words.force)
+      return wrong(Words::tr("%1 is there already. --force replaces it.").arg(path));
+    const robot::BagKey key = bags.keyOf(words.name);
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
+      robot::Call call = bags.library().download(key, path, std::move(reply));
+      if (terminal) call.onProgress(tellProgress);
+      return call;
+    });
+    if (terminal) std::fprintf(stderr, "\r%-40s\r", "");
+    if (!done) {
+      CommandFailure failure = bags.failure(done.error());
+      if (done.error().cause.code == map::ReasonCode::BagFileNotWritten) failure.exit_code = kUsage;
+      return tl::make_unexpected(failure);
+    }
+    if (words.json) {
+      printJson(QJsonObject{{QStringLiteral("name"), text(words.name)},
+                            {QStringLiteral("file"), done->path},
+                            {QStringLiteral("bytes"), qint64(done->bytes)},
+                            {QStringLiteral("resumed"), done->resumed}});
+    } else {
+      std::printf("%s: %s\n", qUtf8Printable(oneLine(done->path)),
+                  qUtf8Printable(QLocale::c().formattedDataSize(done->bytes)));
+    }
+    return kDone;
+  });
+}
+
+int bagsDelete(const BagsWords& words, int& argc, char** argv) {
+  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
+    if (!words.yes)
+      return wrong(Words::tr("A bag that is deleted cannot be had back. Say --yes when %1 may go.")
+                       .arg(words::plainName(words.name)));
+    const robot::BagKey key = bags.keyOf(words.name);
+    const auto done = bags.robot().ask<robot::BagKey>(
+        [&](robot::OutcomeTo<robot::BagKey> reply) { return bags.library().remove(key, std::move(reply)); });
+    if (!done) return tl::make_unexpected(bags.failure(done.error()));
+    if (words.json) printJson(QJsonObject{{QStringLiteral("name"), text(words.name)}});
+    return kDone;
+  });
+}
+
+int bagsRecord(const BagsWords& words, int& argc, char** argv) {
+  return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
+    const robot::BagOrder order{words.suffix, words.duration, words.category};
+    const auto entry = bags.robot().ask<robot::BagEntry>([&](robot::OutcomeTo<robot::BagEntry> reply) {
+      return bags.library().record(order, std::move(reply));
+    });
+    if (!entry) return tl::make_unexpected(bags.failure(entry.error()));
+    if (words.json) {
+      printJson(bagJson(*entry));
+    } else if (!entry->key.name.empty()) {
+      std::printf("%s\n", qUtf8Printable(words::plainName(entry->key.name)));
+    }
+    return kDone;
+  });
+}
+
+}  // namespace mapwright::app

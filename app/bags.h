@@ -1,0 +1,38 @@
+// `mapwright bags …`: what a robot has recorded (cli.md).
+#pragma once
+
+#include <string>
+
+#include "app/robot_access.h"
+
+namespace mapwright::app {
+
+/// The words as typed; empty = not given. Times are seconds since the epoch, or ISO 8601.
+struct BagsWords {
+  std::string robot;
+  AccessWords access;
+  std::string name;                        // of a bag or a recording (mapwright bags list)
+  std::string from, to, at;                // times
+  std::string topic;                       // frames: of this one alone
+  std::string kinds;                       // events: of these groups alone
+  std::string output;                      // download: the file; "" = called like the bag. export, track
+  std::string format;                      // export, track; "" = as the file's name ends
+  std::string suffix, duration, category;  // record
+  std::string report;
+  double timeout_s = 300;
+  bool json = false, yes = false, force = false;
+};
+
+/// The exit code (cli.md).
+int bagsList(const BagsWords& words, int& argc, char** argv);
+int bagsInfo(const BagsWords& words, int& argc, char** argv);
+int bagsFrames(const BagsWords& words, int& argc, char** argv);
+int bagsState(const BagsWords& words, int& argc, char** argv);
+int bagsEvents(const BagsWords& words, int& argc, char** argv);
+int bagsDownload(const BagsWords& words, int& argc, char** argv);
+int bagsDelete(const BagsWords& words, int& argc, char** argv);
+int bagsExport(const BagsWords& words, int& argc, char** argv);
+int bagsTrack(const BagsWords& words, int& argc, char** argv);
+int bagsRecord(const BagsWords& words, int& argc, char** argv);
+
+}  // namespace mapwright::app

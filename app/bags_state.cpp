@@ -1,0 +1,161 @@
+// What is in a bag: its messages, the world at a time, what happened.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include "app/bag_json.h"
+#include "app/bag_reading.h"
+#include "app/bags.h"
+#include "app/exit_code.h"
+#include "app/table.h"
+#include "app/waypoint_list.h"
+#include "words/plain.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Bags)
+};
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+int runBagsCommand(const BagsWords& words, int& argc, char** argv,
+                   const std::function<CommandResult<int>(MapsCommand&)>& work) {
+  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
+}
+
+/// Those of a range that is held, between two times.
+void printFrames(const replay::Chunk& chunk, const TimeSpan& span, const std::string& topic) {
+  for (std::size_t place = 0; place < chunk.order.size(); ++place) {
+    const robot::BagMessage& message = chunk.at(place);
+    if (!span.holds(message.message.received_s)) continue;
+    if (!topic.empty() && message.message.topic != topic) continue;
+    const std::string line = jsonLine(chunk.source->textOf(message));
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    std::fputc('\n', stdout);
+  }
+}
+
+}  // namespace
+
+int bagsFrames(const BagsWords& words, int& argc, char** argv) {
+  return runBagsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const auto span = timeSpanFrom(words);
+    if (!span) return tl::make_unexpected(span.error());
+    auto opened = BagReading::open(command, words);
+    if (!opened) return tl::make_unexpected(opened.error());
+    replay::ChunksOptions chunks;
+    chunks.look_back = false;
+    const auto replayed = opened->replay(words.name, chunks);
+    if (!replayed) return tl::make_unexpected(replayed.error());
+    std::int64_t odd = 0;
+    const auto failed = opened->readRanges(span->from_s, span->to_s, [&](const replay::Chunk& chunk) {
+      printFrames(chunk, *span, words.topic);
+      odd += std::int64_t(chunk.source->without_stamp + chunk.source->unreadable);
+      return std::nullopt;
+    });
+    if (failed) return tl::make_unexpected(*failed);
+    if (odd > 0)
+      opened->robot().note(
+          Words::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
+    return kDone;
+  });
+}
+
+int bagsState(const BagsWords& words, int& argc, char** argv) {
+  return runBagsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
+    if (!at_s) return tl::make_unexpected(at_s.error());
+    std::optional<double> from_s;
+    if (!words.from.empty()) {
+      const auto time = timeFrom(words.from, QStringLiteral("--from"));
+      if (!time) return tl::make_unexpected(time.error());
+      from_s = *time;
+    }
+    auto opened = BagReading::open(command, words);
+    if (!opened) return tl::make_unexpected(opened.error());
+    const auto replayed = opened->replay(words.name);
+    if (!replayed) return tl::make_unexpected(replayed.error());
+    // Played from there on: each range on the way is looked at.
+    while (from_s && *from_s < *at_s) {
+      const auto moment = opened->momentAt(*from_s);
+      if (!moment) return tl::make_unexpected(moment.error());
+      const replay::Cell* cell = (*replayed)->chunks().cellAt(*from_s);
+      if (!cell || replay::secondsOf(cell->until) <= *from_s) break;
+      from_s = replay::secondsOf(cell->until);
+    }
+    const auto moment = opened->momentAt(*at_s);
+    if (!moment) return tl::make_unexpected(moment.error());
+    const QJsonObject state = stateJson(*at_s, *moment);
+    if (words.json) {
+      printJson(state);
+    } else {
+      printTable(stateRows(*at_s, *moment));
+    }
+    return kDone;
+  });
+}
+
+namespace {
+
+/// The words are those of --kind; none = all of them.
+CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds) {
+  using Group = replay::EventGroup;
+  static const std::map<QString, Group> known{{QStringLiteral("alerts"), Group::Alerts},
+                                              {QStringLiteral("planner"), Group::Planner},
+                                              {QStringLiteral("position"), Group::Position},
+                                              {QStringLiteral("maps"), Group::Maps},
+                                              {QStringLiteral("stops"), Group::Stops}};
+  std::set<Group> groups;
+  if (kinds.empty()) {
+    for (const auto& [word, group] : known) groups.insert(group);
+    return groups;
+  }
+  for (const QString& word : text(kinds).split(QLatin1Char(','))) {
+    const auto found = known.find(word.trimmed().toLower());
+    if (found == known.end())
+      return tl::make_unexpected(CommandFailure{
+          kUsage, Words::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
+                      .arg(word)});
+    groups.insert(found->second);
+  }
+  return groups;
+}
+
+}  // namespace
+
+int bagsEvents(const BagsWords& words, int& argc, char** argv) {
+  return runBagsCommand(words, argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
+    const auto groups = groupsFrom(words.kinds);
+    if (!groups) return tl::make_unexpected(groups.error());
+    auto opened = BagReading::open(command, words);
+    if (!opened) return tl::make_unexpected(opened.error());
+    const auto replayed = opened->replay(words.name);
+    if (!replayed) return tl::make_unexpected(replayed.error());
+    replay::Reading& reading = **replayed;
+    if (const auto failed = opened->readWhole()) return tl::make_unexpected(*failed);
+    std::vector<replay::Event> events = replay::eventsOf(reading.index().digests());
+    std::erase_if(events,
+                  [&](const replay::Event& event) { return !groups->contains(replay::groupOf(event.kind)); });
+    if (words.json) {
+      printJson(eventsJson(events));
+      return kDone;
+    }
+    std::vector<QStringList> table;
+    for (const replay::Event& event : events) table.push_back(eventRow(event));
+    if (table.empty()) std::printf("%s\n", qUtf8Printable(Words::tr("Nothing happened.")));
+    printTable(table);
+    return kDone;
+  });
+}
+
+}  // namespace mapwright::app

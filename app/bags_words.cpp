@@ -1,0 +1,107 @@
+#include "app/bags_words.h"
+
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+
+#include "app/access_words.h"
+#include "app/exit_code.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
+
+/// What --help says, as CLI11 takes it.
+std::string help(const QString& text) { return text.toStdString(); }
+
+struct BagCommand {
+  const char* name;
+  QString about;
+  int (*run)(const BagsWords&, int&, char**);
+};
+
+std::vector<BagCommand> bagCommands() {
+  return {{"list", Words::tr("All bags and recordings of a robot"), bagsList},
+          {"info", Words::tr("How many messages are in one, and of when"), bagsInfo},
+          {"frames", Words::tr("Its messages as recorded, one a line"), bagsFrames},
+          {"state", Words::tr("The world at a time, as playing it from the start would make it"), bagsState},
+          {"events", Words::tr("Alerts, states of the planner, jumps, changes of the map, lost positions"),
+           bagsEvents},
+          {"download", Words::tr("Fetch one into a file, or the rest of one that broke off"), bagsDownload},
+          {"export", Words::tr("A part of one as MCAP or as JSON lines"), bagsExport},
+          {"track", Words::tr("Where the robot was, as CSV, GeoJSON or TUM"), bagsTrack},
+          {"delete", Words::tr("Delete one on the robot (--yes)"), bagsDelete},
+          {"record", Words::tr("Let the robot record"), bagsRecord}};
+}
+
+void addOptions(const std::string& name, CLI::App& command, BagsWords& words) {
+  const auto is = [&](auto... names) { return ((name == names) || ...); };
+  const std::string time = help(Words::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
+  if (!is("list", "record"))
+    command.add_option("name", words.name, help(Words::tr("Its name (mapwright bags list), or a file")))
+        ->required();
+  if (is("frames", "state", "export", "track")) command.add_option("--from", words.from, time);
+  if (is("frames", "export", "track")) command.add_option("--to", words.to, time);
+  if (is("frames", "export"))
+    command.add_option("--topic", words.topic, help(Words::tr("Only messages of this topic")));
+  if (is("export", "track")) {
+    command.add_option("-o,--output", words.output, help(Words::tr("The file; - is the standard output")))
+        ->required();
+    command.add_option("--format", words.format,
+                       name == "export"
+                           ? help(Words::tr("mcap or jsonl; without it as the file's name ends"))
+                           : help(Words::tr("csv, geojson or tum; without it as the file's name ends")));
+    command.add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+  }
+  if (is("events"))
+    command.add_option(
+        "--kind", words.kinds,
+        help(Words::tr("Only these, with commas between them: alerts, planner, position, maps, stops")));
+  if (is("state")) command.add_option("--at", words.at, time)->required();
+  if (is("download")) {
+    command.add_option("-o,--output", words.output,
+                       help(Words::tr("The file; without it called like the bag")));
+    command.add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+  }
+  if (is("delete")) command.add_flag("--yes", words.yes, help(Words::tr("Needed: it cannot be had back")));
+  if (is("record")) {
+    command.add_option("--suffix", words.suffix, help(Words::tr("Of its name")));
+    command.add_option("--duration", words.duration, help(Words::tr("Such as 90s or 2m")));
+    command.add_option("--category", words.category, help(Words::tr("The robot's own word, such as pos")));
+  }
+  command.add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+}
+
+}  // namespace
+
+void addBags(CLI::App& cli, BagsWords& words) {
+  CLI::App* const bags = cli.add_subcommand(
+      "bags", help(Words::tr("What a robot has recorded: list, look into, fetch, record")));
+  bags->require_subcommand(1);
+  for (const BagCommand& one : bagCommands()) {
+    CLI::App* const command = bags->add_subcommand(one.name, help(one.about));
+    // No envname(): see addMaps().
+    command->add_option("--robot", words.robot, help(Words::tr("Robot address (or MAPWRIGHT_ROBOT)")));
+    addAccess(*command, words.access);
+    command
+        ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
+        ->capture_default_str();
+    command->add_option("--report", words.report,
+                        help(Words::tr("Write what was done, and every warning, as JSON")));
+    addOptions(one.name, *command, words);
+  }
+}
+
+int runBags(const CLI::App& cli, const BagsWords& words, int& argc, char** argv) {
+  const CLI::App& bags = *cli.get_subcommand("bags");
+  for (const BagCommand& one : bagCommands()) {
+    if (bags.got_subcommand(one.name)) return one.run(words, argc, argv);
+  }
+  return kUsage;
+}
+
+}  // namespace mapwright::app

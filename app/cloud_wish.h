@@ -1,0 +1,39 @@
+// The cloud of the map in a snapshot: that of what the picture shows.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QString>
+
+#include "geometry/rect.h"
+#include "scene/map_clouds.h"
+#include "session/session.h"
+
+namespace mapwright::app {
+
+class CloudWish {
+ public:
+  /// The session outlives this.
+  explicit CloudWish(session::Session& session) : session_(session) {}
+
+  /// Asks for the points over this part of the plane, whatever their height; once.
+  void ask(const geometry::WorldRect& seen);
+  bool asked() const { return asked_; }
+  /// It has come, or cannot be had.
+  bool in() const { return answer_->came.has_value() || !answer_->problem.isEmpty(); }
+  const std::optional<scene::CloudPiece>& came() const { return answer_->came; }
+  /// Why it cannot be had: a sentence; empty = nothing is known to be wrong.
+  QString problem() const { return answer_->problem; }
+
+ private:
+  struct Answer {
+    std::optional<scene::CloudPiece> came;
+    QString problem;
+  };
+  session::Session& session_;
+  bool asked_ = false;
+  std::shared_ptr<Answer> answer_ = std::make_shared<Answer>();  // it may come when this has gone
+};
+
+}  // namespace mapwright::app

@@ -1,0 +1,226 @@
+#include "app/clouds.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "app/access_words.h"
+#include "app/exit_code.h"
+#include "app/maps_command.h"
+#include "app/option_words.h"
+#include "app/output_paths.h"
+#include "clouds/write_cloud.h"
+#include "disk/written_file.h"
+#include "reasons/file_reason.h"
+#include "robot/map_dispatch.h"
+#include "sentences/plural.h"
+#include "sentences/reason_sentence.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Clouds)
+};
+
+std::string help(const QString& text) { return text.toStdString(); }
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+tl::unexpected<CommandFailure> wrong(const QString& sentence) {
+  return tl::make_unexpected(CommandFailure{kUsage, sentence});
+}
+
+/// `count` numbers with commas between them; none where they are not.
+std::vector<double> numbersFrom(const std::string& words, int count) {
+  std::vector<double> numbers;
+  for (const QString& part : text(words).split(QLatin1Char(','))) {
+    const std::string word = part.trimmed().toStdString();
+    if (!isDecimal(word)) return {};
+    numbers.push_back(part.trimmed().toDouble());
+  }
+  if (int(numbers.size()) != count) return {};
+  for (const double number : numbers) {
+    if (!(std::abs(number) <= 1e9)) return {};
+  }
+  return numbers;
+}
+
+struct Order {
+  std::optional<map::CloudRegion> region;
+  clouds::CloudFormat format = clouds::CloudFormat::PcdBinary;
+  QString path;
+};
+
+CommandResult<Order> orderFrom(const CloudsWords& words) {
+  Order order;
+  const auto region = cloudRegionFrom(words);
+  if (!region) return wrong(region.error());
+  order.region = *region;
+  order.path = text(words.output);
+  const auto format = clouds::formatOf(words.output);
+  if (!format) return wrong(Words::tr("-o names a file that ends in .pcd, .ply or .csv."));
+  order.format =
+      words.ascii && *format == clouds::CloudFormat::PcdBinary ? clouds::CloudFormat::PcdAscii : *format;
+  if (words.ascii && *format != clouds::CloudFormat::PcdBinary)
+    return wrong(Words::tr("--ascii is about .pcd files alone."));
+  if (const auto why = whyNotWritable(order.path)) return wrong(*why);
+  if (QFileInfo(order.path).isFile() && !words.force)
+    return wrong(Words::tr("%1 is there already. --force replaces it.").arg(order.path));
+  return order;
+}
+
+QJsonObject jsonOf(const CloudsWords& words, const map::SpatialCloud& cloud,
+                   const clouds::CloudWritten& written) {
+  QJsonArray notes;
+  for (const map::Reason& note : cloud.notes) notes << sentences::sentenceOf(note);
+  QJsonObject json{
+      {QStringLiteral("points"), qint64(written.points)},
+      {QStringLiteral("left_out"), qint64(cloud.left_out)},
+      {QStringLiteral("frame"), words::plainName(cloud.frame)},
+      {QStringLiteral("kind"), words.occupancy ? QStringLiteral("occupancy") : QStringLiteral("points")},
+      {QStringLiteral("file"), text(words.output)},
+      {QStringLiteral("intensity"), written.intensity},
+      {QStringLiteral("rgb"), written.rgb},
+      {QStringLiteral("doubles"), written.doubles},
+      {QStringLiteral("notes"), notes}};
+  if (cloud.points.empty()) return json;
+  Eigen::Vector3f low = cloud.points.front(), high = low;
+  for (const Eigen::Vector3f& point : cloud.points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const auto place = [&cloud](const Eigen::Vector3f& at) {
+    const Eigen::Vector3d world = cloud.origin_m + at.cast<double>();
+    return QJsonArray{world.x(), world.y(), world.z()};
+  };
+  json[QStringLiteral("from")] = place(low);
+  json[QStringLiteral("to")] = place(high);
+  return json;
+}
+
+CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, const Order& order) {
+  const QString address = text(words.robot);
+  const auto access = RobotAccess::read(words.access, address);
+  if (!access) return wrong(access.error());
+  auto opened = command.open(address, access->forAddress(address), MapReading::Purpose::Maps);
+  if (!opened) return tl::make_unexpected(opened.error());
+  MapReading& reading = **opened;
+  robot::MapDispatch* const dispatch = reading.session().robot().mapDispatch();
+  if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
+  using Cloud = std::shared_ptr<const map::SpatialCloud>;
+  const auto outcome = reading.ask<Cloud>([&](robot::OutcomeTo<Cloud> reply) {
+    // Asked again: it may have gone while one waited for the event loop.
+    robot::MapDispatch* const now = reading.session().robot().mapDispatch();
+    return (now ? now : dispatch)
+        ->cloud(words.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points, order.region,
+                std::move(reply));
+  });
+  if (!outcome) return tl::make_unexpected(reading.failure(outcome.error()));
+  const map::SpatialCloud& cloud = **outcome;
+  for (const map::Reason& note : cloud.notes) reading.note(sentences::sentenceOf(note));
+  if (cloud.left_out > 0) {
+    const auto count = qint64(cloud.left_out);
+    reading.note(sentences::counted(
+        Words::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
+                  sentences::formOf(count)),
+        count));
+  }
+  disk::WrittenFile file(order.path.toStdString());
+  const auto written = clouds::writeCloud(cloud, order.format, [&](std::string_view bytes) {
+    file.write(bytes);
+    return file.good() && !reading.time().over();
+  });
+  if (!written && file.good()) {
+    return tl::make_unexpected(
+        reading.failure(kIncomplete, Words::tr("The time was over before it was written.")));
+  }
+  if (const auto fault = file.place()) {
+    return wrong(sentences::sentenceOf(reasons::notWritten(*fault)));
+  }
+  if (words.json) {
+    const QByteArray json = QJsonDocument(jsonOf(words, cloud, *written)).toJson(QJsonDocument::Indented);
+    std::fputs(words::escapedJson(json).constData(), stdout);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words) {
+  const int given = int(!words.box.empty()) + int(!words.sphere.empty()) + int(words.all);
+  if (given != 1) {
+    return tl::make_unexpected(
+        Words::tr("Which part? Give --box or --sphere, or --all for the whole map, whose size is not known "
+                  "beforehand."));
+  }
+  if (words.all) return std::optional<map::CloudRegion>();
+  map::CloudRegion region;
+  if (!words.box.empty()) {
+    const std::vector<double> box = numbersFrom(words.box, 6);
+    if (box.empty() || !(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
+      return tl::make_unexpected(Words::tr(
+          "--box is X,Y,Z,LX,LY,LZ: its middle and how long its sides are (more than 0), in metres."));
+    }
+    region.centre_m = {box[0], box[1], box[2]};
+    region.size_m = {box[3], box[4], box[5]};
+    return std::optional(region);
+  }
+  const std::vector<double> sphere = numbersFrom(words.sphere, 4);
+  if (sphere.empty() || !(sphere[3] > 0)) {
+    return tl::make_unexpected(
+        Words::tr("--sphere is X,Y,Z,R: its middle and its radius (more than 0), in metres."));
+  }
+  region.centre_m = {sphere[0], sphere[1], sphere[2]};
+  region.radius_m = sphere[3];
+  return std::optional(region);
+}
+
+void addClouds(CLI::App& cli, CloudsWords& words) {
+  CLI::App* const clouds =
+      cli.add_subcommand("clouds", help(Words::tr("The map of a robot in space, as points")));
+  clouds->require_subcommand(1);
+  CLI::App* const command = clouds->add_subcommand(
+      "export",
+      help(Words::tr("Write the points of a region, or of the whole map, into a PCD, PLY or CSV file")));
+  // No envname(): see addMaps().
+  command->add_option(
+      "--robot", words.robot,
+      help(Words::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)")));
+  addAccess(*command, words.access);
+  command->add_option(
+      "--box", words.box,
+      help(Words::tr("X,Y,Z,LX,LY,LZ: the middle of a box and how long its sides are, in metres")));
+  command->add_option("--sphere", words.sphere,
+                      help(Words::tr("X,Y,Z,R: the middle of a sphere and its radius, in metres")));
+  command->add_flag("--all", words.all, help(Words::tr("The whole map, however large it is")));
+  command->add_flag("--occupancy", words.occupancy,
+                    help(Words::tr("The middles of occupied cells, instead of the points that were seen")));
+  command->add_option("-o,--output", words.output, help(Words::tr("The file to write: .pcd, .ply or .csv")))
+      ->required();
+  command->add_flag("--ascii", words.ascii, help(Words::tr("A PCD file as text")));
+  command->add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+  command->add_flag("--json", words.json, help(Words::tr("Print what was written on standard output")));
+  command
+      ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
+      ->capture_default_str();
+}
+
+int runClouds(const CloudsWords& words, int& argc, char** argv) {
+  MapsCommand command(words.timeout_s, {});
+  return command.run(argc, argv, [&words](MapsCommand& each) -> CommandResult<int> {
+    const auto order = orderFrom(words);
+    if (!order) return tl::make_unexpected(order.error());
+    return exportCloud(each, words, *order);
+  });
+}
+
+}  // namespace mapwright::app

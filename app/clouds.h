@@ -1,0 +1,37 @@
+// `mapwright clouds export`: the cloud of a robot's map, into a file (cli.md).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <QString>
+#include <tl/expected.hpp>
+
+#include "app/robot_access.h"
+#include "map/map_part.h"
+
+namespace CLI {
+class App;
+}
+
+namespace mapwright::app {
+
+/// The words as typed; empty = not given.
+struct CloudsWords {
+  std::string robot;
+  AccessWords access;
+  std::string box;     // X,Y,Z,LX,LY,LZ in metres
+  std::string sphere;  // X,Y,Z,R
+  bool all = false, occupancy = false, ascii = false, json = false, force = false;
+  std::string output;
+  double timeout_s = 60;
+};
+
+void addClouds(CLI::App& cli, CloudsWords& words);
+/// The exit code.
+int runClouds(const CloudsWords& words, int& argc, char** argv);
+
+/// What is asked for; nullopt = the whole map. The error is a sentence.
+tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words);
+
+}  // namespace mapwright::app

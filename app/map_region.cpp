@@ -1,0 +1,102 @@
+// MapReading: what a map dispatcher gives of a map, by region or whole.
+#include "app/map_region.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <QCoreApplication>
+
+#include "app/exit_code.h"
+#include "app/map_reading.h"
+#include "grids/grid_pyramid.h"
+#include "robot/map_dispatch.h"
+#include "sentences/reason_sentence.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(MapRegion)
+};
+
+/// Row 0 of a part is the lowest one, that of a pyramid the uppermost. -1 is 255 in both.
+std::shared_ptr<const grids::GridPyramid> pyramidOf(const map::GridPart& part,
+                                                    const std::shared_ptr<work::Workers>& workers) {
+  const auto builder = grids::buildGrid(part.grid.width, part.grid.height, grids::CellCode::Occupancy,
+                                        grids::Reduction::OccupiedWins, {workers, nullptr});
+  const auto width = std::size_t(part.grid.width);
+  for (std::size_t row = std::size_t(part.grid.height); row-- > 0;) {
+    const auto* const cells = reinterpret_cast<const std::uint8_t*>(part.cells->data() + row * width);
+    builder->pushRow({cells, width});
+  }
+  builder->finish();
+  return builder->pyramid();
+}
+
+}  // namespace
+
+tl::expected<map::GridRegion, QString> gridRegionFrom(const std::string& typed) {
+  std::vector<double> numbers;
+  for (const QString& part : QString::fromStdString(typed).split(QLatin1Char(','))) {
+    bool ok = false;
+    const double value = part.trimmed().toDouble(&ok);
+    if (ok && std::abs(value) <= 1e7) numbers.push_back(value);
+    if (!ok) numbers.clear();
+  }
+  const auto commas = std::count(typed.begin(), typed.end(), ',');
+  if (numbers.size() != 4 || commas != 3 || !(numbers[2] > 0) || !(numbers[3] > 0)) {
+    return tl::make_unexpected(
+        Words::tr(
+            "--region %1: give the centre and the lengths in metres, X,Y,LX,LY, for example 10,-5,40,30.")
+            .arg(QString::fromStdString(typed)));
+  }
+  return map::GridRegion{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
+
+bool givesMapWhenAsked(robot::Robot& robot) {
+  robot::MapDispatch* const dispatch = robot.mapDispatch();
+  if (!dispatch || !robot.liveTopics() || !dispatch->offered(robot::DispatchService::Grid)) return false;
+  const auto offers = dispatch->offers();
+  const QStringList by = robot.liveTopics()->topicsOf(map::Stream::WholeMap);
+  return std::all_of(by.begin(), by.end(), [&](const QString& name) {
+    return std::any_of(offers.begin(), offers.end(), [&](const robot::DispatchOffer& offer) {
+      return offer.service == robot::DispatchService::Grid && offer.name == name.toStdString();
+    });
+  });
+}
+
+CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::GridRegion>& region) {
+  robot::MapDispatch* const dispatch = session_.robot().mapDispatch();
+  if (!dispatch) return tl::make_unexpected(lacks(robot::Capability::Dispatch));
+  const auto part = ask<map::GridPart>(
+      [&](robot::OutcomeTo<map::GridPart> reply) { return dispatch->grid(region, std::move(reply)); });
+  if (!part) return tl::make_unexpected(failure(part.error()));
+  for (const map::Reason& note : part->notes) notes_ << failure(kDone, sentences::wordsOf(note)).sentence;
+  if (part->grid.width == 0) {
+    return tl::make_unexpected(
+        failure(kIncomplete, region ? Words::tr("There is nothing of its map in this region.")
+                                    : Words::tr("There is nothing in its map.")));
+  }
+  if (part->grid.width > grids::kMaxGridEdge || part->grid.height > grids::kMaxGridEdge)
+    return tl::make_unexpected(failure(kRobotError, Words::tr("Its answer has too many cells in one row.")));
+  const geometry::WorldRect bounds = part->grid.bounds();
+  if (region) {
+    const Eigen::Vector2d low = region->centre_m - region->size_m / 2,
+                          high = region->centre_m + region->size_m / 2;
+    if (!bounds.intersects({low.x(), low.y(), high.x(), high.y()})) {
+      notes_ << failure(kDone, Words::tr("It answered with another part of its map, around %1 m, %2 m.")
+                                   .arg(bounds.center().x(), 0, 'f', 2)
+                                   .arg(bounds.center().y(), 0, 'f', 2))
+                    .sentence;
+    }
+  }
+  const auto offers = dispatch->offers();
+  const auto service = region ? robot::DispatchService::GridRegion : robot::DispatchService::Grid;
+  for (const robot::DispatchOffer& offer : offers) {
+    if (offer.service == service) name_ = QString::fromStdString(offer.name);
+  }
+  facts_[QStringLiteral("map")] = mapJson({map::MapKind::Live, {}}, name_, part->grid);
+  return render::PlacedGrid{pyramidOf(*part, workers_), part->grid};
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,182 @@
+#include "app/projections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "app/access_words.h"
+#include "app/exit_code.h"
+#include "app/maps_command.h"
+#include "app/robot_access.h"
+#include "app/table.h"
+#include "robot/map_dispatch.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Projections)
+};
+
+using Projections = std::vector<map::Projection>;
+
+constexpr double kAsWantedM = 0.25;  // a cell or two of any grid
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+/// What --help says, as CLI11 takes it.
+std::string help(const QString& text) { return text.toStdString(); }
+
+tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) {
+  const QStringList parts = text(typed).split(QLatin1Char(','));
+  std::vector<double> numbers;
+  for (const QString& part : parts.mid(0, 6)) {
+    bool ok = false;
+    const double value = part.trimmed().toDouble(&ok);
+    if (ok && std::abs(value) <= 1e7) numbers.push_back(value);
+  }
+  const bool whole = parts.size() == 6 || parts.size() == 7;
+  if (!whole || numbers.size() != 6 || !(numbers[2] > 0) || !(numbers[3] > 0) || !(numbers[4] < numbers[5])) {
+    return tl::make_unexpected(
+        Words::tr("--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, "
+                  "and the frame behind them where it is not that of the map.")
+            .arg(text(typed)));
+  }
+  map::Projection one{{}, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5]};
+  if (parts.size() == 7) one.frame = parts.back().trimmed().toStdString();
+  return one;
+}
+
+QJsonObject jsonOf(const map::Projection& one) {
+  return {{QStringLiteral("frame"), text(one.frame)}, {QStringLiteral("x"), one.corner_m.x()},
+          {QStringLiteral("y"), one.corner_m.y()},    {QStringLiteral("width"), one.size_m.x()},
+          {QStringLiteral("height"), one.size_m.y()}, {QStringLiteral("min_z"), one.min_z_m},
+          {QStringLiteral("max_z"), one.max_z_m}};
+}
+
+void print(const Projections& all, bool json) {
+  if (json) {
+    QJsonArray rows;
+    for (const map::Projection& one : all) rows << jsonOf(one);
+    std::printf("%s", words::escapedJson(QJsonDocument(rows).toJson()).constData());
+    return;
+  }
+  if (all.empty()) {
+    std::printf("%s\n", qUtf8Printable(Words::tr("Nothing is projected.")));
+    return;
+  }
+  const auto metres = [](double value) { return QString::number(value, 'f', 2); };
+  std::vector<QStringList> table{{Words::tr("NUMBER"), Words::tr("X (m)"), Words::tr("Y (m)"),
+                                  Words::tr("WIDTH (m)"), Words::tr("HEIGHT (m)"), Words::tr("MIN Z (m)"),
+                                  Words::tr("MAX Z (m)"), Words::tr("FRAME")}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const map::Projection& one = all[i];
+    table.push_back({QString::number(i), metres(one.corner_m.x()), metres(one.corner_m.y()),
+                     metres(one.size_m.x()), metres(one.size_m.y()), metres(one.min_z_m), metres(one.max_z_m),
+                     words::plainName(one.frame)});
+  }
+  printTable(table);
+}
+
+/// As far as grids of cells can be so.
+bool isAsWanted(const Projections& wanted, const Projections& told) {
+  return std::equal(wanted.begin(), wanted.end(), told.begin(), told.end(),
+                    [](const map::Projection& a, const map::Projection& b) {
+                      return (a.corner_m - b.corner_m).cwiseAbs().maxCoeff() <= kAsWantedM &&
+                             (a.size_m - b.size_m).cwiseAbs().maxCoeff() <= kAsWantedM &&
+                             std::abs(a.min_z_m - b.min_z_m) <= kAsWantedM &&
+                             std::abs(a.max_z_m - b.max_z_m) <= kAsWantedM;
+                    });
+}
+
+CommandResult<int> list(MapReading& reading, const ProjectionsWords& words) {
+  robot::MapDispatch* const dispatch = reading.session().robot().mapDispatch();
+  if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
+  const auto told = reading.ask<Projections>(
+      [&](robot::OutcomeTo<Projections> reply) { return dispatch->projections(std::move(reply)); });
+  if (!told) return tl::make_unexpected(reading.failure(told.error()));
+  print(*told, words.json);
+  return kDone;
+}
+
+CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const Projections& wanted) {
+  robot::MapDispatch* const dispatch = reading.session().robot().mapDispatch();
+  if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
+  if (dispatch->offered(robot::DispatchService::ReadProjections) &&
+      !dispatch->offered(robot::DispatchService::ChangeProjections)) {
+    return tl::make_unexpected(reading.failure(
+        kRobotError, Words::tr("Its set_map_projections is of the type that REP 130 names, which takes "
+                               "nothing: the projections can only be read (mapwright projections list).")));
+  }
+  const auto told = reading.ask<Projections>(
+      [&](robot::OutcomeTo<Projections> reply) { return dispatch->project(wanted, std::move(reply)); });
+  if (!told) return tl::make_unexpected(reading.failure(told.error()));
+  print(*told, words.json);
+  if (isAsWanted(wanted, *told)) return kDone;
+  return tl::make_unexpected(
+      reading.failure(kIncomplete, Words::tr("It took it, but projects something else than it was told.")));
+}
+
+}  // namespace
+
+void addProjections(CLI::App& cli, ProjectionsWords& words) {
+  CLI::App* projections = cli.add_subcommand(
+      "projections",
+      help(Words::tr("What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
+  projections->require_subcommand(1);
+  const auto add = [&](const char* name, const std::string& what) {
+    CLI::App* command = projections->add_subcommand(name, what);
+    command->add_option("--robot", words.robot, help(Words::tr("Robot address (or MAPWRIGHT_ROBOT)")));
+    addAccess(*command, words.access);
+    command
+        ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
+        ->capture_default_str();
+    command->add_option("--report", words.report,
+                        help(Words::tr("Write what was done, and every warning, as JSON")));
+    command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+    return command;
+  };
+  add("list", help(Words::tr("What is projected now")));
+  CLI::App* command = add("set", help(Words::tr("Choose all that is projected; prints what then is")));
+  command
+      ->add_option("--projection", words.wanted,
+                   help(Words::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
+                                  ",FRAME where it is not that of the map; may be repeated")))
+      ->allow_extra_args(false);
+  command->add_flag("--none", words.none, help(Words::tr("Nothing is to be projected")));
+}
+
+int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc, char** argv) {
+  const bool sets = cli.get_subcommand("projections")->got_subcommand("set");
+  const auto work = [&](MapsCommand& command) -> CommandResult<int> {
+    const auto wrong = [](const QString& sentence) {
+      return tl::make_unexpected(CommandFailure{kUsage, sentence});
+    };
+    Projections wanted;
+    for (const std::string& typed : words.wanted) {
+      const auto one = projectionFrom(typed);
+      if (!one) return wrong(one.error());
+      wanted.push_back(*one);
+    }
+    if (sets && wanted.empty() != words.none) {
+      return wrong(
+          Words::tr("projections set: give --projection, once for each of them, or --none for nothing."));
+    }
+    const auto access = RobotAccess::read(words.access, text(words.robot));
+    if (!access) return wrong(access.error());
+    const QString address = text(words.robot);
+    auto reading = command.open(address, access->forAddress(address), MapReading::Purpose::Maps);
+    if (!reading) return tl::make_unexpected(reading.error());
+    return sets ? set(**reading, words, wanted) : list(**reading, words);
+  };
+  return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
+}
+
+}  // namespace mapwright::app

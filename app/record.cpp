@@ -1,0 +1,321 @@
+#include "app/record.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QJsonObject>
+#include <QLocale>
+#include <QTimer>
+
+#include "app/access_words.h"
+#include "app/command_failure.h"
+#include "app/exit_code.h"
+#include "app/one_line.h"
+#include "app/output_paths.h"
+#include "app/robot_factory.h"
+#include "app/stop_signals.h"
+#include "app/stream_words.h"
+#include "app/waypoint_list.h"
+#include "reasons/file_reason.h"
+#include "recorder/recorder.h"
+#include "recording/append_file.h"
+#include "robot/delivery.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
+#include "sentences/subject_name.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Record)
+};
+
+using recorder::Recorder;
+using recorder::SubmapWishes;
+
+std::string help(const QString& text) { return text.toStdString(); }
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+void say(const QString& sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence))); }
+
+tl::unexpected<CommandFailure> wrong(const QString& sentence) {
+  return tl::make_unexpected(CommandFailure{kUsage, sentence});
+}
+
+/// What is to be recorded, checked.
+struct Order {
+  map::Streams streams;
+  QStringList topics;
+  SubmapWishes::Which submaps = SubmapWishes::Which::Listed;
+  QString path;
+};
+
+CommandResult<Order> orderFrom(const RecordWords& words) {
+  Order order;
+  order.path = text(words.output);
+  const auto streams = streamsFrom(text(words.streams));
+  if (!streams)
+    return wrong(Words::tr("--streams: \"%1\" is none. Choose among: all, none, %2.")
+                     .arg(streams.error(), streamWords().join(QLatin1String(", "))));
+  order.streams = *streams;
+  for (const QString& topic : text(words.topics).split(QLatin1Char(','), Qt::SkipEmptyParts))
+    order.topics << topic.trimmed();
+  if (words.submaps == "all") {
+    order.submaps = SubmapWishes::Which::All;
+  } else if (words.submaps == "none") {
+    order.submaps = SubmapWishes::Which::None;
+  } else if (words.submaps != "listed") {
+    return wrong(Words::tr("--submaps is all, listed or none, but not \"%1\".").arg(text(words.submaps)));
+  }
+  if (!(words.duration_s >= 0 && words.duration_s <= 1e8))
+    return wrong(Words::tr("--duration must be at least 0 seconds, and at most 100000000."));
+  if (!(words.timeout_s > 0 && words.timeout_s <= 86'400))
+    return wrong(Words::tr("--timeout must be more than 0 and at most 86400 seconds."));
+  if (isStandardOutput(order.path))
+    return wrong(
+        Words::tr("A recording needs a file of its own (-o FILE): its index is written in the end."));
+  if (const auto why = whyNotWritable(order.path)) return wrong(*why);
+  if (QFileInfo::exists(order.path) && !words.force)
+    return wrong(Words::tr("%1 is there already. --force replaces it.").arg(order.path));
+  return order;
+}
+
+/// The scheme without what joins it: "axbot".
+std::string kindOf(const QString& address) {
+  const auto parsed = knownAddresses().parse(address);
+  QString scheme = parsed ? parsed->scheme : QString();
+  while (!scheme.isEmpty() && !scheme.back().isLetterOrNumber()) scheme.chop(1);
+  return scheme.toStdString();
+}
+
+/// One recording from the first connection to its end.
+class Run {
+ public:
+  Run(const RecordWords& words, Order order, std::unique_ptr<robot::Robot> robot)
+      : words_(words), order_(std::move(order)), robot_(std::move(robot)) {
+    QObject::connect(&signals_, &StopSignals::came, &context_, [this] {
+      stopped_ = true;
+      loop_.quit();
+    });
+  }
+
+  CommandResult<int> carryOut() {
+    if (auto failure = connect()) return tl::make_unexpected(*failure);
+    if (stopped_) return kDone;  // nothing was begun
+    auto target = recording::appendFile(
+        words_.output, words_.force ? recording::Existing::Replace : recording::Existing::Refuse);
+    if (!target) return notWritten(target.error());
+    Recorder::Options options;
+    options.kind = kindOf(text(words_.robot));
+    options.recorded_by = std::string("mapwright ") + MAPWRIGHT_VERSION;
+    options.submaps = order_.submaps;
+    auto recorder = Recorder::start(*robot_, std::move(*target), std::move(options));
+    if (!recorder) return notWritten(recorder.error());
+    recorder_ = std::move(*recorder);
+    follow();
+    const std::size_t missing = recorder_->fetches().submapsMissing();
+    recorder_->finish();
+    return end(missing);
+  }
+
+ private:
+  std::optional<CommandFailure> connect() {
+    if (robot::LiveTopics* const topics = robot_->liveTopics()) {
+      topics->setBasics({});
+      topics->setWanted(order_.streams, order_.topics);
+    }
+    const auto phase = [this] { return robot_->connection().phase; };
+    const auto settled = [&] {
+      return phase() == robot::ConnectionPhase::Online || phase() == robot::ConnectionPhase::Refused;
+    };
+    QObject waiting;
+    QObject::connect(robot_.get(), &robot::Robot::connectionChanged, &waiting, [&] {
+      if (settled()) loop_.quit();
+    });
+    QTimer::singleShot(int(words_.timeout_s * 1000), &waiting, [this] { loop_.quit(); });
+    robot_->connectToRobot();
+    if (!settled()) loop_.exec();
+    if (phase() == robot::ConnectionPhase::Online || stopped_) return std::nullopt;
+    const robot::ConnectionState state = robot_->connection();
+    if (state.reason.any()) return CommandFailure{kUnreachable, whyNotConnected(state)};
+    return CommandFailure{kUnreachable,
+                          Words::tr("No connection within %1 s (--timeout).").arg(words_.timeout_s)};
+  }
+
+  /// Until it is to end.
+  void follow() {
+    QObject::connect(recorder_.get(), &Recorder::progressed, &context_, [this] { tellProgress(); });
+    QObject::connect(recorder_.get(), &Recorder::notHad, &context_, [this](const map::Failure& failure) {
+      ++not_had_;
+      say(Words::tr("%1: %2").arg(sentences::nameOf(failure.subject), text(sentences::sentenceOf(failure))));
+    });
+    QObject::connect(robot_.get(), &robot::Robot::connectionChanged, &context_, [this] {
+      const robot::ConnectionState link = robot_->connection();
+      if (link.phase == robot::ConnectionPhase::Interrupted && !away_) {
+        away_ = true;
+        ++interruptions_;
+        clearLine();
+        say(Words::tr("The connection was lost after %1 s. %2")
+                .arg(QString::number(recorder_->progress().seconds, 'f', 1),
+                     sentences::wordsOf(link.reason)));
+      } else if (link.phase == robot::ConnectionPhase::Online && away_) {
+        away_ = false;
+        clearLine();
+        say(Words::tr("Connected again after %1 s.")
+                .arg(QString::number(recorder_->progress().seconds, 'f', 1)));
+      }
+      if (link.phase != robot::ConnectionPhase::Refused) return;
+      refused_ = whyNotConnected(robot_->connection());
+      loop_.quit();
+    });
+    if (words_.duration_s > 0)
+      QTimer::singleShot(std::chrono::milliseconds(std::llround(words_.duration_s * 1000)), &context_,
+                         [this] { loop_.quit(); });
+    loop_.exec();
+  }
+
+  void tellProgress() {
+    const Recorder::Progress now = recorder_->progress();
+    if (now.written.fault && now.written.fault != told_) {
+      clearLine();
+      say(sentences::wordsOf(reasons::notWritten(withPath(*now.written.fault))));
+    } else if (!now.written.fault && told_) {
+      clearLine();
+      say(Words::tr("%1 is being written again.").arg(order_.path));
+    }
+    told_ = now.written.fault;
+    if (!terminal_) return;
+    QString line = Words::tr("%1 s, %2, messages: %3")
+                       .arg(QString::number(now.seconds, 'f', 0),
+                            QLocale::c().formattedDataSize(qint64(now.written.bytes)),
+                            QString::number(now.written.messages));
+    if (now.written.lost > 0) line += Words::tr(", lost: %1").arg(now.written.lost);
+    std::fprintf(stderr, "\r%-70s", qUtf8Printable(line));
+  }
+
+  void clearLine() const {
+    if (terminal_) std::fprintf(stderr, "\r%-70s\r", "");
+  }
+
+  disk::Fault withPath(disk::Fault fault) const {
+    if (fault.path.empty()) fault.path = words_.output;
+    return fault;
+  }
+
+  tl::unexpected<CommandFailure> notWritten(const disk::Fault& fault) const {
+    return wrong(sentences::wordsOf(reasons::notWritten(withPath(fault))));
+  }
+
+  CommandResult<int> end(std::size_t missing) {
+    clearLine();
+    const Recorder::Progress done = recorder_->progress();
+    const bool complete =
+        done.written.lost == 0 && !done.end_fault && not_had_ == 0 && !refused_ && interruptions_ == 0;
+    if (words_.json) {
+      printJson(QJsonObject{{QStringLiteral("file"), order_.path},
+                            {QStringLiteral("seconds"), done.seconds},
+                            {QStringLiteral("bytes"), qint64(done.written.bytes)},
+                            {QStringLiteral("messages"), qint64(done.written.messages)},
+                            {QStringLiteral("attachments"), qint64(done.written.files)},
+                            {QStringLiteral("submaps_missing"), qint64(missing)},
+                            {QStringLiteral("lost"), qint64(done.written.lost)},
+                            {QStringLiteral("lost_bytes"), qint64(done.written.lost_bytes)},
+                            {QStringLiteral("interruptions"), interruptions_},
+                            {QStringLiteral("complete"), complete}});
+    } else {
+      std::printf("%s\n", qUtf8Printable(Words::tr("%1: %2 s, %3, messages: %4, files in it: %5")
+                                             .arg(oneLine(order_.path), QString::number(done.seconds, 'f', 1),
+                                                  QLocale::c().formattedDataSize(qint64(done.written.bytes)),
+                                                  QString::number(done.written.messages),
+                                                  QString::number(done.written.files))));
+    }
+    if (done.end_fault) {
+      say(sentences::wordsOf(reasons::notWritten(withPath(*done.end_fault))));
+    } else if (refused_) {
+      say(*refused_);
+    } else if (done.written.lost > 0) {
+      say(Words::tr("Not complete. Lost because the disk or this computer was too slow: %1 (%2).")
+              .arg(QString::number(done.written.lost),
+                   QLocale::c().formattedDataSize(qint64(done.written.lost_bytes))));
+    }
+    return complete ? kDone : kIncomplete;
+  }
+
+  const RecordWords& words_;
+  Order order_;
+  std::unique_ptr<robot::Robot> robot_;
+  std::unique_ptr<Recorder> recorder_;  // goes before the robot
+  QObject context_;
+  StopSignals signals_;
+  QEventLoop loop_;
+  bool stopped_ = false;
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  bool away_ = false;  // the link is lost
+  int interruptions_ = 0;
+  int not_had_ = 0;
+  std::optional<QString> refused_;
+  std::optional<disk::Fault> told_;
+};
+
+CommandResult<int> carryOut(const RecordWords& words) {
+  auto order = orderFrom(words);
+  if (!order) return tl::make_unexpected(order.error());
+  const QString address = text(words.robot);
+  if (address.isEmpty()) return wrong(Words::tr("Which robot? Give --robot ADDRESS."));
+  const auto access = RobotAccess::read(words.access, address);
+  if (!access) return wrong(access.error());
+  auto robot = makeRobot(address, access->forAddress(address), DemoTime::Running);
+  if (!robot) return wrong(robot.error());
+  if (!robot::deliversOf(**robot))
+    return wrong(Words::tr("%1 is no robot that sends anything: there is nothing to record.").arg(address));
+  return Run(words, std::move(*order), std::move(*robot)).carryOut();
+}
+
+}  // namespace
+
+void addRecord(CLI::App& cli, RecordWords& words) {
+  CLI::App* const command = cli.add_subcommand(
+      "record", help(Words::tr("Record what a robot sends into a file, with the maps that belong to it")));
+  command->add_option("--robot", words.robot, help(Words::tr("Robot address (or MAPWRIGHT_ROBOT)")));
+  addAccess(*command, words.access);
+  command->add_option("-o,--output", words.output, help(Words::tr("The MCAP file to write")))->required();
+  command->add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+  command->add_option("--duration", words.duration_s,
+                      help(Words::tr("How many seconds; without it until Ctrl+C")));
+  command->add_option("--topics", words.topics,
+                      help(Words::tr("Comma-separated: topics besides, as the robot calls them")));
+  command
+      ->add_option("--streams", words.streams,
+                   help(Words::tr("Comma-separated kinds of data: all, none, %1")
+                            .arg(streamWords().join(QLatin1String(", ")))))
+      ->capture_default_str();
+  command
+      ->add_option("--submaps", words.submaps,
+                   help(Words::tr("listed (each that there is), all (every version of them) or none")))
+      ->capture_default_str();
+  command
+      ->add_option("--timeout", words.timeout_s,
+                   help(Words::tr("Give up connecting after this many seconds")))
+      ->capture_default_str();
+  command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+}
+
+int record(const RecordWords& words, int& argc, char** argv) {
+  holdStopSignals();
+  const QCoreApplication application(argc, argv);
+  const CommandResult<int> done = carryOut(words);
+  std::fflush(stdout);
+  if (done) return *done;
+  say(done.error().sentence);
+  return done.error().exit_code;
+}
+
+}  // namespace mapwright::app

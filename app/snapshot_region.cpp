@@ -1,0 +1,122 @@
+// SnapshotRun: the picture of a region.
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include "app/exit_code.h"
+#include "app/snapshot_content.h"
+#include "app/snapshot_run.h"
+#include "robot/map_dispatch.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/region_sentence.h"
+
+namespace mapwright::app {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
+};
+
+constexpr double kOffersWithinS = 5;  // after connecting
+
+}  // namespace
+
+void SnapshotRun::lookAtRegion() {
+  robot::Robot& robot = session_.robot();
+  robot::MapDispatch* const dispatch = robot.mapDispatch();
+  if (!fetch_) {
+    if (dispatch && dispatch->offered(robot::DispatchService::GridRegion)) {
+      regions::RegionFetch::Options options;
+      options.retry_after = regions::Millis(300);
+      fetch_ = std::make_unique<regions::RegionFetch>(*dispatch, *options_.region, options);
+      connect(fetch_.get(), &regions::RegionFetch::finished, this, &SnapshotRun::look);
+      fetch_->start();
+    } else if (seconds() - connected_s_ > std::min(kOffersWithinS, options_.timeout_s / 2)) {
+      const QString why = dispatch ? Words::tr("It gives its map only as a whole.")
+                                   : sentences::whyAbsent(robot::Capability::Dispatch,
+                                                          robot.whyNot(robot::Capability::Dispatch));
+      fail(exitCodeOf(map::FailureKind::Unsupported),
+           Words::tr("%1: no region of its map can be asked for. %2").arg(options_.robot, why));
+    }
+    return;
+  }
+  if (fetch_->over() && topicsIn() && cloudIn()) paint(true);
+}
+
+bool SnapshotRun::sizeRegion() {
+  const QString trouble = fetch_ ? sentences::sentenceOf(fetch_->trouble()) : QString();
+  const regions::RegionCounts counts = fetch_ ? fetch_->counts() : regions::RegionCounts{};
+  if (fetch_ && fetch_->tooLarge()) {
+    fail(kUsage, Words::tr("--region is too large: it has more cells than are fetched for one picture."));
+    return false;
+  }
+  if (counts.answered == 0) {
+    const map::FailureKind kind =
+        fetch_ && fetch_->over() && fetch_->trouble().kind == regions::RegionTrouble::Kind::Failed
+            ? fetch_->trouble().failure.kind
+            : map::FailureKind::TimedOut;
+    fail(exitCodeOf(kind),
+         Words::tr("%1: nothing of the region was fetched. %2").arg(options_.robot, trouble) +
+             whatOfTheLink());
+    return false;
+  }
+  const auto resolution = fetch_->map().regions().plan().resolution();
+  if (options_.scale_m_per_px <= 0) {
+    if (!resolution) {
+      fail(kIncomplete,
+           Words::tr("%1: there is nothing in this region, and how large its cells would be is not known. "
+                     "--scale says how large a pixel is.")
+               .arg(options_.robot));
+      return false;
+    }
+    options_.scale_m_per_px = *resolution;
+  }
+  const auto size = pixelsOf(*options_.region, options_.scale_m_per_px);
+  if (!size) {
+    fail(kUsage, Words::tr("--region is too large for one picture: a coarser --scale makes it smaller."));
+    return false;
+  }
+  options_.size_px = *size;
+  if (!fetch_->complete()) {
+    notes_ << Words::tr("Parts of the region are missing (%1 of %2 came). %3")
+                  .arg(QString::number(counts.answered), QString::number(counts.in_view), trouble);
+  }
+  return true;
+}
+
+void SnapshotRun::takeRegion(SnapshotContent& content) {
+  fetch_->map().standStill();
+  content.regions = &fetch_->map();
+  content.whole = false;
+  if (!options_.raw) return;
+  const regions::FetchedGrid fetched =
+      regions::cutOut(fetch_->map().regions().sheets(), *options_.region, {workers_, {}});
+  content.whole = true;
+  if (fetched.cells) content.grid = render::PlacedGrid{fetched.cells, fetched.reference};
+  if (fetched.other_lattices > 0) {
+    complete_ = false;
+    notes_ << Words::tr("Some of it came with cells of another size or direction, and is left out.");
+  }
+}
+
+std::optional<QJsonObject> SnapshotRun::regionJson() const {
+  if (!options_.region) return std::nullopt;
+  const geometry::WorldRect& rect = *options_.region;
+  QJsonObject json{
+      {QStringLiteral("center"), QJsonArray{rect.center().x(), rect.center().y()}},
+      {QStringLiteral("lengths"), QJsonArray{rect.width(), rect.height()}},
+  };
+  if (!fetch_) return json;
+  const regions::RegionCounts counts = fetch_->counts();
+  json[QStringLiteral("parts")] = counts.in_view;
+  json[QStringLiteral("answered")] = counts.answered;
+  json[QStringLiteral("empty")] = counts.nothing;
+  json[QStringLiteral("failed")] = counts.failed;
+  const auto resolution = fetch_->map().regions().plan().resolution();
+  json[QStringLiteral("resolution")] = resolution ? QJsonValue(*resolution) : QJsonValue();
+  json[QStringLiteral("frame")] = QString::fromStdString(fetch_->map().regions().frame());
+  return json;
+}
+
+}  // namespace mapwright::app

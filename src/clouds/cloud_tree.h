@@ -1,0 +1,86 @@
+// A cloud of points put in order, so that any pixel, height range or region of it is found without looking at
+// all of it. Pure; once made it never changes and any thread may read it.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "map/map_part.h"
+
+namespace mapwright::clouds {
+
+/// Heights and intensities are added up as whole numbers of this many parts, so that a sum is the same in
+/// whatever order it is made: a picture has the same bytes, however it was cut into tiles.
+inline constexpr double kParts = 4096;
+/// Heights and intensities beyond count as this in sums (colours); where a point lies is not touched.
+inline constexpr double kMostOfSum = 1e6;
+std::int64_t inParts(double value);
+
+/// Metres, in the frame of the cloud.
+struct Box {
+  Eigen::Vector3d min{0, 0, 0}, max{-1, -1, -1};  // min > max: empty
+  bool empty() const { return min.x() > max.x(); }
+};
+
+/// Points that lie together. The first child is the next node, the second is `second`; 0 = a leaf.
+struct CloudNode {
+  std::array<float, 3> min{}, max{};  // beside the cloud's origin
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t second = 0;
+  std::int64_t sum_z = 0, sum_intensity = 0;  // in parts, without the origin
+  std::array<std::uint64_t, 3> sum_rgb{};     // red, green, blue
+};
+
+/// A k-d tree over the points of one cloud, along x, y and (with less weight: it is seen from above) z.
+class CloudTree {
+ public:
+  static constexpr std::uint32_t kLeafPoints = 48;
+
+  /// Takes the cloud as it is, each `one_of`-th point of it. Takes about a second for 5 million points and,
+  /// while it is made, 36 bytes a point beside the cloud. When `cancelled` (may be null) becomes true the
+  /// result is null.
+  static std::shared_ptr<const CloudTree> make(const map::SpatialCloud& cloud, std::uint64_t one_of = 1,
+                                               const std::atomic<bool>* cancelled = nullptr);
+
+  const std::string& frame() const { return frame_; }
+  const Eigen::Vector3d& origin() const { return origin_m_; }
+  bool hasZ() const { return has_z_; }
+  bool hasIntensity() const { return !intensity_.empty(); }
+  bool hasRgb() const { return !rgb_.empty(); }
+  std::size_t size() const { return points_.size(); }
+
+  /// In the order of the leaves; beside origin().
+  std::span<const Eigen::Vector3f> points() const { return points_; }
+  std::span<const float> intensity() const { return intensity_; }  // as many, or none
+  std::span<const std::uint32_t> rgb() const { return rgb_; }      // 0x00RRGGBB; as many, or none
+  /// The first is the root; none where there is no point.
+  std::span<const CloudNode> nodes() const { return nodes_; }
+  Eigen::Vector3d world(std::size_t at) const { return origin_m_ + points_[at].cast<double>(); }
+  Box bounds() const;
+  Box boundsOf(const CloudNode& node) const;
+  /// How far points lie from each other in the plane, as a rule, metres; 0 = not to be told (all in one
+  /// place).
+  double spacing() const { return spacing_m_; }
+  /// The greatest and least intensity but for the outermost hundredth on both sides; {0, 1} without any.
+  std::array<float, 2> usualIntensity() const { return usual_intensity_; }
+  std::size_t bytes() const;
+
+ private:
+  std::string frame_;
+  Eigen::Vector3d origin_m_{0, 0, 0};
+  bool has_z_ = true;
+  std::vector<Eigen::Vector3f> points_;
+  std::vector<float> intensity_;
+  std::vector<std::uint32_t> rgb_;
+  std::vector<CloudNode> nodes_;
+  double spacing_m_ = 0;
+  std::array<float, 2> usual_intensity_{0, 1};
+};
+
+}  // namespace mapwright::clouds

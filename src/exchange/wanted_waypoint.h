@@ -1,0 +1,38 @@
+// Waypoints as a file asks for them: what it does not say stays as it is.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <QString>
+#include <QStringList>
+#include <tl/expected.hpp>
+
+namespace mapwright::exchange {
+
+inline constexpr std::size_t kMaxWantedBytes = std::size_t(64) << 20;
+inline constexpr std::size_t kMaxWanted = 100'000;
+
+/// nullopt = the file does not say. Texts are UTF-8, as they stand there; positions are finite metres.
+struct WantedWaypoint {
+  int row = 0;     // of the file: a line of a CSV, a feature of a GeoJSON; counted from 1
+  std::string id;  // empty = none
+  std::optional<std::string> name = {}, type = {};
+  std::optional<Eigen::Vector2d> position_m = {};
+  std::optional<std::optional<double>> yaw_rad = {};  // said to be none: {nullopt}
+  std::optional<std::vector<std::string>> tags = {};
+  bool operator==(const WantedWaypoint&) const = default;
+};
+
+struct WantedList {
+  std::vector<WantedWaypoint> points;
+  QStringList notes;  // what of the file is of no use, a sentence each
+};
+
+/// The error is a sentence without the name of the file: "Line 3: …".
+using WantedFile = tl::expected<WantedList, QString>;
+
+}  // namespace mapwright::exchange

@@ -1,0 +1,257 @@
+#include "exchange/waypoint_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QUuid>
+
+#include "exchange/waypoint_json.h"
+#include "words/qt_plain.h"
+
+namespace mapwright::exchange {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(WaypointPlan)
+};
+
+constexpr double kFarthestM = 1e7;
+constexpr int kPlanVersion = 1;
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+QString shown(const std::string& name) { return words::plainName(text(name).left(80)); }
+
+tl::unexpected<QString> wrong(const QString& why) { return tl::make_unexpected(why); }
+
+bool isOneLine(const std::string& line) {
+  const QString name = text(line);
+  return std::none_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; });
+}
+
+/// Which of `kept` each of `wanted` is; "" = none of them.
+tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
+                                                    const std::vector<WantedWaypoint>& wanted,
+                                                    Others others) {
+  std::vector<edit::Key> keys(wanted.size());
+  std::map<edit::Key, int> taken;  // in which row
+  const auto take = [&](std::size_t i, const edit::Key& key) -> std::optional<QString> {
+    const auto [before, is_new] = taken.emplace(key, wanted[i].row);
+    if (!is_new)
+      return Words::tr("Rows %1 and %2 are about the same waypoint %3. Leave one out.")
+          .arg(QString::number(before->second), QString::number(wanted[i].row), shown(key));
+    keys[i] = key;
+    return std::nullopt;
+  };
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!kept.contains(wanted[i].id)) continue;
+    if (const auto twice = take(i, wanted[i].id)) return wrong(*twice);
+  }
+  if (others == Others::Go) return keys;
+  std::multimap<std::string, edit::Key> by_name;
+  for (const auto& [key, point] : kept) {
+    if (!taken.contains(key)) by_name.emplace(point.name, key);
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!keys[i].empty() || !wanted[i].name) continue;
+    const auto [first, last] = by_name.equal_range(*wanted[i].name);
+    if (first == last) continue;
+    if (std::next(first) != last)
+      return wrong(Words::tr("Row %1: several waypoints are called \"%2\" (%3, %4). Give an id.")
+                       .arg(QString::number(wanted[i].row), shown(first->first), shown(first->second),
+                            shown(std::next(first)->second)));
+    if (const auto twice = take(i, first->second)) return wrong(*twice);
+  }
+  return keys;
+}
+
+map::Waypoint withWanted(map::Waypoint point, const WantedWaypoint& wanted) {
+  if (wanted.name) point.name = *wanted.name;
+  if (wanted.type) point.type = *wanted.type;
+  if (wanted.position_m) point.position_m = *wanted.position_m;
+  if (wanted.yaw_rad) point.yaw_rad = *wanted.yaw_rad;
+  if (wanted.tags) point.tags = *wanted.tags;
+  return point;
+}
+
+/// The change of a plan's row, on top of those before.
+std::optional<QString> take(const QJsonObject& row, const WaypointItems& base,
+                            std::map<edit::Key, WaypointEdit>& edits) {
+  const QString kind = row.value(QLatin1String("kind")).toString();
+  const auto read = wantedFromJson(row);
+  if (!read) return read.error();
+  if (kind == wordOf(StepKind::Create)) {
+    const auto point = waypointFromJson(row);
+    if (!point) return point.error();
+    const edit::Key key = point->id.empty() ? freshKey() : point->id;
+    const bool is_new =
+        !base.contains(key) && edits.emplace(key, WaypointEdit{key, std::nullopt, *point}).second;
+    return is_new ? std::nullopt
+                  : std::optional(Words::tr("there is a waypoint %1 already.").arg(shown(key)));
+  }
+  const auto before = base.find(read->id);
+  if (before == base.end()) return Words::tr("its base has no waypoint %1.").arg(shown(read->id));
+  WaypointEdit& edit =
+      edits.try_emplace(read->id, WaypointEdit{read->id, before->second, before->second}).first->second;
+  if (kind == wordOf(StepKind::Delete)) {
+    edit.after.reset();
+    return std::nullopt;
+  }
+  if (!edit.after) return Words::tr("%1 is deleted already.").arg(shown(read->id));
+  const QJsonValue to = row.value(QLatin1String("to"));
+  if (kind == wordOf(StepKind::Move) && read->position_m) {
+    edit.after->position_m = *read->position_m;
+    if (read->yaw_rad) edit.after->yaw_rad = *read->yaw_rad;
+  } else if (kind == wordOf(StepKind::Rename) && to.isString()) {
+    edit.after->name = to.toString().toStdString();
+  } else if (kind == wordOf(StepKind::Retag) && read->tags) {
+    edit.after->tags = *read->tags;
+  } else if (kind == wordOf(StepKind::Retype) && read->type) {
+    edit.after->type = *read->type;
+  } else {
+    return Words::tr("it does not say what becomes of %1.").arg(shown(read->id));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+edit::Key freshKey() { return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(); }
+
+QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoint& after) {
+  if (!before || before->name != after.name) {
+    if (text(after.name).trimmed().isEmpty()) return Words::tr("A waypoint must have a name.");
+    if (!isOneLine(after.name))
+      return Words::tr("The name of a waypoint is one line of text, without control characters.");
+  }
+  if (!before || before->tags != after.tags) {
+    for (const std::string& tag : after.tags) {
+      if (text(tag).trimmed().isEmpty() || !isOneLine(tag))
+        return Words::tr("A tag is one line of text, without control characters, and not empty.");
+    }
+    if (std::set<std::string>(after.tags.begin(), after.tags.end()).size() != after.tags.size())
+      return Words::tr("A tag is given twice.");
+  }
+  if (!before || before->position_m != after.position_m) {
+    if (!(after.position_m.cwiseAbs().maxCoeff() <= kFarthestM))
+      return Words::tr("Its place is more than %1 m away from the origin.").arg(kFarthestM, 0, 'f', 0);
+  }
+  return {};
+}
+
+WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoint>& wanted, Others others) {
+  const auto keys = found(kept, wanted, others);
+  if (!keys) return tl::make_unexpected(keys.error());
+  std::vector<WaypointEdit> edits;
+  std::set<edit::Key> listed;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const WantedWaypoint& row = wanted[i];
+    const auto inRow = [&](const QString& why) {
+      return wrong(Words::tr("Row %1: %2").arg(QString::number(row.row), why));
+    };
+    WaypointEdit edit;
+    if (const auto before = kept.find((*keys)[i]); before != kept.end()) {
+      edit = {before->first, before->second, withWanted(before->second, row)};
+    } else {
+      if (!row.position_m) return inRow(Words::tr("A new waypoint must have a place (x and y)."));
+      map::Waypoint fresh;
+      fresh.id = row.id;
+      edit = {row.id.empty() ? freshKey() : row.id, std::nullopt, withWanted(fresh, row)};
+    }
+    if (!listed.insert(edit.key).second)
+      return inRow(Words::tr("The waypoint %1 is there twice. Leave one out.").arg(shown(edit.key)));
+    if (const QString why = whyNotKept(edit.before, *edit.after); !why.isEmpty()) return inRow(why);
+    if (!edit::same(edit.before, edit.after)) edits.push_back(std::move(edit));
+  }
+  if (others == Others::Stay) return edits;
+  for (const auto& [key, point] : kept) {
+    if (!listed.contains(key)) edits.push_back({key, point, std::nullopt});
+  }
+  return edits;
+}
+
+MergedEdits merged(const std::vector<WaypointEdit>& edits, const WaypointItems& now) {
+  MergedEdits merged;
+  for (const WaypointEdit& edit : edits) {
+    const auto found = now.find(edit.key);
+    const std::optional<map::Waypoint> theirs =
+        found == now.end() ? std::nullopt : std::optional(found->second);
+    auto together = edit::merge(edit.before, edit.after, theirs);
+    if (together.conflict) {
+      merged.conflicts.emplace(edit.key, std::move(*together.conflict));
+    } else if (!edit::same(theirs, together.item)) {
+      merged.edits.push_back({edit.key, theirs, std::move(together.item)});
+    }
+  }
+  return merged;
+}
+
+QByteArray planBytes(const WaypointPlan& plan, const QJsonArray& calls) {
+  QJsonArray base;
+  for (const auto& [key, point] : plan.base) base << waypointJson(point, plan.map);
+  const QJsonObject json{{QStringLiteral("mapwright"), QStringLiteral("waypoint-plan")},
+                         {QStringLiteral("version"), kPlanVersion},
+                         {QStringLiteral("robot"), plan.robot},
+                         {QStringLiteral("map"), text(plan.map)},
+                         {QStringLiteral("base"), base},
+                         {QStringLiteral("changes"), stepsJson(stepsOf(plan.edits), plan.map)},
+                         {QStringLiteral("calls"), calls},
+                         {QStringLiteral("conflicts"), QJsonArray()}};
+  return words::escapedJson(QJsonDocument(json).toJson());
+}
+
+tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
+  QJsonParseError error;
+  const QJsonObject json =
+      QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size())), &error)
+          .object();
+  if (error.error != QJsonParseError::NoError)
+    return wrong(Words::tr("It is no JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
+  const QJsonValue base = json.value(QLatin1String("base")), changes = json.value(QLatin1String("changes"));
+  if (json.value(QLatin1String("mapwright")).toString() != QLatin1String("waypoint-plan") ||
+      !base.isArray() || !changes.isArray())
+    return wrong(Words::tr("It is no plan that mapwright waypoints plan -o wrote."));
+  if (json.value(QLatin1String("version")).toInt() != kPlanVersion)
+    return wrong(Words::tr("It is a plan of another version of this program. Plan anew."));
+  WaypointPlan plan;
+  plan.robot = json.value(QLatin1String("robot")).toString();
+  plan.map = json.value(QLatin1String("map")).toString().toStdString();
+  int row = 0;
+  for (const QJsonValue& value : base.toArray()) {
+    ++row;
+    auto point = waypointFromJson(value.toObject());
+    if (!point || point->id.empty() || !plan.base.emplace(point->id, *point).second)
+      return wrong(Words::tr("Waypoint %1 of its base cannot be read. Plan anew.").arg(row));
+  }
+  row = 0;
+  std::map<edit::Key, WaypointEdit> edits;
+  for (const QJsonValue& value : changes.toArray()) {
+    ++row;
+    if (const auto why = take(value.toObject(), plan.base, edits))
+      return wrong(Words::tr("Change %1: %2").arg(QString::number(row), *why));
+  }
+  for (auto& [key, edit] : edits) {
+    const QString why = edit.after ? whyNotKept(edit.before, *edit.after) : QString();
+    if (!why.isEmpty()) return wrong(QStringLiteral("%1: %2").arg(shown(key), why));
+    plan.edits.push_back(std::move(edit));
+  }
+  return plan;
+}
+
+std::vector<WaypointEdit> withoutCreated(const WaypointPlan& plan, const WaypointItems& now) {
+  std::vector<WaypointEdit> edits;
+  std::set<edit::Key> taken;  // of one that is there no more than one is meant
+  for (const WaypointEdit& edit : plan.edits) {
+    const bool is_there = !edit.before && std::any_of(now.begin(), now.end(), [&](const auto& one) {
+      return !plan.base.contains(one.first) && isAlike(*edit.after, one.second) &&
+             taken.insert(one.first).second;
+    });
+    if (!is_there) edits.push_back(edit);
+  }
+  return edits;
+}
+
+}  // namespace mapwright::exchange

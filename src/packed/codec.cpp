@@ -1,0 +1,115 @@
+#include "packed/codec.h"
+
+#include <algorithm>
+#include <bzlib.h>
+#include <limits>
+#include <lz4frame.h>
+#include <new>
+#include <zstd.h>
+
+#include <libdeflate.h>
+
+namespace mapwright::packed {
+namespace {
+
+// A block of Zstandard is four bytes at least and 128 KiB at most when unpacked; a byte of LZ4 says 255 at
+// most.
+constexpr std::size_t kMostZstdRatio = 32768;
+constexpr std::size_t kMostLz4Ratio = 255;
+
+using Outcome = tl::expected<ByteBuffer, UnpackFailure>;
+
+Outcome failed(UnpackFailure why) { return tl::unexpected(why); }
+
+bool couldFill(std::size_t packed, std::size_t ratio, std::size_t size) { return size / ratio <= packed; }
+
+/// Without memory where there is none.
+ByteBuffer room(std::size_t size) {
+  return {std::unique_ptr<std::uint8_t[]>(new (std::nothrow) std::uint8_t[std::max<std::size_t>(size, 1)]),
+          size};
+}
+
+Outcome unpackZstd(std::span<const std::uint8_t> packed, std::size_t size) {
+  const unsigned long long said = ZSTD_getFrameContentSize(packed.data(), packed.size());
+  if (said == ZSTD_CONTENTSIZE_ERROR) return failed(UnpackFailure::Corrupt);
+  if (said != ZSTD_CONTENTSIZE_UNKNOWN && said > size) return failed(UnpackFailure::TooLong);
+  if (!couldFill(packed.size(), kMostZstdRatio, size)) return failed(UnpackFailure::Corrupt);
+  ByteBuffer out = room(size);
+  if (!out.data) return failed(UnpackFailure::TooLong);
+  const std::size_t got = ZSTD_decompress(out.data.get(), size, packed.data(), packed.size());
+  if (ZSTD_isError(got) || got != size) return failed(UnpackFailure::Corrupt);
+  return out;
+}
+
+struct FreeLz4 {
+  void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
+};
+
+Outcome unpackLz4(std::span<const std::uint8_t> packed, std::size_t size) {
+  if (!couldFill(packed.size(), kMostLz4Ratio, size)) return failed(UnpackFailure::Corrupt);
+  LZ4F_dctx* made = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)))
+    return failed(UnpackFailure::TooLong);
+  const std::unique_ptr<LZ4F_dctx, FreeLz4> context(made);
+  ByteBuffer out = room(size);
+  if (!out.data) return failed(UnpackFailure::TooLong);
+  std::size_t given = 0;
+  std::size_t expects = 1;
+  while (expects != 0) {
+    std::size_t taken = packed.size();
+    std::size_t fits = size - given;
+    expects = LZ4F_decompress(context.get(), out.data.get() + given, &fits, packed.data(), &taken, nullptr);
+    if (LZ4F_isError(expects)) return failed(UnpackFailure::Corrupt);
+    given += fits;
+    packed = packed.subspan(taken);
+    if (expects != 0 && taken == 0 && fits == 0) {
+      return failed(given == size && !packed.empty() ? UnpackFailure::TooLong : UnpackFailure::Corrupt);
+    }
+  }
+  if (given != size) return failed(UnpackFailure::Corrupt);
+  return out;
+}
+
+Outcome unpackBzip2(std::span<const std::uint8_t> packed, std::size_t size) {
+  constexpr std::size_t kMost = std::numeric_limits<unsigned int>::max();
+  if (packed.size() > kMost || size > kMost) return failed(UnpackFailure::TooLong);
+  ByteBuffer out = room(size);
+  if (!out.data) return failed(UnpackFailure::TooLong);
+  auto given = static_cast<unsigned int>(size);
+  // bzip2 takes what it reads from as char*, and leaves it as it is.
+  auto* const from = const_cast<char*>(reinterpret_cast<const char*>(packed.data()));
+  const int result = BZ2_bzBuffToBuffDecompress(reinterpret_cast<char*>(out.data.get()), &given, from,
+                                                static_cast<unsigned int>(packed.size()), 0, 0);
+  if (result == BZ_OUTBUFF_FULL || result == BZ_MEM_ERROR) return failed(UnpackFailure::TooLong);
+  if (result != BZ_OK || given != size) return failed(UnpackFailure::Corrupt);
+  return out;
+}
+
+}  // namespace
+
+Outcome unpackExactly(Codec codec, std::span<const std::uint8_t> packed, std::size_t size) {
+  switch (codec) {
+    case Codec::Zstd:
+      return unpackZstd(packed, size);
+    case Codec::Lz4:
+      return unpackLz4(packed, size);
+    case Codec::Bzip2:
+      break;
+  }
+  return unpackBzip2(packed, size);
+}
+
+ByteBuffer packZstd(std::span<const std::uint8_t> bytes, int level) {
+  ByteBuffer out = room(ZSTD_compressBound(bytes.size()));
+  if (!out.data) return {};
+  const std::size_t size = ZSTD_compress(out.data.get(), out.size, bytes.data(), bytes.size(), level);
+  if (ZSTD_isError(size)) return {};
+  out.size = size;
+  return out;
+}
+
+std::uint32_t crc32(std::uint32_t before, std::span<const std::uint8_t> bytes) {
+  return libdeflate_crc32(before, bytes.data(), bytes.size());
+}
+
+}  // namespace mapwright::packed

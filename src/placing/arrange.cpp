@@ -1,0 +1,82 @@
+#include "placing/arrange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "geometry/pose.h"
+
+namespace mapwright::placing {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a spacing: what numbers lose on their way
+
+std::pair<double, double> rangeOf(const std::vector<Spot>& spots, int axis) {
+  const auto [least, most] = std::minmax_element(
+      spots.begin(), spots.end(),
+      [axis](const Spot& a, const Spot& b) { return a.position_m[axis] < b.position_m[axis]; });
+  return {least->position_m[axis], most->position_m[axis]};
+}
+
+}  // namespace
+
+Eigen::Vector2d middleOf(const std::vector<Spot>& spots) {
+  Eigen::Vector2d sum(0, 0);
+  for (const Spot& spot : spots) sum += spot.position_m;
+  return spots.empty() ? sum : sum / double(spots.size());
+}
+
+std::vector<Spot> turned(std::vector<Spot> spots, const Eigen::Vector2d& pivot_m, double by_rad) {
+  const Eigen::Rotation2Dd turn(by_rad);
+  for (Spot& spot : spots) {
+    spot.position_m = pivot_m + turn * (spot.position_m - pivot_m);
+    if (spot.yaw_rad) spot.yaw_rad = geometry::normalizeAngle(*spot.yaw_rad + by_rad);
+  }
+  return spots;
+}
+
+std::vector<Spot> shifted(std::vector<Spot> spots, const Eigen::Vector2d& by_m) {
+  for (Spot& spot : spots) spot.position_m += by_m;
+  return spots;
+}
+
+std::vector<Spot> alongLine(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m, double spacing_m) {
+  const Eigen::Vector2d line = to_m - from_m;
+  const double length = line.norm();
+  if (!(length > 0) || !(spacing_m > 0) || !std::isfinite(length)) return {};
+  const double steps = std::floor(length / spacing_m + kRounding);
+  if (steps + 1 > double(kMostAlongLine)) return {};
+  const double yaw = std::atan2(line.y(), line.x());
+  std::vector<Spot> spots;
+  spots.reserve(std::size_t(steps) + 1);
+  for (int i = 0; i <= int(steps); ++i)
+    spots.push_back({from_m + line * (i * spacing_m / length), std::optional(yaw)});
+  return spots;
+}
+
+std::vector<Spot> aligned(std::vector<Spot> spots, Axis axis) {
+  if (spots.empty()) return spots;
+  const int at = axis == Axis::X ? 0 : 1;
+  const auto [least, most] = rangeOf(spots, at);
+  for (Spot& spot : spots) spot.position_m[at] = (least + most) / 2;
+  return spots;
+}
+
+std::vector<Spot> distributed(std::vector<Spot> spots, Axis axis) {
+  if (spots.size() < 3) return spots;
+  const int at = axis == Axis::X ? 0 : 1;
+  std::vector<std::size_t> order(spots.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return spots[a].position_m[at] < spots[b].position_m[at];
+  });
+  const auto [least, most] = rangeOf(spots, at);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    spots[order[i]].position_m[at] = least + (most - least) * double(i) / double(order.size() - 1);
+  return spots;
+}
+
+}  // namespace mapwright::placing

@@ -1,0 +1,77 @@
+// The map that waypoints lie on, asked for single places: what is there, and how far the next wall is. Pure;
+// what an answer costs does not depend on the size of the map.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "grids/grid_pyramid.h"
+#include "map/grid_reference.h"
+
+namespace mapwright::placing {
+
+/// A whole map where it lies. `cells` null: there is none.
+struct PlacedMap {
+  std::shared_ptr<const grids::GridPyramid> cells;
+  map::GridReference reference;  // with the size of `cells`
+  bool operator==(const PlacedMap&) const = default;
+};
+
+enum class Cell : std::uint8_t { Outside, Unknown, Free, Occupied };
+
+/// A cell that counts as a wall: known, and this many percent or more.
+inline constexpr int kOccupiedPercent = 50;
+
+struct Wall {
+  double distance_m = 0;  // from the place to the edge of the nearest occupied cell; 0 within one
+  Eigen::Vector2d at_m{0, 0};
+};
+
+/// Reads the cells of one map. Not to be shared between threads; the cells themselves may.
+class Ground {
+ public:
+  enum class Patience {
+    AtHand,  // quick: for the thread that draws the window. What would take long is unknown.
+    Wait,    // exact: reads what has to be read
+  };
+  Ground(PlacedMap map, Patience patience);
+
+  /// There are cells, and their place can be used.
+  bool there() const { return usable_; }
+  const PlacedMap& map() const { return map_; }
+  Cell at(const Eigen::Vector2d& world_m);
+  /// The nearest wall within `reach_m`; nullopt = none. AtHand looks no farther than kMostCellsAtHand cells.
+  std::optional<Wall> nearestWall(const Eigen::Vector2d& world_m, double reach_m);
+  /// Nobody has seen anything of it. Costs one tile.
+  bool allUnknown();
+
+  static constexpr int kMostCellsAtHand = 100;
+
+ private:
+  struct Held {
+    int level = -1, x = 0, y = 0;
+    std::shared_ptr<const std::uint8_t> cells;  // null: it is not there
+  };
+  struct Search {
+    Eigen::Vector2d from;  // in cells
+    double best;           // in cells
+    std::optional<Eigen::Vector2d> nearest;
+  };
+  std::uint8_t byteAt(int level, int column, int row);
+  const std::uint8_t* tileAt(int level, int x, int y);  // null: it is not there
+  void lookNear(Search& search);
+  void look(Search& search, int level, int column, int row);
+  void lookAround(Search& search);
+
+  PlacedMap map_;
+  Patience patience_;
+  bool usable_ = false, coarse_tells_ = false;
+  std::uint8_t unknown_ = 0;
+  std::array<bool, 256> known_{}, occupied_{};
+  std::vector<Held> held_;
+};
+
+}  // namespace mapwright::placing

@@ -1,0 +1,113 @@
+#include "placing/warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "map/live_topics.h"
+
+namespace mapwright::placing {
+namespace {
+
+constexpr int kEdge = grids::GridPyramid::kTileEdge;
+
+Warnings warningsAt(Ground& ground, const Eigen::Vector2d& place_m, double radius_m, bool known) {
+  Warnings warnings;
+  const Cell cell = ground.at(place_m);
+  if (cell == Cell::Occupied) {
+    warnings.push_back({WarningKind::InWall});
+    return warnings;
+  }
+  if (cell == Cell::Outside) warnings.push_back({WarningKind::OutsideMap});
+  if (radius_m > 0 && known) {
+    if (const auto wall = ground.nearestWall(place_m, radius_m))
+      warnings.push_back({WarningKind::NearWall, wall->distance_m, radius_m});
+  }
+  if (cell == Cell::Unknown && known) warnings.push_back({WarningKind::OnUnknown});
+  return warnings;
+}
+
+/// The bits of both numbers by turns: what is next to each other in this order lies together.
+std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint64_t bits) {
+    bits = (bits | bits << 16) & 0x0000ffff0000ffff;
+    bits = (bits | bits << 8) & 0x00ff00ff00ff00ff;
+    bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0f;
+    bits = (bits | bits << 2) & 0x3333333333333333;
+    return (bits | bits << 1) & 0x5555555555555555;
+  };
+  return spread(x) | spread(y) << 1;
+}
+
+/// Tile by tile, those of a coarser level together: each is unpacked once, however the places are mixed.
+std::vector<std::size_t> inOrder(const std::vector<Eigen::Vector2d>& places_m,
+                                 const map::GridReference& reference) {
+  const auto tileOf = [&](const Eigen::Vector2d& place_m) -> std::uint64_t {
+    if (!place_m.allFinite()) return 0;
+    const Eigen::Vector2d cell = reference.cellFromWorld(place_m);
+    const auto tile = [](double at) { return std::uint32_t(std::clamp(at / kEdge, 0.0, 1e7)); };
+    return interleaved(tile(cell.x()), tile(cell.y()));
+  };
+  std::vector<std::pair<std::uint64_t, std::size_t>> tiles;
+  tiles.reserve(places_m.size());
+  for (std::size_t i = 0; i < places_m.size(); ++i) tiles.push_back({tileOf(places_m[i]), i});
+  std::sort(tiles.begin(), tiles.end());
+  std::vector<std::size_t> order;
+  order.reserve(tiles.size());
+  for (const auto& [tile, i] : tiles) order.push_back(i);
+  return order;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> groupsOf(const std::vector<Eigen::Vector2d>& places_m,
+                                               const map::GridReference& reference, std::size_t most) {
+  std::vector<std::vector<std::size_t>> groups;
+  const bool usable = !map::whyUnusable(reference);
+  std::vector<std::size_t> order;
+  if (usable) {
+    order = inOrder(places_m, reference);
+  } else {
+    order.resize(places_m.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+  }
+  for (std::size_t from = 0; from < order.size(); from += most) {
+    const std::size_t to = std::min(order.size(), from + most);
+    groups.emplace_back(order.begin() + std::ptrdiff_t(from), order.begin() + std::ptrdiff_t(to));
+  }
+  return groups;
+}
+
+double radiusOf(const map::RobotModel& model) {
+  double radius = model.width_m > 0 && model.footprint.empty() ? model.width_m / 2 : 0;
+  for (const Eigen::Vector2d& corner : model.footprint) {
+    if (corner.allFinite()) radius = std::max(radius, corner.norm());
+  }
+  return std::isfinite(radius) && radius <= kMostRadiusM ? radius : 0;
+}
+
+GroundWarnings groundWarnings(const std::vector<Eigen::Vector2d>& places_m, const PlacedMap& map,
+                              double radius_m, const std::atomic<bool>* cancelled) {
+  GroundWarnings found;
+  found.of.resize(places_m.size());
+  Ground ground(map, Ground::Patience::Wait);
+  if (!ground.there()) return found;
+  const bool known = !ground.allUnknown();
+  found.state = known ? GroundState::Known : GroundState::Unknown;
+  for (const std::size_t i : inOrder(places_m, map.reference)) {
+    if (cancelled && *cancelled) break;
+    found.of[i] = warningsAt(ground, places_m[i], radius_m, known);
+  }
+  return found;
+}
+
+Warnings together(const Warnings& of_ground, bool name_twice, bool zero_turn) {
+  Warnings all = of_ground;
+  if (name_twice) all.push_back({WarningKind::NameTwice});
+  if (zero_turn) all.push_back({WarningKind::ZeroTurn});
+  return all;
+}
+
+}  // namespace mapwright::placing

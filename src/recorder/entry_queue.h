@@ -1,0 +1,62 @@
+// What is to be written, between those who deliver it and the one who writes it.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "recording/message.h"
+
+namespace mapwright::recorder {
+
+/// A message, an attachment or metadata.
+struct Entry {
+  enum class Kind : std::uint8_t { Message, File, Words };
+  Kind kind = Kind::Message;
+  std::string name;              // topic; of an attachment or of metadata
+  std::string encoding, schema;  // of a message; of an attachment `encoding` is its media type
+  bool before = false;           // said before the recording began
+  std::int64_t log_ns = 0, publish_ns = 0;
+  std::uint32_t sequence = 0;  // made by the queue
+  std::string bytes;
+  recording::Words words;
+};
+
+/// Thread-safe. Bounded: who puts never waits for the disk; what finds no room is lost and counted.
+class EntryQueue {
+ public:
+  explicit EntryQueue(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+
+  /// `bytes` become those of the entry. False: there is no room, or it is closed.
+  bool put(Entry entry, std::string_view bytes);
+  /// All that is there, in the order in which it was put; waits for something as long as `at_most`. Empty:
+  /// nothing came, or it is closed.
+  std::vector<Entry> take(std::chrono::milliseconds at_most);
+  /// Nothing more is taken in.
+  void close();
+  /// It is closed and nothing is in it.
+  bool over() const;
+
+  struct Losses {
+    std::uint64_t entries = 0, bytes = 0;
+  };
+  Losses lost() const;
+
+ private:
+  std::size_t most_bytes_;
+  mutable std::mutex mutex_;
+  std::condition_variable came_;
+  std::vector<Entry> entries_;
+  std::size_t held_bytes_ = 0;
+  int being_put_ = 0;  // room was made for them, they are being copied
+  bool closed_ = false;
+  Losses lost_;
+  std::unordered_map<std::string, std::uint32_t> sequences_;  // by topic
+};
+
+}  // namespace mapwright::recorder

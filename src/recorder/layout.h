@@ -1,0 +1,101 @@
+// How a session with a robot lies in an MCAP file: what is written by mapwright, and what a player may rely
+// on. Pure, any thread. Written as MCAP, version 0 (recording::McapWriter), profile empty, library
+// "mapwright".
+//
+// Metadata "mapwright" (kAbout): version, address (never with a secret), kind (the scheme of the address:
+// "axbot", "aimdk", "ros", "kabam", "file"; "demo" is an Autoxing robot), model, serial, name, firmware (each
+// empty where the robot did not say), recorded_by ("mapwright 1.2.3"), started_ns. It is written again when a
+// robot says only later who it is: the last one counts. Metadata "mapwright.end" (kEnd), once, when the
+// recording was finished: ended_ns, messages, lost (messages and files that were not written because the disk
+// or this computer was too slow), lost_bytes. A file without it was interrupted.
+//
+// Messages. Log time: when the message arrived here, nanoseconds since 1970 (UTC) of this computer's clock,
+// never less than started_ns. Publish time: the robot's own stamp where the message has one, else the log
+// time. Sequence: counts the messages of the topic from 1, those that were lost included: a gap is a loss.
+//   Autoxing, text frames: topic = the frame's own, message_encoding "json", the frame exactly as sent.
+//   Frames
+//     without a topic (answers, errors): topic "/axbot/answer".
+//   Autoxing, binary frames: topic as the frame says ("/axbot/binary" where it says none), message_encoding
+//     "protobuf", the frame exactly as sent: topic length, topic, gzip flag, RosMessageWrapper (axbot.md,
+//     "WebSocket"). Schema name "mapwright.axbot.BinaryFrame", no schema: it is more than the message.
+//   ROS: topic = the topic, schema_name = its ROS type as the server writes it (empty: it did not say),
+//     schema_encoding and data empty. message_encoding "json": exactly the text of the member `msg`; "cbor":
+//     exactly its CBOR. Of what came as a picture ("png") or in pieces ("fragment"): the text that it became.
+//     An asked map: topic = the service ("/static_map"), schema_name "nav_msgs/GetMapResponse", the member
+//     `values` likewise.
+//   AimDK: topic "/aimdk/CALL" (CALL without its service: "GetStoredMapNames", "GetCurrentWorkingMap",
+//     "GetTopoMsgs"), message_encoding "json", the body of the answer as sent. Get2DWholeMap is an
+//     attachment. What the rosbridge beside it says is written as that of a ROS robot.
+//
+// What was said before the recording began. The first messages are the last one of every topic that had been
+// said by then (as far as memory went): log time started_ns, publish time as above but the time of its own
+// arrival where the robot gave none. They are on channels of their own, which have the topic, encodings and
+// schema of the later ones and the channel metadata said=before (kSaid, kBefore). Several messages of a topic
+// may be among them: /tf_static has one for each set of child frames. Their sequence is 0.
+//
+// Attachments. Each once; one whose content has changed comes again under the same name with a later log
+// time: at a time T the last one that is not later than T counts, or else the first. Log time: when it was
+// fetched (started_ns, where that was before).
+//   submaps/UUID/TRAJECTORY/INDEX/VERSION   the answer's body, "application/x-protobuf" (SubmapQuery
+//   response,
+//                                           submap-textures.md); VERSION is what the answer says of itself
+//   maps/KIND/ID                            the picture of a whole map, its own media type
+//   maps/KIND/ID.json                       what belongs to it, see below
+//   pictures/URL                            the picture that a message only names, URL exactly as the message
+//                                           has it (data_url, url)
+//   waypoints/KIND/ID.json                  its named places and overlays, see below
+// KIND: "live", "stored", "mapping", "file". UUID and ID are percent-encoded (RFC 3986: all but A-Z a-z 0-9 -
+// . _ ~); an empty ID is "-".
+//
+// maps/….json:
+// {"kind","id","name","uid"?,"map_version"?,"current":bool,"grid":{"width","height","resolution_m","x_m","y_m",
+// "yaw_rad"},"reading":{"mode":"picture"|"trinary"|"scale"|"raw","negate","occupied_thresh","free_thresh"},
+// "fingerprint","display_rotation_rad"?,"trajectories":[[[x,y],…],…],"landmarks":[{"id","x_m","y_m"},…]}.
+// The pose in "grid" is that of the picture's lower left corner in the world.
+// waypoints/….json: {"kind","id","waypoints":[{"id","name","type","x_m","y_m","yaw_rad"?,"tags":[…],
+// "source"?},…],"overlays":[{"shape":"point"|"line"|"polygon","type","id","name","yaw_rad"?,
+// "parts":[[[x,y],…],…]},…]}. Members as in map::Waypoint and map::OverlayFeature.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "map/catalogue.h"
+#include "map/submap.h"
+#include "map/waypoint.h"
+
+namespace mapwright::recorder {
+
+inline constexpr int kVersion = 1;
+inline constexpr const char* kAbout = "mapwright";
+inline constexpr const char* kEnd = "mapwright.end";
+inline constexpr const char* kSaid = "said";  // channel metadata
+inline constexpr const char* kBefore = "before";
+inline constexpr const char* kAxbotAnswer = "/axbot/answer";
+inline constexpr const char* kAxbotBinary = "/axbot/binary";
+inline constexpr const char* kAxbotBinarySchema = "mapwright.axbot.BinaryFrame";
+inline constexpr const char* kAimdkTopics = "/aimdk/";
+
+/// "submaps/UUID/TRAJECTORY/INDEX/VERSION".
+std::string submapName(const map::SubmapKey& key);
+/// The reverse; nullopt for all other names.
+std::optional<map::SubmapKey> submapFrom(std::string_view name);
+
+/// "maps/KIND/ID", "maps/KIND/ID.json", "waypoints/KIND/ID.json".
+std::string mapName(const map::MapKey& key);
+std::string mapFactsName(const map::MapKey& key);
+std::string waypointsName(const map::MapKey& key);
+/// Of a "maps/KIND/ID"; nullopt for all other names, "….json" among them.
+std::optional<map::MapKey> mapFrom(std::string_view name);
+
+/// "pictures/URL".
+std::string pictureName(std::string_view url);
+
+/// What stands in the JSON attachments. `current`: the robot works with it. `entry`: its row of the robot's
+/// list, as far as the robot told; messages name maps by the uid that stands there.
+std::string mapFacts(const map::WholeMap& map, bool current, const map::CatalogueEntry& entry = {});
+std::string placesText(const map::MapKey& key, const map::WaypointList& places,
+                       const std::vector<map::OverlayFeature>& overlays);
+
+}  // namespace mapwright::recorder

@@ -1,0 +1,90 @@
+// Records what a robot delivers into a file (layout.h), until it is told to stop. GUI-thread object; the
+// robot's link puts into a bounded queue and never waits, a thread of the recorder's own packs and writes.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+#include <tl/expected.hpp>
+
+#include "recorder/entry_queue.h"
+#include "recorder/fetches.h"
+#include "recorder/submap_wishes.h"
+#include "recorder/tape.h"
+#include "recording/append_file.h"
+#include "recording/mcap_writer.h"
+#include "robot/robot.h"
+
+namespace mapwright::recorder {
+
+/// All kinds of data that a robot may send.
+map::Streams everyStream();
+
+class Recorder : public QObject {
+  Q_OBJECT
+ public:
+  struct Options {
+    std::string kind;                       // of the robot: the scheme of its address, "axbot"
+    std::string recorded_by = "mapwright";  // with its version
+    SubmapWishes::Which submaps = SubmapWishes::Which::Listed;
+    std::size_t most_waiting_bytes = std::size_t(256) << 20;  // on their way to the disk
+    recording::WriterOptions writer;
+    std::function<std::int64_t()> now_ns;  // since 1970, on any thread; null = the system's clock
+  };
+  /// Begins at once, with what the robot has said on this connection. `robot` outlives the recorder, or is
+  /// gone before: then nothing more comes. The error: not even the start could be written.
+  static tl::expected<std::unique_ptr<Recorder>, disk::Fault> start(
+      robot::Robot& robot, std::unique_ptr<recording::AppendTarget> target, Options options);
+  /// Finishes the file and waits for that.
+  ~Recorder() override;
+
+  /// Nothing more is taken; finished() comes once the file is complete.
+  void stop();
+  /// The same, and waits.
+  void finish();
+  bool stopped() const { return stopped_; }
+
+  struct Progress {
+    Written written;     // what is lost on the way to the disk included
+    double seconds = 0;  // since the start
+    bool finished = false;
+    std::optional<disk::Fault> end_fault;  // why the file has no end; it can be read all the same
+  };
+  Progress progress() const;
+  Fetches& fetches() { return *fetches_; }
+
+ Q_SIGNALS:
+  void progressed();  // a few times a second
+  void finished();
+  void notHad(const mapwright::map::Failure& failure);
+
+ private:
+  Recorder(robot::Robot& robot, std::unique_ptr<recording::McapWriter> writer, Options options);
+  void begin();
+  void tell();
+  void run();
+  void publish();
+
+  QPointer<robot::Robot> robot_;
+  Options options_;
+  std::int64_t started_ns_ = 0;
+  std::shared_ptr<EntryQueue> queue_;  // shared with the tap
+  Tape tape_;                          // of the thread
+  std::unique_ptr<Fetches> fetches_;
+  QTimer timer_;
+  bool stopped_ = false;
+  mutable std::mutex mutex_;
+  Progress progress_;
+  std::thread thread_;
+};
+
+}  // namespace mapwright::recorder

@@ -1,0 +1,129 @@
+// Writes recordings as MCAP, version 0: Zstandard chunks with CRC and index, so that a crash of the program
+// loses at most the open chunk. Source: MCAP format specification.
+//
+// One thread. Nothing is ever written over; every chunk is handed to the system as soon as it is closed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "recording/append_file.h"
+#include "recording/mcap_records.h"
+#include "recording/message.h"
+
+namespace mapwright::recording {
+
+struct WriterOptions {
+  enum class Compression : std::uint8_t { None, Zstd };
+  std::string profile;  // "ros1", "ros2" or empty
+  std::string library = "mapwright";
+  Compression compression = Compression::Zstd;
+  int level = 1;                                   // of zstd
+  std::size_t chunk_bytes = std::size_t(1) << 20;  // a chunk is closed once it holds as much, unpacked
+  std::int64_t chunk_ns = 1'000'000'000;           // and when its first message is so old
+  bool survive_power_loss = false;                 // wait for the disk after every chunk
+};
+
+struct Stamp {
+  std::int64_t log_time_ns = 0;      // MCAP knows no time before its epoch: a negative one is written as 0
+  std::int64_t publish_time_ns = 0;  // likewise
+  std::uint32_t sequence = 0;
+};
+
+using ChannelId = std::uint16_t;
+
+/// Each call that fails says why, and leaves the file sound as it is. While the disk takes nothing the chunk
+/// that is due is kept and tried again once a second (of the clock of log times); messages go into the open
+/// chunk until it is full as well, and are refused from then on. Once the disk takes something again,
+/// recording goes on.
+class McapWriter {
+ public:
+  static tl::expected<std::unique_ptr<McapWriter>, disk::Fault> create(std::unique_ptr<AppendTarget> target,
+                                                                       WriterOptions options);
+  /// close() is called, if nobody has: what it says is lost.
+  ~McapWriter();
+  McapWriter(const McapWriter&) = delete;
+  McapWriter& operator=(const McapWriter&) = delete;
+
+  /// The same channel (`id` aside) has the same number again. nullopt: there are 65,535 already, or 65,535
+  /// schemas, or its texts are beyond 32 MiB.
+  std::optional<ChannelId> addChannel(const Channel& channel);
+  /// nullopt: all is well. Else why not: progress() tells whether the message was refused (lost) or waits in
+  /// memory. One beyond kMostMessageBytes, or of a channel that was not added, is refused.
+  std::optional<disk::Fault> write(ChannelId channel, const Stamp& stamp,
+                                   std::span<const std::uint8_t> bytes);
+  std::optional<disk::Fault> attach(const Attachment& attachment);
+  std::optional<disk::Fault> note(const Metadata& metadata);
+  /// Closes the open chunk when it is old enough by the same clock as log times. To be called now and then,
+  /// or the last messages before a silence stay in memory.
+  std::optional<disk::Fault> tick(std::int64_t now_ns);
+  /// Closes the open chunk.
+  std::optional<disk::Fault> flush();
+  /// Writes the index and the end. Nothing can be written afterwards. One that failed may be called again.
+  std::optional<disk::Fault> close();
+
+  struct Progress {
+    std::uint64_t bytes = 0;     // in the file
+    std::uint64_t messages = 0;  // taken
+    std::uint64_t lost = 0;      // refused
+    std::uint64_t chunks = 0;
+    std::uint64_t in_chunks = 0;  // messages taken that are in the file
+  };
+  Progress progress() const { return progress_; }
+
+  static constexpr std::size_t kMostMessageBytes = std::size_t(128) << 20;
+
+ private:
+  struct OpenChunk {
+    mcap::RecordWriter records;
+    std::int64_t first_ns = 0;  // of the message that came first
+    std::uint64_t start = 0, end = 0, messages = 0;
+    std::map<ChannelId, std::vector<std::pair<std::uint64_t, std::uint64_t>>> index;  // log time, offset
+  };
+  /// A chunk on its way to the disk.
+  struct Due {
+    std::vector<std::uint8_t> bytes;  // with its message indexes
+    mcap::ChunkIndex index;           // offsets from the chunk's own start
+    std::uint64_t messages = 0;
+    std::map<ChannelId, std::uint64_t> messages_of;
+  };
+  McapWriter(std::unique_ptr<AppendTarget> target, WriterOptions options);
+  std::optional<disk::Fault> append(std::span<const std::uint8_t> bytes);
+  std::optional<disk::Fault> closeChunk();
+  std::optional<disk::Fault> writeDue();
+  void pack();
+  void describe(ChannelId channel);
+  mcap::RecordWriter summary(std::uint64_t at) const;
+  disk::Fault refuse(int error);
+  bool mayTry(std::int64_t now_ns) const;
+  std::optional<disk::Fault> seen(std::optional<disk::Fault> fault, std::int64_t now_ns);
+
+  std::unique_ptr<AppendTarget> target_;
+  WriterOptions options_;
+  std::vector<mcap::Schema> schemas_;                       // by id, from 1
+  std::vector<mcap::ChannelRecord> channels_;               // by id, from 1
+  std::vector<bool> described_schema_, described_channel_;  // stand in the file or the open chunk
+  OpenChunk open_;
+  std::optional<Due> due_;
+  std::optional<disk::Fault> fault_;  // why `due_` is not written
+  std::int64_t failed_ns_ = 0;        // when
+  std::vector<mcap::ChunkIndex> chunk_indexes_;
+  std::vector<mcap::AttachmentIndex> attachments_;
+  std::vector<std::tuple<std::uint64_t, std::uint64_t, std::string>> metadata_;  // offset, length, name
+  mcap::Statistics statistics_;
+  std::map<ChannelId, std::uint64_t> messages_of_;
+  std::uint32_t crc_ = 0;  // of all that is in the file
+  Progress progress_;
+  bool data_ended_ = false, closed_ = false;
+};
+
+}  // namespace mapwright::recording

@@ -1,0 +1,79 @@
+// What a message of ROS is made of, from its definition as it stands in recordings: the text of the .msg
+// file, then those of all types in it, each behind a line of '=' and "MSG: package/Type". Sources: ROS wiki,
+// "msg"; ROS 2, "About ROS 2 interfaces" (bounds, defaults, wide strings); MCAP, "Well-known schema
+// encodings" ("ros1msg", "ros2msg").
+//
+// Pure; any thread. Definitions are untrusted: they are bounded, and none that holds itself is accepted.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace mapwright::recording {
+
+enum class RosKind : std::uint8_t {
+  Flag,
+  Int8,
+  Uint8,
+  Int16,
+  Uint16,
+  Int32,
+  Uint32,
+  Int64,
+  Uint64,
+  Float32,
+  Float64,
+  Text,
+  WideText,  // of ROS 2
+  Time,      // of ROS 1: seconds and nanoseconds, unsigned
+  Duration,  // of ROS 1: signed
+  Nested,    // RosField::type
+};
+/// Bytes of one; 0 for what has no fixed size by itself.
+std::size_t sizeOf(RosKind kind);
+
+struct RosField {
+  enum class Many : std::uint8_t { One, Fixed, Open };
+  std::string name;
+  RosKind kind = RosKind::Flag;
+  Many many = Many::One;
+  std::uint32_t count = 0;  // of Fixed
+  std::size_t type = 0;     // of Nested: RosSchema::types
+};
+
+struct RosType {
+  std::string name;  // "nav_msgs/Path", also of ROS 2
+  std::vector<RosField> fields;
+};
+
+struct RosSchema {
+  std::vector<RosType> types;  // the message itself first
+};
+
+struct RosSchemaFault {
+  enum class Code : std::uint8_t {
+    TooLong,      // over 1 MiB, or more types, fields or depth than any message has
+    NotAField,    // the line is neither a field nor a constant
+    UnknownType,  // `word` is defined nowhere
+    HoldsItself,  // the type `word`
+  };
+  Code code = Code::NotAField;
+  std::size_t line = 0;  // from 1; 0: none
+  std::string word;      // untrusted
+};
+
+enum class RosDialect : std::uint8_t { Ros1, Ros2 };
+/// Of a schema's encoding in MCAP; nullopt: another one.
+std::optional<RosDialect> rosDialect(std::string_view schema_encoding);
+
+/// `name`: of the message, "nav_msgs/Path" or "nav_msgs/msg/Path".
+tl::expected<RosSchema, RosSchemaFault> parseRosSchema(std::string_view name, std::string_view definition,
+                                                       RosDialect dialect);
+
+}  // namespace mapwright::recording

@@ -1,0 +1,174 @@
+#include "regions/map_regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mapwright::regions {
+namespace {
+
+constexpr double kMostCovered = 4096;    // regions that one answer may speak for
+constexpr std::size_t kMostRows = 8192;  // regions that anything is known of
+
+RegionTrouble misplaced(Misfit misfit) { return {RegionTrouble::Kind::Misplaced, {}, misfit}; }
+
+/// A reference that tells at least how large its cells are and where they lie.
+bool tellsCells(const map::GridReference& grid) {
+  return !map::whyUnusable(grid) && std::isfinite(grid.origin.yaw_rad);
+}
+
+/// Where squares of whole tiles begin. Squares lie along the axes: of a turned grid it does not matter.
+Eigen::Vector2d anchorOf(const map::GridReference& grid) {
+  return grid.origin.yaw_rad == 0 ? RegionSheet(grid).zero() : Eigen::Vector2d(0, 0);
+}
+
+bool overlap(const geometry::WorldRect& a, const geometry::WorldRect& b, double touch) {
+  return a.min_x < b.max_x - touch && b.min_x < a.max_x - touch && a.min_y < b.max_y - touch &&
+         b.min_y < a.max_y - touch;
+}
+
+}  // namespace
+
+MapRegions::MapRegions(Options options) : options_(options), plan_(options.plan) {}
+
+void MapRegions::setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m) {
+  plan_.setView(rect, centre_m);
+}
+
+MapRegions::Change MapRegions::answered(std::uint64_t id, robot::Outcome<map::GridPart> outcome, Millis now) {
+  Change change;
+  const RegionAsk* const found = plan_.find(id);
+  if (!found) return change;
+  const RegionAsk ask = *found;
+  if (!outcome) {
+    if (outcome.error().kind == map::FailureKind::Cancelled) {
+      plan_.cancelled(id);
+    } else {
+      plan_.failed(id, {RegionTrouble::Kind::Failed, std::move(outcome.error()), Misfit::None}, now);
+    }
+    return change;
+  }
+  const std::size_t sheets_before = cells_.sheets().size();
+  const RegionSheet* const last_before = sheets_before > 0 ? cells_.sheets().back().get() : nullptr;
+  place(ask, *outcome, now, change);
+  keepToBudget(change);
+  const auto& sheets = cells_.sheets();
+  change.sheets = sheets.size() != sheets_before || (!sheets.empty() && sheets.back().get() != last_before);
+  return change;
+}
+
+void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis now, Change& change) {
+  const map::GridReference& grid = part.grid;
+  if (grid.width == 0 || grid.height == 0) {
+    if (tellsCells(grid)) plan_.setCells(grid.resolution_m, anchorOf(grid));
+    if (ask.key && cells_.forget(ask.rect)) change.cells.extend(ask.rect);
+    plan_.answered(ask.id, true);
+    return;
+  }
+  if (const Misfit misfit = cells_.misfitOf(part); misfit != Misfit::None) {
+    plan_.failed(ask.id, misplaced(misfit), now);
+    return;
+  }
+  const geometry::WorldRect bounds = grid.bounds();
+  const bool elsewhere = !overlap(bounds, ask.rect, grid.resolution_m * 0.01);
+  plan_.setCells(grid.resolution_m, anchorOf(grid));
+  // Where the map has become smaller, nothing of the old one must stay.
+  if (ask.key && !elsewhere && cells_.forget(ask.rect)) change.cells.extend(ask.rect);
+  cells_.put(part);
+  change.cells.extend(bounds);
+  if (elsewhere && ask.key) {
+    plan_.failed(ask.id, {RegionTrouble::Kind::Elsewhere, {}, Misfit::None}, now);
+  } else {
+    plan_.answered(ask.id, false);
+  }
+  noteCovered(ask, grid);
+}
+
+void MapRegions::noteCovered(const RegionAsk& ask, const map::GridReference& grid) {
+  const geometry::WorldRect bounds = grid.bounds();
+  const RegionLattice& lattice = plan_.lattice();
+  if (lattice.countIn(bounds) > kMostCovered) return;
+  const geometry::Pose2 to_grid = grid.origin.inverse();
+  const double slack = grid.resolution_m * 0.05;
+  const double wide = grid.width * grid.resolution_m + slack, high = grid.height * grid.resolution_m + slack;
+  lattice.eachIn(bounds, [&](const RegionKey& key) {
+    const geometry::WorldRect rect = lattice.rectOf(key);
+    bool all = true;
+    for (const double x : {rect.min_x, rect.max_x}) {
+      for (const double y : {rect.min_y, rect.max_y}) {
+        const Eigen::Vector2d at = to_grid.apply({x, y});
+        all = all && at.x() >= -slack && at.y() >= -slack && at.x() <= wide && at.y() <= high;
+      }
+    }
+    plan_.came(key, all, ask.round);
+  });
+}
+
+void MapRegions::keepToBudget(Change& change) {
+  if (cells_.bytes() <= options_.budget_bytes && plan_.rows().size() <= kMostRows) return;
+  struct Old {
+    std::uint64_t seen;
+    RegionKey key;
+  };
+  std::vector<Old> old;
+  for (const auto& [key, row] : plan_.rows()) {
+    if (row.ask == 0 && !plan_.isInView(key)) old.push_back({row.seen, key});
+  }
+  std::sort(old.begin(), old.end(),
+            [](const Old& a, const Old& b) { return a.seen != b.seen ? a.seen < b.seen : a.key < b.key; });
+  for (const Old& each : old) {
+    if (cells_.bytes() <= options_.budget_bytes && plan_.rows().size() <= kMostRows) return;
+    const geometry::WorldRect rect = plan_.lattice().rectOf(each.key);
+    if (plan_.row(each.key).may_hold && cells_.forget(rect)) change.cells.extend(rect);
+    plan_.forget(each.key);
+  }
+}
+
+RegionView MapRegions::viewOf(const RegionKey& key) const {
+  const RegionRow& row = plan_.row(key);
+  return {key, plan_.lattice().rectOf(key), row.state(), row.refreshing(), row.trouble};
+}
+
+RegionCounts MapRegions::counts() const {
+  RegionCounts counts;
+  for (const RegionKey& key : plan_.inView()) {
+    const RegionRow& row = plan_.row(key);
+    ++counts.in_view;
+    counts.answered += row.answered;
+    counts.nothing += row.answered && row.nothing;
+    counts.fetching += row.ask != 0;
+    counts.failed += row.ask == 0 && row.failures > 0;
+  }
+  return counts;
+}
+
+std::vector<RegionView> MapRegions::inView() const {
+  std::vector<RegionView> views;
+  for (const RegionKey& key : plan_.inView()) views.push_back(viewOf(key));
+  return views;
+}
+
+std::vector<RegionView> MapRegions::answeredIn(const geometry::WorldRect& rect) const {
+  std::vector<RegionView> views;
+  for (const auto& [key, row] : plan_.rows()) {
+    if (row.answered && plan_.lattice().rectOf(key).intersects(rect)) views.push_back(viewOf(key));
+  }
+  return views;
+}
+
+std::optional<RegionView> MapRegions::at(const Eigen::Vector2d& world_m) const {
+  if (plan_.inView().empty() || !world_m.allFinite()) return std::nullopt;
+  std::optional<RegionView> found;
+  plan_.lattice().eachIn({world_m.x(), world_m.y(), world_m.x(), world_m.y()}, [&](const RegionKey& key) {
+    if (plan_.isInView(key)) found = viewOf(key);
+  });
+  return found;
+}
+
+std::optional<double> MapRegions::cellsOf(const geometry::WorldRect& rect) const {
+  const auto resolution = plan_.resolution();
+  if (!resolution || rect.empty()) return std::nullopt;
+  return std::ceil(rect.width() / *resolution) * std::ceil(rect.height() / *resolution);
+}
+
+}  // namespace mapwright::regions

@@ -1,0 +1,78 @@
+// A map by the regions in view: what is asked for, what came, what is kept. Pure state; time and answers are
+// handed in.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "regions/region_cells.h"
+#include "regions/region_plan.h"
+#include "robot/call.h"
+
+namespace mapwright::regions {
+
+/// One region as it is to be drawn and told of.
+struct RegionView {
+  RegionKey key;
+  geometry::WorldRect rect;
+  RegionState state = RegionState::NotAsked;
+  bool refreshing = false;
+  RegionTrouble trouble = {};  // of the last try
+};
+
+/// How the regions in view stand.
+struct RegionCounts {
+  int in_view = 0, answered = 0, nothing = 0, fetching = 0, failed = 0;  // nothing: of those answered
+  bool operator==(const RegionCounts&) const = default;
+};
+
+class MapRegions {
+ public:
+  struct Options {
+    std::size_t budget_bytes = std::size_t(128) << 20;  // of cells; what is in view is held all the same
+    PlanOptions plan = {};
+  };
+  explicit MapRegions(Options options);
+
+  void setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m);
+  void refresh() { plan_.refresh(); }
+  void retryNow() { plan_.retryNow(); }
+  std::vector<RegionAsk> take(Millis now) { return plan_.take(now); }
+  std::vector<std::uint64_t> unwanted() { return plan_.unwanted(); }
+  std::optional<Millis> nextDue(Millis now) const { return plan_.nextDue(now); }
+
+  /// What of the screen an answer changes: cells in `cells` are others (empty = none are).
+  struct Change {
+    geometry::WorldRect cells;
+    bool sheets = false;  // there are others than before, or in another order
+  };
+  Change answered(std::uint64_t id, robot::Outcome<map::GridPart> outcome, Millis now);
+
+  const RegionPlan& plan() const { return plan_; }
+  const std::vector<std::shared_ptr<RegionSheet>>& sheets() const { return cells_.sheets(); }
+  const std::string& frame() const { return cells_.frame(); }
+  std::size_t bytes() const { return cells_.bytes(); }
+  RegionCounts counts() const;
+  /// Nearest to the middle first.
+  std::vector<RegionView> inView() const;
+  /// All that has an answer and touches `rect`, in view or not.
+  std::vector<RegionView> answeredIn(const geometry::WorldRect& rect) const;
+  /// The region at a point, while regions are in view; nullopt where none is cut.
+  std::optional<RegionView> at(const Eigen::Vector2d& world_m) const;
+  /// What a map of `rect` would be in cells; nullopt while it is not known how large they are.
+  std::optional<double> cellsOf(const geometry::WorldRect& rect) const;
+  /// Where the known part of the map ends; empty = nothing is known of it.
+  const geometry::WorldRect& reach() const { return cells_.reach(); }
+
+ private:
+  RegionView viewOf(const RegionKey& key) const;
+  void place(const RegionAsk& ask, const map::GridPart& part, Millis now, Change& change);
+  void noteCovered(const RegionAsk& ask, const map::GridReference& grid);
+  void keepToBudget(Change& change);
+
+  Options options_;
+  RegionPlan plan_;
+  RegionCells cells_;
+};
+
+}  // namespace mapwright::regions

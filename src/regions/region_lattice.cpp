@@ -1,0 +1,61 @@
+#include "regions/region_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mapwright::regions {
+namespace {
+
+// Of a square: what reaches into the next one by less is rounding.
+constexpr double kTouch = 1e-6;
+constexpr double kFarthest = 1e15;  // squares: whole numbers as doubles, and in 64 bits
+
+double clamped(double square) { return std::clamp(square, -kFarthest, kFarthest); }
+
+}  // namespace
+
+geometry::WorldRect RegionLattice::rectOf(const RegionKey& key) const {
+  return {anchor_m.x() + double(key.x) * edge_m, anchor_m.y() + double(key.y) * edge_m,
+          anchor_m.x() + double(key.x + 1) * edge_m, anchor_m.y() + double(key.y + 1) * edge_m};
+}
+
+RegionLattice::Range RegionLattice::rangeOf(const geometry::WorldRect& rect) const {
+  const auto first = [&](double at, double anchor) {
+    return clamped(std::floor((at - anchor) / edge_m + kTouch));
+  };
+  const auto last = [&](double at, double anchor) {
+    return clamped(std::ceil((at - anchor) / edge_m - kTouch) - 1);
+  };
+  Range range{first(rect.min_x, anchor_m.x()), first(rect.min_y, anchor_m.y()),
+              last(rect.max_x, anchor_m.x()), last(rect.max_y, anchor_m.y())};
+  // One without width lies in a square all the same.
+  range.x1 = std::max(range.x1, range.x0);
+  range.y1 = std::max(range.y1, range.y0);
+  return range;
+}
+
+double RegionLattice::countIn(const geometry::WorldRect& rect) const {
+  if (rect.empty()) return 0;
+  const Range range = rangeOf(rect);
+  return (range.x1 - range.x0 + 1) * (range.y1 - range.y0 + 1);
+}
+
+void RegionLattice::eachIn(const geometry::WorldRect& rect,
+                           const std::function<void(const RegionKey&)>& each) const {
+  if (rect.empty()) return;
+  const Range range = rangeOf(rect);
+  for (auto y = std::int64_t(range.y0); y <= std::int64_t(range.y1); ++y) {
+    for (auto x = std::int64_t(range.x0); x <= std::int64_t(range.x1); ++x) each({x, y});
+  }
+}
+
+map::GridRegion askedFor(const geometry::WorldRect& rect) {
+  return {rect.center(), {rect.width(), rect.height()}};
+}
+
+bool isFinite(const geometry::WorldRect& rect) {
+  return std::isfinite(rect.min_x) && std::isfinite(rect.min_y) && std::isfinite(rect.max_x) &&
+         std::isfinite(rect.max_y);
+}
+
+}  // namespace mapwright::regions

@@ -1,0 +1,232 @@
+#include "regions/region_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mapwright::regions {
+namespace {
+
+constexpr double kFiner = 0.75, kCoarser = 1.5;  // cells that are so much smaller or larger: cut anew
+constexpr int kMostDoublings = 10;
+
+geometry::WorldRect around(const Eigen::Vector2d& centre, double edge_m) {
+  return geometry::WorldRect{centre.x(), centre.y(), centre.x(), centre.y()}.grown(edge_m / 2);
+}
+
+}  // namespace
+
+RegionState RegionRow::state() const {
+  if (answered) return nothing ? RegionState::Nothing : RegionState::Held;
+  if (ask != 0) return RegionState::Fetching;
+  return failures > 0 ? RegionState::Failed : RegionState::NotAsked;
+}
+
+RegionPlan::RegionPlan(PlanOptions options) : options_(options) {}
+
+const RegionRow& RegionPlan::row(const RegionKey& key) const {
+  static const RegionRow kNone;
+  const auto found = rows_.find(key);
+  return found == rows_.end() ? kNone : found->second;
+}
+
+void RegionPlan::setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m) {
+  if (rect && (rect->empty() || !isFinite(*rect) || !centre_m.allFinite())) rect.reset();
+  view_ = rect;
+  centre_m_ = centre_m;
+  listInView();
+}
+
+void RegionPlan::listInView() {
+  in_view_.clear();
+  in_view_set_.clear();
+  too_far_ = false;
+  if (!view_ || !cut_) return;
+  if (lattice_.countIn(*view_) > options_.most_in_view) {
+    too_far_ = true;
+    return;
+  }
+  ++views_;
+  lattice_.eachIn(*view_, [this](const RegionKey& key) { in_view_.push_back(key); });
+  const auto distance = [this](const RegionKey& key) {
+    return (lattice_.rectOf(key).center() - centre_m_).squaredNorm();
+  };
+  std::stable_sort(in_view_.begin(), in_view_.end(),
+                   [&](const RegionKey& a, const RegionKey& b) { return distance(a) < distance(b); });
+  for (const RegionKey& key : in_view_) {
+    in_view_set_.insert(key);
+    if (const auto found = rows_.find(key); found != rows_.end()) found->second.seen = views_;
+  }
+}
+
+void RegionPlan::cut(double edge_m, const Eigen::Vector2d& anchor_m) {
+  lattice_ = {anchor_m, edge_m};
+  cut_ = true;
+  ++cuts_;
+  rows_.clear();
+  listInView();
+}
+
+bool RegionPlan::setCells(double resolution_m, const Eigen::Vector2d& anchor_m) {
+  if (resolution_m_) {
+    const double ratio = resolution_m / *resolution_m_;
+    if ((ratio > kFiner && ratio < kCoarser) || cuts_left_ <= 0) return false;
+    --cuts_left_;
+  }
+  resolution_m_ = resolution_m;
+  cut(options_.region_cells * resolution_m, anchor_m);
+  return true;
+}
+
+void RegionPlan::refresh() {
+  ++round_;
+  cuts_left_ = kMostCuts;
+  retryNow();
+}
+
+void RegionPlan::retryNow() {
+  for (auto& [key, row] : rows_) row.retry_at = Millis(0);
+  probe_.retry_at = Millis(0);
+}
+
+bool RegionPlan::wanted(const RegionRow& row) const {
+  return row.ask == 0 && (!row.answered || row.asked_for < round_);
+}
+
+std::vector<RegionAsk> RegionPlan::take(Millis now) {
+  std::vector<RegionAsk> asks;
+  const auto send = [&](std::optional<RegionKey> key, const geometry::WorldRect& rect, RegionRow& row,
+                        double margin_m) {
+    RegionAsk ask{++last_id_, round_, key, rect, rect.grown(margin_m)};
+    row.ask = ask.id;
+    under_way_.emplace(ask.id, UnderWay{ask, cuts_});
+    asks.push_back(std::move(ask));
+  };
+  if (!view_) return asks;
+  const auto room = [&] { return int(under_way_.size()) < options_.most_under_way; };
+  if (!cut_) {
+    if (probe_.ask == 0 && probe_.retry_at <= now && room())
+      send(std::nullopt, around(centre_m_, options_.probe_m), probe_, 0);
+    return asks;
+  }
+  // What is missing before what gets newer.
+  for (const bool missing : {true, false}) {
+    for (const RegionKey& key : in_view_) {
+      if (!room()) return asks;
+      const RegionRow& known = this->row(key);
+      if (known.answered == missing || !wanted(known) || known.retry_at > now) continue;
+      RegionRow& row = rows_[key];
+      row.seen = views_;
+      send(key, lattice_.rectOf(key), row, resolution_m_.value_or(0) / 2);
+    }
+  }
+  return asks;
+}
+
+std::vector<std::uint64_t> RegionPlan::unwanted() {
+  std::vector<std::uint64_t> ids;
+  for (auto& [id, under_way] : under_way_) {
+    const bool wanted = under_way.cut == cuts_ && view_ &&
+                        (under_way.ask.key ? in_view_set_.contains(*under_way.ask.key) : !cut_);
+    if (wanted || under_way.told) continue;
+    under_way.told = true;
+    ids.push_back(id);
+  }
+  return ids;
+}
+
+std::optional<Millis> RegionPlan::nextDue(Millis now) const {
+  if (!view_ || int(under_way_.size()) >= options_.most_under_way) return std::nullopt;
+  if (!cut_) return probe_.ask == 0 ? std::optional(std::max(now, probe_.retry_at)) : std::nullopt;
+  std::optional<Millis> due;
+  for (const RegionKey& key : in_view_) {
+    const RegionRow& known = row(key);
+    if (wanted(known)) due = std::min(due.value_or(Millis::max()), std::max(now, known.retry_at));
+  }
+  return due;
+}
+
+const RegionAsk* RegionPlan::find(std::uint64_t id) const {
+  const auto found = under_way_.find(id);
+  return found == under_way_.end() ? nullptr : &found->second.ask;
+}
+
+/// nullptr: the lattice that it was asked for is gone.
+RegionRow* RegionPlan::rowOf(const RegionAsk& ask) {
+  if (!ask.key) return &probe_;
+  const auto found = rows_.find(*ask.key);
+  return found == rows_.end() || found->second.ask != ask.id ? nullptr : &found->second;
+}
+
+void RegionPlan::answered(std::uint64_t id, bool nothing) {
+  const auto found = under_way_.find(id);
+  if (found == under_way_.end()) return;
+  const UnderWay ended = found->second;
+  under_way_.erase(found);
+  RegionRow* const row = rowOf(ended.ask);
+  if (!row) return;
+  row->ask = 0;
+  row->failures = 0;
+  row->trouble = {};
+  row->answered = true;
+  row->nothing = nothing;
+  row->may_hold = !nothing;
+  row->asked_for = ended.ask.round;
+  // It does not tell how large its cells are, so regions are as large as they usually would be.
+  if (!ended.ask.key && !cut_)
+    cut(options_.region_cells * options_.assumed_resolution_m, Eigen::Vector2d::Zero());
+}
+
+void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
+  const auto found = under_way_.find(id);
+  if (found == under_way_.end()) return;
+  const RegionAsk ask = found->second.ask;
+  under_way_.erase(found);
+  RegionRow* const row = rowOf(ask);
+  if (!row) return;
+  row->ask = 0;
+  row->trouble = std::move(trouble);
+  ++row->failures;
+  wait(*row, now);
+}
+
+void RegionPlan::wait(RegionRow& row, Millis now) const {
+  const int doublings = std::clamp(row.failures - 1, 0, kMostDoublings);
+  row.retry_at = now + std::min(options_.cooldown * (1 << doublings), options_.cooldown_limit);
+}
+
+void RegionPlan::cancelled(std::uint64_t id) {
+  const auto found = under_way_.find(id);
+  if (found == under_way_.end()) return;
+  const RegionAsk ask = found->second.ask;
+  under_way_.erase(found);
+  if (RegionRow* const row = rowOf(ask)) row->ask = 0;
+}
+
+void RegionPlan::came(const RegionKey& key, bool all, std::uint64_t round) {
+  RegionRow& row = rows_[key];
+  row.seen = std::max(row.seen, isInView(key) ? views_ : std::uint64_t(0));
+  row.may_hold = true;
+  if (!all || row.ask != 0) return;
+  row.answered = true;
+  row.nothing = false;
+  row.asked_for = std::max(row.asked_for, round);
+  row.failures = 0;
+  row.trouble = {};
+}
+
+void RegionPlan::forget(const RegionKey& key) {
+  const auto found = rows_.find(key);
+  if (found != rows_.end() && found->second.ask == 0) rows_.erase(found);
+}
+
+bool RegionPlan::settled(int tries) const {
+  if (!view_) return true;
+  if (!cut_) return probe_.failures >= tries;
+  return std::all_of(in_view_.begin(), in_view_.end(), [&](const RegionKey& key) {
+    const RegionRow& known = row(key);
+    if (known.ask != 0) return false;
+    return (known.answered && known.asked_for >= round_) || known.failures >= tries;
+  });
+}
+
+}  // namespace mapwright::regions

@@ -1,0 +1,229 @@
+#include "regions/region_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace mapwright::regions {
+namespace {
+
+constexpr int kEdge = grids::GridPyramid::kTileEdge;
+constexpr std::size_t kTileBytes = std::size_t(kEdge) * kEdge;
+constexpr int kHalf = 195 * RegionSheet::kStep;  // 2 * kHalf is the most of a grid, in whole steps
+static_assert(2 * kHalf <= grids::kMaxGridEdge && RegionSheet::kStep % kEdge == 0);
+constexpr double kReachM = 4e6;  // of half a sheet
+// On the same lattice: what differs by less, in cells, is rounding. Resolutions come as float or double.
+constexpr double kOffLattice = 0.05;
+constexpr double kOtherResolution = 1e-6, kOtherTurn = 1e-6;
+
+Eigen::Vector2d turned(const Eigen::Vector2d& p, double yaw_rad) {
+  return geometry::Pose2{0, 0, yaw_rad}.apply(p);
+}
+
+}  // namespace
+
+RegionSheet::RegionSheet(const map::GridReference& piece)
+    : reducer_(grids::CellCode::Occupancy, grids::Reduction::OccupiedWins) {
+  const double resolution = piece.resolution_m, yaw = piece.origin.yaw_rad;
+  const int half = std::max(1, int(std::min(double(kHalf), kReachM / resolution) / kStep)) * kStep;
+  // Along the axes of the cells.
+  const Eigen::Vector2d corner = turned({piece.origin.x_m, piece.origin.y_m}, -yaw);
+  Eigen::Vector2d zero, lower_left;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double cell = std::round(corner[axis] / resolution);
+    zero[axis] = corner[axis] - cell * resolution;
+    lower_left[axis] = zero[axis] + (std::floor(cell / kStep) * kStep - half) * resolution;
+  }
+  zero_ = turned(zero, yaw);
+  const Eigen::Vector2d origin = turned(lower_left, yaw);
+  reference_ = {2 * half, 2 * half, resolution, {origin.x(), origin.y(), yaw}};
+  while (levelWidth(levels_ - 1) > kEdge) ++levels_;
+}
+
+std::size_t RegionSheet::PlaceHash::operator()(const Place& place) const noexcept {
+  const std::uint64_t key =
+      std::uint64_t(place.level) << 48 ^ std::uint64_t(unsigned(place.y)) << 24 ^ unsigned(place.x);
+  return std::size_t(key * 0x9e3779b97f4a7c15u >> 16);
+}
+
+std::optional<grids::GridTile> RegionSheet::tile(int level, int tile_x, int tile_y) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = tiles_.find({level, tile_x, tile_y});
+  if (found == tiles_.end()) return std::nullopt;
+  return grids::GridTile{found->second, false, false};
+}
+
+std::size_t RegionSheet::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return tiles_.size() * kTileBytes;
+}
+
+bool RegionSheet::empty() const { return tiles_.empty(); }
+
+geometry::WorldRect RegionSheet::bounds() const {
+  geometry::WorldRect rect;
+  for (const auto& [place, cells] : tiles_) {
+    if (place.level != 0) continue;
+    for (const int x : {place.x, place.x + 1}) {
+      for (const int y : {place.y, place.y + 1})
+        rect.extend(reference_.worldFromCell({double(x) * kEdge, double(y) * kEdge}));
+    }
+  }
+  return rect;
+}
+
+Eigen::Vector2d RegionSheet::cornerOf(const map::GridReference& piece) const {
+  return reference_.origin.inverse().apply({piece.origin.x_m, piece.origin.y_m}) / reference_.resolution_m;
+}
+
+bool RegionSheet::holds(const map::GridReference& piece) const {
+  if (std::abs(piece.resolution_m / reference_.resolution_m - 1) > kOtherResolution) return false;
+  if (std::abs(geometry::normalizeAngle(piece.origin.yaw_rad - reference_.origin.yaw_rad)) > kOtherTurn)
+    return false;
+  const Eigen::Vector2d corner = cornerOf(piece);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double cell = std::round(corner[axis]);
+    if (!(std::abs(corner[axis] - cell) <= kOffLattice) || cell < 0) return false;
+  }
+  return std::round(corner.x()) + piece.width <= reference_.width &&
+         std::round(corner.y()) + piece.height <= reference_.height;
+}
+
+std::shared_ptr<std::uint8_t> RegionSheet::copyOf(const Place& place) const {
+  std::shared_ptr<std::uint8_t> cells(new std::uint8_t[kTileBytes], std::default_delete<std::uint8_t[]>());
+  if (const auto found = tiles_.find(place); found != tiles_.end()) {
+    std::memcpy(cells.get(), found->second.get(), kTileBytes);
+  } else {
+    std::memset(cells.get(), kNotFetched, kTileBytes);
+  }
+  return cells;
+}
+
+void RegionSheet::put(const map::GridReference& piece, const std::vector<std::int8_t>& cells) {
+  const Eigen::Vector2d corner = cornerOf(piece);
+  const int left = int(std::lround(corner.x()));
+  const int bottom = reference_.height - 1 - int(std::lround(corner.y()));  // from the top, of its row 0
+  const int top = bottom - piece.height + 1, right = left + piece.width - 1;
+  std::vector<std::pair<Place, Cells>> changed;
+  for (int y = top / kEdge; y <= bottom / kEdge; ++y) {
+    for (int x = left / kEdge; x <= right / kEdge; ++x) {
+      const Place place{0, x, y};
+      const auto tile = copyOf(place);
+      const int from = std::max(left, x * kEdge), to = std::min(right, x * kEdge + kEdge - 1);
+      for (int row = std::max(top, y * kEdge); row <= std::min(bottom, y * kEdge + kEdge - 1); ++row) {
+        const std::int8_t* const source =
+            cells.data() + std::size_t(bottom - row) * std::size_t(piece.width) + std::size_t(from - left);
+        std::uint8_t* const target = tile.get() + std::size_t(row - y * kEdge) * kEdge + (from - x * kEdge);
+        for (int at = 0; at <= to - from; ++at) {
+          const auto byte = std::uint8_t(source[at]);
+          target[at] = byte == kNotFetched ? grids::kUnknownOccupancy : byte;
+        }
+      }
+      changed.emplace_back(place, tile);
+    }
+  }
+  take(std::move(changed));
+}
+
+std::optional<RegionSheet::CellBox> RegionSheet::boxAround(const geometry::WorldRect& rect) const {
+  if (rect.empty()) return std::nullopt;
+  geometry::WorldRect box;
+  for (const double x : {rect.min_x, rect.max_x}) {
+    for (const double y : {rect.min_y, rect.max_y}) box.extend(reference_.cellFromWorld({x, y}));
+  }
+  if (!(box.max_x >= 0 && box.max_y >= 0 && box.min_x < width() && box.min_y < height())) return std::nullopt;
+  return CellBox{int(std::floor(std::max(box.min_x, 0.0))), int(std::floor(std::max(box.min_y, 0.0))),
+                 int(std::min(std::floor(box.max_x), width() - 1.0)),
+                 int(std::min(std::floor(box.max_y), height() - 1.0))};
+}
+
+template <typename Inside>
+bool RegionSheet::forgetWhere(const CellBox& box, Inside inside) {
+  std::vector<std::pair<Place, Cells>> changed;
+  for (const auto& [place, old] : tiles_) {
+    const int left = place.x * kEdge, top = place.y * kEdge;
+    if (place.level != 0 || left > box.right || top > box.bottom || left + kEdge <= box.left ||
+        top + kEdge <= box.top)
+      continue;
+    std::shared_ptr<std::uint8_t> tile;
+    for (int v = std::max(top, box.top); v <= std::min(top + kEdge - 1, box.bottom); ++v) {
+      for (int u = std::max(left, box.left); u <= std::min(left + kEdge - 1, box.right); ++u) {
+        const std::size_t at = std::size_t(v - top) * kEdge + std::size_t(u - left);
+        if (old.get()[at] == kNotFetched || !inside(reference_.worldFromCell({u + 0.5, v + 0.5}))) continue;
+        if (!tile) tile = copyOf(place);
+        tile.get()[at] = kNotFetched;
+      }
+    }
+    if (!tile) continue;
+    const bool nothing = std::all_of(tile.get(), tile.get() + kTileBytes,
+                                     [](std::uint8_t cell) { return cell == kNotFetched; });
+    changed.emplace_back(place, nothing ? nullptr : Cells(tile));
+  }
+  if (changed.empty()) return false;
+  take(std::move(changed));
+  return true;
+}
+
+bool RegionSheet::forget(const geometry::WorldRect& rect) {
+  const auto box = boxAround(rect);
+  return box && forgetWhere(*box, [&](const Eigen::Vector2d& middle) { return rect.contains(middle); });
+}
+
+bool RegionSheet::forgetUnder(const map::GridReference& piece) {
+  const auto box = boxAround(piece.bounds());
+  if (!box) return false;
+  const geometry::Pose2 to_piece = piece.origin.inverse();
+  const double wide = piece.width * piece.resolution_m, high = piece.height * piece.resolution_m;
+  return forgetWhere(*box, [&](const Eigen::Vector2d& middle) {
+    const Eigen::Vector2d at = to_piece.apply(middle);
+    return at.x() >= 0 && at.y() >= 0 && at.x() < wide && at.y() < high;
+  });
+}
+
+RegionSheet::Cells RegionSheet::reduced(const Place& place, const Tiles& next) const {
+  const auto finer = [&](int x, int y) -> const std::uint8_t* {
+    const Place below{place.level - 1, place.x * 2 + x, place.y * 2 + y};
+    if (const auto found = next.find(below); found != next.end()) return found->second.get();
+    const auto held = tiles_.find(below);
+    return held == tiles_.end() ? nullptr : held->second.get();
+  };
+  std::shared_ptr<std::uint8_t> cells;
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 2; ++x) {
+      const std::uint8_t* const from = finer(x, y);
+      if (!from) continue;
+      if (!cells) cells = copyOf({-1, 0, 0});  // of a place that nothing is held of
+      for (int row = 0; row < kEdge / 2; ++row) {
+        reducer_.reduceRow(from + std::size_t(row) * 2 * kEdge, from + (std::size_t(row) * 2 + 1) * kEdge,
+                           kEdge, cells.get() + std::size_t(row + y * kEdge / 2) * kEdge + x * kEdge / 2);
+      }
+    }
+  }
+  return cells;
+}
+
+void RegionSheet::take(std::vector<std::pair<Place, Cells>> changed) {
+  Tiles next(changed.begin(), changed.end());
+  std::vector<Place> finer;
+  for (const auto& [place, cells] : changed) finer.push_back(place);
+  for (int level = 1; level < levels_; ++level) {
+    std::vector<Place> coarser;
+    for (const Place& place : finer) {
+      const Place above{level, place.x / 2, place.y / 2};
+      if (next.contains(above)) continue;
+      next.emplace(above, reduced(above, next));
+      coarser.push_back(above);
+    }
+    finer = std::move(coarser);
+  }
+  const std::lock_guard lock(mutex_);
+  for (auto& [place, cells] : next) {
+    if (cells) {
+      tiles_[place] = std::move(cells);
+    } else {
+      tiles_.erase(place);
+    }
+  }
+}
+
+}  // namespace mapwright::regions

@@ -1,0 +1,49 @@
+// Keeps the tiles of a layer up to date whose pictures somebody else paints: clouds from above, sections.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include <QImage>
+#include <QObject>
+
+#include "render/grid_renderer.h"
+
+namespace mapwright::render {
+
+/// Paints the window of a raster: ARGB32_Premultiplied or RGB32 of its size, null where there is nothing. A
+/// pure function that any thread may call; polls the flag, after which its result does not matter.
+using TilePainter = std::function<QImage(const PixelGrid&, const std::atomic<bool>& cancelled)>;
+
+/// GUI-thread object; paints on the crew, like GridRenderer: tiles lie in the grid of the view and are drawn
+/// at integer offsets; a picture of another view or of older content stands in until the new one is there.
+class PaintedTiles : public QObject {
+  Q_OBJECT
+ public:
+  /// `previews` false: no stand-ins.
+  explicit PaintedTiles(GridRenderer::Options options, QObject* parent = nullptr);
+  ~PaintedTiles() override;
+
+  /// From now on this is painted; null = nothing is.
+  void setPainter(TilePainter painter);
+  /// A view without pixels shows nothing. Device pixels.
+  void setView(const geometry::ViewTransform& view);
+  /// While switched off nothing is painted.
+  void setActive(bool active);
+
+  GridRenderer::Drawing drawing();
+  /// Every visible tile shows the present content.
+  bool settled() const;
+  std::size_t cacheBytes() const;
+
+ Q_SIGNALS:
+  void tilesChanged();  // repaint; coalesced
+  void settledChanged();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mapwright::render

@@ -1,0 +1,316 @@
+#include "replay/chunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace mapwright::replay {
+namespace {
+
+constexpr double kFirstS = 0, kLastS = 4'102'444'800;  // until the year 2100
+constexpr Tick kLongest = Tick(256 * kTicksPerS);
+constexpr Tick kMostCells = 4096;
+/// What is placed by later messages, or came late, changes so long before the end of what there is.
+constexpr double kUnsettledS = 2;
+
+/// The longest power of two that is no longer; at least one.
+Tick powerOfTwo(double ticks) {
+  Tick length = 1;
+  while (double(length) * 2 <= ticks) length *= 2;
+  return length;
+}
+
+bool isTooLong(const map::Failure& failure) {
+  return failure.kind == map::FailureKind::MalformedAnswer &&
+         failure.cause.code == map::ReasonCode::AnswerTooLong;
+}
+
+}  // namespace
+
+Tick tickOf(double s) {
+  return Tick(std::floor(std::clamp(std::isnan(s) ? kFirstS : s, -kLastS, 2 * kLastS) * kTicksPerS));
+}
+
+Chunks::Chunks(const robot::BagInfo& info, ChunksOptions options) : options_(options) {
+  // Where the clock was set back, the last message may have an earlier stamp than the first.
+  start_s_ = std::clamp(std::floor(std::min(info.start_s, info.end_s)), kFirstS, kLastS);
+  end_s_ = std::clamp(std::max(info.start_s, info.end_s), kFirstS, kLastS);
+  if (info.messages == 0 && start_s_ == end_s_) return;
+  const Tick from = tickOf(start_s_), until = std::min(tickOf(std::floor(end_s_) + 1), tickOf(kLastS) + 1);
+  const double rate = double(std::max<std::int64_t>(info.messages, 1)) / secondsOf(until - from);
+  Tick length =
+      std::clamp(powerOfTwo(options_.messages_per_cell / rate * kTicksPerS), Tick(kTicksPerS), kLongest);
+  while ((until - from) / length > kMostCells) length *= 2;
+  if (from > tickOf(kFirstS)) addCells(tickOf(kFirstS), from, from - tickOf(kFirstS), true);
+  addCells(from, until, length, false);
+  if (until < tickOf(kLastS)) addCells(until, tickOf(kLastS), tickOf(kLastS) - until, true);
+}
+
+std::vector<Tick> Chunks::lengthen(const robot::BagInfo& info) {
+  if (cells_.empty()) {
+    const auto wanted_s = wanted_s_;
+    *this = Chunks(info, options_);
+    wanted_s_ = wanted_s;
+    return {};
+  }
+  const double settled_s = end_s_ - kUnsettledS;
+  end_s_ = std::max(end_s_, std::clamp(std::max(info.start_s, info.end_s), kFirstS, kLastS));
+  const auto beyond = std::prev(cells_.end());
+  const Tick until = std::min(tickOf(std::floor(end_s_) + 1), tickOf(kLastS) + 1);
+  if (beyond->second.beyond && beyond->first < until && beyond != cells_.begin()) {
+    const Tick from = beyond->first, last = beyond->second.until;
+    const Cell& before = std::prev(beyond)->second;
+    Tick length = std::max<Tick>(before.until - before.from, Tick(kTicksPerS));
+    while ((until - from) / length > kMostCells) length *= 2;
+    cells_.erase(beyond);
+    addCells(from, until, length, false);
+    if (until < last) addCells(until, last, last - until, true);
+  }
+  for (const auto& [from, cell] : cells_) {
+    const bool begun = cell.state == CellState::Read || cell.under_way;
+    if (begun && secondsOf(cell.until) > settled_s) stale_.insert(from);
+  }
+  std::vector<Tick> changed(stale_.begin(), stale_.end());
+  for (auto made = cells_.lower_bound(tickOf(settled_s)); made != cells_.end(); ++made) {
+    if (!stale_.contains(made->first)) changed.push_back(made->first);
+  }
+  return changed;
+}
+
+void Chunks::addCells(Tick from, Tick until, Tick length, bool beyond) {
+  for (; from < until; from += length) {
+    Cell cell;
+    cell.from = from;
+    cell.until = std::min(from + length, until);
+    cell.beyond = beyond;
+    cells_.emplace(from, cell);
+  }
+}
+
+const Cell* Chunks::find(Tick from) const {
+  const auto found = cells_.find(from);
+  return found == cells_.end() ? nullptr : &found->second;
+}
+
+const Cell* Chunks::cellAt(double at_s) const {
+  if (cells_.empty()) return nullptr;
+  auto after = cells_.upper_bound(tickOf(at_s));
+  return after == cells_.begin() ? &after->second : &std::prev(after)->second;
+}
+
+std::vector<Tick> Chunks::wantedCells() const {
+  std::vector<Tick> wanted;
+  const Cell* here = wanted_s_ ? cellAt(*wanted_s_) : nullptr;
+  if (!here) return wanted;
+  std::set<Tick> named;
+  const auto add = [&](const Cell& cell, bool messages) {
+    if (messages ? cell.held : cell.state == CellState::Read) return;
+    if (named.insert(cell.from).second) wanted.push_back(cell.from);
+  };
+  add(*here, true);
+  for (const Tick needed : needed_) {
+    if (const Cell* cell = find(needed)) add(*cell, true);
+  }
+  const auto at = cells_.find(here->from);
+  const auto next = std::next(at);
+  const auto ahead = [&](const Cell& cell) { return !cell.beyond || cell.state != CellState::Read; };
+  for (const Tick stale : stale_) {
+    if (cells_.contains(stale) && named.insert(stale).second) wanted.push_back(stale);
+  }
+  // The next one before all that lies behind: playing must not stop.
+  if (next != cells_.end() && ahead(next->second)) add(next->second, true);
+  if (options_.look_back) {
+    for (auto before = std::make_reverse_iterator(at); before != cells_.rend(); ++before)
+      add(before->second, false);
+  }
+  std::size_t bytes = 0;
+  for (auto later = next; later != cells_.end(); ++later) {
+    if (secondsOf(later->first) > *wanted_s_ + options_.ahead_s || bytes > options_.ahead_bytes) break;
+    bytes += later->second.held ? later->second.bytes : here->bytes;
+    if (ahead(later->second)) add(later->second, true);
+  }
+  if (options_.whole) {
+    for (auto later = next; later != cells_.end(); ++later) add(later->second, false);
+  }
+  for (const Tick again : again_) {
+    if (const Cell* cell = find(again)) add(*cell, true);
+  }
+  return wanted;
+}
+
+std::vector<Tick> Chunks::next(Millis now) const {
+  int free = options_.at_once;
+  for (const auto& [from, cell] : cells_) free -= cell.under_way;
+  std::vector<Tick> ask;
+  for (const Tick from : wantedCells()) {
+    if (int(ask.size()) >= free) break;
+    const Cell& cell = cells_.at(from);
+    if (!cell.under_way && cell.retry_at <= now) ask.push_back(from);
+  }
+  return ask;
+}
+
+std::vector<Tick> Chunks::toCancel() const {
+  const std::vector<Tick> wanted = wantedCells();
+  std::vector<Tick> cancel, under_way;
+  for (const auto& [from, cell] : cells_) {
+    if (!cell.under_way) continue;
+    under_way.push_back(from);
+    if (std::find(wanted.begin(), wanted.end(), from) == wanted.end()) cancel.push_back(from);
+  }
+  // What is wanted first of all waits for nobody.
+  const bool waits = !wanted.empty() && !cells_.at(wanted.front()).under_way &&
+                     cells_.at(wanted.front()).tries == 0 && cancel.empty() &&
+                     int(under_way.size()) >= options_.at_once;
+  if (waits) {
+    const auto rank = [&](Tick from) { return std::find(wanted.begin(), wanted.end(), from); };
+    cancel.push_back(*std::max_element(under_way.begin(), under_way.end(),
+                                       [&](Tick a, Tick b) { return rank(a) < rank(b); }));
+  }
+  return cancel;
+}
+
+std::vector<Tick> Chunks::toDrop() const {
+  const Cell* here = wanted_s_ ? cellAt(*wanted_s_) : nullptr;
+  std::vector<std::pair<double, const Cell*>> held;  // how far away
+  for (const auto& [from, cell] : cells_) {
+    if (!cell.held || (here && cell.from == here->from)) continue;
+    if (std::find(needed_.begin(), needed_.end(), from) != needed_.end()) continue;
+    double away_s = 1e300;
+    if (wanted_s_) {
+      const bool later = secondsOf(from) > *wanted_s_;
+      away_s = later ? secondsOf(from) - *wanted_s_ : *wanted_s_ - secondsOf(cell.until);
+      const bool next = here && cell.from == here->until;
+      // Only what lies in the window, or next, is worth its memory; what is next goes last.
+      if (next) {
+        away_s = 0;
+      } else if (away_s > (later ? options_.ahead_s : options_.behind_s)) {
+        away_s = 1e300;
+      }
+    }
+    held.emplace_back(away_s, &cell);
+  }
+  std::sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::size_t bytes = heldBytes();
+  std::vector<Tick> drop;
+  for (const auto& [away_s, cell] : held) {
+    if (away_s < 1e300 && bytes <= options_.held_bytes) break;
+    bytes -= cell->bytes;
+    drop.push_back(cell->from);
+  }
+  return drop;
+}
+
+std::optional<Millis> Chunks::wakesAt(Millis now) const {
+  std::optional<Millis> at;
+  for (const Tick from : wantedCells()) {
+    const Cell& cell = cells_.at(from);
+    if (!cell.under_way && cell.retry_at > now) at = std::min(at.value_or(cell.retry_at), cell.retry_at);
+  }
+  return at;
+}
+
+void Chunks::begun(Tick from) {
+  Cell& cell = at(from);
+  cell.under_way = true;
+  if (cell.state == CellState::Unread || cell.state == CellState::Failed) cell.state = CellState::UnderWay;
+}
+
+void Chunks::cancelled(Tick from) {
+  Cell& cell = at(from);
+  cell.under_way = false;
+  if (cell.state == CellState::UnderWay) cell.state = cell.tries > 0 ? CellState::Failed : CellState::Unread;
+}
+
+void Chunks::read(Tick from, std::size_t bytes, std::size_t messages) {
+  Cell& cell = at(from);
+  cell.under_way = false;
+  cell.state = CellState::Read;
+  cell.held = true;
+  cell.bytes = bytes;
+  cell.messages = messages;
+  cell.tries = 0;
+  cell.retry_at = 0;
+  cell.failure = {};
+  again_.erase(from);
+  stale_.erase(from);
+  const Tick length = cell.until - cell.from;
+  if (bytes > options_.comfortable_bytes && length > 1) shorten(std::max<Tick>(length / 2, 1));
+}
+
+void Chunks::dropped(Tick from) { at(from).held = false; }
+
+void Chunks::failed(Tick from, const map::Failure& failure, Millis now) {
+  Cell& cell = at(from);
+  cell.under_way = false;
+  if (isTooLong(failure) && cell.until - cell.from > 1) {
+    split(from);
+    return;
+  }
+  // Some refuse times that are not the bag's own: then there is nothing.
+  if (cell.beyond && failure.kind == map::FailureKind::RejectedByRobot) {
+    read(from, 0, 0);
+    return;
+  }
+  if (cell.state != CellState::Read) cell.state = CellState::Failed;
+  const int doublings = std::min(cell.tries++, 10);
+  cell.retry_at = now + std::min(options_.first_retry_ms << doublings, options_.last_retry_ms);
+  cell.failure = failure;
+}
+
+void Chunks::retryNow() {
+  for (auto& [from, cell] : cells_) cell.retry_at = 0;
+}
+
+void Chunks::split(Tick from) {
+  const Cell whole = at(from);
+  cells_.erase(from);
+  const Tick half = powerOfTwo(double(whole.until - whole.from - 1));
+  addCells(whole.from, whole.until, half, whole.beyond);
+}
+
+void Chunks::shorten(Tick longest) {
+  std::vector<Tick> longer;
+  for (const auto& [from, cell] : cells_) {
+    const bool untouched = cell.state == CellState::Unread && !cell.under_way && !cell.beyond;
+    if (untouched && cell.until - cell.from > longest) longer.push_back(from);
+  }
+  for (const Tick from : longer) {
+    const Cell whole = at(from);
+    cells_.erase(from);
+    addCells(whole.from, whole.until, longest, false);
+  }
+}
+
+bool Chunks::readUntil(double at_s) const {
+  const Tick last = tickOf(at_s);
+  return std::all_of(cells_.begin(), cells_.upper_bound(last),
+                     [](const auto& entry) { return entry.second.state == CellState::Read; });
+}
+
+const Cell* Chunks::gapUntil(double at_s) const {
+  for (auto it = cells_.begin(); it != cells_.upper_bound(tickOf(at_s)); ++it) {
+    if (it->second.state != CellState::Read && it->second.tries > 0) return &it->second;
+  }
+  return nullptr;
+}
+
+bool Chunks::wholeRead() const {
+  return std::all_of(cells_.begin(), cells_.end(),
+                     [](const auto& entry) { return entry.second.state == CellState::Read; });
+}
+
+std::size_t Chunks::messagesRead() const {
+  std::size_t count = 0;
+  for (const auto& [from, cell] : cells_) count += cell.messages;
+  return count;
+}
+
+std::size_t Chunks::heldBytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [from, cell] : cells_) bytes += cell.held ? cell.bytes : 0;
+  return bytes;
+}
+
+}  // namespace mapwright::replay

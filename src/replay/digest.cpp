@@ -1,0 +1,161 @@
+#include "replay/digest.h"
+
+#include <tuple>
+#include <variant>
+
+namespace mapwright::replay {
+namespace {
+
+using map::TopicMessage;
+
+constexpr std::size_t kSmallBytes = 2048;
+
+/// How much of a message lies outside of it.
+struct Weight {
+  template <typename Item>
+  static std::size_t of(const std::vector<Item>& items) {
+    return items.size() * sizeof(Item);
+  }
+  std::size_t operator()(const map::SubmapList& list) const { return of(list.entries) + of(list.rejected); }
+  std::size_t operator()(const map::GridMessage& grid) const { return grid.png ? grid.png->size() : 0; }
+  std::size_t operator()(const map::PointCloudMessage& cloud) const {
+    return cloud.points ? of(*cloud.points) : 0;
+  }
+  std::size_t operator()(const map::RobotModel& model) const {
+    return of(model.footprint) + of(model.expanded_footprint);
+  }
+  std::size_t operator()(const map::PathMessage& path) const { return of(path.points); }
+  std::size_t operator()(const map::LocalPathMessage& path) const { return of(path.points); }
+  std::size_t operator()(const map::TrajectoryMessage& path) const { return of(path.points); }
+  std::size_t operator()(const map::PlanningState& planning) const { return of(planning.targets); }
+  std::size_t operator()(const map::MapInfo& info) const { return 1000 * info.overlays.size(); }
+  std::size_t operator()(const map::AlertsMessage& alerts) const { return 2 * of(alerts.alerts); }
+  std::size_t operator()(const map::NearbyRobotsMessage& nearby) const { return 2 * of(nearby.robots); }
+  std::size_t operator()(const map::LandmarksMessage& marks) const { return 2 * of(marks.landmarks); }
+  std::size_t operator()(const map::AutoDoorsMessage& doors) const { return 400 * doors.doors.size(); }
+  std::size_t operator()(const map::PalletsMessage& pallets) const { return of(pallets.pallets); }
+  std::size_t operator()(const map::RackMessage& racks) const { return of(racks.racks); }
+  std::size_t operator()(const map::SeenObjectsMessage& seen) const { return of(seen.objects); }
+  std::size_t operator()(const map::ConstraintsMessage& constraints) const {
+    std::size_t bytes = 0;
+    for (const auto& [name, lines] : constraints.by_name) bytes += 64 + of(lines);
+    return bytes;
+  }
+  std::size_t operator()(const map::NearbyFootprintsMessage& nearby) const {
+    std::size_t bytes = 0;
+    for (const auto& [digest, outline] : nearby.by_digest) bytes += 64 + of(outline);
+    return bytes;
+  }
+  template <typename Other>
+  std::size_t operator()(const Other&) const {
+    return 0;
+  }
+};
+
+/// What of SLAM's state people must know of; its scores move all the time.
+auto alarming(const map::SlamStatus& slam) {
+  return std::tie(slam.state, slam.reliable, slam.position_quality, slam.wheel_slipping);
+}
+
+template <typename Message>
+const Message* as(const TopicMessage* message) {
+  return message ? std::get_if<Message>(message) : nullptr;
+}
+
+}  // namespace
+
+Slot slotOf(const TopicMessage& message) {
+  std::string which;
+  if (const auto* grid = std::get_if<map::GridMessage>(&message)) which = std::to_string(int(grid->kind));
+  if (const auto* cloud = std::get_if<map::PointCloudMessage>(&message)) which = cloud->topic;
+  return {message.index(), std::move(which)};
+}
+
+bool isSmall(const TopicMessage& message) { return std::visit(Weight(), message) <= kSmallBytes; }
+
+TopicMessage lightened(const TopicMessage& message) {
+  if (const auto* list = std::get_if<map::SubmapList>(&message))
+    return map::SubmapList{list->slam_state, list->uuid, {}, {}};
+  if (const auto* info = std::get_if<map::MapInfo>(&message)) {
+    map::MapInfo light;
+    light.name = info->name;
+    light.uid = info->uid;
+    light.map_version = info->map_version;
+    light.overlays_version = info->overlays_version;
+    return light;
+  }
+  return message;
+}
+
+bool countsLater(const TopicMessage& message, const TopicMessage* before) {
+  if (const auto* list = std::get_if<map::SubmapList>(&message)) {
+    const auto* then = as<map::SubmapList>(before);
+    return !then || then->uuid != list->uuid;
+  }
+  if (const auto* info = std::get_if<map::MapInfo>(&message)) {
+    const auto* then = as<map::MapInfo>(before);
+    return !then || std::tie(then->uid, then->name, then->map_version) !=
+                        std::tie(info->uid, info->name, info->map_version);
+  }
+  if (const auto* slam = std::get_if<map::SlamStatus>(&message)) {
+    const auto* then = as<map::SlamStatus>(before);
+    return !then || alarming(*then) != alarming(*slam);
+  }
+  if (std::holds_alternative<map::AlertsMessage>(message) ||
+      std::holds_alternative<map::WheelState>(message) ||
+      std::holds_alternative<map::NearbyFootprintsMessage>(message)) {
+    return !before || !(*before == message);
+  }
+  return false;
+}
+
+Digest digestOf(const Chunk& chunk) {
+  Digest digest;
+  digest.from_s = chunk.from_s;
+  digest.until_s = chunk.until_s;
+  digest.messages = chunk.order.size();
+  std::map<std::size_t, std::size_t> kept_last;  // by kind: its place in the history
+  std::map<Slot, std::uint32_t> last;
+  for (std::uint32_t place = 0; place < chunk.order.size(); ++place) {
+    const robot::BagMessage& each = chunk.at(place);
+    const double stamp_s = each.message.received_s;
+    TopicSpan& span = digest.topics[each.message.topic];
+    if (span.count++ == 0) span.first_s = stamp_s;
+    span.last_s = stamp_s;
+    if (!each.known) continue;
+    ++digest.known;
+    digest.last_known_s = stamp_s;
+    const TopicMessage& message = each.message.message;
+    if (const auto* tracked = std::get_if<map::TrackedPose>(&message)) {
+      digest.poses.push_back({stamp_s, place, tracked->pose});
+      continue;
+    }
+    last[slotOf(message)] = place;
+    if (const auto* planning = std::get_if<map::PlanningState>(&message)) {
+      if (digest.moves.empty() || digest.moves.back().state != planning->move_state)
+        digest.moves.push_back({stamp_s, planning->move_state});
+    }
+    const auto kept = kept_last.find(message.index());
+    if (!countsLater(message, kept == kept_last.end() ? nullptr : &digest.history[kept->second].message))
+      continue;
+    // A new session may have made the map unknown: the same one said again is news then.
+    if (std::holds_alternative<map::SubmapList>(message)) kept_last.erase(map::topicIndex<map::MapInfo>());
+    kept_last[message.index()] = digest.history.size();
+    digest.history.push_back({stamp_s, place, lightened(message)});
+  }
+  for (const auto& [slot, place] : last) {
+    const map::StampedMessage& message = chunk.at(place).message;
+    Digest::Last& one = digest.last[slot];
+    one.stamp_s = message.received_s;
+    one.place = place;
+    if (isSmall(message.message)) one.message = std::make_shared<const TopicMessage>(message.message);
+    one.picture_url = chunk.at(place).picture_url;
+  }
+  // They are kept for good.
+  digest.history.shrink_to_fit();
+  digest.poses.shrink_to_fit();
+  digest.moves.shrink_to_fit();
+  return digest;
+}
+
+}  // namespace mapwright::replay

@@ -1,0 +1,140 @@
+#include "replay/events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace mapwright::replay {
+namespace {
+
+constexpr int kPoor = 3;  // SlamStatus::position_quality
+
+struct Telling {
+  std::vector<Event> events = {};
+  std::map<std::pair<std::int64_t, std::string>, int> alerts = {};  // that hold
+  std::optional<std::string> move = {};
+  std::optional<map::MapInfo> info = {};
+  std::string uuid = {};
+  bool low = false, stopped = false;
+  std::optional<Digest::Pose> pose = {};
+  bool placed_anew = false;  // a new frame: the next pose is no jump
+  double at_s = 0;
+
+  Event& add(EventKind kind, std::int64_t code = 0, std::string text = {}) {
+    events.push_back({at_s, kind, code, std::move(text), 0});
+    return events.back();
+  }
+
+  void operator()(const map::AlertsMessage& message) {
+    std::map<std::pair<std::int64_t, std::string>, int> now;
+    for (const map::Alert& alert : message.alerts) ++now[{alert.code, alert.text}];
+    for (const auto& [alert, count] : alerts) {
+      if (!now.contains(alert)) add(EventKind::AlertEnded, alert.first, alert.second);
+    }
+    for (const auto& [alert, count] : now) {
+      if (!alerts.contains(alert)) add(EventKind::AlertBegan, alert.first, alert.second);
+    }
+    alerts = std::move(now);
+  }
+  void operator()(const map::MapInfo& message) {
+    const bool other = info && std::tie(info->uid, info->name, info->map_version) !=
+                                   std::tie(message.uid, message.name, message.map_version);
+    if (other) {
+      add(EventKind::MapChanged, message.map_version.value_or(0), message.name);
+      placed_anew |= info->uid != message.uid || info->name != message.name;
+    }
+    info = message;
+  }
+  void operator()(const map::SubmapList& list) {
+    if (list.uuid.empty() || list.uuid == uuid) return;
+    if (!uuid.empty()) add(EventKind::SessionChanged, 0, list.uuid);
+    placed_anew |= !uuid.empty();
+    uuid = list.uuid;
+  }
+  void operator()(const map::SlamStatus& slam) {
+    const int quality = slam.position_quality.value_or(0);
+    const bool now = (quality > 0 && quality <= kPoor) || slam.reliable == false;
+    if (now != low) add(now ? EventKind::QualityLow : EventKind::QualityGood, quality);
+    low = now;
+  }
+  void operator()(const map::WheelState& wheels) {
+    const bool now = wheels.emergency_stop == true;
+    if (now != stopped) add(now ? EventKind::EmergencyStopOn : EventKind::EmergencyStopOff);
+    stopped = now;
+  }
+  template <typename Other>
+  void operator()(const Other&) {}
+
+  void take(const Digest::Pose& now) {
+    if (pose && !placed_anew && isJump(pose->pose, pose->stamp_s, now.pose, now.stamp_s)) {
+      Event& jump = add(EventKind::PositionJump);
+      jump.metres = std::hypot(now.pose.x_m - pose->pose.x_m, now.pose.y_m - pose->pose.y_m);
+    }
+    placed_anew = false;
+    pose = now;
+  }
+  void take(const Digest::Move& now) {
+    if (move && *move != now.state) add(EventKind::MoveState, 0, now.state);
+    move = now.state;
+  }
+  void take(const Digest::Kept& kept) { std::visit(*this, kept.message); }
+};
+
+}  // namespace
+
+EventGroup groupOf(EventKind kind) {
+  switch (kind) {
+    case EventKind::AlertBegan:
+    case EventKind::AlertEnded:
+      return EventGroup::Alerts;
+    case EventKind::MoveState:
+      return EventGroup::Planner;
+    case EventKind::PositionJump:
+    case EventKind::QualityLow:
+    case EventKind::QualityGood:
+      return EventGroup::Position;
+    case EventKind::MapChanged:
+    case EventKind::SessionChanged:
+      return EventGroup::Maps;
+    case EventKind::EmergencyStopOn:
+    case EventKind::EmergencyStopOff:
+      return EventGroup::Stops;
+  }
+  return EventGroup::Alerts;
+}
+
+bool isJump(const geometry::Pose2& before, double before_s, const geometry::Pose2& after, double after_s) {
+  const double way_m = std::hypot(after.x_m - before.x_m, after.y_m - before.y_m);
+  return way_m > kJumpM && way_m > kJumpMPerS * std::max(after_s - before_s, 0.0);
+}
+
+std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests) {
+  Telling telling;
+  for (const auto& [from, digest] : digests) {
+    auto pose = digest.poses.begin();
+    auto kept = digest.history.begin();
+    for (;;) {
+      const bool poses = pose != digest.poses.end(), keeps = kept != digest.history.end();
+      if (!poses && !keeps) break;
+      if (poses && (!keeps || pose->place < kept->place)) {
+        telling.at_s = pose->stamp_s;
+        telling.take(*pose++);
+      } else {
+        telling.at_s = kept->stamp_s;
+        telling.take(*kept++);
+      }
+    }
+    for (const Digest::Move& move : digest.moves) {
+      telling.at_s = move.stamp_s;
+      telling.take(move);
+    }
+  }
+  std::stable_sort(telling.events.begin(), telling.events.end(),
+                   [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
+  return std::move(telling.events);
+}
+
+}  // namespace mapwright::replay

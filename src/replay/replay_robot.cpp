@@ -1,0 +1,343 @@
+#include "replay/replay_robot.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QPointer>
+
+namespace mapwright::replay {
+
+using robot::ConnectionPhase;
+
+namespace {
+
+constexpr int kLookAgainMs = 250;
+
+robot::ConnectionState inPhase(ConnectionPhase phase) {
+  robot::ConnectionState state;
+  state.phase = phase;
+  return state;
+}
+
+robot::RawMessage rawOf(const Chunk& chunk, const robot::BagMessage& message) {
+  const std::string_view text = chunk.source->textOf(message);
+  robot::RawMessage raw;
+  raw.topic = QString::fromStdString(message.message.topic);
+  raw.received =
+      QDateTime::fromMSecsSinceEpoch(qint64(std::clamp(message.message.received_s, -1e11, 1e11) * 1000));
+  raw.bytes = qint64(text.size());
+  raw.text = QByteArray(text.data(), std::min(qsizetype(text.size()), robot::kMaxRawText));
+  return raw;
+}
+
+}  // namespace
+
+/// Everything that was recorded is told; what nobody asked for is left out by who listens.
+class ReplayRobot::Topics : public robot::LiveTopics {
+ public:
+  Topics(robot::LiveTopics& origin, ReplayRobot& replay) : origin_(origin), replay_(replay) {}
+  QStringList known() const override { return origin_.known(); }
+  QStringList topicsOf(map::Stream stream) const override { return origin_.topicsOf(stream); }
+  void setWanted(const map::Streams& streams, const QStringList& topics) override {
+    const auto is_new = [this](map::Stream stream) { return !streams_.contains(stream); };
+    const bool more = std::any_of(streams.begin(), streams.end(), is_new);
+    streams_ = streams;
+    // Of what nobody wanted so far the last messages are behind. Who is told of them wants the same again,
+    // and that is nothing new.
+    if (more || std::exchange(topics_, topics) != topics) replay_.lookAgain();
+  }
+  void setWatching(bool on) override {
+    replay_.watching_ = on;
+    if (on)
+      QMetaObject::invokeMethod(
+          &replay_, [replay = &replay_] { replay->tellLastRaw(); }, Qt::QueuedConnection);
+  }
+  void setTap(robot::FrameTap) override {}
+
+ private:
+  robot::LiveTopics& origin_;
+  ReplayRobot& replay_;
+  map::Streams streams_;  // wanted so far
+  QStringList topics_;
+};
+
+/// The maps of where the bag comes from. Which one the robot worked with then the bag tells, not what it
+/// works with now.
+class ReplayRobot::Maps : public robot::MapCatalogue {
+ public:
+  explicit Maps(ReplayRobot& replay) : replay_(replay) {}
+  robot::Call list(robot::OutcomeTo<std::vector<map::CatalogueEntry>> reply) override {
+    return origin()->list([this, alive = replay_.alive_, reply = std::move(reply)](
+                              robot::Outcome<std::vector<map::CatalogueEntry>> entries) {
+      if (*alive && entries) mark(*entries);
+      reply(std::move(entries));
+    });
+  }
+  robot::Call describe(const map::MapKey& key, robot::OutcomeTo<map::CatalogueEntry> reply) override {
+    return origin()->describe(key, std::move(reply));
+  }
+  robot::Call thumbnail(const map::MapKey& key, robot::OutcomeTo<std::string> reply) override {
+    return origin()->thumbnail(key, std::move(reply));
+  }
+  void discardThumbnail(const map::MapKey& key) override { origin()->discardThumbnail(key); }
+
+ private:
+  robot::MapCatalogue* origin() const { return replay_.origin_->mapCatalogue(); }
+  void mark(std::vector<map::CatalogueEntry>& entries) const {
+    const std::optional<map::MapInfo>& info = replay_.map_info_;
+    if (!info || (info->uid.empty() && info->name.empty())) return;
+    const auto is = [&](const map::CatalogueEntry& entry) {
+      const bool by_uid = !info->uid.empty() && !entry.uid.empty();
+      return by_uid ? entry.uid == info->uid : !info->name.empty() && entry.name == info->name;
+    };
+    for (map::CatalogueEntry& entry : entries) entry.is_current = false;
+    const auto found = std::find_if(entries.begin(), entries.end(), is);
+    if (found != entries.end()) found->is_current = true;
+  }
+  ReplayRobot& replay_;
+};
+
+ReplayRobot::ReplayRobot(std::unique_ptr<robot::Robot> origin, std::string name, Reading::Options options,
+                         QObject* parent)
+    : Robot(parent), origin_(std::move(origin)), name_(std::move(name)), options_(std::move(options)) {
+  if (robot::LiveTopics* live = origin_->liveTopics()) live_ = std::make_unique<Topics>(*live, *this);
+  maps_ = std::make_unique<Maps>(*this);
+  look_again_.setSingleShot(true);
+  connect(&look_again_, &QTimer::timeout, this, [this] {
+    if (reading_ && at_s_) jump();
+  });
+  connect(origin_.get(), &Robot::problemFound, this, &Robot::problemFound);
+  connect(origin_.get(), &Robot::recovered, this, &Robot::recovered);
+  connect(origin_.get(), &Robot::identityChanged, this, &Robot::identityChanged);
+  connect(origin_.get(), &Robot::capabilitiesChanged, this, &Robot::capabilitiesChanged);
+}
+
+ReplayRobot::ReplayRobot(std::unique_ptr<robot::Robot> origin, robot::BagKey key, Reading::Options options,
+                         QObject* parent)
+    : ReplayRobot(std::move(origin), key.name, std::move(options), parent) {
+  key_ = std::move(key);
+}
+
+ReplayRobot::~ReplayRobot() {
+  *alive_ = false;
+  finding_.cancel();
+}
+
+robot::LiveTopics* ReplayRobot::liveTopics() { return live_.get(); }
+
+robot::MapCatalogue* ReplayRobot::mapCatalogue() { return origin_->mapCatalogue() ? maps_.get() : nullptr; }
+
+void ReplayRobot::takeMapInfo(const std::optional<map::MapInfo>& info) {
+  const auto named = [](const std::optional<map::MapInfo>& one) {
+    return one ? std::pair(one->uid, one->name) : std::pair<std::string, std::string>();
+  };
+  const bool other = named(map_info_) != named(info);
+  map_info_ = info;
+  if (other) Q_EMIT mapsChanged();
+}
+
+robot::Absence ReplayRobot::whyNot(robot::Capability capability) const {
+  using robot::Capability;
+  const bool changes = capability == Capability::WaypointEditing ||
+                       capability == Capability::Administration || capability == Capability::PictureEditing;
+  // There is no robot: what is there is the bag, which is told.
+  return changes ? robot::Absence{robot::Absence::Reason::LocalFiles, {name_}} : origin_->whyNot(capability);
+}
+
+void ReplayRobot::connectToRobot() {
+  if (state_.phase == ConnectionPhase::Online || state_.phase == ConnectionPhase::Connecting) return;
+  setState(inPhase(ConnectionPhase::Connecting));
+  find();
+}
+
+void ReplayRobot::disconnectFromRobot() {
+  finding_.cancel();
+  look_again_.stop();
+  reading_.reset();
+  at_s_.reset();
+  knowledge_ = Knowledge::Buffering;
+  setState({});
+}
+
+void ReplayRobot::lookAgain() {
+  if (reading_ && reading_->info() && at_s_) look_again_.start(0);
+}
+
+void ReplayRobot::find() {
+  robot::BagLibrary* const library = origin_->bagLibrary();
+  if (!library) {
+    refuse({.kind = map::FailureKind::Unsupported,
+            .subject = {map::SubjectKind::Bag, name_},
+            .reason = map::FailureReason::NotOffered});
+    return;
+  }
+  if (key_) return open(*key_);
+  finding_ = library->list([this, alive = alive_](const robot::Outcome<std::vector<robot::BagEntry>>& rows) {
+    if (!*alive || state_.phase != ConnectionPhase::Connecting) return;
+    robot::BagKey key{robot::BagKind::Bag, name_};
+    bool found = false;
+    for (const robot::BagEntry& row : rows ? *rows : std::vector<robot::BagEntry>()) {
+      if (row.key.name != name_ || (found && row.key.kind == robot::BagKind::Recording)) continue;
+      key = row.key;
+      found = true;
+    }
+    open(key);
+  });
+}
+
+void ReplayRobot::open(robot::BagKey key) {
+  reading_ = std::make_unique<Reading>(*origin_->bagLibrary(), std::move(key), options_);
+  connect(reading_.get(), &Reading::opened, this, [this] {
+    const QPointer<ReplayRobot> alive(this);
+    setState(inPhase(ConnectionPhase::Online));
+    if (alive && at_s_) goTo(*at_s_);
+  });
+  connect(reading_.get(), &Reading::failed, this, &ReplayRobot::refuse);
+  connect(reading_.get(), &Reading::changed, this, [this] {
+    if (!at_s_ || knowledge_ == Knowledge::Exact) return;
+    // While it looks back, the world of each range on the way would cost more than it tells.
+    if (knowledge_ == Knowledge::Buffering || reading_->chunks().readUntil(*at_s_)) {
+      jump();
+    } else if (!look_again_.isActive()) {
+      look_again_.start(kLookAgainMs);
+    }
+  });
+  connect(reading_.get(), &Reading::replaced, this, [this](Tick from) {
+    if (at_s_ && *at_s_ >= secondsOf(from)) lookAgain();
+  });
+  reading_->open();
+}
+
+void ReplayRobot::refuse(const map::Failure& failure) {
+  map::Reason reason = failure.cause;
+  if (!reason.any()) reason = {map::ReasonCode::ItAnswered, {failure.detail}};
+  robot::ConnectionState state = inPhase(ConnectionPhase::Refused);
+  state.reason = std::move(reason);
+  state.failure = failure.kind;
+  setState(std::move(state));
+}
+
+void ReplayRobot::setState(robot::ConnectionState state) {
+  if (state == state_) return;
+  state_ = std::move(state);
+  Q_EMIT connectionChanged();
+}
+
+void ReplayRobot::setKnowledge(Knowledge knowledge) {
+  if (std::exchange(knowledge_, knowledge) != knowledge) Q_EMIT knowledgeChanged();
+}
+
+void ReplayRobot::goTo(double at_s) {
+  if (!reading_ || !reading_->info()) {
+    at_s_ = at_s;
+    return;
+  }
+  if (at_s_ && at_s >= *at_s_ && knowledge_ == Knowledge::Exact && playTo(at_s)) return;
+  at_s_ = at_s;
+  reading_->want(at_s);
+  jump();
+}
+
+bool ReplayRobot::playTo(double at_s) {
+  std::vector<ChunkPtr> on_the_way;
+  const Cell* cell = reading_->chunks().cellAt(*at_s_);
+  const Cell* last = reading_->chunks().cellAt(at_s);
+  if (!cell || !last) return false;
+  for (auto it = reading_->chunks().cells().find(cell->from); it != reading_->chunks().cells().end(); ++it) {
+    ChunkPtr chunk = reading_->chunkAt(it->first);
+    if (!chunk) return false;
+    on_the_way.push_back(std::move(chunk));
+    if (it->first == last->from) break;
+  }
+  const double from_s = std::exchange(at_s_, at_s).value();
+  const QPointer<ReplayRobot> alive(this);
+  for (const ChunkPtr& chunk : on_the_way) {
+    const std::size_t end = chunk->countUntil(at_s);
+    for (std::size_t place = chunk->countUntil(from_s); place < end; ++place) {
+      const robot::BagMessage& message = chunk->at(place);
+      topics_[message.message.topic] = message.message.received_s;
+      if (watching_) Q_EMIT rawReceived(rawOf(*chunk, message));
+      if (!alive || at_s_ != at_s) return true;
+      if (!message.known) continue;
+      const auto* grid = std::get_if<map::GridMessage>(&message.message.message);
+      if (grid && !message.picture_url.empty()) {
+        fetchPicture(*grid, message.picture_url);
+        continue;
+      }
+      Q_EMIT topicReceived(message.message);
+      if (!alive || at_s_ != at_s) return true;
+      if (const auto* const info = std::get_if<map::MapInfo>(&message.message.message)) takeMapInfo(*info);
+      if (!alive || at_s_ != at_s) return true;
+    }
+  }
+  reading_->want(at_s);
+  return true;
+}
+
+void ReplayRobot::jump() {
+  const Moment moment = reading_->moment();
+  if (moment.knowledge == Knowledge::Buffering) {
+    setKnowledge(Knowledge::Buffering);
+    return;
+  }
+  topics_ = moment.topics;
+  knowledge_ = moment.knowledge;
+  const QPointer<ReplayRobot> alive(this);
+  map::World world = moment.at.world;
+  for (auto& [kind, picture] : std::exchange(pictures_, {})) picture.call.cancel();
+  for (const auto& [kind, url] : moment.at.pictures) {
+    fetchPicture(world.live.grids.at(kind), url);
+    world.live.grids.erase(kind);
+  }
+  const std::optional<map::MapInfo> info = world.live.map_info;
+  Q_EMIT jumped(world, moment.knowledge);
+  if (alive) takeMapInfo(info);
+  if (alive) Q_EMIT knowledgeChanged();
+  if (alive) tellLastRaw();
+}
+
+void ReplayRobot::tellLastRaw() {
+  const Cell* const cell =
+      watching_ && reading_ && reading_->info() && at_s_ ? reading_->chunks().cellAt(*at_s_) : nullptr;
+  const ChunkPtr chunk = cell ? reading_->chunkAt(cell->from) : nullptr;
+  if (!chunk) return;
+  std::map<std::string, const robot::BagMessage*> last;
+  for (const std::uint32_t place : chunk->back_filled) {
+    const robot::BagMessage& message = chunk->source->messages[place];
+    last[message.message.topic] = &message;
+  }
+  for (std::size_t place = 0; place < chunk->countUntil(*at_s_); ++place)
+    last[chunk->at(place).message.topic] = &chunk->at(place);
+  const QPointer<ReplayRobot> alive(this);
+  for (const auto& [topic, message] : last) {
+    Q_EMIT rawReceived(rawOf(*chunk, *message));
+    if (!alive) return;
+  }
+}
+
+void ReplayRobot::fetchPicture(const map::GridMessage& grid, const std::string& url) {
+  const std::uint64_t number = ++last_picture_;
+  if (auto before = pictures_.extract(grid.kind)) before.mapped().call.cancel();
+  Picture& picture = pictures_[grid.kind];
+  picture.number = number;
+  picture.call = origin_->bagLibrary()->picture(
+      grid.topic, url,
+      [this, alive = alive_, grid, url,
+       number](const robot::Outcome<std::shared_ptr<const std::string>>& outcome) {
+        if (!*alive) return;
+        const auto waiting = pictures_.find(grid.kind);
+        if (waiting == pictures_.end() || waiting->second.number != number) return;
+        pictures_.erase(waiting);
+        if (!outcome) {
+          Q_EMIT problemFound(map::problemOf(outcome.error(), map::Severity::Warning));
+          return;
+        }
+        map::GridMessage whole = grid;
+        whole.png = *outcome;
+        whole.body_bytes = whole.png->size();
+        // It belongs to the present, however old it is: an earlier stamp would take the trail back.
+        Q_EMIT topicReceived({std::move(whole), at_s_.value_or(0), std::nullopt, grid.topic});
+      });
+}
+
+}  // namespace mapwright::replay

@@ -1,0 +1,237 @@
+#include "replay/world_at.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "map/fold.h"
+
+namespace mapwright::replay {
+namespace {
+
+constexpr Tick kBackFilled = std::numeric_limits<Tick>::min();
+
+/// A message that is the last of its slot, or begins a frame.
+struct Found {
+  double stamp_s = 0;
+  Tick chunk = 0;
+  std::uint32_t place = 0;
+  const map::TopicMessage* message = nullptr;
+  const std::string* picture_url = nullptr;
+};
+
+auto orderOf(const Found& found) { return std::tuple(found.stamp_s, found.chunk, found.place); }
+
+bool beginsFrames(const map::TopicMessage& message) {
+  return std::holds_alternative<map::SubmapList>(message) || std::holds_alternative<map::MapInfo>(message);
+}
+
+struct Search {
+  const PrefixIndex& index;
+  Tick from;
+  const Chunk& chunk;
+  double at_s;
+  bool complete;
+  const ContentOf& content;
+  WorldAt result = {};
+  std::map<Slot, Found> last = {};
+  std::vector<Found> frames = {};
+  std::deque<map::TopicMessage> light = {};  // of `frames`
+
+  /// Found from the newest to the oldest: the first one stays.
+  void lookIntoChunk() {
+    for (std::size_t place = chunk.countUntil(at_s); place-- > 0;) {
+      const robot::BagMessage& each = chunk.at(place);
+      if (!each.known) continue;
+      const map::TopicMessage& message = each.message.message;
+      const Found found{each.message.received_s, from, std::uint32_t(place), &message, &each.picture_url};
+      last.try_emplace(slotOf(message), found);
+      if (beginsFrames(message)) addFrame(found);
+    }
+  }
+
+  /// Lists are long, and come often.
+  void addFrame(Found found) {
+    found.message = &light.emplace_back(lightened(*found.message));
+    frames.push_back(found);
+  }
+
+  void lookBack() {
+    index.forLastBefore(from, [&](const Slot& slot, Tick at, const Digest::Last& one) {
+      if (last.contains(slot)) return;
+      Found found{one.stamp_s, at, one.place, one.message ? one.message.get() : content(at, one.place),
+                  &one.picture_url};
+      if (found.message == nullptr) result.missing.push_back(at);
+      last.emplace(slot, found);
+    });
+    const auto end = index.digests().lower_bound(from);
+    for (auto before = index.digests().begin(); before != end; ++before) {
+      for (const Digest::Kept& kept : before->second.history) {
+        if (beginsFrames(kept.message))
+          frames.push_back({kept.stamp_s, before->first, kept.place, &kept.message, nullptr});
+      }
+    }
+  }
+
+  /// What the robot added is older than the chunk, and may be newer than what is known.
+  void takeBackFilled() {
+    for (const std::uint32_t which : chunk.back_filled) {
+      const robot::BagMessage& each = chunk.source->messages[which];
+      if (!each.known) continue;
+      const map::TopicMessage& message = each.message.message;
+      const Found found{each.message.received_s, kBackFilled, which, &message, &each.picture_url};
+      const auto [known, is_new] = last.try_emplace(slotOf(message), found);
+      if (!is_new && known->second.stamp_s < found.stamp_s) known->second = found;
+      if (beginsFrames(message)) addFrame(found);
+    }
+  }
+
+  std::optional<double> stampOf(std::size_t kind) const {
+    const auto found = last.lower_bound({kind, {}});
+    return found != last.end() && found->first.first == kind ? std::optional(found->second.stamp_s)
+                                                             : std::nullopt;
+  }
+
+  /// What is known of the ranges before, with what the robot added; not all of them have been read.
+  map::World knownHistory() const {
+    const auto end = index.digests().lower_bound(from);
+    // It is asked for often while more comes: of the poses, those that a trail may be made of.
+    auto trail_from = end;
+    for (std::size_t poses = 0;
+         trail_from != index.digests().begin() && poses <= map::LiveState::kTrailPoints;)
+      poses += (--trail_from)->second.poses.size();
+    map::World world;
+    auto added = chunk.back_filled.begin();
+    const auto addedBefore = [&](double stamp_s, bool is_news) {
+      for (; added != chunk.back_filled.end(); ++added) {
+        const robot::BagMessage& each = chunk.source->messages[*added];
+        if (each.message.received_s >= stamp_s) return;
+        if (is_news && each.known) map::reduceInto(world, each.message.message, each.message.received_s);
+      }
+    };
+    for (auto it = index.digests().begin(); it != end; ++it) {
+      const Digest& digest = it->second;
+      addedBefore(digest.from_s, true);
+      addedBefore(digest.until_s, false);
+      if (it->first >= trail_from->first) {
+        foldHistory(world, digest, digest.until_s);
+      } else {
+        for (const Digest::Kept& kept : digest.history) map::reduceInto(world, kept.message, kept.stamp_s);
+      }
+    }
+    addedBefore(std::numeric_limits<double>::infinity(), true);
+    return world;
+  }
+
+  map::World history() const {
+    map::World world = complete ? index.historyBefore(from) : knownHistory();
+    const std::size_t count = chunk.countUntil(at_s);
+    for (std::size_t place = 0; place < count; ++place) {
+      const robot::BagMessage& each = chunk.at(place);
+      const map::TopicMessage& message = each.message.message;
+      if (!each.known) continue;
+      if (beginsFrames(message)) {
+        map::reduceInto(world, lightened(message), each.message.received_s);
+      } else if (std::holds_alternative<map::TrackedPose>(message) || countsLater(message, nullptr)) {
+        map::reduceInto(world, message, each.message.received_s);
+      }
+    }
+    // Each word about it ends what is long over, also one that brings no news.
+    std::optional<double> told_s;
+    for (const std::size_t kind :
+         {std::size_t(map::topicIndex<map::AlertsMessage>()), std::size_t(map::topicIndex<map::WheelState>()),
+          std::size_t(map::topicIndex<map::SlamStatus>())}) {
+      if (const auto stamp_s = stampOf(kind)) told_s = std::max(told_s.value_or(*stamp_s), *stamp_s);
+    }
+    if (told_s) world.live.safety = map::continuedSafety(std::move(world.live.safety), world.live, *told_s);
+    return world;
+  }
+
+  map::World ofLastMessages() {
+    std::vector<Found> all = frames;
+    for (const auto& [slot, found] : last) {
+      if (found.message == nullptr) continue;
+      all.push_back(found);
+      if (found.chunk != kBackFilled) result.sources[slot] = {found.chunk, found.place};
+    }
+    // Frames first among equals: the full message follows its lightened self.
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Found& a, const Found& b) { return orderOf(a) < orderOf(b); });
+    map::World world;
+    for (const Found& found : all) {
+      if (std::holds_alternative<map::TrackedPose>(*found.message)) continue;
+      map::reduceInto(world, *found.message, found.stamp_s);
+    }
+    for (const auto& [slot, found] : last) {
+      const auto* grid = found.message ? std::get_if<map::GridMessage>(found.message) : nullptr;
+      // One of a map of before is not in the world any more.
+      if (grid && found.picture_url && !found.picture_url->empty() && world.live.grids.contains(grid->kind))
+        result.pictures[grid->kind] = *found.picture_url;
+    }
+    return world;
+  }
+
+  double newest() const {
+    double newest_s = 0;
+    const std::size_t count = chunk.countUntil(at_s);
+    for (std::size_t place = count; place-- > 0;) {
+      if (chunk.at(place).known) return chunk.stampAt(place);
+    }
+    for (auto it = std::make_reverse_iterator(index.digests().lower_bound(from));
+         it != index.digests().rend(); ++it) {
+      if (it->second.known > 0) {
+        newest_s = it->second.last_known_s;
+        break;
+      }
+    }
+    if (!complete) {
+      for (const std::uint32_t which : chunk.back_filled)
+        newest_s = std::max(newest_s, chunk.source->messages[which].message.received_s);
+    }
+    return newest_s;
+  }
+};
+
+}  // namespace
+
+WorldAt worldAt(const PrefixIndex& index, Tick from, const Chunk& chunk, double at_s, bool complete,
+                const ContentOf& content) {
+  Search search{index, from, chunk, at_s, complete, content};
+  search.lookIntoChunk();
+  search.lookBack();
+  if (!complete) search.takeBackFilled();
+  map::World history = search.history();
+  map::World world = search.ofLastMessages();
+  world.live.robot_pose = history.live.robot_pose;
+  world.live.trail = std::move(history.live.trail);
+  world.live.alerts = std::move(history.live.alerts);
+  world.live.safety = std::move(history.live.safety);
+  world.live.nearby_footprints = std::move(history.live.nearby_footprints);
+  world.at_s = search.newest();
+  search.result.world = std::move(world);
+  auto& missing = search.result.missing;
+  std::sort(missing.begin(), missing.end());
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+  return std::move(search.result);
+}
+
+std::map<std::string, double> topicsAt(const PrefixIndex& index, Tick from, const Chunk& chunk, double at_s,
+                                       bool complete) {
+  std::map<std::string, double> last_s;
+  if (!complete) {
+    for (const std::uint32_t which : chunk.back_filled) {
+      const map::StampedMessage& message = chunk.source->messages[which].message;
+      last_s[message.topic] = message.received_s;
+    }
+  }
+  index.addTopicsBefore(from, last_s);
+  const std::size_t count = chunk.countUntil(at_s);
+  for (std::size_t place = 0; place < count; ++place)
+    last_s[chunk.at(place).message.topic] = chunk.stampAt(place);
+  return last_s;
+}
+
+}  // namespace mapwright::replay

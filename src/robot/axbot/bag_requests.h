@@ -1,0 +1,57 @@
+// Asks an Autoxing robot for its bags. Lives on the link's thread; replies arrive there from its event loop.
+// Source: axbot.md (bags), seed 002.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QObject>
+#include <QThreadPool>
+#include <QUrl>
+
+#include "map/problem.h"
+#include "net/http_client.h"
+#include "robot/axbot/bag_download.h"
+#include "robot/bag_library.h"
+#include "robot/wire/errand.h"
+
+namespace mapwright::robot::axbot {
+
+class BagRequests {
+ public:
+  using Errand = wire::ErrandPtr;
+  using Report = std::function<void(const map::Problem&)>;
+  using Recovered = std::function<void(const map::Recovery&)>;
+  /// `http` outlives this object, and calls nobody any more once it is gone itself.
+  BagRequests(net::HttpClient& http, QUrl base, std::chrono::milliseconds patience, Report report,
+              Recovered recovered);
+  ~BagRequests();
+
+  void list(Errand errand, OutcomeTo<std::vector<BagEntry>> reply);
+  void info(Errand errand, const BagKey& key, OutcomeTo<BagInfo> reply);
+  /// The answer is read on a thread of its own: it may be long, and live messages go through this one.
+  void messages(Errand errand, const BagKey& key, const BagRange& range, OutcomeTo<BagChunkPtr> reply);
+  void picture(Errand errand, const std::string& topic, const std::string& url,
+               OutcomeTo<std::shared_ptr<const std::string>> reply);
+  void record(Errand errand, const BagOrder& order, OutcomeTo<BagEntry> reply);
+  void remove(Errand errand, const BagKey& key, OutcomeTo<BagKey> reply);
+  void download(Errand errand, const BagKey& key, const QString& path, OutcomeTo<BagDownload> reply);
+
+ private:
+  struct Listing;
+  net::HttpRequest requestTo(const QString& path, const QString& query = {}) const;
+  void addRows(const std::shared_ptr<Listing>& listing, const net::HttpAnswer& answer, BagKind kind);
+
+  net::HttpClient& http_;
+  QUrl base_;
+  std::chrono::milliseconds patience_;
+  Report report_;
+  Recovered recovered_;
+  QObject context_;  // what is read comes back to its thread
+  QThreadPool reading_;
+};
+
+}  // namespace mapwright::robot::axbot

@@ -1,0 +1,213 @@
+#include "robot/axbot/parse_bags.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDateTime>
+#include <QLocale>
+
+#include "robot/axbot/parse_topics.h"
+#include "robot/axbot/plain_messages.h"
+#include "robot/wire/read_json.h"
+
+namespace mapwright::robot::axbot {
+namespace {
+
+auto wrong(map::Reason reason) { return tl::make_unexpected(std::move(reason)); }
+
+map::Reason notJson(std::string_view utf8) {
+  return {map::ReasonCode::MessageNotJson, {std::int64_t(utf8.size())}};
+}
+
+/// "31-Oct-2023 14:36:17", in the robot's language of English whatever is spoken here.
+std::optional<double> listedTime(const std::string& text) {
+  QDateTime time =
+      QLocale::c().toDateTime(QString::fromStdString(text), QStringLiteral("d-MMM-yyyy HH:mm:ss"));
+  time.setTimeSpec(Qt::UTC);
+  return time.isValid() ? std::optional(double(time.toSecsSinceEpoch())) : std::nullopt;
+}
+
+std::optional<BagEntry> readRow(const wire::Json& row, BagKind kind) {
+  BagEntry entry;
+  entry.key = {kind, wire::text(row, {"filename", "name"})};
+  if (entry.key.name.empty()) return std::nullopt;
+  entry.size_bytes = wire::integer(row, {"size_bytes"});
+  entry.size_text = wire::text(row, {"size"});
+  entry.end_text = wire::text(row, {"end"});
+  entry.end_s = listedTime(entry.end_text);
+  if (!entry.end_s) entry.end_s = wire::epochSeconds(row, {"end", "end_time"});
+  return entry;
+}
+
+/// A buffer that simdjson may read beyond the end of.
+std::shared_ptr<const std::string> padded(std::string_view utf8) {
+  auto text = std::make_shared<std::string>();
+  text->reserve(utf8.size() + simdjson::SIMDJSON_PADDING);
+  text->assign(utf8);
+  return text;
+}
+
+/// Bytes that are no UTF-8 in one message would make the whole range unreadable.
+std::shared_ptr<const std::string> validText(std::string_view bytes) {
+  if (simdjson::validate_utf8(bytes.data(), bytes.size())) return padded(bytes);
+  const QByteArray repaired = QString::fromUtf8(bytes.data(), qsizetype(bytes.size())).toUtf8();
+  return padded({repaired.constData(), std::size_t(repaired.size())});
+}
+
+class ChunkReader {
+ public:
+  explicit ChunkReader(BagChunk& chunk) : chunk_(chunk) {}
+
+  void add(std::string_view json) {
+    const std::optional<wire::Json> root = read(json);
+    if (!root || !root->is_object()) {
+      ++chunk_.unreadable;
+      return;
+    }
+    const std::optional<double> stamp_s = wire::number(*root, {"__stamp"});
+    if (!stamp_s) {
+      ++chunk_.without_stamp;
+      return;
+    }
+    TextFrame frame = readFrame(*root);
+    BagMessage message;
+    message.at = std::size_t(json.data() - chunk_.text->data());
+    message.size = json.size();
+    message.latched = wire::flag(*root, {"__latched"}).value_or(false);
+    message.message.received_s = *stamp_s;
+    message.message.recorded_s = wire::epochSeconds(*root, {"stamp"});
+    message.known = frame.message || frame.grid_to_fetch;
+    if (frame.message) {
+      message.message.message = std::move(*frame.message);
+    } else if (frame.grid_to_fetch) {
+      message.message.message = std::move(frame.grid_to_fetch->grid);
+      message.picture_url = std::move(frame.grid_to_fetch->data_url);
+    } else {
+      message.message.message = map::UnreadableMessage{frame.topic, {}};
+    }
+    message.message.topic = std::move(frame.topic);
+    chunk_.messages.push_back(std::move(message));
+  }
+
+  /// One that has been read.
+  void add(BagMessage message, std::string_view json) {
+    message.at = std::size_t(json.data() - chunk_.text->data());
+    message.size = json.size();
+    chunk_.messages.push_back(std::move(message));
+  }
+
+ private:
+  /// Behind the message there is more of the text, so nothing has to be copied.
+  std::optional<wire::Json> read(std::string_view json) {
+    wire::Json root;
+    if (!parser_.parse(json.data(), json.size(), false).get(root)) return root;
+    return lenient_.read(json);
+  }
+
+  BagChunk& chunk_;
+  simdjson::dom::parser parser_;
+  wire::JsonReader lenient_;
+};
+
+/// The messages of chunk.text, one after the other; what is wrong with the text as a whole. `plain`: some are
+/// read on the way. On failure there are none.
+std::optional<map::Reason> readMessages(BagChunk& chunk, bool plain) {
+  namespace ondemand = simdjson::ondemand;
+  chunk.messages.clear();
+  chunk.without_stamp = chunk.unreadable = 0;
+  const map::Reason no_json = notJson(*chunk.text);
+  ondemand::parser parser;
+  ondemand::document document;
+  const simdjson::padded_string_view text(chunk.text->data(), chunk.text->size(), chunk.text->capacity());
+  if (parser.iterate(text).get(document)) return no_json;
+  ondemand::object root;
+  if (document.get_object().get(root)) return no_json;
+  ondemand::array messages;
+  if (const auto error = root.find_field_unordered("messages").get_array().get(messages)) {
+    const bool absent = error == simdjson::NO_SUCH_FIELD || error == simdjson::INCORRECT_TYPE;
+    return absent ? map::Reason(map::ReasonCode::BagWithoutMessages) : no_json;
+  }
+  ChunkReader reader(chunk);
+  PlainMessages usual;
+  for (auto each : messages) {
+    ondemand::value value;
+    ondemand::json_type type{};
+    if (each.get(value) || value.type().get(type)) return no_json;
+    if (type != ondemand::json_type::object) {
+      ++chunk.unreadable;
+      continue;
+    }
+    const char* const start = value.raw_json_token().data();
+    const auto until = [&](const char* end) {
+      while (end > start && end[-1] != '}') --end;
+      return std::string_view(start, std::size_t(end - start));
+    };
+    ondemand::object message;
+    if (value.get_object().get(message)) return no_json;
+    if (plain) {
+      BagMessage told;
+      const char* end = nullptr;
+      if (usual.read(message, told)) {
+        if (document.current_location().get(end)) return no_json;
+        reader.add(std::move(told), until(end));
+        continue;
+      }
+      // What is no JSON at all may have ended the reading of the whole.
+      if (!document.is_alive() || message.reset().error()) return no_json;
+    }
+    std::string_view json;
+    if (message.raw_json().get(json)) return no_json;
+    reader.add(until(json.data() + json.size()));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<std::vector<BagEntry>, map::Reason> parseBagRows(std::string_view utf8, BagKind kind) {
+  wire::JsonReader json;
+  const auto root = json.read(utf8);
+  if (!root) return wrong(notJson(utf8));
+  const auto rows = wire::asList(*root, {"bags", "recordings", "files"});
+  if (!rows) return wrong(map::ReasonCode::AnswerIsNoList);
+  std::vector<BagEntry> entries;
+  for (const wire::Json row : *rows) {
+    if (auto entry = readRow(row, kind)) entries.push_back(std::move(*entry));
+  }
+  return entries;
+}
+
+std::optional<BagEntry> parseBagRow(std::string_view utf8, BagKind kind) {
+  wire::JsonReader json;
+  const auto root = json.read(utf8);
+  return root ? readRow(*root, kind) : std::nullopt;
+}
+
+tl::expected<BagInfo, map::Reason> parseBagInfo(std::string_view utf8) {
+  wire::JsonReader json;
+  const auto root = json.read(utf8);
+  if (!root) return wrong(notJson(utf8));
+  BagInfo info;
+  const auto messages = wire::integer(*root, {"total_messages"});
+  const auto start_s = wire::number(*root, {"start_time"}), end_s = wire::number(*root, {"end_time"});
+  // Of a bag without messages there is nothing that could begin or end.
+  if (!(start_s && end_s) && messages != 0) return wrong(map::ReasonCode::BagWithoutTimes);
+  info.messages = std::max<std::int64_t>(messages.value_or(0), 0);
+  info.start_s = start_s.value_or(0);
+  info.end_s = end_s.value_or(info.start_s);
+  return info;
+}
+
+tl::expected<BagChunk, map::Reason> parseBagChunk(std::string_view utf8, const BagRange& range) {
+  BagChunk chunk;
+  chunk.from_s = range.from_s;
+  chunk.until_s = range.until_s;
+  chunk.text = validText(utf8);
+  std::optional<map::Reason> why = readMessages(chunk, true);
+  // Something within a message is no JSON: then only where it ends is looked for.
+  if (why) why = readMessages(chunk, false);
+  if (why) return wrong(*std::move(why));
+  return chunk;
+}
+
+}  // namespace mapwright::robot::axbot

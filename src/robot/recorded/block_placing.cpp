@@ -1,0 +1,254 @@
+#include "robot/recorded/block_placing.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mapwright::robot::recorded {
+namespace {
+
+constexpr std::int64_t kFirstNs = 60'000'000'000;  // of a file: when what never changes is said
+constexpr int kMostOfFirst = 2000, kMostOfLast = 16;
+constexpr double kPoseMissingNs = 2e9;  // before it is told that there is none
+
+double secondsOf(std::int64_t ns) { return double(ns) / 1e9; }
+
+}  // namespace
+
+std::optional<StaticTransforms::Told> StaticTransforms::told(const recording::Message& message) {
+  auto frame = fields_.read(message);
+  if (!frame) return std::nullopt;  // told where it is played
+  return Told{message.channel->topic, message.log_time_ns, std::move(*frame)};
+}
+
+const std::vector<StaticTransforms::Told>& StaticTransforms::until(std::int64_t at_ns) {
+  if (shape_.statics.empty()) return until_;
+  if (!first_) {
+    first_.emplace();
+    recording::Query query;
+    query.topics = shape_.statics;
+    if (const auto start_ns = file_.summary().start_ns) query.last_ns = *start_ns + kFirstNs;
+    const auto cursor = file_.messages(query);
+    for (int count = 0; count < kMostOfFirst; ++count) {
+      const auto message = cursor->next();
+      if (!message) break;
+      if (auto one = told(*message)) first_->push_back(std::move(*one));
+    }
+  }
+  // Some publishers say theirs on one topic, each once: the last one alone is not all.
+  std::vector<recording::Message> last;
+  std::int64_t before_ns = at_ns;
+  for (int count = 0; count < kMostOfLast; ++count) {
+    const std::vector<recording::Message> found = file_.lastBefore(before_ns, shape_.statics);
+    if (found.empty() && count == 0) last_ns_ = -1;
+    if (found.empty()) break;
+    const auto latest = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+      return a.log_time_ns < b.log_time_ns;
+    });
+    if (count == 0 && latest->log_time_ns == last_ns_) return until_;
+    if (count == 0) last_ns_ = latest->log_time_ns;
+    before_ns = latest->log_time_ns - 1;
+    last.push_back(*latest);
+    if (!first_->empty() && latest->log_time_ns <= first_->back().at_ns) break;
+  }
+  until_.clear();
+  std::copy_if(first_->begin(), first_->end(), std::back_inserter(until_),
+               [&](const Told& one) { return one.at_ns <= at_ns; });
+  for (auto message = last.rbegin(); message != last.rend(); ++message) {
+    if (auto one = told(*message)) until_.push_back(std::move(*one));
+  }
+  return until_;
+}
+
+std::int64_t BlockPlacing::blockOf(std::int64_t at_ns) {
+  return (at_ns / kBlockNs - (at_ns % kBlockNs < 0)) * kBlockNs;
+}
+
+BlockPlacing::BlockPlacing(const Parts& parts, std::int64_t block_ns, std::int64_t from_ns,
+                           std::int64_t until_ns)
+    : parts_(parts), block_ns_(block_ns), next_look_ns_(block_ns - kBeforeNs) {
+  ahead_.placeAtOnce(parts_.shape.fixed_frame);
+  now_.placeAtOnce(parts_.shape.fixed_frame);
+  readStatics();
+  recording::Query query;
+  query.first_ns = block_ns - kBeforeNs;
+  query.last_ns = std::min(until_ns, block_ns + kBlockNs) + kAheadNs;
+  query.topics = parts_.shape.transforms;
+  if (!query.topics.empty()) {
+    leading_ = parts_.file.messages(query);
+    lead_ = leading_->next();
+  }
+  readBefore(from_ns);
+}
+
+void BlockPlacing::readStatics() {
+  for (const StaticTransforms::Told& one : parts_.statics.until(block_ns_ - kBeforeNs - 1)) {
+    for (const ros::Source& source : parts_.shape.by_topic.at(one.topic)) {
+      ahead_.take(source, one.frame->root(), secondsOf(one.at_ns));
+      now_.take(source, one.frame->root(), secondsOf(one.at_ns));
+    }
+  }
+}
+
+void BlockPlacing::readBefore(std::int64_t from_ns) {
+  std::vector<std::string> kept = parts_.shape.poses;
+  kept.insert(kept.end(), parts_.shape.markers.begin(), parts_.shape.markers.end());
+  const std::int64_t first_ns = block_ns_ - kBeforeNs;
+  if (!kept.empty()) {
+    std::vector<recording::Message> last = parts_.file.lastBefore(first_ns - 1, kept);
+    std::stable_sort(last.begin(), last.end(),
+                     [](const auto& a, const auto& b) { return a.log_time_ns < b.log_time_ns; });
+    for (const recording::Message& message : last) {
+      if (const auto frame = parts_.fields.read(message)) takeNow(message, *frame);
+    }
+  }
+  recording::Query query;
+  query.first_ns = first_ns;
+  query.last_ns = from_ns - 1;
+  query.topics = kept;
+  query.topics.insert(query.topics.end(), parts_.shape.transforms.begin(), parts_.shape.transforms.end());
+  if (query.topics.empty() || query.last_ns < query.first_ns) return;
+  const auto cursor = parts_.file.messages(query);
+  while (const auto message = cursor->next()) {
+    before(message->log_time_ns);
+    if (const auto frame = parts_.fields.read(*message)) take(*message, *frame);
+  }
+  before(from_ns - 1);
+}
+
+void BlockPlacing::advance(std::int64_t until_ns) {
+  while (lead_ && lead_->log_time_ns <= until_ns) {
+    if (const auto frame = parts_.fields.read(*lead_)) {
+      for (const ros::Source& source : parts_.shape.by_topic.at(lead_->channel->topic))
+        ahead_.take(source, (*frame)->root(), secondsOf(lead_->log_time_ns));
+    }
+    lead_ = leading_->next();
+  }
+}
+
+ros::WorldResults BlockPlacing::before(std::int64_t at_ns) {
+  ros::WorldResults all;
+  if (parts_.shape.markers.empty()) return all;
+  for (; next_look_ns_ <= at_ns; next_look_ns_ += kMarkersEveryNs) {
+    for (ros::WorldResult& result : now_.overdue(secondsOf(next_look_ns_))) all.push_back(std::move(result));
+    if (next_look_ns_ < block_ns_ || std::exchange(told_beginning_, true) || !any_markers_) continue;
+    ros::WorldResult result;
+    result.topic = parts_.shape.markers.front();
+    result.received_s = secondsOf(next_look_ns_);
+    result.message = now_.seenObjects();
+    all.push_back(std::move(result));
+  }
+  return all;
+}
+
+ros::WorldResults BlockPlacing::takeNow(const recording::Message& message, const FramePtr& frame) {
+  ros::WorldResults all;
+  for (const ros::Source& source : parts_.shape.by_topic.at(message.channel->topic)) {
+    any_markers_ |= source.form == ros::Form::Markers;
+    for (ros::WorldResult& result : now_.take(source, frame->root(), secondsOf(message.log_time_ns)))
+      all.push_back(std::move(result));
+  }
+  return all;
+}
+
+ros::WorldResult BlockPlacing::takeGrid(const ros::Source& source, const ros::Field& msg,
+                                        std::int64_t at_ns) {
+  const auto grid = ros::readGrid(msg);
+  if (!grid) {
+    ros::WorldResult result;
+    result.topic = source.topic;
+    result.received_s = secondsOf(at_ns);
+    result.unreadable = grid.error();
+    return result;
+  }
+  if (parts_.shape.patches_of.contains(source.topic)) {
+    parts_.folds.set(source.topic, *grid, at_ns);
+    folded_.insert(source.topic);
+  }
+  return ahead_.take(source, *grid, secondsOf(at_ns));
+}
+
+ros::WorldResult BlockPlacing::takePatch(const ros::Source& source, const ros::Field& msg,
+                                         std::int64_t at_ns) {
+  ros::WorldResult result;
+  result.topic = source.topic;
+  result.received_s = secondsOf(at_ns);
+  const auto patch = ros::readGridPatch(msg);
+  if (!patch) {
+    result.unreadable = patch.error();
+    return result;
+  }
+  ros::Grid* const grid = folded_.insert(source.base).second
+                              ? parts_.folds.before(source.base, source.topic, at_ns)
+                              : parts_.folds.made(source.base);
+  if (grid == nullptr) {
+    folded_.erase(source.base);
+    return result;  // what it changes has not come
+  }
+  const auto patched = ros::patchGrid(*grid, *patch);
+  parts_.folds.patched(source.base, at_ns);
+  if (!patched) result.unreadable = patched.error();
+  if (!patched || !*patched) return result;
+  ros::Source of = source;
+  of.form = ros::Form::Grid;
+  of.topic = source.base;
+  ros::Grid whole = *grid;
+  whole.notes = patch->notes;
+  result = ahead_.take(of, whole, secondsOf(at_ns));
+  result.topic = source.topic;
+  result.recorded_s = patch->header.stamp_s;
+  return result;
+}
+
+ros::WorldResults BlockPlacing::take(const recording::Message& message, const FramePtr& frame) {
+  const std::int64_t at_ns = message.log_time_ns;
+  advance(at_ns + kAheadNs);
+  ros::WorldResults all;
+  bool of_pose = false;
+  for (const ros::Source& source : parts_.shape.by_topic.at(message.channel->topic)) {
+    switch (source.form) {
+      case ros::Form::Tf:
+      case ros::Form::StaticTf:
+      case ros::Form::Markers:
+        any_markers_ |= source.form == ros::Form::Markers;
+        for (ros::WorldResult& result : now_.take(source, frame->root(), secondsOf(at_ns)))
+          all.push_back(std::move(result));
+        break;
+      case ros::Form::MapService:
+        all.push_back(takeGrid(source, frame->root()["map"], at_ns));
+        break;
+      case ros::Form::Grid:
+        all.push_back(takeGrid(source, frame->root(), at_ns));
+        break;
+      case ros::Form::GridPatch:
+        all.push_back(takePatch(source, frame->root(), at_ns));
+        break;
+      default:
+        // Poses are told of by what is known now, all else lies where its stamp says.
+        ros::RosWorld& world = source.stream == map::Stream::Pose ? now_ : ahead_;
+        for (ros::WorldResult& result : world.take(source, frame->root(), secondsOf(at_ns)))
+          all.push_back(std::move(result));
+        break;
+    }
+    of_pose |= source.stream == map::Stream::Pose;
+  }
+  if (of_pose) addPose(all, message.channel->topic, at_ns);
+  return all;
+}
+
+void BlockPlacing::addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns) {
+  if (pose_slot_ == at_ns / kPoseEveryNs) return;
+  const auto pose = now_.pose();
+  if (!pose) return;
+  ros::WorldResult result;
+  result.topic = topic;
+  result.received_s = secondsOf(at_ns);
+  if (*pose) {
+    pose_slot_ = at_ns / kPoseEveryNs;
+    result.message = map::TrackedPose{**pose};
+  } else if (double(at_ns - block_ns_) > kPoseMissingNs) {
+    result.unplaced = pose->error();
+  }
+  results.push_back(std::move(result));
+}
+
+}  // namespace mapwright::robot::recorded

@@ -1,0 +1,96 @@
+// Messages of ROS placed, so that each has one place whatever was read before it.
+//
+// Time is cut into blocks that begin at whole multiples of kBlockNs since the epoch. What a message of a
+// block becomes depends on the messages from kBeforeNs before its block on, and not on the range that was
+// asked for: transforms of that time and kAheadNs beyond the message (what comes late to a robot is there
+// already), static ones of the file's beginning and the last before, poses and markers that were said last
+// before, grids with all their patches. Source: REP 105, tf2 (history of 10 s).
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "recording/source.h"
+#include "robot/recorded/grid_folds.h"
+#include "robot/recorded/message_fields.h"
+#include "robot/recorded/ros_shape.h"
+#include "robot/ros/ros_world.h"
+
+namespace mapwright::robot::recorded {
+
+/// The transforms that never change, as far as a time needs them. One thread.
+class StaticTransforms {
+ public:
+  StaticTransforms(recording::Source& file, MessageFields& fields, const RosShape& shape)
+      : file_(file), fields_(fields), shape_(shape) {}
+  struct Told {
+    std::string topic;
+    std::int64_t at_ns = 0;
+    FramePtr frame;
+  };
+  /// Those of the file's first minute and the last ones before `at_ns`, in their order.
+  const std::vector<Told>& until(std::int64_t at_ns);
+
+ private:
+  std::optional<Told> told(const recording::Message& message);
+  recording::Source& file_;
+  MessageFields& fields_;
+  const RosShape& shape_;
+  std::optional<std::vector<Told>> first_;  // of the first minute
+  std::vector<Told> until_;
+  std::int64_t last_ns_ = -1;  // of the last one before, that until_ is about
+};
+
+/// One block, its messages one after the other. One thread.
+class BlockPlacing {
+ public:
+  static constexpr std::int64_t kBlockNs = 8'000'000'000, kBeforeNs = 10'000'000'000,
+                                kAheadNs = 1'000'000'000;
+  static constexpr std::int64_t kPoseEveryNs = 50'000'000, kMarkersEveryNs = 250'000'000;
+  static std::int64_t blockOf(std::int64_t at_ns);  // where it begins
+
+  struct Parts {
+    recording::Source& file;
+    MessageFields& fields;
+    const RosShape& shape;
+    StaticTransforms& statics;
+    GridFolds& folds;
+  };
+  /// Reads what comes before `from_ns`, which lies in the block.
+  BlockPlacing(const Parts& parts, std::int64_t block_ns, std::int64_t from_ns, std::int64_t until_ns);
+
+  /// What the message became; it is of one of the topics of the shape, and each is handed in in its order.
+  /// `frame`: it was read already. Results of other topics (markers) may be among them.
+  ros::WorldResults take(const recording::Message& message, const FramePtr& frame);
+  /// What was to be seen of markers when the block began, and what has changed by then without any message:
+  /// to be asked before each message, and for the end of the range.
+  ros::WorldResults before(std::int64_t at_ns);
+
+ private:
+  void readStatics();
+  void readBefore(std::int64_t from_ns);
+  void advance(std::int64_t until_ns);
+  ros::WorldResults takeNow(const recording::Message& message, const FramePtr& frame);
+  ros::WorldResult takeGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
+  ros::WorldResult takePatch(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
+  void addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns);
+
+  Parts parts_;
+  std::int64_t block_ns_;
+  ros::RosWorld ahead_;  // knows the transforms until kAheadNs later: places what has a stamp
+  ros::RosWorld now_;    // knows what has been said by now: where the robot is, and markers
+  std::unique_ptr<recording::Cursor> leading_;
+  std::optional<recording::Message> lead_;  // the next transform of ahead_
+  std::int64_t next_look_ns_;               // at markers
+  bool told_beginning_ = false, any_markers_ = false;
+  std::int64_t pose_slot_ = -1;
+  std::set<std::string> folded_;  // grids that GridFolds has as they are now
+};
+
+}  // namespace mapwright::robot::recorded

@@ -1,0 +1,419 @@
+#include "robot/recorded/foxglove.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <QCborArray>
+#include <QCborMap>
+#include <QCborValue>
+
+namespace mapwright::robot::recorded {
+namespace {
+
+using net::rosbridge::Field;
+template <typename T>
+using Read = tl::expected<T, map::Reason>;
+
+constexpr std::size_t kMostBytes = std::size_t(256) << 20;  // of the cells and points of one
+constexpr std::size_t kMostNumbers = 10'000'000;
+constexpr std::int64_t kMostCells = std::int64_t(1) << 28;
+constexpr int kInt8List = 72;  // RFC 8746, 2.1
+constexpr std::int8_t kUnknown = -1, kOccupied = 100;
+
+struct KindName {
+  FoxgloveKind kind;
+  std::string_view name;
+};
+constexpr KindName kKinds[] = {{FoxgloveKind::Grid, "Grid"},
+                               {FoxgloveKind::LaserScan, "LaserScan"},
+                               {FoxgloveKind::PointCloud, "PointCloud"},
+                               {FoxgloveKind::PoseInFrame, "PoseInFrame"},
+                               {FoxgloveKind::PosesInFrame, "PosesInFrame"},
+                               {FoxgloveKind::FrameTransform, "FrameTransform"},
+                               {FoxgloveKind::FrameTransforms, "FrameTransforms"}};
+
+tl::unexpected<map::Reason> missing(const char* member) {
+  return tl::unexpected(map::Reason(map::ReasonCode::RosFieldMissing, {member}));
+}
+
+/// NumericType; the numbers are those of the schema.
+enum class Type : std::uint8_t { None, U8, I8, U16, I16, U32, I32, F32, F64 };
+constexpr std::size_t kTypeBytes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
+constexpr std::string_view kTypeNames[] = {"UNKNOWN", "UINT8", "INT8",    "UINT16", "INT16",
+                                           "UINT32",  "INT32", "FLOAT32", "FLOAT64"};
+
+Type typeOf(const Field& field) {
+  if (const auto number = field.integer()) return *number > 0 && *number <= 8 ? Type(*number) : Type::None;
+  const std::string name = field.text();
+  const auto* const found = std::find(std::begin(kTypeNames), std::end(kTypeNames), name);
+  return found == std::end(kTypeNames) ? Type::None : Type(found - std::begin(kTypeNames));
+}
+
+template <typename T>
+double little(const char* at) {
+  T value;
+  std::memcpy(&value, at, sizeof(T));
+  static_assert(std::endian::native == std::endian::little);
+  return double(value);
+}
+
+/// A number in a record of packed ones.
+struct Packed {
+  Type type = Type::None;
+  std::size_t offset = 0;
+  double of(const char* record) const {
+    const char* const at = record + offset;
+    switch (type) {
+      case Type::U8:
+        return little<std::uint8_t>(at);
+      case Type::I8:
+        return little<std::int8_t>(at);
+      case Type::U16:
+        return little<std::uint16_t>(at);
+      case Type::I16:
+        return little<std::int16_t>(at);
+      case Type::U32:
+        return little<std::uint32_t>(at);
+      case Type::I32:
+        return little<std::int32_t>(at);
+      case Type::F32:
+        return little<float>(at);
+      case Type::F64:
+        return little<double>(at);
+      case Type::None:
+        break;
+    }
+    return 0;
+  }
+};
+
+/// Those that lie within a record of `stride` bytes.
+std::vector<std::pair<std::string, Packed>> packedFields(const Field& fields, std::size_t stride) {
+  constexpr std::size_t kMostFields = 256;
+  std::vector<std::pair<std::string, Packed>> all;
+  fields.each([&](const Field& field) {
+    const Type type = typeOf(field["type"]);
+    // What is 0 may be left out.
+    const auto offset = field["offset"].isNull() ? std::optional<std::int64_t>(0) : field["offset"].integer();
+    const std::size_t bytes = kTypeBytes[std::size_t(type)];
+    if (type == Type::None || !offset || *offset < 0 || all.size() >= kMostFields) return;
+    if (bytes <= stride && std::size_t(*offset) <= stride - bytes)
+      all.emplace_back(field["name"].text(), Packed{type, std::size_t(*offset)});
+  });
+  return all;
+}
+
+std::optional<Packed> called(const std::vector<std::pair<std::string, Packed>>& fields,
+                             std::string_view name) {
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
+  return found == fields.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// {"sec","nsec"} of JSON, {"seconds","nanos"} of protobuf, a time of ROS.
+QCborMap timeOf(const Field& time) {
+  const auto part = [&](std::initializer_list<const char*> names) -> qint64 {
+    for (const char* name : names) {
+      if (const auto value = time[name].integer()) return *value;
+    }
+    return 0;
+  };
+  return {{QStringLiteral("secs"), part({"sec", "seconds", "secs"})},
+          {QStringLiteral("nsecs"), part({"nsec", "nanos", "nsecs", "nanosec"})}};
+}
+
+QCborValue text(const Field& field) { return QString::fromStdString(field.text()); }
+
+QCborMap headerOf(const Field& message, const char* frame = "frame_id") {
+  return {{QStringLiteral("stamp"), timeOf(message["timestamp"])},
+          {QStringLiteral("frame_id"), text(message[frame])}};
+}
+
+double numberOf(const Field& field, double otherwise) { return field.number().value_or(otherwise); }
+
+QCborMap vectorOf(const Field& vector) {
+  return {{QStringLiteral("x"), numberOf(vector["x"], 0)},
+          {QStringLiteral("y"), numberOf(vector["y"], 0)},
+          {QStringLiteral("z"), numberOf(vector["z"], 0)}};
+}
+
+/// Where nothing is said it is not turned; protobuf leaves out what is 0.
+Eigen::Quaterniond turnOf(const Field& turn) {
+  const Eigen::Quaterniond q(numberOf(turn["w"], 0), numberOf(turn["x"], 0), numberOf(turn["y"], 0),
+                             numberOf(turn["z"], 0));
+  return q.norm() > 1e-6 && std::isfinite(q.norm()) ? q.normalized() : Eigen::Quaterniond::Identity();
+}
+
+QCborMap turnMap(const Field& turn) {
+  const Eigen::Quaterniond q = turnOf(turn);
+  return {{QStringLiteral("x"), q.x()},
+          {QStringLiteral("y"), q.y()},
+          {QStringLiteral("z"), q.z()},
+          {QStringLiteral("w"), q.w()}};
+}
+
+QCborMap poseOf(const Field& pose) {
+  return {{QStringLiteral("position"), vectorOf(pose["position"])},
+          {QStringLiteral("orientation"), turnMap(pose["orientation"])}};
+}
+
+Eigen::Isometry3d placeOf(const Field& pose) {
+  const Field at = pose["position"];
+  Eigen::Isometry3d place(turnOf(pose["orientation"]));
+  place.translation() = Eigen::Vector3d(numberOf(at["x"], 0), numberOf(at["y"], 0), numberOf(at["z"], 0));
+  return place;
+}
+
+/// Points as floats, x y z and what they reflect.
+class Points {
+ public:
+  explicit Points(const Field& pose) : place_(placeOf(pose)) {}
+  void reserve(std::size_t count) { bytes_.reserve(qsizetype(count * kRecord)); }
+  void add(const Eigen::Vector3d& at, double intensity) {
+    const Eigen::Vector3d placed = place_ * at;
+    if (!placed.allFinite()) return;
+    for (const double value : {placed.x(), placed.y(), placed.z(), intensity}) {
+      const float number = float(value);
+      bytes_.append(reinterpret_cast<const char*>(&number), sizeof(number));
+    }
+  }
+  QByteArray message(const Field& of) const {
+    QCborArray fields;
+    int offset = 0;
+    for (const char* name : {"x", "y", "z", "intensity"}) {
+      fields.append(QCborMap{{QStringLiteral("name"), QString::fromLatin1(name)},
+                             {QStringLiteral("offset"), offset},
+                             {QStringLiteral("datatype"), 7},
+                             {QStringLiteral("count"), 1}});
+      offset += int(sizeof(float));
+    }
+    const QCborMap cloud{{QStringLiteral("header"), headerOf(of)},
+                         {QStringLiteral("height"), 1},
+                         {QStringLiteral("width"), qint64(std::size_t(bytes_.size()) / kRecord)},
+                         {QStringLiteral("fields"), fields},
+                         {QStringLiteral("is_bigendian"), false},
+                         {QStringLiteral("point_step"), qint64(kRecord)},
+                         {QStringLiteral("row_step"), qint64(bytes_.size())},
+                         {QStringLiteral("data"), bytes_},
+                         {QStringLiteral("is_dense"), true}};
+    return cloud.toCborValue().toCbor();
+  }
+
+ private:
+  static constexpr std::size_t kRecord = 4 * sizeof(float);
+  Eigen::Isometry3d place_;
+  QByteArray bytes_;
+};
+
+Read<QByteArray> scan(const Field& message) {
+  const auto ranges = message["ranges"].isNull() ? std::optional<std::vector<double>>(std::vector<double>())
+                                                 : message["ranges"].numbers(kMostNumbers);
+  if (!ranges) return missing("ranges");
+  const auto strengths = message["intensities"].numbers(kMostNumbers);
+  const double from = numberOf(message["start_angle"], 0), to = numberOf(message["end_angle"], 0);
+  const double step = ranges->size() > 1 ? (to - from) / double(ranges->size() - 1) : 0;
+  Points points(message["pose"]);
+  points.reserve(ranges->size());
+  for (std::size_t i = 0; i < ranges->size(); ++i) {
+    const double range = (*ranges)[i], angle = from + double(i) * step;
+    if (!(range > 0) || !std::isfinite(range)) continue;
+    const bool has = strengths && i < strengths->size();
+    points.add({range * std::cos(angle), range * std::sin(angle), 0}, has ? (*strengths)[i] : 0);
+  }
+  return points.message(message);
+}
+
+Read<QByteArray> cloud(const Field& message) {
+  const auto stride = message["point_stride"].integer();
+  if (!stride || *stride <= 0 || std::size_t(*stride) > kMostBytes) return missing("point_stride");
+  const auto data = message["data"].isNull() ? std::optional<std::string>(std::string())
+                                             : message["data"].bytes(kMostBytes);
+  if (!data) return missing("data");
+  const auto fields = packedFields(message["fields"], std::size_t(*stride));
+  const auto x = called(fields, "x"), y = called(fields, "y"), z = called(fields, "z");
+  auto strength = called(fields, "intensity");
+  if (!x || !y) return tl::unexpected(map::Reason(map::ReasonCode::PointsWithoutFields));
+  const std::size_t count = data->size() / std::size_t(*stride);
+  Points points(message["pose"]);
+  points.reserve(std::min(count, kMostNumbers));
+  for (std::size_t i = 0; i < std::min(count, kMostNumbers); ++i) {
+    const char* const record = data->data() + i * std::size_t(*stride);
+    points.add({x->of(record), y->of(record), z ? z->of(record) : 0}, strength ? strength->of(record) : 0);
+  }
+  return points.message(message);
+}
+
+/// What a cell says of being occupied. Colours are those of a picture of a map: dark is occupied, what is
+/// seen through is unknown. Bytes are those of ROS (0..100, 255: unknown), or costs up to 254 where there are
+/// such. Fractions go from 0 to 1.
+class CellReader {
+ public:
+  explicit CellReader(const std::vector<std::pair<std::string, Packed>>& fields) {
+    red_ = called(fields, "red");
+    green_ = called(fields, "green");
+    blue_ = called(fields, "blue");
+    alpha_ = called(fields, "alpha");
+    for (const char* name : {"occupancy", "occupied", "value", "data", "cost"}) {
+      if (!value_) value_ = called(fields, name);
+    }
+    const bool colours = red_ && green_ && blue_;
+    if (!value_ && !colours && !fields.empty()) value_ = fields.front().second;
+  }
+  bool any() const { return value_ || (red_ && green_ && blue_); }
+  /// To be asked of every cell before any is read.
+  void look(const char* record) {
+    if (!value_) return;
+    const double value = value_->of(record);
+    if (std::isfinite(value) && value != 255) most_ = std::max(most_, value);
+  }
+  std::int8_t read(const char* record) const {
+    if (!value_) {
+      if (alpha_ && !(alpha_->of(record) > 0)) return kUnknown;
+      const double most = red_->type == Type::F32 || red_->type == Type::F64 ? 1 : 255;
+      const double light = (red_->of(record) + green_->of(record) + blue_->of(record)) / (3 * most);
+      return within(100 * (1 - light));
+    }
+    const double value = value_->of(record);
+    if (!std::isfinite(value) || value < 0) return kUnknown;
+    if (value_->type == Type::F32 || value_->type == Type::F64) return within(100 * value);
+    if (value > 254) return kUnknown;
+    return within(most_ > kOccupied ? value * kOccupied / 254 : value);
+  }
+
+ private:
+  static std::int8_t within(double value) {
+    if (std::isnan(value)) return kUnknown;
+    return std::int8_t(std::lround(std::clamp(value, 0.0, double(kOccupied))));
+  }
+  std::optional<Packed> red_, green_, blue_, alpha_, value_;
+  double most_ = 0;
+};
+
+Read<QByteArray> grid(const Field& message) {
+  const auto columns = message["column_count"].integer();
+  const auto row_stride = message["row_stride"].integer(), cell_stride = message["cell_stride"].integer();
+  if (!columns || *columns <= 0 || *columns > kMostCells) return missing("column_count");
+  if (!cell_stride || *cell_stride <= 0 || *cell_stride > std::int64_t(kMostBytes))
+    return missing("cell_stride");
+  if (!row_stride || *row_stride < *columns * *cell_stride) return missing("row_stride");
+  const auto data = message["data"].bytes(kMostBytes);
+  if (!data) return missing("data");
+  const Field size = message["cell_size"];
+  const double wide = numberOf(size["x"], 0), high = numberOf(size["y"], 0);
+  // Cells of a map are squares here.
+  if (!(wide > 0) || std::abs(wide - high) > 1e-6 * wide) return missing("cell_size");
+  CellReader reader(packedFields(message["fields"], std::size_t(*cell_stride)));
+  if (!reader.any()) return missing("fields");
+  // The last row may end with its last cell.
+  const std::size_t row = std::size_t(*row_stride), cell = std::size_t(*cell_stride);
+  const std::size_t packed = std::size_t(*columns) * cell;
+  const std::size_t rows = data->size() / row + (data->size() % row >= packed ? 1 : 0);
+  if (rows > std::size_t(kMostCells / *columns)) return missing("row_stride");
+  const auto each = [&](auto&& take) {
+    for (std::size_t y = 0; y < rows; ++y) {
+      const char* const begins = data->data() + y * row;
+      for (std::size_t x = 0; x < std::size_t(*columns); ++x) take(begins + x * cell);
+    }
+  };
+  each([&](const char* record) { reader.look(record); });
+  QByteArray cells;
+  cells.reserve(qsizetype(rows * std::size_t(*columns)));
+  each([&](const char* record) { cells.append(char(reader.read(record))); });
+  const QCborMap info{{QStringLiteral("resolution"), wide},
+                      {QStringLiteral("width"), qint64(*columns)},
+                      {QStringLiteral("height"), qint64(rows)},
+                      {QStringLiteral("origin"), poseOf(message["pose"])}};
+  const QCborMap map{{QStringLiteral("header"), headerOf(message)},
+                     {QStringLiteral("info"), info},
+                     {QStringLiteral("data"), QCborValue(QCborTag(kInt8List), QCborValue(cells))}};
+  return map.toCborValue().toCbor();
+}
+
+QCborMap transform(const Field& message) {
+  return {{QStringLiteral("header"), headerOf(message, "parent_frame_id")},
+          {QStringLiteral("child_frame_id"), text(message["child_frame_id"])},
+          {QStringLiteral("transform"),
+           QCborMap{{QStringLiteral("translation"), vectorOf(message["translation"])},
+                    {QStringLiteral("rotation"), turnMap(message["rotation"])}}}};
+}
+
+QByteArray transforms(const QCborArray& all) {
+  return QCborMap{{QStringLiteral("transforms"), all}}.toCborValue().toCbor();
+}
+
+}  // namespace
+
+std::optional<FoxgloveKind> foxgloveKind(const recording::Channel& channel) {
+  std::string_view name = channel.schema_name;
+  for (const std::string_view start : {"foxglove.", "foxglove_msgs/msg/", "foxglove_msgs/"}) {
+    if (!name.starts_with(start)) continue;
+    name.remove_prefix(start.size());
+    for (const KindName& one : kKinds) {
+      if (one.name == name) return one.kind;
+    }
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+const char* rosTypeOf(FoxgloveKind kind) {
+  switch (kind) {
+    case FoxgloveKind::Grid:
+      return "nav_msgs/OccupancyGrid";
+    case FoxgloveKind::LaserScan:
+    case FoxgloveKind::PointCloud:
+      return "sensor_msgs/PointCloud2";
+    case FoxgloveKind::PoseInFrame:
+      return "geometry_msgs/PoseStamped";
+    case FoxgloveKind::PosesInFrame:
+      return "nav_msgs/Path";
+    case FoxgloveKind::FrameTransform:
+    case FoxgloveKind::FrameTransforms:
+      return "tf2_msgs/TFMessage";
+  }
+  return "";
+}
+
+Read<QByteArray> foxgloveToRos(FoxgloveKind kind, const Field& message) {
+  switch (kind) {
+    case FoxgloveKind::Grid:
+      return grid(message);
+    case FoxgloveKind::LaserScan:
+      return scan(message);
+    case FoxgloveKind::PointCloud:
+      return cloud(message);
+    case FoxgloveKind::PoseInFrame:
+      return QCborMap{{QStringLiteral("header"), headerOf(message)},
+                      {QStringLiteral("pose"), poseOf(message["pose"])}}
+          .toCborValue()
+          .toCbor();
+    case FoxgloveKind::PosesInFrame: {
+      QCborArray poses;
+      const QCborMap header = headerOf(message);
+      message["poses"].each([&](const Field& pose) {
+        poses.append(QCborMap{{QStringLiteral("header"), header}, {QStringLiteral("pose"), poseOf(pose)}});
+      });
+      return QCborMap{{QStringLiteral("header"), header}, {QStringLiteral("poses"), poses}}
+          .toCborValue()
+          .toCbor();
+    }
+    case FoxgloveKind::FrameTransform:
+      return transforms({transform(message)});
+    case FoxgloveKind::FrameTransforms: {
+      QCborArray all;
+      message["transforms"].each([&](const Field& one) { all.append(transform(one)); });
+      return transforms(all);
+    }
+  }
+  return missing("schema");
+}
+
+}  // namespace mapwright::robot::recorded

@@ -1,0 +1,50 @@
+// What lies in a recording beside its messages: submaps, whole maps, pictures, named places that were fetched
+// while it was recorded. Source: recorder/layout.h (names and contents of attachments). One thread.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "map/catalogue.h"
+#include "map/submap.h"
+#include "map/waypoint.h"
+#include "recording/source.h"
+#include "robot/call.h"
+
+namespace mapwright::robot::recorded {
+
+class KeptThings {
+ public:
+  explicit KeptThings(recording::Source& file) : file_(file) {}
+  /// More may have been written: looks at the list of attachments again.
+  void look();
+
+  /// That version; where it is not there the last one before it, else the first one after it. NotFound where
+  /// there is none of that submap.
+  map::SubmapAnswer submap(const map::SubmapKey& key);
+  Outcome<map::WholeMap> wholeMap(const map::MapKey& key);
+  Outcome<map::WaypointList> waypoints(const map::MapKey& key);
+  std::vector<map::CatalogueEntry> maps();
+  /// As a message of `at_ns` names it: of several that came by and by the one of that time. Empty: none.
+  std::string pictureName(const std::string& url, std::int64_t at_ns) const;
+  /// `name` is one of pictureName().
+  Outcome<std::shared_ptr<const std::string>> picture(const std::string& topic, const std::string& name);
+
+ private:
+  using Places = std::vector<std::size_t>;  // of the same name, by log time
+  std::optional<std::string> bytesAt(std::size_t place);
+  std::optional<std::string> lastOf(const std::string& name);
+  using SubmapPlace = std::tuple<std::string, std::int32_t, std::int32_t>;  // uuid, trajectory, index
+
+  recording::Source& file_;
+  std::size_t looked_ = 0;
+  std::unordered_map<std::string, Places> by_name_;
+  std::map<SubmapPlace, std::map<std::int32_t, std::size_t>> submaps_;  // by version
+};
+
+}  // namespace mapwright::robot::recorded

@@ -1,0 +1,101 @@
+#include "robot/recorded/message_fields.h"
+
+#include <utility>
+
+#include "recording/ros_cbor.h"
+#include "robot/recorded/foxglove.h"
+#include "robot/recorded/recording_reasons.h"
+
+namespace mapwright::robot::recorded {
+
+using net::rosbridge::Frame;
+
+namespace {
+
+tl::expected<FramePtr, map::Reason> frameOf(const QByteArray& bytes, Frame::Wire wire) {
+  FramePtr frame = Frame::read(bytes, wire);
+  switch (frame->fault()) {
+    case Frame::Fault::None:
+      return frame;
+    case Frame::Fault::NotJson:
+      return tl::unexpected(map::Reason(map::ReasonCode::MessageNotJson, {std::int64_t(bytes.size())}));
+    default:
+      return tl::unexpected(map::Reason(map::ReasonCode::MessageNotUnderstood));
+  }
+}
+
+}  // namespace
+
+bool isRos(const recording::Channel& channel, bool untyped) {
+  const std::string& encoding = channel.message_encoding;
+  if (encoding == "protobuf" || encoding == "json") {
+    if (foxgloveKind(channel)) return true;
+  }
+  if (recording::rosWire(encoding) || encoding == "cbor") return true;
+  if (encoding != "json") return false;
+  return channel.schema_name.empty() ? untyped : channel.schema_name.find('/') != std::string::npos;
+}
+
+const MessageFields::Schema& MessageFields::schemaOf(const recording::ChannelPtr& channel) {
+  const auto known = schemas_.find(channel->id);
+  if (known != schemas_.end() && known->second.channel == channel) return known->second.schema;
+  const auto read = [&]() -> Schema {
+    if (channel->schema_data.empty())
+      return tl::unexpected(map::Reason(map::ReasonCode::RosSchemaMissing, {channel->schema_name}));
+    const auto dialect = recording::rosDialect(channel->schema_encoding);
+    if (!dialect) {
+      return tl::unexpected(map::Reason(map::ReasonCode::RosEncodingUnknown,
+                                        {channel->message_encoding, channel->schema_encoding}));
+    }
+    return recording::parseRosSchema(channel->schema_name, channel->schema_data, *dialect)
+        .map_error(
+            [&](const recording::RosSchemaFault& fault) { return reasonOf(fault, channel->schema_name); });
+  };
+  return schemas_.insert_or_assign(channel->id, Known{channel, read()}).first->second.schema;
+}
+
+std::string rosTypeOf(const recording::Channel& channel) {
+  const auto kind = foxgloveKind(channel);
+  return kind ? rosTypeOf(*kind) : channel.schema_name;
+}
+
+const MessageFields::Protobuf& MessageFields::protobufOf(const recording::ChannelPtr& channel) {
+  const auto known = protobufs_.find(channel->id);
+  if (known != protobufs_.end() && known->second.channel == channel) return known->second.schema;
+  return protobufs_.insert_or_assign(channel->id, KnownProtobuf{channel, ProtobufSchema::of(*channel)})
+      .first->second.schema;
+}
+
+tl::expected<FramePtr, map::Reason> MessageFields::read(const recording::Message& message) {
+  auto frame = readAsItIs(message);
+  const auto kind = frame ? foxgloveKind(*message.channel) : std::nullopt;
+  if (!kind) return frame;
+  const auto cbor = foxgloveToRos(*kind, (*frame)->root());
+  if (!cbor) return tl::unexpected(cbor.error());
+  return frameOf(*cbor, Frame::Wire::Binary);
+}
+
+tl::expected<FramePtr, map::Reason> MessageFields::readAsItIs(const recording::Message& message) {
+  if (message.channel->message_encoding == "protobuf") {
+    const Protobuf& schema = protobufOf(message.channel);
+    if (!schema) return tl::unexpected(schema.error());
+    const auto cbor = schema->toCbor(message.bytes);
+    if (!cbor) return tl::unexpected(cbor.error());
+    return frameOf(*cbor, Frame::Wire::Binary);
+  }
+  const std::string& encoding = message.channel->message_encoding;
+  const auto wire = recording::rosWire(encoding);
+  if (!wire) {
+    // A frame of CBOR shares its bytes, and they must be its own.
+    const QByteArray bytes(reinterpret_cast<const char*>(message.bytes.data()),
+                           qsizetype(message.bytes.size()));
+    return frameOf(bytes, encoding == "cbor" ? Frame::Wire::Binary : Frame::Wire::Text);
+  }
+  const Schema& schema = schemaOf(message.channel);
+  if (!schema) return tl::unexpected(schema.error());
+  const auto cbor = recording::rosToCbor(*schema, *wire, message.bytes);
+  if (!cbor) return tl::unexpected(reasonOf(cbor.error(), encoding));
+  return frameOf(*cbor, Frame::Wire::Binary);
+}
+
+}  // namespace mapwright::robot::recorded

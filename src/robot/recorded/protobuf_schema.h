@@ -1,0 +1,35 @@
+// Messages of protobuf by the definition that stands in the file (MCAP: schema encoding "protobuf", a
+// FileDescriptorSet), as values. One thread.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include <QByteArray>
+#include <tl/expected.hpp>
+
+#include "map/reason.h"
+#include "recording/message.h"
+
+namespace mapwright::robot::recorded {
+
+class ProtobufSchema {
+ public:
+  /// Of the channel's message type. The reason: its definition is not there, or does not hold together.
+  static tl::expected<ProtobufSchema, map::Reason> of(const recording::Channel& channel);
+  ProtobufSchema(ProtobufSchema&&) noexcept;
+  ProtobufSchema& operator=(ProtobufSchema&&) noexcept;
+  ~ProtobufSchema();
+
+  /// As CBOR: members by their names, those that are not set left out; bytes as a byte string, enumerations
+  /// as numbers, lists of numbers as typed arrays.
+  tl::expected<QByteArray, map::Reason> toCbor(std::span<const std::uint8_t> bytes) const;
+
+ private:
+  struct Parts;
+  explicit ProtobufSchema(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace mapwright::robot::recorded

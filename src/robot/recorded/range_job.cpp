@@ -1,0 +1,308 @@
+#include "robot/recorded/range_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "robot/axbot/parse_topics.h"
+#include "robot/axbot/raw_messages.h"
+
+namespace mapwright::robot::recorded {
+namespace {
+
+constexpr std::int64_t kSecondNs = 1'000'000'000;
+constexpr double kMostS = 9.2e9;             // that nanoseconds in 63 bits can hold
+constexpr std::int64_t kRoundingNs = 2'000;  // a double of seconds since 1970 is as exact as that
+constexpr double kShortestS = 1.0 / 64;      // of ranges that can be made shorter (replay::Tick)
+constexpr std::size_t kMostAtAll = std::size_t(1) << 30;
+constexpr qsizetype kMostText = qsizetype(8) << 10;  // of a message whose lists are cut
+constexpr std::size_t kMostWhole = std::size_t(16) << 10;
+constexpr std::size_t kMostUnknown = std::size_t(64) << 10;  // larger ones of no use are not read for a text
+constexpr std::size_t kMostProblems = 200;
+constexpr std::int64_t kMostLast = std::int64_t(16) << 20;  // of what was said before a range
+constexpr const char* kBinaryFrame = "mapwright.axbot.BinaryFrame";
+
+std::string_view viewOf(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// A text as JSON writes it.
+std::string jsonText(std::string_view text) {
+  constexpr char kHex[] = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += {'\\', c};
+    } else if (std::uint8_t(c) < 0x20) {
+      out += {'\\', 'u', '0', '0', kHex[std::uint8_t(c) >> 4], kHex[c & 15]};
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string secondsText(std::int64_t ns) {
+  const std::int64_t whole = ns / kSecondNs - (ns % kSecondNs < 0), rest = ns - whole * kSecondNs;
+  std::string digits = std::to_string(rest);
+  return std::to_string(whole) + '.' + std::string(9 - digits.size(), '0') + digits;
+}
+
+/// {"topic", "__stamp", "type"}, then `member` and what belongs to it, which is JSON.
+std::string textOf(const recording::Message& message, std::string_view member, std::string_view json) {
+  std::string text =
+      "{\"topic\":" + jsonText(message.channel->topic) + ",\"__stamp\":" + secondsText(message.log_time_ns);
+  if (!message.channel->schema_name.empty()) text += ",\"type\":" + jsonText(message.channel->schema_name);
+  return text.append(",\"").append(member).append("\":").append(json).append("}");
+}
+
+std::string textOf(const recording::Message& message, const net::rosbridge::Field& msg) {
+  const QByteArray json = msg.toJson(kMostText);
+  return textOf(message, "msg", {json.constData(), std::size_t(json.size())});
+}
+
+/// About what it takes beside its text.
+struct Weight {
+  std::size_t operator()(const map::GridMessage& grid) const { return grid.png ? grid.png->size() : 0; }
+  std::size_t operator()(const map::PointCloudMessage& cloud) const {
+    return cloud.points ? cloud.points->size() * sizeof(map::CloudPoint) : 0;
+  }
+  std::size_t operator()(const map::PathMessage& path) const { return path.points.size() * 16; }
+  std::size_t operator()(const map::LocalPathMessage& path) const { return path.points.size() * 16; }
+  std::size_t operator()(const map::SeenObjectsMessage& seen) const {
+    std::size_t bytes = seen.objects.size() * sizeof(map::GroundBox);
+    for (const map::GroundDrawing& drawing : seen.drawings)
+      bytes += sizeof(drawing) + drawing.points.size() * 16 + drawing.colors.size() * 4;
+    return bytes;
+  }
+  template <typename Other>
+  std::size_t operator()(const Other&) const {
+    return 0;
+  }
+};
+
+std::size_t weightOf(const map::TopicMessage& message) { return std::visit(Weight(), message); }
+
+}  // namespace
+
+std::int64_t nanosecondsOf(double epoch_s) {
+  const double within = std::clamp(std::isnan(epoch_s) ? 0 : epoch_s, -kMostS, kMostS);
+  const double whole = std::floor(within);
+  return std::int64_t(whole) * kSecondNs + std::llround((within - whole) * double(kSecondNs));
+}
+
+RangeJob::RangeJob(BagKey key, BagRange range)
+    : key_(std::move(key)),
+      range_(range),
+      next_ns_(nanosecondsOf(range.from_s) - kRoundingNs),
+      last_ns_(nanosecondsOf(range.until_s) + kRoundingNs) {
+  chunk_->from_s = range_.from_s;
+  chunk_->until_s = range_.until_s;
+  chunk_->from_cache = true;
+}
+
+RangeJob::Step RangeJob::step(const Parts& parts) {
+  if (range_.back_fill && !last_) {
+    findLast(parts);
+    return Step::More;
+  }
+  if (last_ && !last_->empty()) {
+    takeLast(parts);
+    return Step::More;
+  }
+  const auto block = nextBlock(parts);
+  if (!block) return Step::Done;
+  const std::int64_t block_ns = *block, end_ns = block_ns + BlockPlacing::kBlockNs;
+  const std::int64_t from_ns = std::max(next_ns_, block_ns);
+  recording::Query query;
+  query.first_ns = from_ns;
+  query.last_ns = std::min(last_ns_, end_ns - 1);
+  const auto cursor = parts.file.messages(query);
+  std::optional<BlockPlacing> placing;
+  if (parts.shape.any()) {
+    placing.emplace(BlockPlacing::Parts{parts.file, parts.fields, parts.shape, parts.statics, parts.folds},
+                    block_ns, from_ns, last_ns_);
+  }
+  while (const auto message = cursor->next()) {
+    if (placing) addResults(placing->before(message->log_time_ns), nullptr, {});
+    take(parts, *message, placing ? &*placing : nullptr);
+    const bool too_long = bytes_ > std::size_t(std::max<std::int64_t>(range_.max_bytes, 0));
+    if (too_long && range_.until_s - range_.from_s > kShortestS) return Step::TooLong;
+    if (bytes_ > kMostAtAll) {
+      note({}, map::ProblemCode::Unreadable, {map::ReasonCode::AnswerTooLong, {std::int64_t(kMostAtAll)}});
+      return Step::Done;
+    }
+  }
+  if (placing) {
+    const std::int64_t last_ns = parts.file.summary().end_ns.value_or(end_ns);
+    addResults(placing->before(std::min({end_ns - 1, last_ns_, last_ns})), nullptr, {});
+  }
+  next_ns_ = end_ns;
+  return end_ns > last_ns_ ? Step::Done : Step::More;
+}
+
+void RangeJob::findLast(const Parts& parts) {
+  last_ = parts.file.lastBefore(next_ns_ - 1, {});
+  std::sort(last_->begin(), last_->end(),
+            [](const auto& a, const auto& b) { return a.log_time_ns > b.log_time_ns; });
+  // They are taken from the end, as they were said. Of too many the latest, without those that are large.
+  std::size_t bytes = 0;
+  const auto most = std::size_t(std::clamp<std::int64_t>(range_.max_bytes / 4, 0, kMostLast));
+  std::erase_if(*last_, [&](const recording::Message& message) {
+    const bool too_many = message.bytes.size() > most - bytes;
+    bytes += too_many ? 0 : message.bytes.size();
+    return too_many;
+  });
+}
+
+void RangeJob::takeLast(const Parts& parts) {
+  const recording::Message message = std::move(last_->back());
+  last_->pop_back();
+  const std::int64_t at_ns = message.log_time_ns;
+  std::optional<BlockPlacing> placing;
+  if (parts.shape.isRos(*message.channel) && parts.shape.by_topic.contains(message.channel->topic)) {
+    placing.emplace(BlockPlacing::Parts{parts.file, parts.fields, parts.shape, parts.statics, parts.folds},
+                    BlockPlacing::blockOf(at_ns), at_ns, at_ns);
+  }
+  // It is no part of what was asked for: neither its length nor what is wrong with it counts here.
+  const std::size_t bytes = bytes_, unreadable = chunk_->unreadable;
+  adding_last_ = true;
+  take(parts, message, placing ? &*placing : nullptr);
+  adding_last_ = false;
+  bytes_ = bytes;
+  chunk_->unreadable = unreadable;
+}
+
+std::optional<std::int64_t> RangeJob::nextBlock(const Parts& parts) const {
+  recording::Query query;
+  query.first_ns = next_ns_;
+  query.last_ns = last_ns_;
+  if (!parts.shape.markers.empty()) {
+    // What is seen of markers changes without a message, wherever in a block the range begins and ends.
+    query.first_ns = BlockPlacing::blockOf(next_ns_);
+    query.last_ns = BlockPlacing::blockOf(last_ns_) + BlockPlacing::kBlockNs - 1;
+  }
+  const auto first = parts.file.messages(query)->next();
+  return first ? std::optional(BlockPlacing::blockOf(first->log_time_ns)) : std::nullopt;
+}
+
+BagChunkPtr RangeJob::chunk() {
+  chunk_->text = std::make_shared<const std::string>(std::move(text_));
+  return chunk_;
+}
+
+void RangeJob::add(BagMessage told, std::string_view text) {
+  if (!takes(told.message.received_s)) return;
+  told.at = text_.size();
+  told.size = text.size();
+  text_.append(text).push_back('\n');
+  const std::size_t weight = weightOf(told.message.message);
+  chunk_->value_bytes += weight;
+  bytes_ += weight + text.size();
+  chunk_->messages.push_back(std::move(told));
+}
+
+void RangeJob::note(const std::string& topic, map::ProblemCode code, map::Reason reason) {
+  if (problems_.size() >= kMostProblems) return;
+  map::Problem problem{map::Severity::Warning, map::Subject(map::SubjectKind::Topic, topic),
+                       std::move(reason), code};
+  if (topic.empty()) problem.subject = subjectOf(key_);
+  const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const map::Problem& one) {
+    return one.subject == problem.subject && one.code == code && one.reason.code == problem.reason.code;
+  });
+  if (!known) problems_.push_back(std::move(problem));
+}
+
+void RangeJob::addResults(ros::WorldResults results, BagMessage* told, std::string_view text) {
+  for (ros::WorldResult& result : results) {
+    const bool within = takes(result.received_s);
+    if (within && result.unplaced) note(result.topic, map::ProblemCode::Unplaced, *result.unplaced);
+    if (within && !result.notes.empty()) note(result.topic, map::ProblemCode::Odd, result.notes.front());
+    const bool own = told != nullptr && result.topic == told->message.topic && !told->known;
+    if (result.unreadable && own) {
+      told->known = true;
+      told->message.message = map::UnreadableMessage{result.topic, *result.unreadable};
+      continue;
+    }
+    if (!result.message) continue;
+    if (own) {
+      told->known = true;
+      told->message.message = std::move(*result.message);
+      told->message.recorded_s = result.recorded_s;
+      continue;
+    }
+    BagMessage more;
+    more.known = true;
+    more.message = {std::move(*result.message), result.received_s, result.recorded_s, result.topic};
+    const std::string number = std::to_string(chunk_->messages.size());
+    add(std::move(more), text.empty() ? "{\"topic\":" + jsonText(result.topic) + ",\"placed\":" + number + "}"
+                                      : std::string(text));
+  }
+}
+
+void RangeJob::take(const Parts& parts, const recording::Message& message, BlockPlacing* placing) {
+  const recording::Channel& channel = *message.channel;
+  const double stamp_s = double(message.log_time_ns) / 1e9;
+  BagMessage told;
+  told.message.received_s = stamp_s;
+  told.message.topic = channel.topic;
+  told.message.message = map::UnreadableMessage{channel.topic, {}};
+  const bool placed =
+      placing != nullptr && parts.shape.isRos(channel) && parts.shape.by_topic.contains(channel.topic);
+  // One beside the range is read where the next ones are made of it.
+  if (!placed && !takes(stamp_s)) return;
+  bytes_ += message.bytes.size();
+  std::string text;
+  if (parts.shape.isRos(channel)) {
+    const bool read = placed || message.bytes.size() <= kMostUnknown;
+    const auto frame = read ? parts.fields.read(message) : tl::unexpected(map::Reason());
+    if (frame) {
+      const bool as_it_is = channel.message_encoding == "json" && message.bytes.size() <= kMostWhole;
+      text = as_it_is ? textOf(message, "msg", viewOf(message.bytes)) : textOf(message, (*frame)->root());
+      if (placed) addResults(placing->take(message, *frame), &told, {});
+    } else {
+      text = textOf(message, "bytes", std::to_string(message.bytes.size()));
+      if (placed && frame.error().any()) {
+        told.known = true;
+        told.message.message = map::UnreadableMessage{channel.topic, frame.error()};
+        ++chunk_->unreadable;
+      }
+    }
+  } else if (channel.message_encoding == "json") {
+    const std::string_view bytes = viewOf(message.bytes);
+    const auto root = json_.read(bytes);
+    if (!root || !root->is_object()) {
+      ++chunk_->unreadable;
+      note(channel.topic, map::ProblemCode::Unreadable,
+           {map::ReasonCode::MessageNotJson, {std::int64_t(bytes.size())}});
+      return;
+    }
+    axbot::TextFrame frame = axbot::readFrame(*root);
+    told.message.recorded_s = wire::epochSeconds(*root, {"stamp"});
+    told.known = frame.message || frame.grid_to_fetch;
+    if (frame.message) {
+      told.message.message = std::move(*frame.message);
+    } else if (frame.grid_to_fetch) {
+      told.message.message = std::move(frame.grid_to_fetch->grid);
+      told.picture_url = parts.kept.pictureName(frame.grid_to_fetch->data_url, message.log_time_ns);
+    }
+    text = frame.topic.empty() ? textOf(message, "msg", bytes) : std::string(bytes);
+  } else if (channel.schema_name == kBinaryFrame) {
+    const std::string_view bytes = viewOf(message.bytes);
+    if (auto read = axbot::parseBinaryFrame(bytes)) {
+      told.known = true;
+      told.message.message = std::move(*read);
+    }
+    const QByteArray raw = axbot::rawBinary(bytes).text;
+    const bool json = raw.startsWith('{') && std::size_t(raw.size()) <= kMostWhole;
+    text = json ? textOf(message, "msg", {raw.constData(), std::size_t(raw.size())})
+                : textOf(message, "bytes", std::to_string(bytes.size()));
+  } else {
+    text = textOf(message, "bytes", std::to_string(message.bytes.size()));
+  }
+  add(std::move(told), text);
+}
+
+}  // namespace mapwright::robot::recorded

@@ -1,0 +1,77 @@
+// A range of a recording on its way to be an answer, block by block, so that others get their turn between.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "map/problem.h"
+#include "recording/source.h"
+#include "robot/bag_library.h"
+#include "robot/recorded/block_placing.h"
+#include "robot/recorded/kept_things.h"
+#include "robot/wire/read_json.h"
+
+namespace mapwright::robot::recorded {
+
+/// Nanoseconds since the epoch of seconds that a double holds, to the next one; within what recordings can
+/// have.
+std::int64_t nanosecondsOf(double epoch_s);
+
+/// One thread, that of the file. Stamps are log times. The text of a message is one JSON object: a frame of
+/// an Autoxing robot as it was sent; of all else {"topic", "__stamp", "type", "msg"}, long lists in it cut
+/// (net::rosbridge::Field::toJson).
+class RangeJob {
+ public:
+  struct Parts {
+    recording::Source& file;
+    MessageFields& fields;
+    const RosShape& shape;
+    StaticTransforms& statics;
+    GridFolds& folds;
+    const KeptThings& kept;
+  };
+  RangeJob(BagKey key, BagRange range);
+
+  enum class Step { More, Done, TooLong };
+  /// The next block that holds any message.
+  Step step(const Parts& parts);
+  /// Once Done.
+  BagChunkPtr chunk();
+  /// What was wrong with messages, or is well again.
+  std::vector<map::Problem> takeProblems() { return std::exchange(problems_, {}); }
+  const BagKey& key() const { return key_; }
+  const BagRange& range() const { return range_; }
+
+ private:
+  /// What was said last before the range, each as it is where it is played.
+  void findLast(const Parts& parts);
+  void takeLast(const Parts& parts);
+  /// The next one with messages that reaches into the range.
+  std::optional<std::int64_t> nextBlock(const Parts& parts) const;
+  bool takes(double stamp_s) const {
+    return adding_last_ ? stamp_s < range_.from_s : stamp_s >= range_.from_s && stamp_s < range_.until_s;
+  }
+  void take(const Parts& parts, const recording::Message& message, BlockPlacing* placing);
+  void add(BagMessage told, std::string_view text);
+  void addResults(ros::WorldResults results, BagMessage* told, std::string_view text);
+  void note(const std::string& topic, map::ProblemCode code, map::Reason reason);
+
+  BagKey key_;
+  BagRange range_;
+  std::int64_t next_ns_, last_ns_;  // widened: stamps are rounded
+  std::shared_ptr<BagChunk> chunk_ = std::make_shared<BagChunk>();
+  std::string text_;
+  std::size_t bytes_ = 0;  // of the messages in the file, and of what is made of them
+  std::optional<std::vector<recording::Message>>
+      last_;  // to be added yet, the latest first; nullopt: not found
+  bool adding_last_ = false;
+  std::vector<map::Problem> problems_;
+  wire::JsonReader json_;
+};
+
+}  // namespace mapwright::robot::recorded

@@ -1,0 +1,293 @@
+#include "robot/recorded/recorded_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QFileInfo>
+#include <QThread>
+
+#include "robot/axbot/parse_topics.h"
+#include "robot/axbot/stream_topics.h"
+#include "robot/recorded/recording_reasons.h"
+
+namespace mapwright::robot::recorded {
+namespace {
+
+constexpr const char* kAbout = "mapwright";  // metadata, recorder/layout.h
+
+constexpr map::Stream kLastStream = map::Stream::GlobalPositioning;
+
+/// Nothing more can be read once the thread is asked to stop: whatever is under way ends.
+class StoppableBytes final : public recording::Bytes {
+ public:
+  explicit StoppableBytes(std::unique_ptr<recording::Bytes> bytes) : bytes_(std::move(bytes)) {}
+  std::uint64_t size() const override { return bytes_->size(); }
+  bool read(std::span<std::uint8_t> out, std::uint64_t at) const override {
+    return !QThread::currentThread()->isInterruptionRequested() && bytes_->read(out, at);
+  }
+
+ private:
+  std::unique_ptr<recording::Bytes> bytes_;
+};
+
+recording::Opened opened(const RecordedOptions& options) {
+  auto bytes = recording::fileBytes(options.path.toStdString());
+  if (!bytes)
+    return tl::unexpected(recording::Failure{recording::Failure::Code::File, std::move(bytes.error())});
+  return recording::openRecording(std::make_unique<StoppableBytes>(std::move(*bytes)), options.limits);
+}
+
+QString text(const recording::Words& words, const char* name) {
+  const auto found = words.find(name);
+  return found == words.end() ? QString() : QString::fromStdString(found->second);
+}
+
+}  // namespace
+
+/// A range that is under way.
+struct RecordedFile::Job {
+  RangeJob range;
+  wire::ErrandPtr errand;
+  OutcomeTo<BagChunkPtr> reply;
+  int number = 0;
+  bool stopped = false;
+};
+
+RecordedFile::Parts::Parts(std::unique_ptr<recording::Source> source)
+    : file(std::move(source)),
+      shape(shapeOf(*file, fields)),
+      statics(*file, fields, shape),
+      folds(*file, fields),
+      kept(*file) {
+  kept.look();
+}
+
+RecordedFile::RecordedFile(RecordedOptions options) : options_(std::move(options)) {}
+RecordedFile::~RecordedFile() = default;
+
+BagKey RecordedFile::ownKey() const {
+  return {BagKind::File, QFileInfo(options_.path).fileName().toStdString()};
+}
+
+bool RecordedFile::ready() {
+  if (parts_) return true;
+  auto source = recorded::opened(options_);
+  if (!source) {
+    trouble_ = reasonOf(source.error());
+    return false;
+  }
+  trouble_.reset();
+  parts_ = std::make_unique<Parts>(std::move(*source));
+  tellNotes();
+  Q_EMIT opened(facts());
+  return true;
+}
+
+void RecordedFile::open() {
+  if (parts_) {
+    Q_EMIT opened(facts());
+  } else if (!ready()) {
+    Q_EMIT refused(*trouble_);
+  }
+}
+
+std::optional<map::Failure> RecordedFile::whyNot(const map::Subject& subject) {
+  if (ready()) return std::nullopt;
+  return map::Failure{.kind = map::FailureKind::MalformedAnswer,
+                      .subject = subject,
+                      .reason = map::FailureReason::Unfit,
+                      .cause = *trouble_};
+}
+
+void RecordedFile::tell(const map::Problem& problem) {
+  const std::string row =
+      std::to_string(int(problem.subject.kind)) + problem.subject.id + '\n' + map::patternOf(problem);
+  if (told_.insert(row).second) Q_EMIT problemFound(problem);
+}
+
+void RecordedFile::tellNotes() {
+  for (const recording::Note& note : parts_->file->summary().notes) {
+    const auto severity = isLoss(note.code) ? map::Severity::Warning : map::Severity::Info;
+    const auto code = isLoss(note.code) ? map::ProblemCode::Unreadable : map::ProblemCode::Odd;
+    tell({severity, subjectOf(ownKey()), reasonOf(note), code});
+  }
+}
+
+bool RecordedFile::refresh() {
+  const auto channels = parts_->file->channels().size();
+  if (!parts_->file->refresh()) return false;
+  parts_->kept.look();
+  // What was placed stays as it is: another frame would be another map.
+  if (parts_->file->channels().size() == channels && parts_->shape.fixed_by_file) return true;
+  RosShape shape = shapeOf(*parts_->file, parts_->fields);
+  if (parts_->shape.fixed_by_file) shape.fixed_frame = parts_->shape.fixed_frame;
+  shape.fixed_by_file |= parts_->shape.fixed_by_file;
+  parts_->shape = std::move(shape);
+  Q_EMIT opened(facts());
+  return true;
+}
+
+RecordingFacts RecordedFile::facts() const {
+  RecordingFacts facts;
+  for (const recording::Metadata& metadata : parts_->file->metadata()) {
+    if (metadata.name != kAbout) continue;  // the last one counts
+    facts.identity.model = text(metadata.words, "model");
+    facts.identity.serial = text(metadata.words, "serial");
+    facts.identity.name = text(metadata.words, "name");
+    facts.identity.version = text(metadata.words, "firmware");
+  }
+  std::set<QString> topics;
+  bool frames = false;
+  for (const recording::ChannelPtr& channel : parts_->file->channels()) {
+    if (parts_->shape.isRos(*channel)) continue;
+    topics.insert(QString::fromStdString(channel->topic));
+    frames = true;
+  }
+  for (const ros::Source& source : parts_->shape.sources) {
+    QStringList& of = facts.streams[source.stream];
+    const QString topic = QString::fromStdString(source.topic);
+    if (!of.contains(topic)) of << topic;
+    if (!facts.topics.contains(topic)) facts.topics << topic;
+  }
+  if (frames) {
+    for (const QString& known : axbot::knownTopics()) {
+      if (topics.contains(known)) facts.topics << known;
+    }
+    for (int stream = 0; stream <= int(kLastStream); ++stream) {
+      const axbot::StreamTopics of = axbot::topicsOf(map::Stream(stream));
+      for (const QString& topic : of.usual + of.older) {
+        if (topics.contains(topic)) facts.streams[map::Stream(stream)] << topic;
+      }
+    }
+  }
+  return facts;
+}
+
+Outcome<std::vector<BagEntry>> RecordedFile::list() {
+  if (auto failure = whyNot({map::SubjectKind::Bag, ownKey().name}))
+    return tl::make_unexpected(std::move(*failure));
+  refresh();
+  const recording::Summary summary = parts_->file->summary();
+  BagEntry entry;
+  entry.key = ownKey();
+  entry.size_bytes = std::int64_t(summary.bytes);
+  if (summary.end_ns) entry.end_s = double(*summary.end_ns) / 1e9;
+  return std::vector<BagEntry>{entry};
+}
+
+Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
+  if (auto failure = whyNot(subjectOf(key))) return tl::make_unexpected(std::move(*failure));
+  if (key.name != ownKey().name) {
+    return tl::make_unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                            .subject = subjectOf(key),
+                                            .reason = map::FailureReason::NotThere});
+  }
+  // Whoever follows a file asks again and again: that costs a look at its length.
+  if (!refresh() && told_info_) return *told_info_;
+  const recording::Summary summary = parts_->file->summary();
+  BagInfo info;
+  info.messages = std::int64_t(summary.messages);
+  if (!summary.counted && summary.start_ns) {
+    // Nothing in the file tells: they are counted, those that have been counted already but once.
+    recording::Query query;
+    info.messages = 0;
+    if (told_info_ && counted_until_ns_) {
+      query.first_ns = *counted_until_ns_ + 1;
+      info.messages = told_info_->messages;
+    }
+    const auto cursor = parts_->file->messages(query);
+    while (cursor->next()) ++info.messages;
+    counted_until_ns_ = summary.end_ns;
+  }
+  if (summary.start_ns) info.start_s = double(*summary.start_ns) / 1e9;
+  info.end_s = summary.end_ns ? double(*summary.end_ns) / 1e9 : info.start_s;
+  tellNotes();
+  told_info_ = info;
+  return info;
+}
+
+void RecordedFile::messages(const wire::ErrandPtr& errand, const BagKey& key, const BagRange& range,
+                            OutcomeTo<BagChunkPtr> reply) {
+  if (!std::isfinite(range.from_s) || !std::isfinite(range.until_s) || range.until_s < range.from_s) {
+    const std::string words = std::to_string(range.from_s) + " - " + std::to_string(range.until_s);
+    reply(tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
+                                           .subject = subjectOf(key),
+                                           .reason = map::FailureReason::Unfit,
+                                           .cause = {map::ReasonCode::BagNotAsked, {words}}}));
+    return;
+  }
+  if (auto failure = whyNot(subjectOf(key))) {
+    reply(tl::make_unexpected(std::move(*failure)));
+    return;
+  }
+  const auto end_ns = parts_->file->summary().end_ns;
+  if (!end_ns || nanosecondsOf(range.until_s) > *end_ns) refresh();
+  const auto job = std::make_shared<Job>(Job{RangeJob(key, range), errand, std::move(reply)});
+  job->number = errand->begun([held = std::weak_ptr(job)] {
+    if (const auto now = held.lock()) now->stopped = true;
+  });
+  proceed(job);
+}
+
+void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
+  const auto end = [&](Outcome<BagChunkPtr> outcome) {
+    job->errand->ended(job->number);
+    job->reply(std::move(outcome));
+  };
+  if (job->stopped || QThread::currentThread()->isInterruptionRequested()) {
+    return end(tl::make_unexpected(
+        map::Failure{.kind = map::FailureKind::Cancelled, .subject = subjectOf(job->range.key())}));
+  }
+  const RangeJob::Step step = job->range.step(
+      {*parts_->file, parts_->fields, parts_->shape, parts_->statics, parts_->folds, parts_->kept});
+  for (const map::Problem& problem : job->range.takeProblems()) tell(problem);
+  switch (step) {
+    case RangeJob::Step::More:
+      QMetaObject::invokeMethod(
+          this, [this, job] { proceed(job); }, Qt::QueuedConnection);
+      return;
+    case RangeJob::Step::TooLong:
+      return end(tl::make_unexpected(
+          map::Failure{.kind = map::FailureKind::MalformedAnswer,
+                       .subject = subjectOf(job->range.key()),
+                       .cause = {map::ReasonCode::AnswerTooLong, {job->range.range().max_bytes}}}));
+    case RangeJob::Step::Done:
+      tellNotes();
+      return end(job->range.chunk());
+  }
+}
+
+Outcome<std::shared_ptr<const std::string>> RecordedFile::picture(const std::string& topic,
+                                                                  const std::string& name) {
+  if (auto failure = whyNot({map::SubjectKind::Topic, topic}))
+    return tl::make_unexpected(std::move(*failure));
+  return parts_->kept.picture(topic, name);
+}
+
+map::SubmapAnswer RecordedFile::submap(const map::SubmapKey& key) {
+  if (ready()) return parts_->kept.submap(key);
+  map::SubmapAnswer answer;
+  answer.key = key;
+  answer.reason = *trouble_;
+  answer.failure = map::FailureKind::MalformedAnswer;
+  return answer;
+}
+
+Outcome<map::WholeMap> RecordedFile::wholeMap(const map::MapKey& key) {
+  if (auto failure = whyNot(map::subjectOf(key))) return tl::make_unexpected(std::move(*failure));
+  return parts_->kept.wholeMap(key);
+}
+
+Outcome<map::WaypointList> RecordedFile::waypoints(const map::MapKey& key) {
+  if (auto failure = whyNot(map::placesOf(key))) return tl::make_unexpected(std::move(*failure));
+  return parts_->kept.waypoints(key);
+}
+
+Outcome<std::vector<map::CatalogueEntry>> RecordedFile::maps() {
+  if (auto failure = whyNot({map::SubjectKind::Catalogue, map::kMapsPart}))
+    return tl::make_unexpected(std::move(*failure));
+  return parts_->kept.maps();
+}
+
+}  // namespace mapwright::robot::recorded

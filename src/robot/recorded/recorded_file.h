@@ -1,0 +1,90 @@
+// One recording, looked at on a thread of its own: files may be large and disks slow.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include "map/stream.h"
+#include "recording/source.h"
+#include "robot/bag_library.h"
+#include "robot/recorded/kept_things.h"
+#include "robot/recorded/range_job.h"
+#include "robot/robot.h"
+#include "robot/wire/errand.h"
+
+namespace mapwright::robot::recorded {
+
+struct RecordedOptions {
+  QString path;  // absolute
+  recording::Limits limits{std::uint64_t(256) << 20, std::uint64_t(64) << 20, std::size_t(64) << 20};
+};
+
+/// What is known of a recording once it is open.
+struct RecordingFacts {
+  RobotIdentity identity;                      // as recorded, else of the file
+  std::map<map::Stream, QStringList> streams;  // which topics bring them
+  QStringList topics;                          // those that are understood
+};
+
+/// Opened by the first question. Everything ends early when its thread is asked to stop.
+class RecordedFile : public QObject {
+  Q_OBJECT
+ public:
+  explicit RecordedFile(RecordedOptions options);
+  ~RecordedFile() override;
+
+  void open();  // says opened() or refused()
+
+  Outcome<std::vector<BagEntry>> list();
+  Outcome<BagInfo> info(const BagKey& key);
+  void messages(const wire::ErrandPtr& errand, const BagKey& key, const BagRange& range,
+                OutcomeTo<BagChunkPtr> reply);
+  Outcome<std::shared_ptr<const std::string>> picture(const std::string& topic, const std::string& name);
+  map::SubmapAnswer submap(const map::SubmapKey& key);
+  Outcome<map::WholeMap> wholeMap(const map::MapKey& key);
+  Outcome<map::WaypointList> waypoints(const map::MapKey& key);
+  Outcome<std::vector<map::CatalogueEntry>> maps();
+
+ Q_SIGNALS:
+  void opened(const mapwright::robot::recorded::RecordingFacts& facts);
+  void refused(const mapwright::map::Reason& why);
+  void problemFound(const mapwright::map::Problem& problem);
+
+ private:
+  struct Job;
+  /// What is made of the file; gone and made anew together.
+  struct Parts {
+    explicit Parts(std::unique_ptr<recording::Source> source);
+    std::unique_ptr<recording::Source> file;
+    MessageFields fields;
+    RosShape shape;
+    StaticTransforms statics;
+    GridFolds folds;
+    KeptThings kept;
+  };
+  BagKey ownKey() const;
+  bool ready();
+  std::optional<map::Failure> whyNot(const map::Subject& subject);
+  bool refresh();
+  void tellNotes();
+  void tell(const map::Problem& problem);
+  RecordingFacts facts() const;
+  void proceed(const std::shared_ptr<Job>& job);
+
+  RecordedOptions options_;
+  std::unique_ptr<Parts> parts_;
+  std::optional<map::Reason> trouble_;
+  std::optional<BagInfo> told_info_;  // of the file as it was last
+  std::optional<std::int64_t> counted_until_ns_;
+  std::set<std::string> told_;
+};
+
+}  // namespace mapwright::robot::recorded
+
+Q_DECLARE_METATYPE(mapwright::robot::recorded::RecordingFacts)

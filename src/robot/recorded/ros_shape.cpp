@@ -1,0 +1,173 @@
+#include "robot/recorded/ros_shape.h"
+
+#include <algorithm>
+
+#include "robot/recorded/foxglove.h"
+#include "robot/ros/ros_world.h"
+
+namespace mapwright::robot::recorded {
+namespace {
+
+constexpr int kMostLookedAt = 2000;  // transforms at the beginning of a file
+constexpr std::int64_t kLookNs = 3'000'000'000;
+constexpr const char* kMap = "map";
+
+bool answersWithMap(const std::string& type) {
+  return type == "nav_msgs/GetMapResponse" || type == "nav_msgs/GetMap_Response" || type == "nav_msgs/GetMap";
+}
+
+void addOnce(std::vector<std::string>& topics, const std::string& topic) {
+  if (std::find(topics.begin(), topics.end(), topic) == topics.end()) topics.push_back(topic);
+}
+
+/// So many of them are said again and again; what is said less often stays as it was said.
+constexpr double kOftenPerS = 0.5;
+
+/// Foxglove's transforms may lie on any topic, and hold until others are said. Poses and paths go by any name
+/// where nothing better is there.
+void addFoxglove(const recording::Source& file, std::vector<ros::Source>& sources) {
+  const recording::Summary summary = file.summary();
+  const auto brought = [&](map::Stream stream, ros::Form form) {
+    return std::any_of(sources.begin(), sources.end(), [&](const ros::Source& source) {
+      return source.stream == stream && source.form == form;
+    });
+  };
+  const bool poses =
+      brought(map::Stream::Pose, ros::Form::PoseStamped) || brought(map::Stream::Pose, ros::Form::Odometry);
+  for (const recording::ChannelPtr& channel : file.channels()) {
+    const auto kind = foxgloveKind(*channel);
+    if (!kind) continue;
+    const std::string type = rosTypeOf(*channel);
+    const auto known = std::find_if(sources.begin(), sources.end(),
+                                    [&](const ros::Source& one) { return one.topic == channel->topic; });
+    if (*kind == FoxgloveKind::FrameTransform || *kind == FoxgloveKind::FrameTransforms) {
+      const auto counted = summary.messages_of.find(channel->id);
+      const double length_s = double(summary.durationNs()) / 1e9;
+      const bool seldom = channel->topic.find("static") != std::string::npos ||
+                          (summary.counted && counted != summary.messages_of.end() && length_s > 0 &&
+                           double(counted->second) < kOftenPerS * length_s);
+      const ros::Form form = seldom ? ros::Form::StaticTf : ros::Form::Tf;
+      if (known != sources.end()) {
+        known->form = form;
+      } else {
+        sources.push_back({map::Stream::Pose, form, channel->topic, type, {}, true});
+      }
+    } else if (known == sources.end() && *kind == FoxgloveKind::PoseInFrame && !poses &&
+               !brought(map::Stream::Pose, ros::Form::PoseStamped)) {
+      sources.push_back({map::Stream::Pose, ros::Form::PoseStamped, channel->topic, type, {}, true});
+    } else if (known == sources.end() && *kind == FoxgloveKind::PosesInFrame &&
+               !brought(map::Stream::Path, ros::Form::Path)) {
+      sources.push_back({map::Stream::Path, ros::Form::Path, channel->topic, type, {}, true});
+    }
+  }
+}
+
+/// As whoever recorded it says (recorder/layout.h, metadata "mapwright").
+bool recordedOfRos(const recording::Source& file) {
+  bool ros = false;
+  for (const recording::Metadata& metadata : file.metadata()) {
+    const auto kind = metadata.words.find("kind");
+    if (metadata.name != "mapwright" || kind == metadata.words.end()) continue;
+    ros = kind->second == "ros" || kind->second == "kabam" || kind->second == "aimdk";
+  }
+  return ros;
+}
+
+/// The frame of the first map; empty: there is none.
+std::string mapFrame(recording::Source& file, MessageFields& fields, const RosShape& shape) {
+  recording::Query query;
+  for (const ros::Source& source : shape.sources) {
+    const bool map = source.form == ros::Form::Grid || source.form == ros::Form::MapService;
+    if (map && source.stream == map::Stream::WholeMap) query.topics.push_back(source.topic);
+  }
+  if (query.topics.empty()) return {};
+  const auto cursor = file.messages(query);
+  while (const auto message = cursor->next()) {
+    const auto frame = fields.read(*message);
+    if (!frame) continue;
+    const ros::Field root = (*frame)->root(), map = root["map"];
+    const std::string name = ros::frameName((map ? map : root)["header"]["frame_id"].text());
+    if (!name.empty()) return name;
+  }
+  return {};
+}
+
+/// By the transforms at its beginning; empty: they do not tell.
+std::string rootFrame(recording::Source& file, MessageFields& fields, const RosShape& shape) {
+  if (shape.transforms.empty()) return {};
+  ros::RosWorld world;
+  recording::Query query;
+  query.topics = shape.transforms;
+  const auto cursor = file.messages(query);
+  std::int64_t first_ns = 0;
+  for (int count = 0; count < kMostLookedAt; ++count) {
+    const auto message = cursor->next();
+    if (!message) break;
+    if (count == 0) first_ns = message->log_time_ns;
+    if (message->log_time_ns - first_ns > kLookNs) break;
+    const auto frame = fields.read(*message);
+    if (!frame) continue;
+    for (const ros::Source& source : shape.by_topic.at(message->channel->topic))
+      world.take(source, (*frame)->root(), double(message->log_time_ns) / 1e9);
+  }
+  const std::vector<std::string> frames = world.transforms().frames();
+  if (std::binary_search(frames.begin(), frames.end(), std::string(kMap))) return kMap;
+  const std::string robot = world.robotFrame();
+  for (const std::string& root : world.transforms().roots()) {
+    if (!robot.empty() && root != robot && world.transforms().find(root, robot, {})) return root;
+  }
+  return {};
+}
+
+}  // namespace
+
+RosShape shapeOf(recording::Source& file, MessageFields& fields) {
+  RosShape shape;
+  std::vector<ros::FoundTopic> found;
+  std::vector<std::string> services;
+  shape.untyped_ros = recordedOfRos(file);
+  std::vector<std::string> untyped;
+  for (const recording::ChannelPtr& channel : file.channels()) {
+    if (!shape.isRos(*channel)) continue;
+    if (channel->schema_name.empty()) addOnce(untyped, channel->topic);
+    const ros::FoundTopic topic{channel->topic, rosTypeOf(*channel)};
+    if (std::find(found.begin(), found.end(), topic) != found.end()) continue;
+    if (answersWithMap(ros::plainType(topic.type))) addOnce(services, topic.name);
+    found.push_back(topic);
+  }
+  if (found.empty()) return shape;
+  shape.sources = ros::sourcesOf(found, {});
+  addFoxglove(file, shape.sources);
+  for (ros::Source& usual : ros::sourcesOf(std::nullopt, {})) {
+    if (std::find(untyped.begin(), untyped.end(), usual.topic) != untyped.end())
+      shape.sources.push_back(std::move(usual));
+  }
+  ros::addMapServices(shape.sources, services);
+  for (const ros::Source& source : shape.sources) {
+    shape.by_topic[source.topic].push_back(source);
+    switch (source.form) {
+      case ros::Form::StaticTf:
+        addOnce(shape.statics, source.topic);
+        [[fallthrough]];
+      case ros::Form::Tf:
+        addOnce(shape.transforms, source.topic);
+        break;
+      case ros::Form::Markers:
+        addOnce(shape.markers, source.topic);
+        break;
+      case ros::Form::GridPatch:
+        shape.patches_of[source.base] = source.topic;
+        break;
+      default:
+        if (source.stream == map::Stream::Pose) addOnce(shape.poses, source.topic);
+        break;
+    }
+  }
+  shape.fixed_frame = mapFrame(file, fields, shape);
+  if (shape.fixed_frame.empty()) shape.fixed_frame = rootFrame(file, fields, shape);
+  shape.fixed_by_file = !shape.fixed_frame.empty();
+  if (!shape.fixed_by_file) shape.fixed_frame = kMap;
+  return shape;
+}
+
+}  // namespace mapwright::robot::recorded

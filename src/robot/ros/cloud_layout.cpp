@@ -1,0 +1,119 @@
+#include "robot/ros/cloud_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <string>
+
+#include "robot/ros/parts.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+constexpr std::array<std::size_t, 9> kTypeBytes{0, 1, 1, 2, 2, 4, 4, 4, 8};
+
+template <typename T>
+T rawAt(const char* at, bool big_endian) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), at, sizeof(T));
+  if (big_endian != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<T>(raw);
+}
+
+template <typename T>
+double valueAt(const char* at, bool big_endian) {
+  return double(rawAt<T>(at, big_endian));
+}
+
+}  // namespace
+
+double numberAt(const char* record, const NumberPlace& place, bool big_endian) {
+  const char* const at = record + place.offset;
+  switch (place.type) {
+    case NumberType::I8:
+      return valueAt<std::int8_t>(at, big_endian);
+    case NumberType::U8:
+      return valueAt<std::uint8_t>(at, big_endian);
+    case NumberType::I16:
+      return valueAt<std::int16_t>(at, big_endian);
+    case NumberType::U16:
+      return valueAt<std::uint16_t>(at, big_endian);
+    case NumberType::I32:
+      return valueAt<std::int32_t>(at, big_endian);
+    case NumberType::U32:
+      return valueAt<std::uint32_t>(at, big_endian);
+    case NumberType::F32:
+      return valueAt<float>(at, big_endian);
+    case NumberType::F64:
+      break;
+  }
+  return valueAt<double>(at, big_endian);
+}
+
+std::uint32_t bitsAt(const char* record, const NumberPlace& place, bool big_endian) {
+  return rawAt<std::uint32_t>(record + place.offset, big_endian);
+}
+
+Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
+  // More would not fit into the data; products of two of them are numbers still.
+  const auto most = std::int64_t(most_bytes);
+  CloudLayout layout;
+  const auto take = [&](const char* name, std::size_t& to) -> std::optional<map::Reason> {
+    const auto value = msg[name].integer();
+    if (!value) return fieldMissing(name).value();
+    if (*value < 0 || *value > most) return fieldWrong(name, double(*value)).value();
+    to = std::size_t(*value);
+    return std::nullopt;
+  };
+  for (const auto& why :
+       {take("width", layout.width), take("height", layout.height), take("point_step", layout.point_step)}) {
+    if (why) return tl::unexpected(*why);
+  }
+  // Of no points nobody needs to know how they lie: many senders leave it out then.
+  if (layout.width == 0 || layout.height == 0) return layout;
+  if (layout.point_step == 0) return fieldWrong("point_step", 0);
+  const auto row_step = msg["row_step"].integer();
+  const std::size_t packed = layout.width * layout.point_step;
+  // Senders of clouds in one row often leave it out.
+  layout.row_step = row_step && *row_step > 0 ? std::size_t(*row_step) : packed;
+  if (layout.height > 1 && layout.row_step < packed) return fieldWrong("row_step", double(layout.row_step));
+  layout.big_endian = msg["is_bigendian"].flag().value_or(false);
+
+  const Field fields = msg["fields"];
+  if (!fields.isList()) return fieldMissing("fields");
+  fields.each([&layout](const Field& row) {
+    const std::string name = row["name"].text();
+    const auto type = row["datatype"].integer(), offset = row["offset"].integer();
+    const auto lies_in = [&] {
+      if (!type || *type < 1 || *type > 8 || !offset || *offset < 0) return false;
+      const std::size_t bytes = kTypeBytes[std::size_t(*type)];
+      return bytes <= layout.point_step && std::size_t(*offset) <= layout.point_step - bytes;
+    };
+    const bool color = name == "rgb" || name == "rgba";
+    std::optional<NumberPlace>* const wanted = name == "x"           ? &layout.x
+                                               : name == "y"         ? &layout.y
+                                               : name == "z"         ? &layout.z
+                                               : name == "intensity" ? &layout.intensity
+                                               : color               ? &layout.color
+                                                                     : nullptr;
+    if (!wanted) return;
+    if (!lies_in()) {
+      if (layout.outside.size() < 8) layout.outside.push_back(name);
+      return;
+    }
+    if (color && kTypeBytes[std::size_t(*type)] != 4) return;
+    *wanted = NumberPlace{NumberType(*type), std::size_t(*offset)};
+  });
+  if (!layout.x || !layout.y) return tl::unexpected(map::Reason(map::ReasonCode::PointsWithoutFields));
+  return layout;
+}
+
+map::Reason cloudCutShort(const CloudLayout& layout, std::size_t bytes) {
+  const double needed =
+      double(layout.height - 1) * double(layout.row_step) + double(layout.width) * double(layout.point_step);
+  return {map::ReasonCode::RosLengthDiffers,
+          {"data", std::int64_t(bytes), std::int64_t(std::min(needed, 9e18))}};
+}
+
+}  // namespace mapwright::robot::ros

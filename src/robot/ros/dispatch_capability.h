@@ -1,0 +1,44 @@
+// A map dispatcher behind a rosbridge server, as the port has it. On the thread of the robot.
+// Source: rep130.md.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "robot/map_dispatch.h"
+#include "robot/ros/ros_capabilities.h"
+
+namespace mapwright::robot::ros {
+
+class RosDispatch : public MapDispatch {
+  Q_OBJECT
+ public:
+  explicit RosDispatch(RosLink* link, QObject* parent = nullptr);
+
+  /// Told by the robot, before it says that its capabilities have changed.
+  void setFound(const FoundDispatch& found);
+
+  std::vector<DispatchOffer> offers() const override { return found_.offers(); }
+  Call grid(const std::optional<map::GridRegion>& region, OutcomeTo<map::GridPart> reply) override;
+  Call cloud(CloudKind kind, const std::optional<map::CloudRegion>& region,
+             OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply) override;
+  Call save(const std::string& filename, OutcomeTo<std::string> reply) override;
+  Call projections(OutcomeTo<std::vector<map::Projection>> reply) override;
+  Call project(const std::vector<map::Projection>& wanted,
+               OutcomeTo<std::vector<map::Projection>> reply) override;
+  std::vector<ProjectedPart> projected() const override;
+
+ private:
+  map::Subject subjectOf(DispatchService service) const;
+  map::Failure refused(DispatchService service, map::AskedFor asked_for) const;
+
+  RosLink* link_;
+  FoundDispatch found_;
+  std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
+  wire::PendingCalls<map::GridPart> grids_;
+  wire::PendingCalls<std::shared_ptr<const map::SpatialCloud>> clouds_;
+  wire::PendingCalls<std::string> saves_;
+  wire::PendingCalls<std::vector<map::Projection>> projections_;
+};
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,129 @@
+// Points of large maps: what is far from 0 keeps its millimetres. Source: sensor_msgs/PointCloud2.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "robot/ros/cloud_layout.h"
+#include "robot/ros/dispatch_messages.h"
+#include "robot/ros/parts.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t(1) << 30;
+constexpr double kFarthestM = 1e7;
+constexpr double kNearM = 1000;  // what lies nearer is exact enough as it is
+constexpr std::size_t kSampled = 1001;
+
+bool isPlace(const Eigen::Vector3d& at_m) {
+  return std::abs(at_m.x()) <= kFarthestM && std::abs(at_m.y()) <= kFarthestM &&
+         std::abs(at_m.z()) <= kFarthestM;
+}
+
+class Records {
+ public:
+  Records(const CloudLayout& layout, const std::string& data) : of_(layout), data_(data) {
+    if (of_.width == 0 || of_.height == 0 || of_.point_step == 0) return;
+    // By division: the numbers of a message may be chosen so that their product is small again.
+    const std::size_t last_row = of_.width * of_.point_step;
+    if (data.size() < last_row) {
+      count_ = data.size() / of_.point_step;
+      return;
+    }
+    const std::size_t rows = std::min(of_.height, (data.size() - last_row) / of_.row_step + 1);
+    count_ = rows * of_.width;
+    if (rows == of_.height) return;
+    const std::size_t rest = data.size() - last_row - (rows - 1) * of_.row_step;
+    const std::size_t gap = of_.row_step - last_row;
+    if (rest > gap) count_ += std::min(of_.width, (rest - gap) / of_.point_step);
+  }
+  /// Of those that came whole.
+  std::size_t count() const { return count_; }
+  const char* at(std::size_t i) const {
+    return data_.data() + i / of_.width * of_.row_step + i % of_.width * of_.point_step;
+  }
+  Eigen::Vector3d point(std::size_t i) const {
+    const char* const record = at(i);
+    return {numberAt(record, *of_.x, of_.big_endian), numberAt(record, *of_.y, of_.big_endian),
+            of_.z ? numberAt(record, *of_.z, of_.big_endian) : 0};
+  }
+
+ private:
+  const CloudLayout& of_;
+  const std::string& data_;
+  std::size_t count_ = 0;
+};
+
+/// In the midst of the points, whatever some of them are; 0 where that is near.
+Eigen::Vector3d originOf(const Records& records) {
+  std::array<std::vector<double>, 3> along;
+  const std::size_t step = std::max<std::size_t>(1, records.count() / kSampled);
+  for (std::size_t i = 0; i < records.count(); i += step) {
+    const Eigen::Vector3d at = records.point(i);
+    if (!isPlace(at)) continue;
+    for (int axis = 0; axis < 3; ++axis) along[std::size_t(axis)].push_back(at[axis]);
+  }
+  Eigen::Vector3d origin(0, 0, 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double>& values = along[std::size_t(axis)];
+    if (values.empty()) continue;
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (std::abs(*middle) > kNearM) origin[axis] = std::round(*middle);
+  }
+  return origin;
+}
+
+}  // namespace
+
+Read<std::shared_ptr<const map::SpatialCloud>> readSpatialCloud(const Field& msg) {
+  const auto layout = readCloudLayout(msg, kMostBytes);
+  if (!layout) return tl::unexpected(layout.error());
+  const CloudLayout& of = *layout;
+  auto cloud = std::make_shared<map::SpatialCloud>();
+  cloud->frame = headerOf(msg).frame;
+  if (of.width == 0 || of.height == 0) return cloud;
+  const auto data = msg["data"].bytes(kMostBytes);
+  if (!data) return fieldMissing("data");
+  const Records records(of, *data);
+  const std::size_t said = of.width * of.height;
+  if (records.count() == 0) return tl::unexpected(cloudCutShort(of, data->size()));
+  // Fewer bytes than it says are points that are missing; more may be that it lies about their size.
+  const double packed = double(of.width) * double(of.point_step),
+               least = packed + double(of.height - 1) * double(of.row_step),
+               most = std::max(least, double(of.height) * double(of.row_step));
+  if (records.count() < said || (double(data->size()) != least && double(data->size()) != most))
+    cloud->notes.push_back(cloudCutShort(of, data->size()));
+  for (const std::string& name : of.outside)
+    cloud->notes.push_back({map::ReasonCode::RosFieldMissing, {"fields." + name}});
+  cloud->has_z = of.z.has_value();
+  cloud->origin_m = originOf(records);
+
+  const std::size_t stride = std::max<std::size_t>(1, strideFor(records.count(), kMostPartPoints));
+  if (stride > 1) {
+    cloud->notes.push_back(
+        {map::ReasonCode::RosPointsThinned, {std::int64_t(records.count()), std::int64_t(stride)}});
+  }
+  const std::size_t kept = records.count() / stride + 1;
+  cloud->points.reserve(kept);
+  if (of.intensity) cloud->intensity.reserve(kept);
+  if (of.color) cloud->rgb.reserve(kept);
+  for (std::size_t i = 0; i < records.count(); i += stride) {
+    const Eigen::Vector3d at = records.point(i);
+    if (!isPlace(at)) {
+      ++cloud->left_out;
+      continue;
+    }
+    cloud->points.push_back((at - cloud->origin_m).cast<float>());
+    const char* const record = records.at(i);
+    if (of.intensity) {
+      const double value = numberAt(record, *of.intensity, of.big_endian);
+      cloud->intensity.push_back(std::isfinite(value) ? float(std::clamp(value, -1e30, 1e30)) : 0);
+    }
+    if (of.color) cloud->rgb.push_back(bitsAt(record, *of.color, of.big_endian) & 0xffffff);
+  }
+  return cloud;
+}
+
+}  // namespace mapwright::robot::ros

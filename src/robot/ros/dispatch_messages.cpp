@@ -1,0 +1,156 @@
+#include "robot/ros/dispatch_messages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "robot/ros/parts.h"
+#include "robot/ros/read_cells.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFarthestM = 1e7;
+
+QByteArray json(const QJsonObject& object) { return QJsonDocument(object).toJson(QJsonDocument::Compact); }
+
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+bool hasSize(const auto& size_m) {
+  return size_m.allFinite() && (size_m.array() > 0).all() && (size_m.array() <= kFarthestM * 2).all();
+}
+
+bool isPlace(const auto& at_m) { return at_m.allFinite() && (at_m.array().abs() <= kFarthestM).all(); }
+
+}  // namespace
+
+bool isSound(const map::GridRegion& region) { return isPlace(region.centre_m) && hasSize(region.size_m); }
+
+bool isSound(const map::CloudRegion& region) {
+  if (!isPlace(region.centre_m) || !std::isfinite(region.radius_m) || region.radius_m < 0) return false;
+  return region.radius_m > 0 ? region.radius_m <= kFarthestM * 2 : hasSize(region.size_m);
+}
+
+bool isSound(const map::Projection& projection) {
+  const Eigen::Vector2d heights(projection.min_z_m, projection.max_z_m);
+  return isPlace(projection.corner_m) && hasSize(projection.size_m) && isPlace(heights) &&
+         projection.min_z_m < projection.max_z_m;
+}
+
+QByteArray regionArgs(const map::GridRegion& region) {
+  return json({{QStringLiteral("x"), region.centre_m.x()},
+               {QStringLiteral("y"), region.centre_m.y()},
+               {QStringLiteral("l_x"), region.size_m.x()},
+               {QStringLiteral("l_y"), region.size_m.y()}});
+}
+
+QByteArray regionArgs(const map::CloudRegion& region) {
+  const bool sphere = region.radius_m > 0;
+  const Eigen::Vector3d size = sphere ? Eigen::Vector3d(0, 0, 0) : region.size_m;
+  return json({{QStringLiteral("x"), region.centre_m.x()},
+               {QStringLiteral("y"), region.centre_m.y()},
+               {QStringLiteral("z"), region.centre_m.z()},
+               {QStringLiteral("r"), sphere ? region.radius_m : 0.0},
+               {QStringLiteral("l_x"), size.x()},
+               {QStringLiteral("l_y"), size.y()},
+               {QStringLiteral("l_z"), size.z()}});
+}
+
+QByteArray saveArgs(const std::string& filename) {
+  return json({{QStringLiteral("filename"), QJsonObject{{QStringLiteral("data"), text(filename)}}}});
+}
+
+QByteArray projectionArgs(const std::vector<map::Projection>& projections) {
+  QJsonArray rows;
+  for (const map::Projection& one : projections) {
+    rows << QJsonObject{
+        {QStringLiteral("frame_id"), text(one.frame)}, {QStringLiteral("x"), one.corner_m.x()},
+        {QStringLiteral("y"), one.corner_m.y()},       {QStringLiteral("width"), one.size_m.x()},
+        {QStringLiteral("height"), one.size_m.y()},    {QStringLiteral("min_z"), one.min_z_m},
+        {QStringLiteral("max_z"), one.max_z_m}};
+  }
+  return json({{QStringLiteral("projected_maps_info"), rows}});
+}
+
+Read<map::GridPart> readGridPart(const Field& msg) {
+  const Field info = msg["info"];
+  if (!info.isObject()) return fieldMissing("info");
+  const auto size = readGridSize(info, "info.", kMostPartCells, EmptyGrids::Taken);
+  if (!size) return tl::unexpected(size.error());
+  const PoseRead origin = poseOf(info["origin"]);
+  map::GridPart part;
+  part.frame = headerOf(msg).frame;
+  part.grid = {int(size->width), int(size->height), numberOr(info["resolution"], kNaN), origin.pose.flat()};
+  const auto why = map::whyUnusable(part.grid);
+  if (size->width == 0) {
+    // Where nothing is, nobody needs to know how it lies: many senders leave it out then.
+    if (why) part.grid = {};
+    part.cells = std::make_shared<const std::vector<std::int8_t>>();
+    return part;
+  }
+  if (why) return tl::unexpected(*why);
+  if (origin.upright) part.notes.push_back(map::ReasonCode::RosTurnIsZero);
+  auto cells = readCells(msg["data"], size->width, size->height, OddCells::Nearest);
+  if (!cells) return tl::unexpected(cells.error());
+  part.cells = std::make_shared<const std::vector<std::int8_t>>(std::move(cells->cells));
+  noteOddCells(part.notes, cells->odd);
+  return part;
+}
+
+Read<ProjectedPart> readProjectedPart(const Field& msg, int index) {
+  auto part = readGridPart(msg["map"]);
+  if (!part) return tl::unexpected(part.error());
+  ProjectedPart projected{index, std::move(*part), numberOr(msg["min_z"], kNaN),
+                          numberOr(msg["max_z"], kNaN)};
+  if (!std::isfinite(projected.min_z_m)) return fieldMissing("min_z");
+  if (!std::isfinite(projected.max_z_m)) return fieldMissing("max_z");
+  return projected;
+}
+
+Read<std::vector<map::Projection>> readProjections(const Field& values) {
+  Field list = values["projected_maps_info"];
+  if (!list.isList()) list = values["projected_maps"];
+  if (!list.isList()) return fieldMissing("projected_maps_info");
+  std::vector<map::Projection> all;
+  std::optional<map::Reason> wrong;
+  list.each([&](const Field& row) {
+    if (wrong || all.size() >= kMostProjections) return;
+    const auto number = [&](const char* name) {
+      const double value = numberOr(row[name], kNaN);
+      if (!std::isfinite(value) && !wrong) wrong = fieldMissing(name).value();
+      return value;
+    };
+    map::Projection one;
+    one.frame = frameName(row["frame_id"].text());
+    one.corner_m = {number("x"), number("y")};
+    one.size_m = {number("width"), number("height")};
+    one.min_z_m = number("min_z");
+    one.max_z_m = number("max_z");
+    all.push_back(std::move(one));
+  });
+  if (wrong) return tl::unexpected(*wrong);
+  return all;
+}
+
+map::Projection projectionOf(const ProjectedPart& part) {
+  map::Projection projection;
+  projection.frame = part.part.frame;
+  const geometry::WorldRect bounds = part.part.grid.bounds();
+  if (!bounds.empty()) {
+    // A resolution of 32 bits makes 2.00000003 m of 2 m.
+    const auto whole = [](double value) { return std::round(value * 1e6) / 1e6; };
+    projection.corner_m = {whole(bounds.min_x), whole(bounds.min_y)};
+    projection.size_m = {whole(bounds.width()), whole(bounds.height())};
+  }
+  projection.min_z_m = part.min_z_m;
+  projection.max_z_m = part.max_z_m;
+  return projection;
+}
+
+}  // namespace mapwright::robot::ros

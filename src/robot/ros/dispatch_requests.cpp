@@ -1,0 +1,240 @@
+#include "robot/ros/dispatch_requests.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QPointer>
+
+#include "robot/ros/dispatch_messages.h"
+#include "robot/ros/ros_calls.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+using net::rosbridge::CallAnswer;
+
+auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
+
+map::Failure unreadable(const std::string& service, map::Reason why, map::AskedFor asked_for,
+                        map::Applied applied) {
+  map::Failure failure;
+  failure.kind = map::FailureKind::MalformedAnswer;
+  failure.subject = map::Subject(service);
+  failure.asked_for = asked_for;
+  failure.applied = applied;
+  failure.reason = map::FailureReason::Unfit;
+  failure.cause = std::move(why);
+  return failure;
+}
+
+/// It is what is wanted at its number, as far as grids of cells can be that.
+bool isAbout(const std::vector<map::Projection>& wanted, const ProjectedPart& part) {
+  constexpr double kNearM = 0.5;
+  if (std::size_t(part.index) >= wanted.size()) return false;
+  const map::Projection& one = wanted[std::size_t(part.index)];
+  const map::Projection told = projectionOf(part);
+  return (one.corner_m - told.corner_m).cwiseAbs().maxCoeff() <= kNearM &&
+         (one.size_m - told.size_m).cwiseAbs().maxCoeff() <= kNearM &&
+         std::abs(one.min_z_m - told.min_z_m) <= kNearM && std::abs(one.max_z_m - told.max_z_m) <= kNearM;
+}
+
+/// By what servers say of a call of something that is not there.
+bool saysNotThere(const CallAnswer& answer) {
+  return answer.kind == CallAnswer::Kind::Refused && answer.words.find("does not exist") != std::string::npos;
+}
+
+}  // namespace
+
+map::Failure notDispatched(DispatchService service, const FoundDispatch& found) {
+  map::Failure failure;
+  failure.kind = map::FailureKind::Unsupported;
+  const auto there = found.serviceOf(service);
+  failure.subject = map::Subject(there ? there->name : std::string("map dispatcher (REP 130)"));
+  failure.reason = map::FailureReason::NotOffered;
+  return failure;
+}
+
+DispatchRequests::DispatchRequests(net::rosbridge::Client& client, DispatchWish wish,
+                                   DispatchPatience patience, QObject* parent)
+    : QObject(parent), client_(client), wish_(std::move(wish)), patience_(patience) {}
+
+void DispatchRequests::take(FoundDispatch found) {
+  std::erase_if(found.services, [&](const auto& one) {
+    return one.second.type.empty() && not_there_.contains(one.second.name);
+  });
+  if (found == found_) return looked();
+  const bool other_offers = found.offers() != found_.offers();
+  found_ = std::move(found);
+  if (!found_.projected.empty()) {
+    // What the server tells is more than what was expected.
+    told_ = 0;
+    forgetProjected([this](int index) { return !found_.projected.contains(index); });
+  }
+  if (!found_.any()) forgetProjected([](int) { return true; });
+  looked();
+  if (other_offers) Q_EMIT offersChanged();
+}
+
+void DispatchRequests::looked() {
+  const auto watches = watches_;
+  for (const WatchPtr& watch : watches) {
+    if (!watch->answered) continue;
+    watch->looked = true;
+    lookAt(watch);
+  }
+}
+
+void DispatchRequests::lose() {
+  const auto watches = watches_;
+  for (const WatchPtr& watch : watches) {
+    map::Failure failure;
+    failure.kind = map::FailureKind::Unreachable;
+    failure.cause = {map::ReasonCode::LinkBrokeOff};
+    if (watch->answered) end(watch, std::move(failure));
+  }
+}
+
+void DispatchRequests::beginAnew() {
+  lose();
+  not_there_.clear();
+  told_ = 0;
+  forgetProjected([](int) { return true; });
+}
+
+void DispatchRequests::forgetProjected(const std::function<bool(int)>& whether) {
+  std::vector<int> gone;
+  for (const auto& [index, part] : projected_) {
+    if (whether(index)) gone.push_back(index);
+  }
+  for (const int index : gone) {
+    projected_.erase(index);
+    Q_EMIT projectedGone(index);
+  }
+}
+
+std::vector<FoundTopic> DispatchRequests::topics() const {
+  std::vector<FoundTopic> all = found_.metadata;
+  for (const auto& [index, topic] : found_.projected) all.push_back(topic);
+  for (int index = 0; index < std::min(told_, kMostProjected); ++index) {
+    if (!found_.projected.contains(index))
+      all.push_back({projectedTopic(wish_, index), "map_msgs/ProjectedMap"});
+  }
+  return all;
+}
+
+std::optional<map::Reason> DispatchRequests::hear(const std::string& topic, const Field& msg) {
+  for (const FoundTopic& metadata : found_.metadata) {
+    if (metadata.name != topic) continue;
+    const QByteArray now = msg.toJson(10'000);
+    QByteArray& before = seen_[topic];
+    const bool other = !before.isEmpty() && before != now;
+    before = now;
+    if (other) Q_EMIT mapChanged();
+    return std::nullopt;
+  }
+  std::optional<int> index;
+  for (const auto& [number, projected] : found_.projected) {
+    if (projected.name == topic) index = number;
+  }
+  for (int number = 0; !index && number < told_; ++number) {
+    if (projectedTopic(wish_, number) == topic) index = number;
+  }
+  if (!index) return std::nullopt;
+  auto read = readProjectedPart(msg, *index);
+  if (!read) return read.error();
+  const auto part = std::make_shared<const ProjectedPart>(std::move(*read));
+  projected_[*index] = part;
+  Q_EMIT projectedCame(part);
+  const auto watches = watches_;
+  for (const WatchPtr& watch : watches) {
+    // A latched one of before may come after what has been set: it is not what is waited for.
+    if (watch->changed && !isAbout(watch->wanted, *part)) continue;
+    watch->awaited.erase(*index);
+    lookAt(watch);
+  }
+  return std::nullopt;
+}
+
+void DispatchRequests::sawMap(const std::string& fingerprint) {
+  const std::string before = std::exchange(seen_map_, fingerprint);
+  if (!before.empty() && before != fingerprint && found_.any()) Q_EMIT mapChanged();
+}
+
+void DispatchRequests::withdraw(DispatchService service) {
+  const auto there = found_.serviceOf(service);
+  if (!there || !there->type.empty()) return;
+  not_there_.insert(there->name);
+  std::erase_if(found_.services, [&](const auto& one) { return one.second.name == there->name; });
+  Q_EMIT offersChanged();
+}
+
+void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService service, QByteArray args,
+                           std::chrono::milliseconds patience, map::AskedFor asked_for, Taken taken,
+                           Failed failed) {
+  const auto there = found_.serviceOf(service);
+  if (!there) return failed(notDispatched(service, found_));
+  net::rosbridge::CallRequest request;
+  request.service = there->name;
+  request.args = std::move(args);
+  request.patience = patience;
+  request.large = true;
+  call(errand, client_, std::move(request),
+       [self = QPointer(this), service, name = there->name, asked_for, taken = std::move(taken),
+        failed = std::move(failed)](const CallAnswer& answer) {
+         if (!self) return;
+         if (answer.kind == CallAnswer::Kind::Answered) return taken(answer.values);
+         if (saysNotThere(answer)) {
+           self->withdraw(service);
+           map::Failure failure = notDispatched(service, self->found_);
+           failure.subject = map::Subject(name);
+           failure.asked_for = asked_for;
+           return failed(std::move(failure));
+         }
+         failed(ros::failed(answer, map::Subject(name), asked_for));
+       });
+}
+
+void DispatchRequests::grid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
+                            OutcomeTo<map::GridPart> reply) {
+  const DispatchService service = region ? DispatchService::GridRegion : DispatchService::Grid;
+  const auto there = found_.serviceOf(service);
+  ask(
+      errand, service, region ? regionArgs(*region) : QByteArray("{}"),
+      region ? patience_.region : patience_.whole, map::AskedFor::All,
+      [reply, region, name = there ? there->name : std::string()](const Field& values) {
+        auto part = readGridPart(values[region ? "sub_map" : "map"]);
+        if (part) return reply(std::move(*part));
+        reply(fail(unreadable(name, part.error(), map::AskedFor::All, map::Applied::No)));
+      },
+      [reply](map::Failure failure) { reply(fail(std::move(failure))); });
+}
+
+void DispatchRequests::cloud(const wire::ErrandPtr& errand, CloudKind kind,
+                             const std::optional<map::CloudRegion>& region,
+                             OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply) {
+  const bool points = kind == CloudKind::Points;
+  const DispatchService service =
+      points ? (region ? DispatchService::CloudRegion : DispatchService::Cloud)
+             : (region ? DispatchService::OccupancyRegion : DispatchService::Occupancy);
+  const auto there = found_.serviceOf(service);
+  ask(
+      errand, service, region ? regionArgs(*region) : QByteArray("{}"),
+      region ? patience_.region : patience_.whole, map::AskedFor::All,
+      [reply, region, name = there ? there->name : std::string()](const Field& values) {
+        auto cloud = readSpatialCloud(values[region ? "sub_map" : "map"]);
+        if (cloud) return reply(std::move(*cloud));
+        reply(fail(unreadable(name, cloud.error(), map::AskedFor::All, map::Applied::No)));
+      },
+      [reply](map::Failure failure) { reply(fail(std::move(failure))); });
+}
+
+void DispatchRequests::save(const wire::ErrandPtr& errand, const std::string& filename,
+                            OutcomeTo<std::string> reply) {
+  ask(
+      errand, DispatchService::Save, saveArgs(filename), patience_.save, map::AskedFor::Change,
+      [reply, filename](const Field&) { reply(filename); },
+      [reply](map::Failure failure) { reply(fail(std::move(failure))); });
+}
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,120 @@
+// A map dispatcher behind a rosbridge server: what it is asked, what its topics tell. Lives on the link's
+// thread, where answers are read, too. Source: rep130.md.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <QObject>
+#include <QTimer>
+
+#include "net/rosbridge/client.h"
+#include "robot/map_dispatch.h"
+#include "robot/ros/dispatch_names.h"
+#include "robot/ros/read_messages.h"
+#include "robot/wire/errand.h"
+
+namespace mapwright::robot::ros {
+
+struct DispatchPatience {
+  std::chrono::milliseconds region{60'000};
+  std::chrono::milliseconds whole{300'000};
+  std::chrono::milliseconds save{120'000};
+  std::chrono::milliseconds projections{15'000};
+  /// For the topics to show what has been set, where nothing else tells.
+  std::chrono::milliseconds settles{2'500};
+};
+
+class DispatchRequests : public QObject {
+  Q_OBJECT
+ public:
+  DispatchRequests(net::rosbridge::Client& client, DispatchWish wish, DispatchPatience patience,
+                   QObject* parent = nullptr);
+
+  /// What there is, as far as the server tells.
+  void take(FoundDispatch found);
+  /// The connection is lost: what waits for topics waits no more.
+  void lose();
+  /// Another connection: perhaps another robot.
+  void beginAnew();
+  const FoundDispatch& found() const { return found_; }
+  /// The projected maps that have come, by number.
+  const std::map<int, std::shared_ptr<const ProjectedPart>>& projected() const { return projected_; }
+  /// The topics that are to be subscribed to.
+  std::vector<FoundTopic> topics() const;
+  /// A message of one of these; else nothing. Why it cannot be read.
+  std::optional<map::Reason> hear(const std::string& topic, const Field& msg);
+  /// The map that somebody subscribed to has come.
+  void sawMap(const std::string& fingerprint);
+
+  void grid(const wire::ErrandPtr& errand, const std::optional<map::GridRegion>& region,
+            OutcomeTo<map::GridPart> reply);
+  void cloud(const wire::ErrandPtr& errand, CloudKind kind, const std::optional<map::CloudRegion>& region,
+             OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply);
+  void save(const wire::ErrandPtr& errand, const std::string& filename, OutcomeTo<std::string> reply);
+  void projections(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Projection>> reply);
+  /// Ends when each projected map that there is a topic of has come, or has been waited for.
+  void awaitProjected(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::Projection>> reply);
+  void project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+               OutcomeTo<std::vector<map::Projection>> reply);
+
+ Q_SIGNALS:
+  void offersChanged();
+  void topicsChanged();
+  void lookWanted();  // there may be other topics now
+  void mapChanged();
+  void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
+  void projectedGone(int index);
+
+ private:
+  using ProjectionsReply = OutcomeTo<std::vector<map::Projection>>;
+  /// Somebody who waits for topics to tell what is projected.
+  struct Watch {
+    wire::ErrandPtr errand;
+    ProjectionsReply reply;
+    std::set<int> awaited;                // not heard since
+    std::vector<map::Projection> wanted;  // what has been set before, where something has
+    bool changed = false;                 // something has been set before
+    bool answered = true;                 // false: its call is under way
+    bool looked = true;                   // false: which topics there are now is being asked
+    int number = 0;                       // in the errand
+    QTimer timer;
+  };
+  using WatchPtr = std::shared_ptr<Watch>;
+  using Taken = std::function<void(const Field& values)>;
+  using Failed = std::function<void(map::Failure)>;
+
+  void ask(const wire::ErrandPtr& errand, DispatchService service, QByteArray args,
+           std::chrono::milliseconds patience, map::AskedFor asked_for, Taken taken, Failed failed);
+  void readByService(const wire::ErrandPtr& errand, ProjectionsReply reply);
+  void begin(const WatchPtr& watch);
+  void lookAt(const WatchPtr& watch);
+  void looked();
+  void end(const WatchPtr& watch, std::optional<map::Failure> failure);
+  bool tellsProjections() const;
+  std::vector<map::Projection> shown() const;
+  void forgetProjected(const std::function<bool(int)>& whether);
+  void withdraw(DispatchService service);
+
+  net::rosbridge::Client& client_;
+  const DispatchWish wish_;
+  const DispatchPatience patience_;
+  FoundDispatch found_;
+  std::set<std::string> not_there_;  // services that were tried
+  std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
+  int told_ = 0;                            // how many projections there should be
+  std::map<std::string, QByteArray> seen_;  // metadata by topic
+  std::string seen_map_;                    // fingerprint
+  std::list<WatchPtr> watches_;
+};
+
+/// What is said where there is no dispatcher, or where it lacks a service.
+map::Failure notDispatched(DispatchService service, const FoundDispatch& found);
+
+}  // namespace mapwright::robot::ros

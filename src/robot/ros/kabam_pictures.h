@@ -1,0 +1,76 @@
+// The picture of the map that a KABAM robot works with, replaced. On the link's thread. Source: kabam.md
+// (update_map_image; what the topics tell is the truth).
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QObject>
+#include <QTimer>
+
+#include "robot/picture_store.h"
+#include "robot/ros/kabam_picture.h"
+#include "robot/ros/kabam_requests.h"
+#include "robot/ros/live_map.h"
+
+namespace mapwright::robot::ros {
+
+/// The picture is read again, compared with what the change was made of, sent, and read back: all by the
+/// topic that brings the map. Nobody else can lock it, so what is changed between the two is found
+/// afterwards.
+class KabamPictures : public QObject {
+  Q_OBJECT
+ public:
+  /// What it asks for; all of it outlives this. `ask_again`: the map's topic is to bring its map once more.
+  struct Means {
+    net::rosbridge::Client& client;
+    KabamRequests& requests;
+    LiveMap& live_map;
+    std::function<void()> ask_again;
+  };
+  KabamPictures(Means means, KabamPatience patience, QObject* parent = nullptr);
+
+  void write(const wire::ErrandPtr& errand, const PictureChange& change, OutcomeTo<PictureReceipt> reply);
+
+ Q_SIGNALS:
+  /// What is kept of this map is not, or may not be, what somebody here takes it for.
+  void doubted(const std::string& map_id);
+
+ private:
+  struct Writing {
+    PictureChange change;
+    OutcomeTo<PictureReceipt> reply;
+    wire::ErrandPtr errand;
+    std::string name;
+    std::shared_ptr<void> listening;
+    std::shared_ptr<PictureArgs> args;
+    bool changed_meanwhile = false;
+    std::optional<map::Failure> doubt;  // what it ends in, should the map not show it
+    std::chrono::milliseconds within{0};
+    std::unique_ptr<QTimer> halfway, patience;
+    int number = 0;  // of the errand
+    map::Subject subject() const { return map::subjectOf(change.map, name); }
+  };
+  using WritingPtr = std::shared_ptr<Writing>;
+
+  void readAgain(const WritingPtr& writing);
+  void send(const WritingPtr& writing);
+  void takeAnswer(const WritingPtr& writing, const net::rosbridge::CallAnswer& answer);
+  void confirm(const WritingPtr& writing);
+  void look();
+  void giveUp(const WritingPtr& writing);
+  bool finishConfirming(const WritingPtr& writing);
+  bool shows(const std::string& fingerprint) const;
+  std::optional<map::Failure> conflict(const Writing& writing) const;
+  void end(const WritingPtr& writing, Outcome<PictureReceipt> outcome);
+
+  Means means_;
+  KabamPatience patience_;
+  std::list<WritingPtr> confirming_;
+};
+
+}  // namespace mapwright::robot::ros

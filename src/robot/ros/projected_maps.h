@@ -1,0 +1,23 @@
+// What a map dispatcher projects onto the plane, as maps of the robot that are opened, compared and exported
+// like any other. Pure. Source: rep130.md (projected_map_0 … n-1).
+#pragma once
+
+#include <optional>
+
+#include "map/catalogue.h"
+#include "robot/map_dispatch.h"
+#include "robot/ros/transforms.h"
+
+namespace mapwright::robot::ros {
+
+/// "projected_map_0", whatever its topic is called.
+map::MapKey projectedKey(int index);
+/// The reverse; nullopt: the key of another map.
+std::optional<int> projectedIndex(const map::MapKey& key);
+
+/// Its name tells the heights: "projected_map_0: z 0.10 … 1.80 m".
+map::CatalogueEntry entryOf(const ProjectedPart& projected);
+/// `in_map`: the pose of its frame in that of the map. Of at least one cell.
+map::WholeMap wholeMapOf(const ProjectedPart& projected, const Transform3& in_map);
+
+}  // namespace mapwright::robot::ros

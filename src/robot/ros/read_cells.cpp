@@ -1,0 +1,68 @@
+#include "robot/ros/read_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/ros/parts.h"
+
+namespace mapwright::robot::ros {
+namespace {
+
+/// Cells that are no bytes take eight times the memory while they are read.
+constexpr std::size_t kMostOddCells = std::size_t(1) << 25;
+constexpr std::int8_t kUnknown = -1, kOccupied = 100;
+
+}  // namespace
+
+Read<Cells> readCells(const Field& data, std::int64_t width, std::int64_t height, OddCells odd) {
+  const std::size_t needed = std::size_t(width * height);
+  // Some of a list of the wrong length would be cells of other places. Servers may write no bytes as a text.
+  const bool none = needed == 0 && (data.isNull() || data.isText());
+  if (none) return Cells{};
+  if (!data.isList()) return fieldMissing("data");
+  if (data.size() != needed) {
+    return tl::unexpected(map::Reason(map::ReasonCode::RosLengthDiffers,
+                                      {"data", std::int64_t(data.size()), std::int64_t(needed)}));
+  }
+  Cells read;
+  if (auto bytes = data.int8s(needed)) {
+    read.cells = std::move(*bytes);
+    for (std::int8_t& cell : read.cells) {
+      if (cell >= kUnknown && cell <= kOccupied) continue;
+      const bool shown = odd == OddCells::Nearest && cell > kOccupied;
+      cell = shown ? kOccupied : kUnknown;
+      read.odd += !shown;
+    }
+    return read;
+  }
+  const auto numbers = data.numbers(kMostOddCells);
+  if (!numbers || numbers->size() != needed) return fieldMissing("data");
+  read.cells.reserve(needed);
+  for (const double value : *numbers) {
+    const bool whole = value >= kUnknown && value <= kOccupied && value == std::floor(value);
+    const bool above = odd == OddCells::Nearest && value > kOccupied;
+    read.cells.push_back(whole ? std::int8_t(value) : above ? kOccupied : kUnknown);
+    read.odd += !whole && !above;
+  }
+  return read;
+}
+
+Read<GridSize> readGridSize(const Field& of, const std::string& prefix, std::int64_t most, EmptyGrids empty) {
+  const auto width = of["width"].integer(), height = of["height"].integer();
+  if (!width) return fieldMissing(prefix + "width");
+  if (!height) return fieldMissing(prefix + "height");
+  if (*width < 0 || *width > most) return fieldWrong(prefix + "width", double(*width));
+  if (*height < 0 || *height > most) return fieldWrong(prefix + "height", double(*height));
+  if (*width == 0 || *height == 0) {
+    if (empty == EmptyGrids::Taken) return GridSize{0, 0};
+    return tl::unexpected(map::Reason(map::ReasonCode::RosGridEmpty, {*width, *height}));
+  }
+  if (*height > most / *width) return fieldWrong(prefix + "height", double(*height));
+  return GridSize{*width, *height};
+}
+
+void noteOddCells(std::vector<map::Reason>& notes, std::size_t odd) {
+  if (odd > 0) notes.push_back({map::ReasonCode::RosCellsOutOfRange, {std::int64_t(odd)}});
+}
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,42 @@
+// The markers of all topics as they lie in the fixed frame. Source: visualization_msgs/Marker (header,
+// lifetime, frame_locked).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "map/live_topics.h"
+#include "map/reason.h"
+#include "robot/ros/marker_board.h"
+#include "robot/ros/transforms.h"
+
+namespace mapwright::robot::ros {
+
+/// A value; time is handed in. One marker that has no place keeps none of the others from theirs.
+class SeenMarkers {
+ public:
+  static constexpr double kPatienceS = 1;  // for a transform, before its absence is told
+
+  void take(const std::string& topic, const std::vector<Marker>& markers, double now_s);
+  void forget(const std::string& topic) { boards_.erase(topic); }
+  std::vector<std::string> topics() const;
+
+  struct Look {
+    bool changed = false;                         // seen() is another
+    std::map<std::string, map::Reason> unplaced;  // by topic: why a marker that has waited has no place
+  };
+  /// Places what has no place yet, moves what goes with its frame, takes away what has lived its time.
+  Look look(const Transforms& transforms, const std::string& fixed_frame, double now_s);
+  /// The last look() has found some without a place.
+  bool waits() const { return waits_; }
+  /// As they were seen by the last look().
+  const map::SeenObjectsMessage& seen() const { return seen_; }
+
+ private:
+  std::map<std::string, MarkerBoard> boards_;  // by topic
+  map::SeenObjectsMessage seen_;
+  bool waits_ = false;
+};
+
+}  // namespace mapwright::robot::ros

@@ -1,0 +1,56 @@
+#include "sentences/placing_sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace mapwright::sentences {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(Placing)
+};
+
+QString metres(double value) { return QLocale::c().toString(value, 'f', 2); }
+
+}  // namespace
+
+QString sentenceOf(const placing::Warning& warning) {
+  using placing::WarningKind;
+  switch (warning.kind) {
+    case WarningKind::InWall:
+      return Words::tr("It is in a wall.");
+    case WarningKind::OutsideMap:
+      return Words::tr("It is outside the map.");
+    case WarningKind::NearWall:
+      return Words::tr("It is %1 m from a wall: closer than the robot's radius of %2 m.")
+          .arg(metres(warning.distance_m), metres(warning.radius_m));
+    case WarningKind::OnUnknown:
+      return Words::tr("It is on ground that the map knows nothing of.");
+    case WarningKind::NameTwice:
+      return Words::tr("Another waypoint has the same name.");
+    case WarningKind::ZeroTurn:
+      return Words::tr("It is kept with an orientation of zero, which is no heading: turn it.");
+  }
+  return {};
+}
+
+QString sentencesOf(const placing::Warnings& warnings) {
+  QStringList lines;
+  for (const placing::Warning& warning : warnings) lines << sentenceOf(warning);
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString sentenceOf(placing::GroundState ground) {
+  switch (ground) {
+    case placing::GroundState::None:
+      return Words::tr("There is no map below: walls are not looked at.");
+    case placing::GroundState::Unknown:
+      return Words::tr("The map below is unknown everywhere: walls cannot be told.");
+    case placing::GroundState::Known:
+      break;
+  }
+  return {};
+}
+
+}  // namespace mapwright::sentences

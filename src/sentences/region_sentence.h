@@ -1,0 +1,13 @@
+// What people read of regions of a map that could not be had.
+#pragma once
+
+#include <QString>
+
+#include "regions/region_plan.h"
+
+namespace mapwright::sentences {
+
+/// "It answered with another region." Plain text; empty = nothing is wrong.
+QString sentenceOf(const regions::RegionTrouble& trouble);
+
+}  // namespace mapwright::sentences

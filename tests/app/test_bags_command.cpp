@@ -1,0 +1,418 @@
+// `mapwright bags …` on the simulated robot: what a script sees.
+#include <cmath>
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMap>
+#include <QProcess>
+#include <QSet>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "recording/append_file.h"
+#include "recording/mcap_writer.h"
+#include "recording/source.h"
+#include "simulator/simulator.h"
+
+using namespace mapwright;
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QByteArray out, err;
+  QJsonObject object() const { return QJsonDocument::fromJson(out).object(); }
+  QJsonArray array() const { return QJsonDocument::fromJson(out).array(); }
+  QList<QJsonObject> lines() const {
+    QList<QJsonObject> all;
+    for (const QByteArray& line : out.split('\n')) {
+      if (!line.isEmpty()) all << QJsonDocument::fromJson(line).object();
+    }
+    return all;
+  }
+};
+
+double stampOf(const QJsonObject& message) { return message[QStringLiteral("__stamp")].toDouble(); }
+
+}  // namespace
+
+class BagsCommandTest : public QObject {
+  Q_OBJECT
+  std::unique_ptr<simulator::Simulator> robot_;
+  QTemporaryDir folder_;
+
+  Outcome run(const QString& line) const {
+    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
+      env.remove(QLatin1String(name));
+    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
+    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"), QString::fromStdString(robot_->address()));
+    QProcess process;
+    process.setProcessEnvironment(env);
+    process.setWorkingDirectory(folder_.path());
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM),
+                  QStringList{QStringLiteral("bags")} + line.split(QLatin1Char(' ')));
+    if (!process.waitForFinished(300'000)) return {};
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+  }
+  /// Ten poses a second for a minute, and an alert in the middle.
+  QString recording() const {
+    const QString path = folder_.filePath(QStringLiteral("drive.mcap"));
+    auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
+    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    const auto say = [&](double after_s, const char* topic, const std::string& rest) {
+      recording::Channel channel;
+      channel.topic = topic;
+      channel.message_encoding = "json";
+      const std::string text = "{\"topic\":\"" + channel.topic + "\"," + rest + "}";
+      const std::int64_t at_ns = 1'717'405'200'000'000'000 + std::llround(after_s * 1e9);
+      (void)(*writer)->write(*(*writer)->addChannel(channel), {at_ns, at_ns, 0},
+                             {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    };
+    for (int i = 0; i < 600; ++i) {
+      say(i * 0.1, "/tracked_pose", R"("pos":[)" + std::to_string(i * 0.05) + ",1],\"ori\":0");
+      if (i == 300) say(i * 0.1, "/alerts", R"("alerts":[{"code":6001,"level":"error","msg":"Hot"}])");
+    }
+    (void)(*writer)->close();
+    return path;
+  }
+  static QString bag() { return QStringLiteral("2024-06-03_09-00-00.bag"); }
+  static QString at(double s) { return QString::number(1717405200 + s, 'f', 3); }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    simulator::Options options;
+    options.paused = true;
+    options.start_at_s = 700;
+    options.bags.odd = true;
+    robot_ = std::make_unique<simulator::Simulator>(options);
+    QVERIFY(!robot_->start());
+  }
+
+  void aFileIsLookedIntoLikeABag() {
+    const QString file = recording();
+    const Outcome info = run(QStringLiteral("info --json ") + file);
+    QVERIFY2(info.code == 0, info.err.constData());
+    QCOMPARE(info.object()[QStringLiteral("messages")].toInt(), 601);
+    const Outcome frames = run(QStringLiteral("frames --topic /alerts ") + file);
+    QVERIFY2(frames.code == 0, frames.err.constData());
+    QCOMPARE(frames.lines().size(), 1);
+    const QString state = QStringLiteral("state --json --at %1 %2").arg(at(20), file);
+    const Outcome there = run(state), again = run(state);
+    QVERIFY2(there.code == 0, there.err.constData());
+    QVERIFY(there.out == again.out && there.out.contains("10"));
+    const Outcome events = run(QStringLiteral("events --json ") + file);
+    QVERIFY2(events.code == 0 && events.out.contains("Hot"), events.err.constData());
+    // One that is not there, and one that is none.
+    const Outcome nowhere = run(QStringLiteral("info ./nowhere.mcap"));
+    QVERIFY2(nowhere.code == 2 && nowhere.err.contains("nowhere.mcap"), nowhere.err.constData());
+    QVERIFY(nowhere.err.count('\n') == 1);
+  }
+
+  void eventsAreChosenByTheirKind() {
+    const QString file = recording();
+    const auto kinds = [&](const QString& which) {
+      QSet<QString> all;
+      for (const QJsonValue& event : run(QStringLiteral("events %1 --json%2").arg(file, which)).array())
+        all << event[QLatin1String("kind")].toString();
+      return all;
+    };
+    QVERIFY(kinds({}).contains(QStringLiteral("alert_begin")));
+    QVERIFY(kinds(QStringLiteral(" --kind alerts,stops")).contains(QStringLiteral("alert_begin")));
+    QVERIFY(kinds(QStringLiteral(" --kind planner")).isEmpty());
+    const Outcome wrong = run(QStringLiteral("events %1 --kind alerts,birds").arg(file));
+    QCOMPARE(wrong.code, 2);
+    QVERIFY(wrong.err.contains("birds"));
+  }
+
+  void whatABagDoesNotHoldIsNotWaitedFor() {
+    const QString file = recording();
+    QElapsedTimer clock;
+    clock.start();
+    const Outcome none =
+        run(QStringLiteral("snapshot %1 --at %2 --mode submaps --size 200x150 --timeout 200 -o s.png")
+                .arg(file, at(30)));
+    QCOMPARE(none.code, 1);
+    QVERIFY2(none.err.contains("no submap list"), none.err.constData());
+    QVERIFY(QFile::exists(folder_.filePath(QStringLiteral("s.png"))));
+    QVERIFY2(clock.elapsed() < 100'000, "it waited for what cannot come");
+  }
+
+  void whatAnExportLeftThatWasKilledIsReplacedAndTold() {
+    QFile part(folder_.filePath(QStringLiteral("left.mcap.part")));
+    QVERIFY(part.open(QIODevice::WriteOnly));
+    part.write("half of it");
+    part.close();
+    for (const QString& of : {recording(), bag()}) {
+      const Outcome first =
+          run(QStringLiteral("export %1 --from %2 --to %3 -o left.mcap --force --report r.json")
+                  .arg(of, at(10), at(20)));
+      QVERIFY2(first.code == 0, first.err.constData());
+      QVERIFY(!part.exists());
+      QFile report(folder_.filePath(QStringLiteral("r.json")));
+      QVERIFY(report.open(QIODevice::ReadOnly));
+      QVERIFY(report.readAll().contains("left.mcap.part"));
+      QVERIFY(part.open(QIODevice::WriteOnly));
+      part.close();
+    }
+    part.remove();
+  }
+
+  void submapsOfABagAreDrawnAsItListsThem() {
+    const Outcome made =
+        run(QStringLiteral("snapshot %1 --at %2 --mode submaps --size 300x200 -o m.png --json")
+                .arg(bag(), at(200)));
+    QVERIFY2(made.code == 0, made.err.constData());
+    const QJsonObject submaps = made.object()[QStringLiteral("submaps")].toObject();
+    QVERIFY(submaps[QStringLiteral("drawn")].toInt() > 0);
+    QCOMPARE(submaps[QStringLiteral("drawn")], submaps[QStringLiteral("listed")]);
+  }
+
+  void aPictureOfAFileIsTheSameEachTime() {
+    const QString file = recording();
+    QByteArray first;
+    for (const int times : {1, 2}) {
+      const QString png = folder_.filePath(QStringLiteral("%1.png").arg(times));
+      const Outcome made = run(
+          QStringLiteral("snapshot %1 --at %2 --layers robot,trail --mode submaps --settle 0 --center 10,1 "
+                         "--scale 0.05 --size 200x100 -o %3")
+              .arg(file, at(20), png));
+      QVERIFY2(made.code == 0 || made.code == 1, made.err.constData());
+      QFile picture(png);
+      QVERIFY2(picture.open(QIODevice::ReadOnly), made.err.constData());
+      const QByteArray bytes = picture.readAll();
+      if (first.isEmpty()) first = bytes;
+      QVERIFY(bytes.size() > 100 && bytes == first);
+    }
+  }
+
+  void theListIsInTheStableShape() {
+    const Outcome list = run(QStringLiteral("list --json"));
+    QVERIFY2(list.code == 0, list.err.constData());
+    QVERIFY(list.array().size() >= 12);
+    for (const QJsonValue& row : list.array()) {
+      const QStringList members{QStringLiteral("end"), QStringLiteral("kind"), QStringLiteral("name"),
+                                QStringLiteral("size_bytes")};
+      QCOMPARE(row.toObject().keys(), members);
+      QVERIFY(row.toObject()[QStringLiteral("end")].isDouble());
+    }
+    QVERIFY(run(QStringLiteral("list")).out.contains("recording"));
+  }
+
+  void infoTellsWhatTheRobotTells() {
+    const Outcome info = run(QStringLiteral("info %1 --json").arg(bag()));
+    QVERIFY2(info.code == 0, info.err.constData());
+    QVERIFY(info.object()[QStringLiteral("messages")].toInt() > 6000);
+    QCOMPARE(info.object()[QStringLiteral("start")].toDouble(), 1717405200.0);
+    QCOMPARE(info.object()[QStringLiteral("end")].toDouble(), 1717405799.0);
+  }
+
+  void framesAreEachMessageOnce() {
+    const Outcome all = run(QStringLiteral("frames %1").arg(bag()));
+    QVERIFY2(all.code == 0, all.err.constData());
+    const int messages =
+        run(QStringLiteral("info %1 --json").arg(bag())).object()[QStringLiteral("messages")].toInt();
+    QCOMPARE(int(all.lines().size()), messages);
+    const Outcome part =
+        run(QStringLiteral("frames %1 --from %2 --to %3 --topic /tracked_pose").arg(bag(), at(100), at(110)));
+    QVERIFY(part.lines().size() >= 100);
+    for (const QJsonObject& message : part.lines()) {
+      QCOMPARE(message[QStringLiteral("topic")].toString(), QStringLiteral("/tracked_pose"));
+      QVERIFY(stampOf(message) >= 1717405300 && stampOf(message) <= 1717405310);
+    }
+  }
+
+  void theStateIsThatOfTheLastMessages() {
+    const Outcome all = run(QStringLiteral("frames %1").arg(bag()));
+    for (const double s : {333.3, 12.0, 599.0}) {
+      QMap<QString, QJsonObject> last;
+      for (const QJsonObject& message : all.lines()) {
+        if (stampOf(message) <= 1717405200 + s) last[message[QStringLiteral("topic")].toString()] = message;
+      }
+      const Outcome jumped = run(QStringLiteral("state %1 --at %2 --json").arg(bag(), at(s)));
+      QVERIFY2(jumped.code == 0, jumped.err.constData());
+      const Outcome played =
+          run(QStringLiteral("state %1 --at %2 --from %3 --json").arg(bag(), at(s), at(0)));
+      QCOMPARE(played.out, jumped.out);
+      const QJsonObject state = jumped.object();
+      const QJsonObject topics = state[QStringLiteral("topics")].toObject();
+      QCOMPARE(QStringList(topics.keys()), QStringList(last.keys()));
+      for (const QString& topic : topics.keys())
+        QCOMPARE(topics[topic].toObject()[QStringLiteral("stamp")].toDouble(), stampOf(last[topic]));
+      const QJsonArray position = last[QStringLiteral("/tracked_pose")][QStringLiteral("pos")].toArray();
+      QCOMPARE(state[QStringLiteral("pose")].toObject()[QStringLiteral("x")].toDouble(),
+               position[0].toDouble());
+      QCOMPARE(state[QStringLiteral("planning")].toObject()[QStringLiteral("move_state")],
+               last[QStringLiteral("/planning_state")][QStringLiteral("move_state")]);
+      QCOMPARE(state[QStringLiteral("map")].toObject()[QStringLiteral("uid")],
+               last[QStringLiteral("/map/info")][QStringLiteral("uid")]);
+    }
+  }
+
+  void oddBagsAreReadToo() {
+    for (const char* name : {"clock_set_back.bag", "same_stamps.bag", "gap.bag", "ends_late.bag",
+                             "one_message.bag", "empty.bag"}) {
+      const Outcome info = run(QStringLiteral("info %1 --json").arg(QLatin1String(name)));
+      const Outcome frames = run(QStringLiteral("frames %1").arg(QLatin1String(name)));
+      QVERIFY2(info.code == 0 && frames.code == 0, frames.err.constData());
+      QCOMPARE(int(frames.lines().size()), info.object()[QStringLiteral("messages")].toInt());
+      const Outcome events = run(QStringLiteral("events %1 --json").arg(QLatin1String(name)));
+      QVERIFY2(events.code == 0, events.err.constData());
+    }
+  }
+
+  void errorsAreSentencesWithTheirExitCodes() {
+    const Outcome missing = run(QStringLiteral("state nothing.bag --at 5"));
+    QCOMPARE(missing.code, 4);
+    QVERIFY2(missing.err.contains("not found") && missing.err.count('\n') == 1, missing.err.constData());
+    QCOMPARE(run(QStringLiteral("state %1 --at noon").arg(bag())).code, 2);
+    QCOMPARE(run(QStringLiteral("frames %1 --from 9 --to 5").arg(bag())).code, 2);
+    QCOMPARE(run(QStringLiteral("delete %1").arg(bag())).code, 2);
+    QCOMPARE(run(QStringLiteral("list --robot axbot+http://127.0.0.1:1")).code, 3);
+  }
+
+  void aPartOfABagIsALineForEachMessage() {
+    const QString part = QStringLiteral("%1 --from %2 --to %3").arg(bag(), at(100), at(110));
+    const Outcome made = run(QStringLiteral("export %1 -o part.jsonl --json").arg(part));
+    QVERIFY2(made.code == 0, made.err.constData());
+    QFile file(folder_.filePath(QStringLiteral("part.jsonl")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray written = file.readAll();
+    QCOMPARE(written, run(QStringLiteral("frames %1").arg(part)).out);
+    QCOMPARE(written.count('\n'), made.object()[QStringLiteral("messages")].toInt());
+    // What is there is not lost, and what cannot be is a sentence.
+    QCOMPARE(run(QStringLiteral("export %1 -o part.jsonl").arg(part)).code, 2);
+    QCOMPARE(run(QStringLiteral("export %1 -o part.xyz").arg(part)).code, 2);
+    QCOMPARE(run(QStringLiteral("export %1 -o nowhere/part.mcap").arg(part)).code, 2);
+    QCOMPARE(run(QStringLiteral("export nothing.bag -o nothing.mcap")).code, 4);
+    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("nothing.mcap.part"))));
+  }
+
+  void aPartOfABagIsAnMcapFileThatBeginsWithWhatHadBeenSaid() {
+    const QString part = QStringLiteral("%1 --from %2 --to %3").arg(bag(), at(100), at(110));
+    const Outcome made = run(QStringLiteral("export %1 -o part.mcap --json").arg(part));
+    QVERIFY2(made.code == 0, made.err.constData());
+    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("part.mcap.part"))));
+    const auto opened = recording::openRecording(folder_.filePath(QStringLiteral("part.mcap")).toStdString());
+    QVERIFY(opened.has_value());
+    recording::Source& file = **opened;
+    QVERIFY(file.summary().finished && file.summary().notes.empty());
+    QList<QByteArray> before, said;
+    const auto cursor = file.messages({});
+    while (const auto message = cursor->next()) {
+      const QByteArray text(reinterpret_cast<const char*>(message->bytes.data()),
+                            qsizetype(message->bytes.size()));
+      const bool is_before = message->channel->metadata.contains("said");
+      (is_before ? before : said) << text;
+      const QJsonObject json = QJsonDocument::fromJson(text).object();
+      QCOMPARE(json[QStringLiteral("topic")].toString().toStdString(), message->channel->topic);
+      QVERIFY(std::abs(double(message->publish_time_ns) / 1e9 - stampOf(json)) < 1e-5);
+    }
+    QCOMPARE(said.join('\n') + '\n', run(QStringLiteral("frames %1").arg(part)).out);
+    QCOMPARE(int(before.size()), made.object()[QStringLiteral("said_before")].toInt());
+    const QJsonObject topics = run(QStringLiteral("state %1 --at %2 --json").arg(bag(), at(99.999)))
+                                   .object()[QStringLiteral("topics")]
+                                   .toObject();
+    QCOMPARE(int(before.size()), int(topics.size()));
+  }
+
+  void aPartOfARecordingShowsTheSameWorldAndIsThereAlone() {
+    QVERIFY(run(QStringLiteral("export %1 -o whole.mcap --to %2").arg(bag(), at(200))).code == 0);
+    const Outcome made =
+        run(QStringLiteral("export whole.mcap -o slice.mcap --from %1 --to %2 --json").arg(at(100), at(110)));
+    QVERIFY2(made.code == 0, made.err.constData());
+    QVERIFY(made.object()[QStringLiteral("said_before")].toInt() >= 10);
+    const auto frames = [&](const char* file) {
+      return run(QStringLiteral("frames %1 --from %2 --to %3").arg(QLatin1String(file), at(100.001), at(110)))
+          .out;
+    };
+    QVERIFY(!frames("slice.mcap").isEmpty());
+    QCOMPARE(frames("slice.mcap"), frames("whole.mcap"));
+    const auto state = [&](const char* file) {
+      QJsonObject world =
+          run(QStringLiteral("state %1 --at %2 --json").arg(QLatin1String(file), at(105))).object();
+      world.remove(QStringLiteral("topics"));  // of those that were said before it knows no earlier time
+      return world;
+    };
+    QVERIFY(state("slice.mcap")[QStringLiteral("pose")].isObject());
+    QCOMPARE(state("slice.mcap"), state("whole.mcap"));
+    // Never over what it is read from.
+    QCOMPARE(run(QStringLiteral("export slice.mcap -o slice.mcap --force")).code, 2);
+    QVERIFY(!frames("slice.mcap").isEmpty());
+    QCOMPARE(run(QStringLiteral("export nowhere.mcap -o no.mcap")).code, 2);
+    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("no.mcap"))));
+  }
+
+  void theTrackIsWrittenForOtherPrograms() {
+    const QString part = QStringLiteral("%1 --from %2 --to %3").arg(bag(), at(100), at(110));
+    for (const char* format : {"csv", "geojson", "tum"}) {
+      const Outcome made =
+          run(QStringLiteral("track %1 -o track.%2 --json").arg(part, QLatin1String(format)));
+      QVERIFY2(made.code == 0, made.err.constData());
+      QVERIFY(made.object()[QStringLiteral("samples")].toInt() >= 100);
+      QFile file(folder_.filePath(QStringLiteral("track.%1").arg(QLatin1String(format))));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const Outcome again = run(QStringLiteral("track %1 -o - --format %2").arg(part, QLatin1String(format)));
+      QCOMPARE(again.out, file.readAll());
+    }
+    QVERIFY(run(QStringLiteral("track %1 -o - --format tum").arg(QStringLiteral("empty.bag"))).code == 0);
+  }
+
+  void aFilmIsAPictureForEachTime() {
+    const QString film = QStringLiteral("film %1 --from %2 --to %3 --size 300x200");
+    const Outcome made =
+        run(film.arg(bag(), at(100), at(104)) + QStringLiteral(" --every 2 -o f%03d.png --json"));
+    QVERIFY2(made.code == 0, made.err.constData());
+    QCOMPARE(made.object()[QStringLiteral("pictures")].toInt(), 3);
+    QCOMPARE(made.object()[QStringLiteral("file")].toString(), QStringLiteral("f%03d.png"));
+    QSet<QByteArray> different;
+    for (const char* name : {"f000.png", "f001.png", "f002.png"}) {
+      QFile file(folder_.filePath(QLatin1String(name)));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      different << file.readAll();
+    }
+    QVERIFY(different.size() >= 2);  // the robot moves
+    QVERIFY(!QFile::exists(folder_.filePath(QStringLiteral("f003.png"))));
+    QCOMPARE(run(film.arg(bag(), at(100), at(104)) + QStringLiteral(" -o f.png")).code, 2);
+    QCOMPARE(run(film.arg(bag(), at(104), at(100)) + QStringLiteral(" -o f%d.png")).code, 2);
+    QCOMPARE(run(film.arg(QStringLiteral("nothing.bag"), at(1), at(2)) + QStringLiteral(" -o n%d.png")).code,
+             4);
+    QVERIFY(run(film.arg(bag(), at(100), at(100)) + QStringLiteral(" -o f%03d.png"))
+                .out.contains("f%03d.png: 1 "));
+    // Without ffmpeg, and with it.
+    const Outcome moving = run(film.arg(bag(), at(100), at(101)) + QStringLiteral(" -o film.mp4"));
+    const bool can = !QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty();
+    QVERIFY2(moving.code == (can ? 0 : 2), moving.err.constData());
+    QCOMPARE(QFile::exists(folder_.filePath(QStringLiteral("film.mp4"))), can);
+    QVERIFY(can || moving.err.contains("ffmpeg"));
+  }
+
+  void aBagIsFetchedOnce() {
+    const Outcome first = run(QStringLiteral("download %1 -o a.bag --json").arg(bag()));
+    QVERIFY2(first.code == 0, first.err.constData());
+    QFile file(folder_.filePath(QStringLiteral("a.bag")));
+    QCOMPARE(file.size(), qint64(first.object()[QStringLiteral("bytes")].toDouble()));
+    QCOMPARE(run(QStringLiteral("download %1 -o a.bag").arg(bag())).code, 2);
+  }
+
+  void aPictureOfATimeIsTheSameEachTime() {
+    const auto picture = [&](const char* name) {
+      const Outcome made = run(QStringLiteral("snapshot %1 --at %2 -o %3 --size 400x300")
+                                   .arg(bag(), at(200), QLatin1String(name)));
+      if (made.code != 0) qWarning("%s", made.err.constData());
+      QFile file(folder_.filePath(QLatin1String(name)));
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray first = picture("1.png");
+    QVERIFY(first.startsWith("\x89PNG"));
+    QVERIFY(picture("2.png") == first);
+  }
+};
+
+QTEST_GUILESS_MAIN(BagsCommandTest)
+#include "test_bags_command.moc"

@@ -1,0 +1,115 @@
+// `clouds export`: what is asked for, and what is refused before anybody is asked.
+#include <QDir>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/clouds.h"
+
+using namespace mapwright;
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QString out, err;
+};
+
+app::CloudsWords words(const std::string& box, const std::string& sphere = {}, bool all = false) {
+  app::CloudsWords made;
+  made.box = box;
+  made.sphere = sphere;
+  made.all = all;
+  return made;
+}
+
+}  // namespace
+
+class CloudsCommandTest : public QObject {
+  Q_OBJECT
+  QTemporaryDir folder_;
+
+  Outcome run(const QStringList& arguments) const {
+    QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
+      env.remove(QLatin1String(name));
+    env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
+    env.insert(QStringLiteral("XDG_CONFIG_HOME"), folder_.filePath(QStringLiteral("config")));
+    QProcess process;
+    process.setProcessEnvironment(env);
+    process.setWorkingDirectory(folder_.path());
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM), arguments);
+    if (!process.waitForFinished(120'000)) return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+  }
+
+ private Q_SLOTS:
+  void aRegionIsABoxOrASphereOrAllOfIt() {
+    const auto box = app::cloudRegionFrom(words("1,2,3,4,5,6"));
+    QVERIFY(box && *box);
+    QCOMPARE((*box)->centre_m, Eigen::Vector3d(1, 2, 3));
+    QCOMPARE((*box)->size_m, Eigen::Vector3d(4, 5, 6));
+    QCOMPARE((*box)->radius_m, 0.0);
+    const auto sphere = app::cloudRegionFrom(words({}, "-1.5, 2,0,7"));
+    QVERIFY(sphere && *sphere);
+    QCOMPARE((*sphere)->centre_m, Eigen::Vector3d(-1.5, 2, 0));
+    QCOMPARE((*sphere)->radius_m, 7.0);
+    const auto all = app::cloudRegionFrom(words({}, {}, true));
+    QVERIFY(all && !*all);
+  }
+
+  void whatIsNoRegionIsRefusedInASentence_data() {
+    QTest::addColumn<QString>("box");
+    QTest::addColumn<QString>("sphere");
+    QTest::addColumn<bool>("all");
+    QTest::newRow("nothing") << QString() << QString() << false;
+    QTest::newRow("two") << QStringLiteral("0,0,0,1,1,1") << QStringLiteral("0,0,0,1") << false;
+    QTest::newRow("all and a box") << QStringLiteral("0,0,0,1,1,1") << QString() << true;
+    QTest::newRow("too few") << QStringLiteral("0,0,0,1,1") << QString() << false;
+    QTest::newRow("no width") << QStringLiteral("0,0,0,1,0,1") << QString() << false;
+    QTest::newRow("less than none") << QStringLiteral("0,0,0,1,1,-1") << QString() << false;
+    QTest::newRow("no number") << QStringLiteral("0,0,x,1,1,1") << QString() << false;
+    QTest::newRow("nan") << QStringLiteral("nan,0,0,1,1,1") << QString() << false;
+    QTest::newRow("huge") << QStringLiteral("1e300,0,0,1,1,1") << QString() << false;
+    QTest::newRow("a radius of nothing") << QString() << QStringLiteral("0,0,0,0") << false;
+    QTest::newRow("a radius below") << QString() << QStringLiteral("0,0,0,-2") << false;
+  }
+  void whatIsNoRegionIsRefusedInASentence() {
+    QFETCH(QString, box);
+    QFETCH(QString, sphere);
+    QFETCH(bool, all);
+    const auto region = app::cloudRegionFrom(words(box.toStdString(), sphere.toStdString(), all));
+    QVERIFY(!region);
+    QVERIFY(region.error().endsWith(QLatin1Char('.')));
+  }
+
+  void filesOfOtherKindsAndThoseThatAreThereAreRefused() {
+    const QStringList export_all{QStringLiteral("clouds"),  QStringLiteral("export"),
+                                 QStringLiteral("--robot"), QStringLiteral("demo:"),
+                                 QStringLiteral("--all"),   QStringLiteral("-o")};
+    const Outcome odd = run(export_all + QStringList{QStringLiteral("a.las")});
+    QCOMPARE(odd.code, 2);
+    QVERIFY(odd.err.contains(QStringLiteral(".pcd, .ply or .csv")));
+    QFile there(folder_.filePath(QStringLiteral("there.ply")));
+    QVERIFY(there.open(QIODevice::WriteOnly));
+    there.close();
+    const Outcome kept = run(export_all + QStringList{there.fileName()});
+    QCOMPARE(kept.code, 2);
+    QVERIFY(kept.err.contains(QStringLiteral("--force")));
+    QCOMPARE(run(export_all + QStringList{QStringLiteral("a.ply"), QStringLiteral("--ascii")}).code, 2);
+  }
+
+  void aRobotWithoutADispatcherSaysSo() {
+    const Outcome outcome = run({QStringLiteral("clouds"), QStringLiteral("export"),
+                                 QStringLiteral("--robot"), QStringLiteral("demo:"), QStringLiteral("--all"),
+                                 QStringLiteral("-o"), QStringLiteral("a.pcd")});
+    QCOMPARE(outcome.code, 4);
+    QVERIFY(outcome.err.contains(QStringLiteral("no clouds")));
+    QVERIFY(!QDir(folder_.path()).exists(QStringLiteral("a.pcd")));
+  }
+};
+
+QTEST_MAIN(CloudsCommandTest)
+#include "test_clouds_command.moc"

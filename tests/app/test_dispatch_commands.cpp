@@ -1,0 +1,187 @@
+// A map dispatcher on the command line: regions of its map, files of its own, projections. The simulated one,
+// seen from outside.
+#include <cmath>
+
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/map_region.h"
+#include "simulator/simulator.h"
+
+using namespace mapwright;
+
+namespace {
+
+struct Ran {
+  int exit_code = -1;
+  QByteArray out, error;
+};
+
+Ran run(const QStringList& words) {
+  QProcess process;
+  process.start(QStringLiteral(MAPWRIGHT_PROGRAM), words);
+  if (!process.waitForFinished(120'000)) process.kill();
+  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QString text(const char* latin) { return QString::fromLatin1(latin); }
+
+}  // namespace
+
+class DispatchCommandsTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<simulator::Simulator> robot_;
+  QTemporaryDir folder_;
+
+  void start(const std::function<void(simulator::Options&)>& change = {}) {
+    simulator::Options options;
+    options.paused = true;
+    options.ros.kabam = false;
+    options.ros.dispatcher.there = true;
+    options.ros.dispatcher.edge_m = 1000;
+    if (change) change(options);
+    robot_ = std::make_unique<simulator::Simulator>(options);
+    QVERIFY(!robot_->start());
+  }
+  Ran ask(QStringList words) const {
+    return run(words << text("--robot") << QString::fromStdString(robot_->rep130Address()));
+  }
+  QString file(const char* name) const { return folder_.filePath(text(name)); }
+  Ran exportRegion(const QString& output, const char* region) const {
+    return ask({text("maps"), text("export"), text("--region"), text(region), text("-o"), output});
+  }
+
+ private Q_SLOTS:
+  void cleanup() { robot_.reset(); }
+
+  void aRegionIsFourNumbers() {
+    const auto region = app::gridRegionFrom("10, -5,40,30.5");
+    QVERIFY(region);
+    QCOMPARE(region->centre_m, Eigen::Vector2d(10, -5));
+    QCOMPARE(region->size_m, Eigen::Vector2d(40, 30.5));
+    for (const char* wrong : {"", "1,2,3", "1,2,3,4,5", "1,2,0,4", "1,2,3,-4", "a,2,3,4", "nan,2,3,4",
+                              "1,2,inf,4", "1,2,3,4,", "1e99,2,3,4"}) {
+      const auto refused = app::gridRegionFrom(wrong);
+      QVERIFY2(!refused, wrong);
+      QVERIFY(refused.error().endsWith(QLatin1Char('.')));
+    }
+  }
+
+  void aRegionIsExportedWhereItLies() {
+    start();
+    const Ran ran = exportRegion(file("part.yaml"), "10,-20,8,4");
+    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QFile yaml(file("part.yaml"));
+    QVERIFY(yaml.open(QIODevice::ReadOnly));
+    const QByteArray placed = yaml.readAll();
+    QVERIFY2(placed.contains("origin: [6") && placed.contains(", -22"), placed.constData());
+    const Ran png = exportRegion(file("part.png"), "10,-20,8,4");
+    QVERIFY2(png.exit_code == 0, png.error.constData());
+    QCOMPARE(QImage(file("part.png")).size(), QSize(160, 80));
+    const Ran shown = run({text("maps"), text("show"), text("--json"), text("--robot"), file("part.yaml")});
+    QCOMPARE(QJsonDocument::fromJson(shown.out)[text("grid")][text("size")][0].toInt(), 160);
+  }
+
+  void nothingIsNoFile() {
+    start();
+    const Ran ran = exportRegion(file("nothing.png"), "5000,0,10,10");
+    QCOMPARE(ran.exit_code, 1);
+    QCOMPARE(ran.error.count('\n'), 1);
+    QVERIFY(!QFile::exists(file("nothing.png")));
+  }
+
+  void anAnswerOfAnotherRegionIsSaid() {
+    start([](simulator::Options& options) { options.faults.ros.dispatcher.answer = "elsewhere"; });
+    const Ran ran = exportRegion(file("elsewhere.png"), "0,0,10,10");
+    QCOMPARE(ran.exit_code, 0);
+    QVERIFY2(ran.error.contains("another part"), ran.error.constData());
+  }
+
+  void whatTheRobotRefusesIsItsOwnWords() {
+    start();
+    const Ran ran = exportRegion(file("large.png"), "0,0,1000,1000");
+    QCOMPARE(ran.exit_code, 4);
+    QVERIFY2(ran.error.contains("not enough memory"), ran.error.constData());
+  }
+
+  void theWholeMapIsHadByWhoAsksForIt() {
+    start([](simulator::Options& options) { options.ros.dispatcher.edge_m = 20; });
+    const Ran ran = ask({text("maps"), text("export"), text("-o"), file("whole.png")});
+    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QCOMPARE(QImage(file("whole.png")).size(), QSize(400, 400));
+  }
+
+  void aRegionIsOfTheLiveMapAlone() {
+    start();
+    const Ran ran = ask({text("maps"), text("export"), text("12"), text("--region"), text("0,0,1,1"),
+                         text("-o"), file("other.png")});
+    QCOMPARE(ran.exit_code, 2);
+    QCOMPARE(exportRegion(file("other.png"), "0,0,0,1").exit_code, 2);
+  }
+
+  void aRobotWithoutOneSaysSo() {
+    start([](simulator::Options& options) { options.ros.dispatcher.there = false; });
+    for (const QStringList& words : {QStringList{text("maps"), text("export"), text("--region"),
+                                                 text("0,0,1,1"), text("-o"), file("none.png")},
+                                     QStringList{text("projections"), text("list")},
+                                     QStringList{text("maps"), text("save-on-robot"), text("a.png")}}) {
+      const Ran ran =
+          run(QStringList(words) << text("--robot") << QString::fromStdString(robot_->rosAddress()));
+      QCOMPARE(ran.exit_code, 4);
+      QCOMPARE(ran.error.count('\n'), 1);
+    }
+  }
+
+  void theRobotSavesItsMap() {
+    start();
+    const Ran saved = ask({text("maps"), text("save-on-robot"), text("office.png")});
+    QVERIFY2(saved.exit_code == 0, saved.error.constData());
+    QVERIFY(saved.out.contains("office.png"));
+    const Ran refused = ask({text("maps"), text("save-on-robot"), text("office.docx")});
+    QCOMPARE(refused.exit_code, 4);
+    QVERIFY2(refused.error.contains("office.docx"), refused.error.constData());
+    QCOMPARE(ask({text("maps"), text("save-on-robot"), text("a\nb")}).exit_code, 2);
+  }
+
+  void projectionsAreListed() {
+    start();
+    const Ran listed = ask({text("projections"), text("list"), text("--json")});
+    QVERIFY2(listed.exit_code == 0, listed.error.constData());
+    const QJsonArray rows = QJsonDocument::fromJson(listed.out).array();
+    QCOMPARE(rows.size(), 2);
+    QCOMPARE(rows[0][text("frame")].toString(), text("map"));
+    QCOMPARE(rows[0][text("width")].toDouble(), 40.0);
+    const Ran refused = ask({text("projections"), text("set"), text("--projection"), text("0,0,3,2,0,2")});
+    QCOMPARE(refused.exit_code, 4);
+    QVERIFY2(refused.error.contains("only be read"), refused.error.constData());
+  }
+
+  void projectionsAreSetAndWhatThenIsIsPrinted() {
+    start([](simulator::Options& options) { options.ros.dispatcher.writable = true; });
+    const Ran set = ask({text("projections"), text("set"), text("--projection"), text("1.04,0,3,2,4,5"),
+                         text("--projection"), text("0,0,5,5,0,2,map"), text("--json")});
+    QVERIFY2(set.exit_code == 0, set.error.constData());
+    const QJsonArray rows = QJsonDocument::fromJson(set.out).array();
+    QCOMPARE(rows.size(), 2);
+    QVERIFY(std::abs(rows[0][text("x")].toDouble() - 1) < 1e-6);  // whole decimetres
+    QCOMPARE(rows[0][text("min_z")].toDouble(), 4.0);
+    // What it does not do as it was told is said.
+    const Ran other =
+        ask({text("projections"), text("set"), text("--projection"), text("0,0,900,5,0,2"), text("--json")});
+    QCOMPARE(other.exit_code, 1);
+    QCOMPARE(QJsonDocument::fromJson(other.out).array().size(), 1);
+    for (const char* wrong : {"0,0,3,2,0", "0,0,0,2,0,2", "0,0,3,2,2,0", "a,0,3,2,0,2"})
+      QCOMPARE(ask({text("projections"), text("set"), text("--projection"), text(wrong)}).exit_code, 2);
+    QCOMPARE(ask({text("projections"), text("set")}).exit_code, 2);
+  }
+};
+
+QTEST_GUILESS_MAIN(DispatchCommandsTest)
+#include "test_dispatch_commands.moc"

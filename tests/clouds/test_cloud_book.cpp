@@ -1,0 +1,128 @@
+// Clouds that came region by region: the newest for each.
+#include <numeric>
+
+#include <QtTest>
+
+#include "clouds/heights.h"
+#include "made_clouds.h"
+
+using namespace mapwright;
+using namespace mapwright::clouds;
+
+namespace {
+
+/// A lattice of points over [0, width) x [0, width) at one height.
+map::SpatialCloud lattice(double width_m, float z, double step_m = 0.5) {
+  map::SpatialCloud cloud;
+  for (double x = step_m / 2; x < width_m; x += step_m) {
+    for (double y = step_m / 2; y < width_m; y += step_m) cloud.points.emplace_back(float(x), float(y), z);
+  }
+  return cloud;
+}
+
+std::uint64_t shown(const CloudBook& book) { return countShown(book.set(), {}); }
+
+}  // namespace
+
+class TestCloudBook : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theNewestIsRightAboutItsRegion() {
+    CloudBook book;
+    book.add(test::came(lattice(10, 0)));
+    QCOMPARE(shown(book), 400U);
+    // A quarter of it anew, and half as dense.
+    book.add(test::came(lattice(5, 1, 1.0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    // What of the old lies beyond the points that came is not known to have gone.
+    QVERIFY(shown(book) < 400);
+    const CloudSet set = book.set();
+    QCOMPARE(set.clouds.size(), std::size_t(2));
+    QCOMPARE(set.clouds[0].hidden.size(), std::size_t(1));
+    QCOMPARE(shown(book), 400U - 64U + 25U);
+  }
+
+  void theSameRegionAgainTakesTheOldOnesPlace() {
+    CloudBook book;
+    const auto region = test::box({2.5, 2.5, 0}, {5, 5, 10});
+    for (int i = 0; i < 300; ++i) book.add(test::came(lattice(5, 0), region));
+    QCOMPARE(book.totals().clouds, std::size_t(1));
+    QCOMPARE(shown(book), 100U);
+  }
+
+  void theWholeMapTakesThePlaceOfAllRegionsOfItsKind() {
+    CloudBook book;
+    book.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    book.add(test::came(lattice(5, 0), test::box({2.5, 2.5, 0}, {5, 5, 10}), PointKind::Voxel));
+    book.add(test::came(lattice(10, 0)));
+    QCOMPARE(book.totals().clouds, std::size_t(2));
+    QVERIFY(book.totals().voxels);
+  }
+
+  void anAnswerWithoutPointsSaysThatThereIsNothing() {
+    CloudBook book;
+    book.add(test::came(lattice(10, 0)));
+    book.add(test::came({}, test::box({2.5, 2.5, 0}, {5, 5, 10})));
+    QCOMPARE(shown(book), 300U);
+  }
+
+  void aSphereHidesWhatLiesInIt() {
+    CloudBook book;
+    book.add(test::came(lattice(10, 0)));
+    map::CloudRegion sphere;
+    sphere.centre_m = {5, 5, 0};
+    sphere.radius_m = 2;
+    book.add(test::came({}, sphere));
+    std::uint64_t in = 0;
+    for (const auto& point : lattice(10, 0).points)
+      in += (point.cast<double>() - sphere.centre_m).norm() <= 2 ? 1 : 0;
+    QVERIFY(in > 30);
+    QCOMPARE(shown(book), 400U - in);
+  }
+
+  void memoryIsBoundedAndWhatWasThinnedIsCounted() {
+    QCOMPARE(CloudBook::oneOf(5'000'000), std::uint64_t(1));
+    QVERIFY(50'000'000 / CloudBook::oneOf(50'000'000) <= CloudBook::kMostPoints / 2);
+    QCOMPARE(CloudBook::oneOf(0), std::uint64_t(1));
+    CloudBook book;
+    const map::SpatialCloud cloud = test::scattered(1'000, 5, 2, 1);
+    CloudBook::Came came;
+    came.tree = CloudTree::make(cloud, 4);
+    came.points = 1'000;
+    came.left_out = 17;
+    came.one_of = 4;
+    book.add(came);
+    QCOMPARE(book.totals().thinned, std::uint64_t(750));
+    QCOMPARE(book.totals().left_out, std::uint64_t(17));
+    for (int i = 0; i < 200; ++i) {
+      book.add(test::came(lattice(1, 0), test::box({i * 2.0, 0, 0}, {1, 1, 1})));
+    }
+    QCOMPARE(book.totals().clouds, CloudBook::kMostClouds);
+    QVERIFY(book.totals().forgotten > 0);
+  }
+
+  void heightsAreCountedWithoutTheOutermost() {
+    map::SpatialCloud cloud = lattice(100, 1);
+    const std::size_t flat = cloud.points.size();
+    for (int i = 0; i < 1'000; ++i) cloud.points.emplace_back(1, 1, float(i) * 0.003F);
+    cloud.points.emplace_back(1, 1, 900);
+    const Heights heights = heightsOf(test::setOf(cloud));
+    QCOMPARE(heights.points, std::uint64_t(flat + 1'001));
+    QCOMPARE(heights.high_m, 900.0);
+    QVERIFY(heights.usual_high_m < 3.1);
+    QCOMPARE(std::accumulate(heights.bins.begin(), heights.bins.end(), std::uint64_t(0)), heights.points);
+    QCOMPARE(heightsOf({}).points, std::uint64_t(0));
+  }
+
+  void framesThatDifferAreNamed() {
+    CloudBook book;
+    map::SpatialCloud cloud = lattice(2, 0);
+    cloud.frame = "map";
+    book.add(test::came(cloud, test::box({0, 0, 0}, {9, 9, 9})));
+    cloud.frame = "odom";
+    book.add(test::came(cloud, test::box({50, 0, 0}, {9, 9, 9})));
+    QCOMPARE(book.totals().frames.size(), std::size_t(2));
+  }
+};
+
+QTEST_APPLESS_MAIN(TestCloudBook)
+#include "test_cloud_book.moc"

@@ -1,0 +1,195 @@
+// What it takes to make a list of waypoints another one, and the file that holds it.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include "exchange/waypoint_plan.h"
+
+using namespace mapwright;
+
+namespace {
+
+map::Waypoint point(const std::string& id, const std::string& name, double x, double y) {
+  map::Waypoint made;
+  made.id = id;
+  made.name = name;
+  made.position_m = {x, y};
+  return made;
+}
+
+exchange::WaypointItems two() {
+  return exchange::itemsOf({point("1", "Door", 1, 1), point("2", "Dock", 2, 2)});
+}
+
+exchange::WantedWaypoint wanted(const std::string& id, std::optional<std::string> name,
+                                std::optional<Eigen::Vector2d> at) {
+  exchange::WantedWaypoint made{1, id};
+  made.name = std::move(name);
+  made.position_m = at;
+  return made;
+}
+
+/// "move 1 Door | delete 2 Dock"
+QString told(const std::vector<exchange::WaypointEdit>& edits) {
+  QStringList lines;
+  for (const exchange::WaypointStep& step : exchange::stepsOf(edits))
+    lines << QStringLiteral("%1 %2 %3")
+                 .arg(exchange::wordOf(step.kind), QString::fromStdString(step.id()),
+                      QString::fromStdString(step.name()));
+  return lines.join(QStringLiteral(" | "));
+}
+
+std::string withChanges(const QByteArray& plan, const std::function<void(QJsonArray&)>& change) {
+  QJsonObject json = QJsonDocument::fromJson(plan).object();
+  QJsonArray changes = json[QStringLiteral("changes")].toArray();
+  change(changes);
+  json[QStringLiteral("changes")] = changes;
+  return QJsonDocument(json).toJson().toStdString();
+}
+
+}  // namespace
+
+class WaypointPlanTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void anImportAddsAndChangesAndLeavesTheOthers() {
+    const auto edits = exchange::editsFor(
+        two(),
+        {wanted("1", "Gate", Eigen::Vector2d(1, 5)), wanted("", "Dock", Eigen::Vector2d(3, 3)),
+         wanted("", "New", Eigen::Vector2d(0, 0))},
+        exchange::Others::Stay);
+    QVERIFY2(edits.has_value(), edits ? "" : qPrintable(edits.error()));
+    QCOMPARE(told(*edits), QStringLiteral("rename 1 Door | move 1 Door | move 2 Dock | create  New"));
+    QVERIFY(exchange::editsFor(two(), {wanted("1", "Door", std::nullopt)}, exchange::Others::Stay)->empty());
+  }
+
+  void aWholeListDeletesWhatItDoesNotHold() {
+    const auto edits = exchange::editsFor(
+        two(), {wanted("1", {}, {}), wanted("", "Dock", Eigen::Vector2d(3, 3))}, exchange::Others::Go);
+    QVERIFY2(edits.has_value(), edits ? "" : qPrintable(edits.error()));
+    QCOMPARE(told(*edits), QStringLiteral("create  Dock | delete 2 Dock"));
+  }
+
+  void whatCannotBeMeantIsRefused() {
+    const auto refused = [](const exchange::WaypointItems& kept,
+                            const std::vector<exchange::WantedWaypoint>& rows) {
+      const auto edits = exchange::editsFor(kept, rows, exchange::Others::Stay);
+      return edits ? QString() : edits.error();
+    };
+    QVERIFY(refused(two(), {wanted("1", {}, {}), wanted("1", {}, {})}).contains(QStringLiteral("same")));
+    QVERIFY(refused(two(), {wanted("", "Shelf", {})}).contains(QStringLiteral("place")));
+    QVERIFY(refused(two(), {wanted("9", {}, Eigen::Vector2d(0, 0))}).contains(QStringLiteral("name")));
+    QVERIFY(refused(two(), {wanted("1", "a\nb", {})}).contains(QStringLiteral("one line")));
+    QVERIFY(refused(two(), {wanted("1", {}, Eigen::Vector2d(1e9, 0))}).contains(QStringLiteral("origin")));
+    auto twins = two();
+    twins.emplace("3", point("3", "Dock", 0, 0));
+    const QString twice = refused(twins, {wanted("", "Dock", {})});
+    QVERIFY2(twice.contains(QStringLiteral("2, 3")), qPrintable(twice));
+  }
+
+  void aPlanComesBackFromItsFile() {
+    exchange::WaypointPlan plan{QStringLiteral("file:/maps"), "hall.yaml", two(), {}};
+    auto changed = plan.base.at("1");
+    changed.name = "Gate";
+    changed.yaw_rad = 1.5;
+    changed.tags = {"a"};
+    plan.edits = {{"1", plan.base.at("1"), changed},
+                  {"2", plan.base.at("2"), std::nullopt},
+                  {"fresh", std::nullopt, point("", "New", 7, 8)}};
+    const QByteArray bytes = exchange::planBytes(plan, {});
+    const auto read = exchange::planFromBytes(bytes.toStdString());
+    QVERIFY2(read.has_value(), read ? "" : qPrintable(read.error()));
+    QCOMPARE(read->robot, plan.robot);
+    QCOMPARE(read->map, plan.map);
+    QVERIFY(read->base == plan.base);
+    for (const exchange::WaypointEdit& edit : plan.edits) {
+      const bool found = std::any_of(read->edits.begin(), read->edits.end(), [&](const auto& one) {
+        return (one.key == edit.key || !edit.before) && one.before == edit.before && one.after == edit.after;
+      });
+      QVERIFY2(found, edit.key.c_str());
+    }
+    // Somebody does not want the deletion.
+    const auto less = exchange::planFromBytes(withChanges(bytes, [](QJsonArray& changes) {
+      for (qsizetype i = changes.size() - 1; i >= 0; --i) {
+        if (changes[i].toObject()[QStringLiteral("kind")].toString() == QStringLiteral("delete"))
+          changes.removeAt(i);
+      }
+    }));
+    QVERIFY2(less.has_value(), less ? "" : qPrintable(less.error()));
+    QCOMPARE(less->edits.size(), std::size_t(2));
+  }
+
+  void whatIsNoPlanIsRefused() {
+    exchange::WaypointPlan plan{QStringLiteral("file:/maps"), "hall.yaml", two(), {}};
+    plan.edits = {{"2", plan.base.at("2"), std::nullopt}};
+    const QByteArray bytes = exchange::planBytes(plan, {});
+    for (const char* text : {"", "{", "[]", "{\"mapwright\":\"waypoint-plan\",\"version\":1}"})
+      QVERIFY(!exchange::planFromBytes(text).has_value());
+    const auto refused = [&](const char* row) {
+      return !exchange::planFromBytes(withChanges(bytes, [&](QJsonArray& changes) {
+                changes << QJsonDocument::fromJson(row).object();
+              })).has_value();
+    };
+    QVERIFY(refused(R"({"id":"7","kind":"delete"})"));
+    QVERIFY(refused(R"({"id":"1","kind":"paint"})"));
+    QVERIFY(refused(R"({"id":"1","kind":"move"})"));
+    QVERIFY(refused(R"({"id":"1","kind":"rename","to":""})"));
+    QVERIFY(refused(R"({"id":"2","kind":"rename","to":"Dock 2"})"));  // it is deleted
+    QVERIFY(refused(R"({"id":null,"kind":"create","name":"New"})"));
+    QVERIFY(!refused(R"({"id":null,"kind":"create","name":"New","x":1,"y":2})"));
+  }
+
+  void whatOthersChangedIsMergedOrAConflict() {
+    auto moved = two().at("1");
+    moved.position_m = {9, 9};
+    const std::vector<exchange::WaypointEdit> edits{{"1", two().at("1"), moved},
+                                                    {"2", two().at("2"), std::nullopt}};
+    auto theirs = two();
+    theirs.at("1").name = "Gate";
+    const exchange::MergedEdits together = exchange::merged(edits, theirs);
+    QVERIFY(together.conflicts.empty());
+    QCOMPARE(told(together.edits), QStringLiteral("move 1 Gate | delete 2 Dock"));
+    theirs.at("1").position_m = {4, 4};
+    theirs.at("2").name = "Pier";
+    const exchange::MergedEdits apart = exchange::merged(edits, theirs);
+    QVERIFY(apart.edits.empty());
+    QCOMPARE(apart.conflicts.size(), std::size_t(2));
+    QCOMPARE(exchange::conflictLines(apart.conflicts).size(), 2);
+    QCOMPARE(
+        exchange::conflictsJson(apart.conflicts, "1").first().toObject()[QStringLiteral("kind")].toString(),
+        QStringLiteral("both-changed"));
+  }
+
+  void whatIsKeptMayDifferByWhatIsLostOnTheWay() {
+    const map::Waypoint asked = point("", "New", 7, 8);
+    map::Waypoint kept = point("r-1", "New", 7.00001, 8);
+    const exchange::WaypointStep create{exchange::StepKind::Create, "fresh", std::nullopt, asked};
+    QVERIFY(exchange::isDone(create, &kept));
+    kept.yaw_rad = 0;  // a robot to which everything is turned somehow
+    QVERIFY(exchange::isDone(create, &kept));
+    kept.yaw_rad = 0.5;
+    QVERIFY(!exchange::isDone(create, &kept));
+    kept = point("r-1", "New", 7.01, 8);
+    QVERIFY(!exchange::isDone(create, &kept));
+    QVERIFY(!exchange::isDone(create, nullptr));
+    map::Waypoint turned = asked;
+    turned.yaw_rad = 0;
+    kept = point("r-1", "New", 7, 8);
+    QVERIFY(!exchange::isDone({exchange::StepKind::Move, "r-1", kept, turned}, &kept));
+  }
+
+  void whatIsThereAlreadyIsNotCreatedTwice() {
+    exchange::WaypointPlan plan{{}, "1", two(), {{"fresh", std::nullopt, point("", "New", 7, 8)}}};
+    QCOMPARE(exchange::withoutCreated(plan, two()).size(), std::size_t(1));
+    auto now = two();
+    now.emplace("r-1", point("r-1", "New", 7, 8));
+    QVERIFY(exchange::withoutCreated(plan, now).empty());
+    // Two alike are two.
+    plan.edits.push_back({"fresh too", std::nullopt, point("", "New", 7, 8)});
+    QCOMPARE(exchange::withoutCreated(plan, now).size(), std::size_t(1));
+  }
+};
+
+QTEST_GUILESS_MAIN(WaypointPlanTest)
+#include "test_waypoint_plan.moc"

@@ -1,0 +1,285 @@
+#include <lz4frame.h>
+
+#include <QtTest>
+
+#include "packed/codec.h"
+#include "recordings.h"
+
+using namespace recordings;
+
+class TestMcapDamage : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aFileThatWasCutHoldsItsWholeChunks();
+  void aFlippedByteCostsAtMostAChunk();
+  void readingGoesOnBehindWhatIsNoRecord();
+  void aFileThatGrowsIsFollowed();
+  void lz4AndOverlongChunksAreRead();
+  void aBombTakesNoMemory();
+  void aChunkThatLiesAboutItsTimesIsReadInOrder();
+  void anIndexThatLiesIsFoundOut();
+  void messagesOfNobodysChannelAreCounted();
+  void anUnknownCompressionIsNamed();
+  void stampsBeforeTheEpochKeepTheirOrder();
+  void garbageNeverDoesHarm();
+};
+
+namespace {
+
+bool allWritten(const std::vector<Row>& found, const std::vector<Row>& written) {
+  return std::all_of(found.begin(), found.end(), [&](const Row& row) {
+    return std::find(written.begin(), written.end(), row) != written.end();
+  });
+}
+
+}  // namespace
+
+void TestMcapDamage::aFileThatWasCutHoldsItsWholeChunks() {
+  for (const auto compression : {WriterOptions::Compression::None, WriterOptions::Compression::Zstd}) {
+    WriterOptions options;
+    options.compression = compression;
+    const Made made = makeRecording(3, 6, 4000, 2, options);
+    for (std::size_t cut = 0; cut < made.bytes->size(); ++cut) {
+      const Opened opened =
+          openRecording(heldBytes(std::make_shared<std::string>(made.bytes->substr(0, cut))));
+      QCOMPARE(bool(opened), cut >= 8);
+      if (!opened) continue;
+      std::size_t whole = 0;
+      // Of a chunk the message indexes may be missing.
+      for (const auto& [end, rows] : made.chunks) whole = end <= cut ? rows : whole;
+      const std::vector<Row> found = rowsOf(**opened);
+      const auto next = std::find_if(made.chunks.begin(), made.chunks.end(),
+                                     [&](const auto& chunk) { return chunk.second > whole; });
+      const std::size_t most = next == made.chunks.end() ? whole : next->second;
+      if (found.size() != whole) QCOMPARE(found.size(), most);
+      Made part;
+      part.rows.assign(made.rows.begin(), made.rows.begin() + std::ptrdiff_t(found.size()));
+      QCOMPARE(found == part.byTime(), true);
+      QVERIFY(!(*opened)->summary().notes.empty());
+      QCOMPARE((*opened)->summary().messages, std::uint64_t(found.size()));
+      readEverything(**opened);
+    }
+  }
+}
+
+void TestMcapDamage::aFlippedByteCostsAtMostAChunk() {
+  for (const auto compression : {WriterOptions::Compression::None, WriterOptions::Compression::Zstd}) {
+    WriterOptions options;
+    options.compression = compression;
+    const Made made = makeRecording(4, 6, 4000, 4, options);
+    for (std::size_t at = 8; at < made.bytes->size(); ++at) {
+      for (const int bits : {0x01, 0x80, 0xff}) {
+        const auto bytes = std::make_shared<std::string>(*made.bytes);
+        (*bytes)[at] = char((*bytes)[at] ^ bits);
+        const Opened opened = openRecording(heldBytes(bytes));
+        QVERIFY(opened);
+        const std::vector<Row> found = rowsOf(**opened);
+        QVERIFY(allWritten(found, made.rows));
+        if (found.size() + 6 < made.rows.size()) QFAIL(qPrintable(QString::number(at)));
+        QVERIFY(std::is_sorted(found.begin(), found.end(),
+                               [](const Row& a, const Row& b) { return a.log_ns < b.log_ns; }));
+        QVERIFY(allWritten(lastRows(**opened, found.back().log_ns), made.rows));
+      }
+    }
+  }
+}
+
+void TestMcapDamage::readingGoesOnBehindWhatIsNoRecord() {
+  const Made made = makeRecording(4, 10, 0, 6);
+  std::string bytes = made.bytes->substr(0, std::size_t(made.chunks[3].first));
+  bytes.insert(std::size_t(made.chunks[1].first), std::string(10'000, '\x06') + "no record at all");
+  const Opened opened = openRecording(heldBytes(std::make_shared<std::string>(bytes)));
+  QVERIFY(opened);
+  QCOMPARE(rowsOf(**opened) == made.byTime(), true);
+  QVERIFY(has(**opened, NoteCode::BytesSkipped) && has(**opened, NoteCode::NotFinished));
+}
+
+void TestMcapDamage::aFileThatGrowsIsFollowed() {
+  const Made made = makeRecording(5, 8, 5000, 7);
+  for (const std::size_t step : {1, 7, 64, 500}) {
+    const auto growing = std::make_shared<std::string>(made.bytes->substr(0, 8));
+    const Opened opened = openRecording(heldBytes(growing));
+    QVERIFY(opened);
+    std::size_t seen = 0;
+    for (std::size_t size = 8; size < made.bytes->size();) {
+      size = std::min(size + step, made.bytes->size());
+      growing->assign(*made.bytes, 0, size);
+      (*opened)->refresh();
+      const std::size_t now = rowsOf(**opened).size();
+      QVERIFY(now >= seen);
+      seen = now;
+      for (const auto& [end, rows] : made.chunks) {
+        if (end <= size) QVERIFY(now >= rows);
+      }
+    }
+    QCOMPARE(rowsOf(**opened) == made.byTime(), true);
+    QVERIFY((*opened)->summary().finished);
+    QVERIFY(!has(**opened, NoteCode::NotFinished) && !has(**opened, NoteCode::CutOff));
+    QCOMPARE(lastRows(**opened, made.byTime().back().log_ns).size(), std::size_t(3));
+    QVERIFY(!(*opened)->refresh());
+  }
+}
+
+void TestMcapDamage::lz4AndOverlongChunksAreRead() {
+  mcap::RecordWriter records;
+  RawMcap::channel(records, 3, "/lz4");
+  for (std::uint64_t i = 0; i < 100; ++i) RawMcap::message(records, 3, i, std::string(200, char(i)));
+  std::string packed(LZ4F_compressFrameBound(records.size(), nullptr), '\0');
+  packed.resize(
+      LZ4F_compressFrame(packed.data(), packed.size(), records.bytes().data(), records.size(), nullptr));
+  RawMcap raw;
+  raw.chunk(0, 99, records.size(), mapwright::packed::crc32(0, records.bytes()), "lz4", bytesOf(packed));
+  raw.end();
+  {
+    const Opened opened = raw.open();
+    QVERIFY(opened);
+    QCOMPARE(rowsOf(**opened).size(), std::size_t(100));
+    QCOMPARE((*opened)->channels()[0]->topic, std::string("/lz4"));
+  }
+  RawMcap wrong;
+  wrong.chunk(0, 99, records.size() + 1, 0, "lz4", bytesOf(packed));
+  wrong.chunk(0, 99, records.size() - 1, 0, "lz4", bytesOf(packed));
+  wrong.end();
+  const Opened opened = wrong.open();
+  QVERIFY(rowsOf(**opened).empty());
+  QVERIFY(has(**opened, NoteCode::ChunkCorrupt));
+}
+
+void TestMcapDamage::aBombTakesNoMemory() {
+  const std::vector<std::uint8_t> zeros(std::size_t(64) << 20);
+  const auto small = mapwright::packed::packZstd(zeros, 1);
+  RawMcap raw;
+  raw.chunk(0, 1, zeros.size(), 0, "zstd", small.bytes());            // says it
+  raw.chunk(0, 1, 1000, 0, "zstd", small.bytes());                    // hides it
+  raw.chunk(0, 1, std::uint64_t(1) << 40, 0, "zstd", small.bytes());  // a terabyte
+  raw.chunk(0, 1, std::numeric_limits<std::uint64_t>::max(), 0, "lz4", small.bytes());
+  raw.chunk(0, 1, std::uint64_t(1) << 40, 0, "", small.bytes());
+  raw.end();
+  Limits limits;
+  limits.most_chunk_bytes = std::size_t(1) << 20;
+  const Opened opened = raw.open(limits);
+  QVERIFY(opened);
+  QVERIFY(rowsOf(**opened).empty());
+  QVERIFY(has(**opened, NoteCode::ChunkTooLarge) && has(**opened, NoteCode::ChunkCorrupt));
+}
+
+void TestMcapDamage::aChunkThatLiesAboutItsTimesIsReadInOrder() {
+  mcap::RecordWriter records;
+  RawMcap::channel(records, 1, "/a");
+  RawMcap::message(records, 1, 500, "late");
+  RawMcap::message(records, 1, 10, "early");
+  RawMcap raw;
+  raw.chunk(400, 450, records.size(), 0, "", records.bytes());
+  raw.end();
+  const Opened opened = raw.open();
+  const std::vector<Row> rows = rowsOf(**opened);
+  QCOMPARE(rows.size(), std::size_t(2));
+  QVERIFY(rows[0].bytes == "early" && rows[1].bytes == "late");
+  QCOMPARE((*opened)->summary().start_ns, std::int64_t(10));
+}
+
+void TestMcapDamage::anIndexThatLiesIsFoundOut() {
+  WriterOptions options;
+  options.compression = WriterOptions::Compression::None;
+  const Made made = makeRecording(1, 4, 0, 8, options);
+  // The stamps in the message indexes, not those in the messages or in the summary.
+  std::string bytes = *made.bytes;
+  const std::size_t index = bytes.find('\x07', std::size_t(made.chunks[0].first) - 200);
+  QVERIFY(index != std::string::npos);
+  const Opened sound = made.open();
+  const std::int64_t end = made.byTime().back().log_ns;
+  for (std::size_t at = std::size_t(made.chunks[0].first) - 8; at > std::size_t(made.chunks[0].first) - 80;
+       --at) {
+    std::string changed = bytes;
+    changed[at] = char(changed[at] ^ 0x11);
+    const Opened opened = openRecording(heldBytes(std::make_shared<std::string>(changed)));
+    QVERIFY(opened);
+    QVERIFY(allWritten(lastRows(**opened, end), made.rows));
+    QCOMPARE(rowsOf(**opened) == made.byTime(), true);
+  }
+}
+
+void TestMcapDamage::messagesOfNobodysChannelAreCounted() {
+  mcap::RecordWriter records;
+  RawMcap::channel(records, 1, "/a");
+  RawMcap::message(records, 2, 1, "whose?");
+  RawMcap::message(records, 1, 2, "mine");
+  RawMcap::message(records, 2, 3, "whose?");
+  RawMcap raw;
+  raw.chunk(1, 3, records.size(), 0, "", records.bytes());
+  raw.end();
+  const Opened opened = raw.open();
+  QCOMPARE(rowsOf(**opened).size(), std::size_t(1));
+  const std::vector<Note> notes = (*opened)->summary().notes;
+  const auto note = std::find_if(notes.begin(), notes.end(),
+                                 [](const Note& n) { return n.code == NoteCode::UnknownChannel; });
+  QVERIFY(note != notes.end());
+  QCOMPARE(note->count, std::uint64_t(2));
+}
+
+void TestMcapDamage::anUnknownCompressionIsNamed() {
+  RawMcap raw;
+  raw.chunk(1, 3, 10, 0, "brotli", bytesOf("0123456789"));
+  raw.end();
+  const Opened opened = raw.open();
+  QVERIFY(rowsOf(**opened).empty());
+  const std::vector<Note> notes = (*opened)->summary().notes;
+  QVERIFY(std::any_of(notes.begin(), notes.end(), [](const Note& note) {
+    return note.code == NoteCode::ChunkCompression && note.name == "brotli";
+  }));
+}
+
+void TestMcapDamage::stampsBeforeTheEpochKeepTheirOrder() {
+  RawMcap raw;
+  RawMcap::channel(raw.out, 1, "/a");
+  for (const std::int64_t time : {5, -5, 0, std::numeric_limits<int>::min()}) {
+    RawMcap::message(raw.out, 1, std::uint64_t(time), std::to_string(time));
+  }
+  raw.end();
+  const Opened opened = raw.open();
+  const std::vector<Row> rows = rowsOf(**opened);
+  QCOMPARE(rows.size(), std::size_t(4));
+  QVERIFY(rows[1].bytes == "-5" && rows[3].bytes == "5");
+}
+
+void TestMcapDamage::garbageNeverDoesHarm() {
+  const int rounds =
+      qEnvironmentVariableIsSet("MAPWRIGHT_FUZZ") ? qEnvironmentVariableIntValue("MAPWRIGHT_FUZZ") : 400;
+  WriterOptions plain;
+  plain.compression = WriterOptions::Compression::None;
+  const std::vector<Made> files{makeRecording(5, 10, 9000, 30, plain), makeRecording(5, 10, 9000, 31)};
+  Limits limits;
+  limits.most_chunk_bytes = std::size_t(1) << 20;
+  std::mt19937 random(77);
+  for (int round = 0; round < rounds; ++round) {
+    auto bytes = std::make_shared<std::string>(*files[random() % files.size()].bytes);
+    const std::size_t wounds = 1 + random() % 8;
+    for (std::size_t i = 0; i < wounds; ++i) {
+      const std::size_t at = 8 + random() % (bytes->size() - 8);
+      const std::size_t length = std::min<std::size_t>(random() % 40, bytes->size() - at);
+      switch (random() % 5) {
+        case 0:
+          (*bytes)[at] = char(random());
+          break;
+        case 1:
+          bytes->erase(at, length);
+          break;
+        case 2:
+          bytes->insert(at, bytes->substr(8 + random() % (bytes->size() - 8), length));
+          break;
+        case 3:
+          std::fill_n(bytes->begin() + std::ptrdiff_t(at), length, random() % 2 == 0 ? '\0' : '\xff');
+          break;
+        default:
+          bytes->resize(std::max<std::size_t>(at, 20));
+      }
+      if (bytes->size() < 20) break;
+    }
+    const Opened opened = openRecording(heldBytes(bytes), limits);
+    QVERIFY(opened);
+    readEverything(**opened);
+  }
+}
+
+QTEST_GUILESS_MAIN(TestMcapDamage)
+#include "test_mcap_damage.moc"

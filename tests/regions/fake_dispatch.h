@@ -1,0 +1,138 @@
+// A dispatcher whose answers wait until they are let go, over a map that is a formula.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <QTimer>
+
+#include "robot/map_dispatch.h"
+
+namespace mapwright::regions {
+
+/// The map: `width` x `height` cells whose lower left corner lies at `origin`.
+struct FakeGround {
+  int width = 8192, height = 8192;
+  double resolution_m = 0.05;
+  geometry::Pose2 origin{-204.8, -204.8, 0};
+  std::string frame = "map";
+  /// Of a cell, counted from the lower left.
+  std::function<std::int8_t(int x, int y)> cell = [](int x, int y) {
+    return std::int8_t((x / 64 + y / 64) % 3 == 0 ? 100 : (x / 64 + y / 64) % 3 == 1 ? 0 : -1);
+  };
+
+  /// The cells that a rectangle touches, cut at the edge of the map; 0 x 0 beside it. Turned as the map is.
+  map::GridPart part(const map::GridRegion& region) const {
+    map::GridPart part;
+    part.frame = frame;
+    part.grid.resolution_m = resolution_m;
+    geometry::WorldRect box;
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) {
+        box.extend(origin.inverse().apply(region.centre_m +
+                                          Eigen::Vector2d(x * region.size_m.x(), y * region.size_m.y())) /
+                   resolution_m);
+      }
+    }
+    constexpr double kRounding = 1e-6;
+    const int left = std::max(0, int(std::floor(box.min_x + kRounding)));
+    const int bottom = std::max(0, int(std::floor(box.min_y + kRounding)));
+    const int right = std::min(width, int(std::ceil(box.max_x - kRounding)));
+    const int top = std::min(height, int(std::ceil(box.max_y - kRounding)));
+    if (right <= left || top <= bottom) return part;
+    return cut(left, bottom, right, top);
+  }
+  map::GridPart all() const { return cut(0, 0, width, height); }
+
+ private:
+  map::GridPart cut(int left, int bottom, int right, int top) const {
+    map::GridPart part;
+    part.frame = frame;
+    const Eigen::Vector2d corner = origin.apply({left * resolution_m, bottom * resolution_m});
+    part.grid = {right - left, top - bottom, resolution_m, {corner.x(), corner.y(), origin.yaw_rad}};
+    auto cells = std::make_shared<std::vector<std::int8_t>>();
+    cells->reserve(std::size_t(right - left) * std::size_t(top - bottom));
+    for (int y = bottom; y < top; ++y) {
+      for (int x = left; x < right; ++x) cells->push_back(cell(x, y));
+    }
+    part.cells = std::move(cells);
+    return part;
+  }
+};
+
+class FakeDispatch : public robot::MapDispatch {
+ public:
+  using MapDispatch::MapDispatch;
+  using Reply = robot::OutcomeTo<map::GridPart>;
+  struct Waiting {
+    std::optional<map::GridRegion> region;
+    Reply reply;
+    std::shared_ptr<robot::Call::State> state;
+    bool cancelled = false;
+  };
+
+  FakeGround ground;
+  bool offers_regions = true;
+  bool by_itself = false;  // answers from the event loop
+  std::vector<std::shared_ptr<Waiting>> waiting;
+  std::vector<map::GridRegion> asked;
+  int asked_whole = 0, most_at_once = 0;
+  /// Instead of the ground's answer.
+  std::function<robot::Outcome<map::GridPart>(const map::GridRegion&)> answer;
+
+  std::vector<robot::DispatchOffer> offers() const override {
+    return {{robot::DispatchService::Grid, true, "/get_map", ""},
+            {robot::DispatchService::GridRegion, offers_regions, "/get_sub_map", ""}};
+  }
+  robot::Call grid(const std::optional<map::GridRegion>& region, Reply reply) override {
+    const auto one = std::make_shared<Waiting>();
+    one->region = region;
+    one->reply = std::move(reply);
+    one->state = std::make_shared<robot::Call::State>();
+    one->state->cancel = [weak = std::weak_ptr(one)] {
+      if (const auto strong = weak.lock()) strong->cancelled = true;
+    };
+    if (region) {
+      asked.push_back(*region);
+    } else {
+      ++asked_whole;
+    }
+    waiting.push_back(one);
+    most_at_once = std::max(most_at_once, int(waiting.size()));
+    if (by_itself) QTimer::singleShot(0, this, [this] { answerOne(); });
+    return robot::Call(one->state);
+  }
+  /// Lets the oldest answer go; false where none waits.
+  bool answerOne() {
+    if (waiting.empty()) return false;
+    const auto one = waiting.front();
+    waiting.erase(waiting.begin());
+    one->state->over = true;
+    if (one->cancelled) {
+      one->reply(tl::unexpected(map::Failure{.kind = map::FailureKind::Cancelled}));
+    } else if (!one->region) {
+      one->reply(ground.all());
+    } else {
+      one->reply(answer ? answer(*one->region) : robot::Outcome<map::GridPart>(ground.part(*one->region)));
+    }
+    return true;
+  }
+
+  robot::Call cloud(robot::CloudKind, const std::optional<map::CloudRegion>&,
+                    robot::OutcomeTo<std::shared_ptr<const map::SpatialCloud>>) override {
+    return {};
+  }
+  robot::Call save(const std::string&, robot::OutcomeTo<std::string>) override { return {}; }
+  robot::Call projections(robot::OutcomeTo<std::vector<map::Projection>>) override { return {}; }
+  robot::Call project(const std::vector<map::Projection>&,
+                      robot::OutcomeTo<std::vector<map::Projection>>) override {
+    return {};
+  }
+  std::vector<robot::ProjectedPart> projected() const override { return {}; }
+};
+
+}  // namespace mapwright::regions

@@ -1,0 +1,802 @@
+// A recording as a robot: what it plays is what was recorded, whatever range is asked for.
+#include <cmath>
+#include <random>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "foxglove_recordings.h"
+#include "map/world.h"
+#include "replay/reading.h"
+#include "replay/replay_robot.h"
+#include "robot/axbot/parse_topics.h"
+#include "robot/recorded/recorded_robot.h"
+#include "ros_messages/slam.pb.h"
+#include "ros_recordings.h"
+#include "sentences/failure_sentence.h"
+
+using namespace mapwright;
+using namespace mapwright::robot;
+using recordings::Drive;
+using recordings::Encoding;
+
+Q_DECLARE_METATYPE(recordings::Encoding)
+
+namespace {
+
+constexpr int kLongMs = 60'000;
+
+bool waitFor(const std::function<bool()>& condition) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!condition()) {
+    if (clock.elapsed() > kLongMs) return false;
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+  }
+  return true;
+}
+
+/// A frame of an Autoxing robot, and when it was recorded.
+struct Said {
+  double at_s = 0;
+  std::string topic, text;
+};
+
+std::vector<Said> axbotSession(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  const auto number = [&](int below) { return int(random() % unsigned(below)); };
+  std::vector<Said> all;
+  double at_s = 1'717'405'200.25;
+  const auto say = [&](const std::string& topic, const std::string& rest) {
+    all.push_back({at_s, topic, "{\"topic\": \"" + topic + "\"" + rest + "}"});
+  };
+  for (int i = 0; i < count; ++i) {
+    if (number(4) > 0) at_s += double(number(200)) / 1000;
+    if (number(200) == 0) at_s += number(30);
+    const std::string x = std::to_string(double(i) / 10), n = std::to_string(number(9));
+    switch (number(9)) {
+      case 0:
+        say("/submap_list",
+            ",\"uuid\":\"s" + std::to_string(i / 300) + "\",\"slam_state\":\"slam\",\"submap\":[]");
+        break;
+      case 1:
+        say("/alerts", ",\"alerts\":[{\"code\":600" + n + ",\"level\":\"error\",\"msg\":\"Hot " + n + "\"}]");
+        break;
+      case 2:
+        say("/wheel_state", ",\"control_mode\":\"auto\",\"emergency_stop_pressed\":" +
+                                std::string(number(2) ? "true" : "false"));
+        break;
+      case 3:
+        say("/path", ",\"positions\":[[" + x + ",1],[" + n + ",2]]");
+        break;
+      case 4:
+        say("/unheard_of", ",\"n\":" + n);
+        break;
+      case 5:
+        say("/battery_state", ",\"percentage\":0." + n);
+        break;
+      default:
+        say("/tracked_pose", ",\"pos\":[" + x + "," + n + "],\"ori\":0.5");
+    }
+  }
+  return all;
+}
+
+std::string recordingOf(const std::vector<Said>& said, recording::WriterOptions options = {}) {
+  const auto bytes = std::make_shared<std::string>();
+  const auto writer = recordings::writerInto(bytes, options);
+  for (const Said& one : said) {
+    recording::Channel channel;
+    channel.topic = one.topic;
+    channel.message_encoding = "json";
+    const std::int64_t at_ns = recordings::nanoseconds(one.at_s);
+    writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0}, recordings::bytesOf(one.text));
+  }
+  writer->close();
+  return *bytes;
+}
+
+/// The world that playing all of them until then makes, by nothing that plays files.
+map::World foldedUntil(const std::vector<Said>& said, double at_s) {
+  map::World world;
+  for (const Said& one : said) {
+    const double stamp_s = double(recordings::nanoseconds(one.at_s)) / 1e9;
+    if (stamp_s > at_s) break;
+    const axbot::TextFrame frame = axbot::parseTextFrame(one.text);
+    if (frame.message) world = map::reduce(std::move(world), {*frame.message, stamp_s, {}, one.topic});
+  }
+  return world;
+}
+
+map::World foldedUntil(const BagChunk& chunk, double at_s) {
+  std::vector<const BagMessage*> all;
+  for (const BagMessage& message : chunk.messages) all.push_back(&message);
+  std::stable_sort(all.begin(), all.end(), [](const BagMessage* a, const BagMessage* b) {
+    return a->message.received_s < b->message.received_s;
+  });
+  map::World world;
+  for (const BagMessage* message : all) {
+    if (message->known && message->message.received_s <= at_s)
+      world = map::reduce(std::move(world), message->message);
+  }
+  return world;
+}
+
+}  // namespace
+
+class RecordedRobotTest : public QObject {
+  Q_OBJECT
+  using RecordedRobot = recorded::RecordedRobot;
+  QTemporaryDir folder_;
+  int files_ = 0;
+
+  QString written(const std::string& bytes, const QString& suffix = QStringLiteral("mcap")) {
+    const QString path = folder_.filePath(QStringLiteral("%1.%2").arg(++files_).arg(suffix));
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
+    file.write(bytes.data(), qint64(bytes.size()));
+    return path;
+  }
+  static std::unique_ptr<recorded::RecordedRobot> opened(const QString& path) {
+    recorded::RecordedOptions options;
+    options.path = path;
+    return std::make_unique<recorded::RecordedRobot>(QStringLiteral("file:") + path, options);
+  }
+  static BagKey keyOf(const QString& path) { return {BagKind::File, recorded::bagNameOf(path)}; }
+
+  template <typename T>
+  static Outcome<T> answer(const std::function<Call(OutcomeTo<T>)>& ask) {
+    std::optional<Outcome<T>> told;
+    ask([&](Outcome<T> outcome) { told = std::move(outcome); });
+    if (!waitFor([&] { return told.has_value(); })) qFatal("no answer");
+    return std::move(*told);
+  }
+  static Outcome<BagChunkPtr> range(RecordedRobot& robot, const BagKey& key, double from_s, double until_s) {
+    return answer<BagChunkPtr>([&](auto reply) {
+      return robot.bagLibrary()->messages(key, {from_s, until_s}, std::move(reply));
+    });
+  }
+  static Outcome<BagInfo> infoOf(RecordedRobot& robot, const BagKey& key) {
+    return answer<BagInfo>([&](auto reply) { return robot.bagLibrary()->info(key, std::move(reply)); });
+  }
+  static std::string sentence(const map::Failure& failure) { return sentences::sentenceOf(failure); }
+
+  /// As the window would: jumps there, waits until the world is exact.
+  static map::World worldAt(replay::Reading& reading, double at_s) {
+    reading.want(at_s);
+    replay::Moment moment;
+    const bool exact = waitFor([&] {
+      if (!reading.chunks().readUntil(at_s)) return false;
+      moment = reading.moment();
+      return moment.knowledge == replay::Knowledge::Exact;
+    });
+    if (!exact) qFatal("not exact");
+    return moment.at.world;
+  }
+  static void compareSeeks(RecordedRobot& robot, const BagKey& key, int seeks,
+                           const std::function<map::World(double)>& expected) {
+    replay::Reading::Options options;
+    options.chunks.messages_per_cell = 40;
+    replay::Reading reading(*robot.bagLibrary(), key, options);
+    bool open = false;
+    connect(&reading, &replay::Reading::opened, &reading, [&] { open = true; });
+    reading.open();
+    QVERIFY(waitFor([&] { return open; }));
+    std::mt19937 random(7);
+    const double length_s = reading.info()->end_s - reading.info()->start_s;
+    for (int seek = 0; seek < seeks; ++seek) {
+      const double at_s = reading.info()->start_s - 1 + (length_s + 3) * double(random() % 10'000) / 10'000;
+      const map::World world = worldAt(reading, at_s), wanted = expected(at_s);
+      QVERIFY2(world.live == wanted.live, qPrintable(QString::number(at_s - reading.info()->start_s)));
+      QVERIFY(world.submaps == wanted.submaps);
+      QCOMPARE(world.at_s, wanted.at_s);
+    }
+  }
+
+ private Q_SLOTS:
+  void aSessionOfAnAutoxingRobotIsPlayedAsItWas() {
+    const std::vector<Said> said = axbotSession(3, 1500);
+    const QString path = written(recordingOf(said));
+    const auto robot = opened(path);
+    const auto rows = answer<std::vector<BagEntry>>(
+        [&](auto reply) { return robot->bagLibrary()->list(std::move(reply)); });
+    QVERIFY(rows && rows->size() == 1);
+    QCOMPARE(rows->front().key, keyOf(path));
+    const auto info = infoOf(*robot, keyOf(path));
+    QVERIFY(info);
+    QCOMPARE(info->messages, std::int64_t(said.size()));
+    QVERIFY(std::abs(info->start_s - said.front().at_s) < 1e-5 &&
+            std::abs(info->end_s - said.back().at_s) < 1e-5);
+    compareSeeks(*robot, keyOf(path), 60, [&](double at_s) { return foldedUntil(said, at_s); });
+  }
+
+  void theTextOfAFrameIsTheFrame() {
+    const std::vector<Said> said = axbotSession(4, 50);
+    const QString path = written(recordingOf(said));
+    const auto robot = opened(path);
+    const auto chunk = range(*robot, keyOf(path), 0, 4e9);
+    QVERIFY(chunk && (*chunk)->messages.size() == said.size());
+    for (std::size_t i = 0; i < said.size(); ++i)
+      QCOMPARE(std::string((*chunk)->textOf((*chunk)->messages[i])), said[i].text);
+  }
+
+  void everyMessageLiesInOneRangeWhereverRangesMeet() {
+    const std::vector<Said> said = axbotSession(5, 600);
+    const QString path = written(recordingOf(said));
+    const auto robot = opened(path);
+    std::size_t count = 0;
+    double from_s = said.front().at_s;
+    while (from_s <= said.back().at_s) {
+      const double until_s = from_s + 0.75;
+      const auto chunk = range(*robot, keyOf(path), from_s, until_s);
+      QVERIFY(chunk);
+      for (const BagMessage& message : (*chunk)->messages)
+        QVERIFY(message.message.received_s >= from_s && message.message.received_s < until_s);
+      count += (*chunk)->messages.size();
+      from_s = until_s;
+    }
+    QCOMPARE(count, said.size());
+  }
+
+  void messagesOfRosAreTheSameInEveryRange_data() {
+    QTest::addColumn<Encoding>("encoding");
+    QTest::newRow("json") << Encoding::Json;
+    QTest::newRow("cdr") << Encoding::Cdr;
+    QTest::newRow("ros1") << Encoding::Ros1;
+    QTest::newRow("bag") << Encoding::Bag;
+  }
+  void messagesOfRosAreTheSameInEveryRange() {
+    QFETCH(Encoding, encoding);
+    const Drive drive{40};
+    const bool bag = encoding == Encoding::Bag;
+    const QString path = written(recordings::recordingOf(drive.all(), encoding),
+                                 bag ? QStringLiteral("bag") : QStringLiteral("mcap"));
+    const auto robot = opened(path);
+    const auto whole = range(*robot, keyOf(path), 0, 4e9);
+    QVERIFY2(whole, whole ? "" : sentence(whole.error()).c_str());
+    std::map<std::string, int> kinds;
+    for (const BagMessage& message : (*whole)->messages) {
+      if (message.known) ++kinds[std::to_string(message.message.message.index())];
+      QVERIFY2(!message.known || !std::holds_alternative<map::UnreadableMessage>(message.message.message),
+               message.message.topic.c_str());
+    }
+    QVERIFY(kinds.size() >= 5);  // poses, clouds, paths, grids, markers
+    std::mt19937 random(11);
+    for (int times = 0; times < 40; ++times) {
+      const double from_s = Drive::kStartS + double(random() % 4000) / 100;
+      const double until_s = from_s + double(random() % 1000) / 100;
+      const auto part = range(*robot, keyOf(path), from_s, until_s);
+      QVERIFY(part);
+      std::size_t at = 0;
+      for (const BagMessage& message : (*whole)->messages) {
+        const double stamp_s = message.message.received_s;
+        if (stamp_s < from_s || stamp_s >= until_s) continue;
+        QVERIFY(at < (*part)->messages.size());
+        const BagMessage& same = (*part)->messages[at++];
+        QVERIFY2(same.message == message.message && same.known == message.known,
+                 qPrintable(QStringLiteral("%1 at %2")
+                                .arg(QString::fromStdString(message.message.topic))
+                                .arg(stamp_s - Drive::kStartS)));
+      }
+      QCOMPARE(at, (*part)->messages.size());
+    }
+  }
+
+  void whatWasSaidLastBeforeARangeComesWithItWhereItIsWanted_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<int>("least");  // topics that are known before
+    QTest::newRow("axbot") << written(recordingOf(axbotSession(6, 900))) << 7;
+    const std::vector<std::pair<const char*, Encoding>> encodings = {
+        {"json", Encoding::Json}, {"cdr", Encoding::Cdr}, {"bag", Encoding::Bag}};
+    for (const auto& [name, encoding] : encodings) {
+      const bool bag = encoding == Encoding::Bag;
+      QTest::newRow(name) << written(recordings::recordingOf(Drive{40}.all(), encoding),
+                                     bag ? QStringLiteral("bag") : QStringLiteral("mcap"))
+                          << 5;
+    }
+  }
+  void whatWasSaidLastBeforeARangeComesWithItWhereItIsWanted() {
+    QFETCH(QString, path);
+    QFETCH(int, least);
+    const auto robot = opened(path);
+    const auto info = infoOf(*robot, keyOf(path));
+    const auto whole = range(*robot, keyOf(path), 0, 4e9);
+    QVERIFY(info && whole);
+    const double from_s = info->start_s + (info->end_s - info->start_s) * 0.8, until_s = from_s + 2;
+    const auto plain = range(*robot, keyOf(path), from_s, until_s);
+    const auto filled = answer<BagChunkPtr>([&](auto reply) {
+      BagRange wish{from_s, until_s};
+      wish.back_fill = true;
+      return robot->bagLibrary()->messages(keyOf(path), wish, std::move(reply));
+    });
+    QVERIFY(plain && filled);
+    const std::size_t added = (*filled)->messages.size() - (*plain)->messages.size();
+    QVERIFY2(added >= std::size_t(least), qPrintable(QString::number(added)));
+    std::map<std::string, double> last_s;
+    for (const BagMessage& message : (*whole)->messages) {
+      // What is to be seen of markers changes without anybody saying so.
+      const bool said = (*whole)->textOf(message).find("\"placed\":") == std::string_view::npos;
+      if (said && message.message.received_s < from_s)
+        last_s[message.message.topic] = message.message.received_s;
+    }
+    for (std::size_t i = 0; i < added; ++i) {
+      const BagMessage& early = (*filled)->messages[i];
+      QVERIFY(early.message.received_s < from_s);
+      QCOMPARE(early.message.received_s, last_s.at(early.message.topic));
+      const bool played =
+          std::any_of((*whole)->messages.begin(), (*whole)->messages.end(), [&](const BagMessage& message) {
+            return message.message == early.message && message.known == early.known;
+          });
+      QVERIFY2(played, early.message.topic.c_str());
+    }
+    // The range itself is what it is without them.
+    for (std::size_t i = 0; i < (*plain)->messages.size(); ++i)
+      QVERIFY((*filled)->messages[added + i].message == (*plain)->messages[i].message);
+  }
+
+  void aFarJumpShowsAtOnceWhatHoldsThere() {
+    const std::vector<Said> said = axbotSession(8, 3000);
+    const QString path = written(recordingOf(said));
+    const auto robot = opened(path);
+    replay::Reading::Options options;
+    options.chunks.messages_per_cell = 20;
+    replay::Reading reading(*robot->bagLibrary(), keyOf(path), options);
+    bool open = false;
+    connect(&reading, &replay::Reading::opened, &reading, [&] { open = true; });
+    reading.open();
+    QVERIFY(waitFor([&] { return open; }));
+    const double at_s = double(reading.chunks().cellAt(said[2500].at_s)->from) / replay::kTicksPerS;
+    std::optional<replay::Moment> first;
+    connect(&reading, &replay::Reading::changed, &reading, [&] {
+      if (first) return;
+      replay::Moment moment = reading.moment();
+      if (moment.knowledge != replay::Knowledge::Buffering) first = std::move(moment);
+    });
+    reading.want(at_s);
+    QVERIFY(waitFor([&] { return first.has_value(); }));
+    const map::World all = foldedUntil(said, at_s);
+    QCOMPARE(int(first->knowledge), int(replay::Knowledge::LookingBack));
+    QVERIFY(first->at.world.live.path == all.live.path);
+    QVERIFY(first->at.world.live.battery == all.live.battery);
+    QVERIFY(first->at.world.live.wheels == all.live.wheels);
+    QVERIFY(first->at.world.live.robot_pose == all.live.robot_pose);
+    QVERIFY(first->at.world.submaps == all.submaps);
+  }
+
+  void whatARosRobotSawLiesWhereItWas() {
+    const Drive drive{30};
+    const QString path = written(recordings::recordingOf(drive.all(), Encoding::Cdr));
+    const auto robot = opened(path);
+    const auto whole = range(*robot, keyOf(path), 0, 4e9);
+    QVERIFY(whole);
+    int clouds = 0, poses = 0, grids = 0;
+    for (const BagMessage& message : (*whole)->messages) {
+      const double stamp_s = message.message.received_s;
+      if (const auto* cloud = std::get_if<map::PointCloudMessage>(&message.message.message)) {
+        ++clouds;
+        QCOMPARE(cloud->points->size(), std::size_t(2));
+        const map::CloudPoint& hit = cloud->points->front();
+        QVERIFY(std::abs(hit.x_m - (Drive::xAt(*message.message.recorded_s) + 0.25 + 2)) < 1e-6);
+        QVERIFY(std::abs(hit.y_m - Drive::kOffsetY) < 1e-6);
+      } else if (const auto* pose = std::get_if<map::TrackedPose>(&message.message.message)) {
+        ++poses;
+        // The newest that all transforms have in common.
+        QVERIFY(std::abs(pose->pose.x_m - Drive::xAt(stamp_s)) < 0.5 * 0.15);
+      } else if (std::holds_alternative<map::GridMessage>(message.message.message)) {
+        ++grids;
+      }
+    }
+    QVERIFY2(clouds > 145, qPrintable(QString::number(clouds)));
+    QVERIFY2(poses > 290, qPrintable(QString::number(poses)));
+    QVERIFY2(grids > 15, qPrintable(QString::number(grids)));
+  }
+
+  void theEncodingsTellTheSame() {
+    const Drive drive{12};
+    std::optional<map::World> first;
+    for (const Encoding encoding : {Encoding::Json, Encoding::Cdr, Encoding::Ros1, Encoding::Bag}) {
+      const QString path =
+          written(recordings::recordingOf(drive.all(), encoding),
+                  encoding == Encoding::Bag ? QStringLiteral("bag") : QStringLiteral("mcap"));
+      const auto robot = opened(path);
+      const auto whole = range(*robot, keyOf(path), 0, 4e9);
+      QVERIFY(whole);
+      const map::World world = foldedUntil(**whole, Drive::kStartS + 11);
+      QVERIFY(world.live.robot_pose && world.live.grids.size() == 2 && !world.live.path.empty());
+      if (first) QVERIFY(world == *first);
+      first = world;
+    }
+  }
+
+  void theWorldOfADriveIsTheSameByEveryWay() {
+    const Drive drive{40};
+    const QString path = written(recordings::recordingOf(drive.all(), Encoding::Ros1));
+    const auto robot = opened(path);
+    const auto whole = range(*robot, keyOf(path), 0, 4e9);
+    QVERIFY(whole);
+    compareSeeks(*robot, keyOf(path), 30, [&](double at_s) { return foldedUntil(**whole, at_s); });
+  }
+
+  void patchesAreInTheGridWhereverOneBegins() {
+    std::vector<Drive::Said> said = Drive{40}.all();
+    std::vector<std::int8_t> cells(64);
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::int8_t(i % 5 == 0 ? 100 : 0);
+    int step_of_patch = 11;
+    for (const Drive::Said& one : said) {
+      if (one.topic != "/global_costmap/costmap_updates") continue;
+      const int x = step_of_patch % 7, y = step_of_patch % 5;
+      cells[std::size_t(y * 8 + x)] = std::int8_t(step_of_patch % 100);
+      cells[std::size_t((y + 1) * 8 + x)] = 50;
+      step_of_patch += 30;
+    }
+    const QString path = written(recordings::recordingOf(said, Encoding::Json));
+    const auto robot = opened(path);
+    const auto last = range(*robot, keyOf(path), Drive::kStartS + 37, Drive::kStartS + 41);
+    QVERIFY(last);
+    const map::GridMessage* grid = nullptr;
+    for (const BagMessage& message : (*last)->messages) {
+      if (const auto* one = std::get_if<map::GridMessage>(&message.message.message)) grid = one;
+    }
+    QVERIFY(grid && grid->png);
+    std::string pixels;
+    for (int row = 7; row >= 0; --row) {
+      for (int column = 0; column < 8; ++column) pixels += char(cells[std::size_t(row * 8 + column)]);
+    }
+    QVERIFY(grid->png->ends_with(pixels));
+  }
+
+  void whatWasFetchedIsGivenAgain() {
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    const auto attach = [&](const std::string& name, const std::string& content, std::int64_t at_ns = 5) {
+      writer->attach({name, "application/octet-stream", at_ns, 0, content});
+    };
+    ros_messages::slam::SubmapQueryV2Response response;
+    response.mutable_status()->set_code(ros_messages::slam::OK);
+    response.set_submap_version(7);
+    response.add_textures()->set_width(3);
+    attach("submaps/a%2Fb/1/2/7", response.SerializeAsString());
+    attach("pictures/http://robot/map.png?v=1", "first", 100);
+    attach("pictures/http://robot/map.png?v=1", "second", 2'000'000'000);
+    attach("maps/stored/12", "picture");
+    attach(
+        "maps/stored/12.json",
+        R"({"kind":"stored","id":"12","name":"Hall","current":true,"grid":{"width":4,"height":3,)"
+        R"("resolution_m":0.05,"x_m":1,"y_m":2,"yaw_rad":0},"reading":{"mode":"trinary","negate":false}})");
+    attach("waypoints/stored/12.json",
+           R"({"waypoints":[{"id":"7","name":"Dock","x_m":1.5,"y_m":2,"tags":["a"]}]})");
+    const auto say = [&](double at_s, const std::string& text) {
+      recording::Channel channel;
+      channel.topic = "/map_v2";
+      channel.message_encoding = "json";
+      const std::int64_t at_ns = recordings::nanoseconds(at_s);
+      writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0}, recordings::bytesOf(text));
+    };
+    const std::string frame = R"({"topic":"/map_v2","resolution":0.05,"size":[4,3],"origin":[0,0],)"
+                              R"("data_url":"http://robot/map.png?v=1"})";
+    say(1, frame);
+    say(3, frame);
+    writer->close();
+    const QString path = written(*bytes);
+    const auto robot = opened(path);
+
+    std::optional<map::SubmapAnswer> submap;
+    robot->submapSource()->fetch({"a/b", {1, 2}, 7},
+                                 [&](map::SubmapAnswer told) { submap = std::move(told); });
+    QVERIFY(waitFor([&] { return submap.has_value(); }));
+    QCOMPARE(submap->outcome, map::SubmapAnswer::Outcome::Ok);
+    QCOMPARE(submap->version, 7);
+    submap.reset();
+    robot->submapSource()->fetch({"a/b", {9, 9}, 7},
+                                 [&](map::SubmapAnswer told) { submap = std::move(told); });
+    QVERIFY(waitFor([&] { return submap.has_value(); }));
+    QCOMPARE(submap->outcome, map::SubmapAnswer::Outcome::NotFound);
+
+    const map::MapKey hall{map::MapKind::Stored, "12"};
+    const auto map = answer<map::WholeMap>(
+        [&](auto reply) { return robot->wholeMapSource()->fetch(hall, std::move(reply)); });
+    QVERIFY(map && *map->bytes == "picture" && map->name == "Hall" && map->grid.width == 4);
+    QCOMPARE(map->reading.mode, map::CellReading::Mode::Trinary);
+    const auto places = answer<map::WaypointList>(
+        [&](auto reply) { return robot->waypointSource()->waypoints(hall, std::move(reply)); });
+    QVERIFY(places && places->points.size() == 1 && places->points.front().name == "Dock");
+    const auto maps = answer<std::vector<map::CatalogueEntry>>(
+        [&](auto reply) { return robot->mapCatalogue()->list(std::move(reply)); });
+    QVERIFY(maps && maps->size() == 1 && maps->front().is_current && maps->front().key == hall);
+
+    // Under one address the robot had two pictures by and by.
+    const auto chunk = range(*robot, keyOf(path), 0, 10);
+    QVERIFY(chunk && (*chunk)->messages.size() == 2);
+    std::vector<std::string> pictures;
+    for (const BagMessage& message : (*chunk)->messages) {
+      const auto picture = answer<std::shared_ptr<const std::string>>([&](auto reply) {
+        return robot->bagLibrary()->picture("/map_v2", message.picture_url, std::move(reply));
+      });
+      QVERIFY(picture);
+      pictures.push_back(**picture);
+    }
+    QCOMPARE(pictures == (std::vector<std::string>{"first", "second"}), true);
+    const auto none = answer<std::shared_ptr<const std::string>>(
+        [&](auto reply) { return robot->bagLibrary()->picture("/map_v2", "elsewhere", std::move(reply)); });
+    QVERIFY(!none && !sentence(none.error()).empty());
+  }
+
+  void whatIsNoRecordingSaysSo() {
+    const QString text = written("This is a text.\n");
+    const auto robot = opened(text);
+    const auto info = infoOf(*robot, keyOf(text));
+    QVERIFY(!info);
+    QVERIFY(info.error().cause.any());
+    robot->connectToRobot();
+    QTRY_COMPARE(robot->connection().phase, ConnectionPhase::Refused);
+    const auto nowhere = opened(folder_.filePath(QStringLiteral("nowhere.mcap")));
+    const auto none = infoOf(*nowhere, {BagKind::File, "nowhere.mcap"});
+    QVERIFY(!none && none.error().cause.any());
+    QVERIFY(!recorded::isRecording(folder_.path()));
+    const QString unnamed = written(recordingOf(axbotSession(1, 3)), QStringLiteral("data"));
+    QVERIFY(recorded::isRecording(unnamed) && !recorded::isRecording(written("text", QStringLiteral("txt"))));
+  }
+
+  void aFileIsOnlyRead() {
+    const QString path = written(recordingOf(axbotSession(1, 3)));
+    const auto robot = opened(path);
+    const auto gone = answer<BagKey>(
+        [&](auto reply) { return robot->bagLibrary()->remove(keyOf(path), std::move(reply)); });
+    QVERIFY(!gone && gone.error().kind == map::FailureKind::Unsupported);
+    const auto copied = answer<BagDownload>([&](auto reply) {
+      return robot->bagLibrary()->download(keyOf(path), QStringLiteral("x"), std::move(reply));
+    });
+    QVERIFY(!copied && copied.error().kind == map::FailureKind::Unsupported);
+    QVERIFY(QFile::exists(path));
+  }
+
+  void whatIsSoundOfABrokenFileIsPlayed() {
+    recording::WriterOptions options;
+    options.chunk_bytes = 4000;
+    const std::vector<Said> said = axbotSession(6, 800);
+    const std::string sound = recordingOf(said, options);
+    std::mt19937 random(2);
+    for (int times = 0; times < 12; ++times) {
+      std::string broken = sound.substr(0, times % 2 ? sound.size() : 100 + random() % sound.size());
+      for (int hits = 0; hits < times % 3; ++hits) {
+        char& hit = broken[random() % broken.size()];
+        hit = char(hit ^ char(1 + random() % 255));
+      }
+      const QString path = written(broken);
+      const auto robot = opened(path);
+      std::vector<map::Problem> problems;
+      connect(robot.get(), &Robot::problemFound, this,
+              [&](const map::Problem& one) { problems.push_back(one); });
+      const auto chunk = range(*robot, keyOf(path), 0, 4e9);
+      if (!chunk) {
+        QVERIFY(chunk.error().cause.any());
+        continue;
+      }
+      QVERIFY((*chunk)->messages.size() <= said.size() + 1);
+      if (broken.size() < sound.size()) QVERIFY(!problems.empty());
+    }
+  }
+
+  void aFileThatGrowsIsFollowed() {
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    const std::vector<Said> said = axbotSession(8, 200);
+    const auto write = [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) {
+        recording::Channel channel;
+        channel.topic = said[i].topic;
+        channel.message_encoding = "json";
+        const std::int64_t at_ns = recordings::nanoseconds(said[i].at_s);
+        writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0}, recordings::bytesOf(said[i].text));
+      }
+      writer->flush();
+    };
+    write(0, 100);
+    const QString path = written(*bytes);
+    const auto robot = opened(path);
+    QCOMPARE(infoOf(*robot, keyOf(path))->messages, std::int64_t(100));
+    write(100, 200);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes->data(), qint64(bytes->size()));
+    file.close();
+    QCOMPARE(infoOf(*robot, keyOf(path))->messages, std::int64_t(200));
+    QCOMPARE((*range(*robot, keyOf(path), 0, 4e9))->messages.size(), std::size_t(200));
+  }
+
+  void whatIsPlayedGetsLongerWithItsFile() {
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    const std::vector<Said> said = axbotSession(12, 400);
+    const QString path = written({});
+    const auto write = [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) {
+        recording::Channel channel;
+        channel.topic = said[i].topic;
+        channel.message_encoding = "json";
+        const std::int64_t at_ns = recordings::nanoseconds(said[i].at_s);
+        writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0}, recordings::bytesOf(said[i].text));
+      }
+      if (to == said.size()) {
+        writer->close();
+      } else {
+        writer->flush();
+      }
+      QFile file(path);
+      // Only what is new: what is there may be read at the same time.
+      QVERIFY(file.open(QIODevice::Append));
+      file.write(bytes->data() + file.size(), qint64(bytes->size()) - file.size());
+    };
+    write(0, 150);
+    const auto robot = opened(path);
+    replay::Reading::Options options;
+    options.chunks.messages_per_cell = 40;
+    replay::Reading reading(*robot->bagLibrary(), keyOf(path), options);
+    bool open = false;
+    int replaced = 0;
+    connect(&reading, &replay::Reading::opened, &reading, [&] { open = true; });
+    connect(&reading, &replay::Reading::replaced, &reading, [&] { ++replaced; });
+    reading.open();
+    QVERIFY(waitFor([&] { return open; }));
+    QVERIFY(worldAt(reading, said[149].at_s).live == foldedUntil(said, said[149].at_s).live);
+    const double end_s = reading.chunks().end_s();
+    for (const std::size_t until : {std::size_t(151), std::size_t(300), said.size()}) {
+      write(until == 151 ? 150 : until == 300 ? 151 : 300, until);
+      const double last_s = double(recordings::nanoseconds(said[until - 1].at_s)) / 1e9;
+      reading.lookAgain();
+      QVERIFY(waitFor([&] { return reading.chunks().end_s() >= last_s; }));
+      QVERIFY(waitFor([&] { return worldAt(reading, last_s).live == foldedUntil(said, last_s).live; }));
+      for (const std::size_t place : {std::size_t(20), until / 2, until - 1})
+        QVERIFY(worldAt(reading, said[place].at_s).live == foldedUntil(said, said[place].at_s).live);
+    }
+    QVERIFY(replaced > 0);
+    QVERIFY(reading.chunks().end_s() > end_s);
+    // What does not grow any more is not read again.
+    const int before = replaced;
+    reading.lookAgain();
+    QVERIFY(infoOf(*robot, keyOf(path)));
+    QCOMPARE(replaced, before);
+  }
+
+  void theMapThatMessagesNameIsTheCurrentOne() {
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    const auto attach = [&](const std::string& id, const std::string& facts, std::int64_t at_ns) {
+      writer->attach({"maps/stored/" + id, "image/png", at_ns, 0, "picture " + id});
+      const std::string text =
+          "{\"kind\":\"stored\",\"id\":\"" + id + "\"," + facts +
+          R"(,"grid":{"width":4,"height":3,"resolution_m":0.05,"x_m":0,"y_m":0,"yaw_rad":0}})";
+      writer->attach({"maps/stored/" + id + ".json", "application/json", at_ns, 0, text});
+    };
+    attach("1", R"("name":"Hall","uid":"u-1","current":true)", 1'000);
+    attach("2", R"("name":"Yard","uid":"u-2","current":true)", 2'000);
+    attach("3", R"("name":"Roof","current":false)", 3'000);
+    const auto say = [&](double at_s, const std::string& map) {
+      recording::Channel channel;
+      channel.topic = "/map/info";
+      channel.message_encoding = "json";
+      const std::int64_t at_ns = recordings::nanoseconds(at_s);
+      const std::string text = R"({"topic":"/map/info",)" + map + "}";
+      writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0}, recordings::bytesOf(text));
+    };
+    say(100, R"("map_uid":"u-1","map_name":"Renamed")");
+    say(200, R"("map_uid":"u-2","map_name":"Yard")");
+    say(300, R"("map_uid":"","map_name":"Roof")");
+    say(400, R"("map_uid":"u-9","map_name":"Gone")");
+    writer->close();
+    const QString path = written(*bytes);
+    const auto current = [](Robot& robot) {
+      const auto maps = answer<std::vector<map::CatalogueEntry>>(
+          [&](auto reply) { return robot.mapCatalogue()->list(std::move(reply)); });
+      std::string all;
+      for (const map::CatalogueEntry& entry : *maps) all += entry.is_current ? entry.key.id : "";
+      return all;
+    };
+    replay::ReplayRobot robot(opened(path), recorded::bagNameOf(path));
+    QCOMPARE(current(robot), std::string("2"));  // the last one that was
+    int told = 0;
+    connect(&robot, &Robot::mapsChanged, this, [&] { ++told; });
+    robot.connectToRobot();
+    QTRY_COMPARE(robot.connection().phase, ConnectionPhase::Online);
+    for (const auto& [at_s, id] : std::vector<std::pair<double, std::string>>{
+             {101, "1"}, {201, "2"}, {301, "3"}, {401, ""}, {102, "1"}, {99, "2"}}) {
+      robot.goTo(at_s);
+      QVERIFY(waitFor([&] { return robot.knowledge() == replay::Knowledge::Exact; }));
+      QCOMPARE(current(robot), id);
+    }
+    QVERIFY(told >= 5);
+  }
+
+  void messagesByTheSchemasOfFoxgloveAreSeen_data() {
+    QTest::addColumn<bool>("protobuf");
+    QTest::newRow("JSON") << false;
+    QTest::newRow("protobuf") << true;
+  }
+  void messagesByTheSchemasOfFoxgloveAreSeen() {
+    QFETCH(bool, protobuf);
+    const QString path = written(foxglove::drive(protobuf));
+    const auto robot = opened(path);
+    std::vector<std::string> problems;
+    connect(robot.get(), &Robot::problemFound, this,
+            [&](const map::Problem& one) { problems.push_back(map::patternOf(one)); });
+    const auto chunk = range(*robot, keyOf(path), 0, 4e9);
+    QVERIFY(chunk);
+    const map::World world = foldedUntil(**chunk, 4e9);
+    for (const std::string& problem : problems) qWarning("%s", problem.c_str());
+    QVERIFY(problems.empty());
+    // Everything in the frame of the map, which lies 10 m to the left of the robot's own.
+    QVERIFY(world.live.robot_pose.has_value());
+    QVERIFY(std::abs(world.live.robot_pose->x_m - 12) < 1e-6);
+    const auto grid = world.live.grids.find(map::GridKind::WholeMap);
+    QVERIFY(grid != world.live.grids.end());
+    QCOMPARE(grid->second.grid.width, 3);
+    QCOMPARE(grid->second.grid.height, 2);
+    QVERIFY(std::abs(grid->second.grid.resolution_m - 0.5) < 1e-9);
+    QVERIFY(std::abs(grid->second.grid.origin.x_m - 1) < 1e-9);
+    for (const auto& [topic, count, x_m] : {std::tuple("/scan", 2, 14.0), std::tuple("/lidar", 1, 13.0)}) {
+      const auto cloud = world.live.clouds.find(topic);
+      QVERIFY2(cloud != world.live.clouds.end() && int(cloud->second->size()) == count, topic);
+      QVERIFY2(std::abs(cloud->second->front().x_m - x_m) < 1e-3,
+               qPrintable(QString::number(cloud->second->front().x_m)));
+    }
+    QCOMPARE(world.live.path.size(), std::size_t(2));
+  }
+
+  void whatLiesInMessagesOfFoxgloveIsNoHarm() {
+    const std::string sound = foxglove::drive(true);
+    std::mt19937 random(4);
+    for (int times = 0; times < 60; ++times) {
+      std::string broken = sound;
+      for (int hits = 0; hits < 1 + times % 8; ++hits) {
+        char& hit = broken[random() % broken.size()];
+        hit = char(hit ^ char(1 + random() % 255));
+      }
+      const QString path = written(broken);
+      const auto robot = opened(path);
+      const auto chunk = range(*robot, keyOf(path), 0, 4e9);
+      QVERIFY(chunk || chunk.error().cause.any());
+    }
+  }
+
+  void aRangeThatIsGivenUpEndsAsCancelled() {
+    const QString path = written(recordings::recordingOf(Drive{200}.all(), Encoding::Cdr));
+    const auto robot = opened(path);
+    std::optional<Outcome<BagChunkPtr>> told;
+    const Call call = robot->bagLibrary()->messages(
+        keyOf(path), {0, 4e9}, [&](Outcome<BagChunkPtr> outcome) { told = std::move(outcome); });
+    call.cancel();
+    QVERIFY(waitFor([&] { return told.has_value(); }));
+    QVERIFY(!*told && told->error().kind == map::FailureKind::Cancelled);
+  }
+
+  void anAnswerThatWouldBeTooLongIsAskedForInParts() {
+    const QString path = written(recordingOf(axbotSession(9, 400)));
+    const auto robot = opened(path);
+    const auto chunk = answer<BagChunkPtr>([&](auto reply) {
+      return robot->bagLibrary()->messages(keyOf(path), {0, 4e9, 1000}, std::move(reply));
+    });
+    QVERIFY(!chunk && chunk.error().cause.code == map::ReasonCode::AnswerTooLong);
+  }
+
+  void itIsPlayedAsARobot() {
+    const std::vector<Said> said = axbotSession(10, 300);
+    const QString path = written(recordingOf(said));
+    replay::ReplayRobot robot(opened(path), recorded::bagNameOf(path));
+    std::optional<map::World> world;
+    connect(&robot, &replay::ReplayRobot::jumped, this, [&](const map::World& now, replay::Knowledge how) {
+      if (how == replay::Knowledge::Exact) world = now;
+    });
+    robot.connectToRobot();
+    QTRY_COMPARE(robot.connection().phase, ConnectionPhase::Online);
+    robot.goTo(said[200].at_s + 1e-4);
+    QTRY_VERIFY(world.has_value());
+    QVERIFY(world->live == foldedUntil(said, said[200].at_s + 1e-4).live);
+    QVERIFY(robot.liveTopics()->topicsOf(map::Stream::Pose).contains(QStringLiteral("/tracked_pose")));
+  }
+};
+
+QTEST_GUILESS_MAIN(RecordedRobotTest)
+#include "test_recorded_robot.moc"

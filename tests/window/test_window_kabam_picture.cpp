@@ -1,0 +1,195 @@
+// The picture of a KABAM robot's map, edited in the window on its simulator.
+#include <QAction>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QtTest>
+
+#include "robot/ros/ros_address.h"
+#include "robot/ros/ros_robot.h"
+#include "simulator/simulator.h"
+#include "window/main_window.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
+#include "window/picture/picture_controller.h"
+#include "window/picture/picture_dock.h"
+#include "window/picture/picture_tool.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using picture::CellRect;
+
+namespace {
+
+struct Hall {
+  explicit Hall(simulator::Faults faults = {}) : Hall(robotWith(std::move(faults))) {}
+  explicit Hall(std::shared_ptr<simulator::Simulator> of)
+      : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), robot(std::move(of)) {}
+  static std::shared_ptr<simulator::Simulator> robotWith(simulator::Faults faults) {
+    simulator::Options options;
+    options.paused = true;
+    options.faults = std::move(faults);
+    auto made = std::make_shared<simulator::Simulator>(options);
+    (void)made->start();
+    return made;
+  }
+  ~Hall() { window.reset(); }
+
+  void start() {
+    MainWindow::Dependencies wanted{
+        [this](const QString& address,
+               const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          robot::ros::LinkOptions options;
+          options.url = QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(robot->rosPort()));
+          options.kabam_only = true;
+          options.picture_settles = std::chrono::milliseconds(20);
+          options.kabam.confirm = confirm;
+          options.client.most_whole_bytes = 10'000;
+          options.client.fragment_bytes = 10'000;
+          return std::make_unique<robot::ros::RosRobot>(address, options);
+        },
+        settings};
+    wanted.addresses = robot::Addresses({robot::ros::kabamAddressScheme()});
+    window = std::make_unique<MainWindow>(std::move(wanted));
+    window->resize(1366, 768);
+    window->show();
+    window->view()->setAnimationMs(0);
+    (void)QTest::qWaitForWindowActive(window.get());
+    QVERIFY(!window->connectTo(QStringLiteral("kabam+ws://127.0.0.1:%1").arg(robot->rosPort())));
+  }
+  /// The map that is sent is on screen; the tool takes the one that is kept.
+  void open() {
+    start();
+    QTRY_VERIFY(action("pictureTool")->isEnabled());
+    QVERIFY(!editing().isOpen());
+    QCOMPARE(window->session()->wholeMap().shown().key.kind, map::MapKind::Live);
+    action("pictureTool")->trigger();
+    QTRY_VERIFY(editing().isOpen());
+    QCOMPARE(window->session()->wholeMap().shown().key.kind, map::MapKind::Stored);
+    QCOMPARE(window->view()->tool(), static_cast<MapTool*>(control().tool()));
+  }
+  void paint(const CellRect& rect) {
+    editing().setKind(picture::Kind::Occupied);
+    editing().drawRectangle(rect);
+  }
+  /// Saves, and says that it may be sent.
+  void save() {
+    action("save")->trigger();
+    QVERIFY(control().sendingQuestion());
+    control().sendingQuestion()->findChild<QPushButton*>(QStringLiteral("sendPicture"))->click();
+  }
+  PictureController& control() { return *window->pictureEditor(); }
+  PictureEditing& editing() { return *control().editing(); }
+  int cell(int column, int row) { return int(editing().grid()->at(column, row)); }
+  QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
+  QString status() { return control().dock()->status(); }
+  QStringList toasts() { return window->overlay()->toasts()->texts(); }
+
+  std::chrono::milliseconds confirm{5'000};
+  QTemporaryDir folder;
+  QSettings settings;
+  std::shared_ptr<simulator::Simulator> robot;
+  std::unique_ptr<MainWindow> window;
+};
+
+constexpr CellRect kSpot{30, 40, 34, 44};
+
+}  // namespace
+
+class TestWindowKabamPicture : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theMapThatTheRobotWorksWithIsEditedAndSaved() {
+    Hall hall;
+    hall.open();
+    hall.paint(kSpot);
+    QVERIFY(hall.editing().unsaved());
+    hall.save();
+    QVERIFY(hall.control().saving());
+    QTRY_VERIFY(!hall.control().saving());
+    QVERIFY2(!hall.editing().unsaved(), qPrintable(hall.status()));
+    QVERIFY2(hall.toasts().join(QLatin1Char('|')).contains(QLatin1String("saved")),
+             qPrintable(hall.toasts().join(QLatin1Char('|'))));
+    // Another window sees it.
+    Hall other(hall.robot);
+    other.open();
+    QCOMPARE(other.cell(31, 41), 100);
+  }
+
+  void nothingIsSentBeforeSomebodySaysSo() {
+    Hall hall;
+    hall.open();
+    hall.paint(kSpot);
+    hall.action("save")->trigger();
+    QMessageBox* const question = hall.control().sendingQuestion();
+    QVERIFY(question);
+    const QString told = question->text() + question->informativeText();
+    QVERIFY2(told.contains(hall.window->session()->wholeMap().name()), qPrintable(told));
+    QVERIFY2(told.contains(QStringLiteral("%1 cells").arg(kSpot.area())), qPrintable(told));
+    QVERIFY2(told.contains(QStringLiteral("127.0.0.1")), qPrintable(told));
+    QTest::keyClick(question, Qt::Key_Return);  // the default is not to send
+    QTRY_VERIFY(!hall.control().sendingQuestion());
+    QVERIFY(!hall.control().saving() && hall.editing().unsaved());
+    hall.action("save")->trigger();
+    hall.action("save")->trigger();                                     // asked once
+    QTRY_COMPARE(hall.window->findChildren<QMessageBox*>().size(), 1);  // the first one goes with its event
+    hall.control().sendingQuestion()->findChild<QPushButton*>(QStringLiteral("sendPicture"))->click();
+    QVERIFY(hall.control().saving());
+    QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
+  }
+
+  void whatOthersPaintMeanwhileIsPutTogether() {
+    Hall hall;
+    hall.open();
+    hall.paint(kSpot);
+    const auto before = hall.editing().saved();
+    hall.robot->otherPainter();
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
+    QCOMPARE(hall.cell(31, 41), 100);
+    QTRY_VERIFY(hall.editing().saved() != before);
+    // Theirs, too.
+    const auto differs = picture::DifferenceCount::between(*hall.editing().grid(), *before);
+    QVERIFY(differs.cells > kSpot.area());
+  }
+
+  void whatOthersPaintComesByItself() {
+    Hall hall;
+    hall.open();
+    hall.paint(kSpot);
+    const auto before = hall.editing().saved();
+    hall.robot->otherPainter();
+    QTRY_VERIFY(hall.editing().saved() != before);
+    QVERIFY(hall.editing().unsaved());
+    QCOMPARE(hall.cell(31, 41), 100);
+  }
+
+  void whatTheRobotDoesNotShowIsToldAndStaysUnsaved() {
+    simulator::Faults faults;
+    faults.ros.picture_ignored = true;
+    Hall hall(faults);
+    hall.confirm = std::chrono::milliseconds(100);
+    hall.open();
+    hall.paint(kSpot);
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving());
+    QVERIFY(hall.editing().unsaved());
+    QVERIFY2(hall.status().contains(QLatin1String("not confirmed")), qPrintable(hall.status()));
+  }
+
+  void aLinkLostAfterwardsIsNoDoubtOnceItIsBack() {
+    simulator::Faults faults;
+    faults.ros.cut_after = {"/map_manager/update_map_image"};
+    Hall hall(faults);
+    hall.open();
+    hall.paint(kSpot);
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving());
+    // It has been made, and the map says so with the next connection.
+    QTRY_VERIFY(!hall.editing().unsaved());
+    QCOMPARE(hall.cell(31, 41), 100);
+  }
+};
+
+QTEST_MAIN(TestWindowKabamPicture)
+#include "test_window_kabam_picture.moc"

@@ -1,0 +1,295 @@
+// A map by regions in the window.
+#include <QDir>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "../patience.h"
+#include "../regions/fake_dispatch.h"
+#include "fake_robot.h"
+#include "known_addresses.h"
+#include "scene/regions_on_map.h"
+#include "window/main_window.h"
+#include "window/map/empty_state.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/notice_bar.h"
+#include "window/map/toast_stack.h"
+#include "window/regions/rectangle_tool.h"
+#include "window/regions/regions_controller.h"
+#include "window/regions/regions_text.h"
+
+using namespace mapwright;
+using regions::FakeDispatch;
+using scene::Layer;
+using window::MainWindow;
+
+namespace {
+
+/// A robot that gives its map by regions.
+class DispatchRobot : public test::FakeRobot {
+ public:
+  using FakeRobot::FakeRobot;
+  robot::MapDispatch* mapDispatch() override { return has_dispatch ? &dispatch : nullptr; }
+  bool has_dispatch = true;
+  FakeDispatch dispatch;
+};
+
+}  // namespace
+
+class TestWindowRegions : public QObject {
+  Q_OBJECT
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<QSettings> settings_;
+  std::unique_ptr<MainWindow> window_;
+  DispatchRobot* robot_ = nullptr;
+  std::function<void(DispatchRobot&)> prepare_;
+
+  void open() {
+    window_.reset();
+    MainWindow::Dependencies wanted{
+        [this](const QString& address,
+               const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          auto made = std::make_unique<DispatchRobot>(address);
+          made->has_submaps = false;
+          made->has_live = false;
+          made->dispatch.by_itself = true;
+          robot_ = made.get();
+          if (prepare_) prepare_(*made);
+          return std::unique_ptr<robot::Robot>(std::move(made));
+        },
+        *settings_};
+    wanted.addresses = test::knownAddresses();
+    window_ = std::make_unique<MainWindow>(std::move(wanted));
+    window_->resize(1200, 800);
+    window_->show();
+    window_->view()->setAnimationMs(0);
+    (void)QTest::qWaitForWindowActive(window_.get());
+  }
+  void connectRobot() {
+    QVERIFY(!window_->connectTo(QStringLiteral("axbot+http://192.0.2.7:8090"), {}));
+    robot_->goOnline();
+    QTRY_VERIFY(controller()->map() || !robot_->has_dispatch);
+  }
+  window::RegionsController* controller() const { return window_->regions(); }
+  QAction* action(const char* id) const { return window_->actionList().find(QLatin1String(id)); }
+  void look(double scale) {
+    geometry::ViewTransform view = window_->mapScene()->view();
+    view.center_m = {0, 0};
+    view.scale_m_per_px = scale;
+    window_->mapScene()->setView(view);
+  }
+  void waitUntilFetched() {
+    QTRY_VERIFY(!controller()->map()->regions().inView().empty() &&
+                controller()->map()->regions().plan().settled(1));
+  }
+  QString notice() const { return window_->overlay()->notice()->sentence(); }
+  QPushButton* offer() const { return window_->overlay()->notice()->offerButton(); }
+  QStringList toasts() const { return window_->findChild<window::ToastStack*>()->texts(); }
+  QPushButton* answerCalled(const char* name) const {
+    return controller()->question()->findChild<QPushButton*>(QLatin1String(name));
+  }
+
+ private Q_SLOTS:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    settings_ = std::make_unique<QSettings>(folder_->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+    prepare_ = {};
+  }
+  void cleanup() {
+    window_.reset();
+    settings_.reset();
+    folder_.reset();
+  }
+
+  void whatIsInViewIsFetchedAndCounted() {
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    const regions::RegionCounts counts = controller()->map()->regions().counts();
+    QCOMPARE(counts.answered, counts.in_view);
+    QVERIFY(controller()->statusShown().startsWith(QStringLiteral("%1 of %1 regions").arg(counts.in_view)));
+    QVERIFY(robot_->dispatch.most_at_once <= 2);
+    QVERIFY2(notice().isEmpty(), qPrintable(notice()));
+    QVERIFY(window_->mapScene()->occupancyAt({1, 1}).has_value() ||
+            window_->mapScene()->occupancyAt({4, 4}).has_value());
+    // Looking elsewhere fetches that.
+    geometry::ViewTransform view = window_->mapScene()->view();
+    view.center_m = {150, 100};
+    window_->mapScene()->setView(view);
+    QTRY_VERIFY(controller()->map()->regions().at({150, 100}).has_value() &&
+                controller()->map()->regions().at({150, 100})->state == regions::RegionState::Held);
+  }
+  void fromTooFarAwayTheWholeMapIsOffered() {
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    const auto asked = robot_->dispatch.asked.size();
+    look(5);
+    QTRY_VERIFY(controller()->map()->regions().plan().tooFar());
+    QVERIFY2(notice().contains(QStringLiteral("Zoom in")), qPrintable(notice()));
+    QVERIFY2(notice().contains(QStringLiteral("cells, about")), qPrintable(notice()));
+    QCOMPARE(robot_->dispatch.asked.size(), asked);
+    offer()->click();
+    QVERIFY(controller()->question());
+    QCOMPARE(robot_->dispatch.asked_whole, 0);  // it asks first
+    answerCalled("fetchWhole")->click();
+    QCOMPARE(robot_->dispatch.asked_whole, 1);
+    QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    QCOMPARE(window_->session()->wholeMap().reference().width, robot_->dispatch.ground.width);
+    QVERIFY(window_->mapScene()->layerVisible(Layer::WholeMap));
+    QVERIFY(!window_->mapScene()->layerVisible(Layer::Regions));
+  }
+  void whoDoesNotWantTheWholeMapAsksForNothing() {
+    open();
+    connectRobot();
+    action("fetchWholeMap")->trigger();
+    QVERIFY(controller()->question());
+    controller()->question()->button(QMessageBox::Cancel)->click();
+    QTRY_VERIFY(!controller()->question());
+    QCOMPARE(robot_->dispatch.asked_whole, 0);
+  }
+  void aHiddenLayerAsksForNothing() {
+    open();
+    window_->mapScene()->setLayerVisible(Layer::Regions, false);
+    connectRobot();
+    look(0.05);
+    QCoreApplication::processEvents();
+    QVERIFY(robot_->dispatch.asked.empty());
+    window_->mapScene()->setLayerVisible(Layer::Regions, true);
+    QTRY_VERIFY(!robot_->dispatch.asked.empty());
+  }
+  void refreshingAsksOnceMore() {
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    const auto asked = robot_->dispatch.asked.size();
+    action("refreshRegions")->trigger();
+    QTRY_VERIFY(robot_->dispatch.asked.size() > asked);
+    waitUntilFetched();
+    const auto again = robot_->dispatch.asked.size();
+    Q_EMIT robot_->dispatch.mapChanged();
+    QTRY_VERIFY(robot_->dispatch.asked.size() > again);
+  }
+  void failuresAreToldAndTriedAgain() {
+    prepare_ = [](DispatchRobot& robot) {
+      robot.dispatch.answer = [&robot](const map::GridRegion& region) -> robot::Outcome<map::GridPart> {
+        if (region.size_m.x() < 10) return robot.dispatch.ground.part(region);
+        return tl::unexpected(map::Failure{
+            .kind = map::FailureKind::RejectedByRobot, .robot_code = "7", .detail = "<b>no</b>"});
+      };
+    };
+    open();
+    connectRobot();
+    look(0.05);
+    QTRY_VERIFY(controller()->map()->regions().counts().failed > 1);
+    QTRY_VERIFY(notice().contains(QStringLiteral("could be fetched")));
+    QVERIFY2(notice().contains(QStringLiteral("<b>no</b>")), qPrintable(notice()));
+    robot_->dispatch.answer = {};
+    offer()->click();
+    waitUntilFetched();
+    QTRY_VERIFY(notice().isEmpty());
+  }
+  void aRectangleIsDrawnAndKept() {
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    action("fetchRegion")->trigger();
+    QVERIFY(action("fetchRegion")->isChecked());
+    QWidget* const map = window_->view()->viewport();
+    const QPoint from = map->rect().center() - QPoint(100, 60), to = map->rect().center() + QPoint(100, 60);
+    QTest::mousePress(map, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 10; ++i) QTest::mouseMove(map, from + (to - from) * i / 10);
+    QVERIFY2(controller()->tool()->hint().contains(QStringLiteral("cells, about")),
+             qPrintable(controller()->tool()->hint()));
+    QTest::mouseRelease(map, Qt::LeftButton, {}, to);
+    QVERIFY(controller()->question());
+    QVERIFY(controller()->question()->text().contains(QStringLiteral("cells, about")));
+    answerCalled("keepRegion")->click();
+    QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    const map::GridReference grid = window_->session()->wholeMap().reference();
+    QVERIFY2(std::abs(grid.width - 200) <= 2 && std::abs(grid.height - 120) <= 2,
+             qPrintable(QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)));
+    QVERIFY(std::abs(grid.origin.x_m + 5) < 0.11);
+  }
+  void aRectangleIsSaved() {
+    open();
+    connectRobot();
+    const QString path = folder_->filePath(QStringLiteral("part.yaml"));
+    controller()->saveRectangle({-10, -5, 10, 5}, path);
+    QTRY_VERIFY(QFile::exists(path));
+    QTRY_VERIFY(!toasts().isEmpty() && toasts().last().startsWith(QStringLiteral("Saved")));
+    QFile pgm(folder_->filePath(QStringLiteral("part.pgm"))), yaml(path);
+    QVERIFY(pgm.open(QIODevice::ReadOnly) && yaml.open(QIODevice::ReadOnly));
+    QVERIFY(pgm.readAll().contains("400 200"));
+    const QByteArray text = yaml.readAll();
+    QVERIFY2(text.contains("resolution: 0.05"), text.constData());
+    QVERIFY2(text.contains("-10"), text.constData());
+  }
+  void whatIsTooLargeIsRefused() {
+    open();
+    connectRobot();
+    controller()->saveRectangle({-4000, -4000, 4000, 4000}, folder_->filePath(QStringLiteral("huge.yaml")));
+    QTRY_VERIFY(!toasts().isEmpty() && toasts().last().contains(QStringLiteral("too large")));
+    QVERIFY(!QFile::exists(folder_->filePath(QStringLiteral("huge.yaml"))));
+  }
+  void aRobotThatGoesEndsEverything() {
+    prepare_ = [](DispatchRobot& robot) { robot.dispatch.by_itself = false; };
+    open();
+    connectRobot();
+    look(0.05);
+    controller()->keepRectangle({-10, -10, 10, 10});
+    QVERIFY(notice().contains(QStringLiteral("being fetched")));
+    window_->leaveRobot();
+    QVERIFY(!controller()->map());
+    QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());
+    QVERIFY(!action("fetchRegion")->isEnabled());
+    QVERIFY(!action("fetchWholeMap")->isEnabled());
+    QVERIFY(!action("refreshRegions")->isEnabled());
+    QVERIFY(controller()->statusShown().isEmpty());
+    QVERIFY(notice().isEmpty());
+  }
+  void whatCameStaysInSightWhenTheConnectionIsLost() {
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    robot_->goAway(QStringLiteral("unplugged"));
+    QCoreApplication::processEvents();
+    QVERIFY(controller()->map()->regions().bytes() > 0);
+    QVERIFY(!window_->overlay()->card()->isVisible());
+  }
+  void aCapabilityThatComesAndGoesIsFollowed() {
+    prepare_ = [](DispatchRobot& robot) { robot.has_dispatch = false; };
+    open();
+    connectRobot();
+    QVERIFY(!controller()->map());
+    QVERIFY(!action("fetchRegion")->isEnabled());
+    robot_->has_dispatch = true;
+    Q_EMIT robot_->capabilitiesChanged();
+    QVERIFY(controller()->map());
+    QVERIFY(action("fetchRegion")->isEnabled());
+    robot_->has_dispatch = false;
+    Q_EMIT robot_->capabilitiesChanged();
+    QVERIFY(!controller()->map());
+  }
+  void howOftenIsRemembered() {
+    open();
+    QCOMPARE(controller()->refreshEvery(), 0);
+    controller()->setRefreshEvery(60);
+    window_->close();
+    open();
+    QCOMPARE(controller()->refreshEvery(), 60);
+    controller()->setRefreshEvery(-3);
+    QCOMPARE(controller()->refreshEvery(), 0);
+  }
+};
+
+QTEST_MAIN(TestWindowRegions)
+#include "test_window_regions.moc"

@@ -1,0 +1,590 @@
+// Bags in the window: the list, the replay in the place of the live robot, and the timeline, with real mouse
+// and keys, on the simulator.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableView>
+#include <QToolButton>
+#include <QtTest>
+
+#include "recorder/layout.h"
+#include "recording/source.h"
+#include "robot/axbot/axbot_address.h"
+#include "robot/axbot/axbot_robot.h"
+#include "scene/pose_between.h"
+#include "simulator/simulator.h"
+#include "window/main_window.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
+#include "window/recording/recording_controller.h"
+#include "window/recordings/record_dialog.h"
+#include "window/recordings/recordings_controller.h"
+#include "window/recordings/recordings_dock.h"
+#include "window/replay/replay_clock.h"
+#include "window/replay/replay_controller.h"
+#include "window/replay/timeline_dock.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using robot::BagKey;
+using robot::BagKind;
+
+namespace {
+
+const BagKey kGap{BagKind::Bag, "gap.bag"};
+const BagKey kWhole{BagKind::Bag, "same_stamps.bag"};
+
+struct Desk {
+  Desk() : settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat), sim(options()) {
+    if (sim.start()) qFatal("no simulator");
+    address = QString::fromStdString(sim.address());
+    MainWindow::Dependencies wanted{
+        [this](const QString& to,
+               const QByteArray& secret) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          robot::axbot::LinkOptions link;
+          link.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(sim.port()));
+          link.cache_folder = folder.filePath(QStringLiteral("cache"));
+          secrets << secret;
+          return std::make_unique<robot::axbot::AxbotRobot>(to, link);
+        },
+        settings};
+    wanted.addresses = robot::Addresses({robot::axbot::addressScheme()});
+    window = std::make_unique<MainWindow>(std::move(wanted));
+    window->resize(1366, 768);
+    window->show();
+    window->view()->setAnimationMs(0);
+    (void)QTest::qWaitForWindowActive(window.get());
+  }
+  static simulator::Options options() {
+    simulator::Options options;
+    options.paused = true;
+    options.start_at_s = 700;
+    options.bags.odd = true;
+    return options;
+  }
+  ~Desk() { window.reset(); }
+
+  RecordingsDock& list() { return *window->recordings()->dock(); }
+  TimelineDock& timeline() { return *window->replay()->dock(); }
+  TimelineView& axis() { return *timeline().view(); }
+  ReplayClock& clock() { return window->replay()->clock(); }
+  QAction* action(const char* id) { return window->actionList().find(QLatin1String(id)); }
+  bool isReplay() {
+    return window->session() && qobject_cast<replay::ReplayRobot*>(&window->session()->robot());
+  }
+  void connect(const QByteArray& secret = {}) {
+    QVERIFY(!window->connectTo(address, secret));
+    list().show();
+    list().raise();
+    QTRY_VERIFY(list().model()->rowCount() > 0);
+  }
+  void doubleClick(const BagKey& key) {
+    list().select(key);
+    const QModelIndex row = list().table()->currentIndex();
+    QVERIFY(row.isValid());
+    list().table()->scrollTo(row);
+    const QPoint at = list().table()->visualRect(row).center();
+    QTest::mouseClick(list().table()->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(list().table()->viewport(), Qt::LeftButton, {}, at);
+  }
+  /// The world on screen is that of the clock.
+  bool isThere() {
+    auto* const robot =
+        isReplay() ? qobject_cast<replay::ReplayRobot*>(&window->session()->robot()) : nullptr;
+    return robot && robot->at() == clock().at() && robot->knowledge() == replay::Knowledge::Exact;
+  }
+  /// Opened, and all of the moment is known.
+  void replay(const BagKey& key) {
+    connect();
+    doubleClick(key);
+    QTRY_VERIFY(clock().isOpen());
+    QTRY_VERIFY(isThere());
+  }
+  QPoint pixelOf(double at_s) { return {int(std::lround(axis().axis().pixelOf(at_s))), axis().height() / 2}; }
+  void click(double at_s, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseClick(&axis(), Qt::LeftButton, modifiers, pixelOf(at_s));
+  }
+  void drag(double from_s, double until_s, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mousePress(&axis(), Qt::LeftButton, modifiers, pixelOf(from_s));
+    for (int part = 1; part <= 5; ++part) {
+      const QPointF at = pixelOf(from_s + (until_s - from_s) * part / 5);
+      QMouseEvent move(QEvent::MouseMove, at, axis().mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                       modifiers);
+      QCoreApplication::sendEvent(&axis(), &move);
+    }
+    QTest::mouseRelease(&axis(), Qt::LeftButton, modifiers, pixelOf(until_s));
+  }
+  void key(int key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(&axis(), Qt::Key(key), modifiers);
+  }
+
+  QTemporaryDir folder;
+  QSettings settings;
+  simulator::Simulator sim;
+  QString address;
+  QList<QByteArray> secrets;
+  std::unique_ptr<MainWindow> window;
+};
+
+#define NEAR(a, b, within) \
+  QVERIFY2(std::abs((a) - (b)) <= (within), qPrintable(QString::number((a) - (b), 'g', 9)))
+
+}  // namespace
+
+class TestWindowReplay : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void saysWhyThereIsNoList() {
+    Desk desk;
+    QVERIFY(!desk.list().emptyShown().isEmpty());
+    QVERIFY(!desk.list().recordButton()->isEnabled());
+    QVERIFY(!desk.timeline().view()->notice().isEmpty());
+    QVERIFY(!desk.action("replayPlay")->isEnabled());
+  }
+
+  void listsSortsAndSearches() {
+    Desk desk;
+    desk.connect();
+    QVERIFY(desk.list().emptyShown().isEmpty());
+    const QAbstractItemModel* const shown = desk.list().table()->model();
+    const int all = shown->rowCount();
+    QVERIFY(all > 8);
+    desk.list().table()->sortByColumn(BagsModel::NameColumn, Qt::AscendingOrder);
+    for (int row = 1; row < all; ++row)
+      QVERIFY(shown->index(row - 1, 0).data().toString() <= shown->index(row, 0).data().toString());
+    desk.list().search()->setFocus();
+    QTest::keyClicks(desk.list().search(), QStringLiteral("EIGHT"));
+    QCOMPARE(shown->rowCount(), 1);
+    QTest::keyClicks(desk.list().search(), QStringLiteral("x"));
+    QVERIFY(!desk.list().emptyShown().isEmpty());
+  }
+
+  void aDamagedBagSaysSoOnItsRowAndTheRobotStays() {
+    Desk desk;
+    desk.connect();
+    const auto corrupt = [&] {
+      for (int row = 0;; ++row) {
+        const robot::BagEntry* const entry = desk.list().model()->entry(row);
+        if (!entry) qFatal("no such row");
+        if (entry->key.name.find("_1008") != std::string::npos) return entry->key;
+      }
+    }();
+    desk.doubleClick(corrupt);
+    QTRY_COMPARE(desk.list().model()->note(corrupt).kind, BagNote::Kind::Failed);
+    QVERIFY(!desk.list().model()->note(corrupt).text.isEmpty());
+    QVERIFY(!desk.isReplay());
+    QCOMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+  }
+
+  void aDoubleClickReplaysInThePlaceOfTheRobot() {
+    Desk desk;
+    desk.replay(kWhole);
+    QVERIFY(desk.isReplay());
+    QVERIFY(desk.window->windowTitle().contains(QStringLiteral("same_stamps.bag")));
+    QVERIFY(desk.timeline().isVisible());
+    QCOMPARE(desk.clock().at(), desk.clock().start());
+    // Nothing can be changed on the robot.
+    QCOMPARE(desk.window->session()->robot().waypointStore(), nullptr);
+    QCOMPARE(desk.window->session()->robot().mapAdministration(), nullptr);
+    QTRY_VERIFY(desk.list().model()->rowCount() > 0);
+    desk.list().select(kWhole);
+    QVERIFY(!desk.list().deleteButton()->isEnabled());
+    QVERIFY(!desk.list().recordButton()->isEnabled());
+  }
+
+  void leadsBackToTheRobotWithItsSecret() {
+    Desk desk;
+    desk.connect("quiet");
+    desk.doubleClick(kWhole);
+    QTRY_VERIFY(desk.clock().isOpen());
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.isReplay());
+    QVERIFY(!desk.clock().isOpen());
+    QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+    QVERIFY(!desk.window->windowTitle().contains(QStringLiteral("same_stamps.bag")));
+    QVERIFY(!desk.timeline().isVisible());
+    QCOMPARE(desk.secrets, (QList<QByteArray>{"quiet", "quiet", "quiet"}));
+  }
+
+  void aClickGoesToItsTime() {
+    Desk desk;
+    desk.replay(kWhole);
+    const double middle_s = (desk.clock().start() + desk.clock().end()) / 2;
+    desk.click(middle_s);
+    NEAR(desk.clock().at(), middle_s, desk.axis().axis().secondsPerPixel());
+    QTRY_VERIFY(desk.isThere());
+    QTRY_VERIFY(desk.window->session()->live().robot_pose.has_value());
+    const auto& trail = desk.window->session()->live().trail;
+    QVERIFY(!trail.empty());
+    QVERIFY(trail.back().at_s <= desk.clock().at());
+    QVERIFY(trail.back().at_s > desk.clock().start() + 60);
+  }
+
+  void ofADragTheLastWantedTimeWins() {
+    Desk desk;
+    desk.replay(kWhole);
+    const double start_s = desk.clock().start();
+    desk.drag(start_s + 20, start_s + 420);
+    NEAR(desk.clock().at(), start_s + 420, desk.axis().axis().secondsPerPixel());
+    const double wanted_s = desk.clock().at();
+    QTRY_VERIFY(desk.isThere());
+    QCOMPARE(desk.clock().at(), wanted_s);
+  }
+
+  void keysStepAsInOtherPlayers() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.axis().setFocus();
+    const double start_s = desk.clock().start();
+    desk.key(Qt::Key_Right);
+    NEAR(desk.clock().at(), start_s + 0.1, 1e-6);
+    desk.key(Qt::Key_Right, Qt::ShiftModifier);
+    NEAR(desk.clock().at(), start_s + 0.11, 1e-6);
+    desk.key(Qt::Key_Right, Qt::AltModifier);
+    NEAR(desk.clock().at(), start_s + 0.61, 1e-6);
+    desk.key(Qt::Key_Left);
+    NEAR(desk.clock().at(), start_s + 0.51, 1e-6);
+    desk.key(Qt::Key_Home);
+    QCOMPARE(desk.clock().at(), start_s);
+    desk.key(Qt::Key_End);
+    QCOMPARE(desk.clock().at(), desk.clock().end());
+    desk.key(Qt::Key_Up);
+    QCOMPARE(desk.clock().speed(), 2.0);
+    desk.key(Qt::Key_Down);
+    desk.key(Qt::Key_Down);
+    QCOMPARE(desk.clock().speed(), 0.5);
+  }
+
+  void spacePlaysAndStandsStill() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.axis().setFocus();
+    desk.key(Qt::Key_Space);
+    QVERIFY(desk.clock().playing());
+    QTRY_VERIFY(desk.clock().at() > desk.clock().start() + 0.2);
+    desk.key(Qt::Key_Space);
+    QVERIFY(!desk.clock().playing());
+    const double stands_s = desk.clock().at();
+    // On the map Space alone plays, too; with a drag it moves the map.
+    desk.window->view()->setFocus();
+    QTest::keyClick(desk.window->view(), Qt::Key_Space);
+    QVERIFY(desk.clock().playing());
+    QTRY_VERIFY(desk.clock().at() > stands_s + 0.1);
+    QTest::keyPress(desk.window->view(), Qt::Key_Space);
+    QTest::mouseClick(desk.window->view()->viewport(), Qt::LeftButton, {}, QPoint(300, 200));
+    QTest::keyRelease(desk.window->view(), Qt::Key_Space);
+    QVERIFY(desk.clock().playing());
+  }
+
+  void playsBackwardsByTheSpeedBox() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.key(Qt::Key_End);
+    QLineEdit* const typed = desk.timeline().speedBox()->lineEdit();
+    typed->setFocus();
+    typed->selectAll();
+    QTest::keyClicks(typed, QStringLiteral("-5"));
+    QTest::keyClick(typed, Qt::Key_Return);
+    QCOMPARE(desk.clock().speed(), -5.0);
+    QTest::mouseClick(desk.timeline().playButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.clock().at() < desk.clock().end() - 1);
+    typed->selectAll();
+    QTest::keyClicks(typed, QStringLiteral("99"));
+    QTest::keyClick(typed, Qt::Key_Return);
+    QCOMPARE(desk.clock().speed(), -5.0);
+  }
+
+  void shiftDragLoopsAndEscEndsIt() {
+    Desk desk;
+    desk.replay(kWhole);
+    const double start_s = desk.clock().start();
+    desk.drag(start_s + 100, start_s + 200, Qt::ShiftModifier);
+    QVERIFY(desk.clock().loop().has_value());
+    NEAR(desk.clock().loop()->from_s, start_s + 100, desk.axis().axis().secondsPerPixel());
+    NEAR(desk.clock().loop()->until_s, start_s + 200, desk.axis().axis().secondsPerPixel());
+    desk.axis().setFocus();
+    desk.key(Qt::Key_Escape);
+    QVERIFY(!desk.clock().loop().has_value());
+  }
+
+  void aTypedTimeIsGoneTo() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.action("replayTime")->trigger();
+    QLineEdit* const field = desk.timeline().timeField();
+    QTRY_VERIFY(field->hasFocus());
+    QTest::keyClicks(field, QStringLiteral("+1:40"));
+    QTest::keyClick(field, Qt::Key_Return);
+    NEAR(desk.clock().at(), desk.clock().start() + 100, 1e-6);
+    desk.action("replayTime")->trigger();
+    QTest::keyClicks(field, QStringLiteral("nonsense"));
+    QTest::keyClick(field, Qt::Key_Return);
+    NEAR(desk.clock().at(), desk.clock().start() + 100, 1e-6);
+    QTest::keyClick(field, Qt::Key_Escape);
+    desk.action("replayTime")->trigger();
+    desk.clock().setSpeed(20);
+    QTest::keyClicks(field, QStringLiteral("+1:42"));
+    QTest::keyClick(field, Qt::Key_Return, Qt::ControlModifier);
+    QTRY_VERIFY(!desk.clock().playing());
+    NEAR(desk.clock().at(), desk.clock().start() + 102, 1e-6);
+  }
+
+  void stepsFromMessageToMessage() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.axis().setFocus();
+    desk.click(desk.clock().start() + 100);
+    QTRY_VERIFY(desk.isThere());
+    const double before_s = desk.clock().at();
+    desk.key(Qt::Key_Period);
+    const double next_s = desk.clock().at();
+    QVERIFY(next_s > before_s && next_s < before_s + 5);
+    desk.key(Qt::Key_Period);
+    QVERIFY(desk.clock().at() > next_s);
+    desk.key(Qt::Key_Comma);
+    NEAR(desk.clock().at(), next_s, 1e-6);
+  }
+
+  void marksWhatHappenedAndGoesThere() {
+    Desk desk;
+    desk.replay(kWhole);
+    QTRY_VERIFY(!desk.axis().content().events.empty());
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_COMPARE(desk.axis().content().events.size(),
+                 replay::eventsOf(desk.clock().reading()->index().digests()).size());
+    desk.axis().setFocus();
+    desk.key(Qt::Key_PageDown);
+    const auto& events = desk.axis().content().events;
+    const auto* const first = nextEvent(events, desk.clock().start(), 1);
+    QVERIFY(first);
+    NEAR(desk.clock().at(), first->at_s, 1e-6);
+    QVERIFY(desk.axis().wordsAt(desk.pixelOf(first->at_s)).contains(eventText(*first)));
+    desk.key(Qt::Key_End);
+    desk.key(Qt::Key_PageUp);
+    NEAR(desk.clock().at(), nextEvent(events, desk.clock().end(), -1)->at_s, 1e-6);
+  }
+
+  void kindsOfEventsAreHiddenTogetherAndThatIsRemembered() {
+    Desk desk;
+    desk.replay(kWhole);
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_COMPARE(desk.axis().content().events.size(),
+                 replay::eventsOf(desk.clock().reading()->index().digests()).size());
+    QCOMPARE(desk.axis().shownEvents().size(), desk.axis().content().events.size());
+    QAction* planner = nullptr;
+    for (QAction* const shown : desk.timeline().eventsButton()->menu()->actions()) {
+      if (shown->data().toInt() == int(replay::EventGroup::Planner)) planner = shown;
+    }
+    QVERIFY(planner && planner->isChecked());
+    planner->trigger();
+    for (const replay::Event& event : desk.axis().shownEvents())
+      QVERIFY(replay::groupOf(event.kind) != replay::EventGroup::Planner);
+    QVERIFY(desk.axis().shownEvents().size() < desk.axis().content().events.size());
+    QVERIFY(desk.timeline().eventsButton()->toolTip().contains(groupName(replay::EventGroup::Planner)));
+    // Steps pass over what is hidden.
+    desk.axis().setFocus();
+    desk.key(Qt::Key_End);
+    desk.key(Qt::Key_PageUp);
+    const auto* const last = nextEvent(desk.axis().shownEvents(), desk.clock().end(), -1);
+    if (last) NEAR(desk.clock().at(), last->at_s, 1e-6);
+    desk.window->replay()->remember(desk.settings);
+    desk.timeline().setHiddenGroups({});
+    QVERIFY(planner->isChecked());
+    desk.window->replay()->recall(desk.settings);
+    QVERIFY(!planner->isChecked());
+  }
+
+  void theRobotIsDrawnBetweenTwoSamples() {
+    Desk desk;
+    desk.replay(BagKey{BagKind::Bag, "gap.bag"});
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    // A pair of samples between which it moves.
+    const replay::Digest::Pose *before = nullptr, *after = nullptr;
+    for (const auto& [from, digest] : desk.clock().reading()->index().digests()) {
+      for (std::size_t i = 1; i < digest.poses.size() && !after; ++i) {
+        const auto &a = digest.poses[i - 1], &b = digest.poses[i];
+        const double way_m = std::hypot(b.pose.x_m - a.pose.x_m, b.pose.y_m - a.pose.y_m);
+        if (b.stamp_s - a.stamp_s > 0.9 || b.stamp_s - a.stamp_s < 0.02 || way_m < 0.01 || way_m > 0.4)
+          continue;
+        before = &a;
+        after = &b;
+      }
+    }
+    QVERIFY(after);
+    const geometry::Pose2 from = before->pose, to = after->pose;
+    desk.clock().seek((before->stamp_s + after->stamp_s) / 2);
+    QTRY_VERIFY(desk.isThere());
+    const auto& drawn = scene::PoseBetween::of(*desk.window->mapScene()).pose();
+    QTRY_VERIFY(drawn && std::abs(drawn->x_m - (from.x_m + to.x_m) / 2) < 1e-6);
+    NEAR(drawn->y_m, (from.y_m + to.y_m) / 2, 1e-6);
+    // The world says what was recorded.
+    QTRY_VERIFY(std::abs(desk.window->session()->live().robot_pose->x_m - from.x_m) < 1e-9);
+  }
+
+  void oddBagsOpen_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name :
+         {"eight_hours.bag", "clock_set_back.bag", "gap.bag", "ends_late.bag", "one_message.bag"})
+      QTest::newRow(name) << QString::fromLatin1(name);
+  }
+  void oddBagsOpen() {
+    QFETCH(QString, name);
+    Desk desk;
+    desk.replay({BagKind::Bag, name.toStdString()});
+    desk.axis().setFocus();
+    desk.key(Qt::Key_Right);
+    desk.key(Qt::Key_End);
+    QVERIFY(desk.clock().at() >= desk.clock().start());
+    desk.key(Qt::Key_Home);
+    QTRY_VERIFY(desk.isThere());
+    desk.axis().grab();
+  }
+
+  void anEmptyBagSaysThatItIsEmpty() {
+    Desk desk;
+    desk.connect();
+    desk.doubleClick({BagKind::Bag, "empty.bag"});
+    QTRY_VERIFY(desk.clock().isOpen());
+    QTRY_VERIFY(!desk.axis().notice().isEmpty());
+    desk.key(Qt::Key_Right);
+    desk.key(Qt::Key_Space);
+    desk.click(0);
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.isReplay());
+  }
+
+  void theWheelZoomsAndTheKeysToo() {
+    Desk desk;
+    desk.replay(kWhole);
+    const double middle_s = (desk.clock().start() + desk.clock().end()) / 2;
+    const QPointF at = desk.pixelOf(middle_s);
+    QWheelEvent wheel(at, desk.axis().mapToGlobal(at), {}, {0, 480}, {}, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&desk.axis(), &wheel);
+    const TimelineAxis near = desk.axis().axis();
+    QVERIFY(near.until_s - near.from_s < 0.5 * (desk.clock().end() - desk.clock().start()));
+    NEAR(near.pixelOf(middle_s), at.x(), 1.5);
+    desk.axis().setFocus();
+    desk.key(Qt::Key_0);
+    QCOMPARE(desk.axis().axis().from_s, desk.clock().start());
+    QCOMPARE(desk.axis().axis().until_s, desk.clock().end());
+  }
+
+  void aClickOnTheWayGoesToItsTime() {
+    Desk desk;
+    desk.replay(kWhole);
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    desk.window->mapScene()->setLayerVisible(scene::Layer::Trail, true);
+    desk.clock().seek(desk.clock().end());
+    QTRY_VERIFY(desk.isThere());
+    const auto& trail = desk.window->session()->live().trail;
+    QVERIFY(trail.size() > 10);
+    const Eigen::Vector2d place = trail[trail.size() / 2].position_m;
+    desk.window->replay()->clickedOnMap(place);
+    const auto pose = desk.clock().poseBetween();
+    QVERIFY(pose);
+    NEAR(std::hypot(pose->x_m - place.x(), pose->y_m - place.y()), 0.0, 0.3);
+    QVERIFY(desk.clock().at() < desk.clock().end());
+  }
+
+  void recordsOnTheRobot() {
+    Desk desk;
+    desk.connect();
+    const int before = desk.list().model()->rowCount();
+    QTest::mouseClick(desk.list().recordButton(), Qt::LeftButton);
+    RecordDialog* const dialog = desk.window->recordings()->recordDialog();
+    QVERIFY(dialog);
+    QTest::keyClicks(dialog->suffix(), QStringLiteral("te st/1"));
+    QCOMPARE(dialog->suffix()->text(), QStringLiteral("test1"));
+    dialog->duration()->setValue(30);
+    QTest::keyClick(dialog->suffix(), Qt::Key_Return);
+    QTRY_COMPARE(desk.list().model()->rowCount(), before + 1);
+  }
+
+  void deletesWhatWasConfirmed() {
+    Desk desk;
+    desk.connect();
+    const int before = desk.list().model()->rowCount();
+    desk.list().select(kGap);
+    QTest::mouseClick(desk.list().deleteButton(), Qt::LeftButton);
+    QVERIFY(desk.window->recordings()->question());
+    QVERIFY(desk.window->recordings()->question()->text().contains(QStringLiteral("gap.bag")));
+    QTest::keyClick(desk.window->recordings()->question(), Qt::Key_Escape);
+    QTRY_VERIFY(!desk.window->recordings()->question());
+    QCOMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::None);
+    desk.list().select(kGap);
+    QTest::mouseClick(desk.list().deleteButton(), Qt::LeftButton);
+    auto* const yes =
+        desk.window->recordings()->question()->findChild<QPushButton*>(QStringLiteral("deleteRecording"));
+    QVERIFY(yes);
+    QTest::mouseClick(yes, Qt::LeftButton);
+    QTRY_COMPARE(desk.list().model()->rowCount(), before - 1);
+  }
+
+  void aRecordingTellsThatTheLinkWasLostAndHoldsTheMapsThatWereOpened() {
+    Desk desk;
+    desk.connect();
+    RecordingController* const recorder = desk.window->recorder();
+    QTRY_COMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+    QTRY_VERIFY(desk.window->session()->catalogue().entries().size() > 1);
+    const auto& maps = desk.window->session()->catalogue().entries();
+    const auto other =
+        std::find_if(maps.begin(), maps.end(), [](const auto& map) { return !map.is_current; });
+    QVERIFY(other != maps.end());
+    const map::MapKey key = other->key;
+    const QString path = desk.folder.filePath(QStringLiteral("session.mcap"));
+    QVERIFY(!recorder->startInto(path));
+    desk.window->session()->openMap(key);
+    QTRY_COMPARE(desk.window->session()->wholeMap().phase(), session::MapSlot::Phase::Ready);
+    QStringList told;
+    const auto tell = [&](const char* words) {
+      for (const QString& text : desk.window->overlay()->toasts()->texts()) {
+        if (!told.contains(text)) told << text;
+      }
+      return std::any_of(told.begin(), told.end(),
+                         [&](const QString& text) { return text.contains(QLatin1String(words)); });
+    };
+    desk.sim.dropWebSockets();
+    QTRY_VERIFY(tell("the connection was lost"));
+    QTRY_VERIFY(tell("the recording goes on"));
+    QTRY_VERIFY(!recorder->shown().contains(QStringLiteral("no connection")));
+    const auto hasMap = [&] {
+      const auto source = recording::openRecording(path.toStdString());
+      if (!source) return false;
+      const auto& files = (*source)->attachments();
+      return std::any_of(files.begin(), files.end(),
+                         [&](const auto& file) { return file.name == recorder::mapName(key); });
+    };
+    QTRY_VERIFY(hasMap());
+    recorder->stop();
+    QTRY_VERIFY(tell("which is not complete: the connection was lost, times: 1."));
+    QVERIFY(hasMap());
+  }
+
+  void downloadsIntoAFile() {
+    Desk desk;
+    desk.connect();
+    const QString path = desk.folder.filePath(QStringLiteral("got.bag"));
+    desk.window->recordings()->download(kGap, path);
+    QCOMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::Downloading);
+    QTRY_COMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::Downloaded);
+    QVERIFY(QFileInfo(path).size() > 1000);
+    // One that is stopped says that it goes on.
+    desk.window->recordings()->download(kWhole, desk.folder.filePath(QStringLiteral("other.bag")));
+    desk.list().select(kWhole);
+    QVERIFY(desk.list().stopButton()->isEnabled());
+    QTest::mouseClick(desk.list().stopButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.list().model()->note(kWhole).kind == BagNote::Kind::Stopped ||
+                desk.list().model()->note(kWhole).kind == BagNote::Kind::Downloaded);
+    // A folder that is not there is no place.
+    desk.window->recordings()->download(kGap, desk.folder.filePath(QStringLiteral("no/where/got.bag")));
+    QTRY_COMPARE(desk.list().model()->note(kGap).kind, BagNote::Kind::Failed);
+  }
+};
+
+QTEST_MAIN(TestWindowReplay)
+#include "test_window_replay.moc"

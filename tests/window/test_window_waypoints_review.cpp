@@ -1,0 +1,271 @@
+// Review and send: the calls before they are sent, what becomes of each, the rest once more, and how what is
+// kept compares in the end.
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QtTest>
+
+#include "waypoints_desk.h"
+#include "window/waypoints/waypoint_review.h"
+
+using namespace mapwright;
+using namespace mapwright::window;
+using test::FakeWaypointStore;
+using test::waypoint;
+
+namespace {
+
+/// A robot that is called for every change; a, b and c are changed.
+struct Desk : test::WaypointsDesk {
+  Desk() : WaypointsDesk(FakeWaypointStore::Way::OneByOne) {
+    store.is_called = true;
+    store.points = {waypoint("a", 1, 1, "Dock"), waypoint("b", 3, 2, "Kitchen"), waypoint("c", 2, 2, "Gate")};
+  }
+  void change() {
+    start();
+    bringUp();
+    editing().select({"a", "b", "c"});
+    editing().moveSelected({0.25, 0});
+  }
+  WaypointReview& review() { return *control().review(); }
+  QString cell(int row, int column) { return review().model()->index(row, column).data().toString(); }
+  QString outcome(int row) { return cell(row, ReviewModel::OutcomeColumn); }
+  void open() {
+    action("save")->trigger();
+    QVERIFY(review().isVisible());
+  }
+  void send() { QTest::mouseClick(review().sendButton(), Qt::LeftButton); }
+  static map::Failure failure(map::FailureKind kind, map::Applied applied) {
+    map::Failure made{kind};
+    made.applied = applied;
+    return made;
+  }
+  /// The second request ends so.
+  void failSecond(const map::Failure& how) {
+    store.before_performing = [this, how] {
+      if (store.asked.size() == 2) store.failures.push_back(how);
+    };
+  }
+};
+
+}  // namespace
+
+class TestWindowWaypointsReview : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void nothingIsSentBeforeItIsLookedAt() {
+    Desk desk;
+    desk.change();
+    desk.key(Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(desk.review().isVisible());
+    QVERIFY(desk.store.asked.empty());
+    QCOMPARE(desk.review().model()->rowCount(), 3);
+    QCOMPARE(desk.cell(0, ReviewModel::CallColumn), QStringLiteral("change"));
+    QCOMPARE(desk.cell(1, ReviewModel::WaypointColumn), QStringLiteral("Kitchen"));
+    QCOMPARE(desk.cell(1, ReviewModel::ChangeColumn),
+             QStringLiteral("position 3.000, 2.000 m → position 3.250, 2.000 m"));
+    QVERIFY(desk.review().statusShown().contains(QLatin1String("Nothing has been sent")));
+    QVERIFY(!desk.review().isModal());
+  }
+
+  void whatCouldNotBeLookedUpStandsThereStill() {
+    Desk desk;
+    desk.change();
+    desk.key(Qt::Key_S, Qt::ControlModifier);
+    desk.store.unreadable = true;
+    desk.send();
+    QTRY_VERIFY(desk.review().statusShown().endsWith(QLatin1String("Nothing has been sent.")));
+    QCOMPARE(desk.review().model()->rowCount(), 3);
+    QVERIFY(desk.store.asked.empty());
+    QVERIFY(!desk.review().statusShown().startsWith(QLatin1String("Nothing")));  // it says why
+    desk.store.unreadable = false;
+    desk.send();
+    QTRY_COMPARE(desk.store.asked.size(), 3u);
+  }
+
+  void aFileIsSavedWithoutIt() {
+    Desk desk;
+    desk.store.is_called = false;
+    desk.change();
+    desk.key(Qt::Key_S, Qt::ControlModifier);
+    QTRY_VERIFY(!desk.control().unsaved());
+    QVERIFY(!desk.review().isVisible());
+  }
+
+  void eachRowSaysWhatBecameOfItAndTheEndCompares() {
+    Desk desk;
+    desk.change();
+    desk.open();
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+    QTRY_VERIFY2(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")),
+                 qPrintable(desk.review().comparedShown()));
+    for (int row = 0; row < 3; ++row) QCOMPARE(desk.outcome(row), QStringLiteral("done"));
+    QVERIFY(!desk.review().sendButton()->isEnabled());
+    QCOMPARE(desk.store.find("Gate")->position_m.x(), 2.25);
+  }
+
+  void whoeverGoesOnEditingSeesWhatItTakesThen() {
+    Desk desk;
+    desk.change();
+    desk.open();
+    desk.undo().undo();
+    QTRY_COMPARE(desk.review().model()->rowCount(), 0);
+    QVERIFY(!desk.review().sendButton()->isEnabled());
+    desk.undo().redo();
+    QTRY_COMPARE(desk.review().model()->rowCount(), 3);
+  }
+
+  void aFailureStopsItAndTheRestIsSentOnRequest() {
+    Desk desk;
+    desk.change();
+    desk.failSecond(Desk::failure(map::FailureKind::RejectedByRobot, map::Applied::No));
+    desk.open();
+    desk.send();
+    QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
+    QTRY_VERIFY(desk.review().sendButton()->isVisible());
+    QCOMPARE(desk.outcome(0), QStringLiteral("done"));
+    QVERIFY2(desk.review().statusShown().contains(QLatin1String(
+                 "Of 3 calls 1 were carried out, 1 failed, 0 are not known and 1 were not sent.")),
+             qPrintable(desk.review().statusShown()));
+    QVERIFY(desk.review().comparedShown().contains(QLatin1String("1 as wanted, 2 differ: Kitchen, Gate")));
+    QVERIFY(desk.control().unsaved());
+    QCOMPARE(desk.review().sendButton()->text(), QStringLiteral("&Send the rest"));
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+    QCOMPARE(desk.store.asked.size(), std::size_t(4));  // none twice that was done
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")));
+  }
+
+  void itGoesOnWhereThatWasChosen() {
+    Desk desk;
+    desk.change();
+    desk.failSecond(Desk::failure(map::FailureKind::RejectedByRobot, map::Applied::No));
+    desk.open();
+    desk.review().goOnBox()->setChecked(true);
+    desk.send();
+    QTRY_COMPARE(desk.store.asked.size(), std::size_t(3));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("2 as wanted, 1 differ: Kitchen")));
+    QCOMPARE(desk.outcome(2), QStringLiteral("done"));
+    QCOMPARE(desk.editing().document()->unsaved(), (std::set<edit::Key>{"b"}));
+  }
+
+  void aLostLinkLeavesNoDoubt_data() {
+    QTest::addColumn<bool>("arrives");
+    QTest::newRow("the robot has made the change") << true;
+    QTest::newRow("it has not") << false;
+  }
+  void aLostLinkLeavesNoDoubt() {
+    QFETCH(bool, arrives);
+    Desk desk;
+    desk.change();
+    desk.store.before_performing = [&] {
+      if (desk.store.asked.size() != 2) return;
+      desk.store.unreadable = true;  // the link is gone, and with it the look at the end
+      desk.store.failures.push_back(Desk::failure(map::FailureKind::Unreachable, map::Applied::Maybe));
+    };
+    desk.open();
+    desk.review().goOnBox()->setChecked(true);  // a lost link stops it all the same
+    desk.send();
+    QTRY_VERIFY2(desk.outcome(1).contains(QLatin1String("Whether it has arrived is not known yet.")),
+                 qPrintable(desk.outcome(1)));
+    QTRY_VERIFY(desk.review().statusShown().contains(QLatin1String("as soon as the link is back")));
+    QCOMPARE(desk.outcome(2), QStringLiteral("not sent"));
+    QVERIFY(desk.review().comparedShown().isEmpty());
+    if (!arrives) desk.store.put(waypoint("b", 3, 2, "Kitchen"));
+    desk.store.unreadable = false;
+    Q_EMIT desk.store.changed();
+    QTRY_VERIFY2(desk.outcome(1).contains(arrives ? QLatin1String("It has arrived all the same.")
+                                                  : QLatin1String("It has not arrived.")),
+                 qPrintable(desk.outcome(1)));
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+    QCOMPARE(desk.store.asked.size(), std::size_t(arrives ? 3 : 4));
+    QCOMPARE(desk.store.find("Kitchen")->position_m.x(), 3.25);
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("3 as wanted, 0 differ")));
+  }
+
+  void whatOthersChangedMeanwhileIsMergedAndOnlyWhatWasReviewedIsSent() {
+    Desk desk;
+    desk.change();
+    desk.open();
+    // Another operator renames one: what is to be sent of it is another call now.
+    desk.store.put(waypoint("c", 2, 2, "Gate north"));
+    desk.send();
+    QTRY_VERIFY2(desk.review().statusShown().contains(QLatin1String("the list has changed meanwhile")),
+                 qPrintable(desk.review().statusShown()));
+    QVERIFY(desk.store.asked.empty());
+    QCOMPARE(desk.cell(2, ReviewModel::WaypointColumn), QStringLiteral("Gate north"));
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+    QCOMPARE(desk.store.find("Gate north")->position_m.x(), 2.25);
+  }
+
+  void aConflictIsDecidedFirst() {
+    Desk desk;
+    desk.change();
+    desk.open();
+    desk.store.put(waypoint("c", 9, 9, "Gate"));
+    desk.send();
+    QTRY_VERIFY2(desk.review().statusShown().contains(QLatin1String("changed here and elsewhere")),
+                 qPrintable(desk.review().statusShown()));
+    QVERIFY(desk.store.asked.empty());
+    QVERIFY(!desk.review().sendButton()->isEnabled());
+    QTest::mouseClick(desk.dock().mineButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.review().sendButton()->isEnabled());
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+    QCOMPARE(desk.store.find("Gate")->position_m.x(), 2.25);
+  }
+
+  void cancellingSaysWhatWasSent() {
+    Desk desk;
+    desk.change();
+    desk.store.before_performing = [&] { desk.store.hold = desk.store.asked.size() == 2; };
+    desk.open();
+    desk.send();
+    QTRY_COMPARE(desk.outcome(1), QStringLiteral("under way…"));
+    QTest::mouseClick(desk.review().cancelButton(), Qt::LeftButton);
+    QTRY_COMPARE(desk.outcome(2), QStringLiteral("not sent"));
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("1 as wanted, 2 differ")));
+  }
+
+  void leavingSavesThroughIt() {
+    Desk desk;
+    desk.change();
+    desk.window->openMap({map::MapKind::Stored, "2"});
+    desk.answer(QMessageBox::Save);
+    QTRY_VERIFY(desk.review().isVisible());
+    QVERIFY(desk.window->session()->wholeMap().key().id != "2");
+    desk.send();
+    QTRY_COMPARE(desk.window->session()->wholeMap().key().id, std::string("2"));
+    QVERIFY(!desk.review().isVisible());
+  }
+
+  void whoClosesItStays() {
+    Desk desk;
+    desk.change();
+    desk.window->openMap({map::MapKind::Stored, "2"});
+    desk.answer(QMessageBox::Save);
+    QTRY_VERIFY(desk.review().isVisible());
+    desk.review().close();
+    desk.open();
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+    QCoreApplication::processEvents();
+    QVERIFY(desk.window->session()->wholeMap().key().id != "2");
+  }
+
+  void namesOfOthersAreText() {
+    Desk desk;
+    desk.store.points[0].name = "<b>Bold</b>\nline";
+    desk.change();
+    desk.open();
+    QCOMPARE(desk.cell(0, ReviewModel::WaypointColumn), QStringLiteral("<b>Bold</b> line"));
+    for (const QLabel* label : desk.review().findChildren<QLabel*>())
+      QCOMPARE(label->textFormat(), Qt::PlainText);
+  }
+};
+
+QTEST_MAIN(TestWindowWaypointsReview)
+#include "test_window_waypoints_review.moc"

@@ -1,0 +1,42 @@
+#include "scene/dispatched_cloud_layer.h"
+
+#include <QPainter>
+
+#include "scene/map_clouds.h"
+
+namespace mapwright::scene {
+
+DispatchedCloudLayer::DispatchedCloudLayer(const LayerContext& context,
+                                           const render::GridRenderer::Options& options)
+    : DeviceLayer(context), tiles_(options) {
+  QObject::connect(&tiles_, &render::PaintedTiles::tilesChanged, &tiles_, [this] { update(); });
+}
+
+void DispatchedCloudLayer::setClouds(const MapClouds* clouds) {
+  clouds_ = clouds;
+  refresh();
+}
+
+void DispatchedCloudLayer::refresh() {
+  tiles_.setPainter(clouds_ ? clouds_->painter(ratio_) : render::TilePainter());
+}
+
+void DispatchedCloudLayer::takeView(const geometry::ViewTransform& device_view) {
+  // Points have a size in pixels of the window.
+  const double ratio = context_.view.scale_m_per_px / device_view.scale_m_per_px;
+  if (std::exchange(ratio_, ratio) != ratio) refresh();
+  tiles_.setView(device_view);
+}
+
+void DispatchedCloudLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
+  const render::GridRenderer::Drawing drawing = tiles_.drawing();
+  if (!drawing.stand_ins.empty()) {
+    painter.save();
+    painter.setClipRegion(QRegion(exposed.toAlignedRect()) - drawing.covered, Qt::IntersectClip);
+    drawTiles(painter, exposed, drawing.stand_ins);
+    painter.restore();
+  }
+  drawTiles(painter, exposed, drawing.tiles);
+}
+
+}  // namespace mapwright::scene

@@ -1,0 +1,95 @@
+#include "scene/regions_layer.h"
+
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace mapwright::scene {
+namespace {
+
+using regions::RegionState;
+
+constexpr int kHatchPx = 8;            // after so much its pattern begins anew
+constexpr double kLeastLabelPx = 120;  // a region that is narrower has no room for words
+constexpr int kHatchAlpha = 70, kQuietAlpha = 90;
+
+QColor withAlpha(QColor color, int alpha) {
+  color.setAlpha(alpha);
+  return color;
+}
+
+}  // namespace
+
+QPolygonF RegionGround::onScreen(const geometry::WorldRect& rect) const {
+  const geometry::ViewTransform& view = context_.view;
+  return QPolygonF({toPoint(view.pixelFromWorld({rect.min_x, rect.min_y})),
+                    toPoint(view.pixelFromWorld({rect.max_x, rect.min_y})),
+                    toPoint(view.pixelFromWorld({rect.max_x, rect.max_y})),
+                    toPoint(view.pixelFromWorld({rect.min_x, rect.max_y}))});
+}
+
+void RegionGround::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (!map_) return;
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing, false);  // between neighbours no seam must show
+  paintHatch(*painter);
+  paintOutlines(*painter);
+  painter->restore();
+}
+
+void RegionGround::paintHatch(QPainter& painter) const {
+  const geometry::ViewTransform& view = context_.view;
+  QPainterPath unknown;  // all but what has an answer: regions do not overlap
+  unknown.setFillRule(Qt::OddEvenFill);
+  unknown.addRect(0, 0, view.width_px, view.height_px);
+  QPainterPath answered;
+  answered.setFillRule(Qt::WindingFill);
+  for (const regions::RegionView& region : map_->regions().answeredIn(view.visibleWorld())) {
+    answered.addPolygon(onScreen(region.rect));
+    answered.closeSubpath();
+  }
+  unknown.addPath(answered);
+  QPainterPath screen;
+  screen.addRect(0, 0, view.width_px, view.height_px);
+  painter.setClipPath(screen, Qt::IntersectClip);
+  // The hatching goes along with the map.
+  const QPointF zero = toPoint(view.pixelFromWorld({0, 0}));
+  const auto phase = [](double at) { return std::isfinite(at) ? std::fmod(std::round(at), kHatchPx) : 0.0; };
+  painter.setBrushOrigin(QPointF(phase(zero.x()), phase(zero.y())));
+  painter.fillPath(unknown, QBrush(withAlpha(context_.theme.text, kHatchAlpha), Qt::BDiagPattern));
+}
+
+void RegionGround::paintOutlines(QPainter& painter) const {
+  const MapTheme& theme = context_.theme;
+  painter.setBrush(Qt::NoBrush);
+  // What stands out is drawn over what does not.
+  for (const bool quiet : {true, false}) {
+    for (const regions::RegionView& region : map_->regions().inView()) {
+      const bool busy = region.state == RegionState::Fetching || region.refreshing;
+      const bool failed = !busy && region.trouble.kind != regions::RegionTrouble::Kind::None;
+      const bool open = region.state == RegionState::NotAsked || region.state == RegionState::Nothing;
+      if (quiet == (busy || failed) || (quiet && !open)) continue;
+      QPen pen(withAlpha(theme.text, kQuietAlpha), 1, Qt::DotLine);
+      if (busy) pen = QPen(theme.accent, 1);
+      if (failed) pen = QPen(region.state == RegionState::Failed ? theme.bad : theme.warn, 1, Qt::DashLine);
+      painter.setPen(pen);
+      const QPolygonF shape = onScreen(region.rect);
+      painter.drawPolygon(shape);
+      const QRectF box = shape.boundingRect();
+      if (box.width() < kLeastLabelPx || region.state == RegionState::Held) continue;
+      QString words;
+      if (region.state == RegionState::Nothing) words = QCoreApplication::translate("scene", "nothing here");
+      if (busy) words = QCoreApplication::translate("scene", "being fetched…");
+      if (failed) words = QCoreApplication::translate("scene", "could not be fetched");
+      if (words.isEmpty()) continue;
+      const QPointF middle = box.center();
+      const double width = QFontMetricsF(theme.label_font).horizontalAdvance(words);
+      painter.setFont(theme.label_font);
+      drawLabel(painter, middle - QPointF(width / 2, 0), words, theme, failed ? theme.bad : theme.text);
+    }
+  }
+}
+
+}  // namespace mapwright::scene

@@ -1,0 +1,197 @@
+#include "scene/track_layer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
+
+#include "scene/map_layers.h"
+
+namespace mapwright::scene {
+namespace {
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(TrackLayer)
+};
+
+enum QualityColor { Unknown, Poor, Fair, Good };
+constexpr int kPoor = 3, kGood = 8;  // SlamStatus::position_quality
+constexpr double kWidth = 3;
+constexpr double kNearPx = 1.5;  // samples nearer to the one before are not drawn
+// The legend stands on the scale bar.
+constexpr double kLeft = 8, kAboveBottom = 48, kBarPx = 140, kBarHeight = 8, kPad = 8;
+
+/// Dark to light, evenly, and with no red against green: "viridis" (matplotlib, CC0), eight stops of it.
+constexpr std::array<QRgb, 8> kGradient{0xff440154, 0xff46327e, 0xff365c8d, 0xff277f8e,
+                                        0xff1fa187, 0xff4ac16d, 0xffa0da39, 0xfffde725};
+
+QColor gradientAt(double share) {
+  const double at = std::clamp(share, 0.0, 1.0) * double(kGradient.size() - 1);
+  const std::size_t below = std::min(std::size_t(at), kGradient.size() - 2);
+  const double part = at - double(below);
+  const QColor a(kGradient[below]), b(kGradient[below + 1]);
+  const auto mixed = [&](int from, int to) { return int(std::lround(from + part * (to - from))); };
+  return {mixed(a.red(), b.red()), mixed(a.green(), b.green()), mixed(a.blue(), b.blue())};
+}
+
+double shareOf(const TrackSample& sample, const TrackScale& scale) {
+  if (!(scale.most > 0)) return 0;
+  return (scale.choice == TrackChoice::Time ? sample.at_s : sample.speed_m_s) / scale.most;
+}
+
+/// "1:02:03"
+QString durationText(double seconds) {
+  const auto whole = std::int64_t(std::llround(seconds));
+  return QStringLiteral("%1:%2:%3")
+      .arg(whole / 3600)
+      .arg(whole / 60 % 60, 2, 10, QLatin1Char('0'))
+      .arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+}  // namespace
+
+TrackScale scaleOf(const Track& track, TrackChoice choice) {
+  TrackScale scale{choice, 0};
+  for (const TrackSample& sample : track)
+    scale.most = std::max(scale.most, choice == TrackChoice::Time ? sample.at_s : sample.speed_m_s);
+  if (choice == TrackChoice::Quality) scale.most = 0;
+  if (choice == TrackChoice::Speed && scale.most > 0) {
+    const double below = roundDown125(scale.most);
+    scale.most = below < scale.most ? roundDown125(below * 2.6) : below;
+  }
+  return scale;
+}
+
+int colorIndexOf(const TrackSample& sample, const TrackScale& scale) {
+  if (scale.choice == TrackChoice::Quality) {
+    if (sample.quality <= 0) return Unknown;
+    return sample.quality <= kPoor ? Poor : sample.quality < kGood ? Fair : Good;
+  }
+  return std::clamp(int(shareOf(sample, scale) * kTrackColors), 0, kTrackColors - 1);
+}
+
+std::vector<QColor> trackColors(TrackChoice choice, const MapTheme& theme) {
+  // Okabe and Ito's colours.
+  if (choice == TrackChoice::Quality)
+    return {QColor(128, 128, 128), QColor(213, 94, 0), QColor(230, 159, 0), QColor(0, 114, 178)};
+  // The ends that are too near to the ground are left out.
+  const double from = theme.dark ? 0.25 : 0, to = theme.dark ? 1 : 0.85;
+  std::vector<QColor> colors;
+  for (int i = 0; i < kTrackColors; ++i)
+    colors.push_back(gradientAt(from + (to - from) * i / (kTrackColors - 1)));
+  return colors;
+}
+
+TrackLayer::TrackLayer(const LayerContext& context, const std::shared_ptr<const Track>& track)
+    : LayerItem(context), track_(track) {}
+
+void TrackLayer::layOut() {
+  const auto choice = TrackChoice(std::clamp(style().choice, 0, int(TrackChoice::Quality)));
+  if (laid_out_ == track_ && laid_out_view_ == context_.view && scale_.choice == choice) return;
+  if (laid_out_ != track_ || scale_.choice != choice) scale_ = scaleOf(*track_, choice);
+  laid_out_ = track_;
+  laid_out_view_ = context_.view;
+  runs_.clear();
+  const double margin = 2 * sizeOr(kWidth);
+  const QRectF seen = boundingRect().adjusted(-margin, -margin, margin, margin);
+  std::optional<QPointF> before;
+  bool open = false;  // the last run ends at `before`
+  for (const TrackSample& sample : *track_) {
+    const QPointF pixel = toPoint(context_.view.pixelFromWorld(sample.position_m));
+    if (!std::isfinite(pixel.x()) || !std::isfinite(pixel.y())) {
+      before.reset();
+      open = false;
+      continue;
+    }
+    if (sample.begins || !before) {
+      before = pixel;
+      open = false;
+      continue;
+    }
+    const QPointF step = pixel - *before;
+    if (std::abs(step.x()) + std::abs(step.y()) < kNearPx) continue;
+    const QRectF box = QRectF(*before, pixel).normalized();
+    const bool crosses = box.left() <= seen.right() && box.right() >= seen.left() &&
+                         box.top() <= seen.bottom() && box.bottom() >= seen.top();
+    if (crosses) {
+      const int color = colorIndexOf(sample, scale_);
+      if (!open || runs_.back().color != color) runs_.push_back({color, QPolygonF{*before}, {}});
+      runs_.back().line << pixel;
+    }
+    open = crosses;
+    before = pixel;
+  }
+  for (Run& run : runs_) run.bounds = run.line.boundingRect().adjusted(-margin, -margin, margin, margin);
+}
+
+void TrackLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+  if (!track_ || track_->empty()) return;
+  layOut();
+  const std::vector<QColor> colors = trackColors(scale_.choice, context_.theme);
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setBrush(Qt::NoBrush);
+  for (const Run& run : runs_) {
+    if (!run.bounds.intersects(option->exposedRect)) continue;
+    painter->setPen(
+        QPen(colors[std::size_t(run.color)], sizeOr(kWidth), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter->drawPolyline(run.line);
+  }
+  paintLegend(*painter, option->exposedRect);
+}
+
+void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
+  const QFontMetricsF metrics(context_.theme.label_font);
+  const std::vector<QColor> colors = trackColors(scale_.choice, context_.theme);
+  const bool qualities = scale_.choice == TrackChoice::Quality;
+  const QStringList names = qualities ? QStringList{Words::tr("unknown"), Words::tr("poor or lost"),
+                                                    Words::tr("fair"), Words::tr("good")}
+                            : scale_.choice == TrackChoice::Time
+                                ? QStringList{durationText(0), durationText(scale_.most)}
+                                : QStringList{QStringLiteral("0"), Words::tr("%1 m/s").arg(scale_.most)};
+  const double line = std::ceil(metrics.height());
+  const double swatch = kBarHeight + 6;
+  double width = kBarPx;
+  if (qualities) {
+    width = 0;
+    for (const QString& name : names) width += swatch + std::ceil(metrics.horizontalAdvance(name)) + 12;
+    width -= 12;
+  }
+  const double height = qualities ? line : line + 2 + kBarHeight;
+  const double top = context_.view.height_px - kAboveBottom - height - 2 * kPad;
+  const QRectF frame(kLeft, top, width + 2 * kPad, height + 2 * kPad);
+  if (!exposed.intersects(frame.adjusted(-2, -2, 2, 2))) return;
+  QColor plate = context_.theme.text_halo;
+  plate.setAlpha(190);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(frame, 4, 4);
+  const double left = frame.left() + kPad, base = frame.top() + kPad + std::ceil(metrics.ascent());
+  if (qualities) {
+    double x = left;
+    for (qsizetype i = 0; i < names.size(); ++i) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colors[std::size_t(i)]);
+      painter.drawRect(QRectF(x, frame.center().y() - kBarHeight / 2, kBarHeight, kBarHeight));
+      x += swatch;
+      drawLabel(painter, {x, base}, names[i], context_.theme, context_.theme.text);
+      x += std::ceil(metrics.horizontalAdvance(names[i])) + 12;
+    }
+    return;
+  }
+  drawLabel(painter, {left, base}, names.front(), context_.theme, context_.theme.text);
+  drawLabel(painter, {left + width - metrics.horizontalAdvance(names.back()), base}, names.back(),
+            context_.theme, context_.theme.text);
+  const QRectF bar(left, frame.bottom() - kPad - kBarHeight, width, kBarHeight);
+  QLinearGradient gradient(bar.topLeft(), bar.topRight());
+  for (std::size_t i = 0; i < colors.size(); ++i)
+    gradient.setColorAt(double(i) / double(colors.size() - 1), colors[i]);
+  painter.setPen(Qt::NoPen);
+  painter.fillRect(bar, gradient);
+}
+
+}  // namespace mapwright::scene

@@ -1,0 +1,59 @@
+// Clouds of the robot's map: fetched by region, shown, cut, saved.
+#pragma once
+
+#include "robot/call.h"
+#include "robot/map_dispatch.h"
+#include "scene/map_clouds.h"
+#include "window/controller.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class CloudsDock;
+class RegionTool;
+class SectionDock;
+class SectionTool;
+
+class CloudsController : public Controller {
+  Q_OBJECT
+ public:
+  explicit CloudsController(WindowContext& context, QObject* parent = nullptr);
+
+  CloudsDock* dock() const { return dock_; }
+  SectionDock* sectionDock() const { return section_dock_; }
+  SectionTool* sectionTool() const { return section_tool_; }
+  RegionTool* regionTool() const { return region_tool_; }
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  void reset() override;
+
+  /// nullopt: the whole map. One request is under way at a time.
+  void fetch(const std::optional<map::CloudRegion>& region);
+  /// Writes what is shown; the end of the name says how.
+  void saveTo(const QString& path);
+
+ private:
+  void fetchBox(const geometry::WorldRect& box);
+  void take(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
+            const robot::Outcome<std::shared_ptr<const map::SpatialCloud>>& outcome);
+  robot::MapDispatch* dispatch() const;
+  void refreshOffer();
+  void refreshClouds();
+  void cut();
+  void showSection();
+  void askAndSave();
+
+  WindowContext& context_;
+  scene::MapClouds& clouds_;
+  CloudsDock* dock_;
+  SectionDock* section_dock_;
+  SectionTool* section_tool_;
+  RegionTool* region_tool_;
+  robot::Call call_;
+  std::uint64_t asked_ = 0;  // counts the requests: an answer to an older one is of no use
+  std::optional<scene::CloudCut> cut_;
+  std::shared_ptr<const scene::CloudSection> section_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,104 @@
+// What clouds of the robot's map are fetched, and how they are shown.
+#pragma once
+
+#include <optional>
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "scene/map_clouds.h"
+#include "window/clouds/height_slider.h"
+#include "window/clouds/region_tool.h"
+#include "window/look/plain_label.h"
+
+class QVBoxLayout;
+
+namespace mapwright::window {
+
+/// What may be asked for now, by kind; and why not, for a tooltip.
+struct CloudOffer {
+  bool whole = false, region = false;
+  QString why_not;  // what is missing
+};
+
+class CloudsDock : public QDockWidget {
+  Q_OBJECT
+ public:
+  explicit CloudsDock(QWidget* parent = nullptr);
+
+  /// Not empty: there is no robot that gives clouds, and this says why.
+  void setAbsence(const QString& sentence);
+  void setOffer(const CloudOffer& offer);
+  /// Not empty: something is under way, and how far it is.
+  void setProgress(const QString& words);
+  /// How the last request ended; empty = nothing to say.
+  void setOutcome(const QString& sentence, bool bad);
+  void setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
+                 const std::optional<scene::CloudRange>& range);
+  void setStyle(const scene::LayerStyle& style);
+
+  bool voxels() const { return kind_->currentIndex() == 1; }
+  RegionShape shape() const { return RegionShape(shape_->currentIndex()); }
+  /// The heights that are asked for, low first.
+  scene::CloudRange askedHeights() const;
+
+  QComboBox* kindBox() const { return kind_; }
+  QComboBox* shapeBox() const { return shape_; }
+  QComboBox* colorBox() const { return color_; }
+  QDoubleSpinBox* sizeBox() const { return size_; }
+  QDoubleSpinBox* voxelBox() const { return voxel_; }
+  QDoubleSpinBox* lowBox() const { return low_; }
+  QDoubleSpinBox* highBox() const { return high_; }
+  QDoubleSpinBox* askLowBox() const { return ask_low_; }
+  QDoubleSpinBox* askHighBox() const { return ask_high_; }
+  HeightSlider* slider() const { return slider_; }
+  QPushButton* viewButton() const { return view_; }
+  QPushButton* regionButton() const { return region_; }
+  QPushButton* wholeButton() const { return whole_; }
+  QPushButton* wholeSureButton() const { return sure_; }
+  QPushButton* cancelButton() const { return cancel_; }
+  QPushButton* saveButton() const { return save_; }
+  QPushButton* clearButton() const { return clear_; }
+  QString counts() const { return counts_->text(); }
+  QString outcome() const { return outcome_->text(); }
+  QString absence() const { return absence_->text(); }
+
+ Q_SIGNALS:
+  void kindChosen();
+  void viewWanted();
+  void regionWanted();
+  void shapeChosen(mapwright::window::RegionShape shape);
+  void wholeWanted();
+  void cancelWanted();
+  void clearWanted();
+  void saveWanted();
+  void rangeChosen(std::optional<mapwright::scene::CloudRange> range);
+  void voxelChosen(std::optional<double> metres);
+  void colorChosen(int choice);
+  void sizeChosen(double px);
+
+ private:
+  void buildAsking(QVBoxLayout* column);
+  void buildLook(QVBoxLayout* column);
+  void buildEnd(QVBoxLayout* column);
+  void typedRange();
+  void refresh();
+
+  QLabel *absence_, *outcome_ = nullptr, *counts_ = nullptr;
+  QWidget *body_, *asking_ = nullptr, *question_ = nullptr, *under_way_ = nullptr;
+  QComboBox *kind_ = nullptr, *shape_ = nullptr, *color_ = nullptr;
+  QDoubleSpinBox *ask_low_ = nullptr, *ask_high_ = nullptr, *low_ = nullptr, *high_ = nullptr,
+                 *size_ = nullptr, *voxel_ = nullptr;
+  QPushButton *view_ = nullptr, *region_ = nullptr, *whole_ = nullptr, *sure_ = nullptr, *cancel_ = nullptr,
+              *save_ = nullptr, *clear_ = nullptr;
+  HeightSlider* slider_ = nullptr;
+  PlainLabel* progress_ = nullptr;
+  CloudOffer offer_;
+  bool busy_ = false, has_clouds_ = false;
+};
+
+}  // namespace mapwright::window

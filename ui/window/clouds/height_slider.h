@@ -1,0 +1,56 @@
+// A range of heights between two handles, over a histogram of how many points lie where.
+#pragma once
+
+#include <optional>
+
+#include <QWidget>
+
+#include "scene/map_clouds.h"
+
+namespace mapwright::window {
+
+/// Heights run from left to right. The keys move one handle: Left and Right a hundredth of the width, with
+/// Shift a tenth, Home and End as far as it goes; Up and Down choose the upper or the lower handle. Double
+/// click: all.
+class HeightSlider : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HeightSlider(QWidget* parent = nullptr);
+
+  void setHeights(const scene::CloudHeights& heights);
+  /// nullopt = all.
+  void setRange(std::optional<scene::CloudRange> range);
+  const std::optional<scene::CloudRange>& range() const { return range_; }
+  /// Where a height lies, pixels from the left.
+  double xOf(double z_m) const;
+
+  QSize sizeHint() const override { return {220, 72}; }
+  QSize minimumSizeHint() const override { return {120, 60}; }
+
+ Q_SIGNALS:
+  void rangeChosen(std::optional<mapwright::scene::CloudRange> range);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  enum class Handle { None, Low, High };
+  bool usable() const { return heights_.points > 0 && heights_.usual_high_m > heights_.usual_low_m; }
+  scene::CloudRange shown() const;
+  double zAt(double x) const;
+  void moveHandle(Handle handle, double z_m);
+  void tell();
+
+  scene::CloudHeights heights_;
+  std::optional<scene::CloudRange> range_;
+  Handle active_ = Handle::Low, dragged_ = Handle::None;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,46 @@
+// A box or a sphere on the map, from above, whose cloud is asked for.
+#pragma once
+
+#include <optional>
+
+#include "geometry/rect.h"
+#include "scene/map_scene.h"
+#include "window/map/map_tool.h"
+
+namespace mapwright::window {
+
+enum class RegionShape { Box, Sphere };
+
+/// Box: drag from corner to corner (its sides lie along the axes of the map, however the view is turned).
+/// Sphere: drag from the middle to its edge. Esc leaves.
+class RegionTool : public MapTool {
+  Q_OBJECT
+ public:
+  explicit RegionTool(const scene::MapScene* scene, QObject* parent = nullptr);
+
+  QString name() const override { return QStringLiteral("cloudRegion"); }
+  QCursor cursor() const override { return Qt::CrossCursor; }
+  void deactivate() override;
+  bool pressed(const MapPoint& at) override;
+  void dragged(const MapPoint& at) override;
+  void released(const MapPoint& at) override;
+  void dragCancelled() override;
+  bool keyPressed(const MapKeyPress& press) override;
+  void paint(QPainter& painter) override;
+  QString hint() const override;
+
+  void setShape(RegionShape shape);
+  RegionShape shape() const { return shape_; }
+
+ Q_SIGNALS:
+  void boxDrawn(const mapwright::geometry::WorldRect& box);
+  void sphereDrawn(const Eigen::Vector2d& centre_m, double radius_m);
+
+ private:
+  void forget();
+  const scene::MapScene* scene_;
+  RegionShape shape_ = RegionShape::Box;
+  std::optional<Eigen::Vector2d> from_, to_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,49 @@
+// A line on the map along which a cloud is cut.
+#pragma once
+
+#include <optional>
+
+#include "scene/map_scene.h"
+#include "window/map/map_tool.h"
+
+namespace mapwright::window {
+
+/// Drag from one end to the other. Esc forgets the line, a second one puts the tool away.
+class SectionTool : public MapTool {
+  Q_OBJECT
+ public:
+  struct Line {
+    Eigen::Vector2d from_m{0, 0}, to_m{0, 0};
+  };
+  explicit SectionTool(const scene::MapScene* scene, QObject* parent = nullptr);
+
+  QString name() const override { return QStringLiteral("cloudSection"); }
+  QCursor cursor() const override { return Qt::CrossCursor; }
+  void deactivate() override;
+  bool pressed(const MapPoint& at) override;
+  void dragged(const MapPoint& at) override;
+  void released(const MapPoint& at) override;
+  void dragCancelled() override;
+  bool keyPressed(const MapKeyPress& press) override;
+  void paint(QPainter& painter) override;
+  QString hint() const override;
+
+  /// Of the strip that is drawn around the line.
+  void setWidth(double metres);
+  void forget();
+  const std::optional<Line>& line() const { return line_; }
+  /// A place on the line that somebody looks at elsewhere, metres from its start.
+  void setMark(std::optional<double> along_m);
+
+ Q_SIGNALS:
+  void lineDrawn(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m);
+  void lineGone();
+
+ private:
+  const scene::MapScene* scene_;
+  std::optional<Line> line_, before_;  // before_: what a drag that is not finished replaces
+  std::optional<double> mark_;
+  double width_m_ = 0.5;
+};
+
+}  // namespace mapwright::window

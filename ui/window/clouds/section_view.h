@@ -1,0 +1,69 @@
+// A cloud from its side: along the line to the right, heights upwards, both in metres and to the same scale.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QWidget>
+
+#include "render/painted_tiles.h"
+#include "scene/map_clouds.h"
+
+namespace mapwright::window {
+
+/// Wheel: zoom at the cursor. Drag: pan. Double click or F: all of it. Keys: arrows pan, + and - zoom.
+class SectionView : public QWidget {
+  Q_OBJECT
+ public:
+  SectionView(std::shared_ptr<work::Workers> workers, QWidget* parent = nullptr);
+
+  /// null = none. `painter` draws it; another one for the same section keeps the view.
+  void showSection(std::shared_ptr<const scene::CloudSection> section, render::TilePainter painter);
+  const std::shared_ptr<const scene::CloudSection>& section() const { return section_; }
+  void fit();
+  /// (along, height) of a place in the widget, and back.
+  Eigen::Vector2d placeAt(const QPointF& px) const;
+  QPointF pxOf(const Eigen::Vector2d& place) const;
+  const geometry::ViewTransform& view() const { return view_; }
+  /// What is below the cursor, if it is there: the place, and the point nearest to it.
+  struct Reading {
+    Eigen::Vector2d at{0, 0};
+    std::optional<Eigen::Vector2d> nearest;
+  };
+  const std::optional<Reading>& reading() const { return reading_; }
+  bool settled() const { return tiles_.settled(); }
+
+  QSize sizeHint() const override { return {500, 180}; }
+  QSize minimumSizeHint() const override { return {160, 90}; }
+
+ Q_SIGNALS:
+  void readingChanged();
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QRect field() const;  // where the section is, beside its axes
+  void setView(const geometry::ViewTransform& view);
+  void sendView();
+  void read(const QPointF& px);
+  void paintAxes(QPainter& painter) const;
+
+  std::shared_ptr<const scene::CloudSection> section_;
+  render::PaintedTiles tiles_;
+  geometry::ViewTransform view_;
+  std::optional<QPointF> grabbed_;
+  std::optional<Reading> reading_;
+  bool moved_ = false;  // by hand: it is not fitted any more by itself
+};
+
+}  // namespace mapwright::window

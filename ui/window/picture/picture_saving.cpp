@@ -1,0 +1,182 @@
+// PictureController: saving, what comes of it, and leaving.
+#include <utility>
+
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "sentences/failure_sentence.h"
+#include "sentences/reason_sentence.h"
+#include "window/map/map_overlay.h"
+#include "window/map/toast_stack.h"
+#include "window/on_screen.h"
+#include "window/panels.h"
+#include "window/picture/picture_controller.h"
+#include "window/picture/picture_dock.h"
+#include "window/picture/picture_drafts.h"
+#include "window/picture/picture_text.h"
+
+namespace mapwright::window {
+
+namespace {
+constexpr int kKeep = -1;  // the answer that QMessageBox has no name for
+}
+
+void PictureController::askToDecide() {
+  when_saved_ = nullptr;
+  context_.overlay.toasts()->add(
+      Mark::Warning,
+      tr("The map is not saved yet: some cells were changed here and elsewhere. Choose which are right."));
+  context_.panels.open(dock_);
+}
+
+void PictureController::save() {
+  editing_.endStroke();
+  if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
+  if (editing_.conflicts() > 0) return askToDecide();
+  // A robot drives by it from then on.
+  session_->robot().isLocal() ? send() : askToSend();
+}
+
+void PictureController::askToSend() {
+  if (sending_question_) return sending_question_->raise();
+  sending_question_ =
+      new QMessageBox(QMessageBox::Question, tr("Send the map to the robot"),
+                      tr("Overwrite %1 on the robot %2?").arg(mapName(), robotCalled(session_->robot())),
+                      QMessageBox::Cancel, &context_.window);
+  sending_question_->setTextFormat(Qt::PlainText);
+  sending_question_->setInformativeText(tr("%1 changed. The robot goes on with the new picture, and the one "
+                                           "of before cannot be had back from it.")
+                                            .arg(cellsText(editing_.changedCells())));
+  sending_question_->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* const send_button = sending_question_->addButton(tr("Send"), QMessageBox::AcceptRole);
+  send_button->setObjectName(QStringLiteral("sendPicture"));
+  sending_question_->setDefaultButton(QMessageBox::Cancel);
+  sending_question_->setEscapeButton(QMessageBox::Cancel);
+  connect(sending_question_, &QMessageBox::finished, this, [this, send_button, opened = opened_] {
+    QMessageBox* const asked = std::exchange(sending_question_, nullptr);
+    if (asked->clickedButton() == send_button && opened == opened_) return send();
+    when_saved_ = nullptr;
+  });
+  sending_question_->open();
+}
+
+QMessageBox* PictureController::sendingQuestion() const { return sending_question_; }
+
+void PictureController::send() {
+  if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
+  if (editing_.conflicts() > 0) return askToDecide();
+  robot::PictureStore* const store = session_->robot().pictureStore();
+  if (!store) return;
+  saving_ = true;
+  trouble_.clear();
+  const auto cells = editing_.snapshot();
+  write_call_ = store->write({*open_map_, cells, revision_},
+                             [this, cells, opened = opened_](robot::Outcome<robot::PictureReceipt> outcome) {
+                               if (opened == opened_) noteWritten(cells, outcome);
+                             });
+  write_call_.onProgress([this, opened = opened_](robot::Progress progress) {
+    if (opened != opened_ || !saving_ || !progress.of_bytes || *progress.of_bytes <= 0) return;
+    dock_->setTravelled(double(progress.bytes) / double(*progress.of_bytes));
+  });
+  refresh();
+}
+
+void PictureController::noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
+                                    const robot::Outcome<robot::PictureReceipt>& outcome) {
+  saving_ = false;
+  dock_->setTravelled(std::nullopt);
+  if (outcome) {
+    revision_ = outcome->revision;
+    own_revisions_.insert(revision_);
+    Q_EMIT written();
+    editing_.noteSaved(cells);
+    context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()));
+    // Leaving ends the session, and it is its robot that is speaking.
+    if (const auto then = std::exchange(when_saved_, nullptr))
+      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+  } else if (outcome.error().kind == map::FailureKind::Conflict) {
+    again_ = true;
+    trouble_ = tr("It has changed elsewhere meanwhile, and is being read again.");
+  } else if (outcome.error().kind == map::FailureKind::Cancelled &&
+             outcome.error().applied == map::Applied::No) {
+    when_saved_ = nullptr;
+  } else {
+    when_saved_ = nullptr;
+    trouble_ = QString::fromStdString(sentences::sentenceOf(outcome.error()));
+    context_.overlay.toasts()->add(Mark::Bad, tr("The map is not saved. %1").arg(trouble_));
+  }
+  // What came while it was being written was not looked at.
+  syncMap();
+}
+
+void PictureController::noteMerged(qint64 taken) {
+  revision_ = coming_revision_;
+  trouble_.clear();
+  const bool again = std::exchange(again_, false);
+  if (editing_.conflicts() > 0) {
+    askToDecide();
+  } else if (again) {
+    if (editing_.unsaved()) {
+      send();
+    } else if (const auto then = std::exchange(when_saved_, nullptr)) {
+      QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
+    }
+  } else if (taken > 0) {
+    context_.overlay.toasts()->add(Mark::Warning,
+                                   tr("%1 has changed elsewhere. Both are put together.").arg(mapName()));
+  }
+  refresh();
+}
+
+QString PictureController::mapName() const {
+  return session_ ? mapCalled(session_->wholeMap().name(), session_->wholeMap().key()) : QString();
+}
+
+void PictureController::beforeLeaving(std::function<void()> then) {
+  editing_.endStroke();
+  if (!unsaved() || may_leave_) return then();
+  when_left_ = std::move(then);
+  if (question_) return question_->raise();
+  question_ = new QMessageBox(
+      QMessageBox::Question, tr("The map is not saved"),
+      tr("Changes of %1 are not saved: %2.").arg(mapName(), cellsText(editing_.changedCells())),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &context_.window);
+  question_->setTextFormat(Qt::PlainText);
+  question_->setAttribute(Qt::WA_DeleteOnClose);
+  question_->setDefaultButton(QMessageBox::Save);
+  if (drafts_) {
+    QPushButton* const keep = question_->addButton(tr("Keep as draft"), QMessageBox::ActionRole);
+    keep->setObjectName(QStringLiteral("keepDraft"));
+    keep->setToolTip(tr("They are offered again when this map is opened"));
+  }
+  connect(question_, &QMessageBox::finished, this, [this] {
+    QMessageBox* const asked = std::exchange(question_, nullptr);
+    QAbstractButton* const clicked = asked->clickedButton();
+    if (!clicked) return answer(QMessageBox::Cancel);
+    const auto standard = asked->standardButton(clicked);
+    answer(standard == QMessageBox::NoButton ? kKeep : int(standard));
+  });
+  question_->open();
+}
+
+void PictureController::answer(int button) {
+  const auto then = std::exchange(when_left_, nullptr);
+  if (!then || !open_map_) return;
+  if (button == QMessageBox::Save) {
+    when_saved_ = then;
+    save();
+  } else if (button == QMessageBox::Discard) {
+    editing_.revert();
+    if (!editing_.reckoning()) return then();
+    when_reverted_ = then;
+  } else if (button == kKeep && drafts_) {
+    if (const auto trouble = drafts_->keep()) {
+      context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(*trouble));
+    } else {
+      may_leave_ = true;
+      then();
+    }
+  }
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,25 @@
+// What is plotted: a quantity of any robot, or a field of the messages of a topic.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include <QString>
+
+#include "series/field_path.h"
+#include "series/quantity.h"
+
+namespace mapwright::window {
+
+using PlotWish = std::variant<series::Quantity, series::FieldPath>;
+
+/// As people read it; one line, harmless.
+QString plotName(const PlotWish& wish);
+/// "m/s"; empty = it has none, or nobody knows.
+QString plotUnit(const PlotWish& wish);
+/// For settings and for dragging: "speed", "/tracked_pose.pos[0]".
+QString plotWord(const PlotWish& wish);
+/// Either of them; nullopt: it is neither.
+std::optional<PlotWish> plotFromWord(const QString& word);
+
+}  // namespace mapwright::window

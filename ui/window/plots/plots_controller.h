@@ -1,0 +1,40 @@
+// Plots of what a bag or a robot says.
+#pragma once
+
+#include <QPointer>
+
+#include "window/controller.h"
+#include "window/plots/plot_feed.h"
+#include "window/replay/replay_clock.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class PlotsDock;
+
+class PlotsController : public Controller {
+  Q_OBJECT
+ public:
+  /// `clock` tells the time of a replay.
+  PlotsController(WindowContext& context, ReplayClock& clock, QObject* parent = nullptr);
+
+  PlotsDock* dock() const { return dock_; }
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+  void reset() override;
+  /// A field that somebody chose elsewhere: in the plot at hand, and the dock comes to the front.
+  void plot(const PlotWish& wish);
+
+ Q_SIGNALS:
+  /// Raw messages of the robot are needed, or no more.
+  void rawWanted(bool wanted);
+
+ private:
+  WindowContext& context_;
+  QPointer<ReplayClock> clock_;
+  PlotFeed* feed_;
+  PlotsDock* dock_;
+};
+
+}  // namespace mapwright::window

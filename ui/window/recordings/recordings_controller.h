@@ -1,0 +1,60 @@
+// The bags and recordings of the robot: listed, opened, downloaded, recorded and deleted.
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include <QMessageBox>
+#include <QPointer>
+
+#include "robot/bag_library.h"
+#include "window/controller.h"
+#include "window/recordings/bags_model.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class RecordDialog;
+class RecordingsDock;
+
+class RecordingsController : public Controller {
+  Q_OBJECT
+ public:
+  explicit RecordingsController(WindowContext& context, QObject* parent = nullptr);
+
+  RecordingsDock* dock() const { return dock_; }
+  QMessageBox* question() const { return question_; }  // null: none is asked
+  RecordDialog* recordDialog() const;                  // null: not open
+  void setSession(session::Session* session) override;
+  void refresh();
+  /// Asks the robot for its times first: one that is missing or damaged says so on its row, and what is on
+  /// screen stays.
+  void open(const robot::BagKey& key);
+  /// Into this file; what an earlier attempt left of it is gone on with where the robot can do that.
+  void download(const robot::BagKey& key, const QString& path);
+
+ Q_SIGNALS:
+  void openWanted(const mapwright::robot::BagKey& key);
+
+ private:
+  robot::BagLibrary* library() const;
+  void showState();
+  void fail(const robot::BagKey& key, const map::Failure& failure, const QString& path = {});
+  void askWhereTo(const robot::BagKey& key);
+  void takeDownload(const robot::BagKey& key, const QString& path,
+                    const robot::Outcome<robot::BagDownload>& outcome);
+  void askToRecord();
+  void record(const robot::BagOrder& order);
+  void askToDelete(const robot::BagKey& key);
+  void remove(const robot::BagKey& key);
+
+  WindowContext& context_;
+  RecordingsDock* dock_;
+  bool loading_ = false, listed_ = false;
+  QString error_;
+  std::uint64_t asked_ = 0;  // tells the last question for the list from earlier ones
+  std::map<robot::BagKey, robot::Call> downloads_;
+  QPointer<QMessageBox> question_;
+};
+
+}  // namespace mapwright::window

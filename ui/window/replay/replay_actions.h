@@ -1,0 +1,48 @@
+// What can be done with a replay, as actions: a menu of its own in the menu Robot.
+#pragma once
+
+#include <vector>
+
+#include <QObject>
+
+#include "window/window_context.h"
+
+class QAction;
+class QMenu;
+
+namespace mapwright::window {
+
+class ReplayClock;
+class TimelineDock;
+
+class ReplayActions : public QObject {
+  Q_OBJECT
+ public:
+  /// All must outlive it.
+  ReplayActions(WindowContext& context, ReplayClock& clock, TimelineDock& dock, QObject* parent = nullptr);
+
+  /// A bag is read to its end by itself.
+  bool readsAll() const;
+  void setReadsAll(bool all);
+  /// There is a replay, opened or not; `back`: where "back" leads to.
+  void setReplay(bool is_replay, const QString& back);
+
+ Q_SIGNALS:
+  void backWanted();
+  void readsAllChanged(bool all);
+
+ private:
+  template <typename What>
+  QAction* entry(const char* id, const QString& text, const char* icon, const char* key, const QString& tip,
+                 What&& what);
+  void refresh();
+
+  WindowContext& context_;
+  ReplayClock& clock_;
+  TimelineDock& dock_;
+  QMenu* menu_;
+  std::vector<QAction*> of_open_bag_;
+  QAction *read_all_ = nullptr, *end_loop_ = nullptr, *back_ = nullptr;
+};
+
+}  // namespace mapwright::window

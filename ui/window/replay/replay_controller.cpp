@@ -1,0 +1,245 @@
+#include "window/replay/replay_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QAction>
+#include <QKeyEvent>
+
+#include "scene/pose_between.h"
+#include "sentences/reason_sentence.h"
+#include "window/current_session.h"
+#include "window/map/map_overlay.h"
+#include "window/map/map_view.h"
+#include "window/map/toast_stack.h"
+#include "window/notices.h"
+#include "window/on_screen.h"
+#include "window/panels.h"
+#include "window/replay/replay_actions.h"
+#include "window/replay/replay_clock.h"
+#include "window/replay/replay_state.h"
+#include "window/replay/timeline_dock.h"
+#include "window/replay/track_on_map.h"
+#include "window/unsaved_changes.h"
+
+namespace mapwright::window {
+
+using robot::ConnectionPhase;
+
+namespace {
+
+const QString kReadAllKey = QStringLiteral("replay/readAll");
+const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
+constexpr double kNearTrackPx = 10;
+constexpr double kOnePassS = 3;  // poses so near in time belong to one pass by a place
+
+}  // namespace
+
+ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      make_robot_(std::move(make_robot)),
+      clock_(new ReplayClock({}, this)),
+      dock_(new TimelineDock(*clock_, &context.window)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 40, .menu_rank = 48, .open = false});
+  actions_ = new ReplayActions(context_, *clock_, *dock_, this);
+  connect(actions_, &ReplayActions::backWanted, this, &ReplayController::back);
+  connect(actions_, &ReplayActions::readsAllChanged, this, [this](bool all) {
+    if (replay::Reading* const reading = clock_->reading()) reading->setWhole(all);
+  });
+  connect(dock_, &TimelineDock::backWanted, this, &ReplayController::back);
+  connect(clock_, &ReplayClock::opened, this, &ReplayController::takeOpened);
+  connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::showPose);
+  connect(clock_, &ReplayClock::stateChanged, this, [this] {
+    showPose();
+    chooseMaps();
+  });
+  connect(&context_.current, &CurrentSession::stateChanged, this, &ReplayController::refresh);
+  new TrackOnMap(*clock_, context_.scene, this);
+  context_.view.installEventFilter(this);
+  context_.view.viewport()->installEventFilter(this);
+}
+
+ReplayController::~ReplayController() { clock_->detach(); }
+
+void ReplayController::openBag(const robot::BagKey& key) {
+  auto origin = make_robot_(context_.current.address());
+  if (!origin) return context_.overlay.toasts()->add(Mark::Bad, origin.error());
+  open(std::move(*origin), key);
+}
+
+void ReplayController::open(std::unique_ptr<robot::Robot> origin, const robot::BagKey& key) {
+  show(std::make_unique<replay::ReplayRobot>(std::move(origin), key, followedReading()));
+}
+
+void ReplayController::open(std::unique_ptr<robot::Robot> origin, const std::string& name) {
+  show(std::make_unique<replay::ReplayRobot>(std::move(origin), name, followedReading()));
+}
+
+void ReplayController::show(std::unique_ptr<robot::Robot> replay) {
+  // Shared, because what is called later has to be copyable.
+  context_.unsaved.whenMayLeave(
+      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(replay))] {
+        if (!replayOf(context_.current.session())) live_address_ = context_.current.address();
+        context_.current.begin(std::move(*made));
+      });
+}
+
+void ReplayController::back() {
+  if (!replayOf(context_.current.session())) return;
+  if (live_address_.isEmpty()) {
+    context_.unsaved.whenMayLeave([this] { context_.current.leave(); });
+    return;
+  }
+  auto robot = make_robot_(live_address_);
+  if (!robot) return context_.overlay.toasts()->add(Mark::Bad, robot.error());
+  context_.unsaved.whenMayLeave(
+      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot))] {
+        context_.current.begin(std::move(*made));
+        context_.view.setFocus();
+      });
+}
+
+void ReplayController::setSession(session::Session* session) {
+  const bool was_replay = clock_->isOpen() || !dock_was_open_;
+  clock_->detach();
+  scene::PoseBetween::of(context_.scene).show(std::nullopt);
+  auto* const robot = session ? qobject_cast<replay::ReplayRobot*>(&session->robot()) : nullptr;
+  if (robot) {
+    dock_was_open_ = dock_was_open_ && dock_->toggleViewAction()->isChecked();
+    connect(robot, &robot::Robot::connectionChanged, this, &ReplayController::takeConnection);
+    connect(robot, &replay::ReplayRobot::jumped, this, &ReplayController::showPose, Qt::QueuedConnection);
+    dock_->setOpening(tr("Opening %1…").arg(bagCalled(*robot)));
+    clock_->attach(*robot, *session);
+    context_.panels.open(dock_);
+  } else if (session && was_replay && !std::exchange(dock_was_open_, true)) {
+    dock_->hide();
+  }
+  if (!robot) dock_->setOpening({});
+  maps_chosen_ = false;
+  if (session && mode_before_ && viewMode(context_.scene) == ViewMode::Whole)
+    setViewMode(context_.scene, *mode_before_);
+  if (session) mode_before_.reset();
+  refresh();
+}
+
+void ReplayController::takeConnection() {
+  const session::Session* const session = context_.current.session();
+  const replay::ReplayRobot* const robot = replayOf(session);
+  if (robot && robot->connection().phase == ConnectionPhase::Refused)
+    dock_->setOpening(tr("%1 cannot be played: %2")
+                          .arg(bagCalled(*robot), sentences::sentenceOf(robot->connection().reason)));
+  refresh();
+}
+
+void ReplayController::takeOpened() {
+  clock_->reading()->setWhole(actions_->readsAll());
+  dock_->view()->setFocus();
+  refresh();
+}
+
+void ReplayController::showPose() {
+  if (clock_->isOpen()) scene::PoseBetween::of(context_.scene).show(clock_->poseBetween());
+}
+
+void ReplayController::chooseMaps() {
+  session::Session* const session = context_.current.session();
+  if (maps_chosen_ || !session || !clock_->isOpen() || clock_->knowledge() != replay::Knowledge::Exact)
+    return;
+  maps_chosen_ = true;
+  const auto& digests = clock_->reading()->index().digests();
+  const bool lists_submaps = std::any_of(digests.begin(), digests.end(), [](const auto& digest) {
+    return std::any_of(digest.second.last.begin(), digest.second.last.end(), [](const auto& last) {
+      return last.first.first == std::size_t(map::topicIndex<map::SubmapList>());
+    });
+  });
+  const auto mode = viewMode(context_.scene);
+  if (lists_submaps || digests.empty() || mode != ViewMode::Submaps || !session->robot().wholeMapSource())
+    return;
+  mode_before_ = mode;
+  setViewMode(context_.scene, ViewMode::Whole);
+  context_.overlay.toasts()->add(Mark::Neutral, tr("This bag lists no submaps: the whole map is shown."));
+}
+
+QString ReplayController::backWords() const {
+  return live_address_.isEmpty() ? tr("Close the replay") : tr("Back to the robot");
+}
+
+void ReplayController::refresh() {
+  const replay::ReplayRobot* const robot = replayOf(context_.current.session());
+  actions_->setReplay(robot != nullptr, backWords());
+  dock_->setBack(robot ? backWords() : QString());
+  Notice notice;
+  if (robot && clock_->isOpen()) {
+    notice.mark = Mark::Busy;
+    notice.sentence = tr("Replay of %1, not live. The robot is not changed.").arg(bagCalled(*robot));
+    // Nothing may look as if it had been recorded.
+    const session::MapSlot& slot = context_.current.session()->wholeMap();
+    const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();
+    if (mapsInView(context_.scene).whole && of_now)
+      notice.sentence += QLatin1Char(' ') + tr("The map is that of now.");
+    notice.offer = backWords();
+    notice.take = [this] { back(); };
+    notice.closable = true;
+  }
+  context_.notices.set(NoticeRank::Replay, std::move(notice));
+}
+
+void ReplayController::clickedOnMap(const Eigen::Vector2d& world_m) {
+  const replay::Reading* const reading = clock_->reading();
+  const bool seen =
+      context_.scene.layerVisible(scene::Layer::Trail) || context_.scene.layerVisible(scene::Layer::Track);
+  if (!reading || !seen) return;
+  const double near_m = kNearTrackPx * context_.scene.view().scale_m_per_px;
+  const double now_s = clock_->at();
+  struct Hit {
+    double at_s, away_m;
+  };
+  std::vector<Hit> hits;
+  for (const auto& [from, digest] : reading->index().digests()) {
+    for (const replay::Digest::Pose& sample : digest.poses) {
+      const double away_m = std::hypot(sample.pose.x_m - world_m.x(), sample.pose.y_m - world_m.y());
+      if (away_m <= near_m) hits.push_back({sample.stamp_s, away_m});
+    }
+  }
+  if (hits.empty()) return;
+  // Of several passes the one that is nearest in time, and of that the nearest place.
+  const auto pass = std::min_element(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
+    return std::abs(a.at_s - now_s) < std::abs(b.at_s - now_s);
+  });
+  const double pass_s = pass->at_s;
+  const auto nearest = std::min_element(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
+    const bool a_in = std::abs(a.at_s - pass_s) <= kOnePassS, b_in = std::abs(b.at_s - pass_s) <= kOnePassS;
+    return a_in != b_in ? a_in : a.away_m < b.away_m;
+  });
+  clock_->seek(nearest->at_s);
+}
+
+void ReplayController::recall(const QSettings& settings) {
+  actions_->setReadsAll(settings.value(kReadAllKey, true).toBool());
+  dock_->setHiddenGroups(settings.value(kHiddenEventsKey).toStringList());
+}
+
+void ReplayController::remember(QSettings& settings) {
+  settings.setValue(kReadAllKey, actions_->readsAll());
+  settings.setValue(kHiddenEventsKey, dock_->hiddenGroups());
+}
+
+bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
+  // Space held while the mouse drags moves the map; pressed and let go of alone it plays.
+  if (event->type() == QEvent::MouseButtonPress) space_pressed_ = false;
+  if (watched == &context_.view &&
+      (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)) {
+    const auto* const key = static_cast<QKeyEvent*>(event);
+    const bool space = key->key() == Qt::Key_Space && !key->isAutoRepeat();
+    if (event->type() == QEvent::KeyPress && !key->isAutoRepeat())
+      space_pressed_ = space && !key->modifiers();
+    if (event->type() == QEvent::KeyRelease && space && std::exchange(space_pressed_, false) &&
+        clock_->isOpen())
+      clock_->togglePlaying();
+  }
+  return Controller::eventFilter(watched, event);
+}
+
+}  // namespace mapwright::window

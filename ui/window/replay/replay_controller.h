@@ -1,0 +1,75 @@
+// A bag on screen, in the place of the live robot: its time, its panel, and the way back.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <Eigen/Core>
+#include <tl/expected.hpp>
+
+#include "robot/bag_library.h"
+#include "window/controller.h"
+#include "window/map/view_mode.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class ReplayActions;
+class ReplayClock;
+class TimelineDock;
+
+class ReplayController : public Controller {
+  Q_OBJECT
+ public:
+  /// Makes a robot of this address, not yet connected, as the present one was made. The error is a sentence.
+  using MakeRobot =
+      std::function<tl::expected<std::unique_ptr<robot::Robot>, QString>(const QString& address)>;
+
+  ReplayController(WindowContext& context, MakeRobot make_robot, QObject* parent = nullptr);
+  ~ReplayController() override;
+
+  ReplayClock& clock() const { return *clock_; }
+  TimelineDock* dock() const { return dock_; }
+
+  /// A bag of the present robot, or of the one whose bag is shown. What went wrong becomes a toast.
+  void openBag(const robot::BagKey& key);
+  /// A bag of `origin`, which is not connected to; leaves what is on screen, once what is not saved is saved
+  /// or let go of.
+  void open(std::unique_ptr<robot::Robot> origin, const robot::BagKey& key);
+  /// The bag of this name, or else the recording.
+  void open(std::unique_ptr<robot::Robot> origin, const std::string& name);
+  /// Ends the replay; connects to the robot that was on screen before, if there was one.
+  void back();
+  /// A click on the way that the robot took goes to the time when it was there.
+  void clickedOnMap(const Eigen::Vector2d& world_m);
+
+  void setSession(session::Session* session) override;
+  void recall(const QSettings& settings) override;
+  void remember(QSettings& settings) override;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void show(std::unique_ptr<robot::Robot> replay);
+  void takeConnection();
+  void takeOpened();
+  void showPose();
+  void chooseMaps();
+  void refresh();
+  QString backWords() const;
+
+  WindowContext& context_;
+  MakeRobot make_robot_;
+  ReplayClock* clock_;
+  TimelineDock* dock_;
+  ReplayActions* actions_;
+  QString live_address_;        // of the robot that was left for the replay; empty = none
+  bool space_pressed_ = false;  // on the map, and nothing else since
+  bool dock_was_open_ = true;
+  bool maps_chosen_ = false;
+  std::optional<ViewMode> mode_before_;  // a bag without submaps
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,56 @@
+// A stretch of time on a row of pixels, and times in words. Pure. Seconds since the epoch; people read and
+// type them in UTC, like robots tell the times of their bags.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QString>
+
+namespace mapwright::window {
+
+/// What of a bag is in view, and how wide.
+struct TimelineAxis {
+  double from_s = 0, until_s = 1;  // until_s > from_s
+  double left_px = 0, width_px = 1;
+
+  double pixelOf(double at_s) const { return left_px + (at_s - from_s) / secondsPerPixel(); }
+  double timeOf(double px) const { return from_s + (px - left_px) * secondsPerPixel(); }
+  double secondsPerPixel() const { return (until_s - from_s) / (width_px > 0 ? width_px : 1); }
+
+  /// Nearer (factor below 1) or farther, `at_s` stays where it is; never beyond first_s..last_s, never nearer
+  /// than kNearestS.
+  TimelineAxis zoomed(double factor, double at_s, double first_s, double last_s) const;
+  /// The same stretch elsewhere, within first_s..last_s.
+  TimelineAxis movedBy(double by_s, double first_s, double last_s) const;
+  /// The same stretch where `at_s` is in view: unchanged, or a page on.
+  TimelineAxis showing(double at_s, double first_s, double last_s) const;
+
+  static constexpr double kNearestS = 0.2;
+};
+
+struct AxisTick {
+  double at_s = 0;
+  QString label;  // empty: a small one
+};
+/// Round times, at least `label_px` apart where they have labels.
+std::vector<AxisTick> axisTicks(const TimelineAxis& axis, double label_px);
+
+/// "14:36:17.250".
+QString clockText(double at_s, int decimals = 3);
+/// "2023-10-31".
+QString dayText(double at_s);
+/// A length: "0:12.5", "1:02:03.0".
+QString elapsedText(double length_s);
+
+/// What people type: "14:36:17.5" or "14:36" (of a day within first_s..last_s), "2023-10-31 14:36:17",
+/// "+90" or "+1:30" after the start, "-10" before the end, "12.5" seconds after the start, seconds since
+/// 1970. nullopt: it is no time, or none within first_s..last_s.
+std::optional<double> timeTyped(const QString& text, double first_s, double last_s);
+
+/// A speed: "2x", "-0.5x".
+QString speedText(double speed);
+/// "2", "0.5x", "-1 x"; nullopt: it is none, or out of replay::Player's bounds.
+std::optional<double> speedTyped(const QString& text);
+
+}  // namespace mapwright::window

@@ -1,0 +1,58 @@
+// What happened in a bag as marks and words. Pure.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <QString>
+
+#include "replay/events.h"
+#include "window/replay/timeline_axis.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+enum class EventShape { Triangle, Ring, Tick, Diamond, Square, Disc };
+
+/// How it is marked: by shape and colour.
+struct EventMark {
+  EventShape shape = EventShape::Tick;
+  Mark mark = Mark::Neutral;
+};
+EventMark markOf(const replay::Event& event);
+/// "Alert 1001: blocked", "Jumped 2.3 m". One line of plain text.
+QString eventText(const replay::Event& event);
+
+/// What the kinds of a group are called: "Alerts".
+QString groupName(replay::EventGroup group);
+/// The word of a group in the settings.
+QString groupWord(replay::EventGroup group);
+
+/// Events that would lie on top of each other are one mark, which tells how many they are.
+struct EventCluster {
+  std::size_t first = 0, count = 0;  // among the events, in the order of time
+  double px = 0, half_px = 0;        // where its middle lies, and how far it reaches
+  EventMark mark;                    // of the gravest
+};
+struct ClusterSizes {
+  double single_px = 5;  // half of a mark
+  double pill_px = 8;    // half of a number's frame without its digits
+  double digit_px = 4;   // half of a digit
+  double gap_px = 1;
+};
+/// Of those within the axis and a little beside it; side by side.
+std::vector<EventCluster> clustersOf(std::span<const replay::Event> events, const TimelineAxis& axis,
+                                     const ClusterSizes& sizes = {});
+
+/// The first event after `at_s`, or the last before it (-1); nullptr: there is none.
+const replay::Event* nextEvent(std::span<const replay::Event> events, double at_s, int direction);
+
+struct Stretch {
+  double from_s = 0, until_s = 0;
+  bool operator==(const Stretch&) const = default;
+};
+/// Where the position was lost or poor; what does not end goes on to `last_s`.
+std::vector<Stretch> poorStretches(std::span<const replay::Event> events, double last_s);
+
+}  // namespace mapwright::window

@@ -1,0 +1,35 @@
+// Lays the way that the robot took through the bag on the map, as far as it has been read. GUI-thread object.
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+#include <QTimer>
+
+#include "replay/reading.h"
+#include "scene/bag_track.h"
+
+namespace mapwright::window {
+
+class ReplayClock;
+
+/// All that has been read of it.
+std::shared_ptr<const scene::Track> trackOfBag(const replay::Reading& reading);
+
+class TrackOnMap : public QObject {
+  Q_OBJECT
+ public:
+  /// Both outlive it.
+  TrackOnMap(ReplayClock& clock, scene::MapScene& scene, QObject* parent = nullptr);
+
+ private:
+  void showSoon();
+  void show();
+
+  ReplayClock& clock_;
+  scene::MapScene& scene_;
+  QTimer soon_;
+  bool due_ = false;  // hidden meanwhile
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,62 @@
+// What a file or a table that was pasted changes of the waypoints, before it changes them: how it is read can
+// be chosen, and every change is shown. GUI thread.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QDialog>
+
+#include "exchange/pasted_waypoints.h"
+#include "exchange/waypoint_plan.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace mapwright::window {
+
+/// What is imported, as it came.
+struct ImportSource {
+  enum class Kind { Table, GeoJson };
+  Kind kind = Kind::Table;
+  QString name;      // of the file; empty = the clipboard
+  std::string text;  // untrusted
+};
+
+class ImportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  using Edits = std::vector<exchange::WaypointEdit>;
+  /// `kept`: the waypoints as they are here.
+  ImportDialog(ImportSource source, exchange::WaypointItems kept, QWidget* parent = nullptr);
+
+  QTableWidget* table() const { return table_; }
+  QCheckBox* headerBox() const { return header_; }
+  QCheckBox* commaBox() const { return comma_; }
+  QComboBox* turnChoice() const { return turns_; }
+  QCheckBox* othersBox() const { return others_; }
+  QPushButton* applyButton() const { return apply_; }
+  QString statusShown() const;
+
+ Q_SIGNALS:
+  void chosen(const std::vector<mapwright::exchange::WaypointEdit>& edits);
+
+ private:
+  void look();
+  void fill(const std::vector<exchange::WaypointStep>& steps);
+
+  ImportSource source_;
+  exchange::WaypointItems kept_;
+  Edits edits_;
+  QTableWidget* table_;
+  QLabel* status_;
+  QCheckBox *header_, *comma_, *others_;
+  QComboBox *separator_, *turns_;
+  QPushButton* apply_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,41 @@
+// The strip that floats over the map while waypoints are put along a line: how far apart, how many, make
+// them.
+#pragma once
+
+#include <QFrame>
+
+class QDoubleSpinBox;
+class QPushButton;
+
+namespace mapwright::window {
+
+class LineTool;
+class PlainLabel;
+
+class LineBar : public QFrame {
+  Q_OBJECT
+ public:
+  /// A child of `map`, at its lower edge. `tool` must outlive this.
+  LineBar(LineTool* tool, QWidget* map);
+  QDoubleSpinBox* spacing() const { return spacing_; }
+  QPushButton* createButton() const { return create_; }
+  QString countShown() const;
+
+ Q_SIGNALS:
+  void createWanted();
+  void closed();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void refresh();
+  void place();
+  LineTool* tool_;
+  QDoubleSpinBox* spacing_;
+  PlainLabel* count_;
+  QPushButton *create_, *close_;
+};
+
+}  // namespace mapwright::window

@@ -1,0 +1,65 @@
+// Creating waypoints otherwise than by a click, and arranging those that are selected: actions, dialogs, the
+// tool that sets them along a line. GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+
+#include "placing/arrange.h"
+#include "window/waypoints/placing_dialogs.h"
+#include "window/waypoints/waypoint_editing.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class LineBar;
+class LineTool;
+class WaypointSnapping;
+
+class PlacingActions : public QObject {
+  Q_OBJECT
+ public:
+  /// All must outlive this.
+  PlacingActions(WindowContext& context, WaypointEditing* editing, WaypointSnapping* snapping,
+                 QObject* parent = nullptr);
+
+  LineTool* lineTool() const { return line_; }
+  LineBar* lineBar() const { return bar_; }
+  NewWaypointDialog* dialog() const { return dialog_; }  // null: none is open
+  /// What can be done now.
+  void refresh();
+  /// The same of what the robot's place allows alone: that comes many times a second.
+  void refreshRobot();
+
+ Q_SIGNALS:
+  /// They were made by number or name: show them where they are.
+  void made();
+
+ private:
+  void addCreating();
+  void addSelecting();
+  void addArranging();
+  QAction* entry(const char* id, const QString& text, const char* icon, const char* key, Reach reach,
+                 const QString& tip);
+  void createAtRobot();
+  void askForNumbers();
+  void createAlongLine();
+  void duplicate();
+  using Arranging = std::vector<placing::Spot> (*)(std::vector<placing::Spot>, placing::Axis);
+  void arrange(Arranging how, placing::Axis axis, const QString& what);
+  /// Where the robot is on the map on screen; nullopt, and why in `why_not`: it is not known.
+  std::optional<geometry::Pose2> robotPose(QString* why_not) const;
+
+  WindowContext& context_;
+  WaypointEditing* editing_;
+  WaypointSnapping* snapping_;
+  LineTool* line_;
+  LineBar* bar_;
+  bool robot_known_ = false;
+  QAction *at_robot_, *at_numbers_, *along_line_, *duplicate_, *all_, *invert_;
+  std::vector<QAction*> arranging_;
+  QMenu *creating_menu_, *arranging_menu_;
+  QPointer<NewWaypointDialog> dialog_;
+};
+
+}  // namespace mapwright::window

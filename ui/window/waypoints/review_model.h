@@ -1,0 +1,61 @@
+// The requests of a review: what each is, what it changes, and what has become of it. GUI thread.
+#pragma once
+
+#include <vector>
+
+#include <QAbstractTableModel>
+#include <QPointer>
+
+#include "edit/open_waypoints.h"
+#include "window/status/status_text.h"
+
+namespace mapwright::window {
+
+class ReviewModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { NumberColumn, CallColumn, WaypointColumn, ChangeColumn, OutcomeColumn, kColumns };
+
+  using QAbstractTableModel::QAbstractTableModel;
+  /// What is going to be sent.
+  void showPlan(edit::OpenWaypoints* list, std::vector<edit::PlannedRequest> plan);
+  /// What is being sent, or has been: follows the list's submission.
+  void showSubmission(edit::OpenWaypoints* list);
+  /// Nothing.
+  void clear();
+  bool showsPlan() const { return list_ && !follows_; }
+  const std::vector<edit::PlannedRequest>& plan() const { return plan_; }
+
+  /// How many rows stand so.
+  struct Counts {
+    std::size_t done = 0, failed = 0, unknown = 0, not_sent = 0;
+  };
+  Counts counts() const;
+  /// The requests that are not carried out, as far as is known.
+  std::vector<robot::WaypointRequest> rest() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Outcome {
+    Mark mark = Mark::None;
+    QString text;
+  };
+  using State = edit::WaypointSubmission::Row::State;
+  const robot::WaypointRequest& request(int row) const;
+  robot::WaypointCall call(int row) const;
+  Outcome outcome(int row) const;
+  /// Of one whose answer was lost: it has arrived, it has not, or nobody has looked yet.
+  std::optional<bool> arrived(const robot::WaypointRequest& request) const;
+  void follow();
+
+  QPointer<edit::OpenWaypoints> list_;
+  std::vector<edit::PlannedRequest> plan_;
+  bool follows_ = false;
+  int told_rows_ = 0;
+};
+
+}  // namespace mapwright::window

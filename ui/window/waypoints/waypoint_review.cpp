@@ -1,0 +1,289 @@
+#include "window/waypoints/waypoint_review.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableView>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "exchange/waypoint_steps.h"
+#include "sentences/plural.h"
+#include "window/docks/tree_view.h"
+#include "window/look/ui_colors.h"
+#include "window/waypoints/waypoint_text.h"
+
+namespace mapwright::window {
+
+namespace {
+
+constexpr int kRowPx = 24;
+constexpr qsizetype kNamed = 3;  // of those that differ
+
+bool areCalls(const edit::OpenWaypoints& list, const std::vector<edit::PlannedRequest>& planned,
+              const std::vector<robot::WaypointRequest>& shown) {
+  return std::equal(planned.begin(), planned.end(), shown.begin(), shown.end(),
+                    [&](const edit::PlannedRequest& one, const robot::WaypointRequest& other) {
+                      const robot::WaypointCall call = list.callOf(other);
+                      return one.call.service == call.service && one.call.arguments == call.arguments;
+                    });
+}
+
+}  // namespace
+
+WaypointReview::WaypointReview(QWidget* parent)
+    : QDialog(parent),
+      model_(new ReviewModel(this)),
+      heading_(new QLabel(this)),
+      status_(new QLabel(this)),
+      compared_(new QLabel(this)),
+      table_(new QuietTableView(this)),
+      go_on_(new QCheckBox(tr("Go on with the others when one fails"), this)),
+      progress_(new QProgressBar(this)),
+      send_(new QPushButton(tr("&Send"), this)),
+      cancel_(new QPushButton(tr("&Cancel"), this)),
+      close_(new QPushButton(tr("C&lose"), this)) {
+  setObjectName(QStringLiteral("waypointReview"));
+  setWindowTitle(tr("Review and send"));
+  resize(860, 420);
+  for (QLabel* label : {heading_, status_, compared_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+  }
+  table_->setModel(model_);
+  table_->setItemDelegate(new TableRowDelegate(table_));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->setTabKeyNavigation(false);
+  table_->setAccessibleName(tr("The calls in their order"));
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(kRowPx);
+  QHeaderView* const header = table_->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header->setSectionResizeMode(ReviewModel::ChangeColumn, QHeaderView::Stretch);
+  // In letters of middling width: what the longest of our own texts and usual names take.
+  const auto wide = [&](int letters) { return letters * fontMetrics().averageCharWidth() + 20; };
+  header->resizeSection(ReviewModel::NumberColumn, wide(4));
+  header->resizeSection(ReviewModel::CallColumn, wide(22));
+  header->resizeSection(ReviewModel::WaypointColumn, wide(20));
+  header->resizeSection(ReviewModel::OutcomeColumn, wide(22));
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(6);
+  send_->setDefault(true);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(go_on_);
+  buttons->addStretch();
+  for (QPushButton* button : {cancel_, close_, send_}) buttons->addWidget(button);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(heading_);
+  column->addWidget(table_, 1);
+  column->addWidget(progress_);
+  column->addWidget(status_);
+  column->addWidget(compared_);
+  column->addLayout(buttons);
+
+  connect(send_, &QPushButton::clicked, this, &WaypointReview::send);
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    if (list_) list_->cancelSaving();
+  });
+  connect(close_, &QPushButton::clicked, this, &WaypointReview::close);
+}
+
+bool WaypointReview::isWorthIt(const edit::OpenWaypoints& list) {
+  // One of them tells: a robot is called for all of them, or for none.
+  const auto changes = list.document().changes();
+  if (changes.empty()) return false;
+  const auto& one = changes.front();
+  robot::WaypointRequest request;
+  request.changes.push_back({list.document().theirName(one.key), one.before, one.after});
+  return !list.callOf(request).service.empty();
+}
+
+void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
+  if (list_ != list) {
+    forget();
+    list_ = list;
+    connect(list, &edit::OpenWaypoints::changed, this, &WaypointReview::refresh);
+    // Whoever goes on editing sees what it takes then; once a turn, however much has changed.
+    connect(&list->document(), &edit::DocumentEvents::changed, this, [this] {
+      if (isHidden() || !list_ || list_->saving() || !model_->showsPlan() || std::exchange(waiting_, true))
+        return;
+      QTimer::singleShot(0, this, [this] {
+        waiting_ = false;
+        if (list_ && !list_->saving() && model_->showsPlan()) takePlan();
+      });
+    });
+  }
+  map_ = map;
+  if (!list_->saving()) {
+    sent_ = overtaken_ = unreached_ = false;
+    wanted_.clear();
+    takePlan();
+  }
+  show();
+  raise();
+  activateWindow();
+}
+
+void WaypointReview::forget() {
+  if (list_) {
+    list_->disconnect(this);
+    list_->document().disconnect(this);
+  }
+  list_.clear();
+  model_->clear();
+  wanted_.clear();
+  sent_ = overtaken_ = unreached_ = false;
+  hide();
+}
+
+void WaypointReview::takePlan() {
+  model_->showPlan(list_, list_->planned());
+  refresh();
+}
+
+void WaypointReview::send() {
+  if (!list_ || list_->saving()) return;
+  std::vector<edit::PlannedRequest> planned = list_->planned();
+  // What is sent is what stands here, and nothing else.
+  if (!model_->showsPlan() && !areCalls(*list_, planned, model_->rest())) {
+    overtaken_ = true;
+    return takePlan();
+  }
+  overtaken_ = unreached_ = false;
+  for (const edit::Change<map::Waypoint>& change : list_->document().changes())
+    wanted_.insert_or_assign(change.key, change);
+  sent_ = true;
+  list_->send(model_->showsPlan() ? model_->plan() : planned,
+              go_on_->isChecked() ? edit::AtFailure::GoOn : edit::AtFailure::Stop);
+}
+
+void WaypointReview::refresh() {
+  if (!list_) return;
+  using edit::SubmissionPhase;
+  const SubmissionPhase phase = list_->submission().phase();
+  if (sent_ && phase == SubmissionPhase::Undecided) {
+    // Nothing has been sent: others were there meanwhile.
+    sent_ = false;
+    overtaken_ = true;
+    return takePlan();
+  }
+  const bool before_the_first = phase != SubmissionPhase::Looking && phase != SubmissionPhase::Done &&
+                                list_->submission().rows().empty();
+  if (sent_ && !list_->saving() && before_the_first) {
+    // How they are kept could not be looked up: what stands here is still what it takes.
+    sent_ = false;
+    unreached_ = true;
+    return takePlan();
+  }
+  if (sent_ && phase != SubmissionPhase::Looking) model_->showSubmission(list_);
+  const bool saving = list_->saving();
+  const int rows = model_->rowCount();
+  heading_->setText(
+      tr("Waypoints of %1: %2 in this order.")
+          .arg(map_, sentences::counted(tr("%1 calls", nullptr, sentences::formOf(rows)), rows)));
+  status_->setText(statusText());
+  status_->setVisible(!status_->text().isEmpty());
+  compared_->setText(comparedText());
+  compared_->setVisible(!compared_->text().isEmpty());
+  progress_->setVisible(saving);
+  progress_->setRange(0, saving && phase == SubmissionPhase::Sending ? rows : 0);
+  progress_->setValue(int(list_->submission().done()));
+  const bool all_done = sent_ && phase == SubmissionPhase::Done;
+  send_->setText(sent_ && !all_done ? tr("&Send the rest") : tr("&Send"));
+  send_->setVisible(!saving);
+  send_->setEnabled(list_->maySave() && (model_->showsPlan() ? rows > 0 : !all_done));
+  cancel_->setVisible(saving);
+  close_->setVisible(!saving);
+  go_on_->setEnabled(!saving);
+  (all_done ? close_ : send_)->setDefault(true);
+}
+
+QString WaypointReview::statusText() const {
+  using edit::SubmissionPhase;
+  const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
+  if (!list_->document().conflicts().empty() && !list_->saving())
+    return tr("%1 changed here and elsewhere. Choose which is right in the panel Waypoints; what is in "
+              "conflict is not "
+              "sent.")
+        .arg(waypointsText(qsizetype(list_->document().conflicts().size())));
+  if (!sent_) {
+    if (unreached_ && list_->submission().failure())
+      return failureText(*list_->submission().failure()) + QLatin1Char(' ') + tr("Nothing has been sent.");
+    if (overtaken_)
+      return tr(
+          "Nothing has been sent: the list has changed meanwhile, and this is what it takes now. Look at it "
+          "and "
+          "send it.");
+    return model_->rowCount() == 0 ? tr("There is nothing to send.") : tr("Nothing has been sent yet.");
+  }
+  const ReviewModel::Counts counts = model_->counts();
+  const auto& submission = list_->submission();
+  switch (submission.phase()) {
+    case SubmissionPhase::Looking:
+      return tr("Looking how they are kept now…");
+    case SubmissionPhase::Sending:
+      return tr("Sending: %1 of %2 done.").arg(figure(counts.done), figure(std::size_t(model_->rowCount())));
+    case SubmissionPhase::LookingAgain:
+      return tr("All is sent. Looking what has become of it…");
+    case SubmissionPhase::Done:
+      return tr("All calls were carried out.");
+    default:
+      break;
+  }
+  QString text = tr("Of %1 calls %2 were carried out, %3 failed, %4 are not known and %5 were not sent.")
+                     .arg(figure(std::size_t(model_->rowCount())), figure(counts.done), figure(counts.failed),
+                          figure(counts.unknown), figure(counts.not_sent));
+  if (submission.failure()) {
+    map::Failure why = *submission.failure();
+    why.applied = map::Applied::No;  // which of them have arrived stands in the rows
+    text = failureText(why) + QLatin1Char(' ') + text;
+  }
+  if (!list_->looked())
+    text += QLatin1Char(' ') +
+            tr("What has arrived could not be read yet; that is done as soon as the link is back.");
+  return text;
+}
+
+QString WaypointReview::comparedText() const {
+  if (!sent_ || list_->saving() || !list_->looked() || wanted_.empty()) return {};
+  QStringList names;
+  std::size_t differ = 0;
+  const edit::WaypointDocument& document = list_->document();
+  for (const auto& [key, change] : wanted_) {
+    const auto steps = exchange::stepsOf({change});
+    const bool as_wanted = std::all_of(steps.begin(), steps.end(), [&](const auto& step) {
+      return exchange::isDone(step, document.findKept(key));
+    });
+    if (as_wanted) continue;
+    ++differ;
+    if (names.size() < kNamed) names << shortWaypointName(change.before ? *change.before : *change.after);
+  }
+  const QLocale c = QLocale::c();
+  const QString as_wanted = c.toString(qulonglong(wanted_.size() - differ));
+  if (differ == 0) return tr("Compared with what is kept now: %1 as wanted, 0 differ.").arg(as_wanted);
+  if (qsizetype(differ) > names.size()) names << QStringLiteral("…");
+  return tr("Compared with what is kept now: %1 as wanted, %2 differ: %3.")
+      .arg(as_wanted, c.toString(qulonglong(differ)), names.join(QStringLiteral(", ")));
+}
+
+void WaypointReview::hideEvent(QHideEvent* event) {
+  QDialog::hideEvent(event);
+  if (!event->spontaneous() && list_ && !list_->saving() && list_->unsaved()) Q_EMIT givenUp();
+}
+
+QString WaypointReview::statusShown() const { return status_->isHidden() ? QString() : status_->text(); }
+QString WaypointReview::comparedShown() const {
+  return compared_->isHidden() ? QString() : compared_->text();
+}
+
+}  // namespace mapwright::window
