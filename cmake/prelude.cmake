@@ -13,7 +13,7 @@ set(PRELUDE_widgets ${PRELUDE_core}
   <QAction> <QApplication> <QGraphicsItem> <QGraphicsView> <QImage> <QKeyEvent> <QLabel> <QLineEdit> <QMainWindow>
   <QPainter> <QPainterPath> <QPushButton> <QSettings> <QStyle> <QToolButton> <QVBoxLayout>)
 # How long tests wait is the one thing of ours in it.
-set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer> ${CMAKE_SOURCE_DIR}/tests/patience.h)
+set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer> <patience.h>)
 
 set(PRELUDE_LIBRARIES_plain PkgConfig::EIGEN)
 set(PRELUDE_LIBRARIES_core ${PRELUDE_LIBRARIES_plain} Qt6::Core)
@@ -36,6 +36,7 @@ endforeach()
 # Tests are compiled without optimising: half of the time that it takes to build them, and what they test is optimised.
 set(MAPWRIGHT_TEST_OPTIONS -O0)
 target_compile_options(mw_prelude_test PRIVATE ${MAPWRIGHT_TEST_OPTIONS})
+target_include_directories(mw_prelude_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 
 function(take_prelude target kind)
   target_precompile_headers(${target} REUSE_FROM mw_prelude_${kind})

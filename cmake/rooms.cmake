@@ -2,13 +2,18 @@
 # other. Each room's headers are reached through an include root of its own that holds a link to each of them, and
 # USES is linked PRIVATE, so neither an #include over a wall nor one through a neighbour compiles. tests/house proves
 # it.
-#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] SOURCES ... USES ... [LIBRARIES ...])
+#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] SOURCES ... [APART ...] USES ...
+#                  [LIBRARIES ...])
+# Several sources of a room are compiled as one (MAPWRIGHT_UNITY: a third of the time). Those that
+# give the same name to things of their own are listed as APART and compiled alone.
 function(mapwright_room name)
-  cmake_parse_arguments(ROOM "" "PREFIX;PRELUDE" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "PREFIX;PRELUDE" "SOURCES;APART;USES;LIBRARIES" ${ARGN})
   if(NOT ROOM_PREFIX)
     set(ROOM_PREFIX ${name})
   endif()
   add_library(mw_${name} STATIC ${ROOM_SOURCES})
+  set_target_properties(mw_${name} PROPERTIES UNITY_BUILD ${MAPWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_source_files_properties(${ROOM_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   open_door(${name} ${ROOM_PREFIX})
   foreach(used ${ROOM_USES})
     target_link_libraries(mw_${name} PRIVATE mw_${used})
@@ -98,10 +103,11 @@ foreach(linker lld gold)
   endif()
 endforeach()
 
-# A Qt Test program that runs offscreen under ctest: mapwright_test(name SOURCES ... USES ... [LIBRARIES ...])
+# A Qt Test program that runs offscreen under ctest: mapwright_test(name [WITH_DATA] SOURCES ... USES ...
+# [LIBRARIES ...]). Only one WITH_DATA knows where this build lies: ccache can take the others from another clone.
 # It sees the rooms that it USES and those that they see.
 function(mapwright_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "WITH_DATA" "" "SOURCES;USES;LIBRARIES" ${ARGN})
   add_executable(test_${name} ${TEST_SOURCES})
   rooms_within_reach(seen ${TEST_USES})
   foreach(used ${seen})
@@ -112,9 +118,10 @@ function(mapwright_test name)
   target_link_options(test_${name} PRIVATE ${MAPWRIGHT_TEST_LINKER})
   take_prelude(test_${name} test)
   moc_of_tests(test_${name} ${TEST_SOURCES})
-  target_compile_definitions(test_${name} PRIVATE
-    MAPWRIGHT_TEST_DATA="${CMAKE_BINARY_DIR}/test-data")
-  add_dependencies(test_${name} test_data)
+  if(TEST_WITH_DATA)
+    target_compile_definitions(test_${name} PRIVATE MAPWRIGHT_TEST_DATA="${CMAKE_BINARY_DIR}/test-data")
+    add_dependencies(test_${name} test_data)
+  endif()
   add_test(NAME ${name} COMMAND test_${name})
   set_tests_properties(${name} PROPERTIES
     TIMEOUT 600

@@ -109,5 +109,3 @@ class ReplayRobot : public robot::Robot {
 };
 
 }  // namespace mapwright::replay
-
-Q_DECLARE_METATYPE(mapwright::map::World)

@@ -19,7 +19,6 @@
 
 #include <QByteArray>
 #include <QDateTime>
-#include <QMetaType>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -234,11 +233,3 @@ class Robot : public QObject {
 };
 
 }  // namespace mapwright::robot
-
-Q_DECLARE_METATYPE(mapwright::map::StampedMessage)
-Q_DECLARE_METATYPE(mapwright::map::Problem)
-Q_DECLARE_METATYPE(mapwright::map::Recovery)
-Q_DECLARE_METATYPE(mapwright::map::SubmapAnswer)
-Q_DECLARE_METATYPE(mapwright::robot::ConnectionState)
-Q_DECLARE_METATYPE(mapwright::robot::RobotIdentity)
-Q_DECLARE_METATYPE(mapwright::robot::RawMessage)

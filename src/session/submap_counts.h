@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include <QMetaType>
 #include <QtGlobal>
 
 #include "map/submap.h"
@@ -51,5 +50,3 @@ struct TouchedRows {
 };
 
 }  // namespace mapwright::session
-
-Q_DECLARE_METATYPE(mapwright::session::TouchedRows)

@@ -86,5 +86,3 @@ class RecordedFile : public QObject {
 };
 
 }  // namespace mapwright::robot::recorded
-
-Q_DECLARE_METATYPE(mapwright::robot::recorded::RecordingFacts)

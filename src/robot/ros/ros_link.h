@@ -204,7 +204,3 @@ class RosLink : public QObject {
 };
 
 }  // namespace mapwright::robot::ros
-
-Q_DECLARE_METATYPE(mapwright::robot::ros::KnownTopics)
-Q_DECLARE_METATYPE(mapwright::robot::ros::FoundDispatch)
-Q_DECLARE_METATYPE(std::shared_ptr<const mapwright::robot::ProjectedPart>)
