@@ -147,14 +147,14 @@ class TestWindowParts : public QObject {
     QCOMPARE(idsOf(menuCalled(bar, "&Map")->actions()).join(QLatin1Char(' ')),
              QStringLiteral(
                  "zoomIn zoomOut native fit - follow goTo - northUp robotTurn rotateLeft rotateRight - pan "
-                 "measure fetchRegion cloudRegion cloudSection - "
+                 "measure fetchRegion cloudRegion cloudSection projections - "
                  "compare export refreshRegions refreshRegionsEvery fetchWholeMap - copyCoordinates "
                  "screenshotCopy screenshotSave"));
     QCOMPARE(
         idsOf(menuCalled(bar, "&View")->actions()).mid(0, 18).join(QLatin1Char(' ')),
         QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture - colorsNormal "
                        "colorsIncremental colorsActive - themeLight themeDark themeSystem - *"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(31).join(QLatin1Char(' ')),
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(32).join(QLatin1Char(' ')),
              QStringLiteral("- filter focusMap fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("palette shortcuts - diagnostics about"));

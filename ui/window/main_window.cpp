@@ -13,6 +13,7 @@
 #include "window/action_bars.h"
 #include "window/administration/administration_controller.h"
 #include "window/clouds/clouds_controller.h"
+#include "window/clouds/section_dock.h"
 #include "window/compare/compare_controller.h"
 #include "window/connection/connection_controller.h"
 #include "window/current_session.h"
@@ -36,6 +37,7 @@
 #include "window/picture/picture_controller.h"
 #include "window/plots/plots_controller.h"
 #include "window/problems/problems_controller.h"
+#include "window/projections/projections_controller.h"
 #include "window/recording/recording_controller.h"
 #include "window/recordings/recordings_controller.h"
 #include "window/regions/regions_controller.h"
@@ -164,6 +166,7 @@ void MainWindow::createControllers(const Dependencies& dependencies) {
   make(plots_, replay_->clock());
   make(regions_);
   make(clouds_);
+  make(projections_);
   make(problems_);
   make(maps_);
   make(administration_);
@@ -187,6 +190,9 @@ void MainWindow::connectControllers() {
   connect(messages_->dock(), &MessagesDock::plotWanted, plots_, &PlotsController::plot);
   connect(inspector_, &InspectorController::colorModeWanted, layers_, &LayersController::setColorMode);
   connect(layers_, &LayersController::colorModeChanged, inspector_, &InspectorController::setColorMode);
+  SectionView* const section = clouds_->sectionDock()->view();
+  connect(projections_, &ProjectionsController::bandsChanged, section, &SectionView::setBands);
+  connect(section, &SectionView::bandMoved, projections_, &ProjectionsController::setHeights);
   connect(picture_, &PictureController::compareWanted, compare_, &CompareController::compareWithSaved);
   connect(picture_, &PictureController::written, maps_, &MapsController::expectOwnChange);
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);

@@ -57,6 +57,7 @@ class PicturePlacing;
 class PlotsController;
 class ProblemsController;
 class ProblemsDock;
+class ProjectionsController;
 class RecordingsController;
 class RegionsController;
 class ReplayController;
@@ -127,6 +128,7 @@ class MainWindow : public QMainWindow {
   ReplayController* replay() const { return replay_; }
   PlotsController* plots() const { return plots_; }
   CloudsController* clouds() const { return clouds_; }
+  ProjectionsController* projections() const { return projections_; }
   RecordingController* recorder() const { return recording_; }
   RegionsController* regions() const { return regions_; }
 
@@ -173,6 +175,7 @@ class MainWindow : public QMainWindow {
 
   AppearanceController* appearance_ = nullptr;
   CloudsController* clouds_ = nullptr;
+  ProjectionsController* projections_ = nullptr;
   CompareController* compare_ = nullptr;
   ConnectionController* connection_ = nullptr;
   ExportController* export_ = nullptr;

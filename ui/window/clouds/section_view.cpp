@@ -16,7 +16,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kLeftPx = 52, kBottomPx = 22, kTopPx = 6, kRightPx = 8;
-constexpr double kReachPx = 8, kStepPx = 40, kMarginPx = 12;
+constexpr double kReachPx = 8, kEdgePx = 6, kStepPx = 40, kMarginPx = 12;
 
 render::GridRenderer::Options options(std::shared_ptr<work::Workers> workers) {
   render::GridRenderer::Options made;
@@ -68,8 +68,29 @@ void SectionView::fit() {
     all.extend(
         Eigen::Vector2d((section_->cut.to_m - section_->cut.from_m).norm(), empty ? 1 : section_->high_m));
     next = next.fitted(all, kMarginPx);
+  } else if (!bands_.empty()) {
+    geometry::WorldRect all;
+    for (const SectionBand& band : bands_) {
+      all.extend(Eigen::Vector2d(0, band.low_m));
+      all.extend(Eigen::Vector2d(0, band.high_m));
+    }
+    next = next.fitted(all, kMarginPx);
   }
   setView(next);
+}
+
+void SectionView::setBands(std::vector<SectionBand> bands) {
+  if (bands == bands_) return;
+  if (bands.size() != bands_.size()) held_edge_.reset();
+  bands_ = std::move(bands);
+  // Without a cloud they are all that there is to see; but not while the hand holds one of them.
+  if (!section_ && !moved_ && !held_edge_) return fit();
+  update();
+}
+
+std::optional<BandEdge> SectionView::edgeAt(const QPointF& px) const {
+  if (!field().contains(px.toPoint())) return std::nullopt;
+  return edgeNear(bands_, placeAt(px).y(), kEdgePx * view_.scale_m_per_px);
 }
 
 void SectionView::setView(const geometry::ViewTransform& view) {
@@ -106,7 +127,7 @@ void SectionView::resizeEvent(QResizeEvent* event) {
 }
 
 void SectionView::wheelEvent(QWheelEvent* event) {
-  if (!section_) return QWidget::wheelEvent(event);
+  if (!section_ && bands_.empty()) return QWidget::wheelEvent(event);
   const QPointF at = event->position() - field().topLeft();
   moved_ = true;
   setView(view_.zoomedAt({at.x(), at.y()}, std::pow(1.2, event->angleDelta().y() / 120.0)));
@@ -115,11 +136,19 @@ void SectionView::wheelEvent(QWheelEvent* event) {
 }
 
 void SectionView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) grabbed_ = event->position();
+  if (event->button() != Qt::LeftButton) return;
+  held_edge_ = edgeAt(event->position());
+  if (!held_edge_) grabbed_ = event->position();
 }
 
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
-  if (grabbed_ && section_) {
+  if (held_edge_ && held_edge_->at < bands_.size()) {
+    const SectionBand to =
+        withEdgeAt(bands_[held_edge_->at], held_edge_->low, placeAt(event->position()).y());
+    Q_EMIT bandMoved(to.index, to.low_m, to.high_m);
+  }
+  setCursor(held_edge_ || edgeAt(event->position()) ? Qt::SizeVerCursor : Qt::CrossCursor);
+  if (grabbed_ && (section_ || !bands_.empty())) {
     const QPointF step = event->position() - *grabbed_;
     grabbed_ = event->position();
     if (!step.isNull()) {
@@ -130,7 +159,10 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
   read(event->position());
 }
 
-void SectionView::mouseReleaseEvent(QMouseEvent*) { grabbed_.reset(); }
+void SectionView::mouseReleaseEvent(QMouseEvent*) {
+  grabbed_.reset();
+  held_edge_.reset();
+}
 
 void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) fit();
@@ -229,6 +261,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   }
   draw(drawing.tiles);
   painter.restore();
+  paintBands(painter);
   painter.setPen(hasFocus() ? colors.focus : colors.border);
   painter.drawRect(room.adjusted(0, 0, -1, -1));
   if (reading_ && reading_->nearest) {
@@ -236,6 +269,27 @@ void SectionView::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(colors.text, 1.5));
     painter.drawEllipse(pxOf(*reading_->nearest), 5, 5);
   }
+}
+
+void SectionView::paintBands(QPainter& painter) const {
+  const UiColors colors = appColors();
+  const QRect room = field();
+  painter.save();
+  painter.setClipRect(room);
+  for (const SectionBand& band : bands_) {
+    const double top = pxOf({0, band.high_m}).y(), bottom = pxOf({0, band.low_m}).y();
+    const QRectF strip(room.left(), top, room.width(), bottom - top);
+    QColor pale = colors.focus;
+    pale.setAlpha(band.chosen ? 45 : 18);
+    painter.fillRect(strip, pale);
+    painter.setPen(QPen(colors.focus, band.chosen ? 2 : 1, band.chosen ? Qt::SolidLine : Qt::DashLine));
+    painter.drawLine(strip.topLeft(), strip.topRight());
+    painter.drawLine(strip.bottomLeft(), strip.bottomRight());
+    painter.setPen(colors.text);
+    painter.drawText(strip.adjusted(6, 2, -6, -2), Qt::AlignTop | Qt::AlignRight,
+                     QString::number(band.index));
+  }
+  painter.restore();
 }
 
 void SectionView::paintAxes(QPainter& painter) const {

@@ -8,10 +8,12 @@
 
 #include "render/painted_tiles.h"
 #include "scene/map_clouds.h"
+#include "window/clouds/section_bands.h"
 
 namespace mapwright::window {
 
-/// Wheel: zoom at the cursor. Drag: pan. Double click or F: all of it. Keys: arrows pan, + and - zoom.
+/// Wheel: zoom at the cursor. Drag: pan; at the edge of a band: moves that. Double click or F: all of it.
+/// Keys: arrows pan, + and - zoom.
 class SectionView : public QWidget {
   Q_OBJECT
  public:
@@ -21,6 +23,9 @@ class SectionView : public QWidget {
   void showSection(std::shared_ptr<const scene::CloudSection> section, render::TilePainter painter);
   const std::shared_ptr<const scene::CloudSection>& section() const { return section_; }
   void fit();
+  /// Ranges of height that lie over it.
+  void setBands(std::vector<SectionBand> bands);
+  const std::vector<SectionBand>& bands() const { return bands_; }
   /// (along, height) of a place in the widget, and back.
   Eigen::Vector2d placeAt(const QPointF& px) const;
   QPointF pxOf(const Eigen::Vector2d& place) const;
@@ -38,6 +43,8 @@ class SectionView : public QWidget {
 
  Q_SIGNALS:
   void readingChanged();
+  /// The hand has moved an edge of a band, by the name that it has.
+  void bandMoved(int index, double low_m, double high_m);
 
  protected:
   bool event(QEvent* event) override;
@@ -57,10 +64,14 @@ class SectionView : public QWidget {
   void sendView();
   void read(const QPointF& px);
   void paintAxes(QPainter& painter) const;
+  void paintBands(QPainter& painter) const;
+  std::optional<BandEdge> edgeAt(const QPointF& px) const;
 
   std::shared_ptr<const scene::CloudSection> section_;
   render::PaintedTiles tiles_;
   geometry::ViewTransform view_;
+  std::vector<SectionBand> bands_;
+  std::optional<BandEdge> held_edge_;
   std::optional<QPointF> grabbed_;
   std::optional<Reading> reading_;
   bool moved_ = false;  // by hand: it is not fitted any more by itself

@@ -130,8 +130,8 @@ CompareBar::CompareBar(QWidget* parent)
 void CompareBar::fill(session::Session* session, const std::optional<SecondMap>& chosen) {
   std::vector<SecondMap> offers;
   QStringList titles;
-  const auto offer = [&](SecondMap what, const QString& title) {
-    offers.push_back(std::move(what));
+  const auto offer = [&](const SecondMap& what, const QString& title) {
+    offers.push_back(what);
     titles << title;
   };
   if (session->robot().submapSource()) offer(SubmapsAside{}, tr("the submaps (they lie on the left)"));

@@ -1,0 +1,236 @@
+#include "window/projections/projections_controller.h"
+
+#include "sentences/absence_sentence.h"
+#include "sentences/failure_sentence.h"
+#include "sentences/plural.h"
+#include "window/clouds/section_bands.h"
+#include "window/current_session.h"
+#include "window/map/map_view.h"
+#include "window/map/tool_choice.h"
+#include "window/panels.h"
+#include "window/projections/projection_tool.h"
+#include "window/projections/projections_dock.h"
+
+namespace mapwright::window {
+
+using robot::DispatchService;
+
+ProjectionsController::ProjectionsController(WindowContext& context, QObject* parent)
+    : Controller(parent),
+      context_(context),
+      dock_(new ProjectionsDock(&draft_, &context.window)),
+      tool_(new ProjectionTool(&context.scene, &draft_, this)) {
+  context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 56, .menu_rank = 45, .open = false});
+  QAction* const action = context_.actions.add({.id = "projections",
+                                                .text = tr("Edit pro&jections"),
+                                                .icon = "rectangle",
+                                                .tip = tr("Draw what a robot is to lay on the plane"),
+                                                .toggle = true,
+                                                .menu = {MenuGroup::Tools, 80}});
+  context_.tools.add(tool_, action);
+  connect(action, &QAction::toggled, this, [this](bool on) {
+    dock_->setDrawing(on);
+    if (on) context_.panels.open(dock_);
+  });
+  connect(dock_, &ProjectionsDock::drawWanted, this, [this](bool draw) {
+    if (draw) {
+      context_.tools.choose(tool_);
+    } else {
+      context_.tools.putAway();
+    }
+  });
+  connect(dock_, &QDockWidget::visibilityChanged, this, &ProjectionsController::askWhenSeen);
+  connect(dock_, &ProjectionsDock::askWanted, this, &ProjectionsController::ask);
+  connect(dock_, &ProjectionsDock::sendWanted, this, &ProjectionsController::send);
+  connect(dock_, &ProjectionsDock::addWanted, this, [this] {
+    const geometry::WorldRect seen = context_.view.destination().visibleWorld();
+    // The middle half of what is in view: its edges can be seen and taken hold of.
+    add(seen.grown(-std::min(seen.width(), seen.height()) / 4));
+  });
+  const auto take_out = [this] {
+    draft_.removeSelected();
+    refresh();
+  };
+  connect(dock_, &ProjectionsDock::removeWanted, this, take_out);
+  connect(tool_, &ProjectionTool::removeWanted, this, take_out);
+  connect(dock_, &ProjectionsDock::revertWanted, this, [this] {
+    draft_.revert();
+    dock_->setOutcome({}, false);
+    refresh();
+  });
+  const auto choose = [this](std::optional<int> index) {
+    draft_.select(index);
+    refresh();
+  };
+  connect(dock_, &ProjectionsDock::chosen, this, choose);
+  connect(tool_, &ProjectionTool::chosen, this, choose);
+  const auto change = [this](int index, const map::Projection& projection) {
+    draft_.set(index, projection);
+    refresh();
+  };
+  connect(dock_->model(), &ProjectionsModel::edited, this, change);
+  connect(tool_, &ProjectionTool::changedTo, this, change);
+  connect(tool_, &ProjectionTool::drawn, this, &ProjectionsController::add);
+  connect(&context_.current, &CurrentSession::stateChanged, this, &ProjectionsController::follow);
+  refresh();
+}
+
+robot::MapDispatch* ProjectionsController::dispatch() const {
+  session::Session* const session = context_.current.session();
+  return session ? session->robot().mapDispatch() : nullptr;
+}
+
+void ProjectionsController::setSession(session::Session* session) {
+  ++asked_;
+  call_ = {};
+  tried_ = false;
+  draft_.forget();
+  dock_->setBusy(false);
+  dock_->setOutcome({}, false);
+  if (session) {
+    connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &ProjectionsController::follow);
+  }
+  follow();
+}
+
+void ProjectionsController::follow() {
+  session::Session* const session = context_.current.session();
+  robot::MapDispatch* const offered = dispatch();
+  if (followed_ != offered) {
+    if (followed_) followed_->disconnect(this);
+    followed_ = offered;
+    if (offered) {
+      connect(offered, &robot::MapDispatch::offersChanged, this, &ProjectionsController::follow);
+    }
+  }
+  QString absence;
+  if (!session) {
+    absence = tr("Connect to a robot with a map dispatcher to see what it projects.");
+  } else if (!offered) {
+    absence = sentences::whyAbsent(robot::Capability::Dispatch,
+                                   session->robot().whyNot(robot::Capability::Dispatch));
+  } else if (!offered->offered(DispatchService::ReadProjections) &&
+             !offered->offered(DispatchService::ChangeProjections)) {
+    absence = tr("This robot has no service for projections (set_map_projections).");
+  }
+  dock_->setAbsence(absence);
+  dock_->setOffer({session && session->connection().phase == robot::ConnectionPhase::Online,
+                   offered && offered->offered(DispatchService::ReadProjections),
+                   offered && offered->offered(DispatchService::ChangeProjections)});
+  askWhenSeen();
+  refresh();
+}
+
+bool ProjectionsController::editable() const {
+  const robot::MapDispatch* const offered = dispatch();
+  return offered && offered->offered(DispatchService::ChangeProjections) && call_.over();
+}
+
+void ProjectionsController::refresh() {
+  tool_->setEditable(editable());
+  dock_->refresh();
+  tool_->refresh();
+  std::vector<SectionBand> bands;
+  for (int i = 0; i < int(draft_.wanted().size()); ++i) {
+    const map::Projection& one = draft_.wanted()[std::size_t(i)];
+    bands.push_back({i, one.min_z_m, one.max_z_m, draft_.selected() == i, editable()});
+  }
+  Q_EMIT bandsChanged(bands);
+}
+
+void ProjectionsController::setHeights(int index, double low_m, double high_m) {
+  if (!editable() || index < 0 || index >= int(draft_.wanted().size())) return;
+  map::Projection one = draft_.wanted()[std::size_t(index)];
+  one.min_z_m = low_m;
+  one.max_z_m = high_m;
+  draft_.set(index, one);
+  refresh();
+}
+
+void ProjectionsController::askWhenSeen() {
+  const robot::MapDispatch* const offered = dispatch();
+  const session::Session* const session = context_.current.session();
+  if (tried_ || !dock_->isVisible() || !offered || !offered->offered(DispatchService::ReadProjections))
+    return;
+  if (session->connection().phase != robot::ConnectionPhase::Online) return;
+  tried_ = true;
+  ask();
+}
+
+void ProjectionsController::ask() {
+  robot::MapDispatch* const offered = dispatch();
+  if (!offered || !call_.over()) return;
+  dock_->setOutcome({}, false);
+  dock_->setBusy(true);
+  call_ =
+      offered->projections([this, asked = ++asked_](const robot::Outcome<ProjectionDraft::List>& outcome) {
+        if (asked == asked_) take(outcome);
+      });
+  refresh();
+}
+
+void ProjectionsController::take(const robot::Outcome<ProjectionDraft::List>& outcome) {
+  call_ = {};
+  dock_->setBusy(false);
+  if (!outcome) {
+    dock_->setOutcome(QString::fromStdString(sentences::sentenceOf(outcome.error())), true);
+  } else if (!draft_.tell(*outcome)) {
+    dock_->setOutcome(tr("The robot has answered. What is edited here is kept; Revert shows what it says."),
+                      false);
+  }
+  refresh();
+}
+
+void ProjectionsController::send() {
+  robot::MapDispatch* const offered = dispatch();
+  if (!offered || !editable() || draft_.firstFlawed()) return;
+  dock_->setOutcome({}, false);
+  dock_->setBusy(true);
+  const ProjectionDraft::List wanted = draft_.wanted();
+  call_ = offered->project(
+      wanted, [this, wanted, asked = ++asked_](const robot::Outcome<ProjectionDraft::List>& outcome) {
+        if (asked == asked_) takeSet(wanted, outcome);
+      });
+  refresh();
+}
+
+void ProjectionsController::takeSet(const ProjectionDraft::List& wanted,
+                                    const robot::Outcome<ProjectionDraft::List>& outcome) {
+  call_ = {};
+  dock_->setBusy(false);
+  if (!outcome) {
+    dock_->setOutcome(QString::fromStdString(sentences::sentenceOf(outcome.error())), true);
+    return refresh();
+  }
+  draft_.settle(*outcome);
+  const qint64 others = differing(wanted, *outcome);
+  if (others == 0) {
+    dock_->setOutcome(tr("The robot has taken it."), false);
+  } else {
+    dock_->setOutcome(
+        sentences::counted(
+            tr("The robot has answered, but %1 projections are not what it was sent. The table shows what it "
+               "says.",
+               nullptr, sentences::formOf(others)),
+            others),
+        true);
+  }
+  refresh();
+}
+
+void ProjectionsController::add(const geometry::WorldRect& rect) {
+  if (!editable() || rect.empty()) return;
+  map::Projection one;
+  if (const map::Projection* const like = draft_.selectedOne()) {
+    one = *like;  // its heights and its frame
+  } else {
+    one.min_z_m = 0;
+    one.max_z_m = 2;
+  }
+  one.corner_m = {rect.min_x, rect.min_y};
+  one.size_m = {rect.width(), rect.height()};
+  draft_.add(one);
+  refresh();
+}
+
+}  // namespace mapwright::window

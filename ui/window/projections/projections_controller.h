@@ -1,0 +1,57 @@
+// What a map dispatcher lays on the plane: asked for, edited on the map, in the section and in a table, and
+// set.
+#pragma once
+
+#include <QPointer>
+
+#include "robot/call.h"
+#include "robot/map_dispatch.h"
+#include "window/controller.h"
+#include "window/projections/projection_draft.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class ProjectionsDock;
+class ProjectionTool;
+struct SectionBand;
+
+class ProjectionsController : public Controller {
+  Q_OBJECT
+ public:
+  explicit ProjectionsController(WindowContext& context, QObject* parent = nullptr);
+
+  ProjectionsDock* dock() const { return dock_; }
+  ProjectionTool* tool() const { return tool_; }
+  const ProjectionDraft& draft() const { return draft_; }
+  void setSession(session::Session* session) override;
+
+  void ask();
+  void send();
+  void setHeights(int index, double low_m, double high_m);
+
+ Q_SIGNALS:
+  /// The heights of the projections, as a section shows them.
+  void bandsChanged(const std::vector<mapwright::window::SectionBand>& bands);
+
+ private:
+  robot::MapDispatch* dispatch() const;
+  void follow();
+  void refresh();
+  void askWhenSeen();
+  void take(const robot::Outcome<ProjectionDraft::List>& outcome);
+  void takeSet(const ProjectionDraft::List& wanted, const robot::Outcome<ProjectionDraft::List>& outcome);
+  void add(const geometry::WorldRect& rect);
+  bool editable() const;
+
+  WindowContext& context_;
+  ProjectionDraft draft_;
+  ProjectionsDock* dock_;
+  ProjectionTool* tool_;
+  QPointer<robot::MapDispatch> followed_;
+  robot::Call call_;
+  std::uint64_t asked_ = 0;  // counts the requests: an answer to an older one is of no use
+  bool tried_ = false;       // this robot was asked by itself
+};
+
+}  // namespace mapwright::window
