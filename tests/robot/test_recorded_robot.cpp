@@ -607,6 +607,23 @@ class RecordedRobotTest : public QObject {
     QCOMPARE((*range(*robot, keyOf(path), 0, 4e9))->messages.size(), std::size_t(200));
   }
 
+  void thatAFileHasGrownIsToldWhoeverSawItFirst() {
+    const std::vector<Said> said = axbotSession(8, 200);
+    const std::string all = recordingOf(said, {});
+    const QString path = written(all.substr(0, all.size() / 2));
+    const auto robot = opened(path);
+    const BagInfo before = *infoOf(*robot, keyOf(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(all.data(), qint64(all.size()));
+    file.close();
+    // A request for messages looks at the file, too.
+    QVERIFY(range(*robot, keyOf(path), 0, 4e9).has_value());
+    const BagInfo after = *infoOf(*robot, keyOf(path));
+    QVERIFY(after.end_s > before.end_s);
+    QVERIFY(after.messages > before.messages);
+  }
+
   void whatIsPlayedGetsLongerWithItsFile() {
     const auto bytes = std::make_shared<std::string>();
     const auto writer = recordings::writerInto(bytes);

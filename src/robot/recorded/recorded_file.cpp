@@ -117,6 +117,7 @@ void RecordedFile::tellNotes() {
 bool RecordedFile::refresh() {
   const auto channels = parts_->file->channels().size();
   if (!parts_->file->refresh()) return false;
+  info_is_old_ = true;
   parts_->kept.look();
   // What was placed stays as it is: another frame would be another map.
   if (parts_->file->channels().size() == channels && parts_->shape.fixed_by_file) return true;
@@ -184,7 +185,9 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
                                             .reason = map::FailureReason::NotThere});
   }
   // Whoever follows a file asks again and again: that costs a look at its length.
-  if (!refresh() && told_info_) return *told_info_;
+  // That it has grown may have been seen by a request for messages.
+  refresh();
+  if (!info_is_old_ && told_info_) return *told_info_;
   const recording::Summary summary = parts_->file->summary();
   BagInfo info;
   info.messages = std::int64_t(summary.messages);
@@ -204,6 +207,7 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
   info.end_s = summary.end_ns ? double(*summary.end_ns) / 1e9 : info.start_s;
   tellNotes();
   told_info_ = info;
+  info_is_old_ = false;
   return info;
 }
 

@@ -81,6 +81,7 @@ class RecordedFile : public QObject {
   std::unique_ptr<Parts> parts_;
   std::optional<map::Reason> trouble_;
   std::optional<BagInfo> told_info_;  // of the file as it was last
+  bool info_is_old_ = false;          // the file has grown since it was told
   std::optional<std::int64_t> counted_until_ns_;
   std::set<std::string> told_;
 };
