@@ -1,7 +1,5 @@
 #include "app/projections.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +13,7 @@
 #include "app/maps_command.h"
 #include "app/robot_access.h"
 #include "app/table.h"
+#include "map/projections.h"
 #include "robot/map_dispatch.h"
 #include "words/qt_plain.h"
 
@@ -27,8 +26,6 @@ class Words {
 
 using Projections = std::vector<map::Projection>;
 
-constexpr double kAsWantedM = 0.25;  // a cell or two of any grid
-
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 /// What --help says, as CLI11 takes it.
@@ -40,16 +37,18 @@ tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) 
   for (const QString& part : parts.mid(0, 6)) {
     bool ok = false;
     const double value = part.trimmed().toDouble(&ok);
-    if (ok && std::abs(value) <= 1e7) numbers.push_back(value);
+    if (ok) numbers.push_back(value);
   }
   const bool whole = parts.size() == 6 || parts.size() == 7;
-  if (!whole || numbers.size() != 6 || !(numbers[2] > 0) || !(numbers[3] > 0) || !(numbers[4] < numbers[5])) {
+  map::Projection one;
+  if (numbers.size() == 6)
+    one = {{}, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5]};
+  if (!whole || map::flawOf(one) != map::ProjectionFlaw::None) {
     return tl::make_unexpected(
         Words::tr("--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, "
                   "and the frame behind them where it is not that of the map.")
             .arg(text(typed)));
   }
-  map::Projection one{{}, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5]};
   if (parts.size() == 7) one.frame = parts.back().trimmed().toStdString();
   return one;
 }
@@ -85,17 +84,6 @@ void print(const Projections& all, bool json) {
   printTable(table);
 }
 
-/// As far as grids of cells can be so.
-bool isAsWanted(const Projections& wanted, const Projections& told) {
-  return std::equal(wanted.begin(), wanted.end(), told.begin(), told.end(),
-                    [](const map::Projection& a, const map::Projection& b) {
-                      return (a.corner_m - b.corner_m).cwiseAbs().maxCoeff() <= kAsWantedM &&
-                             (a.size_m - b.size_m).cwiseAbs().maxCoeff() <= kAsWantedM &&
-                             std::abs(a.min_z_m - b.min_z_m) <= kAsWantedM &&
-                             std::abs(a.max_z_m - b.max_z_m) <= kAsWantedM;
-                    });
-}
-
 CommandResult<int> list(MapReading& reading, const ProjectionsWords& words) {
   robot::MapDispatch* const dispatch = reading.session().robot().mapDispatch();
   if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
@@ -119,7 +107,7 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
       [&](robot::OutcomeTo<Projections> reply) { return dispatch->project(wanted, std::move(reply)); });
   if (!told) return tl::make_unexpected(reading.failure(told.error()));
   print(*told, words.json);
-  if (isAsWanted(wanted, *told)) return kDone;
+  if (map::differing(wanted, *told) == 0) return kDone;
   return tl::make_unexpected(
       reading.failure(kIncomplete, Words::tr("It took it, but projects something else than it was told.")));
 }

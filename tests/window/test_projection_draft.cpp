@@ -8,6 +8,7 @@
 
 using namespace mapwright;
 using namespace mapwright::window;
+using map::ProjectionFlaw;
 using List = ProjectionDraft::List;
 
 namespace {
@@ -66,16 +67,16 @@ class TestProjectionDraft : public QObject {
 
   void whatMeansNothingIsNamed() {
     map::Projection one = floorAt(0, 0);
-    QVERIFY(flawOf(one) == ProjectionFlaw::None);
+    QVERIFY(map::flawOf(one) == ProjectionFlaw::None);
     one.size_m.x() = 0;
-    QVERIFY(flawOf(one) == ProjectionFlaw::WithoutSize);
+    QVERIFY(map::flawOf(one) == ProjectionFlaw::WithoutSize);
     one = floorAt(0, 0);
     one.max_z_m = one.min_z_m;
-    QVERIFY(flawOf(one) == ProjectionFlaw::HeightsCrossed);
+    QVERIFY(map::flawOf(one) == ProjectionFlaw::HeightsCrossed);
     one = floorAt(2e7, 0);
-    QVERIFY(flawOf(one) == ProjectionFlaw::TooFar);
+    QVERIFY(map::flawOf(one) == ProjectionFlaw::TooFar);
     one = floorAt(std::numeric_limits<double>::quiet_NaN(), 0);
-    QVERIFY(flawOf(one) == ProjectionFlaw::NotFinite);
+    QVERIFY(map::flawOf(one) == ProjectionFlaw::NotFinite);
     ProjectionDraft draft;
     draft.tell({floorAt(0, 0), one});
     QCOMPARE(draft.firstFlawed(), std::optional(1));
@@ -83,11 +84,11 @@ class TestProjectionDraft : public QObject {
 
   void whatARobotMadeOfItIsComparedAsGridsAre() {
     map::Projection near = floorAt(0.05, 0);
-    QCOMPARE(differing({floorAt(0, 0)}, {near}), 0);
+    QCOMPARE(map::differing({floorAt(0, 0)}, {near}), 0);
     near.max_z_m = 3;
-    QCOMPARE(differing({floorAt(0, 0)}, {near}), 1);
-    QCOMPARE(differing({floorAt(0, 0), floorAt(4, 4)}, {floorAt(0, 0)}), 1);
-    QCOMPARE(differing({}, {}), 0);
+    QCOMPARE(map::differing({floorAt(0, 0)}, {near}), 1);
+    QCOMPARE(map::differing({floorAt(0, 0), floorAt(4, 4)}, {floorAt(0, 0)}), 1);
+    QCOMPARE(map::differing({}, {}), 0);
   }
 
   void rectanglesAreTakenHoldOfWhereTheHandIs() {

@@ -169,7 +169,7 @@ class TestWindowProjections : public QObject {
     const auto at = desk.dock().model()->index(0, ProjectionsModel::Width);
     QVERIFY(desk.dock().model()->setData(at, 8.0, Qt::EditRole));
     QCOMPARE(desk.wanted()[0].size_m.x(), 8.0);
-    QCOMPARE(desk.dock().state(), QStringLiteral("Not sent yet."));
+    QCOMPARE(desk.dock().state(), QStringLiteral("Edited here: it is not what the robot says."));
     desk.dock().sendButton()->click();
     QCOMPARE(desk.dispatch().sent.size(), std::size_t(1));
     QCOMPARE(desk.dispatch().sent[0][0].size_m.x(), 8.0);

@@ -1,21 +1,12 @@
 #include "window/projections/projection_draft.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mapwright::window {
 namespace {
 
-constexpr double kFarthestProjectionM = 1e7;
 constexpr double kLeastSizeM = 0.1;
-constexpr double kGridStepM = 0.25;  // a cell or two of any grid
-
-bool isAlike(const map::Projection& a, const map::Projection& b) {
-  return (a.corner_m - b.corner_m).cwiseAbs().maxCoeff() <= kGridStepM &&
-         (a.size_m - b.size_m).cwiseAbs().maxCoeff() <= kGridStepM &&
-         std::abs(a.min_z_m - b.min_z_m) <= kGridStepM && std::abs(a.max_z_m - b.max_z_m) <= kGridStepM;
-}
 
 /// One side of an interval moved: the ends in their order, never in one place.
 void pull(double& low, double& high, bool moves_low, double step) {
@@ -25,26 +16,6 @@ void pull(double& low, double& high, bool moves_low, double step) {
 }
 
 }  // namespace
-
-ProjectionFlaw flawOf(const map::Projection& projection) {
-  const std::array numbers{projection.corner_m.x(), projection.corner_m.y(), projection.size_m.x(),
-                           projection.size_m.y(),   projection.min_z_m,      projection.max_z_m};
-  for (const double number : numbers) {
-    if (!std::isfinite(number)) return ProjectionFlaw::NotFinite;
-    if (std::abs(number) > kFarthestProjectionM) return ProjectionFlaw::TooFar;
-  }
-  if (!(projection.size_m.x() > 0) || !(projection.size_m.y() > 0)) return ProjectionFlaw::WithoutSize;
-  if (!(projection.min_z_m < projection.max_z_m)) return ProjectionFlaw::HeightsCrossed;
-  return ProjectionFlaw::None;
-}
-
-int differing(const std::vector<map::Projection>& wanted, const std::vector<map::Projection>& told) {
-  int count = 0;
-  for (std::size_t i = 0; i < std::max(wanted.size(), told.size()); ++i) {
-    if (i >= wanted.size() || i >= told.size() || !isAlike(wanted[i], told[i])) ++count;
-  }
-  return count;
-}
 
 bool ProjectionDraft::tell(List told) {
   const bool edited = changed();
@@ -68,7 +39,7 @@ void ProjectionDraft::revert() {
 
 std::optional<int> ProjectionDraft::firstFlawed() const {
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
-    if (flawOf(wanted_[i]) != ProjectionFlaw::None) return int(i);
+    if (flawOf(wanted_[i]) != map::ProjectionFlaw::None) return int(i);
   }
   return std::nullopt;
 }

@@ -4,17 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "map/map_part.h"
+#include "map/projections.h"
 
 namespace mapwright::window {
-
-/// Why a robot would not be told of a projection.
-enum class ProjectionFlaw { None, NotFinite, TooFar, WithoutSize, HeightsCrossed };
-ProjectionFlaw flawOf(const map::Projection& projection);
-
-/// How many of `told` are not what was `wanted`, by more than grids of cells make of it; those that are
-/// missing or too many count as well.
-int differing(const std::vector<map::Projection>& wanted, const std::vector<map::Projection>& told);
 
 class ProjectionDraft {
  public:

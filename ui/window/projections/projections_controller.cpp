@@ -203,7 +203,7 @@ void ProjectionsController::takeSet(const ProjectionDraft::List& wanted,
     return refresh();
   }
   draft_.settle(*outcome);
-  const qint64 others = differing(wanted, *outcome);
+  const qint64 others = map::differing(wanted, *outcome);
   if (others == 0) {
     dock_->setOutcome(tr("The robot has taken it."), false);
   } else {

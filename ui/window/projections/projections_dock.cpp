@@ -176,7 +176,7 @@ void ProjectionsDock::refresh() {
   send_->setEnabled(editable && offer_.online && draft_->changed() && !flawed);
   send_->setToolTip(!offer_.changes  ? tr("This robot takes no projections.")
                     : !offer_.online ? tr("The robot is not connected.")
-                    : flawed         ? flawText(flawOf(draft_->wanted()[std::size_t(*flawed)]))
+                    : flawed         ? flawText(map::flawOf(draft_->wanted()[std::size_t(*flawed)]))
                                      : tr("Send the whole list; what the robot then says is shown"));
   QString state;
   if (busy_) {
@@ -186,9 +186,9 @@ void ProjectionsDock::refresh() {
                          : tr("This robot does not tell what it projects.");
   } else if (flawed) {
     state = tr("Projection %1 cannot be sent. %2")
-                .arg(QString::number(*flawed), flawText(flawOf(draft_->wanted()[std::size_t(*flawed)])));
+                .arg(QString::number(*flawed), flawText(map::flawOf(draft_->wanted()[std::size_t(*flawed)])));
   } else if (draft_->changed()) {
-    state = tr("Not sent yet.");
+    state = tr("Edited here: it is not what the robot says.");
   } else if (draft_->wanted().empty()) {
     state = tr("The robot projects nothing.");
   } else {

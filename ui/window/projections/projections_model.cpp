@@ -48,17 +48,17 @@ void setNumber(map::Projection& one, int column, double value) {
 
 }  // namespace
 
-QString flawText(ProjectionFlaw flaw) {
+QString flawText(map::ProjectionFlaw flaw) {
   switch (flaw) {
-    case ProjectionFlaw::None:
+    case map::ProjectionFlaw::None:
       break;
-    case ProjectionFlaw::NotFinite:
+    case map::ProjectionFlaw::NotFinite:
       return ProjectionsModel::tr("One of its numbers is none.");
-    case ProjectionFlaw::TooFar:
+    case map::ProjectionFlaw::TooFar:
       return ProjectionsModel::tr("It lies farther away than 10,000 km.");
-    case ProjectionFlaw::WithoutSize:
+    case map::ProjectionFlaw::WithoutSize:
       return ProjectionsModel::tr("Its width and its height must be more than 0.");
-    case ProjectionFlaw::HeightsCrossed:
+    case map::ProjectionFlaw::HeightsCrossed:
       return ProjectionsModel::tr("Its lower height must be below its upper one.");
   }
   return {};
@@ -86,7 +86,7 @@ QVariant ProjectionsModel::data(const QModelIndex& index, int role) const {
     case Qt::TextAlignmentRole:
       return numeric ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
     case Qt::ToolTipRole: {
-      const QString flaw = flawText(flawOf(one));
+      const QString flaw = flawText(map::flawOf(one));
       return flaw.isEmpty() ? QVariant() : flaw.toHtmlEscaped();
     }
     case Qt::FontRole: {

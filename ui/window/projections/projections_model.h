@@ -35,6 +35,6 @@ class ProjectionsModel : public QAbstractTableModel {
 };
 
 /// Why it cannot be sent; empty = it can.
-QString flawText(ProjectionFlaw flaw);
+QString flawText(map::ProjectionFlaw flaw);
 
 }  // namespace mapwright::window
