@@ -197,6 +197,76 @@ class AxbotBagsTest : public QObject {
     QCOMPARE(usual->messages.back().message.received_s, 11.0);
   }
 
+  // What a topic says once more is taken from what it said before, unless anything but the time is different.
+  // Behind a member that is no plain value, a range is read in another way.
+  void whatIsSaidAgainIsWhatIsReadOtherwise_data() {
+    QTest::addColumn<QByteArray>("messages");
+    const auto row = [](const char* name, std::initializer_list<const char*> messages) {
+      QByteArrayList list;
+      for (const char* message : messages) list += message;
+      QTest::newRow(name) << list.join(",");
+    };
+    row("the same", {R"({"topic":"/battery_state","percentage":0.5,"__stamp":1,"__latched":true})",
+                     R"({"topic":"/battery_state","percentage":0.5,"__stamp":2.25,"__latched":true})",
+                     R"({"topic":"/battery_state","percentage":0.5,"__stamp":3,"__latched":true})"});
+    row("another value", {R"({"topic":"/battery_state","percentage":0.5,"__stamp":1,"__latched":true})",
+                          R"({"topic":"/battery_state","percentage":0.6,"__stamp":2,"__latched":true})",
+                          R"({"topic":"/battery_state","percentage":0.5,"__stamp":3,"__latched":true})"});
+    row("latched or not", {R"({"topic":"/battery_state","percentage":0.5,"__stamp":1,"__latched":true})",
+                           R"({"topic":"/battery_state","percentage":0.5,"__stamp":2,"__latched":false})",
+                           R"({"topic":"/battery_state","percentage":0.5,"__stamp":3})"});
+    row("more behind", {R"({"topic":"/battery_state","percentage":0.5,"__stamp":1})",
+                        R"({"topic":"/battery_state","percentage":0.5,"__stamp":2,"voltage":24})",
+                        R"({"topic":"/battery_state","percentage":0.5,"__stamp":3,"voltage":25})"});
+    row("a robot's own time", {R"({"topic":"/alerts","stamp":5,"alerts":[],"__stamp":1})",
+                               R"({"topic":"/alerts","stamp":6,"alerts":[],"__stamp":2})",
+                               R"({"topic":"/alerts","stamp":6,"alerts":[],"__stamp":3})"});
+    row("a stamp within", {R"({"topic":"/x","__stamp":1,"in":{"y":1,"__stamp":7}})",
+                           R"({"topic":"/x","__stamp":1,"in":{"y":1,"__stamp":8}})",
+                           R"({"topic":"/x","in":{"y":1,"__stamp":7},"__stamp":2})",
+                           R"({"topic":"/x","in":{"y":1,"__stamp":7},"__stamp":3})"});
+    row("a stamp in a text", {"{\"topic\":\"/x\",\"a\":\"\\\"__stamp\\\":7}\",\"__stamp\":1}",
+                              "{\"topic\":\"/x\",\"a\":\"\\\"__stamp\\\":8}\",\"__stamp\":2}"});
+    row("stamps as texts", {R"({"topic":"/battery_state","percentage":0.5,"__stamp":"1"})",
+                            R"({"topic":"/battery_state","percentage":0.5,"__stamp":"2"})"});
+    row("two stamps", {R"({"topic":"/battery_state","percentage":0.5,"__stamp":1,"__stamp":9})",
+                       R"({"topic":"/battery_state","percentage":0.5,"__stamp":1,"__stamp":8})"});
+    row("two stamps, oddly",
+        {R"({"topic":"/x","__stamp" :1,"__stamp":1})", R"({"topic":"/x","__stamp" :1,"__stamp":8})"});
+    row("no number", {R"({"topic":"/battery_state","percentage":0.5,"__stamp":1})",
+                      R"({"topic":"/battery_state","percentage":0.5,"__stamp":NaN})",
+                      R"({"topic":"/battery_state","percentage":0.5,"__stamp":null})",
+                      R"({"topic":"/battery_state","percentage":0.5,"__stamp":1e999})",
+                      R"({"topic":"/battery_state","percentage":0.5,"__stamp":4})"});
+    row("brackets and quotes in texts",
+        {"{\"topic\":\"/y\",\"a\":\"]}\\\\\",\"b\":\"\\\"{[\",\"__stamp\":1}",
+         "{\"topic\":\"/y\",\"a\":\"]}\\\\\",\"b\":\"\\\"{[\",\"__stamp\":2}"});
+    row("an unreadable map",
+        {R"({"topic":"/map","size":"none","__stamp":1})", R"({"topic":"/map","size":"none","__stamp":2})"});
+    row("a map that lies elsewhere",
+        {R"({"topic":"/map","data_url":"x/1.png","resolution":0.05,"origin":[0,0],"size":[4,4],"__stamp":1})",
+         R"({"topic":"/map","data_url":"x/1.png","resolution":0.05,"origin":[0,0],"size":[4,4],"__stamp":2})"});
+    row("other things", {"7", "\"text\"", "[1,[2]]", "null", R"({"topic":"/x","__stamp":1})", "{}"});
+  }
+  void whatIsSaidAgainIsWhatIsReadOtherwise() {
+    QFETCH(QByteArray, messages);
+    const std::string list = "\"messages\":[" + messages.toStdString() + "]}";
+    const auto usual = axbot::parseBagChunk("{" + list, {0, 20});
+    const auto odd = axbot::parseBagChunk("{\"odd\":{}," + list, {0, 20});
+    QVERIFY(usual && odd);
+    QCOMPARE(usual->messages.size(), odd->messages.size());
+    QCOMPARE(usual->unreadable, odd->unreadable);
+    QCOMPARE(usual->without_stamp, odd->without_stamp);
+    for (std::size_t i = 0; i < odd->messages.size(); ++i) {
+      const BagMessage &a = usual->messages[i], &b = odd->messages[i];
+      QVERIFY(a.message == b.message);
+      QCOMPARE(a.known, b.known);
+      QCOMPARE(a.latched, b.latched);
+      QCOMPARE(a.picture_url, b.picture_url);
+      QCOMPARE(usual->textOf(a), odd->textOf(b));
+    }
+  }
+
   void aRangeThatIsCutOffAnywhereIsAnErrorOrTheWhole() {
     const std::string json =
         "{\"messages\":[{\"topic\":\"/a\",\"x\":\"}]\\\"\",\"__stamp\":1},{\"topic\":\"/b\",\"__stamp\":2}]}";

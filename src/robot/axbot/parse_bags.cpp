@@ -8,6 +8,7 @@
 
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/plain_messages.h"
+#include "robot/wire/json_cursor.h"
 #include "robot/wire/read_json.h"
 
 namespace mapwright::robot::axbot {
@@ -58,21 +59,20 @@ class ChunkReader {
  public:
   explicit ChunkReader(BagChunk& chunk) : chunk_(chunk) {}
 
-  void add(std::string_view json) {
+  /// A message, or something that is none. false: it is no JSON at all.
+  bool add(std::string_view json) {
     const std::optional<wire::Json> root = read(json);
     if (!root || !root->is_object()) {
       ++chunk_.unreadable;
-      return;
+      return root.has_value();
     }
     const std::optional<double> stamp_s = wire::number(*root, {"__stamp"});
     if (!stamp_s) {
       ++chunk_.without_stamp;
-      return;
+      return true;
     }
     TextFrame frame = readFrame(*root);
     BagMessage message;
-    message.at = std::size_t(json.data() - chunk_.text->data());
-    message.size = json.size();
     message.latched = wire::flag(*root, {"__latched"}).value_or(false);
     message.message.received_s = *stamp_s;
     message.message.recorded_s = wire::epochSeconds(*root, {"stamp"});
@@ -86,14 +86,26 @@ class ChunkReader {
       message.message.message = map::UnreadableMessage{frame.topic, {}};
     }
     message.message.topic = std::move(frame.topic);
-    chunk_.messages.push_back(std::move(message));
+    keep(std::move(message), json);
+    plain_.remember(json, chunk_.messages.back(), chunk_.messages.size() - 1);
+    return true;
   }
 
-  /// One that has been read.
-  void add(BagMessage message, std::string_view json) {
-    message.at = std::size_t(json.data() - chunk_.text->data());
-    message.size = json.size();
-    chunk_.messages.push_back(std::move(message));
+  /// Where the message that begins at `at` ends, if it could be read on the way; else nullptr.
+  const char* addPlain(const char* at) {
+    BagMessage message;
+    if (const char* end = plain_.read(at, message)) {
+      keep(std::move(message), {at, std::size_t(end - at)});
+      return end;
+    }
+    std::size_t of = 0;
+    double stamp_s = 0;
+    const char* const end = plain_.readAgain(at, of, stamp_s);
+    if (!end) return nullptr;
+    message = chunk_.messages[of];
+    message.message.received_s = stamp_s;
+    keep(std::move(message), {at, std::size_t(end - at)});
+    return end;
   }
 
  private:
@@ -104,17 +116,78 @@ class ChunkReader {
     return lenient_.read(json);
   }
 
+  void keep(BagMessage message, std::string_view json) {
+    message.at = std::size_t(json.data() - chunk_.text->data());
+    message.size = json.size();
+    chunk_.messages.push_back(std::move(message));
+    // Once there are enough to tell how long they are, room is made for all.
+    constexpr std::size_t kEnough = 256;
+    if (chunk_.messages.size() == kEnough) {
+      const std::size_t read = chunk_.messages.back().at + json.size();
+      chunk_.messages.reserve(
+          std::max(kEnough, std::size_t(1.1 * kEnough * double(chunk_.text->size()) / double(read))));
+    }
+  }
+
   BagChunk& chunk_;
+  PlainMessages plain_;
   simdjson::dom::parser parser_;
   wire::JsonReader lenient_;
 };
 
-/// The messages of chunk.text, one after the other; what is wrong with the text as a whole. `plain`: some are
-/// read on the way. On failure there are none.
-std::optional<map::Reason> readMessages(BagChunk& chunk, bool plain) {
-  namespace ondemand = simdjson::ondemand;
+void clear(BagChunk& chunk) {
   chunk.messages.clear();
   chunk.without_stamp = chunk.unreadable = 0;
+}
+
+/// The elements of the list that the cursor stands at. Each is read where it lies; as every one is JSON from
+/// its first to its last bracket, so is the list.
+bool readList(wire::JsonCursor& json, const char* end, ChunkReader& reader, BagChunk& chunk) {
+  if (!json.take('[')) return false;
+  if (json.peek() == ']') return json.take(']');
+  do {
+    if (json.peek() != '{') {
+      if (!json.takeScalar()) return false;
+      ++chunk.unreadable;
+      continue;
+    }
+    const char* const start = json.at();
+    const char* behind = reader.addPlain(start);
+    if (!behind) {
+      behind = wire::endOfNested(start, end);
+      if (!behind || !reader.add({start, std::size_t(behind - start)})) return false;
+    }
+    json = wire::JsonCursor(behind);
+  } while (json.take(','));
+  return json.take(']');
+}
+
+/// The messages of chunk.text in one pass. false: it is not written as robots usually write it, or is no
+/// JSON; nothing is known of it.
+bool readQuickly(BagChunk& chunk) {
+  clear(chunk);
+  const char* const end = chunk.text->data() + chunk.text->size();
+  ChunkReader reader(chunk);
+  wire::JsonCursor json(chunk.text->c_str());
+  json.skipSpace();
+  if (!json.take('{')) return false;
+  bool has_messages = false;
+  do {
+    std::string_view key;
+    if (!json.takeString(key) || !json.take(':')) return false;
+    if (key != "messages") {
+      if (!json.takeScalar()) return false;
+    } else if (std::exchange(has_messages, true) || !readList(json, end, reader, chunk)) {
+      return false;
+    }
+  } while (json.take(','));
+  return has_messages && json.take('}') && json.at() == end;
+}
+
+/// The same of any JSON; what is wrong with the text as a whole. On failure there are no messages.
+std::optional<map::Reason> readMessages(BagChunk& chunk) {
+  namespace ondemand = simdjson::ondemand;
+  clear(chunk);
   const map::Reason no_json = notJson(*chunk.text);
   ondemand::parser parser;
   ondemand::document document;
@@ -128,7 +201,6 @@ std::optional<map::Reason> readMessages(BagChunk& chunk, bool plain) {
     return absent ? map::Reason(map::ReasonCode::BagWithoutMessages) : no_json;
   }
   ChunkReader reader(chunk);
-  PlainMessages usual;
   for (auto each : messages) {
     ondemand::value value;
     ondemand::json_type type{};
@@ -137,27 +209,10 @@ std::optional<map::Reason> readMessages(BagChunk& chunk, bool plain) {
       ++chunk.unreadable;
       continue;
     }
-    const char* const start = value.raw_json_token().data();
-    const auto until = [&](const char* end) {
-      while (end > start && end[-1] != '}') --end;
-      return std::string_view(start, std::size_t(end - start));
-    };
     ondemand::object message;
-    if (value.get_object().get(message)) return no_json;
-    if (plain) {
-      BagMessage told;
-      const char* end = nullptr;
-      if (usual.read(message, told)) {
-        if (document.current_location().get(end)) return no_json;
-        reader.add(std::move(told), until(end));
-        continue;
-      }
-      // What is no JSON at all may have ended the reading of the whole.
-      if (!document.is_alive() || message.reset().error()) return no_json;
-    }
     std::string_view json;
-    if (message.raw_json().get(json)) return no_json;
-    reader.add(until(json.data() + json.size()));
+    if (value.get_object().get(message) || message.raw_json().get(json)) return no_json;
+    reader.add(json.substr(0, json.rfind('}') + 1));
   }
   return std::nullopt;
 }
@@ -203,10 +258,8 @@ tl::expected<BagChunk, map::Reason> parseBagChunk(std::string_view utf8, const B
   chunk.from_s = range.from_s;
   chunk.until_s = range.until_s;
   chunk.text = validText(utf8);
-  std::optional<map::Reason> why = readMessages(chunk, true);
-  // Something within a message is no JSON: then only where it ends is looked for.
-  if (why) why = readMessages(chunk, false);
-  if (why) return wrong(*std::move(why));
+  if (readQuickly(chunk)) return chunk;
+  if (auto why = readMessages(chunk)) return wrong(*std::move(why));
   return chunk;
 }
 

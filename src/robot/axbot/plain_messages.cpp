@@ -1,210 +1,173 @@
 #include "robot/axbot/plain_messages.h"
 
 #include <cmath>
-#include <optional>
-#include <string_view>
+#include <cstring>
 
 #include "robot/axbot/cloud_points.h"
 #include "robot/axbot/topic_subjects.h"
+#include "robot/wire/json_cursor.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
-namespace ondemand = simdjson::ondemand;
+using wire::JsonCursor;
 
 constexpr double kLatestSeconds = 1e11;  // as in wire::epochSeconds(): beyond it, it is milliseconds
+constexpr std::string_view kStamp = "\"__stamp\"";
 
-enum class Member { Topic, Recorded, Robots, Latched, Position, Heading, Points, Other, Odd };
+enum class Member { Topic, Recorded, Robots, Latched, Position, Heading, Points, Other };
 
-/// Keys are compared as they are written: one with an escape in it may be any.
-Member memberOf(ondemand::raw_json_string key) {
-  const auto is = [&](std::string_view name) { return key.unsafe_is_equal(name); };
-  switch (key.raw()[0]) {
-    case 't':
-      if (is("topic")) return Member::Topic;
-      break;
-    case '_':
-      if (is("__stamp")) return Member::Recorded;
-      if (is("__latched")) return Member::Latched;
-      break;
-    case 's':
-      if (is("stamp")) return Member::Robots;
-      break;
-    case 'p':
-      if (is("pos")) return Member::Position;
-      if (is("points")) return Member::Points;
-      break;
-    case 'o':
-      if (is("ori")) return Member::Heading;
-      break;
-    default:
-      break;
-  }
-  for (const char* at = key.raw(); *at != '"'; ++at) {
-    if (*at == '\\') return Member::Odd;
-  }
+Member memberOf(std::string_view key) {
+  if (key == "topic") return Member::Topic;
+  if (key == "__stamp") return Member::Recorded;
+  if (key == "__latched") return Member::Latched;
+  if (key == "stamp") return Member::Robots;
+  if (key == "pos") return Member::Position;
+  if (key == "ori") return Member::Heading;
+  if (key == "points") return Member::Points;
   return Member::Other;
 }
 
-/// A string without escapes; the topic of all messages that are read here.
-std::optional<std::string_view> plainText(ondemand::value value) {
-  std::string_view token = value.raw_json_token();
-  if (!token.starts_with('"')) return std::nullopt;
-  token.remove_prefix(1);
-  const std::size_t end = token.rfind('"');
-  if (end == std::string_view::npos) return std::nullopt;
-  token = token.substr(0, end);
-  return token.find('\\') == std::string_view::npos ? std::optional(token) : std::nullopt;
+/// [x, y, …]: how many numbers there are, of which the first `room` are kept; nothing but numbers.
+bool takeRow(JsonCursor& json, double* numbers, std::size_t room, std::size_t& count) {
+  count = 0;
+  if (!json.take('[')) return false;
+  if (json.peek() == ']') return json.take(']');
+  double beyond = 0;
+  do {
+    if (!json.takeNumber(count < room ? numbers[count] : beyond)) return false;
+    ++count;
+  } while (json.take(','));
+  return json.take(']');
 }
 
-/// Numbers of a few digits, as robots write positions, are what they are as a whole number by a power of ten:
-/// both are doubles, so the quotient is the double next to what is written. nullopt: not that short.
-std::optional<double> shortNumber(const char* at) {
-  constexpr double kPowers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
-  constexpr int kMostDigits = 14;
-  const bool negative = *at == '-';
-  at += negative;
-  const char* const start = at;
-  std::int64_t whole = 0;
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto take = [&] {
-    const char* const first = at;
-    for (; isDigit(*at) && at - start <= kMostDigits; ++at) whole = whole * 10 + (*at - '0');
-    return int(at - first);
-  };
-  const int before = take();
-  if (before == 0 || (before > 1 && *start == '0')) return std::nullopt;
-  int after = 0;
-  if (*at == '.') {
-    ++at;
-    after = take();
-    if (after == 0) return std::nullopt;
-  }
-  const bool ends = *at == ',' || *at == ']' || *at == '}' || *at == ' ' || *at == '\n';
-  if (!ends || before + after > kMostDigits) return std::nullopt;
-  const double size = after == 0 ? double(whole) : double(whole) / kPowers[after];
-  return negative ? -size : size;
-}
-
-bool number(ondemand::value value, double& out) {
-  const std::string_view token = value.raw_json_token();
-  if (const auto quick = shortNumber(token.data())) {
-    out = *quick;
-    return true;
-  }
-  // Whole numbers beyond any type count as null.
-  constexpr std::size_t kDigits = 18;
-  if (token.size() > kDigits && token.find_first_of(".eE") == std::string_view::npos) return false;
-  return !value.get_double().get(out);
-}
-
-bool position(ondemand::value value, geometry::Pose2& pose) {
-  ondemand::array row;
-  if (value.get_array().get(row)) return false;
+bool takePosition(JsonCursor& json, geometry::Pose2& pose) {
   double numbers[2] = {0, 0};
   std::size_t count = 0;
-  for (auto each : row) {
-    ondemand::value one;
-    if (each.get(one)) return false;
-    if (count < 2 && !number(one, numbers[count])) return false;
-    ++count;
-  }
+  if (!takeRow(json, numbers, 2, count)) return false;
   pose.x_m = numbers[0];
   pose.y_m = numbers[1];
   return count >= 2;
 }
 
-bool points(ondemand::value value, CloudPoints& cloud) {
-  ondemand::array rows;
-  if (value.get_array().get(rows)) return false;
-  for (auto each : rows) {
-    ondemand::array row;
-    if (each.get_array().get(row)) return false;
+bool takePoints(JsonCursor& json, CloudPoints& cloud) {
+  if (!json.take('[')) return false;
+  if (json.peek() == ']') return json.take(']');
+  do {
     double numbers[4] = {std::nan(""), std::nan(""), 0, 0};
     std::size_t count = 0;
-    for (auto cell : row) {
-      ondemand::value one;
-      if (cell.get(one)) return false;
-      if (count < 4 && !number(one, numbers[count])) return false;
-      ++count;
-    }
-    if (cloud.full()) return false;
+    if (!takeRow(json, numbers, 4, count) || cloud.full()) return false;
     cloud.add(numbers[0], numbers[1], numbers[2], numbers[3]);
-  }
-  return true;
+  } while (json.take(','));
+  return json.take(']');
+}
+
+/// The topic of a message that says it first.
+bool takeTopic(JsonCursor& json, std::string_view& topic) {
+  std::string_view key;
+  return json.take('{') && json.takeString(key) && key == "topic" && json.take(':') && json.takeString(topic);
 }
 
 }  // namespace
 
-bool PlainMessages::read(ondemand::object& object, BagMessage& message) {
-  enum class Kind { None, Pose, Cloud };
-  Kind kind = Kind::None;
+const char* PlainMessages::read(const char* at, BagMessage& message) {
+  JsonCursor json(at);
+  std::string_view topic;
+  if (!takeTopic(json, topic)) return nullptr;
+  message.message.topic = topic;
+  const bool is_pose = topic == "/tracked_pose";
+  if (!is_pose && !isCloudTopic(message.message.topic)) return nullptr;
   geometry::Pose2 pose;
   CloudPoints cloud;
-  unsigned seen = 0;
-  for (auto field : object) {
-    ondemand::raw_json_string key;
-    ondemand::value value;
-    if (field.key().get(key) || field.value().get(value)) return false;
-    const Member member = memberOf(key);
-    if (member == Member::Odd) return false;
-    if (member == Member::Other) continue;
+  if (!is_pose) cloud.reserve(last_count_);
+  unsigned seen = 1u << unsigned(Member::Topic);
+  while (json.take(',')) {
+    std::string_view key;
+    if (!json.takeString(key) || !json.take(':')) return nullptr;
+    Member member = memberOf(key);
+    if (member == (is_pose ? Member::Points : Member::Position)) member = Member::Other;
+    if (!is_pose && member == Member::Heading) member = Member::Other;
     // Of two of the same name the first counts.
     const unsigned bit = 1u << unsigned(member);
-    if ((seen & bit) != 0) return false;
+    if (member != Member::Other && (seen & bit) != 0) return nullptr;
     seen |= bit;
-    // Which members matter, and how, the topic says: it comes first.
-    if (kind == Kind::None && member != Member::Topic) return false;
+    bool read = false;
     switch (member) {
-      case Member::Topic: {
-        const auto topic = plainText(value);
-        if (!topic) return false;
-        message.message.topic = *topic;
-        kind = *topic == "/tracked_pose"             ? Kind::Pose
-               : isCloudTopic(message.message.topic) ? Kind::Cloud
-                                                     : Kind::None;
-        if (kind == Kind::None) return false;
-        if (kind == Kind::Cloud) cloud.reserve(last_count_);
-        break;
-      }
       case Member::Recorded:
-        if (!number(value, message.message.received_s)) return false;
+        read = json.takeNumber(message.message.received_s);
         break;
       case Member::Robots: {
         double stamp = 0;
-        if (!number(value, stamp)) return false;
+        read = json.takeNumber(stamp);
         message.message.recorded_s = std::abs(stamp) > kLatestSeconds ? stamp / 1000 : stamp;
         break;
       }
       case Member::Latched:
-        if (value.get_bool().get(message.latched)) return false;
+        read = json.takeTruth(message.latched);
         break;
       case Member::Position:
-        if (kind == Kind::Pose && !position(value, pose)) return false;
+        read = takePosition(json, pose);
         break;
       case Member::Heading:
-        if (kind == Kind::Pose && !number(value, pose.yaw_rad)) return false;
+        read = json.takeNumber(pose.yaw_rad);
         break;
       case Member::Points:
-        if (kind == Kind::Cloud && !points(value, cloud)) return false;
+        read = takePoints(json, cloud);
         break;
+      case Member::Topic:
       case Member::Other:
-      case Member::Odd:
+        read = json.takeScalar();
         break;
     }
+    if (!read) return nullptr;
   }
+  json.skipSpace();
+  if (json.peek() != '}') return nullptr;
   const auto has = [&](Member member) { return (seen & (1u << unsigned(member))) != 0; };
-  if (!has(Member::Recorded)) return false;
-  if (kind == Kind::Pose && has(Member::Position) && has(Member::Heading)) {
+  if (!has(Member::Recorded)) return nullptr;
+  if (is_pose && has(Member::Position) && has(Member::Heading)) {
     message.message.message = map::TrackedPose{pose};
-  } else if (kind == Kind::Cloud && has(Member::Points)) {
+  } else if (!is_pose && has(Member::Points)) {
     last_count_ = cloud.count();
     message.message.message = cloud.message(message.message.topic);
   } else {
-    return false;
+    return nullptr;
   }
   message.known = true;
-  return true;
+  return json.at() + 1;
+}
+
+void PlainMessages::remember(std::string_view json, const BagMessage& message, std::size_t index) {
+  JsonCursor topic_of(json.data());
+  std::string_view topic;
+  if (!takeTopic(topic_of, topic) || topic != message.message.topic) return;
+  said_.erase(topic);
+  // The stamp must be the message's own, not one of something within: nothing but the end of the message, or
+  // of one member more, is behind it.
+  const std::size_t stamp = json.rfind(kStamp);
+  if (stamp == std::string_view::npos || json.find(kStamp) != stamp) return;
+  JsonCursor number(json.data() + stamp + kStamp.size());
+  if (!number.take(':')) return;
+  const std::string_view before = json.substr(0, std::size_t(number.at() - json.data()));
+  double stamp_s = 0;
+  if (!number.takeNumber(stamp_s) || stamp_s != message.message.received_s) return;
+  const std::string_view behind = json.substr(std::size_t(number.at() - json.data()));
+  const bool own = behind == "}" || behind == ",\"__latched\":false}" || behind == ",\"__latched\":true}";
+  if (own) said_.emplace(topic, Said{before, behind, index});
+}
+
+const char* PlainMessages::readAgain(const char* at, std::size_t& of, double& stamp_s) const {
+  JsonCursor json(at);
+  std::string_view topic;
+  if (!takeTopic(json, topic)) return nullptr;
+  const auto said = said_.find(topic);
+  if (said == said_.end()) return nullptr;
+  JsonCursor again(at);
+  if (!again.takeText(said->second.before) || !again.takeNumber(stamp_s) ||
+      !again.takeText(said->second.behind))
+    return nullptr;
+  of = said->second.index;
+  return again.at();
 }
 
 }  // namespace mapwright::robot::axbot
