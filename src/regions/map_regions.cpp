@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "regions/region_answer.h"
+
 namespace mapwright::regions {
 namespace {
 
@@ -20,11 +22,6 @@ bool tellsCells(const map::GridReference& grid) {
 /// Where squares of whole tiles begin. Squares lie along the axes: of a turned grid it does not matter.
 Eigen::Vector2d anchorOf(const map::GridReference& grid) {
   return grid.origin.yaw_rad == 0 ? RegionSheet(grid).zero() : Eigen::Vector2d(0, 0);
-}
-
-bool overlap(const geometry::WorldRect& a, const geometry::WorldRect& b, double touch) {
-  return a.min_x < b.max_x - touch && b.min_x < a.max_x - touch && a.min_y < b.max_y - touch &&
-         b.min_y < a.max_y - touch;
 }
 
 }  // namespace
@@ -61,7 +58,8 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
   const map::GridReference& grid = part.grid;
   if (grid.width == 0 || grid.height == 0) {
     if (tellsCells(grid)) plan_.setCells(grid.resolution_m, anchorOf(grid));
-    if (ask.key && cells_.forget(ask.rect)) change.cells.extend(ask.rect);
+    // While the rim of the map is looked for, nothing tells what is beyond.
+    if (ask.key && !plan_.row(*ask.key).rim) forgetOld(ask, change);
     plan_.answered(ask.id, true);
     return;
   }
@@ -70,18 +68,27 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
     return;
   }
   const geometry::WorldRect bounds = grid.bounds();
-  const bool elsewhere = !overlap(bounds, ask.rect, grid.resolution_m * 0.01);
+  const bool elsewhere = liesElsewhere(grid, ask.asking);
   plan_.setCells(grid.resolution_m, anchorOf(grid));
   // Where the map has become smaller, nothing of the old one must stay.
-  if (ask.key && !elsewhere && cells_.forget(ask.rect)) change.cells.extend(ask.rect);
+  if (ask.key && !elsewhere) forgetOld(ask, change);
   cells_.put(part);
   change.cells.extend(bounds);
   if (elsewhere && ask.key) {
     plan_.failed(ask.id, {RegionTrouble::Kind::Elsewhere, {}, Misfit::None}, now);
   } else {
-    plan_.answered(ask.id, false);
+    plan_.answered(ask.id, false, commonGround(grid, ask.asking));
   }
   noteCovered(ask, grid);
+}
+
+void MapRegions::forgetOld(const RegionAsk& ask, Change& change) {
+  const RegionRow& row = plan_.row(*ask.key);
+  const bool some_is_new = row.came_in == ask.round && !row.came.empty();
+  for (const geometry::WorldRect& rect :
+       some_is_new ? without(ask.rect, row.came) : std::vector<geometry::WorldRect>{ask.rect}) {
+    if (cells_.forget(rect)) change.cells.extend(rect);
+  }
 }
 
 void MapRegions::noteCovered(const RegionAsk& ask, const map::GridReference& grid) {
@@ -100,7 +107,7 @@ void MapRegions::noteCovered(const RegionAsk& ask, const map::GridReference& gri
         all = all && at.x() >= -slack && at.y() >= -slack && at.x() <= wide && at.y() <= high;
       }
     }
-    plan_.came(key, all, ask.round);
+    plan_.came(key, commonGround(grid, rect), all, ask.round);
   });
 }
 

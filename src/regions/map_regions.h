@@ -67,6 +67,8 @@ class MapRegions {
  private:
   RegionView viewOf(const RegionKey& key) const;
   void place(const RegionAsk& ask, const map::GridPart& part, Millis now, Change& change);
+  /// The cells of what was asked for, but those that came since all was asked for anew.
+  void forgetOld(const RegionAsk& ask, Change& change);
   void noteCovered(const RegionAsk& ask, const map::GridReference& grid);
   void keepToBudget(Change& change);
 

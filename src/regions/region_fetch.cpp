@@ -10,12 +10,13 @@ namespace {
 
 constexpr int kEdge = grids::GridPyramid::kTileEdge;
 
-RegionMap::Options mapOptions(const RegionFetch::Options& options) {
+RegionMap::Options mapOptions(const RegionFetch::Options& options, const geometry::WorldRect& rect) {
   RegionMap::Options of_map;
   of_map.monotonic = options.monotonic;
   of_map.regions.budget_bytes = std::numeric_limits<std::size_t>::max();
   of_map.regions.plan.most_in_view = options.most_regions;
   of_map.regions.plan.cooldown = options.retry_after;
+  of_map.regions.plan.only = rect;
   return of_map;
 }
 
@@ -142,7 +143,7 @@ std::string pgmOf(const grids::GridPyramid& cells) {
 
 RegionFetch::RegionFetch(robot::MapDispatch& dispatch, const geometry::WorldRect& rect, Options options,
                          QObject* parent)
-    : QObject(parent), rect_(rect), tries_(options.tries), map_(dispatch, mapOptions(options)) {
+    : QObject(parent), rect_(rect), tries_(options.tries), map_(dispatch, mapOptions(options, rect)) {
   // The requests are sent from within look(): whether that was the last word is known afterwards.
   connect(&map_, &RegionMap::changed, this, &RegionFetch::note, Qt::QueuedConnection);
 }

@@ -80,6 +80,7 @@ bool RegionPlan::setCells(double resolution_m, const Eigen::Vector2d& anchor_m) 
 void RegionPlan::refresh() {
   ++round_;
   cuts_left_ = kMostCuts;
+  for (auto& [key, row] : rows_) row.rim.reset();
   retryNow();
 }
 
@@ -95,8 +96,8 @@ bool RegionPlan::wanted(const RegionRow& row) const {
 std::vector<RegionAsk> RegionPlan::take(Millis now) {
   std::vector<RegionAsk> asks;
   const auto send = [&](std::optional<RegionKey> key, const geometry::WorldRect& rect, RegionRow& row,
-                        double margin_m) {
-    RegionAsk ask{++last_id_, round_, key, rect, rect.grown(margin_m)};
+                        double margin_m, bool part = false) {
+    RegionAsk ask{++last_id_, round_, key, part, rect, rect.grown(margin_m)};
     row.ask = ask.id;
     under_way_.emplace(ask.id, UnderWay{ask, cuts_});
     asks.push_back(std::move(ask));
@@ -104,8 +105,15 @@ std::vector<RegionAsk> RegionPlan::take(Millis now) {
   if (!view_) return asks;
   const auto room = [&] { return int(under_way_.size()) < options_.most_under_way; };
   if (!cut_) {
-    if (probe_.ask == 0 && probe_.retry_at <= now && room())
-      send(std::nullopt, around(centre_m_, options_.probe_m), probe_, 0);
+    if (probe_.ask == 0 && probe_.retry_at <= now && room()) {
+      geometry::WorldRect first = around(centre_m_, options_.probe_m);
+      if (options_.only) {
+        const geometry::WorldRect& only = *options_.only;
+        first = {std::max(first.min_x, only.min_x), std::max(first.min_y, only.min_y),
+                 std::min(first.max_x, only.max_x), std::min(first.max_y, only.max_y)};
+      }
+      send(std::nullopt, first, probe_, 0);
+    }
     return asks;
   }
   // What is missing before what gets newer.
@@ -116,8 +124,21 @@ std::vector<RegionAsk> RegionPlan::take(Millis now) {
       if (known.answered == missing || !wanted(known) || known.retry_at > now) continue;
       RegionRow& row = rows_[key];
       row.seen = views_;
-      send(key, lattice_.rectOf(key), row, resolution_m_.value_or(0) / 2);
+      // What has been found of one that was answered with nothing is asked for as it was found.
+      if (row.all_is_nothing && !row.known.empty()) {
+        send(key, row.known, row, 0, true);
+      } else {
+        send(key, squareOf(key), row, resolution_m_.value_or(0) / 2);
+      }
     }
+  }
+  for (const RegionKey& key : in_view_) {
+    if (!room()) return asks;
+    const auto part = partOf(key);
+    if (!part || this->row(key).retry_at > now) continue;
+    RegionRow& row = rows_[key];
+    if (!row.rim && row.only_tried) row.looked_for = lookFor(key);
+    send(key, *part, row, 0, true);
   }
   return asks;
 }
@@ -140,7 +161,8 @@ std::optional<Millis> RegionPlan::nextDue(Millis now) const {
   std::optional<Millis> due;
   for (const RegionKey& key : in_view_) {
     const RegionRow& known = row(key);
-    if (wanted(known)) due = std::min(due.value_or(Millis::max()), std::max(now, known.retry_at));
+    if (wanted(known) || partOf(key))
+      due = std::min(due.value_or(Millis::max()), std::max(now, known.retry_at));
   }
   return due;
 }
@@ -157,23 +179,29 @@ RegionRow* RegionPlan::rowOf(const RegionAsk& ask) {
   return found == rows_.end() || found->second.ask != ask.id ? nullptr : &found->second;
 }
 
-void RegionPlan::answered(std::uint64_t id, bool nothing) {
+void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldRect& known) {
   const auto found = under_way_.find(id);
   if (found == under_way_.end()) return;
-  const UnderWay ended = found->second;
+  const RegionAsk ask = found->second.ask;
   under_way_.erase(found);
-  RegionRow* const row = rowOf(ended.ask);
+  RegionRow* const row = rowOf(ask);
   if (!row) return;
   row->ask = 0;
   row->failures = 0;
   row->trouble = {};
+  row->asked_for = ask.round;
+  if (ask.part) return partAnswered(ask, *row, nothing, known);
   row->answered = true;
-  row->nothing = nothing;
+  row->nothing = row->all_is_nothing = nothing;
   row->may_hold = !nothing;
-  row->asked_for = ended.ask.round;
+  row->known = known;
+  row->rim.reset();
+  row->only_tried = !options_.only;
+  row->looked_for.reset();
+  row->beside = row->within = {};
+  if (ask.key) return searchAround(*ask.key);
   // It does not tell how large its cells are, so regions are as large as they usually would be.
-  if (!ended.ask.key && !cut_)
-    cut(options_.region_cells * options_.assumed_resolution_m, Eigen::Vector2d::Zero());
+  if (!cut_) cut(options_.region_cells * options_.assumed_resolution_m, Eigen::Vector2d::Zero());
 }
 
 void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
@@ -202,13 +230,19 @@ void RegionPlan::cancelled(std::uint64_t id) {
   if (RegionRow* const row = rowOf(ask)) row->ask = 0;
 }
 
-void RegionPlan::came(const RegionKey& key, bool all, std::uint64_t round) {
+void RegionPlan::came(const RegionKey& key, const geometry::WorldRect& where, bool all, std::uint64_t round) {
+  constexpr std::size_t kMostPieces = 16;
   RegionRow& row = rows_[key];
   row.seen = std::max(row.seen, isInView(key) ? views_ : std::uint64_t(0));
   row.may_hold = true;
+  if (row.came_in != round) row.came.clear();
+  row.came_in = round;
+  if (!where.empty() && row.came.size() < kMostPieces) row.came.push_back(where);
   if (!all || row.ask != 0) return;
   row.answered = true;
-  row.nothing = false;
+  row.nothing = row.all_is_nothing = false;
+  row.known = where;
+  row.rim.reset();
   row.asked_for = std::max(row.asked_for, round);
   row.failures = 0;
   row.trouble = {};
@@ -225,6 +259,7 @@ bool RegionPlan::settled(int tries) const {
   return std::all_of(in_view_.begin(), in_view_.end(), [&](const RegionKey& key) {
     const RegionRow& known = row(key);
     if (known.ask != 0) return false;
+    if (partOf(key) && known.failures < tries) return false;
     return (known.answered && known.asked_for >= round_) || known.failures >= tries;
   });
 }

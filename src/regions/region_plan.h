@@ -2,6 +2,7 @@
 // Source: rep130.md ("ROI requests are the way to see a large map").
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -12,6 +13,7 @@
 #include "map/failure.h"
 #include "regions/region_cells.h"
 #include "regions/region_lattice.h"
+#include "regions/region_rim.h"
 
 namespace mapwright::regions {
 
@@ -26,6 +28,8 @@ struct PlanOptions {
   Millis cooldown_limit{60'000};
   double probe_m = 5;                  // edge of the first region, before the size of a cell is known
   double assumed_resolution_m = 0.05;  // of a robot that does not tell it
+  /// Only what lies in it is wanted: a dispatcher may answer what is partly beyond its map with nothing.
+  std::optional<geometry::WorldRect> only = {};
 };
 
 enum class RegionState {
@@ -55,9 +59,20 @@ struct RegionRow {
   std::uint64_t ask = 0;        // under way; 0 = none is
   int failures = 0;             // in a row
   Millis retry_at{0};
-  RegionTrouble trouble;   // of the last try; none = it went well
-  std::uint64_t seen = 0;  // when it was in view last, counted in views
-  bool may_hold = false;   // cells of it may have come
+  RegionTrouble trouble;                  // of the last try; none = it went well
+  std::uint64_t seen = 0;                 // when it was in view last, counted in views
+  bool may_hold = false;                  // cells of it may have come
+  std::uint64_t came_in = 0;              // the round that `came` is of
+  std::vector<geometry::WorldRect> came;  // where cells came
+  // Cells of all of this came in answer to what was asked for. Empty = of none did, or the map is turned.
+  geometry::WorldRect known = {};
+  // Asked for as a whole it was answered with nothing; what came since came in parts.
+  bool all_is_nothing = false;
+  bool only_tried = false;                    // no more of it than is wanted has been asked for
+  std::optional<Eigen::Vector2d> looked_for;  // a place around which it was asked for by itself
+  std::optional<RimSearch> rim;               // the rim of the map in it, while that is searched
+  std::array<bool, 4> beside{}, within{};     // from where it has been searched; by Side
+  std::array<int, 4> cells_to{};              // how far the search got
 
   RegionState state() const;
   /// It is asked for once more; what came before is shown until then.
@@ -69,6 +84,7 @@ struct RegionAsk {
   std::uint64_t id = 0;     // never 0
   std::uint64_t round = 0;  // counts refresh()
   std::optional<RegionKey> key;
+  bool part = false;         // of the square: as a whole it was answered with nothing
   geometry::WorldRect rect;  // whose cells are wanted
   geometry::WorldRect
       asking;  // what the dispatcher is asked for: rounding must not lose the cells at the rim
@@ -101,13 +117,14 @@ class RegionPlan {
   std::optional<Millis> nextDue(Millis now) const;
 
   const RegionAsk* find(std::uint64_t id) const;  // under way
-  /// How a request ended: it brought something for its region (`nothing`: that there is none), it went wrong,
-  /// or it was cancelled.
-  void answered(std::uint64_t id, bool nothing);
+  /// How a request ended: it brought something for its region (`known`: where; empty = that is not known), or
+  /// that there is nothing; it went wrong, or it was cancelled.
+  void answered(std::uint64_t id, bool nothing, const geometry::WorldRect& known = {});
   void failed(std::uint64_t id, RegionTrouble trouble, Millis now);
   void cancelled(std::uint64_t id);
-  /// Cells came for this region with the answer for another; all of it, or a part. `round`: of that request.
-  void came(const RegionKey& key, bool all, std::uint64_t round);
+  /// Cells came for this region, with its own answer or that for another; all of it, or a part: `where`,
+  /// empty if the map is turned. `round`: of that request.
+  void came(const RegionKey& key, const geometry::WorldRect& where, bool all, std::uint64_t round);
   /// The cells of this region are not held any more.
   void forget(const RegionKey& key);
 
@@ -134,6 +151,24 @@ class RegionPlan {
   void cut(double edge_m, const Eigen::Vector2d& anchor_m);
   RegionRow* rowOf(const RegionAsk& ask);
   void wait(RegionRow& row, Millis now) const;
+  /// What of a square is wanted.
+  geometry::WorldRect squareOf(const RegionKey& key) const;
+  /// Whether it is current that the whole of it was answered with nothing, and nothing is under way.
+  bool canBeSearched(const RegionRow& row) const;
+  /// Begins to search for the rim of the map in a square, or in that and those beside it, if there is reason
+  /// to.
+  void searchIn(const RegionKey& key);
+  void searchAround(const RegionKey& key);
+  bool beginRim(const RegionKey& key, RegionRow& row, const geometry::WorldRect& known, Side towards);
+  int hintFor(const RegionKey& key, Side towards) const;
+  void partAnswered(const RegionAsk& ask, RegionRow& row, bool nothing, const geometry::WorldRect& known);
+  /// What of a square that was answered with nothing is to be asked for by itself.
+  std::optional<geometry::WorldRect> partOf(const RegionKey& key) const;
+  /// The square in the middle of the view, where nothing at all has been found in view.
+  std::optional<RegionKey> emptyMiddle() const;
+  /// Where the map is to be looked for in a square: the middle of an empty view, and where nothing of the map
+  /// is known, those of its squares.
+  std::optional<Eigen::Vector2d> lookFor(const RegionKey& key) const;
 
   PlanOptions options_;
   RegionLattice lattice_;
