@@ -9,6 +9,7 @@
 #include "app/exit_code.h"
 #include "app/map_reading.h"
 #include "grids/grid_pyramid.h"
+#include "regions/region_answer.h"
 #include "robot/map_dispatch.h"
 #include "sentences/reason_sentence.h"
 
@@ -18,6 +19,12 @@ namespace {
 class Words {
   Q_DECLARE_TR_FUNCTIONS(MapRegion)
 };
+
+constexpr double kRoundingCells = 2;
+
+QString lengths(const geometry::WorldRect& rect) {
+  return Words::tr("%1 × %2").arg(rect.width(), 0, 'f', 2).arg(rect.height(), 0, 'f', 2);
+}
 
 /// Row 0 of a part is the lowest one, that of a pyramid the uppermost. -1 is 255 in both.
 std::shared_ptr<const grids::GridPyramid> pyramidOf(const map::GridPart& part,
@@ -83,10 +90,22 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
   if (region) {
     const Eigen::Vector2d low = region->centre_m - region->size_m / 2,
                           high = region->centre_m + region->size_m / 2;
-    if (!bounds.intersects({low.x(), low.y(), high.x(), high.y()})) {
+    const geometry::WorldRect asked{low.x(), low.y(), high.x(), high.y()};
+    const geometry::WorldRect common = regions::commonGround(part->grid, asked);
+    const double rounding = kRoundingCells * part->grid.resolution_m;
+    if (regions::liesElsewhere(part->grid, asked)) {
+      complete_ = false;
       notes_ << failure(kDone, Words::tr("It answered with another part of its map, around %1 m, %2 m.")
                                    .arg(bounds.center().x(), 0, 'f', 2)
                                    .arg(bounds.center().y(), 0, 'f', 2))
+                    .sentence;
+    } else if (part->grid.origin.yaw_rad == 0 &&
+               (common.width() < asked.width() - rounding || common.height() < asked.height() - rounding)) {
+      notes_ << failure(
+                    kDone,
+                    Words::tr(
+                        "Its answer has %1 of the %2 m asked for: its map ends there, or it gives no more.")
+                        .arg(lengths(common), lengths(asked)))
                     .sentence;
     }
   }

@@ -18,7 +18,9 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
 };
 
-constexpr double kOffersWithinS = 5;  // after connecting
+constexpr double kOffersWithinS = 12;  // after connecting: a slow robot is asked twice
+constexpr double kPixelsDrawnInASecond = 2e6;
+constexpr double kMostOfTimeToDraw = 0.4;
 
 }  // namespace
 
@@ -41,7 +43,24 @@ void SnapshotRun::lookAtRegion() {
     }
     return;
   }
+  const auto resolution = fetch_->map().regions().plan().resolution();
+  if (resolution || options_.scale_m_per_px > 0) {
+    const auto size =
+        pixelsOf(*options_.region, options_.scale_m_per_px > 0 ? options_.scale_m_per_px : *resolution);
+    if (!size) return fail(kUsage, tooManyPixels());
+    // Drawing takes a while, too: what has come by then is drawn within the time that there is.
+    const double draw_s = double(size->width()) * double(size->height()) / kPixelsDrawnInASecond;
+    const double until_s = options_.timeout_s - std::min(draw_s, options_.timeout_s * kMostOfTimeToDraw);
+    if (!fetch_->over() && fetch_->counts().answered > 0 && seconds() > until_s) {
+      notes_ << Words::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s);
+      return paint(false);
+    }
+  }
   if (fetch_->over() && topicsIn() && cloudIn()) paint(true);
+}
+
+QString SnapshotRun::tooManyPixels() const {
+  return Words::tr("--region is too large for one picture: a coarser --scale makes it smaller.");
 }
 
 bool SnapshotRun::sizeRegion() {
@@ -74,11 +93,16 @@ bool SnapshotRun::sizeRegion() {
   }
   const auto size = pixelsOf(*options_.region, options_.scale_m_per_px);
   if (!size) {
-    fail(kUsage, Words::tr("--region is too large for one picture: a coarser --scale makes it smaller."));
+    fail(kUsage, tooManyPixels());
     return false;
   }
   options_.size_px = *size;
-  if (!fetch_->complete()) {
+  if (counts.smaller > 0 && counts.answered == counts.in_view) {
+    notes_ << Words::tr(
+                  "Some of its answers are smaller than the regions asked for (%1 of %2): what is missing is "
+                  "blank.")
+                  .arg(QString::number(counts.smaller), QString::number(counts.in_view));
+  } else if (!fetch_->complete()) {
     notes_ << Words::tr("Parts of the region are missing (%1 of %2 came). %3")
                   .arg(QString::number(counts.answered), QString::number(counts.in_view), trouble);
   }

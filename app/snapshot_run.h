@@ -80,6 +80,7 @@ class SnapshotRun : public QObject {
   void lookAtRegion();
   /// How large the picture is, now that a cell's size is known; false: there is none, and it has failed.
   bool sizeRegion();
+  QString tooManyPixels() const;
   void takeRegion(SnapshotContent& content);
   std::optional<QJsonObject> regionJson() const;
   bool topicsIn() const;

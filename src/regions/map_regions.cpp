@@ -145,6 +145,7 @@ RegionCounts MapRegions::counts() const {
     counts.nothing += row.answered && row.nothing;
     counts.fetching += row.ask != 0;
     counts.failed += row.ask == 0 && row.failures > 0;
+    counts.smaller += plan_.hasSeam(key);
   }
   return counts;
 }

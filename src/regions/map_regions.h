@@ -23,6 +23,7 @@ struct RegionView {
 /// How the regions in view stand.
 struct RegionCounts {
   int in_view = 0, answered = 0, nothing = 0, fetching = 0, failed = 0;  // nothing: of those answered
+  int smaller = 0;  // answered with less than was asked for, though there is map beyond: something is missing
   bool operator==(const RegionCounts&) const = default;
 };
 

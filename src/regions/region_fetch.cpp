@@ -146,6 +146,9 @@ RegionFetch::RegionFetch(robot::MapDispatch& dispatch, const geometry::WorldRect
     : QObject(parent), rect_(rect), tries_(options.tries), map_(dispatch, mapOptions(options, rect)) {
   // The requests are sent from within look(): whether that was the last word is known afterwards.
   connect(&map_, &RegionMap::changed, this, &RegionFetch::note, Qt::QueuedConnection);
+  without_offer_.setSingleShot(true);
+  without_offer_.setInterval(int(options.offer_within.count()));
+  connect(&without_offer_, &QTimer::timeout, this, &RegionFetch::end);
 }
 
 void RegionFetch::start() {
@@ -156,7 +159,7 @@ void RegionFetch::start() {
 bool RegionFetch::complete() const {
   const RegionCounts now = counts();
   return over_ && !tooLarge() && now.in_view > 0 && now.answered == now.in_view && now.failed == 0 &&
-         now.fetching == 0;
+         now.smaller == 0 && now.fetching == 0;
 }
 
 RegionTrouble RegionFetch::trouble() const {
@@ -170,9 +173,16 @@ void RegionFetch::note() {
   if (over_) return;
   Q_EMIT progressed();
   const RegionPlan& plan = map_.regions().plan();
-  const bool gone = map_.gone() || (!map_.offered() && plan.underWay() == 0);
-  if (!gone && !tooLarge() && !plan.settled(tries_)) return;
-  over_ = true;
+  // One that restarts is back after a moment.
+  const bool waits = !map_.offered() && plan.underWay() == 0;
+  if (!waits) without_offer_.stop();
+  if (map_.gone() || tooLarge() || (!waits && plan.settled(tries_))) return end();
+  if (waits && !without_offer_.isActive()) without_offer_.start();
+}
+
+void RegionFetch::end() {
+  if (std::exchange(over_, true)) return;
+  without_offer_.stop();
   Q_EMIT finished();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <QObject>
+#include <QTimer>
 
 #include "regions/region_map.h"
 
@@ -33,9 +34,10 @@ class RegionFetch : public QObject {
   Q_OBJECT
  public:
   struct Options {
-    int tries = 3;              // of a region, before it counts as failed
-    int most_regions = 256;     // a larger rectangle is refused
-    Millis retry_after{1'000};  // doubling
+    int tries = 3;                // of a region, before it counts as failed
+    int most_regions = 256;       // a larger rectangle is refused
+    Millis retry_after{1'000};    // doubling
+    Millis offer_within{10'000};  // a dispatcher that has gone, before nothing more is waited for
     std::function<Millis()> monotonic = {};
   };
   /// `rect`: finite, of some size.
@@ -62,10 +64,12 @@ class RegionFetch : public QObject {
 
  private:
   void note();
+  void end();
 
   geometry::WorldRect rect_;
   int tries_;
   RegionMap map_;
+  QTimer without_offer_;
   bool started_ = false, over_ = false;
 };
 

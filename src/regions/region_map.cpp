@@ -22,7 +22,8 @@ RegionMap::RegionMap(robot::MapDispatch& dispatch, Options options, QObject* par
   due_.setSingleShot(true);
   connect(&due_, &QTimer::timeout, this, &RegionMap::look);
   connect(dispatch_, &robot::MapDispatch::mapChanged, this, &RegionMap::refresh);
-  connect(dispatch_, &robot::MapDispatch::offersChanged, this, &RegionMap::look);
+  connect(dispatch_, &robot::MapDispatch::offersChanged, this, &RegionMap::takeOffers);
+  was_offered_ = offered();
   connect(dispatch_, &QObject::destroyed, this, &RegionMap::look);
 }
 
@@ -51,6 +52,13 @@ void RegionMap::standStill() {
   still_ = true;
   due_.stop();
   for (const auto& [id, call] : std::exchange(calls_, {})) call.cancel();
+}
+
+void RegionMap::takeOffers() {
+  if (still_) return;
+  const bool back = offered() && !std::exchange(was_offered_, offered());
+  if (back) regions_.refresh();
+  look();
 }
 
 void RegionMap::look() {

@@ -42,6 +42,8 @@ class RegionMap : public QObject {
   void retryNow();
   /// From now on nothing changes any more, whatever is still answered: for whoever draws the present state.
   void standStill();
+  /// What the robot offers has changed: a dispatcher that is back may have another map.
+  void takeOffers();
   /// Sends what is due; by itself whenever something may have changed.
   void look();
 
@@ -58,7 +60,7 @@ class RegionMap : public QObject {
   MapRegions regions_;
   std::map<std::uint64_t, robot::Call> calls_;
   QTimer due_;
-  bool still_ = false;
+  bool still_ = false, was_offered_ = false;
 };
 
 }  // namespace mapwright::regions

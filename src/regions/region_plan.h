@@ -140,6 +140,9 @@ class RegionPlan {
   int underWay() const { return int(under_way_.size()); }
   /// Why the first region could not be had, while nothing is known of the map.
   const RegionTrouble& probeTrouble() const { return probe_.trouble; }
+  /// What came of it ends before it does, though there is map beside it: the answer was smaller than it
+  /// should be.
+  bool hasSeam(const RegionKey& key) const;
   /// Everything in view is there, as far as it is to be had: what failed has been tried so often.
   bool settled(int tries) const;
 

@@ -41,6 +41,21 @@ bool touches(const geometry::WorldRect& known, const geometry::WorldRect& square
   return known.min_y <= square.max_y + slack;
 }
 
+/// `known`, which lies in `square`, goes as far as that does.
+bool reaches(const geometry::WorldRect& known, const geometry::WorldRect& square, Side side, double slack) {
+  switch (side) {
+    case Side::Left:
+      return known.min_x <= square.min_x + slack;
+    case Side::Right:
+      return known.max_x >= square.max_x - slack;
+    case Side::Bottom:
+      return known.min_y <= square.min_y + slack;
+    case Side::Top:
+      break;
+  }
+  return known.max_y >= square.max_y - slack;
+}
+
 /// As wide as `square` where it lies beside it.
 bool spans(const geometry::WorldRect& known, const geometry::WorldRect& square, Side towards, double slack) {
   return towards == Side::Left || towards == Side::Right
@@ -149,6 +164,19 @@ void RegionPlan::searchIn(const RegionKey& key) {
 void RegionPlan::searchAround(const RegionKey& key) {
   searchIn(key);
   for (const Side side : kSides) searchIn(besideOf(key, side));
+}
+
+bool RegionPlan::hasSeam(const RegionKey& key) const {
+  constexpr double kLackCells = 1.5;  // less is rounding
+  const RegionRow& known = row(key);
+  if (!resolution_m_ || known.known.empty() || known.ask != 0 || known.rim) return false;
+  const geometry::WorldRect square = squareOf(key);
+  const double slack = kLackCells * *resolution_m_;
+  return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
+    const RegionRow& beside = row(besideOf(key, side));
+    return !beside.known.empty() && beside.asked_for == known.asked_for &&
+           !reaches(known.known, square, side, slack);
+  });
 }
 
 void RegionPlan::partAnswered(const RegionAsk& ask, RegionRow& row, bool nothing,

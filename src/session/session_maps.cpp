@@ -299,6 +299,7 @@ void Session::takeFrame() {
   layer_grids_.clear();
   const map::MapKey live_map{map::MapKind::Live, {}};
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
+    if (slot->phase() == MapSlot::Phase::Empty) continue;  // it is shown when it comes
     if (!(slot->key() == live_map) || live_.grids.contains(map::GridKind::WholeMap)) continue;
     live_places_.erase(slot);
     slot->clear();  // or its picture would stay until the new one is whole

@@ -144,6 +144,33 @@ class TestRegionFetch : public QObject {
     QVERIFY(dispatch.asked.size() <= 1);
     QVERIFY(fetch.map().regions().cellsOf(fetch.rect()));
   }
+  void aDispatcherThatRestartsIsWaitedFor() {
+    FakeDispatch dispatch;
+    dispatch.by_itself = true;
+    RegionFetch fetch(dispatch, {-100, -100, 100, 100}, {});
+    fetch.start();
+    QTRY_VERIFY(fetch.counts().answered > 0);
+    dispatch.offers_regions = false;
+    Q_EMIT dispatch.offersChanged();
+    QTRY_VERIFY(dispatch.waiting.empty());
+    QCoreApplication::processEvents();
+    QVERIFY(!fetch.over());
+    dispatch.offers_regions = true;
+    Q_EMIT dispatch.offersChanged();
+    QTRY_VERIFY(fetch.over());
+    QVERIFY(fetch.complete());
+  }
+  void aDispatcherThatStaysAwayEndsIt() {
+    FakeDispatch dispatch;
+    dispatch.by_itself = true;
+    RegionFetch fetch(dispatch, {-100, -100, 100, 100}, {.offer_within = Millis(1)});
+    fetch.start();
+    QTRY_VERIFY(fetch.counts().answered > 0);
+    dispatch.offers_regions = false;
+    Q_EMIT dispatch.offersChanged();
+    QTRY_VERIFY(fetch.over());
+    QVERIFY(!fetch.complete());
+  }
   void aRobotThatGoesEndsIt() {
     auto dispatch = std::make_unique<FakeDispatch>();
     RegionFetch fetch(*dispatch, {-10, -10, 10, 10}, {});

@@ -17,11 +17,12 @@ namespace {
 
 constexpr Millis kNow{10'000};
 
-/// Lower left corner at -37.35, -12.8.
+/// Lower left corner at -37.35, -12.8; counted in twentieths of a metre.
 FakeGround hall(int width, int height) {
   FakeGround ground;
-  ground.width = width;
-  ground.height = height;
+  ground.resolution_m = 0.1;
+  ground.width = width / 2;
+  ground.height = height / 2;
   ground.origin = {-37.35, -12.8, 0};
   return ground;
 }
@@ -44,7 +45,7 @@ map::GridPart strictly(const FakeGround& ground, const map::GridRegion& region) 
 
 MapRegions regionsOf(int region_cells, std::optional<WorldRect> only = {}) {
   MapRegions::Options options;
-  options.plan.region_cells = region_cells;
+  options.plan.region_cells = region_cells / 2;
   options.plan.only = only;
   options.plan.most_in_view = 64;
   return MapRegions(options);
@@ -259,6 +260,26 @@ class TestRegionRim : public QObject {
       if (order == 0) first = cells;
       QVERIFY(cells == first);
     }
+  }
+
+  void answersThatAreTooSmallAreTold() {
+    const FakeGround ground = hall(3000, 2000);
+    MapRegions regions = regionsOf(512);
+    look(regions, {0, 0, 40, 30});
+    settle(regions, [&](map::GridRegion region) {
+      region.size_m = (region.size_m - Eigen::Vector2d(3, 3)).cwiseMax(0.001);
+      return ground.part(region);
+    });
+    QCOMPARE(regions.counts().smaller, regions.counts().in_view);
+    // At the edge of the map they end with it.
+    MapRegions at_edge = regionsOf(512);
+    look(at_edge, {-60, -30, 40, 30});
+    settle(at_edge, [&](const auto& region) { return ground.part(region); });
+    QCOMPARE(at_edge.counts().smaller, 0);
+    MapRegions strict = regionsOf(512);
+    look(strict, {-60, -30, 40, 30});
+    settle(strict, [&](const auto& region) { return strictly(ground, region); });
+    QCOMPARE(strict.counts().smaller, 0);
   }
 
   void aRectangleWithoutOthersIsWhatIsLeftOfIt() {

@@ -98,6 +98,17 @@ class DispatchMessagesTest : public QObject {
     QVERIFY(part->notes.empty());
   }
 
+  // A kilometre away the edges of cells of 0.05000000074505806 m lie on the wrong side of those of 0.05 m.
+  void aResolutionOf32BitsIsTheNumberThatWasMeant() {
+    const auto of = [](const char* written) {
+      return readGridPart(byJson(grid("1", "1", "[1]", written)).msg)->grid.resolution_m;
+    };
+    QCOMPARE(of("0.05000000074505806"), 0.05);
+    QCOMPARE(of("0.10000000149011612"), 0.1);
+    QCOMPARE(of("0.05"), 0.05);
+    QCOMPARE(of("0.25"), 0.25);
+    QCOMPARE(of("0.050000012"), 0.050000012);
+  }
   void aTurnedGridStaysTurned() {
     const auto part = readGridPart(byJson(grid("1", "1", "[0]", "0.1",
                                                R"({"x":0,"y":0,"z":0.7071067811865476,"w":)"

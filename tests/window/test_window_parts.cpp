@@ -148,7 +148,8 @@ class TestWindowParts : public QObject {
              QStringLiteral(
                  "zoomIn zoomOut native fit - follow goTo - northUp robotTurn rotateLeft rotateRight - pan "
                  "measure fetchRegion cloudRegion cloudSection projections - "
-                 "compare export refreshRegions refreshRegionsEvery fetchWholeMap - copyCoordinates "
+                 "compare export refreshRegions refreshRegionsEvery fetchWholeMap saveMapOnRobot - "
+                 "copyCoordinates "
                  "screenshotCopy screenshotSave"));
     QCOMPARE(
         idsOf(menuCalled(bar, "&View")->actions()).mid(0, 18).join(QLatin1Char(' ')),

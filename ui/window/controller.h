@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include <QObject>
 #include <QSettings>
@@ -37,6 +38,8 @@ class Controller : public QObject {
   /// The present map is about to be left: calls `then` when it may be, at once where nothing is unsaved; else
   /// asks first, and never calls it when the user wants to stay.
   virtual void beforeLeaving(std::function<void()> then) { then(); }
+  /// The robot is about to be left, and all of its maps.
+  virtual void beforeLeavingRobot(std::function<void()> then) { beforeLeaving(std::move(then)); }
 
  Q_SIGNALS:
   void unsavedChanged();  // unsaved() or maySave()

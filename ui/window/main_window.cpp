@@ -198,6 +198,7 @@ void MainWindow::connectControllers() {
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
+  connect(maps_, &MapsController::regionsWanted, regions_, &RegionsController::showRegions);
   connect(maps_, &MapsController::retryWanted, connection_, &ConnectionController::retry);
   connect(problems_, &ProblemsController::retryWanted, connection_, &ConnectionController::retry);
   connect(robot_, &RobotController::safetyChanged, connection_, &ConnectionController::setSafety);
@@ -284,7 +285,7 @@ void MainWindow::showMapMenu(const QPoint& global_pos, const QPointF& viewport_p
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (context_->unsaved.any() && !may_close_) {
     event->ignore();
-    context_->unsaved.whenMayLeave([this] {
+    context_->unsaved.whenMayLeaveRobot([this] {
       may_close_ = true;
       close();
     });

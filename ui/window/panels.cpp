@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include <QAction>
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QTabBar>
 #include <QTimer>
 
 #include "window/actions.h"
@@ -33,6 +35,18 @@ Panels::Panels(QMainWindow& window, Actions& actions) : QObject(&window), window
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  window_.installEventFilter(this);
+}
+
+bool Panels::eventFilter(QObject* watched, QEvent* event) {
+  // The window makes them as it needs them. Cut to a few letters none of them says what it is.
+  if (event->type() == QEvent::ChildPolished) {
+    if (auto* const tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child())) {
+      tabs->setElideMode(Qt::ElideNone);
+      tabs->setUsesScrollButtons(true);
+    }
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void Panels::add(QDockWidget* dock, const PanelPlace& place) {

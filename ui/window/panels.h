@@ -34,6 +34,7 @@ class Panels : public QObject {
   /// In the order of the View menu.
   std::vector<QDockWidget*> docks() const;
 
+  bool eventFilter(QObject* watched, QEvent* event) override;
   /// All as at first.
   void arrange();
   QByteArray state() const;

@@ -38,4 +38,10 @@ void UnsavedChanges::whenMayLeave(std::function<void()> then) {
   then();
 }
 
+void UnsavedChanges::whenMayLeaveRobot(std::function<void()> then) {
+  for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it)
+    then = [controller = *it, then = std::move(then)] { controller->beforeLeavingRobot(then); };
+  then();
+}
+
 }  // namespace mapwright::window

@@ -27,6 +27,8 @@ class UnsavedChanges : public QObject {
   /// Calls `then` when the present map may be left: at once, or after the user has said what becomes of what
   /// is not saved, or never. Each controller is asked in its turn, since each may ask.
   void whenMayLeave(std::function<void()> then);
+  /// The same where the robot is left.
+  void whenMayLeaveRobot(std::function<void()> then);
 
  Q_SIGNALS:
   void changed();

@@ -86,7 +86,7 @@ Read<map::GridPart> readGridPart(const Field& msg) {
   const PoseRead origin = poseOf(info["origin"]);
   map::GridPart part;
   part.frame = headerOf(msg).frame;
-  part.grid = {int(size->width), int(size->height), numberOr(info["resolution"], kNaN), origin.pose.flat()};
+  part.grid = {int(size->width), int(size->height), resolutionOf(info), origin.pose.flat()};
   const auto why = map::whyUnusable(part.grid);
   if (size->width == 0) {
     // Where nothing is, nobody needs to know how it lies: many senders leave it out then.

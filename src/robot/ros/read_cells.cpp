@@ -1,7 +1,10 @@
 #include "robot/ros/read_cells.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "robot/ros/parts.h"
 
@@ -63,6 +66,17 @@ Read<GridSize> readGridSize(const Field& of, const std::string& prefix, std::int
 
 void noteOddCells(std::vector<map::Reason>& notes, std::size_t odd) {
   if (odd > 0) notes.push_back({map::ReasonCode::RosCellsOutOfRange, {std::int64_t(odd)}});
+}
+
+double resolutionOf(const Field& info) {
+  const double sent = numberOr(info["resolution"], std::numeric_limits<double>::quiet_NaN());
+  const auto single = static_cast<float>(sent);
+  if (!std::isfinite(single) || double(single) != sent) return sent;
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), single);
+  double shortest = sent;
+  std::from_chars(text.data(), written.ptr, shortest);
+  return shortest;
 }
 
 }  // namespace mapwright::robot::ros

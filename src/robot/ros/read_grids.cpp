@@ -23,7 +23,7 @@ Read<Grid> readGrid(const Field& msg) {
   grid.header = headerOf(msg);
   grid.width = int(size->width);
   grid.height = int(size->height);
-  grid.resolution_m = numberOr(info["resolution"], std::numeric_limits<double>::quiet_NaN());
+  grid.resolution_m = resolutionOf(info);
   grid.origin = origin.pose.flat();
   if (origin.upright) grid.notes.push_back(map::ReasonCode::RosTurnIsZero);
   if (const auto why = map::whyUnusable({grid.width, grid.height, grid.resolution_m, grid.origin}))

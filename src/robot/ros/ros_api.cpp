@@ -16,6 +16,7 @@ namespace {
 using net::rosbridge::CallAnswer;
 
 constexpr std::size_t kMostTopics = 20'000;
+constexpr std::chrono::milliseconds kMostPatience{30'000};
 constexpr int kMostTypeQuestions = 300;  // of servers that list no types
 constexpr const char* kManager = "/map_manager";
 
@@ -79,10 +80,14 @@ void RosApi::ask(const char* service, const QByteArray& args, net::rosbridge::Cl
   request.service = service;
   request.args = args;
   request.patience = patience_;
-  client_.call(std::move(request),
-               [self = QPointer<RosApi>(this), reply = std::move(reply)](const CallAnswer& answer) {
-                 if (self) reply(answer);
-               });
+  client_.call(std::move(request), [self = QPointer<RosApi>(this), reply = std::move(reply),
+                                    sent_with = patience_](const CallAnswer& answer) {
+    if (!self) return;
+    // A slow one is given more time at the next look, or it would never be known what there is.
+    if (answer.kind == CallAnswer::Kind::TimedOut)
+      self->patience_ = std::min(std::max(self->patience_, sent_with * 2), kMostPatience);
+    reply(answer);
+  });
 }
 
 void RosApi::step(const LookPtr& look) {

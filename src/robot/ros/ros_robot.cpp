@@ -72,7 +72,8 @@ void RosRobot::listen() {
   connect(link_, &RosLink::dispatchKnown, this, [this](const FoundDispatch& found) {
     const QPointer<RosRobot> alive(this);
     dispatch_.setFound(found);
-    if (alive && std::exchange(has_dispatch_, found.any()) != found.any()) Q_EMIT capabilitiesChanged();
+    // One that goes leaves what it has told: that it offers nothing any more is what its offers say.
+    if (alive && found.any() && !std::exchange(has_dispatch_, true)) Q_EMIT capabilitiesChanged();
   });
   connect(&dispatch_, &MapDispatch::projectedChanged, this, &Robot::mapsChanged);
   connect(link_, &RosLink::mapManagerKnown, this, [this](bool there) {

@@ -93,9 +93,10 @@ std::optional<QString> ConnectionController::connectTo(const QString& address, c
   secret_of_ = (*robot)->address();
   secret_ = secret;
   // Shared, because what is called later has to be copyable.
-  context_.unsaved.whenMayLeave([this,
-                                 made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)),
-                                 address] { begin(std::move(*made), address); });
+  context_.unsaved.whenMayLeaveRobot(
+      [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot)), address] {
+        begin(std::move(*made), address);
+      });
   return std::nullopt;
 }
 
@@ -114,7 +115,7 @@ void ConnectionController::begin(std::unique_ptr<robot::Robot> robot, const QStr
 }
 
 void ConnectionController::leave() {
-  context_.unsaved.whenMayLeave([this] { context_.current.leave(); });
+  context_.unsaved.whenMayLeaveRobot([this] { context_.current.leave(); });
 }
 
 void ConnectionController::goTo(const QString& address) {

@@ -1,5 +1,7 @@
 #include "window/docks/layer_availability.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 
 #include "robot/map_dispatch.h"
@@ -28,6 +30,11 @@ QString whyLayerStaysEmpty(Layer layer, session::Session* session) {
     case Layer::Regions: {
       const robot::MapDispatch* const dispatch = robot.mapDispatch();
       if (!dispatch) return why(robot::Capability::Dispatch);
+      // Of one that is gone what came stays.
+      const auto offers = dispatch->offers();
+      const bool gone =
+          std::none_of(offers.begin(), offers.end(), [](const auto& offer) { return offer.offered; });
+      if (gone) return {};
       return dispatch->offered(robot::DispatchService::GridRegion)
                  ? QString()
                  : QCoreApplication::translate("window", "This robot gives its map only as a whole.");

@@ -99,7 +99,9 @@ std::vector<MapsModel::Row> MapsModel::build() {
     return std::all_of(words_.begin(), words_.end(),
                        [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
   };
-  if (robot::sendsItsMap(session_->robot())) {
+  // A robot may list it, too.
+  const bool listed = session_->catalogue().find({map::MapKind::Live, {}}) != nullptr;
+  if (robot::sendsItsMap(session_->robot()) && !listed) {
     Row row;
     row.kind = RowKind::Live;
     row.key.kind = map::MapKind::Live;

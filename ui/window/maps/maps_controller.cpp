@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "regions/region_map.h"
+#include "scene/regions_on_map.h"
 #include "sentences/problem_sentence.h"
 #include "session/lacks_picture.h"
 #include "window/clipboard.h"
@@ -62,6 +64,9 @@ void MapsController::open(const map::MapKey& key) {
 void MapsController::show(const map::MapKey& key) {
   session::Session* const session = context_.current.session();
   if (!session) return;
+  // Of a robot that gives its map by region that is what it is now.
+  const regions::RegionMap* const by_region = scene::RegionsOnMap::of(context_.scene).map();
+  if (key.kind == map::MapKind::Live && by_region && by_region->offered()) return Q_EMIT regionsWanted();
   fit_next_ = true;
   fitted_.reset();
   if (viewMode(context_.scene).value_or(ViewMode::Submaps) == ViewMode::Submaps)

@@ -27,6 +27,8 @@ class MapsController : public Controller {
   /// The open map is read, and is to be exported.
   void exportWanted();
   void retryWanted();
+  /// The live map of a robot that gives it by region is to be shown.
+  void regionsWanted();
 
  private:
   bool catalogueComesFirst() const;

@@ -1,5 +1,7 @@
 #include "window/projections/projections_controller.h"
 
+#include <QPushButton>
+
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/plural.h"
@@ -93,6 +95,26 @@ void ProjectionsController::setSession(session::Session* session) {
   follow();
 }
 
+void ProjectionsController::beforeLeavingRobot(std::function<void()> then) {
+  if (!unsaved()) return then();
+  if (question_) return;
+  question_ = new QMessageBox(QMessageBox::Question, tr("Projections"),
+                              tr("The projections have been edited and are not set on the robot. Leave it "
+                                 "without setting them?"),
+                              QMessageBox::Cancel, &context_.window);
+  question_->setTextFormat(Qt::PlainText);
+  question_->setAttribute(Qt::WA_DeleteOnClose);
+  question_->setDefaultButton(QMessageBox::Cancel);
+  QPushButton* const leave = question_->addButton(tr("Leave"), QMessageBox::DestructiveRole);
+  leave->setObjectName(QStringLiteral("leaveProjections"));
+  connect(leave, &QPushButton::clicked, this, [this, then = std::move(then)] {
+    draft_.revert();
+    refresh();
+    then();
+  });
+  question_->open();
+}
+
 void ProjectionsController::follow() {
   session::Session* const session = context_.current.session();
   robot::MapDispatch* const offered = dispatch();
@@ -136,6 +158,7 @@ void ProjectionsController::refresh() {
     bands.push_back({i, one.min_z_m, one.max_z_m, draft_.selected() == i, editable()});
   }
   Q_EMIT bandsChanged(bands);
+  Q_EMIT unsavedChanged();
 }
 
 void ProjectionsController::setHeights(int index, double low_m, double high_m) {

@@ -2,6 +2,7 @@
 // set.
 #pragma once
 
+#include <QMessageBox>
 #include <QPointer>
 
 #include "robot/call.h"
@@ -26,6 +27,10 @@ class ProjectionsController : public Controller {
   const ProjectionDraft& draft() const { return draft_; }
   void setSession(session::Session* session) override;
 
+  bool unsaved() const override { return draft_.changed(); }
+  bool maySave() const override { return false; }
+  void beforeLeavingRobot(std::function<void()> then) override;
+
   void ask();
   void send();
   void setHeights(int index, double low_m, double high_m);
@@ -48,6 +53,7 @@ class ProjectionsController : public Controller {
   ProjectionDraft draft_;
   ProjectionsDock* dock_;
   ProjectionTool* tool_;
+  QPointer<QMessageBox> question_;
   QPointer<robot::MapDispatch> followed_;
   robot::Call call_;
   std::uint64_t asked_ = 0;  // counts the requests: an answer to an older one is of no use

@@ -26,7 +26,10 @@
 #include "window/on_screen.h"
 #include "window/regions/rectangle_tool.h"
 #include "window/regions/regions_text.h"
+#include "window/regions/save_map_dialog.h"
 #include "window/status/window_status_bar.h"
+#include "window/viewpoint.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 namespace {
@@ -40,7 +43,8 @@ constexpr int kLookEveryMs = 120;  // while the camera moves
 constexpr std::array kEveryS{0, 10, 60, 600};
 constexpr double kShareOfMemory = 2;  // of what unpacked cells of whole maps may take
 constexpr double kBytesOfRegion = 1024 * 1024 * 4 / 3.0;
-constexpr int kLeastInView = 6, kMostInView = 40;
+constexpr double kFirstViewM = 60;
+constexpr int kLeastInView = 6, kMostInView = 72;
 
 regions::RegionMap::Options mapOptions(const work::Budgets& budgets) {
   regions::RegionMap::Options options;
@@ -117,6 +121,12 @@ void RegionsController::addActions() {
                                        .tip = tr("Ask the robot for all of its map at once"),
                                        .menu = {MenuGroup::WholeMap, 50}},
                                       this, &RegionsController::fetchWhole);
+  save_map_ = context_.actions.add({.id = "saveMapOnRobot",
+                                    .text = tr("&Save the map on the robot…"),
+                                    .icon = "download",
+                                    .tip = tr("The robot writes its map into a file of its own"),
+                                    .menu = {MenuGroup::WholeMap, 60}},
+                                   this, &RegionsController::saveOnRobot);
   fetch_region_ = context_.actions.add({.id = "fetchRegion",
                                         .text = tr("Fetch a regi&on…"),
                                         .icon = "rectangle",
@@ -130,13 +140,16 @@ void RegionsController::addActions() {
 void RegionsController::setSession(session::Session* session) {
   stopJob();
   if (question_) question_->close();
+  if (save_dialog_) save_dialog_->close();
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &RegionsController::follow);
     connect(session, &session::Session::connectionChanged, this, [this] {
       if (map_ && online()) map_->retryNow();
       look();
     });
+    connect(session, &session::Session::liveChanged, this, &RegionsController::lookAtRobot);
   }
+  looked_at_robot_ = false;
   follow();
 }
 
@@ -177,6 +190,24 @@ void RegionsController::follow() {
   Q_EMIT context_.current.stateChanged();
 }
 
+void RegionsController::lookAtRobot() {
+  const session::Session* const session = context_.current.session();
+  if (looked_at_robot_ || !map_ || !map_->offered() || !session || !session->live().robot_pose) return;
+  looked_at_robot_ = true;
+  if (context_.viewpoint.chosen() || session->wholeMap().cells()) return;
+  geometry::WorldRect around;
+  around.extend(session->live().robot_pose->apply({0, 0}));
+  context_.viewpoint.fit(around.grown(kFirstViewM / 2));
+}
+
+void RegionsController::showRegions() {
+  session::Session* const session = context_.current.session();
+  if (!session) return;
+  session->wholeMap().clear();
+  context_.scene.setLayerVisible(Layer::Regions, true);
+  look();
+}
+
 void RegionsController::look() {
   if (map_) {
     const geometry::ViewTransform& view = context_.scene.view();
@@ -190,15 +221,17 @@ QString RegionsController::statusShown() const { return status_ && map_ ? status
 
 void RegionsController::tell() {
   const bool by_region = map_ && map_->offered();
+  const bool left = map_ && !by_region && online() && map_->regions().bytes() > 0;
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
   const bool busy = fetch_ || whole_under_way_;
   refresh_->setEnabled(by_region);
   fetch_whole_->setEnabled(whole && online() && !busy);
+  save_map_->setEnabled(dispatch_ && dispatch_->offered(DispatchService::Save) && online() && !save_dialog_);
   fetch_region_->setEnabled(by_region && online() && !busy);
   if (!fetch_region_->isEnabled() && context_.tools.chosen() == tool_) context_.tools.putAway();
   if (status_) {
-    status_->setVisible(by_region);
-    if (by_region) status_->setText(regionsStatus(map_->regions()));
+    status_->setVisible(by_region || left);
+    if (by_region || left) status_->setText(regionsStatus(map_->regions()));
   }
   if (fetch_) {
     const regions::RegionCounts counts = fetch_->counts();
@@ -214,7 +247,11 @@ void RegionsController::tell() {
                                                tr("Cancel"), [this] { stopJob(); }});
     return;
   }
-  const RegionsNotice notice = by_region ? regionsNotice(map_->regions(), whole) : RegionsNotice{};
+  const RegionsNotice notice =
+      by_region ? regionsNotice(map_->regions(), whole)
+      : left    ? RegionsNotice{Mark::Warning, tr("The robot gives no regions of its map any more. "
+                                                     "What came of it stays.")}
+                : RegionsNotice{};
   const bool is_about_whole = notice.offer == RegionsNotice::Offer::Whole;
   context_.notices.set(NoticeRank::Regions, {notice.mark, notice.sentence,
                                              is_about_whole ? tr("Fetch the whole map…")
@@ -228,6 +265,32 @@ void RegionsController::tell() {
 }
 
 void RegionsController::toast(Mark mark, const QString& text) { context_.overlay.toasts()->add(mark, text); }
+
+void RegionsController::saveOnRobot() {
+  if (!dispatch_ || save_dialog_) return;
+  save_dialog_ = new SaveMapDialog(&context_.window);
+  connect(save_dialog_, &QObject::destroyed, this, [this] {
+    saving_.cancel();
+    tell();
+  });
+  connect(save_dialog_, &SaveMapDialog::saveWanted, this, [this](const QString& filename) {
+    if (!dispatch_) return save_dialog_->refuse(tr("The robot is not there any more."));
+    save_dialog_->wait();
+    saving_ = dispatch_->save(filename.toStdString(), [self = QPointer(this),
+                                                       filename](const robot::Outcome<std::string>& outcome) {
+      if (!self || !self->save_dialog_) return;
+      if (!outcome) {
+        return self->save_dialog_->refuse(QString::fromStdString(sentences::sentenceOf(outcome.error())));
+      }
+      self->toast(
+          Mark::Good,
+          tr("The robot has saved its map as %1.").arg(words::plainName(QString::fromStdString(*outcome))));
+      self->save_dialog_->accept();
+    });
+  });
+  save_dialog_->open();
+  tell();
+}
 
 void RegionsController::stopJob() {
   ++job_;
@@ -248,6 +311,7 @@ void RegionsController::fetchWhole() {
       QMessageBox::Cancel, &context_.window);
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
+  question_->setDefaultButton(QMessageBox::Cancel);
   QPushButton* const yes = question_->addButton(tr("Fetch"), QMessageBox::AcceptRole);
   yes->setObjectName(QStringLiteral("fetchWhole"));
   connect(yes, &QPushButton::clicked, this, &RegionsController::startWhole);
@@ -292,6 +356,8 @@ void RegionsController::show(std::function<std::string()> picture, const map::Gr
   share_.startLong([this, picture = std::move(picture), grid, name, job = job_] {
     map::WholeMap map;
     map.key = {map::MapKind::Stored, name.toStdString()};
+    // What its dispatcher gives is the map that the robot is in.
+    map.state_of = map::MapKey{map::MapKind::Live, {}};
     map.name = name.toStdString();
     map.grid = grid;
     map.reading = regions::kPgmReading;
@@ -372,9 +438,12 @@ void RegionsController::endRectangle() {
     return toast(Mark::Bad, why.isEmpty() ? tr("There is nothing in this region.")
                                           : tr("The region was not fetched: %1").arg(why));
   }
-  if (!fetch->complete()) {
+  if (!fetch->complete() && counts.smaller == 0) {
     toast(Mark::Warning, tr("Parts of the region are missing and shown as unknown (%1 of %2 came): %3")
                              .arg(countText(counts.answered), countText(counts.in_view), why));
+  } else if (counts.smaller > 0) {
+    toast(Mark::Warning,
+          tr("The robot's answers are smaller than the regions asked for: what is missing is unknown."));
   } else if (fetched.other_lattices > 0) {
     toast(Mark::Warning, tr("Some of it came with cells of another size or direction, and is left out."));
   }

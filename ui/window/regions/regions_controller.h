@@ -20,6 +20,7 @@ namespace mapwright::window {
 class ExportJob;
 class PlainLabel;
 class RectangleTool;
+class SaveMapDialog;
 
 class RegionsController : public Controller {
   Q_OBJECT
@@ -34,6 +35,8 @@ class RegionsController : public Controller {
   /// Null while no robot gives its map by regions.
   regions::RegionMap* map() const { return map_.get(); }
   QMessageBox* question() const { return question_; }  // null = none is asked
+  /// The map by regions instead of any other.
+  void showRegions();
   /// One line; empty while there is no map by regions.
   QString statusShown() const;
   RectangleTool* tool() const { return tool_; }
@@ -61,17 +64,22 @@ class RegionsController : public Controller {
   void endRectangle();
   void show(std::function<std::string()> picture, const map::GridReference& grid, const QString& name);
   void save(const regions::FetchedGrid& fetched);
+  void saveOnRobot();
   void stopJob();
+  /// The first view is where the robot is: there is map.
+  void lookAtRobot();
   void toast(Mark mark, const QString& text);
 
   WindowContext& context_;
   QPointer<robot::MapDispatch> dispatch_;
   std::unique_ptr<regions::RegionMap> map_;
   RectangleTool* tool_;
-  QAction *refresh_ = nullptr, *fetch_whole_ = nullptr, *fetch_region_ = nullptr;
+  QAction *refresh_ = nullptr, *fetch_whole_ = nullptr, *fetch_region_ = nullptr, *save_map_ = nullptr;
   QActionGroup* every_;
   QPointer<PlainLabel> status_;  // goes with the status bar
   QPointer<QMessageBox> question_;
+  QPointer<SaveMapDialog> save_dialog_;
+  robot::Call saving_;
   QTimer look_soon_, refresh_timer_;
   int refresh_every_s_ = 0;
   // One at a time.
@@ -79,7 +87,7 @@ class RegionsController : public Controller {
   Then then_ = Then::Show;
   QString path_;
   robot::Call whole_;
-  bool whole_under_way_ = false;
+  bool whole_under_way_ = false, looked_at_robot_ = false;
   std::uint64_t job_ = 0;  // what still comes of an older one is not taken
   std::unique_ptr<ExportJob> export_;
   work::Share share_;  // the last: it waits for what runs

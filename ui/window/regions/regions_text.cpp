@@ -26,6 +26,8 @@ qint64 whole(double value) { return qint64(std::clamp(value, 0.0, kMostCells)); 
 QString regionsStatus(const regions::MapRegions& map) {
   const regions::RegionCounts counts = map.counts();
   const QString bytes = bytesText(qint64(map.bytes()));
+  if (counts.in_view == 0 && !map.plan().tooFar() && map.bytes() > 0)
+    return Words::tr("regions: %1 held").arg(bytes);
   if (map.plan().tooFar()) return Words::tr("regions: zoom in, %1").arg(bytes);
   return Words::tr("%1 of %2 regions, %3").arg(countText(counts.answered), countText(counts.in_view), bytes);
 }
@@ -65,6 +67,11 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole) {
             Offer::Retry};
   }
   const int failed = map.counts().failed;
+  if (failed == 0 && map.counts().smaller > 0) {
+    return {Mark::Warning, Words::tr("The robot's answers are smaller than the regions asked for (%1 of %2): "
+                                     "what is missing is blank.")
+                               .arg(countText(map.counts().smaller), countText(map.counts().in_view))};
+  }
   if (failed == 0) return {};
   QString why;
   for (const regions::RegionView& region : map.inView()) {

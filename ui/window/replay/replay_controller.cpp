@@ -79,7 +79,7 @@ void ReplayController::open(std::unique_ptr<robot::Robot> origin, const std::str
 
 void ReplayController::show(std::unique_ptr<robot::Robot> replay) {
   // Shared, because what is called later has to be copyable.
-  context_.unsaved.whenMayLeave(
+  context_.unsaved.whenMayLeaveRobot(
       [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(replay))] {
         if (!replayOf(context_.current.session())) live_address_ = context_.current.address();
         context_.current.begin(std::move(*made));
@@ -89,12 +89,12 @@ void ReplayController::show(std::unique_ptr<robot::Robot> replay) {
 void ReplayController::back() {
   if (!replayOf(context_.current.session())) return;
   if (live_address_.isEmpty()) {
-    context_.unsaved.whenMayLeave([this] { context_.current.leave(); });
+    context_.unsaved.whenMayLeaveRobot([this] { context_.current.leave(); });
     return;
   }
   auto robot = make_robot_(live_address_);
   if (!robot) return context_.overlay.toasts()->add(Mark::Bad, robot.error());
-  context_.unsaved.whenMayLeave(
+  context_.unsaved.whenMayLeaveRobot(
       [this, made = std::make_shared<std::unique_ptr<robot::Robot>>(std::move(*robot))] {
         context_.current.begin(std::move(*made));
         context_.view.setFocus();

@@ -1,5 +1,7 @@
 #include "window/status/connection_chip.h"
 
+#include <algorithm>
+
 #include <QPainter>
 
 #include "window/look/icons.h"
@@ -22,6 +24,7 @@ ConnectionChip::ConnectionChip(QWidget* parent) : QToolButton(parent) {
 void ConnectionChip::setRobot(const QString& name, Mark mark, const QString& word, const QString& detail) {
   const bool same = name == name_ && mark == mark_ && word == word_;
   detail_ = detail;
+  if (name != name_) safety_room_ = 0;
   name_ = name;
   mark_ = mark;
   word_ = word;
@@ -35,6 +38,7 @@ void ConnectionChip::setSafety(const SafetyText& text) {
   if (text == safety_) return;
   safety_ = text;
   describe();
+  safety_room_ = std::max(safety_room_, safetyRoom());
   updateGeometry();
   update();
 }
@@ -57,7 +61,7 @@ QSize ConnectionChip::sizeHint() const {
   const int name = qMin(metrics.horizontalAdvance(name_), kNameLimitPx);
   // As wide as the longest word, so that the tool bar does not jump with the link.
   const int word = word_.isEmpty() ? 0 : metrics.horizontalAdvance(QStringLiteral("reconnecting")) + 8;
-  return {10 + 12 + 8 + name + word + safetyRoom() + 8 + 16 + 6, 30};
+  return {10 + 12 + 8 + name + word + safety_room_ + 8 + 16 + 6, 30};
 }
 
 void ConnectionChip::paintEvent(QPaintEvent*) {
@@ -70,7 +74,7 @@ void ConnectionChip::paintEvent(QPaintEvent*) {
   paintMark(&painter, QRectF(10, height() / 2.0 - 6, 12, 12), mark_, colors);
   const QFontMetrics metrics = fontMetrics();
   const int safety_room = safetyRoom();
-  const QRect area = rect().adjusted(30, 0, -26 - safety_room, 0);
+  const QRect area = rect().adjusted(30, 0, -26 - safety_room_, 0);
   paintSafety(&painter, QRect(area.right() + 1 + kSafetyGapPx, 4, safety_room - kSafetyGapPx, height() - 8),
               safety_, colors);
   const int word_width = word_.isEmpty() ? 0 : metrics.horizontalAdvance(QStringLiteral("reconnecting")) + 8;

@@ -30,6 +30,8 @@ class ConnectionChip : public QToolButton {
 
   QString name_, word_, detail_;
   SafetyText safety_;
+  // The widest so far of this robot: the tools beside it stay where they are when an alert goes.
+  int safety_room_ = 0;
   Mark mark_ = Mark::Neutral;
 };
 

@@ -9,12 +9,12 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kWidthPx = 180, kAsidePx = 12, kLongestName = 500;
+constexpr int kWidthPx = 180, kAsidePx = 12, kLongestTyped = 500;
 
 }  // namespace
 
 NameEditor::NameEditor(QWidget* map) : QLineEdit(map) {
-  setMaxLength(kLongestName);
+  setMaxLength(kLongestTyped);
   setAccessibleName(tr("Name of the waypoint"));
   hide();
   connect(this, &QLineEdit::textEdited, this, [this](const QString& text) {
