@@ -56,8 +56,8 @@ void RegionMap::standStill() {
 
 void RegionMap::takeOffers() {
   if (still_) return;
-  const bool back = offered() && !std::exchange(was_offered_, offered());
-  if (back) regions_.refresh();
+  const bool was_offered = std::exchange(was_offered_, offered());
+  if (was_offered_ && !was_offered) regions_.refresh();
   look();
 }
 

@@ -86,7 +86,8 @@ class FakeDispatch : public robot::MapDispatch {
 
   std::vector<robot::DispatchOffer> offers() const override {
     return {{robot::DispatchService::Grid, true, "/get_map", ""},
-            {robot::DispatchService::GridRegion, offers_regions, "/get_sub_map", ""}};
+            {robot::DispatchService::GridRegion, offers_regions, "/get_sub_map", ""},
+            {robot::DispatchService::Save, true, "/save_map", ""}};
   }
   robot::Call grid(const std::optional<map::GridRegion>& region, Reply reply) override {
     const auto one = std::make_shared<Waiting>();
@@ -126,7 +127,17 @@ class FakeDispatch : public robot::MapDispatch {
                     robot::OutcomeTo<std::shared_ptr<const map::SpatialCloud>>) override {
     return {};
   }
-  robot::Call save(const std::string&, robot::OutcomeTo<std::string>) override { return {}; }
+  robot::Call save(const std::string& filename, robot::OutcomeTo<std::string> reply) override {
+    saved_as.push_back(filename);
+    const auto state = std::make_shared<robot::Call::State>();
+    answer_save = [state, reply = std::move(reply)](robot::Outcome<std::string> outcome) {
+      state->over = true;
+      reply(std::move(outcome));
+    };
+    return robot::Call(state);
+  }
+  std::vector<std::string> saved_as;
+  std::function<void(robot::Outcome<std::string>)> answer_save;
   robot::Call projections(robot::OutcomeTo<std::vector<map::Projection>>) override { return {}; }
   robot::Call project(const std::vector<map::Projection>&,
                       robot::OutcomeTo<std::vector<map::Projection>>) override {

@@ -1,4 +1,6 @@
 // What a robot lays on the plane, in the window: asked for, edited by table, map and section, set.
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -268,6 +270,25 @@ class TestWindowProjections : public QObject {
     QVERIFY(desk.dock().state().contains(QStringLiteral("only be read")));
     QVERIFY(!desk.dock().addButton()->isEnabled());
     QVERIFY(!desk.dock().model()->setData(desk.dock().model()->index(0, 0), 3.0, Qt::EditRole));
+  }
+
+  void editsThatAreNotSetAreAskedAboutBeforeTheRobotIsLeft() {
+    Desk desk;
+    desk.open();
+    desk.dispatch().answer(List{floorAt(1, 1)});
+    desk.dock().addButton()->click();
+    QCOMPARE(desk.wanted().size(), std::size_t(2));
+    const auto question = [&] { return desk.window->findChild<QMessageBox*>(); };
+    const session::Session* const before = desk.window->session();
+    QVERIFY(!desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090")));
+    QVERIFY(question());
+    QCOMPARE(desk.window->session(), before);
+    question()->button(QMessageBox::Cancel)->click();
+    QTRY_VERIFY(!question());
+    QCOMPARE(desk.wanted().size(), std::size_t(2));
+    QVERIFY(!desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090")));
+    question()->findChild<QPushButton*>(QStringLiteral("leaveProjections"))->click();
+    QTRY_COMPARE(desk.wanted().size(), std::size_t(0));
   }
 
   void leavingTheRobotLeavesNothingBehind() {

@@ -1,5 +1,6 @@
 // A map by regions in the window.
 #include <QDir>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
@@ -20,6 +21,7 @@
 #include "window/regions/rectangle_tool.h"
 #include "window/regions/regions_controller.h"
 #include "window/regions/regions_text.h"
+#include "window/regions/save_map_dialog.h"
 
 using namespace mapwright;
 using regions::FakeDispatch;
@@ -264,6 +266,66 @@ class TestWindowRegions : public QObject {
     QCoreApplication::processEvents();
     QVERIFY(controller()->map()->regions().bytes() > 0);
     QVERIFY(!window_->overlay()->card()->isVisible());
+  }
+  void whatCameStaysInSightWhenItsDispatcherGoes() {
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    robot_->dispatch.offers_regions = false;
+    Q_EMIT robot_->dispatch.offersChanged();
+    QCoreApplication::processEvents();
+    QVERIFY(controller()->map()->regions().bytes() > 0);
+    QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
+    QVERIFY2(notice().contains(QStringLiteral("gives no regions")), qPrintable(notice()));
+    QVERIFY(!controller()->statusShown().isEmpty());
+    const auto asked = robot_->dispatch.asked.size();
+    robot_->dispatch.offers_regions = true;
+    Q_EMIT robot_->dispatch.offersChanged();
+    QTRY_VERIFY(robot_->dispatch.asked.size() > asked);  // it may have another map now
+    QVERIFY2(notice().isEmpty(), qPrintable(notice()));
+  }
+  void theWholeMapIsTheRobotsOwnAndTheRegionsAreBackByTheLiveMap() {
+    prepare_ = [](DispatchRobot& robot) {
+      robot.dispatch.ground.width = robot.dispatch.ground.height = 5000;
+    };
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    action("fetchWholeMap")->trigger();
+    QCOMPARE(controller()->question()->defaultButton(),
+             controller()->question()->button(QMessageBox::Cancel));
+    answerCalled("fetchWhole")->click();
+    QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    QVERIFY(window_->mapScene()->robotPlace().drawn == scene::ScreenPart::All);
+    window_->openMap({map::MapKind::Live, {}});
+    QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
+    QVERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Empty);
+  }
+  void theMapIsSavedOnTheRobot() {
+    open();
+    connectRobot();
+    QVERIFY(action("saveMapOnRobot")->isEnabled());
+    action("saveMapOnRobot")->trigger();
+    const auto dialog = [this] { return window_->findChild<window::SaveMapDialog*>(); };
+    QVERIFY(dialog());
+    auto* const name = dialog()->findChild<QLineEdit*>(QStringLiteral("saveMapName"));
+    auto* const save = dialog()->findChild<QPushButton*>(QStringLiteral("primary"));
+    name->setText(QStringLiteral("  "));
+    QVERIFY(!save->isEnabled());
+    name->setText(QStringLiteral("office.pgm"));
+    save->click();
+    QCOMPARE(robot_->dispatch.saved_as, (std::vector<std::string>{"office.pgm"}));
+    QVERIFY(!save->isEnabled());
+    robot_->dispatch.answer_save(
+        tl::unexpected(map::Failure{.kind = map::FailureKind::Refused, .detail = "no room"}));
+    QVERIFY(dialog());
+    QVERIFY(save->isEnabled());
+    save->click();
+    robot_->dispatch.answer_save(std::string("/maps/office.pgm"));
+    QTRY_VERIFY(!dialog());
+    QTRY_VERIFY(action("saveMapOnRobot")->isEnabled());
   }
   void aCapabilityThatComesAndGoesIsFollowed() {
     prepare_ = [](DispatchRobot& robot) { robot.has_dispatch = false; };
