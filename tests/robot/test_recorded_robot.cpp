@@ -320,6 +320,24 @@ class RecordedRobotTest : public QObject {
     QCOMPARE(QByteArray::fromBase64(line[QLatin1String("base64")].toString().toLatin1()).toStdString(), text);
   }
 
+  void messagesWithoutAUsableTimeAreCounted() {
+    recordings::RawMcap raw;
+    recordings::RawMcap::channel(raw.out, 1, "/tracked_pose");
+    for (const std::uint64_t at : {std::uint64_t(0), std::uint64_t(1) << 63, ~std::uint64_t(0)})
+      recordings::RawMcap::message(raw.out, 1, at, R"({"pos":[1,2],"ori":0})");
+    raw.end();
+    const QString path = written(*raw.bytes());
+    const auto robot = opened(path);
+    const auto info = infoOf(*robot, keyOf(path));
+    QVERIFY(info && info->start_s == 0 && info->end_s == 0);
+    const auto whole = range(*robot, keyOf(path), -1, 4e9);
+    QVERIFY(whole);
+    QCOMPARE((*whole)->messages.size(), std::size_t(1));
+    QCOMPARE((*whole)->without_stamp, std::size_t(2));
+    const auto again = range(*robot, keyOf(path), -1, 4e9);
+    QVERIFY(again && (*again)->without_stamp == 0);  // they are told once
+  }
+
   void everyMessageLiesInOneRangeWhereverRangesMeet() {
     const std::vector<Said> said = axbotSession(5, 600);
     const QString path = written(recordingOf(said));

@@ -147,7 +147,8 @@ std::optional<std::int64_t> RangeJob::nextBlock(const Parts& parts) const {
   return first ? std::optional(BlockPlacing::blockOf(first->log_time_ns)) : std::nullopt;
 }
 
-BagChunkPtr RangeJob::chunk() {
+BagChunkPtr RangeJob::chunk(std::size_t untimed) {
+  chunk_->without_stamp += untimed;
   chunk_->text = std::make_shared<const std::string>(std::move(text_));
   return chunk_;
 }

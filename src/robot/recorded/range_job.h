@@ -39,8 +39,8 @@ class RangeJob {
   enum class Step { More, Done, TooLong };
   /// The next block that holds any message.
   Step step(const Parts& parts);
-  /// Once Done.
-  BagChunkPtr chunk();
+  /// Once Done. `untimed`: messages without a usable time, which are told with it.
+  BagChunkPtr chunk(std::size_t untimed);
   /// What was wrong with messages, or is well again.
   std::vector<map::Problem> takeProblems() { return std::exchange(problems_, {}); }
   const BagKey& key() const { return key_; }
