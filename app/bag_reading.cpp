@@ -98,9 +98,16 @@ robot::BagKey BagReading::keyOf(const std::string& name) const {
   return recording.value_or(robot::BagKey{robot::BagKind::Bag, name});
 }
 
-CommandResult<replay::Reading*> BagReading::replay(const std::string& name, replay::ChunksOptions chunks) {
+CommandResult<replay::Reading*> BagReading::replay(const std::string& name) { return open(name, {}); }
+
+CommandResult<replay::Reading*> BagReading::readThrough(const std::string& name, Texts texts) {
   replay::Reading::Options options;
-  options.chunks = chunks;
+  options.chunks.look_back = false;
+  options.whole_texts = texts == Texts::Whole;
+  return open(name, std::move(options));
+}
+
+CommandResult<replay::Reading*> BagReading::open(const std::string& name, replay::Reading::Options options) {
   reading_ = std::make_unique<replay::Reading>(*library_, keyOf(name), std::move(options));
   std::optional<map::Failure> failed;
   bool opened = false;

@@ -26,7 +26,10 @@ class BagReading {
   CommandFailure failure(const map::Failure& failed) const;
 
   /// Opens it for replaying.
-  CommandResult<replay::Reading*> replay(const std::string& name, replay::ChunksOptions chunks = {});
+  CommandResult<replay::Reading*> replay(const std::string& name);
+  /// To be read once from one end to the other: whole texts, where they are what is wanted.
+  enum class Texts { Short, Whole };
+  CommandResult<replay::Reading*> readThrough(const std::string& name, Texts texts);
   /// Until `done`, which is asked again whenever something was read. A range that the robot cannot give, or
   /// fails to give again and again, ends it.
   std::optional<CommandFailure> waitUntil(const std::function<bool()>& done);
@@ -42,6 +45,7 @@ class BagReading {
 
  private:
   BagReading() = default;
+  CommandResult<replay::Reading*> open(const std::string& name, replay::Reading::Options options);
   MapReading* robot_ = nullptr;
   robot::BagLibrary* library_ = nullptr;
   std::unique_ptr<replay::Reading> reading_;

@@ -73,9 +73,9 @@ int runExport(const BagsWords& words, int& argc, char** argv, const QStringList&
         if (!order) return tl::make_unexpected(order.error());
         auto opened = BagReading::open(command, words);
         if (!opened) return tl::make_unexpected(opened.error());
-        replay::ChunksOptions chunks;
-        chunks.look_back = false;
-        const auto replayed = opened->replay(words.name, chunks);
+        const bool lines = order->format == QLatin1String("jsonl");
+        const auto replayed =
+            opened->readThrough(words.name, lines ? BagReading::Texts::Whole : BagReading::Texts::Short);
         if (!replayed) return tl::make_unexpected(replayed.error());
         return work(command, *opened, *order);
       });

@@ -53,9 +53,7 @@ int bagsFrames(const BagsWords& words, int& argc, char** argv) {
     if (!span) return tl::make_unexpected(span.error());
     auto opened = BagReading::open(command, words);
     if (!opened) return tl::make_unexpected(opened.error());
-    replay::ChunksOptions chunks;
-    chunks.look_back = false;
-    const auto replayed = opened->replay(words.name, chunks);
+    const auto replayed = opened->readThrough(words.name, BagReading::Texts::Whole);
     if (!replayed) return tl::make_unexpected(replayed.error());
     std::int64_t odd = 0;
     const auto failed = opened->readRanges(span->from_s, span->to_s, [&](const replay::Chunk& chunk) {

@@ -120,7 +120,8 @@ bool McapReader::takeChunkIndexes(std::vector<mcap::ChunkIndex>& indexes, std::u
     place.last_ns = mcap::timeOf(index.end);
     place.channels_known = !index.index_offsets.empty();
     // A chunk without messages says 0 and 0, and so may one without indexes.
-    if (place.first_ns > place.last_ns || (!place.channels_known && index.start == 0 && index.end == 0)) {
+    if (place.first_ns > place.last_ns || !mcap::isTime(index.end) ||
+        (!place.channels_known && index.start == 0 && index.end == 0)) {
       place.channels_known = false;
       place.first_ns = 1;
       place.last_ns = 0;

@@ -111,13 +111,16 @@ void McapReader::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
       ChunkEntry entry;
       entry.channel = message.number<std::uint16_t>();
       message.number<std::uint32_t>();
-      entry.log_ns = mcap::timeOf(message.number<std::uint64_t>());
+      const auto stamp = message.number<std::uint64_t>();
       message.number<std::uint64_t>();
+      entry.log_ns = mcap::timeOf(stamp);
       entry.offset = at;
-      if (message.sound()) {
+      if (!message.sound()) {
+        notes_.add(NoteCode::RecordCorrupt, place.offset);
+      } else if (mcap::isTime(stamp)) {
         chunk.entries.push_back(entry);
       } else {
-        notes_.add(NoteCode::RecordCorrupt, place.offset);
+        notes_.add(NoteCode::TimeUnusable, place.offset);
       }
     } else if (op == Op::Schema) {
       takeSchema(content, place.offset);
@@ -156,9 +159,11 @@ ChunkedSource::Latest McapReader::latestByIndex(const ChunkPlace&, const Channel
   Latest latest{false, std::nullopt};
   ByteReader row(rows->all());
   while (row.left() >= 16) {
-    const std::int64_t time = mcap::timeOf(row.number<std::uint64_t>());
+    const auto stamp = row.number<std::uint64_t>();
+    const std::int64_t time = mcap::timeOf(stamp);
     row.number<std::uint64_t>();
-    if (time <= at_ns && (!latest.log_ns || time > *latest.log_ns)) latest.log_ns = time;
+    if (mcap::isTime(stamp) && time <= at_ns && (!latest.log_ns || time > *latest.log_ns))
+      latest.log_ns = time;
   }
   return latest;
 }

@@ -2,6 +2,7 @@
 // Source: MCAP format specification, version 0, "Records" and "Serialization".
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -135,6 +136,9 @@ void write(RecordWriter& out, const Statistics& statistics);
 void write(RecordWriter& out, const AttachmentIndex& index);
 void write(RecordWriter& out, const Metadata& metadata);
 
-inline std::int64_t timeOf(std::uint64_t stamp) { return std::int64_t(stamp); }
+/// Until the year 2261: whoever counts seconds has room for that, too.
+inline constexpr std::uint64_t kLastTime = 9'200'000'000'000'000'000;
+inline bool isTime(std::uint64_t stamp) { return stamp <= kLastTime; }
+inline std::int64_t timeOf(std::uint64_t stamp) { return std::int64_t(std::min(stamp, kLastTime)); }
 
 }  // namespace mapwright::recording::mcap

@@ -136,6 +136,10 @@ McapReader::Step McapReader::takeChunk(Window& window, const RecordHead& head, s
   place.length = head.end() - head.at;
   place.first_ns = mcap::timeOf(chunk->start);
   place.last_ns = mcap::timeOf(chunk->end);
+  if (!mcap::isTime(chunk->end)) {  // it is looked into
+    place.first_ns = 1;
+    place.last_ns = 0;
+  }
   addChunk(std::move(place));
   indexes_follow_ = true;
   return Step::Taken;
@@ -180,9 +184,14 @@ McapReader::Step McapReader::takeMessage(Window& window, const RecordHead& head)
   ByteReader in(window.look(head.content(), mcap::kMessageHead, head.end()));
   const auto channel = in.number<std::uint16_t>();
   in.number<std::uint32_t>();
-  const std::int64_t time = mcap::timeOf(in.number<std::uint64_t>());
+  const auto stamp = in.number<std::uint64_t>();
+  const std::int64_t time = mcap::timeOf(stamp);
   in.number<std::uint64_t>();
   if (!in.sound()) return Step::NoRecord;
+  if (!mcap::isTime(stamp)) {
+    notes_.add(NoteCode::TimeUnusable, head.at);
+    return Step::Taken;
+  }
   ChunkPlace* last = lastChunk();
   const std::uint64_t bytes = head.end() - head.at;
   const bool goes_on = last != nullptr && last->bare && last->offset + last->length == head.at &&

@@ -27,6 +27,7 @@ enum class NoteCode : std::uint8_t {
   RecordCorrupt,      // such records that say nothing sound
   UnknownChannel,     // messages of a channel that nothing describes
   ChannelChanged,     // channels described a second time and otherwise; the first stands
+  TimeUnusable,       // messages whose log time is none: beyond the year 2261
   AttachmentCorrupt,  // its checksum does not fit, or it is cut off: `name`
   Unreadable,         // the disk could not read it
 };

@@ -61,6 +61,12 @@ class CborVisitor final : public RosVisitor {
     writer_.endMap();
   }
   void numbers(const RosNumbers& numbers) override {
+    if (numbers.kind == RosKind::Flag) {  // a byte string would be numbers
+      writer_.startArray(numbers.count());
+      for (const std::uint8_t set : numbers.bytes) writer_.append(set != 0);
+      writer_.endArray();
+      return;
+    }
     constexpr std::uint64_t kBigEndian = 4;  // the bit that is not set of those
     const std::uint64_t tag = tagOf(numbers.kind);
     const bool swapped = numbers.big_endian && sizeOf(numbers.kind) > 1;

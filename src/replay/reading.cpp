@@ -130,6 +130,7 @@ void Reading::ask(Tick from) {
   const auto known = chunks_->cells().find(from);
   range.back_fill = here && from >= here->from && known != chunks_->cells().begin() &&
                     !chunks_->readUntil(secondsOf(std::prev(known)->second.from));
+  range.whole_texts = options_.whole_texts;
   asked.call = library_.messages(
       key_, range, [this, alive = alive_, from, number](const robot::Outcome<robot::BagChunkPtr>& outcome) {
         if (!*alive || !isAwaited(from, number)) return;

@@ -42,6 +42,8 @@ class Reading : public QObject {
     std::function<Millis()> now = {};
     /// A file may be written while it is read: it is looked at again so often; 0 = never.
     int look_again_ms = 0;
+    /// The texts of messages are wanted uncut, for whatever they cost.
+    bool whole_texts = false;
   };
   /// `library` outlives it. Begins with open().
   Reading(robot::BagLibrary& library, robot::BagKey key, Options options, QObject* parent = nullptr);

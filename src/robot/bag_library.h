@@ -90,6 +90,8 @@ struct BagRange {
   /// What lies before is not known: where that costs more than nothing (files), the last message of each
   /// topic before the range comes first, as robots add it unasked. It is what reading that far would tell.
   bool back_fill = false;
+  /// The texts of messages are for programs, not for people: nothing in them is cut (BagChunk::text).
+  bool whole_texts = false;
 };
 
 /// What is to be recorded from now on, or was just now.

@@ -17,6 +17,7 @@ class TestMcapDamage : public QObject {
   void lz4AndOverlongChunksAreRead();
   void aBombTakesNoMemory();
   void aChunkThatLiesAboutItsTimesIsReadInOrder();
+  void timesBeyondAllTimesAreNone();
   void anIndexThatLiesIsFoundOut();
   void messagesOfNobodysChannelAreCounted();
   void anUnknownCompressionIsNamed();
@@ -176,6 +177,27 @@ void TestMcapDamage::aChunkThatLiesAboutItsTimesIsReadInOrder() {
   QCOMPARE(rows.size(), std::size_t(2));
   QVERIFY(rows[0].bytes == "early" && rows[1].bytes == "late");
   QCOMPARE((*opened)->summary().start_ns, std::int64_t(10));
+}
+
+void TestMcapDamage::timesBeyondAllTimesAreNone() {
+  constexpr std::uint64_t kBeyond = std::uint64_t(1) << 63;
+  mcap::RecordWriter records;
+  RawMcap::channel(records, 1, "/a");
+  RawMcap::message(records, 1, 5, "sound");
+  RawMcap::message(records, 1, kBeyond, "none");
+  RawMcap raw;
+  raw.chunk(5, kBeyond, records.size(), 0, "", records.bytes());
+  RawMcap::message(raw.out, 1, ~std::uint64_t(0), "none either");
+  raw.end();
+  const Opened opened = raw.open();
+  const std::vector<Row> rows = rowsOf(**opened);
+  QCOMPARE(rows.size(), std::size_t(1));
+  QCOMPARE((*opened)->summary().end_ns, std::int64_t(5));
+  QVERIFY(allWritten(lastRows(**opened, std::numeric_limits<std::int64_t>::max()), rows));
+  const std::vector<Note> notes = (*opened)->summary().notes;
+  const auto untimed = std::find_if(notes.begin(), notes.end(),
+                                    [](const Note& note) { return note.code == NoteCode::TimeUnusable; });
+  QVERIFY(untimed != notes.end() && untimed->count == 2);
 }
 
 void TestMcapDamage::anIndexThatLiesIsFoundOut() {

@@ -383,6 +383,18 @@ class AxbotBagsTest : public QObject {
     QVERIFY(part.open(QIODevice::WriteOnly));
     part.write(bytes.left(1000));
     part.close();
+    const auto rows = bench.ask<std::vector<BagEntry>>(
+        [&](OutcomeTo<std::vector<BagEntry>> reply) { return bench.bags().list(std::move(reply)); });
+    QVERIFY(rows);
+    const auto row = std::find_if(rows->begin(), rows->end(),
+                                  [](const BagEntry& entry) { return entry.key == bag("gap.bag"); });
+    QVERIFY(row != rows->end() && row->size_bytes == whole->bytes);
+    QFile part_of(folder.filePath(QStringLiteral("b.bag.part.of")));
+    QVERIFY(part_of.open(QIODevice::WriteOnly));
+    part_of.write(QStringLiteral("\n%1\n%1 %2\n")
+                      .arg(QString::number(whole->bytes), QString::fromStdString(row->end_text))
+                      .toUtf8());
+    part_of.close();
     const auto rest = bench.download(bag("gap.bag"), folder.filePath(QStringLiteral("b.bag")));
     QVERIFY(rest);
     QCOMPARE(rest->resumed, ranges);
@@ -398,8 +410,10 @@ class AxbotBagsTest : public QObject {
     QTest::addColumn<bool>("resumed");
     const QByteArray right = "Content-Range: bytes 4-9/10\r\n", etag = "ETag: \"new\"\r\n";
     QTest::newRow("the rest") << QByteArray(right + etag) << QByteArray("\"new\"\n10\n") << true;
-    QTest::newRow("nothing is known of the part") << right << QByteArray() << true;
-    QTest::newRow("what is known is no text of ours") << right << QByteArray(5000, 'x') << true;
+    QTest::newRow("the row of the list") << right << QByteArray("\n10\n10 now\n") << true;
+    QTest::newRow("another of the same size") << right << QByteArray("\n10\n10 then\n") << false;
+    QTest::newRow("nothing is known of the part") << right << QByteArray() << false;
+    QTest::newRow("what is known is no text of ours") << right << QByteArray(5000, 'x') << false;
     QTest::newRow("another range") << QByteArray("Content-Range: bytes 2-7/10\r\n") << QByteArray() << false;
     QTest::newRow("no word of which") << QByteArray() << QByteArray() << false;
     QTest::newRow("a word that is none")
@@ -414,6 +428,9 @@ class AxbotBagsTest : public QObject {
     const QByteArray whole = "0123456789";
     net::testing::ScriptedServer server([&](const net::testing::SeenRequest& request) {
       using Server = net::testing::ScriptedServer;
+      if (request.path == "/bags/")
+        return Server::reply(200, {}, R"([{"filename":"a.bag","size_bytes":10,"end":"now"}])");
+      if (request.path == "/recording/") return Server::reply(200, {}, "[]");
       if (!request.headers.contains("range")) return Server::reply(200, "ETag: \"new\"\r\n", whole);
       return Server::reply(206, range, resumed ? whole.mid(4) : whole.mid(2, 6));
     });
@@ -430,6 +447,10 @@ class AxbotBagsTest : public QObject {
     };
     write(path + QStringLiteral(".part"), resumed ? whole.left(4) : QByteArray("????"));
     if (!held.isEmpty()) write(path + QStringLiteral(".part.of"), held);
+    std::optional<Outcome<std::vector<BagEntry>>> rows;
+    robot.bagLibrary()->list([&](Outcome<std::vector<BagEntry>> told) { rows = std::move(told); });
+    QVERIFY(QTest::qWaitFor([&] { return rows.has_value(); }, kLongMs));
+    QVERIFY(rows->has_value() && (*rows)->front().size_bytes == 10);
     std::optional<Outcome<BagDownload>> got;
     robot.bagLibrary()->download(bag("a.bag"), path,
                                  [&](Outcome<BagDownload> told) { got = std::move(told); });
@@ -441,8 +462,34 @@ class AxbotBagsTest : public QObject {
     QCOMPARE(file.readAll(), whole);
     QVERIFY(!QFile::exists(path + QStringLiteral(".part")));
     QVERIFY(!QFile::exists(path + QStringLiteral(".part.of")));
-    const QByteArray asked = server.seen.front().headers.value("if-range");
+    const QByteArray asked = server.seen[2].headers.value("if-range");
     QCOMPARE(asked.isEmpty(), !held.startsWith('"'));
+  }
+
+  void aDownloadThatEndsEarlyIsNotTheWhole() {
+    net::testing::ScriptedServer server([&](const net::testing::SeenRequest& request) {
+      using Server = net::testing::ScriptedServer;
+      if (request.path == "/bags/")
+        return Server::reply(200, {}, R"([{"filename":"a.bag","size_bytes":10,"end":"now"}])");
+      if (request.path == "/recording/") return Server::reply(200, {}, "[]");
+      return QByteArray("HTTP/1.1 200 OK\r\nConnection: close\r\n\r\n0123");  // its length is not told
+    });
+    QTemporaryDir folder;
+    axbot::LinkOptions link;
+    link.base = server.url(QString());
+    link.cache_folder = folder.filePath(QStringLiteral("cache"));
+    axbot::AxbotRobot robot(QStringLiteral("axbot"), link);
+    std::optional<Outcome<std::vector<BagEntry>>> rows;
+    robot.bagLibrary()->list([&](Outcome<std::vector<BagEntry>> told) { rows = std::move(told); });
+    QVERIFY(QTest::qWaitFor([&] { return rows.has_value(); }, kLongMs));
+    const QString path = folder.filePath(QStringLiteral("a.bag"));
+    std::optional<Outcome<BagDownload>> got;
+    robot.bagLibrary()->download(bag("a.bag"), path,
+                                 [&](Outcome<BagDownload> told) { got = std::move(told); });
+    QVERIFY(QTest::qWaitFor([&] { return got.has_value(); }, kLongMs));
+    QVERIFY(!got->has_value());
+    QVERIFY2(words(got->error()).find("10") != std::string::npos, words(got->error()).c_str());
+    QVERIFY(!QFile::exists(path));
   }
 
   void aDownloadThatCannotBeWrittenSaysSo() {

@@ -5,6 +5,9 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -159,6 +162,16 @@ class RecordedRobotTest : public QObject {
       return robot.bagLibrary()->messages(key, {from_s, until_s}, std::move(reply));
     });
   }
+  static Outcome<BagChunkPtr> forPrograms(RecordedRobot& robot, const BagKey& key) {
+    BagRange all{0, 4e9};
+    all.whole_texts = true;
+    return answer<BagChunkPtr>(
+        [&](auto reply) { return robot.bagLibrary()->messages(key, all, std::move(reply)); });
+  }
+  static QJsonObject jsonOf(const BagChunk& chunk, const BagMessage& message) {
+    const std::string_view text = chunk.textOf(message);
+    return QJsonDocument::fromJson(QByteArray(text.data(), qsizetype(text.size()))).object();
+  }
   static Outcome<BagInfo> infoOf(RecordedRobot& robot, const BagKey& key) {
     return answer<BagInfo>([&](auto reply) { return robot.bagLibrary()->info(key, std::move(reply)); });
   }
@@ -213,14 +226,116 @@ class RecordedRobotTest : public QObject {
     compareSeeks(*robot, keyOf(path), 60, [&](double at_s) { return foldedUntil(said, at_s); });
   }
 
-  void theTextOfAFrameIsTheFrame() {
+  void theTextOfAFrameIsTheFrameWithItsTime() {
     const std::vector<Said> said = axbotSession(4, 50);
     const QString path = written(recordingOf(said));
     const auto robot = opened(path);
     const auto chunk = range(*robot, keyOf(path), 0, 4e9);
     QVERIFY(chunk && (*chunk)->messages.size() == said.size());
-    for (std::size_t i = 0; i < said.size(); ++i)
-      QCOMPARE(std::string((*chunk)->textOf((*chunk)->messages[i])), said[i].text);
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      char stamp[60];
+      const long long at_ns = recordings::nanoseconds(said[i].at_s);
+      std::snprintf(stamp, sizeof(stamp), ",\"__stamp\":%lld.%09lld}", at_ns / 1'000'000'000,
+                    at_ns % 1'000'000'000);
+      QCOMPARE(std::string((*chunk)->textOf((*chunk)->messages[i])),
+               said[i].text.substr(0, said[i].text.size() - 1) + stamp);
+    }
+  }
+
+  void whatAFrameDoesNotSayItsChannelSays() {
+    const std::string path_text = R"({"pos":[1,2],"ori":0})";
+    const QString path = written(recordingOf({{10.5, "/tracked_pose", path_text},
+                                              {11, "/tracked_pose", "{}"},
+                                              {12, "/odd", R"({"topic":null,"__stamp":7, "n":1} )"}}));
+    const auto robot = opened(path);
+    const auto chunk = range(*robot, keyOf(path), 0, 100);
+    QVERIFY(chunk && (*chunk)->messages.size() == 3);
+    const auto text = [&](std::size_t i) { return std::string((*chunk)->textOf((*chunk)->messages[i])); };
+    QCOMPARE(text(0), std::string(R"({"pos":[1,2],"ori":0,"topic":"/tracked_pose","__stamp":10.500000000})"));
+    QCOMPARE(text(1), std::string(R"({"topic":"/tracked_pose","__stamp":11.000000000})"));
+    QCOMPARE(
+        text(2),
+        std::string(R"({"topic":"/odd","__stamp":12.000000000,"msg":{"topic":null,"__stamp":7, "n":1} })"));
+    const map::World world = foldedUntil(**chunk, 10.75);
+    QVERIFY((*chunk)->messages[0].known && world.live.robot_pose);
+  }
+
+  void forProgramsNothingOfAMessageIsCut_data() { messagesOfRosAreTheSameInEveryRange_data(); }
+  void forProgramsNothingOfAMessageIsCut() {
+    QFETCH(Encoding, encoding);
+    const std::vector<Drive::Said> drive = Drive{10}.all();
+    const bool bag = encoding == Encoding::Bag;
+    const QString path = written(recordings::recordingOf(drive, encoding),
+                                 bag ? QStringLiteral("bag") : QStringLiteral("mcap"));
+    const auto robot = opened(path);
+    const auto chunk = forPrograms(*robot, keyOf(path));
+    QVERIFY(chunk);
+    // Those that were recorded, and none that was only made of them.
+    QCOMPARE((*chunk)->messages.size(), drive.size());
+    int grids = 0;
+    for (std::size_t i = 0; i < drive.size(); ++i) {
+      const QJsonObject line = jsonOf(**chunk, (*chunk)->messages[i]);
+      QCOMPARE(line[QLatin1String("topic")].toString().toStdString(), drive[i].topic);
+      recordings::RosOut out(Encoding::Json);
+      drive[i].fill(out);
+      const QJsonObject wanted = QJsonDocument::fromJson(QByteArray::fromStdString(out.done())).object();
+      QJsonObject got = line[QLatin1String("msg")].toObject();
+      if (drive[i].type != "nav_msgs/OccupancyGrid") continue;
+      QCOMPARE(got[QLatin1String("data")], wanted[QLatin1String("data")]);
+      QVERIFY(got[QLatin1String("data")].toArray().size() > 32);
+      ++grids;
+    }
+    QCOMPARE(grids, 2);
+  }
+
+  void whatCannotBeReadIsCountedOnceAndLosesNoBytes() {
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    recording::Channel channel;
+    channel.topic = "/tf";
+    channel.message_encoding = "cdr";
+    channel.schema_name = "tf2_msgs/msg/TFMessage";
+    channel.schema_encoding = "ros2msg";
+    channel.schema_data = recordings::definitionOf("tf2_msgs/TFMessage", true);
+    const auto id = *writer->addChannel(channel);
+    const std::string text("\0\1\0\0\7", 5);
+    // One at the very start of a range is read for the one before, too.
+    for (std::int64_t s = 0; s < 20; ++s)
+      writer->write(id, {s * 1'000'000'000, s * 1'000'000'000, 0}, recordings::bytesOf(text));
+    writer->close();
+    const QString path = written(*bytes);
+    const auto robot = opened(path);
+    std::size_t counted = 0;
+    for (int s = 0; s < 20; ++s) {
+      const auto part = range(*robot, keyOf(path), s, s + 1);
+      QVERIFY(part);
+      counted += (*part)->unreadable;
+    }
+    QCOMPARE(counted, std::size_t(20));
+    const auto whole = forPrograms(*robot, keyOf(path));
+    QVERIFY(whole && (*whole)->messages.size() == 20);
+    QCOMPARE((*whole)->unreadable, std::size_t(0));
+    const QJsonObject line = jsonOf(**whole, (*whole)->messages[0]);
+    QCOMPARE(line[QLatin1String("bytes")].toInt(), 5);
+    QCOMPARE(QByteArray::fromBase64(line[QLatin1String("base64")].toString().toLatin1()).toStdString(), text);
+  }
+
+  void messagesWithoutAUsableTimeAreCounted() {
+    recordings::RawMcap raw;
+    recordings::RawMcap::channel(raw.out, 1, "/tracked_pose");
+    for (const std::uint64_t at : {std::uint64_t(0), std::uint64_t(1) << 63, ~std::uint64_t(0)})
+      recordings::RawMcap::message(raw.out, 1, at, R"({"pos":[1,2],"ori":0})");
+    raw.end();
+    const QString path = written(*raw.bytes());
+    const auto robot = opened(path);
+    const auto info = infoOf(*robot, keyOf(path));
+    QVERIFY(info && info->start_s == 0 && info->end_s == 0);
+    const auto whole = range(*robot, keyOf(path), -1, 4e9);
+    QVERIFY(whole);
+    QCOMPARE((*whole)->messages.size(), std::size_t(1));
+    QCOMPARE((*whole)->without_stamp, std::size_t(2));
+    const auto again = range(*robot, keyOf(path), -1, 4e9);
+    QVERIFY(again && (*again)->without_stamp == 0);  // they are told once
   }
 
   void everyMessageLiesInOneRangeWhereverRangesMeet() {

@@ -291,6 +291,20 @@ class TestRosbridgeField : public QObject {
              QStringLiteral("\"") + QString(512, QLatin1Char('x')) + QStringLiteral("…\""));
   }
 
+  void showsAllOfItselfToPrograms() {
+    QByteArray long_list = "[0";
+    for (int i = 1; i < 100; ++i) long_list += ",0.5";
+    QCOMPARE(json(long_list + "]")->root().toWholeJson(), QByteArray(long_list + "]"));
+    const QByteArray long_text = '"' + QByteArray(5000, 'x') + '"';
+    QCOMPARE(json(long_text)->root().toWholeJson(), long_text);
+    QCOMPARE(cbor(typedArray(72, "\xff\x05"))->root().toWholeJson(), QByteArray(R"({"a":[-1,5]})"));
+    // Bytes are base64, and what is no finite number is null.
+    QCOMPARE(cbor(typedArray(64, "\xff\x05"))->root().toWholeJson(), QByteArray(R"({"a":"/wU="})"));
+    const QByteArray reals = littleEndian<float>(
+        {0.5F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()});
+    QCOMPARE(cbor(typedArray(85, reals))->root().toWholeJson(), QByteArray(R"({"a":[0.5,null,null]})"));
+  }
+
   void countsMoreItemsThanTheParserDoes() {
     QByteArray text = "[" + QByteArray("0,").repeated(0xffffff + 5) + "0]";
     const auto frame = json(text);

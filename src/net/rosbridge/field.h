@@ -55,6 +55,9 @@ class Field {
   /// For people: JSON of at most `max` bytes, cut where it would be longer. Of a list the first items stand,
   /// then the text "… n" with the number of those left out; long texts end in "…".
   QByteArray toJson(qsizetype max) const;
+  /// For programs: all of it, as rosbridge writes it. Byte strings of CBOR (uint8[]) are base64, all other
+  /// lists are lists of JSON.
+  QByteArray toWholeJson() const;
 
  private:
   friend class Frame;

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 
 #include <QByteArray>
 
@@ -12,6 +14,14 @@ namespace {
 constexpr std::size_t kShownItems = 32, kShownText = 512;
 const QByteArray kMore = QByteArrayLiteral("\xe2\x80\xa6");  // …
 
+/// How much of it stands in the text.
+struct Bounds {
+  qsizetype text = std::numeric_limits<qsizetype>::max();
+  std::size_t items = std::numeric_limits<std::size_t>::max();
+  std::size_t letters = std::numeric_limits<std::size_t>::max();  // bytes of each text in it
+  bool whole = true;
+};
+
 /// The longest beginning of UTF-8 `text` with at most `bytes` bytes that cuts no character.
 std::size_t wholeCharacters(std::string_view text, std::size_t bytes) {
   if (bytes >= text.size()) return text.size();
@@ -21,14 +31,16 @@ std::size_t wholeCharacters(std::string_view text, std::size_t bytes) {
 
 class Writer {
  public:
-  explicit Writer(qsizetype max) : max_(max) {}
+  explicit Writer(const Bounds& bounds) : bounds_(bounds) {}
 
-  bool full() const { return out_.size() > max_; }
+  bool full() const { return out_.size() > bounds_.text; }
 
   void write(const Field& field) {
     if (full()) return;
     if (field.isObject()) {
       writeObject(field);
+    } else if (bounds_.whole && isByteString(field)) {
+      writeBytes(field);
     } else if (field.isList()) {
       writeList(field);
     } else if (field.isText()) {
@@ -44,11 +56,26 @@ class Writer {
 
   QByteArray taken() {
     const std::string_view all(out_.constData(), std::size_t(out_.size()));
-    out_.truncate(qsizetype(wholeCharacters(all, std::size_t(std::max<qsizetype>(max_, 0)))));
+    out_.truncate(qsizetype(wholeCharacters(all, std::size_t(std::max<qsizetype>(bounds_.text, 0)))));
     return std::move(out_);
   }
 
  private:
+  static bool isByteString(const Field& field) {
+    if (!Access::isCbor(field)) return false;
+    const CborItem item = Access::cbor(field);
+    return item.type == CborItem::Type::Numbers && item.numbers.of == CborNumbers::Of::Unsigned &&
+           item.numbers.width == 1;
+  }
+
+  void writeBytes(const Field& field) {
+    const CborNumbers numbers = Access::cbor(field).numbers;
+    out_ += '"';
+    out_ += QByteArray::fromRawData(reinterpret_cast<const char*>(numbers.data), qsizetype(numbers.count))
+                .toBase64();
+    out_ += '"';
+  }
+
   void writeObject(const Field& field) {
     out_ += '{';
     bool first = true;
@@ -67,13 +94,15 @@ class Writer {
     out_ += '[';
     std::size_t shown = 0;
     Access::eachUntil(field, [&](const Field& item) {
-      if (shown == kShownItems || full()) return false;
+      if (shown == bounds_.items || full()) return false;
       if (shown > 0) out_ += ',';
       ++shown;
       write(item);
       return true;
     });
-    if (const std::size_t size = full() ? shown : field.size(); size > shown) {
+    if (bounds_.whole) {
+      // All of it stands there; counting it once more would take as long again.
+    } else if (const std::size_t size = full() ? shown : field.size(); size > shown) {
       out_ += ",\"" + kMore + ' ' + QByteArray::number(qulonglong(size - shown)) + '"';
     }
     out_ += ']';
@@ -81,7 +110,7 @@ class Writer {
 
   void writeText(std::string_view text) {
     constexpr char kHex[] = "0123456789abcdef";
-    const std::size_t shown = wholeCharacters(text, kShownText);
+    const std::size_t shown = wholeCharacters(text, bounds_.letters);
     out_ += '"';
     for (const char c : text.substr(0, shown)) {
       if (c == '"' || c == '\\') {
@@ -112,14 +141,20 @@ class Writer {
     out_.append(digits.data(), end - digits.data());
   }
 
-  qsizetype max_;
+  Bounds bounds_;
   QByteArray out_;
 };
 
 }  // namespace
 
 QByteArray Field::toJson(qsizetype max) const {
-  Writer writer(max);
+  Writer writer({max, kShownItems, kShownText, false});
+  writer.write(*this);
+  return writer.taken();
+}
+
+QByteArray Field::toWholeJson() const {
+  Writer writer({});
   writer.write(*this);
   return writer.taken();
 }

@@ -16,12 +16,19 @@ namespace {
 constexpr qint64 kMost = qint64(1) << 40;
 constexpr int kRangeNotThere = 416, kPartial = 206;
 
-/// Of what a part was begun: beside it, as long as it is a part. A part without it is gone on with where the
-/// answer fits its length.
+/// Of what a part was begun: beside it, as long as it is a part. A part of which nothing says that it is of
+/// the same file is begun anew.
 struct PartOf {
   QByteArray etag;
   std::optional<qint64> bytes;
+  QByteArray listed = {};  // the row of the robot's list; empty = it was not told
 };
+
+QByteArray identityOf(const std::optional<BagEntry>& row) {
+  if (!row || !row->size_bytes || row->end_text.empty()) return {};
+  return QByteArray::number(qlonglong(*row->size_bytes)) + ' ' +
+         QByteArray::fromStdString(row->end_text).simplified();
+}
 
 QString besidePart(const QString& path) { return path + QStringLiteral(".part.of"); }
 
@@ -34,14 +41,15 @@ PartOf readPartOf(const QString& path) {
   const qint64 bytes = lines.value(1).toLongLong(&good);
   QByteArray etag = lines.value(0).trimmed();
   if (!etag.startsWith('"') && !etag.startsWith("W/")) etag.clear();  // it is none
-  return {etag, good && bytes >= 0 ? std::optional(bytes) : std::nullopt};
+  return {etag, good && bytes >= 0 ? std::optional(bytes) : std::nullopt, lines.value(2).trimmed()};
 }
 
-/// Where it cannot be written the part is gone on with by its length alone.
+/// Where it cannot be written the next download begins anew.
 void writePartOf(const QString& path, const PartOf& of) {
   QFile file(besidePart(path));
   if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate)) return;
-  file.write(of.etag + '\n' + (of.bytes ? QByteArray::number(*of.bytes) : QByteArray()) + '\n');
+  file.write(of.etag + '\n' + (of.bytes ? QByteArray::number(*of.bytes) : QByteArray()) + '\n' + of.listed +
+             '\n');
 }
 
 struct Download {
@@ -50,6 +58,7 @@ struct Download {
   net::HttpRequest request;
   BagKey key;
   QString path;
+  std::optional<BagEntry> row;  // of the robot's list, where that is known
   QFile part;
   PartOf held_of;                  // what is there
   bool unfit = false;              // what came does not go on where it ends, or is of another file
@@ -74,7 +83,8 @@ struct Download {
     if (first.from_byte != begun_at) return false;
     if (first.whole_bytes && *first.whole_bytes < begun_at) return false;
     if (first.whole_bytes && held_of.bytes && first.whole_bytes != held_of.bytes) return false;
-    return first.etag.isEmpty() || held_of.etag.isEmpty() || first.etag == held_of.etag;
+    if (!first.etag.isEmpty() && !held_of.etag.isEmpty()) return first.etag == held_of.etag;
+    return !held_of.listed.isEmpty() && held_of.listed == identityOf(row);
   }
   /// False when it cannot go on.
   bool begin(const net::HttpPart& first) {
@@ -84,7 +94,7 @@ struct Download {
       return false;
     }
     if (first.status != kPartial) {
-      writePartOf(path, {first.etag, first.of_bytes});
+      writePartOf(path, {first.etag, first.of_bytes, identityOf(row)});
       begun_at = 0;
       if (!part.resize(0) || !part.seek(0)) {
         trouble = notWritten(part.errorString());
@@ -108,6 +118,10 @@ using DownloadPtr = std::shared_ptr<Download>;
 
 void place(Download& download) {
   const qint64 bytes = download.part.pos();
+  // Where the answer does not tell its length, an end that came early looks like the end. A bag that is still
+  // being recorded may have become longer.
+  const bool unmeasured = !download.of_bytes && download.row && download.row->size_bytes;
+  if (unmeasured && bytes < *download.row->size_bytes) download.of_bytes = *download.row->size_bytes;
   if (download.of_bytes && *download.of_bytes != bytes) {
     download.end({.kind = map::FailureKind::MalformedAnswer,
                   .subject = subjectOf(download.key),
@@ -186,12 +200,13 @@ void send(const DownloadPtr& download) {
 }  // namespace
 
 void startDownload(wire::ErrandPtr errand, net::HttpClient& http, net::HttpRequest request, BagKey key,
-                   QString path, OutcomeTo<BagDownload> reply) {
+                   std::optional<BagEntry> row, QString path, OutcomeTo<BagDownload> reply) {
   const DownloadPtr download(new Download{.errand = std::move(errand),
                                           .http = http,
                                           .request = std::move(request),
                                           .key = std::move(key),
                                           .path = std::move(path),
+                                          .row = std::move(row),
                                           .part = {},
                                           .held_of = {},
                                           .of_bytes = {},
@@ -206,11 +221,17 @@ void startDownload(wire::ErrandPtr errand, net::HttpClient& http, net::HttpReque
     download->end(download->notWritten(download->part.errorString()));
     return;
   }
+  download->held_of = readPartOf(download->path);
+  const bool unknown = download->held_of.etag.isEmpty() && download->held_of.listed.isEmpty();
+  if (unknown && (!download->part.resize(0) || !download->part.seek(0))) {
+    download->end(download->notWritten(download->part.errorString()));
+    return;
+  }
   download->begun_at = download->part.size();
   download->request.accept = "*/*";
   download->request.max_bytes = kMost;
   download->request.from_byte = download->begun_at;
-  if (download->begun_at > 0) download->held_of = readPartOf(download->path);
+  if (download->begun_at == 0) download->held_of = {};
   download->request.if_etag = download->held_of.etag;
   // The request must not keep its own download alive once it has ended.
   download->request.take = [weak = std::weak_ptr<Download>(download)](const net::HttpPart& received) {

@@ -10,8 +10,9 @@
 namespace mapwright::robot::axbot {
 
 /// Beside `path` first, in `path`.part, which stays when it breaks off: the next try goes on from there where
-/// the robot can (206), and begins anew where it cannot (200, 416). `http` outlives it.
+/// the robot can (206) and it is the same file by its ETag, else by its `row` in the robot's list (size and
+/// end); it begins anew where not (200, 416). `http` outlives it.
 void startDownload(wire::ErrandPtr errand, net::HttpClient& http, net::HttpRequest request, BagKey key,
-                   QString path, OutcomeTo<BagDownload> reply);
+                   std::optional<BagEntry> row, QString path, OutcomeTo<BagDownload> reply);
 
 }  // namespace mapwright::robot::axbot

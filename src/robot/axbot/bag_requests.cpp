@@ -1,5 +1,6 @@
 #include "robot/axbot/bag_requests.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -107,6 +108,7 @@ void BagRequests::addRows(const std::shared_ptr<Listing>& listing, const net::Ht
   }
   for (const map::Failure& failure : listing->failures)
     report_(map::problemOf(failure, map::Severity::Warning));
+  listed_ = all;
   listing->reply(std::move(all));
 }
 
@@ -229,8 +231,10 @@ void BagRequests::remove(Errand errand, const BagKey& key, OutcomeTo<BagKey> rep
 
 void BagRequests::download(Errand errand, const BagKey& key, const QString& path,
                            OutcomeTo<BagDownload> reply) {
-  startDownload(std::move(errand), http_, requestTo(pathOf(key) + QStringLiteral("/download")), key, path,
-                std::move(reply));
+  const auto row =
+      std::find_if(listed_.begin(), listed_.end(), [&](const BagEntry& entry) { return entry.key == key; });
+  startDownload(std::move(errand), http_, requestTo(pathOf(key) + QStringLiteral("/download")), key,
+                row == listed_.end() ? std::nullopt : std::optional(*row), path, std::move(reply));
 }
 
 }  // namespace mapwright::robot::axbot

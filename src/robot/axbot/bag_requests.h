@@ -38,6 +38,7 @@ class BagRequests {
                OutcomeTo<std::shared_ptr<const std::string>> reply);
   void record(Errand errand, const BagOrder& order, OutcomeTo<BagEntry> reply);
   void remove(Errand errand, const BagKey& key, OutcomeTo<BagKey> reply);
+  /// Whether it is whole, and still the same, is seen by what list() told of it last.
   void download(Errand errand, const BagKey& key, const QString& path, OutcomeTo<BagDownload> reply);
 
  private:
@@ -52,6 +53,7 @@ class BagRequests {
   Recovered recovered_;
   QObject context_;  // what is read comes back to its thread
   QThreadPool reading_;
+  std::vector<BagEntry> listed_;  // as the list was told last
 };
 
 }  // namespace mapwright::robot::axbot

@@ -15,9 +15,10 @@ std::string anyText(const wire::Json& root, std::string_view name) {
 
 }  // namespace
 
-TextFrame readFrame(const wire::Json& root) {
+TextFrame readFrame(const wire::Json& root, const std::string& of_topic) {
   TextFrame frame;
   frame.topic = wire::text(root, {"topic"});
+  if (frame.topic.empty()) frame.topic = of_topic;
   if (!frame.topic.empty()) {
     if (const auto kind = gridKindOf(frame.topic)) {
       readGridTopic(*kind, root, frame);

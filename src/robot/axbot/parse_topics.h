@@ -44,8 +44,8 @@ class TopicReader {
   wire::JsonReader json_;
 };
 
-/// The same of a text that is read already.
-TextFrame readFrame(const wire::Json& root);
+/// The same of a text that is read already. `of_topic` is the one of a text that names none itself.
+TextFrame readFrame(const wire::Json& root, const std::string& of_topic = {});
 
 /// The same for a single frame.
 TextFrame parseTextFrame(std::string_view utf8);

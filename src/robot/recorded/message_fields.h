@@ -30,13 +30,14 @@ class MessageFields {
  public:
   /// Its root is the message. The definition of each channel is read once.
   tl::expected<FramePtr, map::Reason> read(const recording::Message& message);
+  /// The same, but what says it by a schema of Foxglove is no message of ROS yet.
+  tl::expected<FramePtr, map::Reason> readAsItIs(const recording::Message& message);
 
  private:
   using Schema = tl::expected<recording::RosSchema, map::Reason>;
   const Schema& schemaOf(const recording::ChannelPtr& channel);
   using Protobuf = tl::expected<ProtobufSchema, map::Reason>;
   const Protobuf& protobufOf(const recording::ChannelPtr& channel);
-  tl::expected<FramePtr, map::Reason> readAsItIs(const recording::Message& message);
   struct Known {
     recording::ChannelPtr channel;
     Schema schema;

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "robot/axbot/parse_topics.h"
-#include "robot/axbot/raw_messages.h"
+#include "robot/recorded/message_text.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -17,51 +17,10 @@ constexpr double kMostS = 9.2e9;             // that nanoseconds in 63 bits can 
 constexpr std::int64_t kRoundingNs = 2'000;  // a double of seconds since 1970 is as exact as that
 constexpr double kShortestS = 1.0 / 64;      // of ranges that can be made shorter (replay::Tick)
 constexpr std::size_t kMostAtAll = std::size_t(1) << 30;
-constexpr qsizetype kMostText = qsizetype(8) << 10;  // of a message whose lists are cut
-constexpr std::size_t kMostWhole = std::size_t(16) << 10;
 constexpr std::size_t kMostUnknown = std::size_t(64) << 10;  // larger ones of no use are not read for a text
 constexpr std::size_t kMostProblems = 200;
 constexpr std::int64_t kMostLast = std::int64_t(16) << 20;  // of what was said before a range
 constexpr const char* kBinaryFrame = "mapwright.axbot.BinaryFrame";
-
-std::string_view viewOf(std::span<const std::uint8_t> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-/// A text as JSON writes it.
-std::string jsonText(std::string_view text) {
-  constexpr char kHex[] = "0123456789abcdef";
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += {'\\', c};
-    } else if (std::uint8_t(c) < 0x20) {
-      out += {'\\', 'u', '0', '0', kHex[std::uint8_t(c) >> 4], kHex[c & 15]};
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
-
-std::string secondsText(std::int64_t ns) {
-  const std::int64_t whole = ns / kSecondNs - (ns % kSecondNs < 0), rest = ns - whole * kSecondNs;
-  std::string digits = std::to_string(rest);
-  return std::to_string(whole) + '.' + std::string(9 - digits.size(), '0') + digits;
-}
-
-/// {"topic", "__stamp", "type"}, then `member` and what belongs to it, which is JSON.
-std::string textOf(const recording::Message& message, std::string_view member, std::string_view json) {
-  std::string text =
-      "{\"topic\":" + jsonText(message.channel->topic) + ",\"__stamp\":" + secondsText(message.log_time_ns);
-  if (!message.channel->schema_name.empty()) text += ",\"type\":" + jsonText(message.channel->schema_name);
-  return text.append(",\"").append(member).append("\":").append(json).append("}");
-}
-
-std::string textOf(const recording::Message& message, const net::rosbridge::Field& msg) {
-  const QByteArray json = msg.toJson(kMostText);
-  return textOf(message, "msg", {json.constData(), std::size_t(json.size())});
-}
 
 /// About what it takes beside its text.
 struct Weight {
@@ -188,7 +147,8 @@ std::optional<std::int64_t> RangeJob::nextBlock(const Parts& parts) const {
   return first ? std::optional(BlockPlacing::blockOf(first->log_time_ns)) : std::nullopt;
 }
 
-BagChunkPtr RangeJob::chunk() {
+BagChunkPtr RangeJob::chunk(std::size_t untimed) {
+  chunk_->without_stamp += untimed;
   chunk_->text = std::make_shared<const std::string>(std::move(text_));
   return chunk_;
 }
@@ -226,7 +186,8 @@ void RangeJob::addResults(ros::WorldResults results, BagMessage* told, std::stri
       told->message.message = map::UnreadableMessage{result.topic, *result.unreadable};
       continue;
     }
-    if (!result.message) continue;
+    // What is only made of messages is none that was recorded.
+    if (!result.message || (range_.whole_texts && !own)) continue;
     if (own) {
       told->known = true;
       told->message.message = std::move(*result.message);
@@ -242,6 +203,19 @@ void RangeJob::addResults(ros::WorldResults results, BagMessage* told, std::stri
   }
 }
 
+void RangeJob::takeFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
+                         BagMessage& told) {
+  axbot::TextFrame frame = axbot::readFrame(root, message.channel->topic);
+  told.message.recorded_s = wire::epochSeconds(root, {"stamp"});
+  told.known = frame.message || frame.grid_to_fetch;
+  if (frame.message) {
+    told.message.message = std::move(*frame.message);
+  } else if (frame.grid_to_fetch) {
+    told.message.message = std::move(frame.grid_to_fetch->grid);
+    told.picture_url = parts.kept.pictureName(frame.grid_to_fetch->data_url, message.log_time_ns);
+  }
+}
+
 void RangeJob::take(const Parts& parts, const recording::Message& message, BlockPlacing* placing) {
   const recording::Channel& channel = *message.channel;
   const double stamp_s = double(message.log_time_ns) / 1e9;
@@ -254,53 +228,46 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
   // One beside the range is read where the next ones are made of it.
   if (!placed && !takes(stamp_s)) return;
   bytes_ += message.bytes.size();
+  const MessageText texts(message,
+                          range_.whole_texts ? MessageText::For::Programs : MessageText::For::People);
   std::string text;
   if (parts.shape.isRos(channel)) {
-    const bool read = placed || message.bytes.size() <= kMostUnknown;
+    const bool read = placed || range_.whole_texts || message.bytes.size() <= kMostUnknown;
     const auto frame = read ? parts.fields.read(message) : tl::unexpected(map::Reason());
+    text = texts.ofRos(frame, parts.fields);
     if (frame) {
-      const bool as_it_is = channel.message_encoding == "json" && message.bytes.size() <= kMostWhole;
-      text = as_it_is ? textOf(message, "msg", viewOf(message.bytes)) : textOf(message, (*frame)->root());
       if (placed) addResults(placing->take(message, *frame), &told, {});
-    } else {
-      text = textOf(message, "bytes", std::to_string(message.bytes.size()));
-      if (placed && frame.error().any()) {
-        told.known = true;
-        told.message.message = map::UnreadableMessage{channel.topic, frame.error()};
-        ++chunk_->unreadable;
-      }
+    } else if (placed && frame.error().any()) {
+      told.known = true;
+      told.message.message = map::UnreadableMessage{channel.topic, frame.error()};
+    }
+    if (!frame && frame.error().any()) {
+      if (range_.whole_texts) note(channel.topic, map::ProblemCode::Unreadable, frame.error());
+      // One beside the range counts in its own.
+      if (!range_.whole_texts && placed && takes(stamp_s)) ++chunk_->unreadable;
     }
   } else if (channel.message_encoding == "json") {
-    const std::string_view bytes = viewOf(message.bytes);
-    const auto root = json_.read(bytes);
-    if (!root || !root->is_object()) {
-      ++chunk_->unreadable;
+    const auto root = json_.read(texts.bytes());
+    if (root && root->is_object()) {
+      takeFrame(parts, *root, message, told);
+      text = texts.ofFrame(*root);
+    } else {
       note(channel.topic, map::ProblemCode::Unreadable,
-           {map::ReasonCode::MessageNotJson, {std::int64_t(bytes.size())}});
-      return;
+           {map::ReasonCode::MessageNotJson, {std::int64_t(texts.bytes().size())}});
+      if (!range_.whole_texts) {
+        ++chunk_->unreadable;
+        return;
+      }
+      text = texts.ofBytes();
     }
-    axbot::TextFrame frame = axbot::readFrame(*root);
-    told.message.recorded_s = wire::epochSeconds(*root, {"stamp"});
-    told.known = frame.message || frame.grid_to_fetch;
-    if (frame.message) {
-      told.message.message = std::move(*frame.message);
-    } else if (frame.grid_to_fetch) {
-      told.message.message = std::move(frame.grid_to_fetch->grid);
-      told.picture_url = parts.kept.pictureName(frame.grid_to_fetch->data_url, message.log_time_ns);
-    }
-    text = frame.topic.empty() ? textOf(message, "msg", bytes) : std::string(bytes);
   } else if (channel.schema_name == kBinaryFrame) {
-    const std::string_view bytes = viewOf(message.bytes);
-    if (auto read = axbot::parseBinaryFrame(bytes)) {
+    if (auto read = axbot::parseBinaryFrame(texts.bytes())) {
       told.known = true;
       told.message.message = std::move(*read);
     }
-    const QByteArray raw = axbot::rawBinary(bytes).text;
-    const bool json = raw.startsWith('{') && std::size_t(raw.size()) <= kMostWhole;
-    text = json ? textOf(message, "msg", {raw.constData(), std::size_t(raw.size())})
-                : textOf(message, "bytes", std::to_string(bytes.size()));
+    text = texts.ofBinaryFrame();
   } else {
-    text = textOf(message, "bytes", std::to_string(message.bytes.size()));
+    text = texts.ofOther(parts.fields);
   }
   add(std::move(told), text);
 }

@@ -22,9 +22,8 @@ namespace mapwright::robot::recorded {
 /// have.
 std::int64_t nanosecondsOf(double epoch_s);
 
-/// One thread, that of the file. Stamps are log times. The text of a message is one JSON object: a frame of
-/// an Autoxing robot as it was sent; of all else {"topic", "__stamp", "type", "msg"}, long lists in it cut
-/// (net::rosbridge::Field::toJson).
+/// One thread, that of the file. Stamps are log times. The text of a message is one JSON object
+/// (MessageText).
 class RangeJob {
  public:
   struct Parts {
@@ -40,8 +39,8 @@ class RangeJob {
   enum class Step { More, Done, TooLong };
   /// The next block that holds any message.
   Step step(const Parts& parts);
-  /// Once Done.
-  BagChunkPtr chunk();
+  /// Once Done. `untimed`: messages without a usable time, which are told with it.
+  BagChunkPtr chunk(std::size_t untimed);
   /// What was wrong with messages, or is well again.
   std::vector<map::Problem> takeProblems() { return std::exchange(problems_, {}); }
   const BagKey& key() const { return key_; }
@@ -57,6 +56,8 @@ class RangeJob {
     return adding_last_ ? stamp_s < range_.from_s : stamp_s >= range_.from_s && stamp_s < range_.until_s;
   }
   void take(const Parts& parts, const recording::Message& message, BlockPlacing* placing);
+  void takeFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
+                 BagMessage& told);
   void add(BagMessage told, std::string_view text);
   void addResults(ros::WorldResults results, BagMessage* told, std::string_view text);
   void note(const std::string& topic, map::ProblemCode code, map::Reason reason);

@@ -108,10 +108,19 @@ void RecordedFile::tell(const map::Problem& problem) {
 
 void RecordedFile::tellNotes() {
   for (const recording::Note& note : parts_->file->summary().notes) {
+    if (!reasonOf(note).any()) continue;
     const auto severity = isLoss(note.code) ? map::Severity::Warning : map::Severity::Info;
     const auto code = isLoss(note.code) ? map::ProblemCode::Unreadable : map::ProblemCode::Odd;
     tell({severity, subjectOf(ownKey()), reasonOf(note), code});
   }
+}
+
+std::size_t RecordedFile::newlyUntimed() {
+  std::size_t found = 0;
+  for (const recording::Note& note : parts_->file->summary().notes) {
+    if (note.code == recording::NoteCode::TimeUnusable) found += std::size_t(note.count);
+  }
+  return found - std::min(std::exchange(told_untimed_, found), found);
 }
 
 bool RecordedFile::refresh() {
@@ -258,7 +267,7 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
                        .cause = {map::ReasonCode::AnswerTooLong, {job->range.range().max_bytes}}}));
     case RangeJob::Step::Done:
       tellNotes();
-      return end(job->range.chunk());
+      return end(job->range.chunk(newlyUntimed()));
   }
 }
 

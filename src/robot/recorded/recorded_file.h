@@ -73,6 +73,8 @@ class RecordedFile : public QObject {
   std::optional<map::Failure> whyNot(const map::Subject& subject);
   bool refresh();
   void tellNotes();
+  /// Messages without a usable time that no chunk has counted yet: they lie in no range.
+  std::size_t newlyUntimed();
   void tell(const map::Problem& problem);
   RecordingFacts facts() const;
   void proceed(const std::shared_ptr<Job>& job);
@@ -84,6 +86,7 @@ class RecordedFile : public QObject {
   bool info_is_old_ = false;          // the file has grown since it was told
   std::optional<std::int64_t> counted_until_ns_;
   std::set<std::string> told_;
+  std::size_t told_untimed_ = 0;
 };
 
 }  // namespace mapwright::robot::recorded

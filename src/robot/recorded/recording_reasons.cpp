@@ -43,6 +43,8 @@ map::Reason reasonOf(const recording::Note& note) {
       return {ReasonCode::RecordingChannelsChanged, counted};
     case Code::AttachmentCorrupt:
       return {ReasonCode::RecordingFileInItCorrupt, {note.name}};
+    case Code::TimeUnusable:
+      break;  // they are counted where messages are read (BagChunk::without_stamp)
     case Code::Unreadable:
       return {ReasonCode::RecordingNotReadByDisk, {place}};
   }
@@ -52,7 +54,8 @@ map::Reason reasonOf(const recording::Note& note) {
 bool isLoss(recording::NoteCode code) {
   using Code = recording::NoteCode;
   return code != Code::NotFinished && code != Code::NoIndex && code != Code::IndexUnusable &&
-         code != Code::ChunkTimes && code != Code::IndexLies && code != Code::ChannelChanged;
+         code != Code::TimeUnusable && code != Code::ChunkTimes && code != Code::IndexLies &&
+         code != Code::ChannelChanged;
 }
 
 map::Reason reasonOf(const recording::Failure& failure) {

@@ -1,0 +1,111 @@
+#include "robot/recorded/message_text.h"
+
+#include <cstdint>
+
+#include "robot/axbot/raw_messages.h"
+#include "robot/recorded/foxglove.h"
+
+namespace mapwright::robot::recorded {
+namespace {
+
+constexpr std::int64_t kNsOfASecond = 1'000'000'000;
+constexpr qsizetype kMostText = qsizetype(8) << 10;  // of a message whose lists are cut
+constexpr std::size_t kMostWhole = std::size_t(16) << 10;
+
+std::string secondsText(std::int64_t ns) {
+  const std::int64_t whole = ns / kNsOfASecond - (ns % kNsOfASecond < 0), rest = ns - whole * kNsOfASecond;
+  std::string digits = std::to_string(rest);
+  return std::to_string(whole) + '.' + std::string(9 - digits.size(), '0') + digits;
+}
+
+std::string_view viewOf(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
+
+/// Numbers that robots send and that are no JSON.
+bool holdsNoNumbers(std::string_view json) {
+  return json.find("NaN") != json.npos || json.find("nan") != json.npos || json.find("nf") != json.npos;
+}
+
+}  // namespace
+
+std::string jsonText(std::string_view text) {
+  constexpr char kHex[] = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += {'\\', c};
+    } else if (std::uint8_t(c) < 0x20) {
+      out += {'\\', 'u', '0', '0', kHex[std::uint8_t(c) >> 4], kHex[c & 15]};
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string_view MessageText::bytes() const {
+  return {reinterpret_cast<const char*>(message_.bytes.data()), message_.bytes.size()};
+}
+
+std::string MessageText::wrapped(std::string_view member, std::string_view json) const {
+  std::string text =
+      "{\"topic\":" + jsonText(message_.channel->topic) + ",\"__stamp\":" + secondsText(message_.log_time_ns);
+  if (!message_.channel->schema_name.empty()) text += ",\"type\":" + jsonText(message_.channel->schema_name);
+  return text.append(",\"").append(member).append("\":").append(json).append("}");
+}
+
+std::string MessageText::whole(const FramePtr& frame) const {
+  if (message_.channel->message_encoding == "json" && !holdsNoNumbers(bytes()))
+    return wrapped("msg", bytes());
+  return wrapped("msg", viewOf(frame->root().toWholeJson()));
+}
+
+std::string MessageText::ofRos(const tl::expected<FramePtr, map::Reason>& frame,
+                               MessageFields& fields) const {
+  if (programs_) {
+    // What was recorded, not the message of ROS that layers make of it.
+    const auto recorded = foxgloveKind(*message_.channel) ? fields.readAsItIs(message_) : frame;
+    return recorded ? whole(*recorded) : ofBytes();
+  }
+  if (!frame) return ofBytes();
+  const bool as_it_is = message_.channel->message_encoding == "json" && message_.bytes.size() <= kMostWhole;
+  return wrapped("msg", as_it_is ? bytes() : viewOf((*frame)->root().toJson(kMostText)));
+}
+
+std::string MessageText::ofFrame(const wire::Json& root) const {
+  const bool named = !wire::text(root, {"topic"}).empty();
+  const bool misnamed = !named && root["topic"].error() == simdjson::SUCCESS;
+  if (misnamed) return wrapped("msg", bytes());
+  std::string added;
+  if (!named) added += ",\"topic\":" + jsonText(message_.channel->topic);
+  if (root["__stamp"].error() != simdjson::SUCCESS)
+    added += ",\"__stamp\":" + secondsText(message_.log_time_ns);
+  std::string text(bytes());
+  const std::size_t end = text.rfind('}');
+  if (added.empty() || end == text.npos) return text;
+  simdjson::dom::object members;
+  const bool alone = root.get(members) == simdjson::SUCCESS && members.size() == 0;
+  return text.insert(end, alone ? added.substr(1) : added);
+}
+
+std::string MessageText::ofBinaryFrame() const {
+  if (programs_) return ofBytes();
+  const QByteArray raw = axbot::rawBinary(bytes()).text;
+  const bool json = raw.startsWith('{') && std::size_t(raw.size()) <= kMostWhole;
+  return json ? wrapped("msg", viewOf(raw)) : ofBytes();
+}
+
+std::string MessageText::ofOther(MessageFields& fields) const {
+  if (!programs_ || message_.channel->message_encoding != "protobuf") return ofBytes();
+  const auto frame = fields.readAsItIs(message_);
+  return frame ? whole(*frame) : ofBytes();
+}
+
+std::string MessageText::ofBytes() const {
+  std::string count = std::to_string(message_.bytes.size());
+  if (!programs_) return wrapped("bytes", count);
+  const QByteArray base64 =
+      QByteArray::fromRawData(bytes().data(), qsizetype(message_.bytes.size())).toBase64();
+  return wrapped("bytes", count.append(",\"base64\":\"").append(viewOf(base64)).append("\""));
+}
+
+}  // namespace mapwright::robot::recorded

@@ -1,0 +1,52 @@
+// A message of a recording as one JSON object: for people (the inspector) or for programs (frames, export).
+// Pure. Source: docs/command-line.md, "mapwright bags" (frames).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "map/reason.h"
+#include "recording/message.h"
+#include "robot/recorded/message_fields.h"
+#include "robot/wire/read_json.h"
+
+namespace mapwright::robot::recorded {
+
+/// A text as JSON writes it.
+std::string jsonText(std::string_view text);
+
+/// All of them hold "topic" and "__stamp", the log time. What is not JSON itself stands in {"topic",
+/// "__stamp", "type", "msg"}.
+class MessageText {
+ public:
+  /// People see the beginnings of long lists and texts (net::rosbridge::Field::toJson); for programs nothing
+  /// is cut, and what cannot be read stands there as its bytes.
+  enum class For { People, Programs };
+  /// The message outlives it.
+  MessageText(const recording::Message& message, For whom)
+      : message_(message), programs_(whom == For::Programs) {}
+
+  std::string_view bytes() const;
+  /// `frame` is what MessageFields::read() made of it.
+  std::string ofRos(const tl::expected<FramePtr, map::Reason>& frame, MessageFields& fields) const;
+  /// A JSON object that it is already, as it was recorded: what it lacks is added behind its own members.
+  std::string ofFrame(const wire::Json& root) const;
+  /// A frame of Autoxing's that is not text.
+  std::string ofBinaryFrame() const;
+  /// Of an encoding that says nothing to a layer.
+  std::string ofOther(MessageFields& fields) const;
+  /// {"bytes": how many}; for programs "base64", too.
+  std::string ofBytes() const;
+
+ private:
+  std::string wrapped(std::string_view member, std::string_view json) const;
+  std::string whole(const FramePtr& frame) const;
+
+  const recording::Message& message_;
+  bool programs_;
+};
+
+}  // namespace mapwright::robot::recorded
