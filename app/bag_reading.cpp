@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "app/exit_code.h"
+#include "map/may_pass.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
 
@@ -22,13 +23,15 @@ class Words {
 
 constexpr int kTries = 3;
 constexpr int kLookEveryMs = 50;
+constexpr double kAgainAfterS = 0.5;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 /// Asking again would not help.
 bool isFinal(const replay::Cell& cell) {
-  return cell.tries >= kTries || cell.failure.kind == map::FailureKind::RejectedByRobot ||
-         cell.failure.kind == map::FailureKind::Refused || cell.failure.kind == map::FailureKind::Certificate;
+  const bool rejected = cell.failure.kind == map::FailureKind::RejectedByRobot && !map::mayPass(cell.failure);
+  return cell.tries >= kTries || rejected || cell.failure.kind == map::FailureKind::Refused ||
+         cell.failure.kind == map::FailureKind::Certificate;
 }
 
 }  // namespace
@@ -115,9 +118,14 @@ CommandResult<replay::Reading*> BagReading::open(const std::string& name, replay
   QObject::connect(reading_.get(), &replay::Reading::opened, &context, [&] { opened = true; });
   QObject::connect(reading_.get(), &replay::Reading::failed, &context,
                    [&](const map::Failure& failure) { failed = failure; });
-  reading_->open();
-  if (!robot_->waitUntil([&] { return opened || failed; }))
-    failed = robot_->tooLate({.subject = subjectOf(reading_->key())});
+  for (int tries = 1;; ++tries) {
+    failed.reset();
+    reading_->open();
+    if (!robot_->waitUntil([&] { return opened || failed; }))
+      failed = robot_->tooLate({.subject = subjectOf(reading_->key())});
+    if (!failed || !map::mayPass(*failed) || tries >= kTries) break;
+    (void)robot_->waitUntil([] { return false; }, kAgainAfterS);
+  }
   if (failed) return tl::make_unexpected(failure(*failed));
   return reading_.get();
 }

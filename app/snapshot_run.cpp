@@ -12,6 +12,7 @@
 #include "app/report.h"
 #include "app/robot_factory.h"
 #include "app/snapshot_content.h"
+#include "map/may_pass.h"
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
 #include "scene/write_picture.h"
@@ -172,7 +173,8 @@ bool SnapshotRun::recalled() {
     replayed_->goTo(*options_.at_s);
   }
   const replay::Cell* gap = replayed_->reading()->chunks().gapUntil(*options_.at_s);
-  const bool final = gap && (gap->tries >= kTries || gap->failure.kind == map::FailureKind::RejectedByRobot);
+  const bool rejected = gap && gap->failure.kind == map::FailureKind::RejectedByRobot;
+  const bool final = gap && (gap->tries >= kTries || (rejected && !map::mayPass(gap->failure)));
   if (!recalled_ && final) {
     const QString sentence = QString::fromStdString(sentences::sentenceOf(gap->failure));
     fail(exitCodeOf(gap->failure.kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));

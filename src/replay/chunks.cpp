@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "map/may_pass.h"
+
 namespace mapwright::replay {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr Tick kLongest = Tick(256 * kTicksPerS);
 constexpr Tick kMostCells = 4096;
 /// What is placed by later messages, or came late, changes so long before the end of what there is.
 constexpr double kUnsettledS = 2;
+constexpr int kBelievedTries = 3;
 
 /// The longest power of two that is no longer; at least one.
 Tick powerOfTwo(double ticks) {
@@ -248,8 +251,10 @@ void Chunks::failed(Tick from, const map::Failure& failure, Millis now) {
     split(from);
     return;
   }
-  // Some refuse times that are not the bag's own: then there is nothing.
-  if (cell.beyond && failure.kind == map::FailureKind::RejectedByRobot) {
+  // Some refuse times that are not the bag's own: then there is nothing. One that may only be busy has to say
+  // so again and again.
+  const bool believed = !map::mayPass(failure) || cell.tries + 1 >= kBelievedTries;
+  if (cell.beyond && failure.kind == map::FailureKind::RejectedByRobot && believed) {
     read(from, 0, 0);
     return;
   }

@@ -67,6 +67,11 @@ struct Digest {
 
 Digest digestOf(const Chunk& chunk);
 
+/// Where the robot was then.
+inline map::TrailPoint placeOf(const Digest::Pose& pose) {
+  return {{pose.pose.x_m, pose.pose.y_m}, pose.stamp_s};
+}
+
 /// Whether it is small enough to be kept for good.
 bool isSmall(const map::TopicMessage& message);
 /// Without what does not matter to what comes after it: the entries of a list, the overlays of a map.

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "map/way.h"
+
 namespace mapwright::replay {
 namespace {
 
@@ -69,7 +71,7 @@ struct Telling {
   void operator()(const Other&) {}
 
   void take(const Digest::Pose& now) {
-    if (pose && !placed_anew && isJump(pose->pose, pose->stamp_s, now.pose, now.stamp_s)) {
+    if (pose && !placed_anew && map::isJump(placeOf(*pose), placeOf(now))) {
       Event& jump = add(EventKind::PositionJump);
       jump.metres = std::hypot(now.pose.x_m - pose->pose.x_m, now.pose.y_m - pose->pose.y_m);
     }
@@ -104,11 +106,6 @@ EventGroup groupOf(EventKind kind) {
       return EventGroup::Stops;
   }
   return EventGroup::Alerts;
-}
-
-bool isJump(const geometry::Pose2& before, double before_s, const geometry::Pose2& after, double after_s) {
-  const double way_m = std::hypot(after.x_m - before.x_m, after.y_m - before.y_m);
-  return way_m > kJumpM && way_m > kJumpMPerS * std::max(after_s - before_s, 0.0);
 }
 
 std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests) {

@@ -43,8 +43,4 @@ EventGroup groupOf(EventKind kind);
 /// the next one begins. What a bag begins with is an event, but for a move state and the first map.
 std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests);
 
-/// A robot that seems to be faster was put elsewhere: its position jumped.
-constexpr double kJumpM = 0.5, kJumpMPerS = 5;
-bool isJump(const geometry::Pose2& before, double before_s, const geometry::Pose2& after, double after_s);
-
 }  // namespace mapwright::replay

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "replay/events.h"
+#include "map/way.h"
 
 namespace mapwright::replay {
 namespace {
@@ -45,7 +45,7 @@ std::optional<geometry::Pose2> poseBetween(const PrefixIndex& index, double at_s
   if (before == nullptr) return std::nullopt;
   const bool near =
       after != nullptr && after->stamp_s - before->stamp_s <= kLongestS && after->stamp_s > before->stamp_s;
-  if (!near || isJump(before->pose, before->stamp_s, after->pose, after->stamp_s) ||
+  if (!near || map::isJump(placeOf(*before), placeOf(*after)) ||
       framesBetween(index, before->stamp_s, after->stamp_s))
     return before->pose;
   const double share = (at_s - before->stamp_s) / (after->stamp_s - before->stamp_s);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "replay/events.h"
+#include "map/way.h"
 
 namespace mapwright::replay {
 namespace {
@@ -45,7 +45,8 @@ class Collecting {
   void take(const Digest::Pose& pose) {
     if (!points.empty()) {
       const TrackPoint& before = points.back();
-      ends_ = ends_ || isJump(before.pose, before.stamp_s, pose.pose, pose.stamp_s);
+      const map::TrailPoint from{{before.pose.x_m, before.pose.y_m}, before.stamp_s};
+      ends_ = ends_ || !map::isWayKnown(from, placeOf(pose));
       if (ends_) ++piece_;
     }
     ends_ = false;

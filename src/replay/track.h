@@ -1,7 +1,8 @@
 // Where the robot was in a bag, sample by sample, and that as text for other programs. Pure.
 //
-// The track is in pieces: one ends where the position jumps, where another map or session begins, and where a
-// range between has not been read. Nothing may be drawn or measured across.
+// The track is in pieces: one ends where the position jumps, where nothing tells which way was gone (a gap),
+// where another map or session begins, and where a range between has not been read. Nothing may be drawn or
+// measured across.
 #pragma once
 
 #include <cstddef>

@@ -202,6 +202,7 @@ class BagRobot : public QObject, public robot::BagLibrary {
   bool end_inclusive = false, refuses_beyond = false, repeats_at_borders = false;
   std::size_t most_messages = 1'000'000;  // in an answer; more are "too long"
   int fail_next = 0;                      // so many requests fail
+  std::string busy_code;                  // with this answer of the robot; empty = without one
   int asked = 0, at_once = 0, most_at_once = 0, cancelled = 0;
   bool holds_back = false;  // answers nothing until release()
   int answers_first = 0;    // which it answers all the same, if it holds back
@@ -287,7 +288,12 @@ class BagRobot : public QObject, public robot::BagLibrary {
       return tl::make_unexpected(
           map::Failure{.kind = kind, .subject = robot::subjectOf(key), .cause = std::move(cause)});
     };
-    if (fail_next > 0 && fail_next-- > 0) return fail(map::FailureKind::TimedOut);
+    if (fail_next > 0 && fail_next-- > 0) {
+      if (busy_code.empty()) return fail(map::FailureKind::TimedOut);
+      return tl::make_unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot,
+                                              .subject = robot::subjectOf(key),
+                                              .robot_code = busy_code});
+    }
     const robot::BagInfo told = infoOf();
     const double first_s = std::min(told.start_s, told.end_s), last_s = std::max(told.start_s, told.end_s);
     if (refuses_beyond && (range.from_s > last_s || range.until_s <= first_s))

@@ -94,6 +94,28 @@ class ReplayTrackTest : public QObject {
     for (const TrackPoint& point : track) QCOMPARE(point.speed_m_s, 1.0);
   }
 
+  void aWayThatNobodyHeardOfEndsAPiece() {
+    // As fast as ever, but for six seconds that are not in the bag.
+    Bag bag = straight(20);
+    std::erase_if(
+        bag, [](const Recorded& each) { return each.stamp_s >= kStart + 7 && each.stamp_s < kStart + 13; });
+    const auto track = trackOf(digestsOf(bag, 20));
+    QCOMPARE(track.size(), std::size_t(112));
+    QCOMPARE(track[55].piece, std::size_t(0));
+    QCOMPARE(track[56].piece, std::size_t(1));
+    QCOMPARE(track.back().piece, std::size_t(1));
+    for (const TrackPoint& point : track) QCOMPARE(point.speed_m_s, 1.0);
+  }
+
+  void whoOnlyStoodStillGoesOnInTheSamePiece() {
+    Bag bag;
+    for (int i = 0; i < 8; ++i) bag.push_back(say(i / 8.0, "/tracked_pose", at(i / 8.0)));
+    for (int i = 0; i < 8; ++i) bag.push_back(say(30 + i / 8.0, "/tracked_pose", at(1 + i / 8.0)));
+    const auto track = trackOf(digestsOf(bag, 32));
+    QCOMPARE(track.size(), std::size_t(16));
+    QCOMPARE(track.back().piece, std::size_t(0));
+  }
+
   void anotherMapAndAnotherSessionEndAPiece() {
     Bag bag = straight(10);
     map::SubmapList first, second;

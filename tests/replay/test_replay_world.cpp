@@ -185,6 +185,23 @@ class ReplayWorldTest : public QObject {
     QCOMPARE(player.reading.chunks().messagesRead(), bag.size());
   }
 
+  void aRobotThatIsOnlyBusyLosesNothingBeyondTheToldTimes() {
+    Bag bag = makeBag({});
+    bag.front().stamp_s -= 86'400;
+    for (const int failures : {1, 2}) {
+      BagRobot robot(bag);
+      robot.busy_code = "503";
+      robot.fail_next = failures;
+      Reading::Options options;
+      options.chunks.first_retry_ms = 1;
+      options.chunks.last_retry_ms = 5;
+      Player player(robot, options);
+      const double at_s = bag.front().stamp_s + 1;
+      QVERIFY(player.exactly(at_s).at.world == foldedUntil(bag, at_s));
+      QVERIFY(player.reading.chunks().messagesRead() > 0);
+    }
+  }
+
   void aRobotThatRefusesOtherTimesHasNothingThere() {
     const Bag bag = makeBag({});
     BagRobot robot(bag);

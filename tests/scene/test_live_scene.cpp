@@ -88,6 +88,18 @@ class LiveSceneTest : public QObject {
     QVERIFY(!scene_->occupancyAt({0.45, 0}));
   }
 
+  void theTrailIsNotDrawnAcrossAJump() {
+    showOnly({Layer::Trail});
+    const QRgb ground = at(40, 20);
+    robot_->say(map::TrackedPose{{-0.45, 0.3, 0}});
+    robot_->say(map::TrackedPose{{-0.25, 0.3, 0}});
+    QTRY_VERIFY(at(15, 20) != ground);
+    robot_->say(map::TrackedPose{{0.4, 0.3, 0}});
+    robot_->say(map::TrackedPose{{0.2, 0.3, 0}});
+    QTRY_VERIFY(at(80, 20) != ground);
+    QCOMPARE(at(50, 20), ground);
+  }
+
   void unknownCellsShowTheGroundOfTheTheme() {
     showWhole(128);
     QCOMPARE(at(50, 50), kUnknown);

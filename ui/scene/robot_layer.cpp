@@ -5,6 +5,7 @@
 #include <QPainterPath>
 #include <QStyleOptionGraphicsItem>
 
+#include "map/way.h"
 #include "scene/map_layers.h"
 
 namespace mapwright::scene {
@@ -17,17 +18,25 @@ constexpr double kMarkPx = 11;  // half the length of the mark
 void TrailLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   const auto& trail = context_.live->trail;
   if (trail.size() < 2) return;
-  std::vector<Eigen::Vector2d> points;
-  points.reserve(trail.size());
-  for (const map::TrailPoint& point : trail) points.push_back(point.position_m);
   const double width = sizeOr(2);
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setBrush(Qt::NoBrush);
   painter->setPen(QPen(colorOr(context_.theme.trail), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  for (const QPolygonF& line : visibleLines(context_.view, points, width)) {
-    const QRectF stroke = line.boundingRect().adjusted(-width, -width, width, width);
-    if (stroke.intersects(option->exposedRect)) painter->drawPolyline(line);
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(trail.size());
+  const auto drawPiece = [&] {
+    for (const QPolygonF& line : visibleLines(context_.view, points, width)) {
+      const QRectF stroke = line.boundingRect().adjusted(-width, -width, width, width);
+      if (stroke.intersects(option->exposedRect)) painter->drawPolyline(line);
+    }
+    points.clear();
+  };
+  for (std::size_t i = 0; i < trail.size(); ++i) {
+    // Where nobody knows which way it went there is no line.
+    if (i > 0 && !map::isWayKnown(trail[i - 1], trail[i])) drawPiece();
+    points.push_back(trail[i].position_m);
   }
+  drawPiece();
 }
 
 QRectF RobotLayer::robotRect() const {
