@@ -178,6 +178,7 @@ class RosDispatchTest : public QObject {
       const auto part = askGrid(region);
       QVERIFY(!part);
       QCOMPARE(part.error().kind, FailureKind::Refused);
+      QCOMPARE(part.error().cause.code, map::ReasonCode::RegionMeansNothing);
     }
     for (const map::CloudRegion& region :
          {map::CloudRegion{{0, 0, 0}, -1, {1, 1, 1}}, map::CloudRegion{{0, 0, 0}, 0, {1, 1, 0}},
@@ -185,6 +186,7 @@ class RosDispatchTest : public QObject {
       const auto part = askCloud(CloudKind::Points, region);
       QVERIFY(!part);
       QCOMPARE(part.error().kind, FailureKind::Refused);
+      QCOMPARE(part.error().cause.code, map::ReasonCode::RegionMeansNothing);
     }
     QCOMPARE(server_->timesCalled(text("/d/get_sub_map")), 0);
     QCOMPARE(server_->timesCalled(text("/d/get_sub_point_map")), 0);
@@ -345,6 +347,7 @@ class RosDispatchTest : public QObject {
     QCOMPARE(*saved, std::string("office.png"));
     QCOMPARE(server_->argumentsOf(text("/d/save_map")), QList{json(R"({"filename":{"data":"office.png"}})")});
     QCOMPARE(save("").error().kind, FailureKind::Refused);
+    QCOMPARE(save("").error().cause.code, map::ReasonCode::FileNameMeansNothing);
     QCOMPARE(save("a\nb.png").error().kind, FailureKind::Refused);
     QCOMPARE(server_->timesCalled(text("/d/save_map")), 1);
     serve("/d/save_map", "map_msgs/SaveMap", {{text("refused"), text("disk full")}});
@@ -399,7 +402,9 @@ class RosDispatchTest : public QObject {
     QCOMPARE(args[text("projected_maps_info")].toArray().at(0).toObject(),
              json(R"({"frame_id":"map","x":1,"y":2,"width":0.1,"height":0.05,"min_z":0.2,"max_z":2})"));
     QCOMPARE(askProject({{"map", {1, 2}, {0, 1}, 0, 1}}).error().kind, FailureKind::Refused);
-    QCOMPARE(askProject({{"map", {1, 2}, {1, 1}, 2, 1}}).error().kind, FailureKind::Refused);
+    const auto crossed = askProject({{"map", {1, 2}, {1, 1}, 2, 1}});
+    QCOMPARE(crossed.error().kind, FailureKind::Refused);
+    QCOMPARE(crossed.error().cause.code, map::ReasonCode::ProjectionMeansNothing);
   }
 
   void projectedMapsComeAndGo() {

@@ -30,7 +30,7 @@ class RosDispatch : public MapDispatch {
 
  private:
   map::Subject subjectOf(DispatchService service) const;
-  map::Failure refused(DispatchService service, map::AskedFor asked_for) const;
+  map::Failure refused(DispatchService service, map::AskedFor asked_for, map::ReasonCode why) const;
 
   RosLink* link_;
   FoundDispatch found_;
