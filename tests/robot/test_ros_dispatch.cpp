@@ -335,6 +335,25 @@ class RosDispatchTest : public QObject {
     QCOMPARE(server_->timesCalled(text("/d/get_map")), 1);
   }
 
+  void theWholeMapIsAskedByTheNameOfTheAddress() {
+    ros::DispatchWish wish;
+    wish.expected = true;
+    wish.ns = "/d";
+    wish.names[DispatchName::GetMap] = "/slam/whole";
+    make(wish);
+    serve("/slam/whole", "nav_msgs/GetMap", {{text("map"), grid()}});
+    serve("/static_map", "nav_msgs/GetMap", {{text("map"), grid("[1,1]")}});
+    robot_->liveTopics()->setWanted({map::Stream::WholeMap}, {});
+    QVERIFY(begin());
+    QTRY_COMPARE_WITH_TIMEOUT(server_->timesCalled(text("/slam/whole")), 1, kPatienceMs);
+    const auto listed = outcome<std::vector<map::CatalogueEntry>>(
+        [&](auto reply) { return robot_->mapCatalogue()->list(reply); });
+    QVERIFY(listed);
+    QCOMPARE(listed->at(0).name, std::string("/slam/whole"));
+    QVERIFY(listed->at(0).is_current);
+    QCOMPARE(server_->timesCalled(text("/static_map")), 0);
+  }
+
   void savingEndsInTheNameThatWasSent() {
     serve("/d/get_sub_map", "map_msgs/GetMapROI", {});
     serve("/d/save_map", "map_msgs/SaveMap", {});

@@ -63,12 +63,6 @@ bool fitsByName(DispatchName name, std::string_view service) {
   }
 }
 
-/// Where it is called by: the one that was named, else the usual one.
-std::string nameBy(const DispatchWish& wish, DispatchName name) {
-  const auto named = wish.names.find(name);
-  return named != wish.names.end() ? named->second : wish.ns + '/' + usual(name).text;
-}
-
 /// The number behind "…/projected_map_"; nullopt: it is none of these.
 std::optional<int> numberOf(std::string_view topic, const DispatchWish& wish) {
   const std::size_t line = topic.rfind('_');
@@ -113,6 +107,11 @@ std::optional<TypedService> best(const std::vector<TypedService>& services, cons
 }
 
 }  // namespace
+
+std::string nameBy(const DispatchWish& wish, DispatchName name) {
+  const auto named = wish.names.find(name);
+  return named != wish.names.end() ? named->second : wish.ns + '/' + usual(name).text;
+}
 
 const char* usualName(DispatchName name) { return usual(name).text; }
 

@@ -79,6 +79,8 @@ FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& service
                          const std::optional<std::vector<FoundTopic>>& topics, const DispatchWish& wish);
 /// The topic of a projected map that nobody tells of.
 std::string projectedTopic(const DispatchWish& wish, int index);
+/// Where it is called by: the one that was named, else the usual one.
+std::string nameBy(const DispatchWish& wish, DispatchName name);
 inline constexpr int kMostProjected = 32;
 
 }  // namespace mapwright::robot::ros

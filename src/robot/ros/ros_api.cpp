@@ -144,6 +144,13 @@ void RosApi::askTypes(const LookPtr& look) {
 /// What is called like a service that gives a map may be another one.
 void RosApi::askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchWish& dispatch) {
   look->found.map_services = likeMapServices(*look->found.services, ns);
+  // One that people have named goes before all that are called likewise.
+  if (const auto named = dispatch.names.find(DispatchName::GetMap); named != dispatch.names.end()) {
+    const std::vector<std::string>& all = *look->found.services;
+    std::erase(look->found.map_services, named->second);
+    if (std::find(all.begin(), all.end(), named->second) != all.end())
+      look->found.map_services.insert(look->found.map_services.begin(), named->second);
+  }
   look->found.dispatch_services.emplace();
   std::vector<std::string> names = likeDispatchServices(*look->found.services, dispatch);
   for (const std::string& name : names) look->found.dispatch_services->push_back({name, {}});

@@ -311,7 +311,11 @@ void RosLink::sync() {
   const bool by_region = dispatch_->found().has(DispatchService::GridRegion);
   const bool map_wanted = wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !by_region);
   AskedMap::Services services{found_.map_services, found_.services.has_value()};
-  if (!services.known) services.names = usualMapServices(options_.ns);
+  if (!services.known) {
+    services.names = usualMapServices(options_.ns);
+    if (options_.dispatch.expected)
+      services.names.insert(services.names.begin(), nameBy(options_.dispatch, DispatchName::GetMap));
+  }
   asked_map_->want(map_wanted, by_topic, std::move(services));
 }
 
