@@ -274,7 +274,7 @@ class RosDispatchTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!dispatch()->offered(DispatchService::Cloud), kPatienceMs);
     QVERIFY(dispatch()->offered(DispatchService::GridRegion));
     // What would set something is not asked in order to read it.
-    QVERIFY(askProjections());
+    QVERIFY(!askProjections());
     QCOMPARE(server_->timesCalled(text("/map_dispatcher/set_map_projections")), 0);
   }
 

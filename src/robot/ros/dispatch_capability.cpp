@@ -16,6 +16,10 @@ RosDispatch::RosDispatch(RosLink* link, QObject* parent) : MapDispatch(parent), 
   connect(link_, &RosLink::projectedGone, this, [this](int index) {
     if (projected_.erase(index) > 0) Q_EMIT projectedChanged(index);
   });
+  connect(link_, &RosLink::projectedSilent, this, [this](const QStringList& topics) {
+    silent_.clear();
+    for (const QString& topic : topics) silent_.push_back(topic.toStdString());
+  });
 }
 
 void RosDispatch::setFound(const FoundDispatch& found) {

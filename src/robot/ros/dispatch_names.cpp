@@ -196,6 +196,7 @@ FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& service
                          const std::optional<std::vector<FoundTopic>>& topics, const DispatchWish& wish) {
   FoundDispatch found;
   if (!services && !wish.expected) return found;
+  found.topics_told = topics.has_value();
   for (const Usual& one : usual()) {
     // Where nobody tells what there is, it is tried.
     if (!services) {

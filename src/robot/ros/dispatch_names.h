@@ -60,6 +60,7 @@ struct FoundDispatch {
   std::optional<TypedService> projections_writer;
   std::map<int, FoundTopic> projected;  // by number
   std::vector<FoundTopic> metadata;     // nav_msgs/MapMetaData: tells of another map without sending it
+  bool topics_told = false;             // what is not in these is not there
   bool operator==(const FoundDispatch&) const = default;
 
   bool any() const { return !services.empty(); }

@@ -17,6 +17,7 @@ using net::rosbridge::CallAnswer;
 
 constexpr std::size_t kMostTopics = 20'000;
 constexpr int kMostTypeQuestions = 300;  // of servers that list no types
+constexpr int kMostSenderQuestions = 2 * kMostProjected;
 constexpr const char* kManager = "/map_manager";
 
 QByteArray withText(const char* member, const std::string& text) {
@@ -71,6 +72,12 @@ bool lists(const Found& found, const std::string& topic) {
                                      [&](const FoundTopic& one) { return one.name == topic; });
 }
 
+std::optional<std::vector<FoundTopic>> sentTopics(const Found& found) {
+  std::optional<std::vector<FoundTopic>> sent = found.topics;
+  if (sent) std::erase_if(*sent, [&](const FoundTopic& topic) { return found.unsent.contains(topic.name); });
+  return sent;
+}
+
 RosApi::RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience, QObject* parent)
     : QObject(parent), client_(client), patience_(patience) {}
 
@@ -122,9 +129,11 @@ void RosApi::look(const std::string& ns, const DispatchWish& dispatch, std::func
 void RosApi::askTypes(const LookPtr& look) {
   int asked = 0;
   for (FoundTopic& topic : *look->found.topics) {
-    if (!topic.type.empty()) continue;
-    if (const auto known = types_.find(topic.name); known != types_.end()) {
-      topic.type = known->second;
+    if (topic.type.empty()) {
+      if (const auto known = types_.find(topic.name); known != types_.end()) topic.type = known->second;
+    }
+    if (!topic.type.empty()) {
+      askWhoSends(look, topic);
       continue;
     }
     if (++asked > kMostTypeQuestions) continue;
@@ -134,11 +143,23 @@ void RosApi::askTypes(const LookPtr& look) {
           const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
           if (!type.empty()) types_[name] = type;
           for (FoundTopic& one : *look->found.topics) {
-            if (one.name == name) one.type = type;
+            if (one.name != name) continue;
+            one.type = type;
+            askWhoSends(look, one);
           }
           step(look);
         });
   }
+}
+
+void RosApi::askWhoSends(const LookPtr& look, const FoundTopic& topic) {
+  if (dispatchType(topic.type) != "map_msgs/ProjectedMap") return;
+  if (++look->senders_asked > kMostSenderQuestions) return;
+  ++look->waits_for;
+  countPublishers(topic.name, [this, look, name = topic.name](std::optional<std::size_t> senders) {
+    if (senders == std::size_t(0)) look->found.unsent.insert(name);
+    step(look);
+  });
 }
 
 /// What is called like a service that gives a map may be another one.
