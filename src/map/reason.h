@@ -245,6 +245,11 @@ enum class ReasonCode {
   TopicAskedInstead,  // the service that was asked for it
   MapServiceFailed,   // service; because: why
   PoseSourceAway,     // host; because: why
+  // What a map dispatcher is not asked, or does not tell.
+  RegionMeansNothing,
+  FileNameMeansNothing,
+  ProjectionMeansNothing,
+  ProjectionsNotTold,
   // A manager of maps (KABAM).
   NoAnswerInTime,
   LinkBrokeOff,

@@ -19,13 +19,34 @@ int portOf(const QUrl& url) {
   return url.port(secure ? 443 : 80);
 }
 
-QString withoutTags(QString text) {
+const QString kElements = QStringLiteral(
+    "(?:a|address|article|b|big|blockquote|body|br|button|center|code|dd|div|dl|dt|em|font|footer|form|h[1-6]"
+    "|"
+    "head|header|hr|html|i|img|input|label|li|link|main|meta|nav|ol|p|pre|script|section|small|span|strong|"
+    "style|sub|sup|svg|table|tbody|td|th|thead|title|tr|tt|u|ul)");
+
+/// Words of people and programs have angle brackets, too: "<class 'str'>", "<filename>".
+enum class Markup { None, Elements, Page };
+
+Markup markupIn(const QString& text, bool said_to_be_html) {
+  static const QRegularExpression kPage(QStringLiteral("^\\s*<(!doctype|html)\\b"),
+                                        QRegularExpression::CaseInsensitiveOption);
+  static const QRegularExpression kClosed(QLatin1String("</") + kElements + QLatin1String("\\s*>"),
+                                          QRegularExpression::CaseInsensitiveOption);
+  if (kPage.match(text).hasMatch()) return Markup::Page;
+  return said_to_be_html || kClosed.match(text).hasMatch() ? Markup::Elements : Markup::None;
+}
+
+QString withoutTags(QString text, Markup markup) {
+  if (markup == Markup::None) return text;
   static const QRegularExpression kUnseen(
       QStringLiteral("<(script|style|head)\\b[^<>]*>.*?(</\\1\\s*>|$)|<!--.*?(-->|$)"),
       QRegularExpression::CaseInsensitiveOption | QRegularExpression::DotMatchesEverythingOption);
   static const QRegularExpression kTag(QStringLiteral("</?[A-Za-z!][^<>]*(>|$)"));
+  static const QRegularExpression kElement(QLatin1String("</?") + kElements + QLatin1String("\\b[^<>]*(>|$)"),
+                                           QRegularExpression::CaseInsensitiveOption);
   text.replace(kUnseen, QStringLiteral(" "));
-  text.replace(kTag, QStringLiteral(" "));
+  text.replace(markup == Markup::Page ? kTag : kElement, QStringLiteral(" "));
   constexpr std::array<std::pair<const char16_t*, char16_t>, 6> kEntities{{{u"&nbsp;", u' '},
                                                                            {u"&quot;", u'"'},
                                                                            {u"&#39;", u'\''},
@@ -41,7 +62,7 @@ QString withoutTags(QString text) {
 }  // namespace
 
 QString plainText(const QString& text) {
-  QString plain = withoutTags(text.left(kMaxErrorBody));
+  QString plain = text.left(kMaxErrorBody);
   for (QChar& character : plain) {
     if (character == u'<') {
       character = QChar(u'\u2039');
@@ -62,12 +83,20 @@ QString plainText(const QString& text) {
   return plain;
 }
 
+namespace {
+
+QString textIn(const QString& body, bool said_to_be_html) {
+  return plainText(withoutTags(body, markupIn(body, said_to_be_html)));
+}
+
+}  // namespace
+
 QString errorText(const QByteArray& body, const QByteArray& content_type) {
   const QByteArray beginning = body.left(kMaxErrorBody).trimmed();
   if (beginning.startsWith('{') || content_type.contains("json")) {
     const QJsonObject object = QJsonDocument::fromJson(beginning).object();
     for (const auto* member : {u"detail", u"message", u"error"}) {
-      const QString text = plainText(object.value(QStringView(member)).toString());
+      const QString text = textIn(object.value(QStringView(member)).toString(), false);
       if (!text.isEmpty()) {
         return text;
       }
@@ -76,7 +105,7 @@ QString errorText(const QByteArray& body, const QByteArray& content_type) {
   }
   const bool binary = content_type.startsWith("image/") || content_type.contains("octet-stream") ||
                       content_type.contains("protobuf") || beginning.contains('\0');
-  return binary ? QString() : plainText(QString::fromUtf8(beginning));
+  return binary ? QString() : textIn(QString::fromUtf8(beginning), content_type.contains("html"));
 }
 
 QString hostAndPort(const QUrl& url) {

@@ -10,10 +10,11 @@ namespace mapwright::net {
 
 inline constexpr qsizetype kMaxSentence = 300;  // characters
 
-/// At most kMaxSentence characters on one line, without tags, control characters and angle brackets.
+/// At most kMaxSentence characters on one line, without control characters; angle brackets are others that no
+/// markup begins with, and what stands between them stays.
 QString plainText(const QString& text);
 /// What an error's body says: the text of a JSON object's detail, message or error, or of a short plain or
-/// HTML page; empty when there is nothing to show.
+/// HTML page, of which tags are left out; empty when there is nothing to show.
 QString errorText(const QByteArray& body, const QByteArray& content_type);
 /// "10.0.0.7:8090": where a URL leads, the default port of its scheme filled in.
 QString hostAndPort(const QUrl& url);

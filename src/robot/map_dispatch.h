@@ -71,6 +71,9 @@ class MapDispatch : public QObject {
                        OutcomeTo<std::vector<map::Projection>> reply) = 0;
   /// The projected maps that are told of, the newest of each.
   virtual std::vector<ProjectedPart> projected() const = 0;
+  /// By which names the robot should tell of projected maps, and has told nothing so far as anybody waited
+  /// for it. Untrusted plain text.
+  virtual std::vector<std::string> silent() const { return {}; }
 
  Q_SIGNALS:
   void offersChanged();

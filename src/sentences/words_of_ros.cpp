@@ -97,6 +97,30 @@ QString ofTopics(ReasonCode code) {
   }
 }
 
+QString ofDispatchers(ReasonCode code) {
+  switch (code) {
+    case ReasonCode::RegionMeansNothing:
+      return Words::tr(
+          "The robot has not been asked: a region needs a place and a size that are numbers, and a size of "
+          "more than 0 m.");
+    case ReasonCode::FileNameMeansNothing:
+      return Words::tr(
+          "The robot has not been asked: the name of a file needs one to 4,096 bytes, and no line ends or "
+          "other control characters.");
+    case ReasonCode::ProjectionMeansNothing:
+      return Words::tr(
+          "The robot has not been asked: a projection needs a place and heights that are numbers, a size of "
+          "more than 0 m, and its lower height below the upper one.");
+    case ReasonCode::ProjectionsNotTold:
+      return Words::tr(
+          "What it projects cannot be told: it does not say which topics and services it has (its node "
+          "rosapi "
+          "does not run), and nothing has come by the usual topics (projected_map_0 and so on).");
+    default:
+      return {};
+  }
+}
+
 QString ofMapManagers(ReasonCode code) {
   switch (code) {
     case ReasonCode::NoAnswerInTime:
@@ -181,6 +205,7 @@ QString ofMapManagers(ReasonCode code) {
 QString wordsOfRos(ReasonCode code, int count) {
   QString text = ofRos(code, count);
   if (text.isEmpty()) text = ofTopics(code);
+  if (text.isEmpty()) text = ofDispatchers(code);
   return text.isEmpty() ? ofMapManagers(code) : text;
 }
 

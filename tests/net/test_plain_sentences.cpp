@@ -31,6 +31,13 @@ class TestPlainSentences : public QObject {
     row("unclosed script", "gone<script>alert('x')", "text/html", "gone");
     row("markup in JSON", "{\"detail\": \"<b onclick='x'>No</b> map\"}", "application/json", "No map");
     row("escaped markup", "&lt;b&gt;No&lt;/b&gt; map", "text/html", "‹b›No‹/b› map");
+    row("page that does not say so", "<!DOCTYPE html><html><body><x-y>502</x-y> Bad</body></html>", "",
+        "502 Bad");
+    row("no markup", "can't parse <class 'str'> of <filename>, a<b and c>d", "text/plain",
+        "can't parse ‹class 'str'› of ‹filename›, a‹b and c›d");
+    row("no markup in JSON", "{\"detail\": \"no <class 'int'> here\"}", "application/json",
+        "no ‹class 'int'› here");
+    row("no markup in a page", "<p>no &lt;a&gt; <class 'int'></p>", "text/html", "no ‹a› ‹class 'int'›");
     row("comparison", "{\"detail\": \"width < 5 > 3\"}", "application/json", "width ‹ 5 › 3");
     row("picture", QByteArray("\x89PNG\0\0", 6), "image/png", "");
     row("binary", QByteArray("a\0b", 3), "", "");
@@ -41,6 +48,11 @@ class TestPlainSentences : public QObject {
     QFETCH(QByteArray, content_type);
     QFETCH(QString, text);
     QCOMPARE(errorText(body, content_type), text);
+  }
+
+  void wordsKeepWhatStandsBetweenAngleBrackets() {
+    QCOMPARE(plainText(QStringLiteral("can't parse <class 'str'> of <b>\n")),
+             QStringLiteral("can't parse ‹class 'str'› of ‹b›"));
   }
 
   void sentencesAreBounded() {

@@ -178,6 +178,7 @@ class RosDispatchTest : public QObject {
       const auto part = askGrid(region);
       QVERIFY(!part);
       QCOMPARE(part.error().kind, FailureKind::Refused);
+      QCOMPARE(part.error().cause.code, map::ReasonCode::RegionMeansNothing);
     }
     for (const map::CloudRegion& region :
          {map::CloudRegion{{0, 0, 0}, -1, {1, 1, 1}}, map::CloudRegion{{0, 0, 0}, 0, {1, 1, 0}},
@@ -185,6 +186,7 @@ class RosDispatchTest : public QObject {
       const auto part = askCloud(CloudKind::Points, region);
       QVERIFY(!part);
       QCOMPARE(part.error().kind, FailureKind::Refused);
+      QCOMPARE(part.error().cause.code, map::ReasonCode::RegionMeansNothing);
     }
     QCOMPARE(server_->timesCalled(text("/d/get_sub_map")), 0);
     QCOMPARE(server_->timesCalled(text("/d/get_sub_point_map")), 0);
@@ -272,7 +274,7 @@ class RosDispatchTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!dispatch()->offered(DispatchService::Cloud), kPatienceMs);
     QVERIFY(dispatch()->offered(DispatchService::GridRegion));
     // What would set something is not asked in order to read it.
-    QVERIFY(askProjections());
+    QVERIFY(!askProjections());
     QCOMPARE(server_->timesCalled(text("/map_dispatcher/set_map_projections")), 0);
   }
 
@@ -333,6 +335,25 @@ class RosDispatchTest : public QObject {
     QCOMPARE(server_->timesCalled(text("/d/get_map")), 1);
   }
 
+  void theWholeMapIsAskedByTheNameOfTheAddress() {
+    ros::DispatchWish wish;
+    wish.expected = true;
+    wish.ns = "/d";
+    wish.names[DispatchName::GetMap] = "/slam/whole";
+    make(wish);
+    serve("/slam/whole", "nav_msgs/GetMap", {{text("map"), grid()}});
+    serve("/static_map", "nav_msgs/GetMap", {{text("map"), grid("[1,1]")}});
+    robot_->liveTopics()->setWanted({map::Stream::WholeMap}, {});
+    QVERIFY(begin());
+    QTRY_COMPARE_WITH_TIMEOUT(server_->timesCalled(text("/slam/whole")), 1, kPatienceMs);
+    const auto listed = outcome<std::vector<map::CatalogueEntry>>(
+        [&](auto reply) { return robot_->mapCatalogue()->list(reply); });
+    QVERIFY(listed);
+    QCOMPARE(listed->at(0).name, std::string("/slam/whole"));
+    QVERIFY(listed->at(0).is_current);
+    QCOMPARE(server_->timesCalled(text("/static_map")), 0);
+  }
+
   void savingEndsInTheNameThatWasSent() {
     serve("/d/get_sub_map", "map_msgs/GetMapROI", {});
     serve("/d/save_map", "map_msgs/SaveMap", {});
@@ -345,6 +366,7 @@ class RosDispatchTest : public QObject {
     QCOMPARE(*saved, std::string("office.png"));
     QCOMPARE(server_->argumentsOf(text("/d/save_map")), QList{json(R"({"filename":{"data":"office.png"}})")});
     QCOMPARE(save("").error().kind, FailureKind::Refused);
+    QCOMPARE(save("").error().cause.code, map::ReasonCode::FileNameMeansNothing);
     QCOMPARE(save("a\nb.png").error().kind, FailureKind::Refused);
     QCOMPARE(server_->timesCalled(text("/d/save_map")), 1);
     serve("/d/save_map", "map_msgs/SaveMap", {{text("refused"), text("disk full")}});
@@ -399,7 +421,9 @@ class RosDispatchTest : public QObject {
     QCOMPARE(args[text("projected_maps_info")].toArray().at(0).toObject(),
              json(R"({"frame_id":"map","x":1,"y":2,"width":0.1,"height":0.05,"min_z":0.2,"max_z":2})"));
     QCOMPARE(askProject({{"map", {1, 2}, {0, 1}, 0, 1}}).error().kind, FailureKind::Refused);
-    QCOMPARE(askProject({{"map", {1, 2}, {1, 1}, 2, 1}}).error().kind, FailureKind::Refused);
+    const auto crossed = askProject({{"map", {1, 2}, {1, 1}, 2, 1}});
+    QCOMPARE(crossed.error().kind, FailureKind::Refused);
+    QCOMPARE(crossed.error().cause.code, map::ReasonCode::ProjectionMeansNothing);
   }
 
   void projectedMapsComeAndGo() {

@@ -16,6 +16,10 @@ RosDispatch::RosDispatch(RosLink* link, QObject* parent) : MapDispatch(parent), 
   connect(link_, &RosLink::projectedGone, this, [this](int index) {
     if (projected_.erase(index) > 0) Q_EMIT projectedChanged(index);
   });
+  connect(link_, &RosLink::projectedSilent, this, [this](const QStringList& topics) {
+    silent_.clear();
+    for (const QString& topic : topics) silent_.push_back(topic.toStdString());
+  });
 }
 
 void RosDispatch::setFound(const FoundDispatch& found) {
@@ -30,20 +34,23 @@ map::Subject RosDispatch::subjectOf(DispatchService service) const {
 }
 
 /// Nobody is asked for what means nothing (rep130.md: "never send it").
-map::Failure RosDispatch::refused(DispatchService service, map::AskedFor asked_for) const {
+map::Failure RosDispatch::refused(DispatchService service, map::AskedFor asked_for,
+                                  map::ReasonCode why) const {
   map::Failure failure;
   failure.kind = map::FailureKind::Refused;
   failure.subject = subjectOf(service);
   failure.asked_for = asked_for;
   failure.reason = map::FailureReason::Unfit;
+  failure.cause = why;
   return failure;
 }
 
 Call RosDispatch::grid(const std::optional<map::GridRegion>& region, OutcomeTo<map::GridPart> reply) {
   const auto service = region ? DispatchService::GridRegion : DispatchService::Grid;
   if (region && !isSound(*region)) {
-    return wire::endLater<map::GridPart>(this, grids_, std::move(reply),
-                                         tl::make_unexpected(refused(service, map::AskedFor::All)));
+    return wire::endLater<map::GridPart>(
+        this, grids_, std::move(reply),
+        tl::make_unexpected(refused(service, map::AskedFor::All, map::ReasonCode::RegionMeansNothing)));
   }
   return wire::askAcross(this, link_, grids_, subjectOf(service), std::move(reply),
                          [region](RosLink& link, auto errand, auto answer) {
@@ -58,7 +65,8 @@ Call RosDispatch::cloud(CloudKind kind, const std::optional<map::CloudRegion>& r
                               : (region ? DispatchService::OccupancyRegion : DispatchService::Occupancy);
   if (region && !isSound(*region)) {
     return wire::endLater<std::shared_ptr<const map::SpatialCloud>>(
-        this, clouds_, std::move(reply), tl::make_unexpected(refused(service, map::AskedFor::All)));
+        this, clouds_, std::move(reply),
+        tl::make_unexpected(refused(service, map::AskedFor::All, map::ReasonCode::RegionMeansNothing)));
   }
   return wire::askAcross(this, link_, clouds_, subjectOf(service), std::move(reply),
                          [kind, region](RosLink& link, auto errand, auto answer) {
@@ -72,7 +80,8 @@ Call RosDispatch::save(const std::string& filename, OutcomeTo<std::string> reply
   if (filename.empty() || filename.size() > 4096 || control) {
     return wire::endLater<std::string>(
         this, saves_, std::move(reply),
-        tl::make_unexpected(refused(DispatchService::Save, map::AskedFor::Change)));
+        tl::make_unexpected(
+            refused(DispatchService::Save, map::AskedFor::Change, map::ReasonCode::FileNameMeansNothing)));
   }
   return wire::askAcross(
       this, link_, saves_, subjectOf(DispatchService::Save), std::move(reply),
@@ -96,7 +105,8 @@ Call RosDispatch::project(const std::vector<map::Projection>& wanted,
   if (!sound) {
     return wire::endLater<std::vector<map::Projection>>(
         this, projections_, std::move(reply),
-        tl::make_unexpected(refused(DispatchService::ChangeProjections, map::AskedFor::Change)));
+        tl::make_unexpected(refused(DispatchService::ChangeProjections, map::AskedFor::Change,
+                                    map::ReasonCode::ProjectionMeansNothing)));
   }
   return wire::askAcross(
       this, link_, projections_, subjectOf(DispatchService::ChangeProjections), std::move(reply),

@@ -27,14 +27,16 @@ class RosDispatch : public MapDispatch {
   Call project(const std::vector<map::Projection>& wanted,
                OutcomeTo<std::vector<map::Projection>> reply) override;
   std::vector<ProjectedPart> projected() const override;
+  std::vector<std::string> silent() const override { return silent_; }
 
  private:
   map::Subject subjectOf(DispatchService service) const;
-  map::Failure refused(DispatchService service, map::AskedFor asked_for) const;
+  map::Failure refused(DispatchService service, map::AskedFor asked_for, map::ReasonCode why) const;
 
   RosLink* link_;
   FoundDispatch found_;
   std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
+  std::vector<std::string> silent_;
   wire::PendingCalls<map::GridPart> grids_;
   wire::PendingCalls<std::shared_ptr<const map::SpatialCloud>> clouds_;
   wire::PendingCalls<std::string> saves_;

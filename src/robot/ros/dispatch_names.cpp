@@ -63,12 +63,6 @@ bool fitsByName(DispatchName name, std::string_view service) {
   }
 }
 
-/// Where it is called by: the one that was named, else the usual one.
-std::string nameBy(const DispatchWish& wish, DispatchName name) {
-  const auto named = wish.names.find(name);
-  return named != wish.names.end() ? named->second : wish.ns + '/' + usual(name).text;
-}
-
 /// The number behind "…/projected_map_"; nullopt: it is none of these.
 std::optional<int> numberOf(std::string_view topic, const DispatchWish& wish) {
   const std::size_t line = topic.rfind('_');
@@ -113,6 +107,11 @@ std::optional<TypedService> best(const std::vector<TypedService>& services, cons
 }
 
 }  // namespace
+
+std::string nameBy(const DispatchWish& wish, DispatchName name) {
+  const auto named = wish.names.find(name);
+  return named != wish.names.end() ? named->second : wish.ns + '/' + usual(name).text;
+}
 
 const char* usualName(DispatchName name) { return usual(name).text; }
 
@@ -197,6 +196,7 @@ FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& service
                          const std::optional<std::vector<FoundTopic>>& topics, const DispatchWish& wish) {
   FoundDispatch found;
   if (!services && !wish.expected) return found;
+  found.topics_told = topics.has_value();
   for (const Usual& one : usual()) {
     // Where nobody tells what there is, it is tried.
     if (!services) {

@@ -60,6 +60,7 @@ struct FoundDispatch {
   std::optional<TypedService> projections_writer;
   std::map<int, FoundTopic> projected;  // by number
   std::vector<FoundTopic> metadata;     // nav_msgs/MapMetaData: tells of another map without sending it
+  bool topics_told = false;             // what is not in these is not there
   bool operator==(const FoundDispatch&) const = default;
 
   bool any() const { return !services.empty(); }
@@ -79,6 +80,8 @@ FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& service
                          const std::optional<std::vector<FoundTopic>>& topics, const DispatchWish& wish);
 /// The topic of a projected map that nobody tells of.
 std::string projectedTopic(const DispatchWish& wish, int index);
+/// Where it is called by: the one that was named, else the usual one.
+std::string nameBy(const DispatchWish& wish, DispatchName name);
 inline constexpr int kMostProjected = 32;
 
 }  // namespace mapwright::robot::ros

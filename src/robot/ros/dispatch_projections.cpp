@@ -12,6 +12,8 @@
 namespace mapwright::robot::ros {
 namespace {
 
+constexpr const char* kUsualFrame = "map";  // REP 105
+
 auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
 
 }  // namespace
@@ -32,7 +34,16 @@ void DispatchRequests::projections(const wire::ErrandPtr& errand,
   const auto there = found_.serviceOf(DispatchService::ReadProjections);
   if (!there) return reply(fail(notDispatched(DispatchService::ReadProjections, found_)));
   if (tellsProjections()) return readByService(errand, std::move(reply));
-  awaitProjected(errand, std::move(reply));
+  // Which there are now: what was left out as of before may have another meaning since.
+  setMost(std::nullopt);
+  const auto watch = std::make_shared<Watch>();
+  watch->errand = errand;
+  watch->reply = std::move(reply);
+  watch->looked = false;
+  watch->listed = true;
+  if (projected_.empty()) tries_waited_ = false;
+  begin(watch);
+  Q_EMIT lookWanted();
 }
 
 void DispatchRequests::awaitProjected(const wire::ErrandPtr& errand,
@@ -40,10 +51,46 @@ void DispatchRequests::awaitProjected(const wire::ErrandPtr& errand,
   const auto watch = std::make_shared<Watch>();
   watch->errand = errand;
   watch->reply = std::move(reply);
-  for (const auto& [index, topic] : found_.projected) {
-    if (!projected_.contains(index)) watch->awaited.insert(index);
-  }
+  watch->awaited = unheard();
   begin(watch);
+}
+
+std::set<int> DispatchRequests::unheard() const {
+  std::set<int> all;
+  const auto next = tried();
+  for (const auto& [index, name] : projectedTopics()) {
+    if (!projected_.contains(index) && !(tries_waited_ && index == next)) all.insert(index);
+  }
+  return all;
+}
+
+/// Of those that are there, or should be.
+QStringList DispatchRequests::silentTopics() const {
+  QStringList all;
+  const auto next = tried();
+  for (const auto& [index, name] : projectedTopics()) {
+    if (!projected_.contains(index) && !left_.contains(index) && index != next)
+      all << QString::fromStdString(name);
+  }
+  return all;
+}
+
+/// nullopt: whatever topics there are.
+void DispatchRequests::setMost(std::optional<int> most) {
+  if (most) {
+    for (const auto& [index, mark] : marks_) {
+      if (index >= *most) left_[index] = mark;
+    }
+    forgetProjected([most](int index) { return index >= *most; });
+  }
+  if (std::exchange(most_, most) != most) Q_EMIT topicsChanged();
+}
+
+/// That of the map, which is meant where none is named.
+std::string DispatchRequests::knownFrame() const {
+  if (!map_said_.empty()) return map_said_;
+  const std::string of_map = map_frame_ ? map_frame_() : std::string();
+  return of_map.empty() ? projections_said_ : of_map;
 }
 
 void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsReply reply) {
@@ -53,6 +100,9 @@ void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsR
       [this, reply, name](const Field& values) {
         auto told = readProjections(values);
         if (told) {
+          for (const map::Projection& one : *told) {
+            if (!one.frame.empty()) projections_said_ = one.frame;
+          }
           const int count = int(std::min<std::size_t>(told->size(), kMostProjected));
           if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
           return reply(std::move(*told));
@@ -69,6 +119,32 @@ void DispatchRequests::readByService(const wire::ErrandPtr& errand, ProjectionsR
 
 void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
                                OutcomeTo<std::vector<map::Projection>> reply) {
+  // A dispatcher looks a frame without a name up in vain.
+  const auto lacks_frame = [](const map::Projection& one) { return one.frame.empty(); };
+  if (std::none_of(wanted.begin(), wanted.end(), lacks_frame)) return projectNow(errand, wanted, reply);
+  const auto set_in = [this, errand, wanted, reply,
+                       lacks_frame](const Outcome<std::vector<map::Projection>>& told) {
+    const auto failure = told ? map::FailureKind::None : told.error().kind;
+    if (failure == map::FailureKind::Cancelled || failure == map::FailureKind::Unreachable) {
+      map::Failure not_set = told.error();
+      not_set.asked_for = map::AskedFor::Change;
+      return reply(fail(std::move(not_set)));
+    }
+    const std::string known = knownFrame();
+    std::vector<map::Projection> whole = wanted;
+    for (map::Projection& one : whole) {
+      if (lacks_frame(one)) one.frame = known.empty() ? std::string(kUsualFrame) : known;
+    }
+    projectNow(errand, whole, reply);
+  };
+  if (!knownFrame().empty()) return set_in(Outcome<std::vector<map::Projection>>());
+  // What is projected by now says in which one.
+  if (tellsProjections()) return readByService(errand, set_in);
+  awaitProjected(errand, set_in);
+}
+
+void DispatchRequests::projectNow(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+                                  ProjectionsReply reply) {
   const auto watch = std::make_shared<Watch>();
   watch->errand = errand;
   watch->reply = reply;
@@ -77,6 +153,7 @@ void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<
   watch->answered = false;
   const int count = int(std::min<std::size_t>(wanted.size(), kMostProjected));
   for (int index = 0; index < count; ++index) watch->awaited.insert(index);
+  std::erase_if(left_, [count](const auto& left) { return left.first < count; });
   // A topic may tell before the service answers.
   watches_.push_back(watch);
   if (std::exchange(told_, count) != count) Q_EMIT topicsChanged();
@@ -85,21 +162,24 @@ void DispatchRequests::project(const wire::ErrandPtr& errand, const std::vector<
       map::AskedFor::Change,
       [this, watch, count](const Field& values) {
         watch->answered = true;
-        // Topics of what is not projected any more go; where nobody tells which there are, by their number.
+        // Topics of what is not projected any more may be there for long, as somebody listens.
         watch->looked = found_.projected.empty();
-        if (watch->looked) forgetProjected([count](int index) { return index >= count; });
+        setMost(count);
         Q_EMIT lookWanted();
         if (auto told = readProjections(values)) {
+          if (int(told->size()) > count) setMost(std::nullopt);
           watches_.remove(watch);
           return watch->reply(std::move(*told));
         }
         if (tellsProjections()) {
           watches_.remove(watch);
-          return readByService(watch->errand, [watch](Outcome<std::vector<map::Projection>> told) {
-            // It has been set, whatever became of the question.
-            if (!told) told.error().applied = map::Applied::Yes;
-            watch->reply(std::move(told));
-          });
+          return readByService(watch->errand,
+                               [this, watch, count](Outcome<std::vector<map::Projection>> told) {
+                                 // It has been set, whatever became of the question.
+                                 if (!told) told.error().applied = map::Applied::Yes;
+                                 if (told && int(told->size()) > count) setMost(std::nullopt);
+                                 watch->reply(std::move(told));
+                               });
         }
         watches_.remove(watch);
         begin(watch);
@@ -139,6 +219,17 @@ void DispatchRequests::end(const WatchPtr& watch, std::optional<map::Failure> fa
   watches_.erase(found);
   watch->timer.stop();
   watch->errand->ended(watch->number);
+  if (watch->changed && !found_.projected.empty() && std::exchange(told_, 0) != 0) Q_EMIT topicsChanged();
+  if (!failure && !watch->changed) {
+    tries_waited_ = true;
+    Q_EMIT projectedSilent(silentTopics());
+    if (watch->listed && tried() == 0) {
+      failure.emplace();
+      failure->kind = map::FailureKind::Unsupported;
+      failure->reason = map::FailureReason::Unfit;
+      failure->cause = {map::ReasonCode::ProjectionsNotTold};
+    }
+  }
   if (!failure) return watch->reply(shown());
   const auto there = found_.serviceOf(DispatchService::ReadProjections);
   failure->subject = map::Subject(there ? there->name : std::string("set_map_projections"));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QCryptographicHash>
 #include <QPointer>
 
 #include "robot/ros/dispatch_messages.h"
@@ -39,6 +40,20 @@ bool isAbout(const std::vector<map::Projection>& wanted, const ProjectedPart& pa
          std::abs(one.min_z_m - told.min_z_m) <= kNearM && std::abs(one.max_z_m - told.max_z_m) <= kNearM;
 }
 
+/// One message and the same message, sent again, have the same one.
+QByteArray markOf(const ProjectedPart& part, const Field& msg) {
+  constexpr qsizetype kHeader = 2'000;
+  QCryptographicHash hash(QCryptographicHash::Sha1);
+  hash.addData(msg["map"]["header"].toJson(kHeader));
+  hash.addData(msg["map"]["info"].toJson(kHeader));
+  hash.addData(QByteArray::number(part.min_z_m) + ' ' + QByteArray::number(part.max_z_m));
+  if (part.part.cells) {
+    hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(part.part.cells->data()),
+                                         qsizetype(part.part.cells->size())));
+  }
+  return hash.result();
+}
+
 /// By what servers say of a call of something that is not there.
 bool saysNotThere(const CallAnswer& answer) {
   return answer.kind == CallAnswer::Kind::Refused && answer.words.find("does not exist") != std::string::npos;
@@ -56,8 +71,13 @@ map::Failure notDispatched(DispatchService service, const FoundDispatch& found) 
 }
 
 DispatchRequests::DispatchRequests(net::rosbridge::Client& client, DispatchWish wish,
-                                   DispatchPatience patience, QObject* parent)
-    : QObject(parent), client_(client), wish_(std::move(wish)), patience_(patience) {}
+                                   DispatchPatience patience, std::function<std::string()> map_frame,
+                                   QObject* parent)
+    : QObject(parent),
+      client_(client),
+      wish_(std::move(wish)),
+      patience_(patience),
+      map_frame_(std::move(map_frame)) {}
 
 void DispatchRequests::take(FoundDispatch found) {
   std::erase_if(found.services, [&](const auto& one) {
@@ -65,12 +85,19 @@ void DispatchRequests::take(FoundDispatch found) {
   });
   if (found == found_) return looked();
   const bool other_offers = found.offers() != found_.offers();
-  found_ = std::move(found);
-  if (!found_.projected.empty()) {
-    // What the server tells is more than what was expected.
-    told_ = 0;
-    forgetProjected([this](int index) { return !found_.projected.contains(index); });
+  // Somebody else has set more since.
+  for (const auto& [index, topic] : found.projected) {
+    if (most_ && index >= *most_ && !found_.projected.contains(index)) most_.reset();
   }
+  const bool told_some = !found_.projected.empty();
+  found_ = std::move(found);
+  const bool setting =
+      std::any_of(watches_.begin(), watches_.end(), [](const WatchPtr& watch) { return watch->changed; });
+  // What the server tells is more than what was expected, unless the robot is about to do it.
+  const bool tells = !found_.projected.empty() || (found_.topics_told && told_some);
+  if (tells && !setting) told_ = 0;
+  if (tells || found_.topics_told)
+    forgetProjected([this](int index) { return index >= told_ && !found_.projected.contains(index); });
   if (!found_.any()) forgetProjected([](int) { return true; });
   looked();
   if (other_offers) Q_EMIT offersChanged();
@@ -80,6 +107,7 @@ void DispatchRequests::looked() {
   const auto watches = watches_;
   for (const WatchPtr& watch : watches) {
     if (!watch->answered) continue;
+    if (!watch->looked && !watch->changed) watch->awaited = unheard();
     watch->looked = true;
     lookAt(watch);
   }
@@ -99,6 +127,11 @@ void DispatchRequests::beginAnew() {
   lose();
   not_there_.clear();
   told_ = 0;
+  most_.reset();
+  left_.clear();
+  tries_waited_ = false;
+  map_said_.clear();
+  projections_said_.clear();
   forgetProjected([](int) { return true; });
 }
 
@@ -109,16 +142,43 @@ void DispatchRequests::forgetProjected(const std::function<bool(int)>& whether) 
   }
   for (const int index : gone) {
     projected_.erase(index);
+    marks_.erase(index);
     Q_EMIT projectedGone(index);
   }
 }
 
+std::optional<int> DispatchRequests::tried() const {
+  const bool tries =
+      !found_.topics_told && told_ == 0 && !most_ && found_.has(DispatchService::ReadProjections);
+  const int next = projected_.empty() ? 0 : projected_.rbegin()->first + 1;
+  return tries && next < kMostProjected ? std::optional(next) : std::nullopt;
+}
+
+std::string DispatchRequests::triedTopic() const {
+  const auto index = tried();
+  return index ? projectedTopic(wish_, *index) : std::string();
+}
+
+std::map<int, std::string> DispatchRequests::projectedTopics() const {
+  std::map<int, std::string> all;
+  for (const auto& [index, topic] : found_.projected) {
+    if (!most_ || index < std::max(*most_, told_)) all[index] = topic.name;
+  }
+  // By their usual names: those that should be there; and where nobody tells, one after another.
+  for (int index = 0; index < std::min(told_, kMostProjected); ++index)
+    all.try_emplace(index, projectedTopic(wish_, index));
+  if (const auto next = tried()) {
+    for (int index = 0; index <= *next; ++index) all.try_emplace(index, projectedTopic(wish_, index));
+  }
+  return all;
+}
+
 std::vector<FoundTopic> DispatchRequests::topics() const {
   std::vector<FoundTopic> all = found_.metadata;
-  for (const auto& [index, topic] : found_.projected) all.push_back(topic);
-  for (int index = 0; index < std::min(told_, kMostProjected); ++index) {
-    if (!found_.projected.contains(index))
-      all.push_back({projectedTopic(wish_, index), "map_msgs/ProjectedMap"});
+  for (const auto& [index, name] : projectedTopics()) {
+    const auto found = found_.projected.find(index);
+    all.push_back(found != found_.projected.end() ? found->second
+                                                  : FoundTopic{name, "map_msgs/ProjectedMap"});
   }
   return all;
 }
@@ -133,24 +193,39 @@ std::optional<map::Reason> DispatchRequests::hear(const std::string& topic, cons
     if (other) Q_EMIT mapChanged();
     return std::nullopt;
   }
-  std::optional<int> index;
-  for (const auto& [number, projected] : found_.projected) {
-    if (projected.name == topic) index = number;
+  for (const auto& [number, name] : projectedTopics()) {
+    if (name == topic) return hearProjected(number, msg);
   }
-  for (int number = 0; !index && number < told_; ++number) {
-    if (projectedTopic(wish_, number) == topic) index = number;
-  }
-  if (!index) return std::nullopt;
-  auto read = readProjectedPart(msg, *index);
+  return std::nullopt;
+}
+
+std::optional<map::Reason> DispatchRequests::hearProjected(int index, const Field& msg) {
+  auto read = readProjectedPart(msg, index);
   if (!read) return read.error();
   const auto part = std::make_shared<const ProjectedPart>(std::move(*read));
-  projected_[*index] = part;
-  Q_EMIT projectedCame(part);
+  const QByteArray mark = markOf(*part, msg);
+  const auto left = left_.find(index);
+  // A topic that nobody uses any more goes on saying what it said last.
+  const bool of_before = left != left_.end() && left->second == mark;
+  if (!of_before) {
+    left_.erase(index);
+    const auto next = tried();
+    if (!part->part.frame.empty()) projections_said_ = part->part.frame;
+    marks_[index] = mark;
+    projected_[index] = part;
+    Q_EMIT projectedCame(part);
+    if (next && tried() != next) {
+      for (const WatchPtr& watch : watches_) {
+        if (!watch->changed && tried()) watch->awaited.insert(*tried());
+      }
+      Q_EMIT topicsChanged();
+    }
+  }
   const auto watches = watches_;
   for (const WatchPtr& watch : watches) {
     // A latched one of before may come after what has been set: it is not what is waited for.
     if (watch->changed && !isAbout(watch->wanted, *part)) continue;
-    watch->awaited.erase(*index);
+    watch->awaited.erase(index);
     lookAt(watch);
   }
   return std::nullopt;
@@ -202,8 +277,9 @@ void DispatchRequests::grid(const wire::ErrandPtr& errand, const std::optional<m
   ask(
       errand, service, region ? regionArgs(*region) : QByteArray("{}"),
       region ? patience_.region : patience_.whole, map::AskedFor::All,
-      [reply, region, name = there ? there->name : std::string()](const Field& values) {
+      [this, reply, region, name = there ? there->name : std::string()](const Field& values) {
         auto part = readGridPart(values[region ? "sub_map" : "map"]);
+        if (part && !part->frame.empty()) map_said_ = part->frame;
         if (part) return reply(std::move(*part));
         reply(fail(unreadable(name, part.error(), map::AskedFor::All, map::Applied::No)));
       },

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <QObject>
+#include <QStringList>
 #include <QTimer>
 
 #include "net/rosbridge/client.h"
@@ -34,8 +35,9 @@ struct DispatchPatience {
 class DispatchRequests : public QObject {
   Q_OBJECT
  public:
+  /// `map_frame` tells the frame of the robot's map; empty while it is not known.
   DispatchRequests(net::rosbridge::Client& client, DispatchWish wish, DispatchPatience patience,
-                   QObject* parent = nullptr);
+                   std::function<std::string()> map_frame, QObject* parent = nullptr);
 
   /// What there is, as far as the server tells.
   void take(FoundDispatch found);
@@ -48,6 +50,8 @@ class DispatchRequests : public QObject {
   const std::map<int, std::shared_ptr<const ProjectedPart>>& projected() const { return projected_; }
   /// The topics that are to be subscribed to.
   std::vector<FoundTopic> topics() const;
+  /// That one of them that is asked for by its usual name, as nobody tells whether it is there; or empty.
+  std::string triedTopic() const;
   /// A message of one of these; else nothing. Why it cannot be read.
   std::optional<map::Reason> hear(const std::string& topic, const Field& msg);
   /// The map that somebody subscribed to has come.
@@ -71,6 +75,8 @@ class DispatchRequests : public QObject {
   void mapChanged();
   void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
   void projectedGone(int index);
+  /// Which topics have told nothing as long as somebody has waited for them; told before he is answered.
+  void projectedSilent(const QStringList& topics);
 
  private:
   using ProjectionsReply = OutcomeTo<std::vector<map::Projection>>;
@@ -83,6 +89,7 @@ class DispatchRequests : public QObject {
     bool changed = false;                 // something has been set before
     bool answered = true;                 // false: its call is under way
     bool looked = true;                   // false: which topics there are now is being asked
+    bool listed = false;                  // it is asked for by people: that nobody can tell is a failure
     int number = 0;                       // in the errand
     QTimer timer;
   };
@@ -94,12 +101,21 @@ class DispatchRequests : public QObject {
            std::chrono::milliseconds patience, map::AskedFor asked_for, Taken taken, Failed failed);
   void readByService(const wire::ErrandPtr& errand, ProjectionsReply reply);
   void begin(const WatchPtr& watch);
+  void projectNow(const wire::ErrandPtr& errand, const std::vector<map::Projection>& wanted,
+                  ProjectionsReply reply);
   void lookAt(const WatchPtr& watch);
   void looked();
   void end(const WatchPtr& watch, std::optional<map::Failure> failure);
   bool tellsProjections() const;
   std::vector<map::Projection> shown() const;
+  std::map<int, std::string> projectedTopics() const;
+  std::optional<int> tried() const;
+  std::set<int> unheard() const;
+  QStringList silentTopics() const;
+  std::string knownFrame() const;
+  void setMost(std::optional<int> most);
   void forgetProjected(const std::function<bool(int)>& whether);
+  std::optional<map::Reason> hearProjected(int index, const Field& msg);
   void withdraw(DispatchService service);
 
   net::rosbridge::Client& client_;
@@ -108,7 +124,13 @@ class DispatchRequests : public QObject {
   FoundDispatch found_;
   std::set<std::string> not_there_;  // services that were tried
   std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
-  int told_ = 0;                            // how many projections there should be
+  int told_ = 0;                             // how many projections there should be
+  std::optional<int> most_;                  // so many were set: what is beyond them is of before
+  std::map<int, QByteArray> marks_;          // of the messages that came last
+  std::map<int, QByteArray> left_;           // those of before, which a topic may say once more
+  bool tries_waited_ = false;                // for what is asked for by its usual name
+  std::string map_said_, projections_said_;  // their frames
+  std::function<std::string()> map_frame_;
   std::map<std::string, QByteArray> seen_;  // metadata by topic
   std::string seen_map_;                    // fingerprint
   std::list<WatchPtr> watches_;

@@ -18,6 +18,7 @@ using net::rosbridge::CallAnswer;
 constexpr std::size_t kMostTopics = 20'000;
 constexpr std::chrono::milliseconds kMostPatience{30'000};
 constexpr int kMostTypeQuestions = 300;  // of servers that list no types
+constexpr int kMostSenderQuestions = 2 * kMostProjected;
 constexpr const char* kManager = "/map_manager";
 
 QByteArray withText(const char* member, const std::string& text) {
@@ -70,6 +71,12 @@ std::string typeOf(const Found& found, const std::string& topic) {
 bool lists(const Found& found, const std::string& topic) {
   return found.topics && std::any_of(found.topics->begin(), found.topics->end(),
                                      [&](const FoundTopic& one) { return one.name == topic; });
+}
+
+std::optional<std::vector<FoundTopic>> sentTopics(const Found& found) {
+  std::optional<std::vector<FoundTopic>> sent = found.topics;
+  if (sent) std::erase_if(*sent, [&](const FoundTopic& topic) { return found.unsent.contains(topic.name); });
+  return sent;
 }
 
 RosApi::RosApi(net::rosbridge::Client& client, std::chrono::milliseconds patience, QObject* parent)
@@ -127,9 +134,11 @@ void RosApi::look(const std::string& ns, const DispatchWish& dispatch, std::func
 void RosApi::askTypes(const LookPtr& look) {
   int asked = 0;
   for (FoundTopic& topic : *look->found.topics) {
-    if (!topic.type.empty()) continue;
-    if (const auto known = types_.find(topic.name); known != types_.end()) {
-      topic.type = known->second;
+    if (topic.type.empty()) {
+      if (const auto known = types_.find(topic.name); known != types_.end()) topic.type = known->second;
+    }
+    if (!topic.type.empty()) {
+      askWhoSends(look, topic);
       continue;
     }
     if (++asked > kMostTypeQuestions) continue;
@@ -139,16 +148,35 @@ void RosApi::askTypes(const LookPtr& look) {
           const std::string type = answered(answer) ? answer.values["type"].text() : std::string();
           if (!type.empty()) types_[name] = type;
           for (FoundTopic& one : *look->found.topics) {
-            if (one.name == name) one.type = type;
+            if (one.name != name) continue;
+            one.type = type;
+            askWhoSends(look, one);
           }
           step(look);
         });
   }
 }
 
+void RosApi::askWhoSends(const LookPtr& look, const FoundTopic& topic) {
+  if (dispatchType(topic.type) != "map_msgs/ProjectedMap") return;
+  if (++look->senders_asked > kMostSenderQuestions) return;
+  ++look->waits_for;
+  countPublishers(topic.name, [this, look, name = topic.name](std::optional<std::size_t> senders) {
+    if (senders == std::size_t(0)) look->found.unsent.insert(name);
+    step(look);
+  });
+}
+
 /// What is called like a service that gives a map may be another one.
 void RosApi::askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchWish& dispatch) {
   look->found.map_services = likeMapServices(*look->found.services, ns);
+  // One that people have named goes before all that are called likewise.
+  if (const auto named = dispatch.names.find(DispatchName::GetMap); named != dispatch.names.end()) {
+    const std::vector<std::string>& all = *look->found.services;
+    std::erase(look->found.map_services, named->second);
+    if (std::find(all.begin(), all.end(), named->second) != all.end())
+      look->found.map_services.insert(look->found.map_services.begin(), named->second);
+  }
   look->found.dispatch_services.emplace();
   std::vector<std::string> names = likeDispatchServices(*look->found.services, dispatch);
   for (const std::string& name : names) look->found.dispatch_services->push_back({name, {}});

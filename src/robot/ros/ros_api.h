@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct Found {
   std::vector<std::string> map_services;  // those of type nav_msgs/GetMap, the better ones first
   /// Those that may be a dispatcher's; nullopt like the services.
   std::optional<std::vector<TypedService>> dispatch_services = {};
+  /// Topics of projected maps that no node sends by: the server goes on listing them as long as anybody
+  /// listens, mapwright included.
+  std::set<std::string> unsent = {};
   bool operator==(const Found&) const = default;
 };
 
@@ -31,6 +35,8 @@ struct Found {
 std::optional<std::string> mapManagerIn(const Found& found, const std::string& ns);
 /// The type of a topic as the server writes it; empty where it does not say.
 std::string typeOf(const Found& found, const std::string& topic);
+/// Without those that nobody sends by.
+std::optional<std::vector<FoundTopic>> sentTopics(const Found& found);
 bool lists(const Found& found, const std::string& topic);
 
 /// Lives on the link's thread.
@@ -50,11 +56,13 @@ class RosApi : public QObject {
   struct Look {
     Found found;
     int waits_for = 0;
+    int senders_asked = 0;
     std::function<void(Found)> then;
   };
   using LookPtr = std::shared_ptr<Look>;
   void ask(const char* service, const QByteArray& args, net::rosbridge::Client::Reply reply);
   void askTypes(const LookPtr& look);
+  void askWhoSends(const LookPtr& look, const FoundTopic& topic);
   void askServiceTypes(const LookPtr& look, const std::string& ns, const DispatchWish& dispatch);
   void step(const LookPtr& look);
 

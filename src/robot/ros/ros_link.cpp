@@ -49,7 +49,8 @@ void RosLink::start() {
   subscriptions_ = std::make_unique<RosSubscriptions>(*client_, *api_, options_.topics);
   live_map_ = std::make_unique<LiveMap>(options_.map_patience);
   asked_map_ = std::make_unique<AskedMap>(*client_, options_.asked_map);
-  dispatch_ = std::make_unique<DispatchRequests>(*client_, options_.dispatch, options_.dispatch_patience);
+  dispatch_ = std::make_unique<DispatchRequests>(*client_, options_.dispatch, options_.dispatch_patience,
+                                                 [this] { return world_.mapFrame(); });
   pictures_ = std::make_unique<KabamPictures>(
       KabamPictures::Means{*client_, *kabam_, *live_map_,
                            [this] {
@@ -113,10 +114,11 @@ void RosLink::wireParts() {
   connect(dispatch_.get(), &DispatchRequests::offersChanged, this,
           [this] { Q_EMIT dispatchKnown(dispatch_->found()); });
   connect(dispatch_.get(), &DispatchRequests::topicsChanged, this, &RosLink::sync);
-  connect(dispatch_.get(), &DispatchRequests::lookWanted, this, &RosLink::look);
+  connect(dispatch_.get(), &DispatchRequests::lookWanted, this, &RosLink::lookAnew);
   connect(dispatch_.get(), &DispatchRequests::mapChanged, this, &RosLink::dispatchedMapChanged);
   connect(dispatch_.get(), &DispatchRequests::projectedCame, this, &RosLink::projectedCame);
   connect(dispatch_.get(), &DispatchRequests::projectedGone, this, &RosLink::projectedGone);
+  connect(dispatch_.get(), &DispatchRequests::projectedSilent, this, &RosLink::projectedSilent);
   connect(pictures_.get(), &KabamPictures::doubted, this, [this](const std::string& map_id) {
     pictures_doubted_.insert(map_id);
     picture_timer_->start();
@@ -176,7 +178,7 @@ void RosLink::setBasics(const LiveTopics::Basics& basics) {
 /// Open, perhaps again: another robot may answer there now.
 void RosLink::begin() {
   ++round_;
-  known_ = looking_ = false;
+  known_ = looking_ = look_again_ = false;
   found_ = {};
   deliveries_->forget();
   world_.forgetAll();
@@ -192,7 +194,7 @@ void RosLink::begin() {
 void RosLink::noteLink() {
   if (!open_() && client_) {
     ++round_;
-    known_ = looking_ = false;
+    known_ = looking_ = look_again_ = false;
     look_timer_->stop();
     overdue_timer_->stop();
     subscriptions_->pause();
@@ -232,10 +234,20 @@ void RosLink::report(map::Severity severity, map::Reason reason) {
       {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)});
 }
 
+/// What is being told now may be of before.
+void RosLink::lookAnew() {
+  look_again_ = looking_;
+  look();
+}
+
 void RosLink::look() {
   if (std::exchange(looking_, true)) return;
   api_->look(options_.ns, options_.dispatch, [this, round = round_](Found found) {
     if (round != round_) return;
+    if (std::exchange(look_again_, false)) {
+      looking_ = false;
+      return look();
+    }
     auto manager = mapManagerIn(found, options_.ns);
     if (manager || found.services) return takeLook(std::move(found), std::move(manager));
     // Nobody tells: it is asked something.
@@ -250,12 +262,15 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   looking_ = false;
   look_timer_->start(options_.look_every);
   // One that has told before is only slow now.
-  if (known_ && !found.topics) found.topics = found_.topics;
+  if (known_ && !found.topics) {
+    found.topics = found_.topics;
+    found.unsent = found_.unsent;
+  }
   if (known_ && !found.services) found.dispatch_services = found_.dispatch_services;
   if (!manager && options_.kabam_only && !was_known_) return refuse();
   found_ = std::move(found);
   sources_ = sourcesOf(found_.topics, options_.ns);
-  dispatch_->take(dispatchIn(found_.dispatch_services, found_.topics, options_.dispatch));
+  dispatch_->take(dispatchIn(found_.dispatch_services, sentTopics(found_), options_.dispatch));
   addMapServices(sources_, found_.map_services);
   KnownTopics topics{sources_, {}};
   if (found_.topics) {
@@ -300,6 +315,7 @@ void RosLink::sync() {
   // Before it is known what there is, nothing is asked for.
   if (!known_) return;
   wish_.dispatchers_own = dispatch_->topics();
+  wish_.dispatchers_tried = dispatch_->triedTopic();
   const auto wanted = topicsFor(wish_, sources_, found_);
   subscriptions_->ask(wanted, found_);
   const bool by_topic = std::any_of(wanted.begin(), wanted.end(), [](const auto& topic) {
@@ -311,7 +327,11 @@ void RosLink::sync() {
   const bool by_region = dispatch_->found().has(DispatchService::GridRegion);
   const bool map_wanted = wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !by_region);
   AskedMap::Services services{found_.map_services, found_.services.has_value()};
-  if (!services.known) services.names = usualMapServices(options_.ns);
+  if (!services.known) {
+    services.names = usualMapServices(options_.ns);
+    if (options_.dispatch.expected)
+      services.names.insert(services.names.begin(), nameBy(options_.dispatch, DispatchName::GetMap));
+  }
   asked_map_->want(map_wanted, by_topic, std::move(services));
 }
 

@@ -116,6 +116,7 @@ class RosLink : public QObject {
   void dispatchedMapChanged();
   void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
   void projectedGone(int index);
+  void projectedSilent(const QStringList& topics);  // and no others; comes before the answer
 
  private:
   /// What was told of a topic last, and when: the same is not told at the rate of its messages.
@@ -137,6 +138,7 @@ class RosLink : public QObject {
   void begin();
   void noteLink();
   void look();
+  void lookAnew();
   void takeLook(Found found, std::optional<std::string> manager);
   void refuse();
   void sync();
@@ -190,8 +192,9 @@ class RosLink : public QObject {
   std::vector<Source> sources_;
   bool wanted_ = false, watching_ = false;
   bool looking_ = false;
-  bool known_ = false;      // what this connection's robot has
-  bool was_known_ = false;  // on a connection before
+  bool look_again_ = false;  // when this look is over: it may tell of before
+  bool known_ = false;       // what this connection's robot has
+  bool was_known_ = false;   // on a connection before
   bool has_manager_ = false;
   bool refused_ = false;
   int round_ = 0;  // of connections

@@ -98,6 +98,7 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
     add(topic.name);
     WantedTopic& own = wanted[topic.name];
     own.necessary = false;  // it tells something once there is something to be told
+    own.tried = topic.name == wish.dispatchers_tried;
     own.subscription.type = topic.type;
     own.subscription.compression = Compression::Cbor;
     own.subscription.large = true;
@@ -212,6 +213,7 @@ bool RosSubscriptions::isSteady(const Asked& asked) {
 }
 
 bool RosSubscriptions::mayBeSilent(const std::string& topic, const Asked& asked) const {
+  if (asked.wanted.tried && !asked.heard()) return true;
   if (asked.heard() || asked.wanted.necessary || asked.wanted.sources.empty()) return false;
   const Source& own = asked.wanted.sources.front();
   if (own.form == Form::GridPatch || own.form == Form::StaticTf) return true;

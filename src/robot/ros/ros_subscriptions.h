@@ -30,6 +30,7 @@ struct TopicWish {
   std::vector<std::string> managers_own;         // of a map manager
   bool whole_map = false;                        // for a request that is under way
   std::vector<FoundTopic> dispatchers_own = {};  // of a map dispatcher
+  std::string dispatchers_tried = {};            // one of these that may not be there
 };
 
 /// A topic that is to be asked for, and what for.
@@ -37,8 +38,9 @@ struct WantedTopic {
   net::rosbridge::Subscription subscription;
   std::vector<Source> sources;  // that it is read as; none = only looked at
   bool necessary = false;       // people wait for it: its silence is a warning
+  bool tried = false;           // it may not be there: its silence means nothing
   bool operator==(const WantedTopic& other) const {
-    return sources == other.sources && necessary == other.necessary &&
+    return sources == other.sources && necessary == other.necessary && tried == other.tried &&
            subscription.type == other.subscription.type;
   }
 };
