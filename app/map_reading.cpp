@@ -176,7 +176,7 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
                                        QString::fromStdString(sentences::sentenceOf(*catalogue.failure()))));
   }
   // A part of the list that could not be had is a problem of its own.
-  complete_ = complete_ && problems(map::Severity::Warning).isEmpty();
+  insistOnAll();
   return &catalogue.entries();
 }
 

@@ -68,6 +68,8 @@ class MapReading {
   CommandFailure lacks(robot::Capability capability) const;
   /// Something odd, to be said in the end.
   void note(const QString& sentence) { notes_ << sentence; }
+  /// Every part of what was asked for could be had, else it is not complete.
+  void insistOnAll() { complete_ = complete_ && problems(map::Severity::Warning).isEmpty(); }
   QString nameOfMap() const { return name_; }
   /// The local files that the map was read from.
   std::vector<std::string> sourceFiles() const;
