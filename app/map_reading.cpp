@@ -194,7 +194,7 @@ QStringList MapReading::problems(map::Severity least) const {
 }
 
 QStringList MapReading::warnings() const {
-  QStringList all = notes_ + problems(map::Severity::Warning);
+  QStringList all = bagLosses(session_.problems()) + notes_ + problems(map::Severity::Warning);
   all.removeDuplicates();  // what is odd about waypoints is found again when their map is opened
   return all;
 }

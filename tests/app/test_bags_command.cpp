@@ -67,7 +67,9 @@ class BagsCommandTest : public QObject {
   QString recording() const {
     const QString path = folder_.filePath(QStringLiteral("drive.mcap"));
     auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
-    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    recording::WriterOptions options;
+    options.chunk_bytes = 4000;
+    const auto writer = recording::McapWriter::create(std::move(*target), options);
     const auto say = [&](double after_s, const char* topic, const std::string& rest) {
       recording::Channel channel;
       channel.topic = topic;
@@ -115,6 +117,29 @@ class BagsCommandTest : public QObject {
     const Outcome nowhere = run(QStringLiteral("info ./nowhere.mcap"));
     QVERIFY2(nowhere.code == 2 && nowhere.err.contains("nowhere.mcap"), nowhere.err.constData());
     QVERIFY(nowhere.err.count('\n') == 1);
+  }
+
+  void whatIsLostOfADamagedFileIsNotComplete_data() {
+    QTest::addColumn<QString>("command");
+    for (const char* command : {"frames", "info", "state --at %1", "export -o lost.jsonl --force",
+                                "export -o lost.mcap --force", "track -o lost.csv --force",
+                                "snapshot --at %1 --mode submaps --settle 0 --size 100x80 -o lost.png"})
+      QTest::newRow(command) << QString::fromLatin1(command);
+  }
+  void whatIsLostOfADamagedFileIsNotComplete() {
+    QFETCH(QString, command);
+    const QString path = recording();
+    QFile file(path);
+    QVERIFY(file.resize(file.size() / 2));
+    const QString wish = command.contains(QLatin1Char('%')) ? command.arg(at(5)) : command;
+    const Outcome cut = run(wish + QStringLiteral(" --report lost.json ") + path);
+    QVERIFY2(cut.code == 1, cut.err.constData());
+    QVERIFY2(cut.err.contains("cut off at byte") && cut.err.count('\n') == 1, cut.err.constData());
+    QFile report(folder_.filePath(QStringLiteral("lost.json")));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QJsonObject told = QJsonDocument::fromJson(report.readAll()).object();
+    QCOMPARE(told[QStringLiteral("complete")], QJsonValue(false));
+    QVERIFY(!told.contains(QStringLiteral("waypoints")));
   }
 
   void aListWithoutOneOfItsHalvesIsNotComplete() {
