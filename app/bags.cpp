@@ -72,6 +72,7 @@ int bagsList(const BagsWords& words, int& argc, char** argv) {
           return bags.library().list(std::move(reply));
         });
     if (!rows) return tl::make_unexpected(bags.failure(rows.error()));
+    bags.robot().insistOnAll();  // one of the two lists is not all
     if (words.json) {
       QJsonArray all;
       for (const robot::BagEntry& entry : *rows) all.append(bagJson(entry));

@@ -22,6 +22,7 @@
 #include "replay/track.h"
 #include "robot/recorded/recorded_robot.h"
 #include "sentences/reason_sentence.h"
+#include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -83,7 +84,7 @@ int runExport(const BagsWords& words, int& argc, char** argv, const QStringList&
 
 void noteOdd(BagReading& bags, std::int64_t odd) {
   if (odd > 0)
-    bags.robot().note(
+    bags.robot().lack(
         Words::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
 }
 
@@ -92,7 +93,7 @@ void tell(const BagsWords& words, const Order& order, MapsCommand& command, QJso
           const QString& sentence) {
   done[QStringLiteral("name")] = text(words.name);
   done[QStringLiteral("file")] = order.path;
-  command.report(done);
+  command.report(QStringLiteral("bag"), done);
   if (isStandardOutput(order.path)) return;
   if (words.json) {
     printJson(done);
@@ -158,6 +159,10 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
   const auto sliced = sliceRecording(path, words.output, order.span, words.topic);
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   before.tell(bags);
+  const map::Subject bag =
+      subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
+  for (const map::Reason& loss : sliced->losses)
+    bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
   tell(words, order, command,
        {{QStringLiteral("messages"), qint64(sliced->messages)},
         {QStringLiteral("said_before"), qint64(sliced->said_before)},

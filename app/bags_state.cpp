@@ -63,7 +63,7 @@ int bagsFrames(const BagsWords& words, int& argc, char** argv) {
     });
     if (failed) return tl::make_unexpected(*failed);
     if (odd > 0)
-      opened->robot().note(
+      opened->robot().lack(
           Words::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
     return kDone;
   });

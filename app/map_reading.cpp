@@ -176,7 +176,7 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
                                        QString::fromStdString(sentences::sentenceOf(*catalogue.failure()))));
   }
   // A part of the list that could not be had is a problem of its own.
-  complete_ = complete_ && problems(map::Severity::Warning).isEmpty();
+  insistOnAll();
   return &catalogue.entries();
 }
 
@@ -194,7 +194,7 @@ QStringList MapReading::problems(map::Severity least) const {
 }
 
 QStringList MapReading::warnings() const {
-  QStringList all = notes_ + problems(map::Severity::Warning);
+  QStringList all = bagLosses(session_.problems()) + notes_ + problems(map::Severity::Warning);
   all.removeDuplicates();  // what is odd about waypoints is found again when their map is opened
   return all;
 }

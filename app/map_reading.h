@@ -68,13 +68,20 @@ class MapReading {
   CommandFailure lacks(robot::Capability capability) const;
   /// Something odd, to be said in the end.
   void note(const QString& sentence) { notes_ << sentence; }
+  /// The same, of something that was asked for and could not be had.
+  void lack(const QString& sentence) {
+    note(sentence);
+    complete_ = false;
+  }
+  /// Every part of what was asked for could be had, else it is not complete.
+  void insistOnAll() { complete_ = complete_ && problems(map::Severity::Warning).isEmpty(); }
   QString nameOfMap() const { return name_; }
   /// The local files that the map was read from.
   std::vector<std::string> sourceFiles() const;
   /// False when something that was asked for could not be had: warnings() say what.
-  bool complete() const { return complete_; }
+  bool complete() const { return complete_ && bagLosses(session_.problems()).isEmpty(); }
   /// What is missing, or some of it, was refused.
-  bool refused() const { return !complete_ && anyRefused(session_.problems()); }
+  bool refused() const { return !complete() && anyRefused(session_.problems()); }
   /// What is odd, a line each.
   QStringList warnings() const;
   /// {"map" or "submaps", "uuid", "bytes_fetched", …} of what was read, for a report.

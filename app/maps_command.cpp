@@ -92,7 +92,7 @@ int MapsCommand::end(const CommandResult<int>& result) const {
     report[QStringLiteral("complete")] = complete();
     report[QStringLiteral("warnings")] = QJsonArray::fromStringList(warnings);
   }
-  if (!done_.isEmpty()) report[QStringLiteral("waypoints")] = done_;
+  if (!done_.isEmpty()) report[done_name_] = done_;
   if (!report_path_.isEmpty()) {
     if (const auto problem = writeReport(report_path_, report)) return say(*problem, kUsage);
   }

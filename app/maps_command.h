@@ -19,8 +19,12 @@ class MapsCommand {
 
   /// Connects; the reading lives as long as this.
   CommandResult<MapReading*> open(const QString& address, const Access& access, MapReading::Purpose purpose);
-  /// What has been done, for the report: told again, it replaces; failed commands tell it, too.
-  void report(const QJsonObject& done) { done_ = done; }
+  /// What has been done, and under which name, for the report: told again, it replaces; failed commands tell
+  /// it, too.
+  void report(const QString& name, const QJsonObject& done) {
+    done_name_ = name;
+    done_ = done;
+  }
   /// True when everything that was asked for could be had.
   bool complete() const;
 
@@ -32,7 +36,7 @@ class MapsCommand {
   int end(const CommandResult<int>& result) const;
 
   CommandTime time_;
-  QString report_path_;
+  QString report_path_, done_name_;
   QJsonObject done_;
   std::shared_ptr<work::Workers> workers_ = std::make_shared<work::Workers>();  // of all readings
   std::vector<std::unique_ptr<MapReading>> readings_;

@@ -98,7 +98,13 @@ class Slice {
     return {};
   }
 
-  SlicedRecording done() const { return done_; }
+  SlicedRecording done() const {
+    SlicedRecording done = done_;
+    for (const recording::Note& note : source_.summary().notes) {
+      if (robot::recorded::isLoss(note.code)) done.losses.push_back(robot::recorded::reasonOf(note));
+    }
+    return done;
+  }
 
  private:
   static Done checked(const std::optional<disk::Fault>& fault) {

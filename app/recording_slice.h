@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -16,6 +17,7 @@ struct SlicedRecording {
   std::int64_t messages = 0;     // of the span
   std::int64_t said_before = 0;  // the last ones before it
   std::int64_t attachments = 0;
+  std::vector<map::Reason> losses;  // of what is damaged in it, or cut off
 };
 
 /// Of `path` into `output`, which gets its name when all of it is there ("….part" until then). `topic`: of

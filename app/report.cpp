@@ -100,6 +100,17 @@ bool anyRefused(const session::ProblemLog& log) {
   });
 }
 
+QStringList bagLosses(const session::ProblemLog& log) {
+  QStringList lines;
+  for (const session::LoggedProblem& row : log.rows()) {
+    const map::Problem& problem = row.problem;
+    if (!row.resolved && problem.subject.kind == map::SubjectKind::Bag &&
+        problem.code == map::ProblemCode::Unreadable && problem.severity >= map::Severity::Warning)
+      lines << problemLine(problem);
+  }
+  return lines;
+}
+
 QString firstOf(const QStringList& lines) {
   if (lines.size() < 2) return lines.isEmpty() ? QString() : lines.first();
   return Words::tr("%1 (and %2 more; --report lists them)")

@@ -32,6 +32,8 @@ QString problemLine(const map::Problem& problem);
 QStringList problemLines(const session::ProblemLog& log);
 /// Something could not be had for want of the right secret, and still cannot.
 bool anyRefused(const session::ProblemLog& log);
+/// What is lost of a bag, because its file is damaged or cut off; one line each.
+QStringList bagLosses(const session::ProblemLog& log);
 /// The first and how many more there are; "" when there is none.
 QString firstOf(const QStringList& lines);
 

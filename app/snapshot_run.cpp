@@ -385,7 +385,8 @@ void SnapshotRun::paint(bool settled) {
   }
   complete_ = settled && (!wantsSubmaps(options_) || submapsComplete(chosen_->counts)) &&
               (!wantsWhole(options_) || map_.complete()) && !waypointsLost() &&
-              (!options_.region || fetch_->complete()) && (!wantsCloud() || cloud_.came());
+              (!options_.region || fetch_->complete()) && (!wantsCloud() || cloud_.came()) &&
+              bagLosses(session_.problems()).isEmpty();
   if (wantsCloud() && !cloud_.problem().isEmpty()) notes_ << cloud_.problem();
   // Nothing may look as if it had been recorded.
   if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&

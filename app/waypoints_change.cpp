@@ -104,13 +104,13 @@ int change(const WaypointsWords& words, int& argc, char** argv,
     }
     if (words.dry_run) {
       const exchange::MergedEdits together = exchange::merged(*edits, exchange::itemsOf(list->stored.points));
-      command.report(previewReport(*list, together));
+      command.report(QStringLiteral("waypoints"), previewReport(*list, together));
       if (!isStandardOutput(text(words.report))) printPreview(*list, together, words.json);
       return kDone;
     }
     const auto sent = sendWaypoints(*list, *edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
     if (!sent) return tl::make_unexpected(sent.error());
-    command.report(sentReport(*sent, list->mapId()));
+    command.report(QStringLiteral("waypoints"), sentReport(*sent, list->mapId()));
     const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
     if (sent->complete()) {
       if (!taken) printChanged(*sent, *edits, *list, words);

@@ -40,14 +40,14 @@ CommandResult<int> carryOut(MapsCommand& command, const ListedWaypoints& list,
   const bool taken = isStandardOutput(text(words.report));  // nothing else is printed there
   if (words.dry_run) {
     const exchange::MergedEdits together = exchange::merged(edits, exchange::itemsOf(list.stored.points));
-    command.report(previewReport(list, together));
+    command.report(QStringLiteral("waypoints"), previewReport(list, together));
     if (!taken) printPreview(list, together, words.json);
     if (together.conflicts.empty()) return kDone;
     return notAll(list, SentWaypoints{{}, together.conflicts, {}, {}});
   }
   const auto sent = sendWaypoints(list, edits, words.go_on ? AtFailure::GoOn : AtFailure::Stop);
   if (!sent) return tl::make_unexpected(sent.error());
-  command.report(sentReport(*sent, list.mapId()));
+  command.report(QStringLiteral("waypoints"), sentReport(*sent, list.mapId()));
   if (!taken) words.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
   if (!taken && !words.json && sent->steps.empty() && sent->conflicts.empty())
     std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));
@@ -127,7 +127,7 @@ int waypointsPlan(const WaypointsWords& words, int& argc, char** argv) {
     }
     const bool taken = isStandardOutput(output) || isStandardOutput(text(words.report));
     const DoubtsAhead doubts = doubtsAhead(*list, *edits, *radius_m);
-    command.report(previewReport(*list, {*edits, {}}, doubts));
+    command.report(QStringLiteral("waypoints"), previewReport(*list, {*edits, {}}, doubts));
     if (!taken) printPreview(*list, {*edits, {}}, words.json, doubts);
     return kDone;
   });

@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "../net/scripted_server.h"
 #include "recording/append_file.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
@@ -45,26 +46,30 @@ class BagsCommandTest : public QObject {
   std::unique_ptr<simulator::Simulator> robot_;
   QTemporaryDir folder_;
 
-  Outcome run(const QString& line) const {
+  Outcome run(const QString& line, const QString& robot = {}) const {
     QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
     for (const char* name :
          {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
       env.remove(QLatin1String(name));
     env.insert(QStringLiteral("XDG_CACHE_HOME"), folder_.filePath(QStringLiteral("cache")));
-    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"), QString::fromStdString(robot_->address()));
+    env.insert(QStringLiteral("MAPWRIGHT_ROBOT"),
+               robot.isEmpty() ? QString::fromStdString(robot_->address()) : robot);
     QProcess process;
     process.setProcessEnvironment(env);
     process.setWorkingDirectory(folder_.path());
     process.start(QStringLiteral(MAPWRIGHT_PROGRAM),
                   QStringList{QStringLiteral("bags")} + line.split(QLatin1Char(' ')));
-    if (!process.waitForFinished(300'000)) return {};
+    const auto ended = [&] { return process.state() == QProcess::NotRunning; };
+    if (!QTest::qWaitFor(ended, 300'000)) return {};  // the robot may be one of this thread
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
   }
   /// Ten poses a second for a minute, and an alert in the middle.
   QString recording() const {
     const QString path = folder_.filePath(QStringLiteral("drive.mcap"));
     auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
-    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    recording::WriterOptions options;
+    options.chunk_bytes = 4000;
+    const auto writer = recording::McapWriter::create(std::move(*target), options);
     const auto say = [&](double after_s, const char* topic, const std::string& rest) {
       recording::Channel channel;
       channel.topic = topic;
@@ -112,6 +117,42 @@ class BagsCommandTest : public QObject {
     const Outcome nowhere = run(QStringLiteral("info ./nowhere.mcap"));
     QVERIFY2(nowhere.code == 2 && nowhere.err.contains("nowhere.mcap"), nowhere.err.constData());
     QVERIFY(nowhere.err.count('\n') == 1);
+  }
+
+  void whatIsLostOfADamagedFileIsNotComplete_data() {
+    QTest::addColumn<QString>("command");
+    for (const char* command : {"frames", "info", "state --at %1", "export -o lost.jsonl --force",
+                                "export -o lost.mcap --force", "track -o lost.csv --force",
+                                "snapshot --at %1 --mode submaps --settle 0 --size 100x80 -o lost.png"})
+      QTest::newRow(command) << QString::fromLatin1(command);
+  }
+  void whatIsLostOfADamagedFileIsNotComplete() {
+    QFETCH(QString, command);
+    const QString path = recording();
+    QFile file(path);
+    QVERIFY(file.resize(file.size() / 2));
+    const QString wish = command.contains(QLatin1Char('%')) ? command.arg(at(5)) : command;
+    const Outcome cut = run(wish + QStringLiteral(" --report lost.json ") + path);
+    QVERIFY2(cut.code == 1, cut.err.constData());
+    QVERIFY2(cut.err.contains("cut off at byte") && cut.err.count('\n') == 1, cut.err.constData());
+    QFile report(folder_.filePath(QStringLiteral("lost.json")));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QJsonObject told = QJsonDocument::fromJson(report.readAll()).object();
+    QCOMPARE(told[QStringLiteral("complete")], QJsonValue(false));
+    QVERIFY(!told.contains(QStringLiteral("waypoints")));
+  }
+
+  void aListWithoutOneOfItsHalvesIsNotComplete() {
+    net::testing::ScriptedServer server([](const net::testing::SeenRequest& request) {
+      using Server = net::testing::ScriptedServer;
+      return request.path.startsWith("/bags/")
+                 ? Server::reply(200, {}, R"([{"filename":"a.bag","size_bytes":10}])")
+                 : Server::reply(200, {}, R"({"detail":"nope"})");
+    });
+    const Outcome half =
+        run(QStringLiteral("list --json"), QStringLiteral("axbot+") + server.url(QString()).toString());
+    QVERIFY2(half.code == 1 && half.err.contains("Recordings"), half.err.constData());
+    QCOMPARE(int(half.array().size()), 1);
   }
 
   void eventsAreChosenByTheirKind() {

@@ -21,7 +21,6 @@ class TestMcapDamage : public QObject {
   void anIndexThatLiesIsFoundOut();
   void messagesOfNobodysChannelAreCounted();
   void anUnknownCompressionIsNamed();
-  void stampsBeforeTheEpochKeepTheirOrder();
   void garbageNeverDoesHarm();
 };
 
@@ -249,19 +248,6 @@ void TestMcapDamage::anUnknownCompressionIsNamed() {
   QVERIFY(std::any_of(notes.begin(), notes.end(), [](const Note& note) {
     return note.code == NoteCode::ChunkCompression && note.name == "brotli";
   }));
-}
-
-void TestMcapDamage::stampsBeforeTheEpochKeepTheirOrder() {
-  RawMcap raw;
-  RawMcap::channel(raw.out, 1, "/a");
-  for (const std::int64_t time : {5, -5, 0, std::numeric_limits<int>::min()}) {
-    RawMcap::message(raw.out, 1, std::uint64_t(time), std::to_string(time));
-  }
-  raw.end();
-  const Opened opened = raw.open();
-  const std::vector<Row> rows = rowsOf(**opened);
-  QCOMPARE(rows.size(), std::size_t(4));
-  QVERIFY(rows[1].bytes == "-5" && rows[3].bytes == "5");
 }
 
 void TestMcapDamage::garbageNeverDoesHarm() {
