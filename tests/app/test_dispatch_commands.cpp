@@ -163,6 +163,21 @@ class DispatchCommandsTest : public QObject {
     QVERIFY2(refused.error.contains("only be read"), refused.error.constData());
   }
 
+  void withoutRosapiProjectionsAreFoundOrCannotBeTold() {
+    start([](simulator::Options& options) {
+      options.ros.rosapi = false;
+      options.ros.dispatcher.writable = true;
+    });
+    const Ran listed = ask({text("projections"), text("list"), text("--json")});
+    QVERIFY2(listed.exit_code == 0, listed.error.constData());
+    QCOMPARE(QJsonDocument::fromJson(listed.out).array().size(), 2);
+    QCOMPARE(ask({text("projections"), text("set"), text("--none")}).exit_code, 0);
+    const Ran unknown = ask({text("projections"), text("list")});
+    QCOMPARE(unknown.exit_code, 1);
+    QVERIFY2(unknown.error.contains("cannot be told"), unknown.error.constData());
+    QVERIFY(unknown.out.isEmpty());
+  }
+
   void aCloudIsWhatWasAskedFor_data() {
     QTest::addColumn<QByteArray>("answer");
     QTest::addColumn<QByteArray>("lie");
