@@ -168,11 +168,14 @@ class DispatchCommandsTest : public QObject {
       options.ros.rosapi = false;
       options.ros.dispatcher.writable = true;
     });
-    const Ran listed = ask({text("projections"), text("list"), text("--json")});
+    // Nobody tells where it is.
+    const QString address = QString::fromStdString(robot_->rep130Address()) + text("?ns=/map_dispatcher");
+    const auto there = [&](QStringList words) { return run(words << text("--robot") << address); };
+    const Ran listed = there({text("projections"), text("list"), text("--json")});
     QVERIFY2(listed.exit_code == 0, listed.error.constData());
     QCOMPARE(QJsonDocument::fromJson(listed.out).array().size(), 2);
-    QCOMPARE(ask({text("projections"), text("set"), text("--none")}).exit_code, 0);
-    const Ran unknown = ask({text("projections"), text("list")});
+    QCOMPARE(there({text("projections"), text("set"), text("--none")}).exit_code, 0);
+    const Ran unknown = there({text("projections"), text("list")});
     QCOMPARE(unknown.exit_code, 1);
     QVERIFY2(unknown.error.contains("cannot be told"), unknown.error.constData());
     QVERIFY(unknown.out.isEmpty());
