@@ -13,6 +13,7 @@
 #include <QJsonObject>
 
 #include "app/access_words.h"
+#include "app/cloud_crop.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
 #include "app/option_words.h"
@@ -78,20 +79,41 @@ CommandResult<Order> orderFrom(const CloudsWords& words) {
   return order;
 }
 
-QJsonObject jsonOf(const CloudsWords& words, const map::SpatialCloud& cloud,
-                   const clouds::CloudWritten& written) {
-  QJsonArray notes;
+/// What people should know of what came, a sentence each.
+QStringList notesOf(const CroppedCloud& came) {
+  const map::SpatialCloud& cloud = *came.cloud;
+  QStringList notes;
+  const auto add = [&notes](const QString& plural, std::uint64_t count) {
+    if (count > 0) notes << sentences::counted(plural, qint64(count));
+  };
+  const auto form = [](std::uint64_t count) { return sentences::formOf(qint64(count)); };
+  add(Words::tr("%1 points that the robot says it sent have not come: its answer is cut off.", nullptr,
+                form(cloud.missing)),
+      cloud.missing);
   for (const map::Reason& note : cloud.notes) notes << sentences::sentenceOf(note);
+  add(Words::tr("%1 points that came lie beyond the region that was asked for. They are left out.", nullptr,
+                form(came.beyond)),
+      came.beyond);
+  add(Words::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
+                form(cloud.left_out)),
+      cloud.left_out);
+  return notes;
+}
+
+QJsonObject jsonOf(const CloudsWords& words, const CroppedCloud& came, const clouds::CloudWritten& written) {
+  const map::SpatialCloud& cloud = *came.cloud;
   QJsonObject json{
       {QStringLiteral("points"), qint64(written.points)},
       {QStringLiteral("left_out"), qint64(cloud.left_out)},
+      {QStringLiteral("beyond"), qint64(came.beyond)},
+      {QStringLiteral("missing"), qint64(cloud.missing)},
       {QStringLiteral("frame"), words::plainName(cloud.frame)},
       {QStringLiteral("kind"), words.occupancy ? QStringLiteral("occupancy") : QStringLiteral("points")},
       {QStringLiteral("file"), text(words.output)},
       {QStringLiteral("intensity"), written.intensity},
       {QStringLiteral("rgb"), written.rgb},
       {QStringLiteral("doubles"), written.doubles},
-      {QStringLiteral("notes"), notes}};
+      {QStringLiteral("notes"), QJsonArray::fromStringList(notesOf(came))}};
   if (cloud.points.empty()) return json;
   Eigen::Vector3f low = cloud.points.front(), high = low;
   for (const Eigen::Vector3f& point : cloud.points) {
@@ -125,15 +147,15 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
                 std::move(reply));
   });
   if (!outcome) return tl::make_unexpected(reading.failure(outcome.error()));
-  const map::SpatialCloud& cloud = **outcome;
-  for (const map::Reason& note : cloud.notes) reading.note(sentences::sentenceOf(note));
-  if (cloud.left_out > 0) {
-    const auto count = qint64(cloud.left_out);
-    reading.note(sentences::counted(
-        Words::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
-                  sentences::formOf(count)),
-        count));
+  const CroppedCloud came = order.region ? cropped(*outcome, *order.region) : CroppedCloud{*outcome, 0};
+  const map::SpatialCloud& cloud = *came.cloud;
+  if (cloud.points.empty() && came.beyond > 0) {
+    return tl::make_unexpected(reading.failure(
+        kIncomplete,
+        Words::tr("It answered with another region: none of the points that came lies in the one "
+                  "that was asked for. Nothing is written.")));
   }
+  for (const QString& note : notesOf(came)) reading.note(note);
   disk::WrittenFile file(order.path.toStdString());
   const auto written = clouds::writeCloud(cloud, order.format, [&](std::string_view bytes) {
     file.write(bytes);
@@ -147,10 +169,10 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
     return wrong(sentences::sentenceOf(reasons::notWritten(*fault)));
   }
   if (words.json) {
-    const QByteArray json = QJsonDocument(jsonOf(words, cloud, *written)).toJson(QJsonDocument::Indented);
+    const QByteArray json = QJsonDocument(jsonOf(words, came, *written)).toJson(QJsonDocument::Indented);
     std::fputs(words::escapedJson(json).constData(), stdout);
   }
-  return kDone;
+  return cloud.missing > 0 ? kIncomplete : kDone;
 }
 
 }  // namespace

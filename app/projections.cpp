@@ -15,6 +15,7 @@
 #include "app/table.h"
 #include "map/projections.h"
 #include "robot/map_dispatch.h"
+#include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -89,9 +90,15 @@ CommandResult<int> list(MapReading& reading, const ProjectionsWords& words) {
   if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
   const auto told = reading.ask<Projections>(
       [&](robot::OutcomeTo<Projections> reply) { return dispatch->projections(std::move(reply)); });
+  if (!told && told.error().cause.code == map::ReasonCode::ProjectionsNotTold) {
+    return tl::make_unexpected(reading.failure(kIncomplete, text(sentences::sentenceOf(told.error()))));
+  }
   if (!told) return tl::make_unexpected(reading.failure(told.error()));
-  print(*told, words.json);
-  return kDone;
+  const std::vector<std::string> silent = dispatch->silent();
+  if (!told->empty() || silent.empty() || words.json) print(*told, words.json);
+  for (const std::string& topic : silent)
+    reading.note(Words::tr("%1: nothing has come of it.").arg(words::plainName(topic)));
+  return silent.empty() ? kDone : kIncomplete;
 }
 
 CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const Projections& wanted) {

@@ -272,6 +272,12 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     options.settle_s = seconds;
   }
   if (const auto why = whyWithoutEffect(words, options)) return wrong(*why);
+  // What --raw never draws is neither asked for nor waited for.
+  if (options.raw) {
+    std::erase_if(options.layers, [](scene::Layer layer) {
+      return layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap;
+    });
+  }
   for (const QString& path : {options.output, options.report}) {
     if (path.isEmpty()) continue;
     if (const auto why = whyNotWritable(path)) return wrong(*why);

@@ -50,6 +50,7 @@ struct SpatialCloud {
   std::vector<std::uint32_t> rgb;       // 0x00RRGGBB; as many as points, or none
   bool has_z = true;                    // false: it came without z, which is 0 then
   std::uint64_t left_out = 0;           // points that are no numbers, or absurdly far
+  std::uint64_t missing = 0;            // points that it says it has, and that did not come
   std::vector<Reason> notes;
 };
 

@@ -223,6 +223,7 @@ enum class ReasonCode {
   RosFieldMissing,   // field
   RosFieldWrong,     // field, its value
   RosLengthDiffers,  // field, how many it holds, how many are needed
+  RosRowsHoldMore,   // bytes of a row, bytes of its points
   RosGridEmpty,      // width, height
   RosTurnIsZero,
   RosCellsOutOfRange,    // how many

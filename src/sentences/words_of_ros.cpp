@@ -22,6 +22,11 @@ QString ofRos(ReasonCode code, int count) {
       return Words::tr("Its field %1 is %2, which cannot be.");
     case ReasonCode::RosLengthDiffers:
       return Words::tr("Its field %1 holds %2 values, but its other fields say %3.");
+    case ReasonCode::RosRowsHoldMore:
+      return Words::tr(
+          "Its rows are %1 bytes long (row_step), but its points fill %2 of them (width and point_step). "
+          "What "
+          "lies behind them is left out.");
     case ReasonCode::RosGridEmpty:
       return Words::tr("It has no cells: it is %1 x %2.");
     case ReasonCode::RosTurnIsZero:

@@ -163,6 +163,57 @@ class DispatchCommandsTest : public QObject {
     QVERIFY2(refused.error.contains("only be read"), refused.error.constData());
   }
 
+  void withoutRosapiProjectionsAreFoundOrCannotBeTold() {
+    start([](simulator::Options& options) {
+      options.ros.rosapi = false;
+      options.ros.dispatcher.writable = true;
+    });
+    // Nobody tells where it is.
+    const QString address = QString::fromStdString(robot_->rep130Address()) + text("?ns=/map_dispatcher");
+    const auto there = [&](QStringList words) { return run(words << text("--robot") << address); };
+    const Ran listed = there({text("projections"), text("list"), text("--json")});
+    QVERIFY2(listed.exit_code == 0, listed.error.constData());
+    QCOMPARE(QJsonDocument::fromJson(listed.out).array().size(), 2);
+    QCOMPARE(there({text("projections"), text("set"), text("--none")}).exit_code, 0);
+    const Ran unknown = there({text("projections"), text("list")});
+    QCOMPARE(unknown.exit_code, 1);
+    QVERIFY2(unknown.error.contains("cannot be told"), unknown.error.constData());
+    QVERIFY(unknown.out.isEmpty());
+  }
+
+  void aCloudIsWhatWasAskedFor_data() {
+    QTest::addColumn<QByteArray>("answer");
+    QTest::addColumn<QByteArray>("lie");
+    QTest::addColumn<int>("exit_code");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("as it should be") << QByteArray() << QByteArray() << 0 << QByteArray();
+    QTest::newRow("larger") << QByteArray("pad") << QByteArray() << 0 << QByteArray("beyond the region");
+    QTest::newRow("elsewhere") << QByteArray("elsewhere") << QByteArray() << 1
+                               << QByteArray("another region");
+    QTest::newRow("cut off") << QByteArray() << QByteArray("data") << 1 << QByteArray("cut off");
+  }
+  void aCloudIsWhatWasAskedFor() {
+    QFETCH(QByteArray, answer);
+    QFETCH(QByteArray, lie);
+    QFETCH(int, exit_code);
+    QFETCH(QByteArray, said);
+    start([&](simulator::Options& options) {
+      options.faults.ros.dispatcher.answer = answer.toStdString();
+      options.faults.ros.dispatcher.cloud.lie = lie.toStdString();
+    });
+    const Ran ran = ask({text("clouds"), text("export"), text("--box"), text("0,0,1,10,8,4"), text("-o"),
+                         file("part.pcd"), text("--force"), text("--json")});
+    QVERIFY2(ran.exit_code == exit_code, ran.error.constData());
+    QVERIFY2(said.isEmpty() ? ran.error.isEmpty() : ran.error.contains(said), ran.error.constData());
+    if (answer == "elsewhere") return;
+    const QJsonObject json = QJsonDocument::fromJson(ran.out).object();
+    QVERIFY(json[text("points")].toInt() > 0);
+    QCOMPARE(json[text("beyond")].toInt() > 0, answer == "pad");
+    QCOMPARE(json[text("missing")].toInt() > 0, lie == "data");
+    QVERIFY(json[text("from")][0].toDouble() >= -5.01 && json[text("to")][0].toDouble() <= 5.01);
+    QVERIFY(json[text("from")][2].toDouble() >= -1.01 && json[text("to")][2].toDouble() <= 3.01);
+  }
+
   void projectionsAreSetAndWhatThenIsIsPrinted() {
     start([](simulator::Options& options) { options.ros.dispatcher.writable = true; });
     const Ran set = ask({text("projections"), text("set"), text("--projection"), text("1.04,0,3,2,4,5"),

@@ -160,6 +160,15 @@ class SnapshotOptionsTest : public QObject {
     if (!fine) QVERIFY2(options.error().contains(QLatin1String("--")), qPrintable(options.error()));
   }
 
+  void aRawPictureWantsNothingButTheMap() {
+    SnapshotWords w = words();
+    w.raw = true;
+    const auto options = parseSnapshotOptions(w);
+    QVERIFY(options.has_value());
+    for (const scene::Layer layer : options->layers)
+      QVERIFY(layer == scene::Layer::Submaps || layer == scene::Layer::WholeMap);
+  }
+
   void numbersAreDecimal() {
     for (const char* word : {"0", "-0", "+1", "12", "-0.5", ".5", "5.", "1e-3", "1E+30"})
       QVERIFY2(app::isDecimal(word), word);

@@ -298,6 +298,17 @@ class DispatchMessagesTest : public QObject {
     QVERIFY((*read)->notes.empty());
   }
 
+  void rowsThatHoldMorePointsThanItSaysAreTold() {
+    Cloud cloud = twoPoints();
+    cloud.width = 1;
+    cloud.row_step = 24;
+    const auto read = readSpatialCloud(cloud.sent().msg);
+    QVERIFY(read);
+    QCOMPARE((*read)->points.size(), std::size_t(1));
+    QCOMPARE((*read)->notes, (std::vector{map::Reason(ReasonCode::RosRowsHoldMore, {24, 12})}));
+    QCOMPARE((*read)->missing, std::uint64_t(0));
+  }
+
   void whatIsCutShortIsReadAsFarAsItIsSound_data() {
     QTest::addColumn<int>("bytes");
     QTest::addColumn<int>("points");
@@ -315,6 +326,7 @@ class DispatchMessagesTest : public QObject {
     QVERIFY(read);
     QCOMPARE((*read)->points.size(), std::size_t(points));
     QVERIFY(notes((*read)->notes, ReasonCode::RosLengthDiffers));
+    QCOMPARE((*read)->missing, std::uint64_t(2 - points));
   }
 
   void manyRowsMayBreakOffAnywhere() {

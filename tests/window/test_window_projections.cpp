@@ -45,7 +45,8 @@ class FakeDispatch : public robot::MapDispatch {
     sent.push_back(wanted);
     return wait(std::move(reply));
   }
-  std::vector<robot::ProjectedPart> projected() const override { return {}; }
+  std::vector<robot::ProjectedPart> projected() const override { return parts; }
+  std::vector<std::string> silent() const override { return silent_topics; }
 
   void answer(robot::Outcome<List> with) {
     state->over = true;
@@ -54,6 +55,8 @@ class FakeDispatch : public robot::MapDispatch {
   }
 
   bool reads = true, changes = true;
+  std::vector<robot::ProjectedPart> parts;
+  std::vector<std::string> silent_topics;
   int asked = 0;
   std::vector<List> sent;
 
@@ -162,6 +165,46 @@ class TestWindowProjections : public QObject {
     QVERIFY(!desk.dock().sendButton()->isEnabled());
     desk.dock().askButton()->click();
     QCOMPARE(desk.dispatch().asked, 2);
+  }
+
+  void theRobotIsAskedAnewOnceThereIsNews() {
+    Desk desk;
+    desk.open();
+    desk.dispatch().answer(List{floorAt(1, 1)});
+    QCOMPARE(desk.dispatch().asked, 1);
+    // The link was lost, and is back.
+    desk.robot->goAway(QStringLiteral("gone"));
+    QCOMPARE(desk.dispatch().asked, 1);
+    desk.robot->goOnline();
+    QCOMPARE(desk.dispatch().asked, 2);
+    // What it offers changes while it is asked: once more then.
+    Q_EMIT desk.dispatch().offersChanged();
+    QCOMPARE(desk.dispatch().asked, 2);
+    desk.dispatch().answer(List{floorAt(1, 1)});
+    QCOMPARE(desk.dispatch().asked, 3);
+    desk.dispatch().answer(List{floorAt(1, 1)});
+    QCOMPARE(desk.dispatch().asked, 3);
+    // A projected map that the list has is no news, another one is.
+    robot::ProjectedPart part;
+    part.part.grid = {80, 40, 0.05, {1, 1, 0}};
+    part.max_z_m = 2;
+    desk.dispatch().parts = {part};
+    Q_EMIT desk.dispatch().projectedChanged(0);
+    QCOMPARE(desk.dispatch().asked, 3);
+    part.index = 1;
+    desk.dispatch().parts.push_back(part);
+    Q_EMIT desk.dispatch().projectedChanged(1);
+    QCOMPARE(desk.dispatch().asked, 4);
+    desk.dispatch().answer(List{floorAt(1, 1), floorAt(1, 1)});
+    QCOMPARE(desk.dock().model()->rowCount(), 2);
+  }
+
+  void aProjectedMapThatStaysSilentIsNamed() {
+    Desk desk;
+    desk.open();
+    desk.dispatch().silent_topics = {"/d/projected_map_1"};
+    desk.dispatch().answer(List{floorAt(1, 1)});
+    QVERIFY(desk.dock().outcome().contains(QStringLiteral("/d/projected_map_1")));
   }
 
   void whatIsSetIsShownAsTheRobotSaysIt() {

@@ -95,6 +95,11 @@ Read<std::shared_ptr<const map::SpatialCloud>> readSpatialCloud(const Field& msg
                most = std::max(least, double(of.height) * double(of.row_step));
   if (records.count() < said || (double(data->size()) != least && double(data->size()) != most))
     cloud->notes.push_back(cloudCutShort(of, data->size()));
+  // Rows may be filled up, but not by whole points.
+  else if (double(data->size()) == most && double(of.row_step) - packed >= double(of.point_step))
+    cloud->notes.push_back(
+        {map::ReasonCode::RosRowsHoldMore, {std::int64_t(of.row_step), std::int64_t(packed)}});
+  cloud->missing = said - std::min(said, records.count());
   for (const std::string& name : of.outside)
     cloud->notes.push_back({map::ReasonCode::RosFieldMissing, {"fields." + name}});
   cloud->has_z = of.z.has_value();

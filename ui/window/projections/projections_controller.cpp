@@ -1,5 +1,7 @@
 #include "window/projections/projections_controller.h"
 
+#include <algorithm>
+
 #include <QPushButton>
 
 #include "sentences/absence_sentence.h"
@@ -12,10 +14,24 @@
 #include "window/panels.h"
 #include "window/projections/projection_tool.h"
 #include "window/projections/projections_dock.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
 using robot::DispatchService;
+
+namespace {
+
+/// As far as grids of cells can be what they were made of.
+bool isAbout(const map::Projection& told, const robot::ProjectedPart& part) {
+  constexpr double kNearM = 0.5;
+  const geometry::WorldRect bounds = part.part.grid.bounds();
+  const Eigen::Vector4d said(told.corner_m.x(), told.corner_m.y(), told.min_z_m, told.max_z_m),
+      shown(bounds.min_x, bounds.min_y, part.min_z_m, part.max_z_m);
+  return (said - shown).cwiseAbs().maxCoeff() <= kNearM;
+}
+
+}  // namespace
 
 ProjectionsController::ProjectionsController(WindowContext& context, QObject* parent)
     : Controller(parent),
@@ -122,9 +138,15 @@ void ProjectionsController::follow() {
     if (followed_) followed_->disconnect(this);
     followed_ = offered;
     if (offered) {
-      connect(offered, &robot::MapDispatch::offersChanged, this, &ProjectionsController::follow);
+      connect(offered, &robot::MapDispatch::offersChanged, this, [this] {
+        tried_ = false;
+        follow();
+      });
+      connect(offered, &robot::MapDispatch::projectedChanged, this, &ProjectionsController::followProjected);
     }
   }
+  // Another robot may answer once it is back, or the same one with another list.
+  if (session && session->connection().phase != robot::ConnectionPhase::Online) tried_ = false;
   QString absence;
   if (!session) {
     absence = tr("Connect to a robot with a map dispatcher to see what it projects.");
@@ -141,6 +163,20 @@ void ProjectionsController::follow() {
                    offered && offered->offered(DispatchService::ChangeProjections)});
   askWhenSeen();
   refresh();
+}
+
+/// A projected map has come or gone. What the list says already is no news.
+void ProjectionsController::followProjected(int index) {
+  const robot::MapDispatch* const offered = dispatch();
+  if (!offered || !draft_.told() || !call_.over()) return;
+  const std::vector<robot::ProjectedPart> parts = offered->projected();
+  const auto part = std::find_if(parts.begin(), parts.end(),
+                                 [index](const robot::ProjectedPart& one) { return one.index == index; });
+  const ProjectionDraft::List& told = *draft_.told();
+  const bool listed = std::size_t(index) < told.size();
+  if (part == parts.end() ? !listed : listed && isAbout(told[std::size_t(index)], *part)) return;
+  tried_ = false;
+  askWhenSeen();
 }
 
 bool ProjectionsController::editable() const {
@@ -173,7 +209,8 @@ void ProjectionsController::setHeights(int index, double low_m, double high_m) {
 void ProjectionsController::askWhenSeen() {
   const robot::MapDispatch* const offered = dispatch();
   const session::Session* const session = context_.current.session();
-  if (tried_ || !dock_->isVisible() || !offered || !offered->offered(DispatchService::ReadProjections))
+  if (tried_ || !call_.over() || !dock_->isVisible() || !offered ||
+      !offered->offered(DispatchService::ReadProjections))
     return;
   if (session->connection().phase != robot::ConnectionPhase::Online) return;
   tried_ = true;
@@ -200,8 +237,15 @@ void ProjectionsController::take(const robot::Outcome<ProjectionDraft::List>& ou
   } else if (!draft_.tell(*outcome)) {
     dock_->setOutcome(tr("The robot has answered. What is edited here is kept; Revert shows what it says."),
                       false);
+  } else if (const robot::MapDispatch* const offered = dispatch(); offered && !offered->silent().empty()) {
+    QStringList names;
+    for (const std::string& topic : offered->silent()) names << words::plainName(topic);
+    dock_->setOutcome(
+        tr("The robot has more, but nothing has come of it: %1.").arg(names.join(QStringLiteral(", "))),
+        true);
   }
   refresh();
+  askWhenSeen();  // there may be news since
 }
 
 void ProjectionsController::send() {
@@ -220,6 +264,7 @@ void ProjectionsController::send() {
 void ProjectionsController::takeSet(const ProjectionDraft::List& wanted,
                                     const robot::Outcome<ProjectionDraft::List>& outcome) {
   call_ = {};
+  tried_ = true;  // it has just been told
   dock_->setBusy(false);
   if (!outcome) {
     dock_->setOutcome(QString::fromStdString(sentences::sentenceOf(outcome.error())), true);

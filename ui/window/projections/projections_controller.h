@@ -42,6 +42,7 @@ class ProjectionsController : public Controller {
  private:
   robot::MapDispatch* dispatch() const;
   void follow();
+  void followProjected(int index);
   void refresh();
   void askWhenSeen();
   void take(const robot::Outcome<ProjectionDraft::List>& outcome);
@@ -57,7 +58,7 @@ class ProjectionsController : public Controller {
   QPointer<robot::MapDispatch> followed_;
   robot::Call call_;
   std::uint64_t asked_ = 0;  // counts the requests: an answer to an older one is of no use
-  bool tried_ = false;       // this robot was asked by itself
+  bool tried_ = false;       // it was asked by itself, and nothing else is known since
 };
 
 }  // namespace mapwright::window
