@@ -188,12 +188,13 @@ void Session::take(const map::StampedMessage& stamped) {
   Q_EMIT liveChanged(int(message.index()));
 }
 
-void Session::reset(map::World world) {
+void Session::reset(map::World world, bool whole) {
   world.live.frame = live_.frame + 1;
   const std::optional<map::SubmapList> list = world.submaps;
   world_ = std::move(world);
   takeFrame();
   if (list && submaps_wanted_) submaps_.takeList(*list);
+  if (!list && whole) submaps_.forgetList();
   for (const auto& [kind, grid] : std::map(live_.grids)) takeGrid(grid);
   for (std::size_t what = 0; what < std::variant_size_v<map::TopicMessage>; ++what)
     Q_EMIT liveChanged(int(what));

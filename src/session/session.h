@@ -69,8 +69,9 @@ class Session : public QObject {
   /// All that the robot has said.
   const map::World& world() const { return world_; }
   /// Shows this world from now on, as if its messages had come: what a recording was at some time, say. What
-  /// the robot says goes on from there.
-  void reset(map::World world);
+  /// the robot says goes on from there. Not `whole`: what is missing in it may still be found, and the
+  /// submaps of before stay until then.
+  void reset(map::World world, bool whole = true);
   const submap::SubmapBook& book() const { return submaps_.book(); }
   const ProblemLog& problems() const { return problems_; }
   void clearProblems();

@@ -58,6 +58,14 @@ Submaps::~Submaps() {
   textures_->silence();
 }
 
+void Submaps::forgetList() {
+  if (still_) return;
+  ++comparison_;  // what is being compared is not taken any more
+  comparing_ = false;
+  next_list_.reset();
+  if (book_.listReceived()) adopt(book_.clear(), false);
+}
+
 void Submaps::takeList(const map::SubmapList& list) {
   if (still_) return;
   if (!comparing_ && list.entries.size() < kLongList) {
@@ -73,11 +81,13 @@ void Submaps::compareNext() {
   auto list = std::make_shared<const map::SubmapList>(std::move(*next_list_));
   next_list_.reset();
   // Before what waits to be decoded.
-  share_.start(work::Urgency::InView, [this, list = std::move(list), before = book_.listedBefore()] {
+  share_.start(work::Urgency::InView, [this, list = std::move(list), before = book_.listedBefore(),
+                                       number = comparison_] {
     auto difference = std::make_shared<const submap::ListDifference>(submap::compareLists(before, *list));
     QMetaObject::invokeMethod(
         this,
-        [this, difference] {
+        [this, difference, number] {
+          if (number != comparison_) return;
           comparing_ = false;
           if (!still_) takeDifference(*difference);
           if (!still_ && next_list_) compareNext();
@@ -88,7 +98,10 @@ void Submaps::compareNext() {
 
 void Submaps::takeDifference(const submap::ListDifference& difference) {
   const bool first = !book_.listReceived();
-  const submap::BookChange change = book_.apply(difference);
+  adopt(book_.apply(difference), first);
+}
+
+void Submaps::adopt(const submap::BookChange& change, bool first) {
   if (change.new_session) {
     ++generation_;
     if (robot::SubmapSource* const source = source_(); !first && source) source->cancelAll();

@@ -43,6 +43,8 @@ class Submaps : public QObject {
 
   /// A list came. What it changes shows at once, or, when it is long, as soon as it has been compared.
   void takeList(const map::SubmapList& list);
+  /// There is none, as before the first one: what came of one goes.
+  void forgetList();
   /// Nothing new is asked for without a live link: the list may be of another session.
   void setOnline(bool online);
   void retryNow();
@@ -88,6 +90,8 @@ class Submaps : public QObject {
   };
   void compareNext();
   void takeDifference(const submap::ListDifference& difference);
+  /// `first`: it is of the first list of all.
+  void adopt(const submap::BookChange& change, bool first);
   void publish(const submap::BookChange& change);
   void pump();
   void takeAnswer(map::SubmapAnswer answer);
@@ -115,6 +119,7 @@ class Submaps : public QObject {
   std::size_t decodes_ = 0;                                      // under way
   std::optional<map::SubmapList> next_list_;                     // waits to be compared
   bool comparing_ = false;
+  quint64 comparison_ = 0;  // what began with another number is out of date
   bool online_ = false, still_ = false;
   qint64 still_bytes_ = 0;  // of textures, when it was told to stand still
   int slice_ = 0;

@@ -82,6 +82,16 @@ BookChange SubmapBook::apply(const ListDifference& list) {
   return change;
 }
 
+BookChange SubmapBook::clear() {
+  BookChange change;
+  change.new_session = change.set_changed = true;
+  if (rows_rejected_) change.recoveries.push_back({map::SubjectKind::SubmapList, map::ProblemCode::Odd});
+  for (const map::SubmapId id : listed_twice_)
+    change.recoveries.push_back({map::subjectOf(id), map::ProblemCode::ListedTwice});
+  *this = SubmapBook();
+  return change;
+}
+
 void SubmapBook::forget(Rows::iterator at) {
   texture_bytes_ -= at->second.texture_bytes;
   frozen_ -= at->second.entry.is_frozen;

@@ -82,6 +82,8 @@ class SubmapBook {
   /// The same of a whole list.
   BookChange apply(const map::SubmapList& list);
   static constexpr int kBackwardLists = 3;
+  /// As before the first list.
+  BookChange clear();
   /// What the next list is to be compared with.
   const ListedBefore& listedBefore() const { return listed_before_; }
 

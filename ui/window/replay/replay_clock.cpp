@@ -34,7 +34,10 @@ void ReplayClock::attach(replay::ReplayRobot& robot, session::Session& session) 
   robot_ = &robot;
   session_ = &session;
   connect(&robot, &replay::ReplayRobot::jumped, &session,
-          [&session](const map::World& world, Knowledge) { session.reset(world); });
+          [&session](const map::World& world, Knowledge knowledge) {
+            // While it is looked back for more, the submaps of before are nearer to it than none.
+            session.reset(world, knowledge == Knowledge::Exact);
+          });
   connect(&robot, &robot::Robot::connectionChanged, this, &ReplayClock::open);
   connect(&robot, &replay::ReplayRobot::knowledgeChanged, this, &ReplayClock::noteState);
   open();

@@ -22,6 +22,7 @@
 #include "window/replay/timeline_dock.h"
 #include "window/replay/track_on_map.h"
 #include "window/unsaved_changes.h"
+#include "window/viewpoint.h"
 
 namespace mapwright::window {
 
@@ -31,7 +32,7 @@ namespace {
 
 const QString kReadAllKey = QStringLiteral("replay/readAll");
 const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
-constexpr double kNearTrackPx = 10;
+constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
 constexpr double kOnePassS = 3;  // poses so near in time belong to one pass by a place
 
 }  // namespace
@@ -54,6 +55,7 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   connect(clock_, &ReplayClock::stateChanged, this, [this] {
     showPose();
     chooseMaps();
+    refresh();
   });
   connect(&context_.current, &CurrentSession::stateChanged, this, &ReplayController::refresh);
   new TrackOnMap(*clock_, context_.scene, this);
@@ -148,6 +150,25 @@ void ReplayController::chooseMaps() {
   if (maps_chosen_ || !session || !clock_->isOpen() || clock_->knowledge() != replay::Knowledge::Exact)
     return;
   maps_chosen_ = true;
+  chooseMode();
+  fitAtFirst();
+}
+
+void ReplayController::fitAtFirst() {
+  if (context_.viewpoint.chosen() || !hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
+    return;
+  geometry::WorldRect bounds;
+  for (const auto& [from, digest] : clock_->reading()->index().digests()) {
+    for (const replay::Digest::Pose& sample : digest.poses) bounds.extend(replay::placeOf(sample).position_m);
+  }
+  if (bounds.empty()) return;
+  // The map comes while it plays: it must not move what somebody looks at.
+  context_.viewpoint.choose();
+  context_.viewpoint.fit(bounds.grown(kRoomAroundTrackM));
+}
+
+void ReplayController::chooseMode() {
+  session::Session* const session = context_.current.session();
   const auto& digests = clock_->reading()->index().digests();
   const bool lists_submaps = std::any_of(digests.begin(), digests.end(), [](const auto& digest) {
     return std::any_of(digest.second.last.begin(), digest.second.last.end(), [](const auto& last) {
@@ -179,6 +200,8 @@ void ReplayController::refresh() {
     const bool of_now = slot.cells() && slot.shown().key.kind != map::MapKind::Live && !robot->isLocal();
     if (mapsInView(context_.scene).whole && of_now)
       notice.sentence += QLatin1Char(' ') + tr("The map is that of now.");
+    if (hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
+      notice.sentence += QLatin1Char(' ') + tr("The bag has not told a map yet at this time.");
     notice.offer = backWords();
     notice.take = [this] { back(); };
     notice.closable = true;

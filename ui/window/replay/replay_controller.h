@@ -56,7 +56,10 @@ class ReplayController : public Controller {
   void takeConnection();
   void takeOpened();
   void showPose();
+  /// Once all of the first moment is known.
   void chooseMaps();
+  void chooseMode();
+  void fitAtFirst();
   void refresh();
   QString backWords() const;
 

@@ -19,6 +19,16 @@ replay::Reading::Options followedReading() {
 
 QString bagCalled(const replay::ReplayRobot& robot, int limit) { return plainWords(robot.bag(), limit); }
 
+bool hasToldNoMap(session::Session* session, const MapsInView& in_view) {
+  const replay::ReplayRobot* const robot = replayOf(session);
+  if (!robot || robot->knowledge() != replay::Knowledge::Exact || robot->picturesUnderWay() > 0) return false;
+  const session::MapSlot& slot = session->wholeMap();
+  if (in_view.whole && slot.cells()) return false;
+  if (in_view.submaps && session->robot().submapSource()) return !session->world().submaps;
+  const bool live = slot.key().kind == map::MapKind::Live && slot.phase() != session::MapSlot::Phase::Failed;
+  return in_view.whole && live && !session->live().grids.contains(map::GridKind::WholeMap);
+}
+
 std::optional<StateText> replayText(const session::Session* session) {
   const replay::ReplayRobot* const robot = replayOf(session);
   if (!robot || robot->connection().phase != robot::ConnectionPhase::Online) return std::nullopt;

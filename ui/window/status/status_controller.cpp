@@ -22,7 +22,8 @@ void StatusController::refresh() {
   const MapsInView in_view = mapsInView(context_.scene);
   auto state = emptyState(session, in_view);
   // What a bag does not hold by this time is not on its way: nothing hides the rest of it.
-  const bool waits = state && state->kind == EmptyState::Kind::WaitingForList;
+  const bool waits =
+      state && (state->kind == EmptyState::Kind::WaitingForList || hasToldNoMap(session, in_view));
   if (waits && replayOf(session) && session->connection().phase == robot::ConnectionPhase::Online)
     state.reset();
   context_.overlay.card()->setState(state);
