@@ -78,6 +78,8 @@ class TestPlotWidget : public QObject {
   void aDoubleClickShowsAll();
   void keysZoomMoveAndRemove();
   void theLegendTellsTheValueAtThePointerElseAtTheCursor();
+  void withoutACursorTheLegendTellsThePresent();
+  void aCurveOfNothingSaysSo();
   void valuesFitOrStay();
   void aRangeOfValuesIsTyped();
 };
@@ -197,6 +199,23 @@ void TestPlotWidget::theLegendTellsTheValueAtThePointerElseAtTheCursor() {
   QCOMPARE(shown.plot.valueAtCursor(0), QStringLiteral("–"));
   shown.plot.setPointed(std::nullopt);
   QVERIFY(shown.plot.valueAtCursor(0).startsWith(QLatin1Char('5')));
+}
+
+void TestPlotWidget::withoutACursorTheLegendTellsThePresent() {
+  Shown shown;
+  shown.plot.setPresent(kStart_s + 12.34);
+  QVERIFY(shown.plot.valueAtCursor(0).startsWith(QLatin1Char('5')));
+  shown.plot.setCurrent(kStart_s + 45);
+  QCOMPARE(shown.plot.valueAtCursor(0), QStringLiteral("–"));
+}
+
+void TestPlotWidget::aCurveOfNothingSaysSo() {
+  Shown shown;
+  auto nothing = std::make_shared<series::Series>();
+  shown.plot.setCurves({{Quantity::Speed, nothing, 0}});
+  QCOMPARE(shown.plot.valueAtCursor(0), QStringLiteral("–"));  // nobody has looked yet
+  nothing->cover(kStart_s, kStart_s + 60);
+  QCOMPARE(shown.plot.valueAtCursor(0), QStringLiteral("none so far"));
 }
 
 void TestPlotWidget::valuesFitOrStay() {

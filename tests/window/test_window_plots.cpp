@@ -253,6 +253,10 @@ void TestWindowPlots::aTypedFieldIsPlottedOrSaysWhyNot() {
   edit->setText(QStringLiteral("/count.n"));
   desk.dock.addTyped();
   QVERIFY(!desk.dock.saidText().isEmpty());  // it is there already
+  edit->setText(QStringLiteral("/count.m"));
+  desk.dock.addTyped();
+  QVERIFY(desk.dock.saidText().contains(QStringLiteral("no number /count.m")));
+  desk.dock.removeCurve(desk.dock.plots().front(), 1);
   QCOMPARE(desk.dock.plots().front()->curves().size(), std::size_t(1));
 }
 

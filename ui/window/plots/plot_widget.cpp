@@ -47,6 +47,10 @@ void PlotWidget::setCurrent(std::optional<double> at_s) {
   if (std::exchange(cursor_s_, at_s) != at_s) update();
 }
 
+void PlotWidget::setPresent(std::optional<double> at_s) {
+  if (std::exchange(present_s_, at_s) != at_s) update();
+}
+
 void PlotWidget::setPointed(std::optional<double> at_s) {
   if (std::exchange(pointed_s_, at_s) != at_s) update();
 }
@@ -110,9 +114,11 @@ double PlotWidget::yOf(double value) const {
 }
 
 QString PlotWidget::valueAtCursor(std::size_t curve) const {
-  const std::optional<double> at_s = pointed_s_ ? pointed_s_ : cursor_s_;
+  const std::optional<double> at_s = pointed_s_ ? pointed_s_ : cursor_s_ ? cursor_s_ : present_s_;
   const PlotCurve& of = curves_[curve];
   const auto sample = at_s && of.series ? of.series->at(*at_s) : std::nullopt;
+  // Nothing here, or nothing anywhere: a name that is none must not look like a gap.
+  if (!sample && of.series && of.series->empty() && !of.series->covered().empty()) return tr("none so far");
   if (!sample) return QStringLiteral("–");
   const QString unit = plotUnit(of.wish);
   return unit.isEmpty() ? valueText(sample->value) : valueText(sample->value) + QChar(QChar::Nbsp) + unit;

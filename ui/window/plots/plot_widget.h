@@ -45,6 +45,8 @@ class PlotWidget : public QWidget {
   void setBounds(Range bounds) { bounds_ = bounds; }
   /// Where the replay is; nullopt = nowhere.
   void setCurrent(std::optional<double> at_s);
+  /// Of a robot that speaks: what is now; nullopt = nothing does.
+  void setPresent(std::optional<double> at_s);
   /// Where the pointer is, in this plot or another one.
   void setPointed(std::optional<double> at_s);
   /// The values that are shown; nullopt: those that there are.
@@ -61,7 +63,7 @@ class PlotWidget : public QWidget {
   double timeAt(double x_px) const;
   double xOf(double at_s) const;
   double yOf(double value) const;
-  /// What the legend says of a curve: its value where the pointer is, else at the cursor.
+  /// What the legend says of a curve: its value where the pointer is, else at the cursor, else at present.
   QString valueAtCursor(std::size_t curve) const;
   /// What the menu offers. `menu` is empty.
   void fillMenu(QMenu& menu);
@@ -121,7 +123,7 @@ class PlotWidget : public QWidget {
 
   std::vector<PlotCurve> curves_;
   Range span_{0, 60}, bounds_{0, 60};
-  std::optional<double> cursor_s_, pointed_s_, since_s_;
+  std::optional<double> cursor_s_, pointed_s_, present_s_, since_s_;
   std::optional<Range> fixed_;
   QString hint_;
   mutable std::optional<Range> auto_;  // as it was last reckoned

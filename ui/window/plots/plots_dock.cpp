@@ -257,7 +257,16 @@ void PlotsDock::addTyped() {
             .arg(words::plainName(text.left(100))));
     return;
   }
-  if (addCurve(atHand(), std::move(*path))) path_->clear();
+  if (!addCurve(atHand(), *path)) return;
+  path_->clear();
+  // Only where other numbers of the topic are known is it likely to be a slip.
+  const QStringList known = feed_.fields();
+  const QString word = QString::fromStdString(path->text()), topic = QString::fromStdString(path->topic);
+  const bool of_topic = std::any_of(known.begin(), known.end(),
+                                    [&](const QString& each) { return each.startsWith(topic + u'.'); });
+  if (of_topic && !known.contains(word))
+    say(tr("The messages at hand have no number %1. It is drawn where one has it.")
+            .arg(words::plainName(word.left(100))));
 }
 
 void PlotsDock::say(const QString& sentence) {
@@ -301,6 +310,7 @@ void PlotsDock::sourceChanged() {
   follows_ = true;
   for (PlotWidget* const plot : plots_) {
     plot->setCurrent(current_s_);
+    plot->setPresent(std::nullopt);
     plot->setSince(seconds_ && bag_ ? std::optional(bag_->first) : std::nullopt);
     if (bag_) plot->setBounds(*bag_);
   }
@@ -323,7 +333,10 @@ void PlotsDock::setSpan(PlotWidget::Range span) {
 void PlotsDock::follow() {
   if (bag_ || !feed_.live()) return;
   const double now_s = feed_.now();
-  for (PlotWidget* const plot : plots_) plot->setBounds({now_s - PlotFeed::kLive_s, now_s});
+  for (PlotWidget* const plot : plots_) {
+    plot->setBounds({now_s - PlotFeed::kLive_s, now_s});
+    plot->setPresent(now_s);
+  }
   if (follows_) setSpan({now_s - (span_.second - span_.first), now_s});
 }
 
