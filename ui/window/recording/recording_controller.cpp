@@ -228,11 +228,16 @@ QString RecordingController::shown() const {
 
 void RecordingController::refresh() {
   const bool can = session_ && robot::deliversOf(session_->robot()) != nullptr;
-  action_->setEnabled(can && !(recorder_ && recorder_->stopped()));
+  // One that is under way goes on when the link is lost; none begins then.
+  const bool online = session_ && session_->connection().phase == robot::ConnectionPhase::Online;
+  action_->setEnabled(can && (recorder_ ? !recorder_->stopped() : online));
+  action_->setToolTip(can && !online && !recorder_
+                          ? tr("The robot cannot be reached at present.")
+                          : tr("Record what the robot sends into a file; again to stop"));
   action_->setChecked(recording());
   const QColor red = appColors().error;
   QIcon icon = themedIcon(QStringLiteral("record"));
-  if (can)
+  if (action_->isEnabled())
     icon = QIcon(iconPixmap(QStringLiteral("record"), kIconPx, context_.window.devicePixelRatioF(), red));
   action_->setIcon(icon);
   label_->setVisible(recorder_ != nullptr);

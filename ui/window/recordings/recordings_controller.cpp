@@ -106,6 +106,7 @@ void RecordingsController::showState() {
   session::Session* const session = context_.current.session();
   RecordingsState state;
   state.connected = session != nullptr;
+  state.online = session && session->connection().phase == robot::ConnectionPhase::Online;
   if (session && !library())
     state.why_not =
         sentences::whyAbsent(robot::Capability::Bags, session->robot().whyNot(robot::Capability::Bags));

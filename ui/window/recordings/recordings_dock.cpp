@@ -173,7 +173,9 @@ void RecordingsDock::refresh() {
   } else if (offered && !state_.error.isEmpty()) {
     text = state_.error;
   } else if (offered && rows > 0) {
+    const int found = sorted_->rowCount();
     text = sentences::counted(tr("%1 recordings", nullptr, rows), rows);
+    if (found < rows) text = tr("%1 of %2").arg(QString::number(found), text);
   }
   summary_->setText(text);
   refreshButtons();
@@ -197,8 +199,10 @@ void RecordingsDock::refreshButtons() {
   download_->setVisible(!downloading);
   delete_->setEnabled(key && !busy && !state_.replaying);
   delete_->setToolTip(why_not);
-  record_->setEnabled(offered && !state_.replaying);
-  record_->setToolTip(state_.replaying ? why_not : tr("Let the robot record"));
+  record_->setEnabled(offered && state_.online && !state_.replaying);
+  record_->setToolTip(state_.replaying            ? why_not
+                      : offered && !state_.online ? tr("The robot cannot be reached at present.")
+                                                  : tr("Let the robot record"));
 }
 
 std::optional<robot::BagKey> RecordingsDock::keyAt(const QModelIndex& index) const {
@@ -233,6 +237,9 @@ void RecordingsDock::showMenu(const QPoint& at) {
   menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy name"), this, [this, key] {
     Q_EMIT copyWanted(bagCalled(*key), tr("Copied %1").arg(bagCalled(*key).left(80)));
   });
+  if (const BagNote note = model_->note(*key); note.kind == BagNote::Kind::Failed)
+    menu.addAction(themedIcon(QStringLiteral("copy")), tr("Copy why it failed"), this,
+                   [this, note] { Q_EMIT copyWanted(note.text, tr("Copied %1").arg(note.text.left(80))); });
   menu.addSeparator();
   add(delete_, &RecordingsDock::deleteWanted);
   menu.exec(table_->viewport()->mapToGlobal(at));

@@ -21,6 +21,7 @@ class PlainLabel;
 /// How it stands with the list.
 struct RecordingsState {
   bool connected = false;  // there is a robot
+  bool online = false;     // and it can be reached
   QString why_not;         // it keeps no bags; empty = it does
   bool loading = false, listed = false;
   QString error;           // it could not be listed
