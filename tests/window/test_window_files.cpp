@@ -73,6 +73,21 @@ class TestWindowFiles : public QObject {
     QVERIFY(!window.session());
   }
 
+  void recordingsAreOpenedLikeMaps() {
+    Bench bench;
+    const QString recording = touched(bench.folder, "drive.mcap");
+    QVERIFY(isRecordingFile(recording) && isRecordingFile(QStringLiteral("/bags/A.BAG")));
+    QVERIFY(!isRecordingFile(QStringLiteral("/bags/a.yaml")));
+    QCOMPARE(
+        droppedMap({QUrl::fromLocalFile(touched(bench.folder, "notes.txt")), QUrl::fromLocalFile(recording)}),
+        recording);
+    QVERIFY(mapFileFilter().contains(QLatin1String("*.mcap")));
+    MainWindow& window = bench.open();
+    window.openPath(recording);
+    QVERIFY(window.overlay()->toasts()->texts().isEmpty());
+    QCOMPARE(window.session()->robot().address(), QStringLiteral("file:") + recording);
+  }
+
   void asksWhereABarePictureLies() {
     Bench bench;
     MainWindow& window = bench.open();

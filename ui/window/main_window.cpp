@@ -202,6 +202,7 @@ void MainWindow::connectControllers() {
   connect(maps_, &MapsController::retryWanted, connection_, &ConnectionController::retry);
   connect(problems_, &ProblemsController::retryWanted, connection_, &ConnectionController::retry);
   connect(robot_, &RobotController::safetyChanged, connection_, &ConnectionController::setSafety);
+  connect(recording_, &RecordingController::playWanted, files_, &FilesController::open);
   connect(connection_, &ConnectionController::fileWanted, files_, &FilesController::choose);
   connect(files_, &FilesController::addressWanted, connection_, &ConnectionController::goTo);
 }

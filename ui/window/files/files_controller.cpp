@@ -17,10 +17,10 @@ namespace mapwright::window {
 FilesController::FilesController(WindowContext& context, PicturePlacing& placing, QObject* parent)
     : Controller(parent), context_(context), placing_(placing) {
   context_.actions.add({.id = "openFile",
-                        .text = tr("&Open map file…"),
+                        .text = tr("&Open file…"),
                         .icon = "open",
                         .keys = {"Ctrl+Shift+O"},
-                        .tip = tr("Open a map.yaml or a picture of a map from this computer"),
+                        .tip = tr("Open a map.yaml, a picture of a map or a recording from this computer"),
                         .menu = {MenuGroup::Places, 20}},
                        this, &FilesController::choose);
   // What is dropped on the map is dropped on the window.
@@ -31,7 +31,7 @@ FilesController::FilesController(WindowContext& context, PicturePlacing& placing
 }
 
 void FilesController::choose() {
-  const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Open a map file"),
+  const QString path = QFileDialog::getOpenFileName(&context_.window, tr("Open a map or a recording"),
                                                     lastMapFolder(context_.settings), mapFileFilter());
   if (path.isEmpty()) return;
   rememberMapFolder(context_.settings, QFileInfo(path).absolutePath());
@@ -45,12 +45,13 @@ void FilesController::open(const QString& path) {
   };
   if (!info.exists()) {
     refuse(tr("%1 is not there.").arg(QDir::toNativeSeparators(path)));
-  } else if (info.isDir() || isMapYaml(path)) {
+  } else if (info.isDir() || isMapYaml(path) || isRecordingFile(path)) {
     Q_EMIT addressWanted(fileAddress(path));
   } else if (isBarePicture(path)) {
     placing_.place(path, tr("Open"), [this](const QString& address) { Q_EMIT addressWanted(address); });
   } else {
-    refuse(tr("%1 is no map: a map.yaml or a picture (PNG, PGM, BMP) is needed.")
+    refuse(tr("%1 is no map and no recording: a map.yaml, a picture (PNG, PGM, BMP), an MCAP or a bag is "
+              "needed.")
                .arg(info.fileName().left(120)));
   }
 }
@@ -65,7 +66,9 @@ bool FilesController::eventFilter(QObject* watched, QEvent* event) {
     event->setAccepted(false);
     if (path.isEmpty()) return true;
     drop->acceptProposedAction();
-    enters ? context_.overlay.setHint(tr("Drop to open this map")) : open(path);
+    enters ? context_.overlay.setHint(
+                 (isRecordingFile(path) ? tr("Drop to play this recording") : tr("Drop to open this map")))
+           : open(path);
     return true;
   }
   if (event->type() == QEvent::DragLeave) {

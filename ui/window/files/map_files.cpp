@@ -22,6 +22,7 @@ QString exact(double value) { return QString::number(value, 'g', 15); }
 
 bool isMapYaml(const QString& path) { return endsWithAny(path, {".yaml", ".yml"}); }
 bool isBarePicture(const QString& path) { return endsWithAny(path, {".png", ".pgm", ".bmp"}); }
+bool isRecordingFile(const QString& path) { return endsWithAny(path, {".mcap", ".bag"}); }
 
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement) {
   const QString address = QStringLiteral("file:") + QDir::cleanPath(QFileInfo(path).absoluteFilePath());
@@ -37,7 +38,7 @@ QString droppedMap(const QList<QUrl>& urls) {
     if (!url.isLocalFile()) continue;
     const QString path = url.toLocalFile();
     // Whoever drops a map.yaml with its picture means the map.
-    if (isMapYaml(path) || QFileInfo(path).isDir()) return path;
+    if (isMapYaml(path) || isRecordingFile(path) || QFileInfo(path).isDir()) return path;
     if (picture.isEmpty() && isBarePicture(path)) picture = path;
   }
   return picture;
@@ -46,8 +47,8 @@ QString droppedMap(const QList<QUrl>& urls) {
 QString mapFileFilter() {
   return QCoreApplication::translate(
       "window",
-      "Maps (*.yaml *.yml *.png *.pgm *.bmp *.YAML *.PNG *.PGM *.BMP);;ROS maps (*.yaml *.yml);;"
-      "Pictures (*.png *.pgm *.bmp);;All files (*)");
+      "Maps and recordings (*.yaml *.yml *.png *.pgm *.bmp *.mcap *.bag *.YAML *.PNG *.PGM *.BMP);;"
+      "ROS maps (*.yaml *.yml);;Pictures (*.png *.pgm *.bmp);;Recordings (*.mcap *.bag);;All files (*)");
 }
 
 }  // namespace mapwright::window

@@ -1,4 +1,5 @@
-// Map files as people open them: which ones there are, and their addresses. Pure but for a look at the disk.
+// Map files and recordings as people open them: which ones there are, and their addresses. Pure but for a
+// look at the disk.
 #pragma once
 
 #include <optional>
@@ -19,11 +20,14 @@ struct PicturePlacement {
 
 bool isMapYaml(const QString& path);
 bool isBarePicture(const QString& path);
+/// By its name: MCAP, or a bag of ROS 1.
+bool isRecordingFile(const QString& path);
 /// "file:/maps/a.yaml", "file:/maps/a.png?resolution=0.05&origin=-1,2,0".
 QString fileAddress(const QString& path, const std::optional<PicturePlacement>& placement = {});
-/// The one thing among what was dropped that can be opened: a map.yaml, a picture or a folder. Empty = none.
+/// The one thing among what was dropped that can be opened: a map.yaml, a recording, a picture or a folder.
+/// Empty = none.
 QString droppedMap(const QList<QUrl>& urls);
-/// For file dialogs.
+/// For file dialogs: maps and recordings.
 QString mapFileFilter();
 
 }  // namespace mapwright::window

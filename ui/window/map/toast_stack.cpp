@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -39,7 +40,7 @@ ToastStack::ToastStack(QWidget* parent) : QWidget(parent), column_(new QVBoxLayo
   hide();
 }
 
-void ToastStack::add(Mark mark, const QString& text) {
+void ToastStack::add(Mark mark, const QString& text, ToastOffer offer) {
   while (column_->count() >= kAtMost) {
     QLayoutItem* oldest = column_->takeAt(0);
     oldest->widget()->hide();
@@ -65,6 +66,12 @@ void ToastStack::add(Mark mark, const QString& text) {
   row->setSpacing(10);
   row->addWidget(new MarkBox(mark, toast), 0, Qt::AlignVCenter);
   row->addWidget(label, 1);
+  QPushButton* const take = offer.words.isEmpty() ? nullptr : new QPushButton(offer.words, toast);
+  if (take) {
+    take->setObjectName(QStringLiteral("compact"));
+    take->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(take);
+  }
   row->addWidget(close);
   column_->addWidget(toast, 0, Qt::AlignRight);
   const auto dismiss = [this, toast] {
@@ -77,7 +84,13 @@ void ToastStack::add(Mark mark, const QString& text) {
     Q_EMIT changed();
   };
   connect(close, &QToolButton::clicked, toast, dismiss);
-  const bool lasting = mark == Mark::Warning || mark == Mark::Bad;
+  if (take) {
+    connect(take, &QPushButton::clicked, toast, [dismiss, wish = std::move(offer.take)] {
+      dismiss();
+      if (wish) wish();
+    });
+  }
+  const bool lasting = mark == Mark::Warning || mark == Mark::Bad || take;
   QTimer::singleShot(lasting ? lifetime_ms_ * 3 : lifetime_ms_, toast, dismiss);
   show();
   adjustSize();

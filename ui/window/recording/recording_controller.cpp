@@ -164,15 +164,18 @@ recorder::Recorder* RecordingController::conclude() {
   const recorder::Recorder::Progress done = recorder->progress();
   const QString file = QDir::toNativeSeparators(path_);
   ToastStack* const toasts = context_.overlay.toasts();
+  const ToastOffer play{tr("Play"), [this, path = path_] { Q_EMIT playWanted(path); }};
   if (done.end_fault) {
     disk::Fault fault = *done.end_fault;
     if (fault.path.empty()) fault.path = path_.toStdString();
     toasts->add(Mark::Bad, sentences::wordsOf(reasons::notWritten(fault)));
   } else if (const QStringList lacks = this->lacks(done); !lacks.isEmpty()) {
-    toasts->add(Mark::Warning, tr("Recorded into %1, which is not complete: %2")
-                                   .arg(file, lacks.join(QStringLiteral("; ")) + QLatin1Char('.')));
+    toasts->add(Mark::Warning,
+                tr("Recorded into %1, which is not complete: %2")
+                    .arg(file, lacks.join(QStringLiteral("; ")) + QLatin1Char('.')),
+                play);
   } else {
-    toasts->add(Mark::Good, tr("Recorded into %1").arg(file));
+    toasts->add(Mark::Good, tr("Recorded into %1").arg(file), play);
   }
   refresh();
   return recorder;

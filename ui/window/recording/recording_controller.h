@@ -29,6 +29,10 @@ class RecordingController : public Controller {
   /// "0:12, 3.4 MB"; empty while nothing is recorded.
   QString shown() const;
 
+ Q_SIGNALS:
+  /// A file that was recorded.
+  void playWanted(const QString& path);
+
  private:
   void toggle();
   void askAndStart();
