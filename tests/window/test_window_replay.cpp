@@ -16,9 +16,11 @@
 #include "robot/axbot/axbot_robot.h"
 #include "scene/pose_between.h"
 #include "simulator/simulator.h"
+#include "window/look/plain_label.h"
 #include "window/main_window.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
+#include "window/map/notice_bar.h"
 #include "window/map/toast_stack.h"
 #include "window/recording/recording_controller.h"
 #include "window/recordings/record_dialog.h"
@@ -160,6 +162,7 @@ class TestWindowReplay : public QObject {
     desk.list().search()->setFocus();
     QTest::keyClicks(desk.list().search(), QStringLiteral("EIGHT"));
     QCOMPARE(shown->rowCount(), 1);
+    QCOMPARE(desk.list().summaryShown(), QStringLiteral("1 of %1 recordings").arg(all));
     QTest::keyClicks(desk.list().search(), QStringLiteral("x"));
     QVERIFY(!desk.list().emptyShown().isEmpty());
   }
@@ -195,6 +198,69 @@ class TestWindowReplay : public QObject {
     desk.list().select(kWhole);
     QVERIFY(!desk.list().deleteButton()->isEnabled());
     QVERIFY(!desk.list().recordButton()->isEnabled());
+  }
+
+  void theTimeStandsInItsFieldInEveryReplay() {
+    Desk desk;
+    desk.replay(kWhole);
+    const auto shown = [&] { return desk.timeline().timeField()->text(); };
+    QCOMPARE(shown(), clockText(desk.clock().at()));
+    QTRY_VERIFY(desk.list().model()->rowCount() > 0);
+    desk.list().raise();
+    desk.doubleClick(kGap);
+    QTRY_VERIFY(desk.window->windowTitle().contains(QStringLiteral("gap.bag")));
+    QTRY_VERIFY(desk.clock().isOpen() && desk.isThere());
+    QCOMPARE(shown(), clockText(desk.clock().at()));
+    desk.clock().seek(desk.clock().start() + 100);
+    QCOMPARE(shown(), clockText(desk.clock().start() + 100));
+  }
+
+  void aTimeBeforeTheFirstMapSaysSoHoweverOneCameThere() {
+    Desk desk;
+    desk.replay(kWhole);
+    session::Session* const session = desk.window->session();
+    const auto says = [&] {
+      return desk.window->overlay()->notice()->sentence().contains(QStringLiteral("has not told a map yet"));
+    };
+    QVERIFY(!session->world().submaps);
+    QTRY_VERIFY(says());
+    // What comes later does not move what is looked at.
+    const geometry::ViewTransform view = desk.window->mapScene()->view();
+    for (const auto& [from, digest] : desk.clock().reading()->index().digests()) {
+      if (!digest.poses.empty())
+        QVERIFY(view.visibleWorld().contains(replay::placeOf(digest.poses.front()).position_m));
+      if (!digest.poses.empty()) break;
+    }
+    desk.clock().seek(desk.clock().start() + 60);
+    QTRY_VERIFY(desk.isThere() && session->counts().shown > 0 && session->counts().pending == 0);
+    QTRY_VERIFY(!says());
+    QCOMPARE(desk.window->mapScene()->view().scale_m_per_px, view.scale_m_per_px);
+    QVERIFY(desk.window->mapScene()->view().center_m == view.center_m);
+    desk.clock().seek(desk.clock().start());
+    QTRY_VERIFY(desk.isThere() && !session->world().submaps);
+    QVERIFY(session->book().rows().empty() && !session->book().listReceived());
+    QTRY_VERIFY(says());
+  }
+
+  void howFarItIsStandsThereWhole() {
+    Desk desk;
+    desk.replay({BagKind::Bag, "eight_hours.bag"});
+    desk.clock().seek(desk.clock().start() + 4 * 3600);
+    const auto* const length = desk.timeline().findChild<PlainLabel*>();
+    QCOMPARE(length->text(), desk.timeline().lengthShown());
+    QVERIFY(length->text().contains(QStringLiteral("4:00:00")));
+    QTRY_VERIFY(length->width() >= length->fontMetrics().horizontalAdvance(length->text()));
+  }
+
+  void withoutTheRobotNothingNewIsRecorded() {
+    Desk desk;
+    desk.connect();
+    QAction* const record = desk.action("record");
+    QTRY_VERIFY(desk.list().recordButton()->isEnabled() && record->isEnabled());
+    desk.sim.stop();
+    QTRY_VERIFY(!desk.list().recordButton()->isEnabled() && !record->isEnabled());
+    QVERIFY(desk.list().recordButton()->toolTip().contains(QStringLiteral("cannot be reached")));
+    QVERIFY(record->toolTip().contains(QStringLiteral("cannot be reached")));
   }
 
   void leadsBackToTheRobotWithItsSecret() {
@@ -562,6 +628,13 @@ class TestWindowReplay : public QObject {
     QTRY_VERIFY(hasMap());
     recorder->stop();
     QTRY_VERIFY(tell("which is not complete: the connection was lost, times: 1."));
+    // And is played from there.
+    QSignalSpy play(recorder, &RecordingController::playWanted);
+    const auto buttons = desk.window->overlay()->toasts()->findChildren<QPushButton*>();
+    QVERIFY(!buttons.isEmpty());
+    buttons.last()->click();
+    QCOMPARE(play.size(), 1);
+    QCOMPARE(play.front().front().toString(), path);
     QVERIFY(hasMap());
   }
 

@@ -75,7 +75,10 @@ TimelineDock::TimelineDock(ReplayClock& clock, QWidget* parent)
   time_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("00:00:00.000")) + 26);
   length_ = new PlainLabel(this);
   length_->setSecondary(true);
-  length_->setSample(QStringLiteral("0:00:00.0 of 0:00:00.0"));
+  const QString longest = tr("%1 of %2").arg(QStringLiteral("00:00:00.0"), QStringLiteral("00:00:00.0"));
+  length_->setSample(longest);
+  // How far it is stands nowhere else: what is beside it gives way.
+  length_->setMinimumWidth(length_->sizeHint().width());
   state_ = new StateLabel(this);
   retry_ = new QPushButton(tr("Retry"), this);
   back_ = new QPushButton(this);
@@ -165,7 +168,7 @@ void TimelineDock::setHiddenGroups(const QStringList& words) {
 
 void TimelineDock::layOut() {
   auto* const body = new QWidget(this);
-  auto* const row = new QHBoxLayout;
+  auto* const row = row_ = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(2);
   for (QToolButton* const tool : {event_back_, message_back_, play_, message_forward_, event_forward_})
@@ -234,8 +237,32 @@ void TimelineDock::setOpening(const QString& sentence) {
 }
 
 void TimelineDock::setBack(const QString& text) {
-  back_->setText(text);
+  back_words_ = text;
+  back_->setAccessibleName(text);
+  back_->setToolTip(text);
   back_->setVisible(!text.isEmpty());
+  fitBack();
+}
+
+void TimelineDock::fitBack() {
+  const int icon_px = back_->iconSize().width() + 16;
+  const int words_px = fontMetrics().horizontalAdvance(back_words_) + icon_px + 12;
+  // It must not come and go with what is said while the bag is read.
+  int others_px = fontMetrics().horizontalAdvance(tr("looking back %1 %").arg(100)) + 24;
+  for (int i = 0; i < row_->count(); ++i) {
+    const QLayoutItem* const item = row_->itemAt(i);
+    if (item->isEmpty() || item->widget() == back_ || item->widget() == state_) continue;
+    others_px += item->sizeHint().width() + row_->spacing();
+  }
+  const QMargins margins = row_->contentsMargins();
+  const int room_px = widget()->width() - margins.left() - margins.right() - others_px;
+  // The strip above the map has the same button with its words.
+  back_->setText(words_px <= room_px ? back_words_ : QString());
+}
+
+void TimelineDock::resizeEvent(QResizeEvent* event) {
+  QDockWidget::resizeEvent(event);
+  fitBack();
 }
 
 void TimelineDock::goToNextEvent(int direction) {
@@ -274,7 +301,7 @@ void TimelineDock::takeClosed() {
   view_->setLoop(std::nullopt);
   view_->setNotice(!opening_.isEmpty() ? opening_
                                        : tr("A bag that is opened in the panel Recordings is played here."));
-  time_->clear();
+  time_->setText({});  // clear() would count as typed, and what is typed stays
   length_->setText({});
   takeState();
 }
@@ -336,6 +363,7 @@ void TimelineDock::takeState() {
       open && std::any_of(reading->chunks().cells().begin(), reading->chunks().cells().end(),
                           [](const auto& cell) { return cell.second.state == replay::CellState::Failed; });
   retry_->setVisible(failed);
+  fitBack();
 }
 
 void TimelineDock::takeTyped(bool play_until) {

@@ -8,6 +8,7 @@
 #include "window/replay/timeline_view.h"
 
 class QComboBox;
+class QHBoxLayout;
 class QLineEdit;
 class QPushButton;
 class QToolButton;
@@ -52,6 +53,7 @@ class TimelineDock : public QDockWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QToolButton* button(const char* icon, const QString& name, const QString& tip);
@@ -67,6 +69,8 @@ class TimelineDock : public QDockWidget {
   void takeContent();
   void takeTyped(bool play_until);
   void takeSpeed();
+  /// Its words, where there is room for them beside everything else.
+  void fitBack();
 
   ReplayClock& clock_;
   TimelineView* view_;
@@ -77,7 +81,8 @@ class TimelineDock : public QDockWidget {
   StateLabel* state_;
   QPushButton *retry_, *back_;
   QTimer content_timer_;
-  QString opening_;
+  QString opening_, back_words_;
+  QHBoxLayout* row_ = nullptr;
 };
 
 }  // namespace mapwright::window
