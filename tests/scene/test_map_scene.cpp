@@ -180,7 +180,7 @@ class MapSceneTest : public QObject {
                  "whole,regions,submaps,incremental,match,symmetry,costmap,costmap-high,dispatched-cloud,"
                  "grid,overlays,"
                  "waypoints,landmarks,doors,boxes,constraints,outlines,ids,trajectory,path,"
-                 "local-path,target,cloud,robots,track,trail,expanded-footprint,footprint,robot,scalebar"));
+                 "local-path,target,cloud,robots,trail,track,expanded-footprint,footprint,robot,scalebar"));
   }
 
   void aSceneMayOutliveNothingAndBeTakenDownInAnyOrder() {

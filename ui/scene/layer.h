@@ -38,8 +38,8 @@ enum class Layer {
   Target,
   Cloud,
   NearbyRobots,
-  Track,  // of a whole bag
   Trail,
+  Track,  // of a whole bag
   ExpandedFootprint,
   Footprint,
   Robot,
