@@ -375,6 +375,8 @@ void SnapshotRun::paint(bool settled) {
   // The picture takes a while to be made. What the robot sends meanwhile must change neither it nor what is
   // said of it.
   session_.standStill();
+  // Closing lets go of all that was read of a bag.
+  const auto track = wantsTrack() ? window::trackOfBag(*replayed_->reading()) : nullptr;
   session_.close();
   chosen_ = std::make_unique<SnapshotChoice>();
   chosen_->counts = session_.counts();
@@ -415,7 +417,7 @@ void SnapshotRun::paint(bool settled) {
   SnapshotContent content = contentOf(options_, session_, map_, view_);
   if (options_.region) takeRegion(content);
   if (wantsCloud()) content.cloud = cloud_.came();
-  if (wantsTrack()) content.track = window::trackOfBag(*replayed_->reading());
+  content.track = track;
   picture_ = options_.raw ? makeRawPicture(content, workers_)
                           : makeScenePicture(options_, session_, content, workers_);
   connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);

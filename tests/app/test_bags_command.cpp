@@ -246,6 +246,23 @@ class BagsCommandTest : public QObject {
   }
 
   void infoTellsWhatTheRobotTells() {
+  void theTrackIsDrawnWithAPicture() {
+    const auto picture = [&](const QString& of, const QString& layers) {
+      const Outcome made = run(QStringLiteral("snapshot %1 --at %2 --layers %3 --mode submaps --center 10,1 "
+                                              "--scale 0.05 --size 200x100 -o track.png --force")
+                                   .arg(of, at(20), layers));
+      if (made.code != 0 && made.code != 1) qWarning("%d %s", made.code, made.err.constData());
+      QFile file(folder_.filePath(QStringLiteral("track.png")));
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    for (const QString& of : {recording(), bag()}) {
+      const QByteArray with = picture(of, QStringLiteral("robot,track"));
+      const QByteArray without = picture(of, QStringLiteral("robot"));
+      QVERIFY(with.startsWith("\x89PNG") && without.startsWith("\x89PNG"));
+      QVERIFY(with != without);
+    }
+  }
+
     const Outcome info = run(QStringLiteral("info %1 --json").arg(bag()));
     QVERIFY2(info.code == 0, info.err.constData());
     QVERIFY(info.object()[QStringLiteral("messages")].toInt() > 6000);
