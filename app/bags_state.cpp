@@ -14,6 +14,7 @@
 #include "app/bag_reading.h"
 #include "app/bags.h"
 #include "app/exit_code.h"
+#include "app/output_paths.h"
 #include "app/table.h"
 #include "app/waypoint_list.h"
 #include "words/plain.h"
@@ -34,15 +35,15 @@ int runBagsCommand(const BagsWords& words, int& argc, char** argv,
 }
 
 /// Those of a range that is held, between two times.
-void printFrames(const replay::Chunk& chunk, const TimeSpan& span, const std::string& topic) {
+/// False: nobody takes them any more.
+bool printFrames(const replay::Chunk& chunk, const TimeSpan& span, const std::string& topic) {
   for (std::size_t place = 0; place < chunk.order.size(); ++place) {
     const robot::BagMessage& message = chunk.at(place);
     if (!span.holds(message.message.received_s)) continue;
     if (!topic.empty() && message.message.topic != topic) continue;
-    const std::string line = jsonLine(chunk.source->textOf(message));
-    std::fwrite(line.data(), 1, line.size(), stdout);
-    std::fputc('\n', stdout);
+    if (!printOut(jsonLine(chunk.source->textOf(message)) + "\n")) return false;
   }
+  return true;
 }
 
 }  // namespace
@@ -56,11 +57,15 @@ int bagsFrames(const BagsWords& words, int& argc, char** argv) {
     const auto replayed = opened->readThrough(words.name, BagReading::Texts::Whole);
     if (!replayed) return tl::make_unexpected(replayed.error());
     std::int64_t odd = 0;
-    const auto failed = opened->readRanges(span->from_s, span->to_s, [&](const replay::Chunk& chunk) {
-      printFrames(chunk, *span, words.topic);
-      odd += std::int64_t(chunk.source->without_stamp + chunk.source->unreadable);
-      return std::nullopt;
-    });
+    bool taken = true;
+    const auto failed = opened->readRanges(
+        span->from_s, span->to_s, [&](const replay::Chunk& chunk) -> std::optional<CommandFailure> {
+          odd += std::int64_t(chunk.source->without_stamp + chunk.source->unreadable);
+          taken = printFrames(chunk, *span, words.topic);
+          // Nothing more is read for nobody; why, is said in the end.
+          return taken ? std::nullopt : std::optional(CommandFailure{kUsage, {}});
+        });
+    if (!taken) return kUsage;
     if (failed) return tl::make_unexpected(*failed);
     if (odd > 0)
       opened->robot().lack(

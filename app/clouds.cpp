@@ -170,7 +170,7 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   }
   if (words.json) {
     const QByteArray json = QJsonDocument(jsonOf(words, came, *written)).toJson(QJsonDocument::Indented);
-    std::fputs(words::escapedJson(json).constData(), stdout);
+    printOut(words::escapedJson(json).toStdString());
   }
   return cloud.missing > 0 ? kIncomplete : kDone;
 }

@@ -8,6 +8,7 @@
 #include <QJsonObject>
 
 #include "app/exit_code.h"
+#include "app/output_paths.h"
 #include "app/report.h"
 #include "app/table.h"
 #include "sentences/problem_sentence.h"
@@ -81,7 +82,7 @@ CommandResult<int> showWithoutPicture(MapReading& reading, bool json_wanted) {
                                          {QStringLiteral("name"), slot.name()}};
     json[QStringLiteral("grid")] = QJsonValue();
     json[QStringLiteral("waypoints")] = pointsJson(points);
-    std::printf("%s", words::escapedJson(QJsonDocument(json).toJson()).constData());
+    printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
     return tl::make_unexpected(no_picture);
   }
   std::vector<QStringList> table{{Words::tr("id"), text(map::toText(key))},

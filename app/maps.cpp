@@ -41,7 +41,7 @@ QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 QString notWritten(const disk::Fault& fault) { return sentences::wordsOf(reasons::notWritten(fault)); }
 
-void print(const QJsonDocument& json) { std::printf("%s", words::escapedJson(json.toJson()).constData()); }
+void print(const QJsonDocument& json) { printOut(words::escapedJson(json.toJson()).toStdString()); }
 
 QStringList rowOf(const map::CatalogueEntry& row) {
   const QString version = row.is_archived   ? Words::tr("archived")

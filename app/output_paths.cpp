@@ -19,6 +19,8 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(OutputPaths)
 };
 
+int why_not_printed = 0;  // the first errno that a write to standard output ended in
+
 /// A pipe or a device: bytes go into it, nothing is replaced.
 bool takesBytes(const QString& path) {
   const QFileInfo info(path);
@@ -71,11 +73,22 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
   return std::nullopt;
 }
 
+bool printOut(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written && why_not_printed == 0) why_not_printed = errno;
+  return std::ferror(stdout) == 0;
+}
+
 int concludeStandardOutput(int exit_code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-  const QString why = QString::fromLocal8Bit(std::strerror(errno));
-  std::fprintf(stderr, "%s\n",
-               qUtf8Printable(Words::tr("The standard output cannot be written: %1.").arg(why)));
+  const bool flushed = std::fflush(stdout) == 0;
+  // What failed first says why; errno tells of the last call alone, and of those that went well nothing.
+  if (!flushed && why_not_printed == 0) why_not_printed = errno;
+  if (flushed && std::ferror(stdout) == 0) return exit_code;
+  QString sentence = Words::tr("The standard output cannot be written.");
+  if (why_not_printed != 0)
+    sentence = Words::tr("The standard output cannot be written: %1.")
+                   .arg(QString::fromLocal8Bit(std::strerror(why_not_printed)));
+  std::fprintf(stderr, "%s\n", qUtf8Printable(sentence));
   return kUsage;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <QString>
@@ -21,6 +22,10 @@ std::optional<QString> whyNotTogether(const QStringList& outputs);
 
 /// A sentence when one of `outputs` is one of the files that were read, by whatever path or link.
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources);
+
+/// Writes to standard output, for what may be long; false: it takes nothing any more. Why not is known to
+/// concludeStandardOutput(), whatever the program does until then.
+bool printOut(std::string_view text);
 
 /// Standard output is written out; when that fails, a sentence on standard error and another exit code.
 int concludeStandardOutput(int exit_code);

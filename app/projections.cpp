@@ -11,6 +11,7 @@
 #include "app/access_words.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
+#include "app/output_paths.h"
 #include "app/robot_access.h"
 #include "app/table.h"
 #include "map/projections.h"
@@ -65,7 +66,7 @@ void print(const Projections& all, bool json) {
   if (json) {
     QJsonArray rows;
     for (const map::Projection& one : all) rows << jsonOf(one);
-    std::printf("%s", words::escapedJson(QJsonDocument(rows).toJson()).constData());
+    printOut(words::escapedJson(QJsonDocument(rows).toJson()).toStdString());
     return;
   }
   if (all.empty()) {

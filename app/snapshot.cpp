@@ -83,7 +83,7 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
   }
   const bool printed = isStandardOutput(report_path) || isStandardOutput(run.options().output);
   if (run.options().json && !isStandardOutput(report_path))
-    std::printf("%s", words::escapedJson(QJsonDocument(report).toJson()).constData());
+    printOut(words::escapedJson(QJsonDocument(report).toJson()).toStdString());
   if (!run.error().isEmpty()) return refuse(exit_code, run.error());
   if (!run.options().json && !printed) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
   if (exit_code == kDone) {

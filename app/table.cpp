@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/output_paths.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -19,7 +20,7 @@ void printTable(const std::vector<QStringList>& rows) {
     for (qsizetype i = 0; i < row.size(); ++i) {
       line += i + 1 == row.size() ? row[i] : row[i].leftJustified(widths[std::size_t(i)] + 2);
     }
-    std::printf("%s\n", qUtf8Printable(words::plainLine(line)));
+    printOut(words::plainLine(line).toStdString() + "\n");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 
 #include "app/exit_code.h"
+#include "app/output_paths.h"
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
@@ -128,11 +129,11 @@ int runWaypointsCommand(const WaypointsWords& words, int& argc, char** argv,
 }
 
 void printJson(const QJsonObject& json) {
-  std::printf("%s", words::escapedJson(QJsonDocument(json).toJson()).constData());
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
 }
 
 void printJson(const QJsonArray& json) {
-  std::printf("%s", words::escapedJson(QJsonDocument(json).toJson()).constData());
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
 }
 
 }  // namespace mapwright::app

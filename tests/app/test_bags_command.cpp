@@ -46,7 +46,8 @@ class BagsCommandTest : public QObject {
   std::unique_ptr<simulator::Simulator> robot_;
   QTemporaryDir folder_;
 
-  Outcome run(const QString& line, const QString& robot = {}) const {
+  /// `output`: where its standard output goes; empty = it is read.
+  Outcome run(const QString& line, const QString& robot = {}, const QString& output = {}) const {
     QProcessEnvironment env = QProcessEnvironment::systemEnvironment();
     for (const char* name :
          {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "MAPWRIGHT_ROBOT", "MAPWRIGHT_SECRET"})
@@ -57,6 +58,7 @@ class BagsCommandTest : public QObject {
     QProcess process;
     process.setProcessEnvironment(env);
     process.setWorkingDirectory(folder_.path());
+    if (!output.isEmpty()) process.setStandardOutputFile(output);
     process.start(QStringLiteral(MAPWRIGHT_PROGRAM),
                   QStringList{QStringLiteral("bags")} + line.split(QLatin1Char(' ')));
     const auto ended = [&] { return process.state() == QProcess::NotRunning; };
@@ -153,6 +155,17 @@ class BagsCommandTest : public QObject {
         run(QStringLiteral("list --json"), QStringLiteral("axbot+") + server.url(QString()).toString());
     QVERIFY2(half.code == 1 && half.err.contains("Recordings"), half.err.constData());
     QCOMPARE(int(half.array().size()), 1);
+  }
+
+  void aFullDiskIsNamedWhateverHappenedSince() {
+    const QString file = recording();
+    for (const QString& line : {QStringLiteral("frames ") + file, QStringLiteral("frames ") + bag(),
+                                QStringLiteral("events --json ") + bag()}) {
+      const Outcome full = run(line, {}, QStringLiteral("/dev/full"));
+      QCOMPARE(full.code, 2);
+      QVERIFY2(full.err.contains("No space left on device"), full.err.constData());
+      QCOMPARE(full.err.count('\n'), 1);
+    }
   }
 
   void eventsAreChosenByTheirKind() {
