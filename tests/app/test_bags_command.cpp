@@ -258,7 +258,6 @@ class BagsCommandTest : public QObject {
     QVERIFY(run(QStringLiteral("list")).out.contains("recording"));
   }
 
-  void infoTellsWhatTheRobotTells() {
   void theTrackIsDrawnWithAPicture() {
     const auto picture = [&](const QString& of, const QString& layers) {
       const Outcome made = run(QStringLiteral("snapshot %1 --at %2 --layers %3 --mode submaps --center 10,1 "
@@ -276,6 +275,7 @@ class BagsCommandTest : public QObject {
     }
   }
 
+  void infoTellsWhatTheRobotTells() {
     const Outcome info = run(QStringLiteral("info %1 --json").arg(bag()));
     QVERIFY2(info.code == 0, info.err.constData());
     QVERIFY(info.object()[QStringLiteral("messages")].toInt() > 6000);
