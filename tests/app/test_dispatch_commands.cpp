@@ -100,7 +100,7 @@ class DispatchCommandsTest : public QObject {
   void anAnswerOfAnotherRegionIsSaid() {
     start([](simulator::Options& options) { options.faults.ros.dispatcher.answer = "elsewhere"; });
     const Ran ran = exportRegion(file("elsewhere.png"), "0,0,10,10");
-    QCOMPARE(ran.exit_code, 0);
+    QCOMPARE(ran.exit_code, 1);
     QVERIFY2(ran.error.contains("another part"), ran.error.constData());
   }
 

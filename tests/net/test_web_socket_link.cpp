@@ -178,7 +178,8 @@ class TestWebSocketLink : public QObject {
     QTRY_COMPARE(server->peers.size(), 1);
     server->peers[0]->close(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("<b>restart</b>"));
     QTRY_COMPARE(opened.size(), 2);
-    QCOMPARE(reasons.value(0), Reason(ReasonCode::ConnectionClosedSaying, {QStringLiteral("restart")}));
+    QCOMPARE(reasons.value(0), Reason(ReasonCode::ConnectionClosedSaying,
+                                      {QStringLiteral(u"\u2039b\u203arestart\u2039/b\u203a")}));
     QTRY_COMPARE(server->peers.size(), 2);
     reasons.clear();
     server.reset();

@@ -230,14 +230,16 @@ class RosDispatchTest : public QObject {
     QVERIFY(!dispatch());
     serve("/d/get_sub_map", "map_msgs/GetMapROI", {{text("sub_map"), grid()}});
     QTRY_VERIFY_WITH_TIMEOUT(dispatch(), kPatienceMs);
-    const int before = capabilities_;
     serve("/d/get_map", "nav_msgs/GetMap", {{text("map"), grid()}});
     QTRY_VERIFY_WITH_TIMEOUT(dispatch()->offered(DispatchService::Grid), kPatienceMs);
     QVERIFY(askGrid(std::nullopt));
     server_->withdraw(text("/d/get_sub_map"));
     server_->withdraw(text("/d/get_map"));
-    QTRY_VERIFY_WITH_TIMEOUT(!dispatch(), kPatienceMs);
-    QVERIFY(capabilities_ > before);
+    // What it has told stays, and nothing more can be asked for.
+    QTRY_VERIFY_WITH_TIMEOUT(!dispatch()->offered(DispatchService::GridRegion), kPatienceMs);
+    QVERIFY(!dispatch()->offered(DispatchService::Grid));
+    serve("/d/get_sub_map", "map_msgs/GetMapROI", {{text("sub_map"), grid()}});
+    QTRY_VERIFY_WITH_TIMEOUT(dispatch()->offered(DispatchService::GridRegion), kPatienceMs);
   }
 
   void namesOfTheAddressCount() {
