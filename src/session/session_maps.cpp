@@ -6,6 +6,7 @@
 
 #include <QPointer>
 
+#include "robot/map_dispatch.h"
 #include "robot/picture_store.h"
 #include "robot/sends_map.h"
 #include "robot/waypoint_store.h"
@@ -27,6 +28,12 @@ map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& liv
   map.bytes = message.png;
   map.fingerprint = message.fingerprint;
   return map;
+}
+
+/// Nothing is to be waited for: the live map of such a robot is seen by regions.
+bool givenByRegion(robot::Robot& robot, const map::MapKey& key) {
+  const robot::MapDispatch* const dispatch = robot.mapDispatch();
+  return key.kind == map::MapKind::Live && dispatch && dispatch->offered(robot::DispatchService::GridRegion);
 }
 
 }  // namespace
@@ -105,7 +112,8 @@ void Session::wireMaps() {
     // It sends no map of its own: the one that it works with is shown, until it does.
     const map::CatalogueEntry* const current = catalogue_.current();
     if (map_chosen_ || !maps_by_itself_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
-    if (!(whole_map_.key() == current->key)) openInto(whole_map_, current->key);
+    if (!(whole_map_.key() == current->key) && !givenByRegion(*robot_, current->key))
+      openInto(whole_map_, current->key);
   });
 }
 
@@ -119,7 +127,7 @@ void Session::openFirstMap() {
     return;
   const map::CatalogueEntry* entry = catalogue_.current();
   if (!entry && catalogue_.entries().size() == 1) entry = &catalogue_.entries().front();
-  if (!entry || whole_map_.key() == entry->key) return;
+  if (!entry || whole_map_.key() == entry->key || givenByRegion(*robot_, entry->key)) return;
   live_wanted_ = false;
   openInto(whole_map_, entry->key);
 }

@@ -64,6 +64,7 @@ class SessionMapsTest : public QObject {
     goOnline();
     robot_->say(liveGrid(254));
     QTRY_COMPARE(shownGray(), 254);
+    QTRY_VERIFY(session_->wholeMap().settled());  // its rows are seen while it is still being read
     QVERIFY(session_->wholeMap().name().isEmpty());
     map::MapInfo info;
     info.name = "Ground floor";
