@@ -269,8 +269,9 @@ void RegionsController::toast(Mark mark, const QString& text) { context_.overlay
 void RegionsController::saveOnRobot() {
   if (!dispatch_ || save_dialog_) return;
   save_dialog_ = new SaveMapDialog(&context_.window);
-  connect(save_dialog_, &QObject::destroyed, this, [this] {
+  connect(save_dialog_, &QDialog::finished, this, [this] {
     saving_.cancel();
+    save_dialog_.clear();  // it goes by itself
     tell();
   });
   connect(save_dialog_, &SaveMapDialog::saveWanted, this, [this](const QString& filename) {
