@@ -85,8 +85,13 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
 void MapRegions::forgetOld(const RegionAsk& ask, Change& change) {
   const RegionRow& row = plan_.row(*ask.key);
   const bool some_is_new = row.came_in == ask.round && !row.came.empty();
+  // What a part overlaps of the square beside it belongs there.
+  const geometry::WorldRect square = plan_.lattice().rectOf(*ask.key);
+  const geometry::WorldRect own{
+      std::max(ask.rect.min_x, square.min_x), std::max(ask.rect.min_y, square.min_y),
+      std::min(ask.rect.max_x, square.max_x), std::min(ask.rect.max_y, square.max_y)};
   for (const geometry::WorldRect& rect :
-       some_is_new ? without(ask.rect, row.came) : std::vector<geometry::WorldRect>{ask.rect}) {
+       some_is_new ? without(own, row.came) : std::vector<geometry::WorldRect>{own}) {
     if (cells_.forget(rect)) change.cells.extend(rect);
   }
 }

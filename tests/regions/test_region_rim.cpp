@@ -43,6 +43,19 @@ map::GridPart strictly(const FakeGround& ground, const map::GridRegion& region) 
   return nothing;
 }
 
+/// The same of one that rounds to the nearest edges of cells.
+map::GridPart roundly(const FakeGround& ground, const map::GridRegion& region) {
+  const auto snapped = [&](const Eigen::Vector2d& at) -> Eigen::Vector2d {
+    const Eigen::Vector2d zero(ground.origin.x_m, ground.origin.y_m);
+    return ((at - zero) / ground.resolution_m).array().round().matrix() * ground.resolution_m + zero;
+  };
+  const map::GridPart strict = strictly(ground, region);
+  if (strict.grid.width == 0) return strict;
+  const Eigen::Vector2d low = snapped(region.centre_m - region.size_m / 2);
+  const Eigen::Vector2d high = snapped(region.centre_m + region.size_m / 2);
+  return ground.part({(low + high) / 2, high - low});
+}
+
 MapRegions regionsOf(int region_cells, std::optional<WorldRect> only = {}) {
   MapRegions::Options options;
   options.plan.region_cells = region_cells / 2;
@@ -99,6 +112,10 @@ class TestRegionRim : public QObject {
     QVERIFY2(asked <= most_asked, qPrintable(QString::number(asked)));
     QVERIFY(regions.plan().settled(1));
     QCOMPARE(regions.counts().failed, 0);
+    MapRegions rounded = regionsOf(512);
+    look(rounded, view);
+    settle(rounded, [&](const auto& region) { return roundly(ground, region); });
+    QCOMPARE(wrongIn(rounded, ground, view), 0);
   }
 
   void whatIsAskedForByItselfIsThereThoughItsSquaresAreNot() {
