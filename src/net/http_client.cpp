@@ -135,7 +135,9 @@ class HttpClient::Impl {
     job.handed_over = 0;
     const bool changes = job.request.method != HttpMethod::Get;
     if (changes) {
-      job.own_network = std::make_unique<QNetworkAccessManager>();
+      // Its parent sees to it that it goes with the client: what is put off until later at the end of a
+      // thread would never be done.
+      job.own_network = new QNetworkAccessManager(&network_);
       job.own_network->setAutoDeleteReplies(false);
     }
     QNetworkAccessManager& network = changes ? *job.own_network : network_;
@@ -359,8 +361,9 @@ class HttpClient::Impl {
       job.network_reply = nullptr;
       job.upload = nullptr;
     }
-    if (job.own_network) {
-      job.own_network.release()->deleteLater();  // with its reply; it may be the sender of what runs now
+    if (job.own_network != nullptr) {
+      job.own_network->deleteLater();  // with its reply; it may be the sender of what runs now
+      job.own_network = nullptr;
     }
   }
 

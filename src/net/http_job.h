@@ -26,8 +26,8 @@ struct HttpJob {
   QUrl url;  // the one under way: after redirects not the one asked for
   int redirects = 0;
   std::optional<CachedAnswer> stored;
-  std::optional<HttpAnswer> answer;                    // set: only waits to be told
-  std::unique_ptr<QNetworkAccessManager> own_network;  // a connection that nothing was sent over before
+  std::optional<HttpAnswer> answer;              // set: only waits to be told
+  QNetworkAccessManager* own_network = nullptr;  // a connection that nothing was sent over before
   QNetworkReply* network_reply = nullptr;
   OneWayBody* upload = nullptr;  // of network_reply
   bool heard_sent = false;       // of this request

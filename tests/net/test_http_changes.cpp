@@ -46,6 +46,16 @@ HttpAnswer send(HttpClient& client, HttpMethod method, const QUrl& url, const QB
   return asked.wait() ? *asked.answer : HttpAnswer();
 }
 
+/// The threads in which Qt's network access works: one for each access that is still there.
+int networkThreads() {
+  int count = 0;
+  for (const QString& task : QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs)) {
+    QFile name(QStringLiteral("/proc/self/task/%1/comm").arg(task));
+    count += name.open(QIODevice::ReadOnly) && name.readAll().startsWith("QNetworkAccess");
+  }
+  return count;
+}
+
 /// Keeps its connections open; does what it is told with the n-th request on them.
 class KeepingServer {
  public:
@@ -295,6 +305,28 @@ class TestHttpChanges : public QObject {
     QCOMPARE(answer.kind, Kind::Unreachable);
     QCOMPARE(answer.status, 200);
     QVERIFY(answer.sent);
+  }
+
+  void aClientThatGoesWithItsThreadLeavesNothingOfWhatIsUnderWay() {
+    const int before = networkThreads();
+    ScriptedServer silent([](const SeenRequest&) { return QByteArray(); });
+    QThread thread;
+    auto* const keeper = new QObject;
+    keeper->moveToThread(&thread);
+    connect(&thread, &QThread::finished, keeper, &QObject::deleteLater);
+    thread.start();
+    QMetaObject::invokeMethod(keeper, [keeper, url = silent.url()] {
+      auto* const client = new HttpClient(url, "", nullptr, keeper);
+      HttpRequest request;
+      request.method = HttpMethod::Post;
+      request.url = url;
+      client->send(request, [](const HttpAnswer&) {});
+    });
+    QTRY_COMPARE_WITH_TIMEOUT(silent.seen.size(), 1, kPatienceMs);
+    QCOMPARE(networkThreads(), before + 1);
+    thread.quit();
+    QVERIFY(thread.wait(kPatienceMs));
+    QTRY_COMPARE_WITH_TIMEOUT(networkThreads(), before, kPatienceMs);
   }
 };
 

@@ -206,6 +206,7 @@ bool KabamPictures::finishConfirming(const WritingPtr& writing) {
   confirming_.erase(found);
   for (std::unique_ptr<QTimer>* timer : {&writing->halfway, &writing->patience}) {
     (*timer)->stop();
+    (*timer)->setParent(this);        // and goes with this at the latest
     timer->release()->deleteLater();  // it may be the one that is speaking
   }
   writing->errand->ended(writing->number);

@@ -94,6 +94,7 @@ void KabamRequests::end(const Entry& entry, Awaited how) {
   if (found == waiting_.end()) return;
   waiting_.erase(found);
   entry->patience->stop();
+  entry->patience->setParent(this);          // and goes with this at the latest
   entry->patience.release()->deleteLater();  // it may be the one that is speaking
   entry->errand->ended(entry->number);
   entry->then(how);
