@@ -211,6 +211,7 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
     session_.want(QStringLiteral("command"), scene::layerStreams(scene::Layer::WholeMap));
   }
   MapWish wish(session_, id, true);
+  wish.agreeToWhole();
   const bool in =
       waitUntil([&] { return wish.look(secondsSince(online_since_)) != MapWish::State::Waiting; });
   if (!in) {

@@ -5,10 +5,14 @@
 #include <QCoreApplication>
 
 #include "app/exit_code.h"
+#include "app/map_region.h"
 #include "app/report.h"
+#include "regions/region_fetch.h"
+#include "robot/map_dispatch.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
+#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -18,11 +22,24 @@ class Words {
 };
 
 using Phase = session::MapSlot::Phase;
+using robot::DispatchService;
+
+bool givesRegions(robot::Robot& robot) {
+  const robot::MapDispatch* const dispatch = robot.mapDispatch();
+  return dispatch != nullptr && dispatch->offered(DispatchService::GridRegion);
+}
+
+QString byRegionsOnly() {
+  return Words::tr("It gives its map by regions: ask for one with --region X,Y,LX,LY.");
+}
 
 }  // namespace
 
 MapWish::MapWish(session::Session& session, QString id, bool with_points)
-    : session_(session), id_(std::move(id)), with_points_(with_points) {}
+    : session_(session),
+      id_(std::move(id)),
+      with_points_(with_points),
+      present_(std::make_shared<const bool>(true)) {}
 
 bool MapWish::local() const { return session_.robot().isLocal(); }
 
@@ -41,8 +58,13 @@ MapWish::State MapWish::look(double online_for_s) {
   if (!key_) choose();
   if (!key_) return failed_ ? State::Failed : State::Waiting;
   const session::MapSlot& slot = session_.wholeMap();
-  if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && online_for_s > live_within_s_) {
-    chooseInsteadOfLive();
+  if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && !asked_for_whole_) {
+    // Its dispatcher may come a moment later than the robot itself.
+    if (givesRegions(session_.robot()) && givesMapWhenAsked(session_.robot())) {
+      askForWhole();
+    } else if (online_for_s > live_within_s_) {
+      chooseInsteadOfLive();
+    }
   } else if (slot.key() == *key_ && slot.phase() == Phase::Failed && !shown()) {
     fail(local() ? kUsage : exitCodeOf(slot.failure()), sentences::sentenceOf(slot.remark()));
   }
@@ -73,6 +95,45 @@ void MapWish::choose() {
   } else {
     open(key);
   }
+}
+
+void MapWish::askForWhole() {
+  if (!whole_agreed_) {
+    fail(kRobotError, byRegionsOnly() + QLatin1Char(' ') +
+                          Words::tr("All of it, however large, is had with --mode whole."));
+    return;
+  }
+  asked_for_whole_ = true;
+  session_.robot().mapDispatch()->grid(
+      std::nullopt, [this, here = std::weak_ptr(present_)](const robot::Outcome<map::GridPart>& outcome) {
+        if (!here.expired()) takeWhole(outcome);
+      });
+}
+
+void MapWish::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
+  if (!outcome) {
+    fail(exitCodeOf(outcome.error().kind), QString::fromStdString(sentences::sentenceOf(outcome.error())));
+    return;
+  }
+  const map::GridPart& part = *outcome;
+  const bool none = part.grid.width <= 0 || part.grid.height <= 0;
+  const bool whole = !none && part.cells &&
+                     part.cells->size() / std::size_t(part.grid.width) >= std::size_t(part.grid.height);
+  if (!whole || map::whyUnusable(part.grid)) {
+    fail(none ? kIncomplete : kRobotError,
+         none ? Words::tr("There is nothing in its map.") : Words::tr("Its whole map cannot be used."));
+    return;
+  }
+  for (const map::Reason& note : part.notes) notes_ << sentences::wordsOf(note);
+  map::WholeMap map;
+  map.key = *key_;
+  for (const robot::DispatchOffer& offer : session_.robot().mapDispatch()->offers()) {
+    if (offer.service == DispatchService::Grid) map.name = offer.name;
+  }
+  map.grid = part.grid;
+  map.reading = regions::kPgmReading;
+  map.bytes = std::make_shared<const std::string>(regions::pgmOf(part));
+  session_.wholeMap().show(map);
 }
 
 void MapWish::chooseCurrent() {
@@ -109,9 +170,13 @@ void MapWish::failWithoutLive(const QString& sentence) {
   fail(kRobotError, (QStringList(sentence) + liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
 }
 
+QString MapWish::noMapNow() const {
+  return givesRegions(session_.robot()) ? byRegionsOnly() : Words::tr("It sends no map now.");
+}
+
 void MapWish::chooseInsteadOfLive() {
   if (!id_.isEmpty()) {
-    failWithoutLive(Words::tr("It sends no map now."));
+    failWithoutLive(noMapNow());
     return;
   }
   if (!catalogueIn()) return;
@@ -119,7 +184,7 @@ void MapWish::chooseInsteadOfLive() {
   // Of a robot that keeps no maps the current one is that which does not come.
   if (!current || current->key.kind == map::MapKind::Live) {
     failWithoutLive(current
-                        ? Words::tr("It sends no map now.")
+                        ? noMapNow()
                         : Words::tr("It sends no map now, and none of its stored maps is the current one."));
     return;
   }

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include <QString>
 #include <QStringList>
 
 #include "app/command_failure.h"
+#include "map/map_part.h"
 #include "render/sample_grid.h"
+#include "robot/call.h"
 #include "session/session.h"
 
 namespace mapwright::app {
@@ -26,6 +29,9 @@ class MapWish {
   /// How long a robot that can send its map may take for it before its current stored one is drawn: this, or
   /// the usual time where that is shorter.
   void setPatience(double seconds) { live_within_s_ = std::min(live_within_s_, seconds); }
+  /// Of a robot that gives its map by regions all of it is asked for at once, however large; without this,
+  /// that is a failure that names the regions.
+  void agreeToWhole() { whole_agreed_ = true; }
   /// Why it Failed.
   const CommandFailure& failure() const { return failure_; }
 
@@ -45,7 +51,11 @@ class MapWish {
   /// The robot's current map, or its only one.
   void chooseCurrent();
   void chooseInsteadOfLive();
+  QString noMapNow() const;
   void open(const map::MapKey& key);
+  /// Of a dispatcher; fails where nobody has agreed to that.
+  void askForWhole();
+  void takeWhole(const robot::Outcome<map::GridPart>& outcome);
   /// Asks for the catalogue; false while it is on its way, or cannot be had.
   bool catalogueIn();
   void fail(int exit_code, const QString& sentence);
@@ -58,7 +68,9 @@ class MapWish {
   QString id_;
   bool with_points_;
   std::optional<map::MapKey> key_;
-  bool failed_ = false, live_broken_ = false;
+  bool failed_ = false, live_broken_ = false, whole_agreed_ = false;
+  bool asked_for_whole_ = false;         // of a dispatcher: there is nothing to be patient about
+  std::shared_ptr<const bool> present_;  // as long as this is
   double live_within_s_ = 8;
   CommandFailure failure_;
   QStringList notes_;

@@ -16,6 +16,7 @@
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
 #include "scene/write_picture.h"
+#include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
@@ -73,6 +74,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
             });
   }
   map_.setPatience(replayed_ ? kBagMapWithinS : options_.timeout_s / 2);
+  if (!automatic_) map_.agreeToWhole();
   for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
     timer->setSingleShot(true);
     timer->setTimerType(Qt::PreciseTimer);
@@ -154,6 +156,12 @@ bool SnapshotRun::connected() {
     return false;
   }
   if (replayed_ && !recalled()) return false;
+  if (options_.mode == SnapshotMode::Submaps && !session_.robot().submapSource()) {
+    const QString why =
+        sentences::whyAbsent(robot::Capability::Submaps, session_.robot().whyNot(robot::Capability::Submaps));
+    fail(isLocal() ? kUsage : kRobotError, QStringLiteral("%1: %2").arg(options_.robot, why));
+    return false;
+  }
   connected_s_ = seconds();
   live_layers_.ask(options_.layers,
                    wantsWhole(options_) && (!options_.map || options_.map->kind == map::MapKind::Live));

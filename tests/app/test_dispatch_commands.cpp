@@ -118,6 +118,38 @@ class DispatchCommandsTest : public QObject {
     QCOMPARE(QImage(file("whole.png")).size(), QSize(400, 400));
   }
 
+  void aPictureOfAllOfItIsDrawnWhenThatWasSaid() {
+    start([](simulator::Options& options) { options.ros.dispatcher.edge_m = 20; });
+    for (const char* mode : {"whole", "grid"}) {
+      const Ran ran =
+          ask({text("snapshot"), text("--mode"), text(mode), text("--center"), text("0,0"), text("--scale"),
+               text("0.05"), text("--size"), text("500x500"), text("--raw"), text("-o"), file("all.png")});
+      QVERIFY2(ran.exit_code == 0, ran.error.constData());
+      // 400 x 400 cells, and nothing around them.
+      const QImage picture = QImage(file("all.png")).convertToFormat(QImage::Format_ARGB32);
+      QCOMPARE(picture.size(), QSize(500, 500));
+      QVERIFY(qAlpha(picture.pixel(250, 250)) != 0);
+      QCOMPARE(qAlpha(picture.pixel(20, 250)), 0);
+    }
+    const Ran shown = ask({text("maps"), text("show"), text("live"), text("--json")});
+    QVERIFY2(shown.exit_code == 0, shown.error.constData());
+  }
+
+  void whoDoesNotSayHowMuchIsToldOfRegions() {
+    start();
+    const Ran ran = ask({text("snapshot"), text("-o"), file("none.png")});
+    QCOMPARE(ran.exit_code, 4);
+    QVERIFY2(ran.error.contains("--region") && ran.error.contains("--mode whole"), ran.error.constData());
+    QVERIFY(!QFile::exists(file("none.png")));
+  }
+
+  void aRobotWithoutSubmapsIsNotWaitedFor() {
+    start();
+    const Ran ran = ask({text("snapshot"), text("--mode"), text("submaps"), text("-o"), file("all.png")});
+    QCOMPARE(ran.exit_code, 4);
+    QVERIFY2(ran.error.count('\n') == 1 && ran.error.contains("submaps"), ran.error.constData());
+  }
+
   void aRegionIsOfTheLiveMapAlone() {
     start();
     const Ran ran = ask({text("maps"), text("export"), text("12"), text("--region"), text("0,0,1,1"),

@@ -23,7 +23,7 @@ constexpr int kLargestThumbnail = 4'096;
 QString sectionTitle(map::MapKind kind) {
   switch (kind) {
     case map::MapKind::Live:
-      break;
+      return QCoreApplication::translate("window", "Live");
     case map::MapKind::Stored:
       return QCoreApplication::translate("window", "Stored maps");
     case map::MapKind::Mapping:
