@@ -128,7 +128,7 @@ class DispatchNamesTest : public QObject {
   void anAddressNamesThem() {
     const Addresses addresses({rosAddressScheme(), rep130AddressScheme()});
     const auto parsed = addresses.parse(
-        QStringLiteral("rep130+ws://robot?ns=/map_dispatcher&get_map=other/name&projected_map=/p"));
+        QStringLiteral("rep130+ws://robot?ns=/map_dispatcher&get_map=/other/name&projected_map=/p"));
     QVERIFY(parsed);
     const DispatchWish wish = dispatchWishOf(*parsed);
     QVERIFY(wish.expected);
@@ -142,6 +142,18 @@ class DispatchNamesTest : public QObject {
     const auto tried = dispatchIn(std::nullopt, std::nullopt, wish);
     QCOMPARE(nameOf(tried, Service::Grid), std::string("/other/name"));
     QCOMPARE(nameOf(tried, Service::GridRegion), std::string("/map_dispatcher/get_sub_map"));
+  }
+
+  void aRelativeNameInAnAddressLiesInItsNamespace() {
+    const Addresses addresses({rep130AddressScheme()});
+    const auto named = [&](const char* options) {
+      return dispatchWishOf(*addresses.parse(QStringLiteral("rep130+ws://robot") + QLatin1String(options)))
+          .names.at(DispatchName::GetSubMap);
+    };
+    QCOMPARE(named("?ns=/slam/&get_sub_map=roi"), std::string("/slam/roi"));
+    QCOMPARE(named("?get_sub_map=a/roi&ns=/slam"), std::string("/slam/a/roi"));
+    QCOMPARE(named("?get_sub_map=roi"), std::string("/roi"));
+    QCOMPARE(named("?ns=/slam&get_sub_map=/roi"), std::string("/roi"));
   }
 };
 

@@ -33,9 +33,14 @@ QString asWeb(const QString& typed) {
   return typed;
 }
 
-/// Names in an address are whole; those without a slash lie in the root.
-QString wholeName(const QString& typed) {
-  return typed.startsWith(QLatin1Char('/')) ? typed : QLatin1Char('/') + typed;
+/// As ROS resolves names: those without a slash at their beginning lie in the namespace.
+QString wholeName(const QString& typed, const QString& ns) {
+  return typed.startsWith(QLatin1Char('/')) ? typed : ns + QLatin1Char('/') + typed;
+}
+
+QString withoutLastSlashes(QString name) {
+  while (name.endsWith(QLatin1Char('/'))) name.chop(1);
+  return name;
 }
 
 /// All that may follow the ? beside ns.
@@ -50,11 +55,12 @@ using MaybeQuery = tl::expected<QUrlQuery, QString>;
 MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
   const auto options = typed.queryItems(QUrl::FullyDecoded);
   const QStringList known = dispatchOptions();
+  const QString below = withoutLastSlashes(typed.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded));
   QUrlQuery read;
   for (const auto& [name, value] : options) {
     const bool ns = name == QLatin1String("ns");
     const bool fits = ns || (dispatcher && known.contains(name));
-    const QString whole = ns ? value : wholeName(value);
+    const QString whole = ns ? value : wholeName(value, below);
     if (!fits || !isNamespace(whole) || read.hasQueryItem(name)) {
       return error(
           dispatcher ? Words::tr("The address of a map dispatcher may only have names of ROS after its ?, "
@@ -62,9 +68,7 @@ MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
                            .arg(known.join(QStringLiteral(", ")))
                      : Words::tr("The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
     }
-    QString kept = whole;
-    while (kept.endsWith(QLatin1Char('/'))) kept.chop(1);
-    read.addQueryItem(name, kept);
+    read.addQueryItem(name, withoutLastSlashes(whole));
   }
   return read;
 }
@@ -108,9 +112,8 @@ AddressScheme kabamAddressScheme() { return schemeOf("kabam+"); }
 AddressScheme rep130AddressScheme() { return schemeOf("rep130+"); }
 
 std::string namespaceOf(const Address& address) {
-  std::string ns = address.options.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded).toStdString();
-  while (!ns.empty() && ns.back() == '/') ns.pop_back();
-  return ns;
+  return withoutLastSlashes(address.options.queryItemValue(QStringLiteral("ns"), QUrl::FullyDecoded))
+      .toStdString();
 }
 
 DispatchWish dispatchWishOf(const Address& address) {
