@@ -13,6 +13,7 @@ namespace mapwright::window {
 
 void fillMenuBar(QMenuBar& bar, const Actions& actions) {
   std::map<Menu, QMenu*> menus;
+  std::map<MenuGroup, QMenu*> submenus;
   std::map<Menu, MenuGroup> last;
   for (const auto& [place, action] : actions.inMenus()) {
     const Menu which = menuOf(place.group);
@@ -20,11 +21,22 @@ void fillMenuBar(QMenuBar& bar, const Actions& actions) {
     if (!menu) {
       menu = bar.addMenu(menuTitle(which));
       menu->setToolTipsVisible(true);
-    } else if (last[which] != place.group) {
-      menu->addSeparator();
+    } else if (last[which] != place.group &&
+               (submenuTitle(place.group).isEmpty() || submenuTitle(last[which]).isEmpty())) {
+      menu->addSeparator();  // submenus beside each other need none
     }
     last[which] = place.group;
-    menu->addAction(action);
+    const QString title = submenuTitle(place.group);
+    if (title.isEmpty()) {
+      menu->addAction(action);
+      continue;
+    }
+    QMenu*& submenu = submenus[place.group];
+    if (!submenu) {
+      submenu = menu->addMenu(title);
+      submenu->setToolTipsVisible(true);
+    }
+    submenu->addAction(action);
   }
 }
 

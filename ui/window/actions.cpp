@@ -149,6 +149,17 @@ QString menuTitle(Menu menu) {
   return QCoreApplication::translate("window", "&Help");
 }
 
+QString submenuTitle(MenuGroup group) {
+  switch (group) {
+    case MenuGroup::Colors:
+      return QCoreApplication::translate("window", "Colours of submaps");
+    case MenuGroup::Theme:
+      return QCoreApplication::translate("window", "Theme");
+    default:
+      return {};
+  }
+}
+
 QString plainActionText(const QAction& action) { return withoutMnemonic(action.text()); }
 
 QString shortcutsText(const QAction& action) {

@@ -159,6 +159,8 @@ class Actions : public QObject {
 Menu menuOf(MenuGroup group);
 /// "&Robot".
 QString menuTitle(Menu menu);
+/// Of a group that stands in a menu of its own within its menu; empty = it does not.
+QString submenuTitle(MenuGroup group);
 
 /// "Fit (F)": an action's text without mnemonics, dots and the like.
 QString plainActionText(const QAction& action);
