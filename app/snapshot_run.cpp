@@ -4,23 +4,18 @@
 #include <utility>
 
 #include <QCoreApplication>
-#include <QJsonArray>
 #include <QMetaMethod>
 
 #include "app/exit_code.h"
-#include "app/output_paths.h"
 #include "app/report.h"
-#include "app/robot_factory.h"
 #include "app/snapshot_content.h"
 #include "map/may_pass.h"
 #include "replay/replay_robot.h"
 #include "robot/bag_library.h"
-#include "scene/write_picture.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
-#include "window/replay/track_on_map.h"
 
 namespace mapwright::app {
 namespace {
@@ -34,7 +29,6 @@ constexpr int kConnectAttempts = 3;
 constexpr double kConnectWithinS = 10;
 constexpr int kLookEveryMs = 20;
 constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its world, or not at all
-constexpr double kTopicsWithinS = 3;  // live layers, after connecting
 constexpr double kNoteEveryS = 0.25;
 // Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some,
 // too.
@@ -44,14 +38,6 @@ constexpr double kListWithinS = 8, kListAtLeastS = 3;  // where a whole map can 
 int milliseconds(double seconds) { return int(std::clamp(seconds * 1000, 0.0, 2e9)); }
 
 }  // namespace
-
-/// What the picture is made of, and what is said of it.
-struct SnapshotChoice {
-  session::SubmapCounts counts;
-  QStringList problems;
-  std::optional<QJsonObject> map;
-  bool refused = false;  // something was: not without (the right) secret
-};
 
 SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> robot, CommandStart start)
     : automatic_(options.mode == SnapshotMode::Automatic),
@@ -353,117 +339,6 @@ void SnapshotRun::cutOff() {
   write();
 }
 
-bool SnapshotRun::waypointsLost() const {
-  if (options_.raw || !wantsWhole(options_) || !options_.layers.contains(scene::Layer::Waypoints))
-    return false;
-  const auto& rows = session_.problems().rows();
-  return std::any_of(rows.begin(), rows.end(), [](const session::LoggedProblem& row) {
-    return !row.resolved && row.problem.subject.kind == map::SubjectKind::Places &&
-           row.problem.code == map::ProblemCode::Unavailable;
-  });
-}
-
-void SnapshotRun::paint(bool settled) {
-  if (done_ || chosen_) return;
-  if (options_.region && !sizeRegion()) return;
-  if (!options_.region && options_.mode == SnapshotMode::Whole && !map_.grid()) {
-    const QString which = options_.map
-                              ? Words::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
-                              : Words::tr("its map");
-    fail(exitCodeOf(map::FailureKind::TimedOut),
-         Words::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
-                 .arg(options_.robot, which, QString::number(options_.settle_s.value_or(options_.timeout_s)),
-                      options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")) +
-             whatOfTheLink() +
-             (QStringList(QString()) + map_.liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
-    return;
-  }
-  poll_.stop();
-  settle_.stop();
-  // The picture takes a while to be made. What the robot sends meanwhile must change neither it nor what is
-  // said of it.
-  session_.standStill();
-  // Closing lets go of all that was read of a bag.
-  const auto track = wantsTrack() ? window::trackOfBag(*replayed_->reading()) : nullptr;
-  session_.close();
-  chosen_ = std::make_unique<SnapshotChoice>();
-  chosen_->counts = session_.counts();
-  chosen_->problems = problemLines(session_.problems());
-  chosen_->refused = anyRefused(session_.problems());
-  if (const auto grid = wantsWhole(options_) ? map_.grid() : std::nullopt) {
-    chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
-  }
-  complete_ = settled && (!wantsSubmaps(options_) || submapsComplete(chosen_->counts)) &&
-              (!wantsWhole(options_) || map_.complete()) && !waypointsLost() &&
-              (!options_.region || fetch_->complete()) && (!wantsCloud() || cloud_.came()) &&
-              bagLosses(session_.problems()).isEmpty();
-  if (wantsCloud() && !cloud_.problem().isEmpty()) notes_ << cloud_.problem();
-  // Nothing may look as if it had been recorded.
-  if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&
-      map_.key()->kind != map::MapKind::Live) {
-    notes_ << (isLocal()
-                   ? Words::tr("The bag holds no map until then: the one that was recorded with it is drawn.")
-                   : Words::tr(
-                         "The bag holds no map until then: the one that the robot keeps now is drawn."));
-    shown_instead_ += (shown_instead_.isEmpty() ? QString() : QStringLiteral(" ")) + notes_.back();
-  }
-  if (lacksSubmaps())
-    notes_ << Words::tr("The bag holds no submap list until then: there are no submaps to draw.");
-  for (const QString& topic : live_layers_.silent()) {
-    // A bag is not asked for anything: what is not in it is not missing.
-    if (replayed_) break;
-    notes_ << Words::tr("Topic %1 gave nothing within %2 s.")
-                  .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
-  }
-  const session::SubmapCounts& counts = chosen_->counts;
-  if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
-    notes_ << Words::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
-  }
-  view_ = viewOf(options_, session_, map_);
-  noteStanding();
-  Q_EMIT contentChosen();
-  SnapshotContent content = contentOf(options_, session_, map_, view_);
-  if (options_.region) takeRegion(content);
-  if (wantsCloud()) content.cloud = cloud_.came();
-  content.track = track;
-  picture_ = options_.raw ? makeRawPicture(content, workers_)
-                          : makeScenePicture(options_, session_, content, workers_);
-  connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
-  picture_->start();
-  notes_ += picture_->notes();
-}
-
-void SnapshotRun::write() {
-  if (done_) return;
-  made_ = picture_->made();
-  if (const auto grid = wantsWhole(options_) ? map_.grid() : std::nullopt;
-      grid && grid->cells->trouble().any()) {
-    complete_ = false;
-    notes_.prepend(sentences::wordsOf(grid->cells->trouble()));
-  }
-  if (session_.lostPictures() > 0) {
-    complete_ = false;
-    notes_.prepend(
-        Words::tr("%1 submaps could not be read back from the disk: parts of the picture are empty.", nullptr,
-                  int(session_.lostPictures()))
-            .arg(session_.lostPictures()));
-  }
-  if (const auto why = overItsSource()) {
-    fail(kUsage, *why);
-  } else if (const auto error = picture_->write(options_.output)) {
-    fail(kUsage, *error);
-  } else {
-    finish(complete_ ? kDone : chosen_->refused ? exitCodeOf(map::FailureKind::Refused) : kIncomplete);
-  }
-}
-
-std::optional<QString> SnapshotRun::overItsSource() const {
-  if (options_.force) return std::nullopt;
-  const session::MapSlot& slot = session_.wholeMap();
-  return overOwnSource({options_.output, options_.report},
-                       sourceFilesOf(options_.robot, slot.key().id, slot.shown().path));
-}
-
 void SnapshotRun::fail(int exit_code, const QString& sentence) {
   error_ = sentence;
   complete_ = false;
@@ -476,30 +351,6 @@ void SnapshotRun::finish(int exit_code) {
   for (QTimer* timer : {&poll_, &timeout_, &cut_off_, &settle_}) timer->stop();
   complete_s_ = seconds();
   Q_EMIT finished(exit_code);
-}
-
-QStringList SnapshotRun::warnings() const {
-  QStringList all;
-  if (!error_.isEmpty()) all << error_;
-  all += chosen_ ? chosen_->problems : problemLines(session_.problems());
-  return all + map_.notes() + notes_;
-}
-
-QJsonObject SnapshotRun::report() const {
-  SnapshotFacts facts;
-  facts.complete = complete_;
-  facts.whole = options_.mode == SnapshotMode::Whole;
-  facts.uuid = QString::fromStdString(session_.book().uuid());
-  facts.counts = chosen_ ? chosen_->counts : session_.counts();
-  facts.made = made_;
-  facts.connected_s = connected_s_;
-  facts.first_paint_s = first_paint_s_;
-  facts.complete_s = complete_s_;
-  facts.view = view_;
-  facts.warnings = warnings();
-  if (chosen_) facts.map = chosen_->map;
-  facts.region = regionJson();
-  return reportOf(facts);
 }
 
 }  // namespace mapwright::app

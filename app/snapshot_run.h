@@ -25,7 +25,13 @@ class ReplayRobot;
 
 namespace mapwright::app {
 
-struct SnapshotChoice;  // what the picture is made of
+/// What the picture is made of, and what is said of it.
+struct SnapshotChoice {
+  session::SubmapCounts counts;
+  QStringList problems;
+  std::optional<QJsonObject> map;
+  bool refused = false;  // something was: not without (the right) secret
+};
 
 class SnapshotRun : public QObject {
   Q_OBJECT
@@ -56,6 +62,8 @@ class SnapshotRun : public QObject {
   void finished(int exit_code);
 
  private:
+  static constexpr double kTopicsWithinS = 3;  // live layers, after connecting
+
   void look();  // whatever may have changed: is it time for the next step?
   bool connected();
   /// Of a bag: the world of its time has been taken over.
