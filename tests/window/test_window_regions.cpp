@@ -18,6 +18,7 @@
 #include "window/map/map_view.h"
 #include "window/map/notice_bar.h"
 #include "window/map/toast_stack.h"
+#include "window/regions/map_errand.h"
 #include "window/regions/rectangle_tool.h"
 #include "window/regions/regions_controller.h"
 #include "window/regions/regions_text.h"
@@ -224,7 +225,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     const QString path = folder_->filePath(QStringLiteral("part.yaml"));
-    controller()->saveRectangle({-10, -5, 10, 5}, path);
+    controller()->errand().saveRectangle({-10, -5, 10, 5}, path);
     QTRY_VERIFY(QFile::exists(path));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().startsWith(QStringLiteral("Saved")));
     QFile pgm(folder_->filePath(QStringLiteral("part.pgm"))), yaml(path);
@@ -237,7 +238,8 @@ class TestWindowRegions : public QObject {
   void whatIsTooLargeIsRefused() {
     open();
     connectRobot();
-    controller()->saveRectangle({-4000, -4000, 4000, 4000}, folder_->filePath(QStringLiteral("huge.yaml")));
+    controller()->errand().saveRectangle({-4000, -4000, 4000, 4000},
+                                         folder_->filePath(QStringLiteral("huge.yaml")));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().contains(QStringLiteral("too large")));
     QVERIFY(!QFile::exists(folder_->filePath(QStringLiteral("huge.yaml"))));
   }
@@ -246,7 +248,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     look(0.05);
-    controller()->keepRectangle({-10, -10, 10, 10});
+    controller()->errand().keepRectangle({-10, -10, 10, 10});
     QVERIFY(notice().contains(QStringLiteral("being fetched")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());
