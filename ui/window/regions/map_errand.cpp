@@ -1,5 +1,6 @@
 #include "window/regions/map_errand.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QDir>
@@ -26,7 +27,10 @@ const QString kFolderKey = QStringLiteral("regions/folder");
 }  // namespace
 
 MapErrand::MapErrand(WindowContext& context, QObject* parent)
-    : QObject(parent), context_(context), share_(context.workers) {}
+    : QObject(parent), context_(context), share_(context.workers) {
+  every_second_.setInterval(1000);
+  connect(&every_second_, &QTimer::timeout, this, &MapErrand::changed);
+}
 
 MapErrand::~MapErrand() = default;
 
@@ -49,7 +53,9 @@ Notice MapErrand::notice() {
             tr("Cancel"), [this] { stop(); }};
   }
   if (whole_under_way_) {
-    return {Mark::Busy, tr("The whole map is being fetched."), tr("Cancel"), [this] { stop(); }};
+    const auto extent = dispatch_ ? dispatch_->extent() : std::nullopt;
+    return {Mark::Busy, wholeProgressText(whole_bytes_, whole_began_.elapsed() / 1000, extent), tr("Cancel"),
+            [this] { stop(); }};
   }
   return {};
 }
@@ -61,6 +67,7 @@ void MapErrand::stop() {
   whole_.cancel();
   whole_ = {};
   whole_under_way_ = false;
+  every_second_.stop();
   if (fetch_) fetch_.release()->deleteLater();  // it may be telling just now
   export_.reset();
   Q_EMIT changed();
@@ -68,10 +75,11 @@ void MapErrand::stop() {
 
 void MapErrand::fetchWhole() {
   if (!dispatch_ || question_) return;
+  const auto extent = dispatch_->extent();
+  if (const QString why = whyNotWhole(extent); !why.isEmpty()) return refuseWhole(why);
   question_ = new QMessageBox(
       QMessageBox::Question, tr("Fetch the whole map"),
-      tr("Fetch all of the map at once? %1")
-          .arg(map_ ? wholeSizeText(map_->regions()) : tr("How large it is, is not known yet.")),
+      tr("Fetch all of the map at once? %1").arg(wholeSizeText(map_ ? &map_->regions() : nullptr, extent)),
       QMessageBox::Cancel, &context_.window);
   question_->setTextFormat(Qt::PlainText);
   question_->setAttribute(Qt::WA_DeleteOnClose);
@@ -82,19 +90,42 @@ void MapErrand::fetchWhole() {
   question_->open();
 }
 
+void MapErrand::refuseWhole(const QString& why) {
+  question_ = new QMessageBox(QMessageBox::Information, tr("Fetch the whole map"), why, QMessageBox::Close,
+                              &context_.window);
+  question_->setTextFormat(Qt::PlainText);
+  question_->setAttribute(Qt::WA_DeleteOnClose);
+  if (dispatch_->offered(robot::DispatchService::GridRegion)) {
+    QPushButton* const region = question_->addButton(tr("Fetch a region…"), QMessageBox::AcceptRole);
+    region->setObjectName(QStringLiteral("fetchRegionInstead"));
+    question_->setDefaultButton(region);
+    connect(region, &QPushButton::clicked, this, &MapErrand::regionWanted);
+  }
+  question_->open();
+}
+
 void MapErrand::startWhole() {
   if (!dispatch_) return;
   stop();
   whole_under_way_ = true;
+  whole_bytes_ = 0;
+  whole_began_.start();
+  every_second_.start();
   whole_ = dispatch_->grid(std::nullopt,
                            [self = QPointer(this), job = job_](const robot::Outcome<map::GridPart>& outcome) {
                              if (self && job == self->job_) self->endWhole(outcome);
                            });
+  whole_.onProgress([self = QPointer(this), job = job_](const robot::Progress& progress) {
+    if (!self || job != self->job_) return;
+    self->whole_bytes_ = std::max(self->whole_bytes_, qint64(progress.bytes));
+    Q_EMIT self->changed();
+  });
   Q_EMIT changed();
 }
 
 void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
   whole_under_way_ = false;
+  every_second_.stop();
   whole_ = {};
   const auto misplaced = [this](regions::Misfit misfit) {
     toast(Mark::Bad, tr("The whole map was not fetched: %1")
@@ -134,6 +165,7 @@ void MapErrand::show(std::function<std::string()> picture, const map::GridRefere
           session::Session* const session = context_.current.session();
           if (!session || job != job_) return;
           session->wholeMap().show(map);
+          kept_ = map.key;
           context_.scene.setLayerVisible(Layer::WholeMap, true);
           context_.scene.setLayerVisible(Layer::Regions, false);
           toast(Mark::Good, tr("%1 is shown. The layer \"Map by regions\" is hidden.")
@@ -155,14 +187,8 @@ void MapErrand::takeRectangle(const geometry::WorldRect& rect) {
   save->setObjectName(QStringLiteral("saveRegion"));
   connect(keep, &QPushButton::clicked, this, [this, rect] { keepRectangle(rect); });
   connect(save, &QPushButton::clicked, this, [this, rect] {
-    const QDir folder(
-        folderToWriteInto({context_.settings.value(kFolderKey).toString(),
-                           QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}));
-    const QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the region"),
-                                                      folder.filePath(QStringLiteral("region.yaml")),
-                                                      tr("Maps for map_server (*.yaml)"));
+    const QString path = askWhere();
     if (path.isEmpty()) return;
-    context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
     saveRectangle(rect, path);
   });
   question_->open();
@@ -211,23 +237,57 @@ void MapErrand::endRectangle() {
   } else if (fetched.other_lattices > 0) {
     toast(Mark::Warning, tr("Some of it came with cells of another size or direction, and is left out."));
   }
-  if (then_ == Then::Save) return save(fetched);
+  if (then_ == Then::Save) return write({fetched.cells, fetched.reference}, path_, {});
   show([cells = fetched.cells] { return regions::pgmOf(*cells); }, fetched.reference,
        tr("Region %1").arg(areaText(fetch->rect())));
 }
 
-void MapErrand::save(const regions::FetchedGrid& fetched) {
+void MapErrand::write(const WholeMapExport& map, const QString& path, std::function<void()> then) {
   export_ = std::make_unique<ExportJob>(context_.workers);
-  connect(export_.get(), &ExportJob::finished, this, [this](const ExportResult& result) {
-    export_.release()->deleteLater();
-    if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
-    if (result.cancelled) return;
-    toast(Mark::Good,
-          tr("Saved %1")
-              .arg(exportedFiles(QDir::toNativeSeparators(result.path), ExportFormat::MapServer, false)
-                       .join(QStringLiteral(", "))));
-  });
-  export_->start({WholeMapExport{fetched.cells, fetched.reference}, ExportFormat::MapServer, path_, false});
+  connect(
+      export_.get(), &ExportJob::finished, this, [this, then = std::move(then)](const ExportResult& result) {
+        export_.release()->deleteLater();
+        if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
+        if (result.cancelled) return;
+        toast(Mark::Good,
+              tr("Saved %1")
+                  .arg(exportedFiles(QDir::toNativeSeparators(result.path), ExportFormat::MapServer, false)
+                           .join(QStringLiteral(", "))));
+        if (then) then();
+      });
+  export_->start({map, ExportFormat::MapServer, path, false});
+}
+
+std::vector<Fetched> MapErrand::fetched() {
+  const session::Session* const session = context_.current.session();
+  if (!kept_ || !session) return {};
+  const session::MapSlot& slot = session->wholeMap();
+  if (!slot.cells() || !(slot.shown().key == *kept_)) return {};
+  return {
+      {mapCalled(slot.name(), slot.key()), [this](const std::function<void()>& saved) { saveKept(saved); }}};
+}
+
+void MapErrand::saveKept(const std::function<void()>& then) {
+  const session::Session* const session = context_.current.session();
+  if (!session || !session->wholeMap().cells()) return;
+  const session::MapSlot& slot = session->wholeMap();
+  if (!slot.cells()->complete()) return toast(Mark::Warning, tr("The map is still being read."));
+  if (const QString path = askWhere(); !path.isEmpty()) {
+    write({slot.cells(), slot.reference()}, path, [this, then] {
+      noteSaved();
+      then();
+    });
+  }
+}
+
+QString MapErrand::askWhere() {
+  const QDir folder(folderToWriteInto({context_.settings.value(kFolderKey).toString(),
+                                       QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}));
+  const QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the region"),
+                                                    folder.filePath(QStringLiteral("region.yaml")),
+                                                    tr("Maps for map_server (*.yaml)"));
+  if (!path.isEmpty()) context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
+  return path;
 }
 
 }  // namespace mapwright::window

@@ -4,17 +4,21 @@
 #include <functional>
 #include <memory>
 
+#include <QElapsedTimer>
 #include <QMessageBox>
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 
 #include "regions/region_fetch.h"
+#include "window/controller.h"
 #include "window/notices.h"
 #include "window/window_context.h"
 
 namespace mapwright::window {
 
 class ExportJob;
+struct WholeMapExport;
 
 class MapErrand : public QObject {
   Q_OBJECT
@@ -40,17 +44,26 @@ class MapErrand : public QObject {
   void stop();
   void closeQuestion();
 
+  /// What was fetched, is shown as a map, and has not been written; empty = nothing, or nothing any more.
+  std::vector<Fetched> fetched();
+  /// What is shown has been written.
+  void noteSaved() { kept_.reset(); }
+
  Q_SIGNALS:
-  void changed();  // busy(), notice()
+  void changed();       // busy(), notice()
+  void regionWanted();  // a rectangle of it, as the whole cannot be had
 
  private:
   enum class Then { Show, Save };
   void startWhole();
+  void refuseWhole(const QString& why);
   void endWhole(const robot::Outcome<map::GridPart>& outcome);
   void startRectangle(const geometry::WorldRect& rect, Then then, const QString& path);
   void endRectangle();
   void show(std::function<std::string()> picture, const map::GridReference& grid, const QString& name);
-  void save(const regions::FetchedGrid& fetched);
+  void write(const WholeMapExport& map, const QString& path, std::function<void()> then);
+  QString askWhere();  // empty = nowhere
+  void saveKept(const std::function<void()>& then);
   void toast(Mark mark, const QString& text);
 
   WindowContext& context_;
@@ -62,9 +75,13 @@ class MapErrand : public QObject {
   QString path_;
   robot::Call whole_;
   bool whole_under_way_ = false;
+  qint64 whole_bytes_ = 0;  // so much of it has come
+  QElapsedTimer whole_began_;
+  QTimer every_second_;
   std::uint64_t job_ = 0;  // what still comes of an older one is not taken
   std::unique_ptr<ExportJob> export_;
-  work::Share share_;  // the last: it waits for what runs
+  std::optional<map::MapKey> kept_;  // on screen, and not written
+  work::Share share_;                // the last: it waits for what runs
 };
 
 }  // namespace mapwright::window

@@ -19,6 +19,7 @@
 #include "window/regions/map_errand.h"
 #include "window/regions/map_saving.h"
 #include "window/regions/rectangle_tool.h"
+#include "window/regions/region_tip.h"
 #include "window/regions/regions_text.h"
 #include "window/status/window_status_bar.h"
 #include "window/viewpoint.h"
@@ -79,8 +80,11 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
     if (map_ && !look_soon_.isActive()) look_soon_.start();
   });
   connect(&context_.scene, &scene::MapScene::layersChanged, this, &RegionsController::look);
+  new RegionTip(
+      context_.view, [this](const Eigen::Vector2d& world_m) { return reasonAt(world_m); }, this);
   connect(tool_, &RectangleTool::drawn, errand_.get(), &MapErrand::takeRectangle);
   connect(errand_.get(), &MapErrand::changed, this, &RegionsController::tell);
+  connect(errand_.get(), &MapErrand::regionWanted, this, &RegionsController::drawRectangle);
   connect(saving_.get(), &MapSaving::changed, this, &RegionsController::tell);
   tell();
 }
@@ -179,8 +183,11 @@ void RegionsController::follow() {
   if (dispatch_) {
     map_ = std::make_unique<regions::RegionMap>(*dispatch_, mapOptions(context_.budgets));
     connect(map_.get(), &regions::RegionMap::changed, this, &RegionsController::tell);
-    connect(dispatch_, &robot::MapDispatch::offersChanged, this, &RegionsController::tell);
-    scene::RegionsOnMap::of(context_.scene).show(map_.get());
+    connect(dispatch_, &robot::MapDispatch::offersChanged, this, [this] {
+      tell();
+      Q_EMIT context_.current.stateChanged();
+    });
+    connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionsController::tell);
   }
   errand_->setDispatch(dispatch, map_.get());
   look();
@@ -221,6 +228,9 @@ QString RegionsController::statusShown() const { return status_ && map_ ? status
 void RegionsController::tell() {
   const bool by_region = map_ && map_->offered();
   const bool left = map_ && !by_region && online() && map_->regions().bytes() > 0;
+  // Of a robot that never gave a region nothing is missing on the ground.
+  const bool on_map = map_ && (map_->offered() || map_->regions().bytes() > 0);
+  scene::RegionsOnMap::of(context_.scene).show(on_map ? map_.get() : nullptr);
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
   const bool busy = errand_->busy();
   refresh_->setEnabled(by_region);
@@ -233,22 +243,44 @@ void RegionsController::tell() {
     status_->setVisible(by_region || left);
     if (by_region || left) status_->setText(regionsStatus(map_->regions()));
   }
+  const auto extent = dispatch_ ? dispatch_->extent() : std::nullopt;
+  scene::RegionsOnMap::of(context_.scene).setExtent(extent ? std::optional(extent->grid) : std::nullopt);
   if (busy) return context_.notices.set(NoticeRank::Regions, errand_->notice());
   const RegionsNotice notice =
-      by_region ? regionsNotice(map_->regions(), whole)
+      by_region ? regionsNotice(map_->regions(), whole, extent)
       : left    ? RegionsNotice{Mark::Warning, tr("The robot gives no regions of its map any more. "
                                                      "What came of it stays.")}
                 : RegionsNotice{};
-  const bool is_about_whole = notice.offer == RegionsNotice::Offer::Whole;
-  context_.notices.set(NoticeRank::Regions, {notice.mark, notice.sentence,
-                                             is_about_whole ? tr("Fetch the whole map…")
-                                             : notice.offer == RegionsNotice::Offer::Retry ? tr("Retry")
-                                                                                           : QString(),
-                                             [this, is_about_whole] {
-                                               if (is_about_whole) return errand_->fetchWhole();
-                                               if (map_) map_->retryNow();
-                                             },
-                                             is_about_whole});
+  using Offer = RegionsNotice::Offer;
+  const bool too_far = notice.offer == Offer::Whole || notice.offer == Offer::Region;
+  Notice said{notice.mark, notice.sentence, {}, {}, too_far};
+  if (notice.offer == Offer::Whole) {
+    said.offer = tr("Fetch the whole map…");
+    said.take = [this] { errand_->fetchWhole(); };
+  } else if (notice.offer == Offer::Region) {
+    said.offer = tr("Fetch a region…");
+    said.take = [this] { drawRectangle(); };
+  } else if (notice.offer == Offer::Retry) {
+    said.offer = tr("Retry");
+    said.take = [this] {
+      if (map_) map_->retryNow();
+    };
+  }
+  context_.notices.set(NoticeRank::Regions, std::move(said));
+}
+
+std::vector<Fetched> RegionsController::fetched() { return errand_->fetched(); }
+
+void RegionsController::noteExported() { errand_->noteSaved(); }
+
+QString RegionsController::reasonAt(const Eigen::Vector2d& world_m) const {
+  const bool seen = map_ && scene::RegionsOnMap::of(context_.scene).map() == map_.get() &&
+                    context_.scene.layerVisible(Layer::Regions) && !comparing(context_.scene);
+  return seen ? regionReason(map_->regions(), world_m, map_->offered(), online()) : QString();
+}
+
+void RegionsController::drawRectangle() {
+  if (fetch_region_->isEnabled()) context_.tools.choose(tool_);
 }
 
 }  // namespace mapwright::window

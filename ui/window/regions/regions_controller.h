@@ -30,6 +30,9 @@ class RegionsController : public Controller {
   void setSession(session::Session* session) override;
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
+  std::vector<Fetched> fetched() override;
+  /// The whole map on screen has been written into a file.
+  void noteExported();
 
   /// Null while no robot gives its map by regions.
   regions::RegionMap* map() const { return map_.get(); }
@@ -52,6 +55,8 @@ class RegionsController : public Controller {
   void look();    // at what is in view now
   void tell();
   bool online() const;
+  void drawRectangle();
+  QString reasonAt(const Eigen::Vector2d& world_m) const;
   /// The first view is where the robot is: there is map.
   void lookAtRobot();
 
