@@ -334,6 +334,27 @@ class TestWindowProjections : public QObject {
     QTRY_COMPARE(desk.wanted().size(), std::size_t(0));
   }
 
+  void theHintOfTheToolIsTrueOfTheRobot() {
+    Desk desk;
+    desk.open(false);
+    const ProjectionTool* const tool = desk.window->findChild<ProjectionTool*>();
+    QVERIFY2(tool->hint().contains(QStringLiteral("no robot here")), qPrintable(tool->hint()));
+    Desk reader;
+    reader.open(true, false);
+    reader.robot->goOnline();
+    const ProjectionTool* const its = reader.window->findChild<ProjectionTool*>();
+    QTRY_COMPARE(reader.dispatch().asked, 1);
+    reader.dispatch().answer(List{floorAt(1, 1)});
+    QVERIFY2(its->hint().contains(QStringLiteral("takes no projections: click")), qPrintable(its->hint()));
+    Desk writer;
+    writer.open();
+    writer.robot->goOnline();
+    const ProjectionTool* const draws = writer.window->findChild<ProjectionTool*>();
+    QTRY_COMPARE(writer.dispatch().asked, 1);
+    writer.dispatch().answer(List{});
+    QVERIFY2(draws->hint().contains(QStringLiteral("Drag a rectangle")), qPrintable(draws->hint()));
+  }
+
   void leavingTheRobotLeavesNothingBehind() {
     Desk desk;
     desk.open();

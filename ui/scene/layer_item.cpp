@@ -1,5 +1,6 @@
 #include "scene/layer_item.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,6 +12,22 @@
 namespace mapwright::scene {
 
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+
+QColor readable(const QColor& color, const MapTheme& theme) {
+  // Relative luminance and contrast as WCAG 2 has them; 3 is its bound for what is large or bold.
+  constexpr double kLeastContrast = 3;
+  const auto linear = [](double part) {
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  const auto luminance = [&linear](const QColor& of) {
+    return 0.2126 * linear(of.redF()) + 0.7152 * linear(of.greenF()) + 0.0722 * linear(of.blueF());
+  };
+  const double one = luminance(color), other = luminance(theme.text_halo);
+  const double contrast = (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
+  QColor opaque = color;
+  opaque.setAlpha(255);
+  return contrast < kLeastContrast ? theme.text : opaque;
+}
 
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
                const QColor& color, bool struck_through) {

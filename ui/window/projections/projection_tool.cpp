@@ -45,9 +45,10 @@ QCursor ProjectionTool::cursor() const {
   return Qt::PointingHandCursor;  // the view may be turned: an arrow would point elsewhere
 }
 
-void ProjectionTool::setEditable(bool editable) {
-  if (editable == editable_) return;
+void ProjectionTool::setEditable(bool editable, bool takes) {
+  if (editable == editable_ && takes == takes_) return;
   editable_ = editable;
+  takes_ = takes;
   letGo();
 }
 
@@ -152,6 +153,11 @@ bool ProjectionTool::keyPressed(const MapKeyPress& press) {
 }
 
 QString ProjectionTool::hint() const {
+  if (!editable_ && draft_->wanted().empty()) {
+    return takes_ ? tr("The robot is waited for. Esc leaves.")
+                  : tr("There is no robot here that takes projections, and none to choose. Esc leaves.");
+  }
+  if (!takes_) return tr("This robot takes no projections: click in one to choose it. Esc leaves.");
   if (!editable_) return tr("Click in a projection to choose it. Esc leaves.");
   if (hold_ && hold_->index < 0 && hold_->from_m != hold_->to_m) {
     return tr("%1 x %2").arg(lengthText(std::abs(hold_->to_m.x() - hold_->from_m.x())),
