@@ -125,7 +125,7 @@ void RosLink::wireParts() {
             if (grid) {
               const std::int64_t cells = std::int64_t(grid->width) * grid->height;
               extent = MapExtent{*grid, aboutBytesOfCells(cells), leastBytesOfCells(cells),
-                        std::int64_t(options_.client.max_message_bytes)};
+                                 std::int64_t(options_.client.max_message_bytes)};
             }
             Q_EMIT mapExtentTold(extent);
           });
