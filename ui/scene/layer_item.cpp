@@ -14,19 +14,26 @@ namespace mapwright::scene {
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
 QColor readable(const QColor& color, const MapTheme& theme) {
-  // Relative luminance and contrast as WCAG 2 has them; 3 is its bound for what is large or bold.
-  constexpr double kLeastContrast = 3;
-  const auto linear = [](double part) {
-    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  // Relative luminance and contrast as WCAG 2 has them, and its bound for small text.
+  constexpr float kLeastContrast = 4.5F;
+  constexpr int kSteps = 10;
+  const auto linear = [](float part) {
+    return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);
   };
   const auto luminance = [&linear](const QColor& of) {
-    return 0.2126 * linear(of.redF()) + 0.7152 * linear(of.greenF()) + 0.0722 * linear(of.blueF());
+    return 0.2126F * linear(of.redF()) + 0.7152F * linear(of.greenF()) + 0.0722F * linear(of.blueF());
   };
-  const double one = luminance(color), other = luminance(theme.text_halo);
-  const double contrast = (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
-  QColor opaque = color;
-  opaque.setAlpha(255);
-  return contrast < kLeastContrast ? theme.text : opaque;
+  const float halo = luminance(theme.text_halo);
+  for (int step = 0; step < kSteps; ++step) {
+    const float part = float(step) / kSteps;
+    const auto mixed = [part](float own, float text) { return own + (text - own) * part; };
+    const QColor one =
+        QColor::fromRgbF(mixed(color.redF(), theme.text.redF()), mixed(color.greenF(), theme.text.greenF()),
+                         mixed(color.blueF(), theme.text.blueF()));
+    const float own = luminance(one);
+    if ((std::max(own, halo) + 0.05F) / (std::min(own, halo) + 0.05F) >= kLeastContrast) return one;
+  }
+  return theme.text;
 }
 
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,

@@ -33,7 +33,8 @@ struct LayerContext {
 
 QPointF toPoint(const Eigen::Vector2d& v);
 
-/// The colour, or that of the theme's text where its letters would not stand out against their halo.
+/// The colour, nearer to that of the theme's text as far as its letters would not stand out against their
+/// halo.
 QColor readable(const QColor& color, const MapTheme& theme);
 /// Text with a halo, readable on any map.
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,

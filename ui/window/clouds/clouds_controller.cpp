@@ -235,6 +235,7 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
   const bool first = clouds_.empty() && !cloud.points.empty();
   if (!cloud.points.empty()) unsaved_ = true;
   clouds_.add({*outcome, kind == robot::CloudKind::Occupancy, region});
+  if (!clouds_.settled()) dock_->setSorting();
   if (!context_.scene.layerVisible(scene::Layer::DispatchedCloud)) {
     context_.scene.setLayerVisible(scene::Layer::DispatchedCloud, true);
   }

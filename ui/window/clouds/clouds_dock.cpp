@@ -282,6 +282,8 @@ void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeigh
 
 void CloudsDock::setScale(const std::optional<scene::CloudScale>& scale) { scale_->setScale(scale); }
 
+void CloudsDock::setSorting() { counts_->setText(tr("What has come is being put in order…")); }
+
 void CloudsDock::setStyle(const scene::LayerStyle& style) {
   const QSignalBlocker quiet(size_);
   color_->setCurrentIndex(style.choice);

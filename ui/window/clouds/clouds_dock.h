@@ -40,6 +40,8 @@ class CloudsDock : public QDockWidget {
   void setOutcome(const QString& sentence, bool bad);
   void setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
                  const std::optional<scene::CloudRange>& range);
+  /// What came is not on the map yet, nor counted: until setClouds().
+  void setSorting();
   void setStyle(const scene::LayerStyle& style);
   /// nullopt: no value gives the colours.
   void setScale(const std::optional<scene::CloudScale>& scale);

@@ -89,7 +89,7 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(6);
   auto* const unit = plainLines(body_);
-  unit->setText(tr("Metres; x and y of the lower left corner."));
+  unit->setText(tr("Metres; X and Y of the lower left corner."));
   column->addWidget(unit);
   column->addWidget(table_, 1);
   auto* const edits = new QHBoxLayout;

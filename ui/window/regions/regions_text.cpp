@@ -26,6 +26,20 @@ geometry::WorldRect extentOf(const robot::MapExtent& extent) {
 
 qint64 whole(double value) { return qint64(std::clamp(value, 0.0, kMostCells)); }
 
+/// "8,000 × 8,000 cells, about 224 MB"; empty where nothing is known.
+QString shortSizeText(const regions::MapRegions& map, const std::optional<robot::MapExtent>& extent) {
+  const auto cells = [](double wide, double high, qint64 bytes) {
+    return Words::tr("%1 × %2 cells, about %3")
+        .arg(countText(whole(wide)), countText(whole(high)), bytesText(bytes));
+  };
+  if (extent) return cells(extent->grid.width, extent->grid.height, extent->about_bytes);
+  const auto resolution = map.plan().resolution();
+  if (!resolution || map.reach().empty()) return {};
+  const double wide = std::ceil(map.reach().width() / *resolution),
+               high = std::ceil(map.reach().height() / *resolution);
+  return Words::tr("at least %1").arg(cells(wide, high, whole(wide * high)));
+}
+
 }  // namespace
 
 QString regionsStatus(const regions::MapRegions& map) {
@@ -125,16 +139,20 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
   using Offer = RegionsNotice::Offer;
   if (map.plan().tooFar()) {
     if (extent && extent->beyondLink()) {
-      return {Mark::Neutral,
-              Words::tr("Too much of the map is in view to be fetched by regions, and the whole map is too "
-                        "large to be fetched at once. Zoom in, or fetch a region of it."),
-              Offer::Region};
+      return {
+          Mark::Neutral,
+          Words::tr(
+              "Too much of the map is in view, and all of it too large to come at once. Zoom in, or fetch "
+              "a region."),
+          Offer::Region};
     }
     if (!whole) return {Mark::Neutral, Words::tr("Too much of the map is in view to be fetched. Zoom in.")};
+    // The strip is one line; the question says more.
+    const QString size = shortSizeText(map, extent);
     return {Mark::Neutral,
-            Words::tr("Too much of the map is in view to be fetched by regions. Zoom in, or fetch the whole "
-                      "map. %1")
-                .arg(wholeSizeText(&map, extent)),
+            size.isEmpty()
+                ? Words::tr("Too much of the map is in view. Zoom in, or fetch all of it.")
+                : Words::tr("Too much of the map is in view. Zoom in, or fetch all of it: %1.").arg(size),
             Offer::Whole};
   }
   const auto kNone = regions::RegionTrouble::Kind::None;
