@@ -14,8 +14,9 @@ namespace mapwright::scene {
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
 
 QColor readable(const QColor& color, const MapTheme& theme) {
-  // Relative luminance and contrast as WCAG 2 has them, and its bound for small text.
-  constexpr float kLeastContrast = 4.5F;
+  // Relative luminance and contrast as WCAG 2 has them; more than its bounds, as the halo takes some of thin
+  // letters.
+  constexpr float kLeastContrast = 10;
   constexpr int kSteps = 10;
   const auto linear = [](float part) {
     return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);

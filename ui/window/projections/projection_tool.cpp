@@ -1,5 +1,6 @@
 #include "window/projections/projection_tool.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -175,6 +176,7 @@ void ProjectionTool::paint(QPainter& painter) {
   const QColor accent = scene_->theme().accent;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
+  std::vector<QRectF> plates;
   const auto draw = [&](const geometry::WorldRect& rect, bool strong, const QString& tag) {
     const auto px = [&view](double x, double y) { return scene::toPoint(view.pixelFromWorld({x, y})); };
     const std::array corners{px(rect.min_x, rect.min_y), px(rect.max_x, rect.min_y),
@@ -191,8 +193,13 @@ void ProjectionTool::paint(QPainter& painter) {
     }
     if (tag.isEmpty()) return;
     const QFontMetricsF metrics(painter.font());
-    const QRectF plate(corners[3].x() + 6, corners[3].y() + 6, metrics.horizontalAdvance(tag) + 2 * kTagPadPx,
-                       metrics.height() + 2 * kTagPadPx);
+    QRectF plate(corners[3].x() + 6, corners[3].y() + 6, metrics.horizontalAdvance(tag) + 2 * kTagPadPx,
+                 metrics.height() + 2 * kTagPadPx);
+    // Those of one place stand side by side.
+    while (std::any_of(plates.begin(), plates.end(),
+                       [&plate](const QRectF& other) { return other.intersects(plate); }))
+      plate.translate(plate.width() + 2, 0);
+    plates.push_back(plate);
     painter.setPen(Qt::NoPen);
     painter.setBrush(accent);
     painter.drawRoundedRect(plate, 3, 3);
