@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <QNetworkRequest>
+#include <QPointer>
 #include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QSslSocket>
@@ -148,6 +149,9 @@ class WebSocketLink::Impl {
     return state_ == State::Waiting ? std::optional(std::max(0, retry_.remainingTime())) : std::nullopt;
   }
   std::optional<int> roundTripMs() const { return round_trip_ms_; }
+  qint64 arriving() const {
+    return state_ == State::Open && transport_ != nullptr ? frames_bytes_ + transport_->bytesAvailable() : 0;
+  }
   std::chrono::milliseconds silence() const { return options_.now() - heard_at_; }
 
  private:
@@ -175,6 +179,12 @@ class WebSocketLink::Impl {
       round_trip_ms_ = int(elapsed_ms);
       Q_EMIT owner_->changed();
     });
+    // A message may come in several frames; each of them leaves the transport when it is whole.
+    frames_bytes_ = 0;
+    QObject::connect(socket_, &QWebSocket::textFrameReceived, owner_,
+                     [this](const QString& text, bool last) { noteFrame(text.size(), last); });
+    QObject::connect(socket_, &QWebSocket::binaryFrameReceived, owner_,
+                     [this](const QByteArray& bytes, bool last) { noteFrame(bytes.size(), last); });
     QObject::connect(socket_, &QWebSocket::textMessageReceived, owner_,
                      [this](const QString& text) { Q_EMIT owner_->textReceived(text.toUtf8()); });
     QObject::connect(socket_, &QWebSocket::binaryMessageReceived, owner_,
@@ -198,6 +208,7 @@ class WebSocketLink::Impl {
   void watchTransport() {
     QTcpSocket* const transport =
         socket_ == nullptr ? nullptr : socket_->findChild<QTcpSocket*>(QString(), Qt::FindDirectChildrenOnly);
+    transport_ = transport;
     if (transport == nullptr) {
       return;  // it failed at once
     }
@@ -210,6 +221,8 @@ class WebSocketLink::Impl {
                        [this, encrypted] { judge(*encrypted, {}); });
     }
   }
+
+  void noteFrame(qint64 bytes, bool last) { frames_bytes_ = last ? 0 : frames_bytes_ + bytes; }
 
   void judge(QSslSocket& encrypted, const QList<QSslError>& errors) {
     certificate_ = faultOf(trust_, encrypted.peerCertificate(), errors, urls_.at(url_));
@@ -366,7 +379,9 @@ class WebSocketLink::Impl {
   Backoff backoff_;
   QTimer connect_limit_, look_, ping_, retry_;
   std::chrono::milliseconds opened_at_{0}, heard_at_{0};
-  QWebSocket* socket_ = nullptr;  // a child of the owner
+  QPointer<QTcpSocket> transport_;  // goes with its socket
+  qint64 frames_bytes_ = 0;         // of a message whose last frame has not come; of text: characters
+  QWebSocket* socket_ = nullptr;    // a child of the owner
   State state_ = State::Closed;
   Reason reason_;
   Fault fault_ = Fault::None;
@@ -388,6 +403,7 @@ void WebSocketLink::open() { impl_->open(); }
 void WebSocketLink::close() { impl_->close(); }
 void WebSocketLink::sendText(const QString& text) { impl_->send(text); }
 qint64 WebSocketLink::unsentBytes() const { return impl_->unsent(); }
+qint64 WebSocketLink::arrivingBytes() const { return impl_->arriving(); }
 WebSocketLink::State WebSocketLink::state() const { return impl_->state(); }
 void WebSocketLink::setTrust(const Trust& trust) { impl_->setTrust(trust); }
 Reason WebSocketLink::reason() const { return impl_->reason(); }

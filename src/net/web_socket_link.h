@@ -56,7 +56,8 @@ class WebSocketLink : public QObject {
   void sendText(const QString& text);  // dropped unless Open
   void setTrust(const Trust& trust);   // for the next connection
 
-  qint64 unsentBytes() const;  // of what was sent: still here. 0 unless Open
+  qint64 unsentBytes() const;    // of what was sent: still here. 0 unless Open
+  qint64 arrivingBytes() const;  // of a message that is not whole yet: here already, about. 0 unless Open
 
   State state() const;
   Reason reason() const;  // why it is not open

@@ -46,6 +46,17 @@ struct ProjectedPart {
   double min_z_m = 0, max_z_m = 0;
 };
 
+/// How large the whole map is, as the robot tells without sending it. Its frame is that of the map.
+struct MapExtent {
+  map::GridReference grid;       // usable, with cells; nothing says that what is sent will be of that size
+  std::int64_t about_bytes = 0;  // all of its cells over the link: an estimate
+  std::int64_t least_bytes = 0;  // no fewer
+  std::int64_t most_bytes = 0;   // the link breaks off at a longer answer; 0 = no bound is known
+  /// It cannot come at once, whatever its cells are.
+  bool beyondLink() const { return most_bytes > 0 && least_bytes > most_bytes; }
+  bool operator==(const MapExtent&) const = default;
+};
+
 /// Capability: a map dispatcher. Called on the thread that made the robot; what it hands out comes there,
 /// too. See robot/call.h for how a request ends. Answers are read off that thread; a call that is cancelled
 /// frees nothing on the robot: it goes on reckoning. How many are under way at once is bounded by whoever
@@ -60,6 +71,8 @@ class MapDispatch : public QObject {
   /// nullopt: the whole map. Regions whose numbers are not finite, or without size, are refused without
   /// asking (FailureKind::Refused).
   virtual Call grid(const std::optional<map::GridRegion>& region, OutcomeTo<map::GridPart> reply) = 0;
+  /// nullopt: the robot does not tell, or what it tells is no size of a map.
+  virtual std::optional<MapExtent> extent() const { return std::nullopt; }
   virtual Call cloud(CloudKind kind, const std::optional<map::CloudRegion>& region,
                      OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply) = 0;
   /// `filename`: on the robot; its extension tells the kind. Ends in the name that was sent.
@@ -79,6 +92,7 @@ class MapDispatch : public QObject {
   void offersChanged();
   /// The robot's map has become another one: what was fetched may be old.
   void mapChanged();
+  void extentChanged();
   /// projected() has another part of that index, or none any more.
   void projectedChanged(int index);
 };

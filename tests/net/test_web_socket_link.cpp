@@ -261,6 +261,27 @@ class TestWebSocketLink : public QObject {
     QCOMPARE(link.fault(), WebSocketLink::Fault::TimedOut);
   }
 
+  void whatHasComeOfAMessageIsCounted() {
+    RawWebSocketServer server;
+    WebSocketLink link({server.url()}, {}, quick());
+    QSignalSpy binary(&link, &WebSocketLink::binaryReceived);
+    QCOMPARE(link.arrivingBytes(), 0);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    QTRY_VERIFY(server.peer);
+    // Two frames of one message, the second of which comes in halves.
+    server.peer->write(QByteArray::fromHex("027e03e8") + QByteArray(1000, 'x'));
+    QTRY_VERIFY(link.arrivingBytes() >= 1000);
+    server.peer->write(QByteArray::fromHex("807e07d0") + QByteArray(1000, 'x'));
+    QTRY_VERIFY(link.arrivingBytes() >= 2000);
+    QVERIFY(link.arrivingBytes() < 2100);
+    QCOMPARE(binary.size(), 0);
+    server.peer->write(QByteArray(1000, 'x'));
+    QTRY_COMPARE(binary.size(), 1);
+    QCOMPARE(binary[0][0].toByteArray().size(), 3000);
+    QTRY_COMPARE(link.arrivingBytes(), 0);
+  }
+
   void everyEncryptedByteIsASignOfLifeToo() {
     testing::SecureServer server(QStringLiteral("self_signed"));
     StandingClock clock;

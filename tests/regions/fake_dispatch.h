@@ -76,7 +76,7 @@ class FakeDispatch : public robot::MapDispatch {
   };
 
   FakeGround ground;
-  bool offers_regions = true;
+  bool offers_regions = true, offers_whole = true, offers_clouds = false;
   bool by_itself = false;  // answers from the event loop
   std::vector<std::shared_ptr<Waiting>> waiting;
   std::vector<map::GridRegion> asked;
@@ -85,8 +85,9 @@ class FakeDispatch : public robot::MapDispatch {
   std::function<robot::Outcome<map::GridPart>(const map::GridRegion&)> answer;
 
   std::vector<robot::DispatchOffer> offers() const override {
-    return {{robot::DispatchService::Grid, true, "/get_map", ""},
+    return {{robot::DispatchService::Grid, offers_whole, "/get_map", ""},
             {robot::DispatchService::GridRegion, offers_regions, "/get_sub_map", ""},
+            {robot::DispatchService::CloudRegion, offers_clouds, "/get_sub_point_map", ""},
             {robot::DispatchService::Save, true, "/save_map", ""}};
   }
   robot::Call grid(const std::optional<map::GridRegion>& region, Reply reply) override {
@@ -123,6 +124,8 @@ class FakeDispatch : public robot::MapDispatch {
     return true;
   }
 
+  std::optional<robot::MapExtent> extent() const override { return told_extent; }
+  std::optional<robot::MapExtent> told_extent;
   robot::Call cloud(robot::CloudKind, const std::optional<map::CloudRegion>&,
                     robot::OutcomeTo<std::shared_ptr<const map::SpatialCloud>>) override {
     return {};

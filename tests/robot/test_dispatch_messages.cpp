@@ -430,6 +430,52 @@ class DispatchMessagesTest : public QObject {
     QVERIFY(!readProjectedPart(byJson(map + R"(,"min_z":null,"max_z":2})").msg, 3));
     QVERIFY(!readProjectedPart(byJson("{}").msg, 0));
   }
+
+  void theSizeOfAMapIsReadOrNone_data() {
+    QTest::addColumn<QByteArray>("width");
+    QTest::addColumn<QByteArray>("height");
+    QTest::addColumn<QByteArray>("resolution");
+    QTest::addColumn<bool>("sound");
+    QTest::newRow("a map") << QByteArray("4000") << QByteArray("3000") << QByteArray("0.05") << true;
+    QTest::newRow("nothing") << QByteArray("0") << QByteArray("0") << QByteArray("0.05") << false;
+    QTest::newRow("no height") << QByteArray("10") << QByteArray("0") << QByteArray("0.05") << false;
+    QTest::newRow("negative") << QByteArray("-1") << QByteArray("10") << QByteArray("0.05") << false;
+    QTest::newRow("-1 as uint32") << QByteArray("4294967295") << QByteArray("4294967295")
+                                  << QByteArray("0.05") << false;
+    QTest::newRow("beyond int64") << QByteArray("1e30") << QByteArray("10") << QByteArray("0.05") << false;
+    QTest::newRow("words") << QByteArray("\"wide\"") << QByteArray("10") << QByteArray("0.05") << false;
+    QTest::newRow("NaN") << QByteArray("10") << QByteArray("10") << QByteArray("null") << false;
+    QTest::newRow("resolution 0") << QByteArray("10") << QByteArray("10") << QByteArray("0") << false;
+    QTest::newRow("resolution below 0")
+        << QByteArray("10") << QByteArray("10") << QByteArray("-0.05") << false;
+    QTest::newRow("wider than 1,000 km")
+        << QByteArray("900000000") << QByteArray("10") << QByteArray("0.05") << false;
+  }
+  void theSizeOfAMapIsReadOrNone() {
+    QFETCH(QByteArray, width);
+    QFETCH(QByteArray, height);
+    QFETCH(QByteArray, resolution);
+    QFETCH(bool, sound);
+    const Sent sent =
+        byJson(R"({"map_load_time":{"secs":0,"nsecs":0},"resolution":)" + resolution + R"(,"width":)" +
+               width + R"(,"height":)" + height +
+               R"(,"origin":{"position":{"x":-3,"y":4.5,"z":0},"orientation":{"x":0,"y":0,"z":0,"w":1}}})");
+    const auto extent = readMapExtent(sent.msg);
+    QCOMPARE(extent.has_value(), sound);
+    if (!sound) return;
+    QCOMPARE(extent->width, 4000);
+    QCOMPARE(extent->height, 3000);
+    QCOMPARE(extent->resolution_m, 0.05);
+    QCOMPARE(extent->origin.x_m, -3.0);
+  }
+  void theSizeOfAMapWithoutPlaceIsNone() {
+    QVERIFY(!readMapExtent(byJson(R"({"resolution":0.05,"width":4,"height":4})").msg));
+    QVERIFY(!readMapExtent(
+        byJson(
+            R"({"resolution":0.05,"width":4,"height":4,"origin":{"position":{"x":null,"y":0,"z":0},"orientation":{"x":0,"y":0,"z":0,"w":1}}})")
+            .msg));
+    QVERIFY(!readMapExtent(byJson("{}").msg));
+  }
 };
 
 QTEST_APPLESS_MAIN(DispatchMessagesTest)

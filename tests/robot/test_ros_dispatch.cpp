@@ -489,6 +489,35 @@ class RosDispatchTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(changed.size(), 1, kPatienceMs);
     QVERIFY(!server_->isAskedFor("/map"));  // the whole map nobody wants
   }
+  void howLargeTheMapIsIsToldByItsMetadata() {
+    serve("/d/get_sub_map", "map_msgs/GetMapROI", {{text("sub_map"), grid()}});
+    server_->advertise(text("/map_metadata"), text("nav_msgs/MapMetaData"));
+    QJsonObject info = grid()[text("info")].toObject();
+    info[text("width")] = 40'000;
+    info[text("height")] = 50'000;
+    info[text("resolution")] = 0.05;
+    server_->latch(text("/map_metadata"), info);
+    QVERIFY(begin());
+    QTRY_VERIFY_WITH_TIMEOUT(dispatch() && dispatch()->extent(), kPatienceMs);
+    const robot::MapExtent extent = *dispatch()->extent();
+    QCOMPARE(extent.grid.width, 40'000);
+    QCOMPARE(extent.grid.height, 50'000);
+    QCOMPARE(extent.grid.resolution_m, 0.05);
+    QCOMPARE(extent.most_bytes, std::int64_t(256) << 20);
+    QVERIFY(extent.least_bytes < extent.about_bytes);
+    QVERIFY(extent.beyondLink());
+    QSignalSpy changed(dispatch(), &MapDispatch::extentChanged);
+    info[text("width")] = 4;
+    info[text("height")] = 5;
+    server_->latch(text("/map_metadata"), info);
+    QTRY_COMPARE_WITH_TIMEOUT(changed.size(), 1, kPatienceMs);
+    QVERIFY(!dispatch()->extent()->beyondLink());
+    // What is no size any more is not the one of before.
+    info[text("width")] = 0;
+    server_->latch(text("/map_metadata"), info);
+    QTRY_COMPARE_WITH_TIMEOUT(changed.size(), 2, kPatienceMs);
+    QVERIFY(!dispatch()->extent());
+  }
 };
 
 QTEST_GUILESS_MAIN(RosDispatchTest)

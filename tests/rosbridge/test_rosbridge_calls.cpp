@@ -54,6 +54,35 @@ class TestRosbridgeCalls : public QObject {
     QVERIFY(server.seen[0].text.contains("\"args\":{\"map_id\":\"d8\",\"number\":2.0}"));
   }
 
+  void howMuchOfAnAnswerHasComeIsTold() {
+    RosbridgeServer server;
+    Client client(server.url(), quick());
+    Replies replies;
+    QList<qint64> told;
+    CallRequest wanted = request("/get_map", "{}");
+    wanted.arriving = [&](qint64 bytes) { told.append(bytes); };
+    client.open();
+    client.call(wanted, replies.take());
+    QTRY_COMPARE(server.seen.size(), 1);
+    const QByteArray answer = "{\"op\":\"service_response\",\"id\":\"" + server.seen[0]["id"].toUtf8() +
+                              "\",\"values\":{},\"result\":true}";
+    const auto piece = [&](int number, const QByteArray& text) {
+      const QJsonObject fragment{{QStringLiteral("op"), QStringLiteral("fragment")},
+                                 {QStringLiteral("id"), QStringLiteral("7")},
+                                 {QStringLiteral("num"), number},
+                                 {QStringLiteral("total"), 2},
+                                 {QStringLiteral("data"), QString::fromUtf8(text)}};
+      server.say(QJsonDocument(fragment).toJson(QJsonDocument::Compact));
+    };
+    piece(0, answer.left(20));
+    QTRY_VERIFY(!told.isEmpty());
+    QVERIFY(told.last() >= 20);
+    QCOMPARE(replies.all.size(), 0);
+    piece(1, answer.mid(20));
+    QTRY_COMPARE(replies.all.size(), 1);
+    QCOMPARE(replies.all[0].kind, Kind::Answered);
+  }
+
   void whatIsMadeWhileItTravelsArrivesWhole_data() {
     QTest::addColumn<qint64>("most_whole");
     QTest::addColumn<int>("frames");

@@ -1,6 +1,7 @@
 // Clouds of the robot's map in the window: fetched by region, shown, cut, saved.
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -142,6 +143,11 @@ struct Desk {
       QApplication::sendEvent(on, &move);
     }
     QTest::mouseRelease(on, Qt::LeftButton, {}, to);
+  }
+  /// What is asked before the robot is left; null = nothing.
+  QMessageBox* leaving() const {
+    auto* const save = window->findChild<QPushButton*>(QStringLiteral("saveFetched"));
+    return save ? qobject_cast<QMessageBox*>(save->window()) : nullptr;
   }
   /// Everything that is there, on the map.
   void load() {
@@ -330,6 +336,7 @@ class TestWindowClouds : public QObject {
     desk.drag({-1, 5}, {8, 5});
     SectionDock& dock = *desk.clouds().sectionDock();
     QVERIFY(!dock.isHidden());
+    QTRY_VERIFY(dock.height() >= 240);  // a storey is to be seen
     QTRY_VERIFY(dock.view()->section() && dock.view()->settled());
     QVERIFY(dock.told().contains(QStringLiteral("points, from 0.00 m to 2.00 m")));
     SectionView* const view = dock.view();
@@ -375,6 +382,74 @@ class TestWindowClouds : public QObject {
     desk.dock().clearButton()->click();
     QVERIFY(!desk.dock().saveButton()->isEnabled());
     QVERIFY(desk.dock().counts().contains(QStringLiteral("Nothing")));
+  }
+
+  void whatIsNotSavedIsAskedAboutBeforeTheRobotIsLeft() {
+    Desk desk;
+    desk.open();
+    desk.robot->goOnline();
+    desk.load();
+    desk.action("disconnect")->trigger();
+    QTRY_VERIFY(desk.leaving());
+    QVERIFY2(desk.leaving()->text().contains(QStringLiteral("points")), qPrintable(desk.leaving()->text()));
+    desk.leaving()->button(QMessageBox::Cancel)->click();
+    QTRY_VERIFY(!desk.leaving());
+    QVERIFY(desk.window->session());
+    // What is in a file is not lost.
+    bool written = false;
+    desk.clouds().saveTo(desk.folder.filePath(QStringLiteral("kept.pcd")), [&written] { written = true; });
+    QTRY_VERIFY(written);
+    desk.action("disconnect")->trigger();
+    QTRY_VERIFY(!desk.window->session());
+    QVERIFY(!desk.leaving());
+  }
+  void whatIsNotSavedMayBeDiscarded() {
+    Desk desk;
+    desk.open();
+    desk.robot->goOnline();
+    desk.load();
+    desk.action("disconnect")->trigger();
+    QTRY_VERIFY(desk.leaving());
+    desk.leaving()->button(QMessageBox::Discard)->click();
+    QTRY_VERIFY(!desk.window->session());
+  }
+  void whatTheColoursMeanIsSaid() {
+    Desk desk;
+    desk.open();
+    desk.robot->goOnline();
+    desk.load();
+    ColorScale* const scale = desk.dock().scale();
+    QTRY_COMPARE(scale->values().size(), 3);
+    QVERIFY(!scale->isHidden());
+    QVERIFY2(scale->values().first().endsWith(QStringLiteral(" m")), qPrintable(scale->values().first()));
+    QVERIFY(scale->accessibleName().contains(QStringLiteral("height")));
+    // It goes along with the heights that are shown.
+    desk.dock().lowBox()->setValue(0.5);
+    QTRY_VERIFY2(scale->values().first().startsWith(QStringLiteral("0.5")),
+                 qPrintable(scale->values().first()));
+    // One colour for all means nothing.
+    Q_EMIT desk.dock().colorBox()->activated(int(scene::DispatchedCloudChoice::OneColor));
+    QTRY_VERIFY(scale->isHidden());
+  }
+  void bandsThatCoverEachOtherHaveTheirNumbersSideBySide() {
+    Desk desk;
+    desk.open();
+    desk.load();
+    desk.action("cloudSection")->trigger();
+    desk.drag({-1, 5}, {8, 5});
+    SectionView* const view = desk.clouds().sectionDock()->view();
+    QTRY_VERIFY(view->section() && view->settled());
+    view->setBands(
+        {{0, 0, 2, false, true}, {1, 0, 2, false, true}, {2, 0.1, 2, true, true}, {12, 5000, 5001}});
+    const std::vector<QRectF> labels = view->bandLabels();
+    QCOMPARE(labels.size(), std::size_t(4));
+    for (int i = 0; i < 3; ++i) {
+      QVERIFY(!labels[std::size_t(i)].isEmpty());
+      QVERIFY(QRectF(view->rect()).contains(labels[std::size_t(i)]));
+      for (int j = 0; j < i; ++j) QVERIFY(!labels[std::size_t(i)].intersects(labels[std::size_t(j)]));
+    }
+    QVERIFY(labels[2].right() > labels[0].right());  // the chosen one is first
+    QVERIFY(labels[3].isEmpty());
   }
 
   void anotherRobotHasOtherClouds() {

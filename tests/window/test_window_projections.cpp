@@ -1,7 +1,9 @@
 // What a robot lays on the plane, in the window: asked for, edited by table, map and section, set.
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -159,7 +161,7 @@ class TestWindowProjections : public QObject {
     QVERIFY(!desk.dock().askButton()->isEnabled());
     desk.dispatch().answer(List{floorAt(1, 1), floorAt(6, 6)});
     QCOMPARE(desk.dock().model()->rowCount(), 2);
-    QCOMPARE(desk.cell(1, ProjectionsModel::X), QStringLiteral("6.00"));
+    QCOMPARE(desk.cell(1, ProjectionsModel::X), QStringLiteral("6"));
     QCOMPARE(desk.cell(1, ProjectionsModel::Frame), QStringLiteral("map"));
     QCOMPARE(desk.dock().state(), QStringLiteral("The robot projects 2 maps."));
     QVERIFY(!desk.dock().sendButton()->isEnabled());
@@ -223,7 +225,7 @@ class TestWindowProjections : public QObject {
     map::Projection smaller = floorAt(1, 1);
     smaller.size_m.x() = 6;
     desk.dispatch().answer(List{smaller});
-    QCOMPARE(desk.cell(0, ProjectionsModel::Width), QStringLiteral("6.00"));
+    QCOMPARE(desk.cell(0, ProjectionsModel::Width), QStringLiteral("6"));
     QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 projection is not what it was sent")));
     QVERIFY(!desk.dock().sendButton()->isEnabled());
   }
@@ -332,6 +334,41 @@ class TestWindowProjections : public QObject {
     QVERIFY(!desk.window->connectTo(QStringLiteral("axbot+http://192.0.2.8:8090")));
     question()->findChild<QPushButton*>(QStringLiteral("leaveProjections"))->click();
     QTRY_COMPARE(desk.wanted().size(), std::size_t(0));
+  }
+
+  void allColumnsAreSeenAtTheWidthThatTheDockOpensWith() {
+    Desk desk;
+    desk.open();
+    desk.dispatch().answer(List{{"map", {-20.5, -15}, {40, 30}, 0.2, 2}, floorAt(1, 1)});
+    auto* const table = desk.dock().findChild<QTableView*>();
+    QVERIFY(table);
+    QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
+    QVERIFY(!table->horizontalScrollBar()->isVisible());
+    QCOMPARE(desk.cell(0, ProjectionsModel::X), QStringLiteral("-20.5"));
+    QCOMPARE(desk.cell(0, ProjectionsModel::Y), QStringLiteral("-15"));
+    QCOMPARE(desk.cell(0, ProjectionsModel::MinZ), QStringLiteral("0.2"));
+    QCOMPARE(desk.cell(1, ProjectionsModel::MinZ), QStringLiteral("0"));
+  }
+
+  void theHintOfTheToolIsTrueOfTheRobot() {
+    Desk desk;
+    desk.open(false);
+    const ProjectionTool* const tool = desk.window->findChild<ProjectionTool*>();
+    QVERIFY2(tool->hint().contains(QStringLiteral("no robot here")), qPrintable(tool->hint()));
+    Desk reader;
+    reader.open(true, false);
+    reader.robot->goOnline();
+    const ProjectionTool* const its = reader.window->findChild<ProjectionTool*>();
+    QTRY_COMPARE(reader.dispatch().asked, 1);
+    reader.dispatch().answer(List{floorAt(1, 1)});
+    QVERIFY2(its->hint().contains(QStringLiteral("takes no projections: click")), qPrintable(its->hint()));
+    Desk writer;
+    writer.open();
+    writer.robot->goOnline();
+    const ProjectionTool* const draws = writer.window->findChild<ProjectionTool*>();
+    QTRY_COMPARE(writer.dispatch().asked, 1);
+    writer.dispatch().answer(List{});
+    QVERIFY2(draws->hint().contains(QStringLiteral("Drag a rectangle")), qPrintable(draws->hint()));
   }
 
   void leavingTheRobotLeavesNothingBehind() {

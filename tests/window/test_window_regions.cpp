@@ -1,10 +1,13 @@
 // A map by regions in the window.
 #include <QDir>
+#include <QDockWidget>
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolTip>
 #include <QtTest>
 
 #include "../patience.h"
@@ -18,6 +21,7 @@
 #include "window/map/map_view.h"
 #include "window/map/notice_bar.h"
 #include "window/map/toast_stack.h"
+#include "window/regions/map_errand.h"
 #include "window/regions/rectangle_tool.h"
 #include "window/regions/regions_controller.h"
 #include "window/regions/regions_text.h"
@@ -146,6 +150,92 @@ class TestWindowRegions : public QObject {
     QVERIFY(window_->mapScene()->layerVisible(Layer::WholeMap));
     QVERIFY(!window_->mapScene()->layerVisible(Layer::Regions));
   }
+  static robot::MapExtent extentOf(int cells) {
+    const std::int64_t all = std::int64_t(cells) * cells;
+    return {{cells, cells, 0.05, {-cells * 0.025, -cells * 0.025, 0}},
+            all * 7 / 2,
+            all * 2,
+            std::int64_t(256) << 20};
+  }
+  void howLargeTheWholeMapIsIsSaidBeforeItIsFetched() {
+    prepare_ = [](DispatchRobot& robot) { robot.dispatch.told_extent = extentOf(8192); };
+    open();
+    connectRobot();
+    action("fetchWholeMap")->trigger();
+    const QString asked = controller()->question()->text();
+    QVERIFY2(asked.contains(QStringLiteral("410 × 410 m")), qPrintable(asked));
+    QVERIFY2(asked.contains(QStringLiteral("8,192 × 8,192 cells")), qPrintable(asked));
+    QVERIFY2(asked.contains(QStringLiteral("about 235 MB over the link")), qPrintable(asked));
+    QVERIFY2(!asked.contains(QStringLiteral("break off")), qPrintable(asked));
+    controller()->question()->button(QMessageBox::Cancel)->click();
+    QTRY_VERIFY(!controller()->question());
+    // What the robot does not tell is said to be unknown.
+    robot_->dispatch.told_extent.reset();
+    action("fetchWholeMap")->trigger();
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral("the robot does not say")),
+             qPrintable(controller()->question()->text()));
+  }
+  void aWholeMapThatMayBreakTheLinkIsAskedAboutWithThat() {
+    prepare_ = [](DispatchRobot& robot) { robot.dispatch.told_extent = extentOf(10'000); };
+    open();
+    connectRobot();
+    action("fetchWholeMap")->trigger();
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral("break off")),
+             qPrintable(controller()->question()->text()));
+    QVERIFY(answerCalled("fetchWhole"));
+  }
+  void aWholeMapBeyondTheLinkIsRefusedAndARegionOfferedInstead() {
+    prepare_ = [](DispatchRobot& robot) { robot.dispatch.told_extent = extentOf(40'000); };
+    open();
+    connectRobot();
+    action("fetchWholeMap")->trigger();
+    QVERIFY2(controller()->question()->text().contains(QStringLiteral("too large")),
+             qPrintable(controller()->question()->text()));
+    QVERIFY(!answerCalled("fetchWhole"));
+    answerCalled("fetchRegionInstead")->click();
+    QVERIFY(action("fetchRegion")->isChecked());
+    QCOMPARE(robot_->dispatch.asked_whole, 0);
+    QTRY_VERIFY(!controller()->question());
+    look(0.05);
+    waitUntilFetched();
+    look(5);
+    QTRY_VERIFY(controller()->map()->regions().plan().tooFar());
+    QVERIFY2(notice().contains(QStringLiteral("fetch a region")), qPrintable(notice()));
+    action("fetchRegion")->setChecked(false);
+    offer()->click();
+    QVERIFY(action("fetchRegion")->isChecked());
+  }
+  void howMuchOfTheWholeMapHasComeIsSaidAndItCanBeCancelled() {
+    prepare_ = [](DispatchRobot& robot) {
+      robot.dispatch.by_itself = false;
+      robot.dispatch.told_extent = extentOf(8192);
+    };
+    open();
+    connectRobot();
+    action("fetchWholeMap")->trigger();
+    answerCalled("fetchWhole")->click();
+    QCOMPARE(robot_->dispatch.asked_whole, 1);
+    QVERIFY2(notice().contains(QStringLiteral("Nothing of it has come yet")), qPrintable(notice()));
+    const auto whole = robot_->dispatch.waiting.back();
+    QVERIFY(!whole->region);
+    whole->state->on_progress({12 * 1024 * 1024, {}});
+    QVERIFY2(notice().contains(QStringLiteral("12.6 MB of about 235 MB so far")), qPrintable(notice()));
+    offer()->click();
+    QVERIFY(whole->cancelled);
+    QVERIFY2(!notice().contains(QStringLiteral("being fetched")), qPrintable(notice()));
+  }
+  void fittingShowsAllThatTheRobotSaysThereIs() {
+    prepare_ = [](DispatchRobot& robot) { robot.dispatch.told_extent = extentOf(8192); };
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    const geometry::WorldRect bounds = window_->mapScene()->contentBounds();
+    QVERIFY(std::abs(bounds.width() - 409.6) < 0.1);
+    robot_->dispatch.told_extent.reset();
+    Q_EMIT robot_->dispatch.extentChanged();
+    QVERIFY(window_->mapScene()->contentBounds().width() < 400);
+  }
   void whoDoesNotWantTheWholeMapAsksForNothing() {
     open();
     connectRobot();
@@ -197,6 +287,61 @@ class TestWindowRegions : public QObject {
     waitUntilFetched();
     QTRY_VERIFY(notice().isEmpty());
   }
+  QMessageBox* leaving() const {
+    auto* const save = window_->findChild<QPushButton*>(QStringLiteral("saveFetched"));
+    return save ? qobject_cast<QMessageBox*>(save->window()) : nullptr;
+  }
+  /// What the tip says in the middle of the map; empty = there is none.
+  QString tip() {
+    QToolTip::hideText();
+    if (!QTest::qWaitFor([] { return !QToolTip::isVisible(); })) return QStringLiteral("the old tip stays");
+    const QPoint at = window_->view()->viewport()->rect().center() + QPoint(7, 5);
+    QHelpEvent event(QEvent::ToolTip, at, window_->view()->viewport()->mapToGlobal(at));
+    QApplication::sendEvent(window_->view()->viewport(), &event);
+    return QToolTip::isVisible() ? QToolTip::text() : QString();
+  }
+  void whyAPlaceIsBlankIsSaidWhereTheCursorRests() {
+    prepare_ = [](DispatchRobot& robot) {
+      robot.dispatch.answer = [&robot](const map::GridRegion& region) -> robot::Outcome<map::GridPart> {
+        if (region.size_m.x() < 10) return robot.dispatch.ground.part(region);
+        return tl::unexpected(map::Failure{
+            .kind = map::FailureKind::RejectedByRobot, .robot_code = "7", .detail = "<b>no</b> room"});
+      };
+    };
+    open();
+    connectRobot();
+    look(0.05);
+    QTRY_VERIFY(controller()->map()->regions().counts().failed > 1);
+    QTRY_VERIFY(tip().contains(QStringLiteral("could not be fetched")));
+    QVERIFY2(tip().contains(QStringLiteral("&lt;b&gt;no")), qPrintable(tip()));
+    // What is there and current needs no words.
+    robot_->dispatch.answer = {};
+    action("refreshRegions")->trigger();
+    waitUntilFetched();
+    QTRY_VERIFY2(tip().isEmpty(), qPrintable(tip()));
+    geometry::ViewTransform view = window_->mapScene()->view();
+    view.center_m = {3000, 3000};
+    window_->mapScene()->setView(view);
+    QTRY_VERIFY2(tip().contains(QStringLiteral("has nothing")), qPrintable(tip()));
+    view.scale_m_per_px = 5;
+    window_->mapScene()->setView(view);
+    QTRY_VERIFY2(tip().contains(QStringLiteral("Zoom in")), qPrintable(tip()));
+    robot_->goAway(QStringLiteral("unplugged"));
+    QTRY_VERIFY2(tip().contains(QStringLiteral("no connection")), qPrintable(tip()));
+    window_->mapScene()->setLayerVisible(Layer::Regions, false);
+    QVERIFY2(tip().isEmpty(), qPrintable(tip()));
+  }
+  void whatIsOnItsWayOrWaitsSaysSo() {
+    prepare_ = [](DispatchRobot& robot) { robot.dispatch.by_itself = false; };
+    open();
+    connectRobot();
+    look(0.05);
+    QVERIFY2(tip().contains(QStringLiteral("first answer")), qPrintable(tip()));
+    QTRY_VERIFY(!robot_->dispatch.waiting.empty());
+    robot_->dispatch.answerOne();  // how large a cell is
+    QTRY_VERIFY(!robot_->dispatch.waiting.empty());
+    QVERIFY2(tip().contains(QStringLiteral("is being fetched")), qPrintable(tip()));
+  }
   void aRectangleIsDrawnAndKept() {
     open();
     connectRobot();
@@ -224,7 +369,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     const QString path = folder_->filePath(QStringLiteral("part.yaml"));
-    controller()->saveRectangle({-10, -5, 10, 5}, path);
+    controller()->errand().saveRectangle({-10, -5, 10, 5}, path);
     QTRY_VERIFY(QFile::exists(path));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().startsWith(QStringLiteral("Saved")));
     QFile pgm(folder_->filePath(QStringLiteral("part.pgm"))), yaml(path);
@@ -234,10 +379,46 @@ class TestWindowRegions : public QObject {
     QVERIFY2(text.contains("resolution: 0.05"), text.constData());
     QVERIFY2(text.contains("-10"), text.constData());
   }
+  void whatWasKeptIsAskedAboutBeforeTheRobotIsLeft() {
+    open();
+    connectRobot();
+    action("disconnect")->trigger();
+    QTRY_VERIFY(!window_->session());  // nothing was fetched: nothing is asked
+    connectRobot();
+    controller()->errand().keepRectangle({-10, -10, 10, 10});
+    QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    action("disconnect")->trigger();
+    QTRY_VERIFY(leaving());
+    QVERIFY2(leaving()->text().contains(QStringLiteral("20.0 × 20.0 m")), qPrintable(leaving()->text()));
+    leaving()->button(QMessageBox::Cancel)->click();
+    QTRY_VERIFY(!leaving());
+    QVERIFY(window_->session());
+    window_->close();
+    QTRY_VERIFY(leaving());
+    QVERIFY(window_->isVisible());
+    leaving()->button(QMessageBox::Cancel)->click();
+    QTRY_VERIFY(!leaving());
+    // What is in a file is not lost.
+    controller()->noteExported();
+    action("disconnect")->trigger();
+    QTRY_VERIFY(!window_->session());
+    QVERIFY(!leaving());
+  }
+  void whatWasKeptMayBeDiscarded() {
+    open();
+    connectRobot();
+    controller()->errand().keepRectangle({-10, -10, 10, 10});
+    QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    action("disconnect")->trigger();
+    QTRY_VERIFY(leaving());
+    leaving()->button(QMessageBox::Discard)->click();
+    QTRY_VERIFY(!window_->session());
+  }
   void whatIsTooLargeIsRefused() {
     open();
     connectRobot();
-    controller()->saveRectangle({-4000, -4000, 4000, 4000}, folder_->filePath(QStringLiteral("huge.yaml")));
+    controller()->errand().saveRectangle({-4000, -4000, 4000, 4000},
+                                         folder_->filePath(QStringLiteral("huge.yaml")));
     QTRY_VERIFY(!toasts().isEmpty() && toasts().last().contains(QStringLiteral("too large")));
     QVERIFY(!QFile::exists(folder_->filePath(QStringLiteral("huge.yaml"))));
   }
@@ -246,7 +427,7 @@ class TestWindowRegions : public QObject {
     open();
     connectRobot();
     look(0.05);
-    controller()->keepRectangle({-10, -10, 10, 10});
+    controller()->errand().keepRectangle({-10, -10, 10, 10});
     QVERIFY(notice().contains(QStringLiteral("being fetched")));
     window_->leaveRobot();
     QVERIFY(!controller()->map());
@@ -256,6 +437,33 @@ class TestWindowRegions : public QObject {
     QVERIFY(!action("refreshRegions")->isEnabled());
     QVERIFY(controller()->statusShown().isEmpty());
     QVERIFY(notice().isEmpty());
+  }
+  void whereThereAreOnlyCloudsNothingIsWaitedForAndTheyAreOffered() {
+    prepare_ = [](DispatchRobot& robot) {
+      robot.dispatch.offers_regions = robot.dispatch.offers_whole = false;
+      robot.dispatch.offers_clouds = true;
+    };
+    open();
+    connectRobot();
+    look(0.05);
+    QVERIFY(!scene::RegionsOnMap::of(*window_->mapScene()).map());  // nothing is hatched
+    QVERIFY2(notice().isEmpty(), qPrintable(notice()));
+    QVERIFY2(tip().isEmpty(), qPrintable(tip()));
+    window::EmptyStateCard* const card = window_->overlay()->card();
+    QTRY_VERIFY(card->isVisible());
+    QCOMPARE(card->kind(), std::optional(window::EmptyState::Kind::NoMap));
+    QPushButton* clouds = nullptr;
+    for (QPushButton* button : card->findChildren<QPushButton*>())
+      if (button->isVisible()) clouds = button;
+    QVERIFY(clouds && clouds->text() == QStringLiteral("Fetch clouds…"));
+    clouds->click();
+    QTRY_VERIFY(window_->findChild<QDockWidget*>(QStringLiteral("clouds"))->isVisible());
+    // Its dispatcher may learn to give regions.
+    robot_->dispatch.offers_regions = true;
+    Q_EMIT robot_->dispatch.offersChanged();
+    QTRY_VERIFY(scene::RegionsOnMap::of(*window_->mapScene()).map());
+    QTRY_VERIFY(!card->isVisible());
+    waitUntilFetched();
   }
   void whatCameStaysInSightWhenTheConnectionIsLost() {
     open();

@@ -106,7 +106,7 @@ class Brush {
     if (text.size() > kLongestText) text = text.left(kLongestText - 1) + QChar(0x2026);
     const QRectF mark(at(0) - QPointF(1, 1), QSizeF(2, 2));
     // As any other name it stays readable, and gives way where there is no room.
-    if (inView(context_, mark)) drawName(painter_, context_, mark, text, own_);
+    if (inView(context_, mark)) drawName(painter_, context_, mark, text, readable(own_, context_.theme));
   }
 
   QPainter& painter_;

@@ -1,5 +1,6 @@
 #include "scene/layer_item.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,6 +12,30 @@
 namespace mapwright::scene {
 
 QPointF toPoint(const Eigen::Vector2d& v) { return {v.x(), v.y()}; }
+
+QColor readable(const QColor& color, const MapTheme& theme) {
+  // Relative luminance and contrast as WCAG 2 has them; more than its bounds, as the halo takes some of thin
+  // letters.
+  constexpr float kLeastContrast = 10;
+  constexpr int kSteps = 10;
+  const auto linear = [](float part) {
+    return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);
+  };
+  const auto luminance = [&linear](const QColor& of) {
+    return 0.2126F * linear(of.redF()) + 0.7152F * linear(of.greenF()) + 0.0722F * linear(of.blueF());
+  };
+  const float halo = luminance(theme.text_halo);
+  for (int step = 0; step < kSteps; ++step) {
+    const float part = float(step) / kSteps;
+    const auto mixed = [part](float own, float text) { return own + (text - own) * part; };
+    const QColor one =
+        QColor::fromRgbF(mixed(color.redF(), theme.text.redF()), mixed(color.greenF(), theme.text.greenF()),
+                         mixed(color.blueF(), theme.text.blueF()));
+    const float own = luminance(one);
+    if ((std::max(own, halo) + 0.05F) / (std::min(own, halo) + 0.05F) >= kLeastContrast) return one;
+  }
+  return theme.text;
+}
 
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
                const QColor& color, bool struck_through) {

@@ -33,6 +33,9 @@ struct LayerContext {
 
 QPointF toPoint(const Eigen::Vector2d& v);
 
+/// The colour, nearer to that of the theme's text as far as its letters would not stand out against their
+/// halo.
+QColor readable(const QColor& color, const MapTheme& theme);
 /// Text with a halo, readable on any map.
 void drawLabel(QPainter& painter, const QPointF& baseline_left, const QString& text, const MapTheme& theme,
                const QColor& color, bool struck_through = false);

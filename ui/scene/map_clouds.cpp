@@ -11,6 +11,7 @@
 #include "clouds/draw_cloud.h"
 #include "clouds/heights.h"
 #include "clouds/section.h"
+#include "clouds/shades.h"
 #include "clouds/voxel_size.h"
 #include "clouds/write_cloud.h"
 #include "disk/written_file.h"
@@ -153,6 +154,19 @@ class MapClouds::Impl {
           QMetaObject::invokeMethod(
               &owner_, [reply, outcome] { reply(outcome); }, Qt::QueuedConnection);
         });
+  }
+
+  std::optional<CloudScale> scaleNow() const {
+    if (!set_ || heights.points == 0) return std::nullopt;
+    const clouds::CloudLook now = look(1, {});
+    const clouds::Shades& all = clouds::shades();
+    CloudScale made{CloudScale::Of::Height, now.low_z_m, now.high_z_m, {all.begin(), all.end()}};
+    if (now.color == clouds::CloudColor::Height) return made;
+    if (now.color != clouds::CloudColor::Intensity || !set_->has_intensity) return std::nullopt;
+    made.of = CloudScale::Of::Intensity;
+    made.low = now.low_intensity;
+    made.high = now.high_intensity;
+    return made;
   }
 
   CloudSums sums;
@@ -333,6 +347,7 @@ const std::optional<CloudRange>& MapClouds::heightRange() const { return impl_->
 void MapClouds::setVoxel(std::optional<double> metres) { impl_->setVoxel(metres); }
 const CloudSums& MapClouds::sums() const { return impl_->sums; }
 const CloudHeights& MapClouds::heights() const { return impl_->heights; }
+std::optional<CloudScale> MapClouds::scale() const { return impl_->scaleNow(); }
 geometry::WorldRect MapClouds::bounds() const { return impl_->bounds(); }
 render::TilePainter MapClouds::painter(double ratio) const { return impl_->painter(ratio); }
 void MapClouds::cut(const CloudCut& cut, SectionReply reply) { impl_->cut(cut, std::move(reply)); }

@@ -55,6 +55,15 @@ struct CloudRange {
   bool operator==(const CloudRange&) const = default;
 };
 
+/// What the colours of the points mean, where a value gives them.
+struct CloudScale {
+  enum class Of { Height, Intensity };  // metres; as the robot sends it, without a unit
+  Of of = Of::Height;
+  double low = 0, high = 0;                // what lies beyond has the colour of the end
+  std::vector<std::uint32_t> colors = {};  // 0x00RRGGBB, from low to high
+  bool operator==(const CloudScale&) const = default;
+};
+
 /// A line on the map with the width of the strip that is looked at from its right-hand side.
 struct CloudCut {
   Eigen::Vector2d from_m{0, 0}, to_m{0, 0};
@@ -102,6 +111,8 @@ class MapClouds : public QObject {
 
   const CloudSums& sums() const;
   const CloudHeights& heights() const;
+  /// nullopt: the points have one colour, or colours of their own, or not the value that was chosen.
+  std::optional<CloudScale> scale() const;
   geometry::WorldRect bounds() const;  // empty without clouds
 
   /// From above, in the style of the layer; null while there is nothing. `ratio`: device pixels a pixel.

@@ -54,6 +54,10 @@ MapScene::MapScene(render::TileRenderer::Options renderer_options, QObject* pare
     for (LayerItem* item : impl_->itemsOf(Layer::Regions)) item->update();
     Q_EMIT contentChanged();
   });
+  connect(regions, &RegionsOnMap::extentChanged, this, [this, regions] {
+    impl_->region_ground->setExtent(regions->extent());
+    impl_->region_ground->update();
+  });
   connect(regions, &RegionsOnMap::regionsChanged, this, [this] { impl_->region_ground->update(); });
   connect(regions, &RegionsOnMap::sheetsChanged, this, [this] { impl_->raster.regionSheetsChanged(); });
   connect(regions, &RegionsOnMap::cellsChanged, this, [this](const geometry::WorldRect& where) {
@@ -335,6 +339,9 @@ geometry::WorldRect MapScene::contentBounds() const {
   if (impl_->items.at(Layer::WholeMap)->isVisible() || bounds.empty())
     bounds.extend(impl_->raster.wholeBounds());
   if (impl_->items.at(Layer::Regions)->isVisible()) bounds.extend(impl_->raster.regionBounds());
+  if (const RegionsOnMap& regions = RegionsOnMap::of(*this);
+      regions.map() && regions.extent() && layerVisible(Layer::Regions))
+    bounds.extend(regions.extent()->bounds());
   if (layerVisible(Layer::DispatchedCloud)) bounds.extend(MapClouds::of(*this).bounds());
   return bounds.empty() ? session_->contentBounds() : bounds;
 }

@@ -13,7 +13,7 @@ using regions::RegionState;
 
 constexpr int kHatchPx = 8;            // after so much its pattern begins anew
 constexpr double kLeastLabelPx = 120;  // a region that is narrower has no room for words
-constexpr int kHatchAlpha = 70, kQuietAlpha = 90;
+constexpr int kHatchAlpha = 70, kQuietAlpha = 90, kExtentAlpha = 190;
 
 QColor withAlpha(QColor color, int alpha) {
   color.setAlpha(alpha);
@@ -36,6 +36,7 @@ void RegionGround::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   painter->setRenderHint(QPainter::Antialiasing, false);  // between neighbours no seam must show
   paintHatch(*painter);
   paintOutlines(*painter);
+  paintExtent(*painter);
   painter->restore();
 }
 
@@ -59,6 +60,19 @@ void RegionGround::paintHatch(QPainter& painter) const {
   const auto phase = [](double at) { return std::isfinite(at) ? std::fmod(std::round(at), kHatchPx) : 0.0; };
   painter.setBrushOrigin(QPointF(phase(zero.x()), phase(zero.y())));
   painter.fillPath(unknown, QBrush(withAlpha(context_.theme.text, kHatchAlpha), Qt::BDiagPattern));
+}
+
+void RegionGround::paintExtent(QPainter& painter) const {
+  if (!extent_) return;
+  const geometry::ViewTransform& view = context_.view;
+  const double right = extent_->width, bottom = extent_->height;
+  QPolygonF shape;
+  for (const Eigen::Vector2d& cell : {Eigen::Vector2d(0, 0), Eigen::Vector2d(right, 0),
+                                      Eigen::Vector2d(right, bottom), Eigen::Vector2d(0, bottom)})
+    shape << toPoint(view.pixelFromWorld(extent_->worldFromCell(cell)));
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(withAlpha(context_.theme.text, kExtentAlpha), 1));
+  painter.drawPolygon(shape);
 }
 
 void RegionGround::paintOutlines(QPainter& painter) const {

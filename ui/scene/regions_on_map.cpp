@@ -1,5 +1,7 @@
 #include "scene/regions_on_map.h"
 
+#include <utility>
+
 namespace mapwright::scene {
 
 using regions::RegionMap;
@@ -21,6 +23,10 @@ void RegionsOnMap::show(RegionMap* map) {
     connect(map_, &QObject::destroyed, this, &RegionsOnMap::shownChanged);
   }
   Q_EMIT shownChanged();
+}
+
+void RegionsOnMap::setExtent(const std::optional<map::GridReference>& extent) {
+  if (std::exchange(extent_, extent) != extent) Q_EMIT extentChanged();
 }
 
 }  // namespace mapwright::scene

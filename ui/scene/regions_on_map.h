@@ -1,9 +1,12 @@
 // The map by regions that lies on the map: where the scene keeps it.
 #pragma once
 
+#include <optional>
+
 #include <QObject>
 #include <QPointer>
 
+#include "map/grid_reference.h"
 #include "regions/region_map.h"
 #include "scene/map_scene.h"
 
@@ -21,14 +24,20 @@ class RegionsOnMap : public QObject {
   void show(regions::RegionMap* map);
   regions::RegionMap* map() const { return map_; }
 
+  /// Where the whole map lies, as its robot says; nullopt: it does not. Not looked at without a map.
+  void setExtent(const std::optional<map::GridReference>& extent);
+  const std::optional<map::GridReference>& extent() const { return extent_; }
+
  Q_SIGNALS:
-  void shownChanged();    // another one, or none
+  void shownChanged();  // another one, or none
+  void extentChanged();
   void regionsChanged();  // how its regions stand
   void sheetsChanged();
   void cellsChanged(const mapwright::geometry::WorldRect& where);
 
  private:
   QPointer<regions::RegionMap> map_;
+  std::optional<map::GridReference> extent_;
 };
 
 }  // namespace mapwright::scene

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include <QObject>
 #include <QSettings>
@@ -12,6 +13,14 @@
 #include "session/session.h"
 
 namespace mapwright::window {
+
+/// What was fetched of the robot, and is nowhere but on screen.
+struct Fetched {
+  QString name;  // "a cloud of 1,200 points"; plain text
+  /// Asks where to. Calls `saved` once it is written; never when the user gives it up or it cannot be
+  /// written.
+  std::function<void(std::function<void()> saved)> save;
+};
 
 class Controller : public QObject {
   Q_OBJECT
@@ -35,6 +44,8 @@ class Controller : public QObject {
   virtual bool maySave() const { return unsaved(); }
   /// Saves it, if there is anything.
   virtual void save() {}
+  /// What is lost with the robot, though nobody has changed anything. It is asked about together.
+  virtual std::vector<Fetched> fetched() { return {}; }
   /// The present map is about to be left: calls `then` when it may be, at once where nothing is unsaved; else
   /// asks first, and never calls it when the user wants to stay.
   virtual void beforeLeaving(std::function<void()> then) { then(); }

@@ -198,6 +198,7 @@ void MainWindow::connectControllers() {
   connect(maps_, &MapsController::compareWanted, compare_, &CompareController::compareWith);
   connect(maps_, &MapsController::exportWanted, export_, &ExportController::exportMap);
   connect(maps_->dock(), &MapsDock::menuOpening, administration_, &AdministrationController::fillMenu);
+  connect(export_, &ExportController::wholeExported, regions_, &RegionsController::noteExported);
   connect(maps_, &MapsController::regionsWanted, regions_, &RegionsController::showRegions);
   connect(maps_, &MapsController::retryWanted, connection_, &ConnectionController::retry);
   connect(problems_, &ProblemsController::retryWanted, connection_, &ConnectionController::retry);
@@ -284,7 +285,7 @@ void MainWindow::showMapMenu(const QPoint& global_pos, const QPointF& viewport_p
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (context_->unsaved.any() && !may_close_) {
+  if (!may_close_ && (context_->unsaved.any() || context_->unsaved.losesFetched())) {
     event->ignore();
     context_->unsaved.whenMayLeaveRobot([this] {
       may_close_ = true;

@@ -4,6 +4,7 @@
 
 #include "map/whereabouts.h"
 #include "regions/region_map.h"
+#include "scene/map_clouds.h"
 #include "scene/regions_on_map.h"
 #include "window/replay/replay_state.h"
 #include "window/status/status_text.h"
@@ -18,7 +19,8 @@ MapsInView mapsInView(const scene::MapScene& scene) {
   const bool by_region = regions && scene.layerVisible(scene::Layer::Regions);
   return {scene.layerVisible(scene::Layer::Submaps),
           scene.layerVisible(scene::Layer::WholeMap) || comparing(scene), by_region,
-          by_region && regions->regions().bytes() > 0};
+          by_region && regions->regions().bytes() > 0,
+          scene.layerVisible(scene::Layer::DispatchedCloud) && !scene::MapClouds::of(scene).empty()};
 }
 
 QString robotCalled(const robot::Robot& robot) {

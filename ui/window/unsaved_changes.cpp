@@ -3,9 +3,29 @@
 #include <algorithm>
 #include <utility>
 
+#include <QWidget>
+
 #include "window/controller.h"
+#include "window/fetched_question.h"
 
 namespace mapwright::window {
+
+namespace {
+
+std::vector<Fetched> fetchedBy(const std::vector<Controller*>& controllers) {
+  std::vector<Fetched> all;
+  for (Controller* controller : controllers) {
+    for (Fetched& one : controller->fetched()) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace
+
+UnsavedChanges::UnsavedChanges(QWidget* window)
+    : QObject(window), fetched_(new FetchedQuestion(window, this)) {}
+
+bool UnsavedChanges::losesFetched() const { return !fetchedBy(controllers_).empty(); }
 
 void UnsavedChanges::watch(Controller* controller) {
   controllers_.push_back(controller);
@@ -39,6 +59,7 @@ void UnsavedChanges::whenMayLeave(std::function<void()> then) {
 }
 
 void UnsavedChanges::whenMayLeaveRobot(std::function<void()> then) {
+  then = [this, then = std::move(then)] { fetched_->ask(fetchedBy(controllers_), then); };
   for (auto it = controllers_.rbegin(); it != controllers_.rend(); ++it)
     then = [controller = *it, then = std::move(then)] { controller->beforeLeavingRobot(then); };
   then();

@@ -10,11 +10,13 @@
 namespace mapwright::window {
 
 class Controller;
+class FetchedQuestion;
 
 class UnsavedChanges : public QObject {
   Q_OBJECT
  public:
-  using QObject::QObject;
+  /// `window`: the parent of the question about what was fetched.
+  explicit UnsavedChanges(QWidget* window = nullptr);
 
   /// Not owned; must outlive all questions.
   void watch(Controller* controller);
@@ -27,7 +29,9 @@ class UnsavedChanges : public QObject {
   /// Calls `then` when the present map may be left: at once, or after the user has said what becomes of what
   /// is not saved, or never. Each controller is asked in its turn, since each may ask.
   void whenMayLeave(std::function<void()> then);
-  /// The same where the robot is left.
+  /// Whether anything has been fetched of the robot that is nowhere else.
+  bool losesFetched() const;
+  /// The same where the robot is left; last of all what was fetched of it is asked about.
   void whenMayLeaveRobot(std::function<void()> then);
 
  Q_SIGNALS:
@@ -35,6 +39,7 @@ class UnsavedChanges : public QObject {
 
  private:
   std::vector<Controller*> controllers_;
+  FetchedQuestion* fetched_;
 };
 
 }  // namespace mapwright::window

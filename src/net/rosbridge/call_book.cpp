@@ -100,6 +100,14 @@ std::vector<CallBook::Call> CallBook::lost(bool large) {
   return gone;
 }
 
+std::vector<std::function<void(qint64)>> CallBook::whoListens(bool large) const {
+  std::vector<std::function<void(qint64)>> all;
+  for (const Call& call : under_way_) {
+    if (call.request.large == large && call.request.arriving) all.push_back(call.request.arriving);
+  }
+  return all;
+}
+
 void CallBook::allQuick() {
   for (Call& call : waiting_) call.request.large = false;
 }

@@ -24,6 +24,9 @@ struct CallRequest {
   std::shared_ptr<ArgsSource> made_while_sent = {};
   /// Of these, how much has left, and of how much; on the client's thread, never from within call().
   std::function<void(qint64 bytes, qint64 of_bytes)> travelled = {};
+  /// While its answer comes, how much is there: of what is arriving by its connection, so of another answer
+  /// where several are under way. Now and then; on the client's thread, never from within call().
+  std::function<void(qint64 bytes)> arriving = {};
   std::chrono::milliseconds patience{10'000};  // for the answer, from the moment that the last of it was sent
   bool large = false;  // its answer may be megabytes: by the connection for large things
 };
@@ -89,6 +92,9 @@ class CallBook {
   /// All that wait go by the quick connection from now on.
   void allQuick();
   bool waitsForLarge() const;
+
+  /// Who of those under way by that connection wants to know how much has come.
+  std::vector<std::function<void(qint64)>> whoListens(bool large) const;
 
   bool hasSent() const { return !under_way_.empty() || !given_up_.empty(); }
   static QString idOf(quint64 number);

@@ -386,6 +386,11 @@ class Client::Impl {
     large_.expire();
     for (const CallBook::Call& call : book_.timedOut(options_.now()))
       fail(call, Kind::TimedOut, !breakOff(call.number));
+    for (const bool large : {false, true}) {
+      const qint64 bytes = connection(large).arrivingBytes();
+      if (bytes <= 0) continue;
+      for (const auto& told : book_.whoListens(large)) told(bytes);
+    }
     advance();
     if (!needsLooks()) look_.stop();
   }

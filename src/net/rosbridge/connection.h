@@ -38,6 +38,8 @@ class Connection : public QObject {
   /// Not ready, and will not be without another attempt.
   bool down() const;
   void send(const QString& request);  // dropped unless ready
+  /// Of what is not whole yet, a frame or the pieces of a message: here already.
+  qint64 arrivingBytes() const { return link_.arrivingBytes() + qint64(joiner_.heldBytes()); }
   bool joining() const { return joiner_.heldMessages() > 0; }
   void expire();
 

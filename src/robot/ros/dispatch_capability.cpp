@@ -16,6 +16,9 @@ RosDispatch::RosDispatch(RosLink* link, QObject* parent) : MapDispatch(parent), 
   connect(link_, &RosLink::projectedGone, this, [this](int index) {
     if (projected_.erase(index) > 0) Q_EMIT projectedChanged(index);
   });
+  connect(link_, &RosLink::mapExtentTold, this, [this](const std::optional<MapExtent>& extent) {
+    if (std::exchange(extent_, extent) != extent) Q_EMIT extentChanged();
+  });
   connect(link_, &RosLink::projectedSilent, this, [this](const QStringList& topics) {
     silent_.clear();
     for (const QString& topic : topics) silent_.push_back(topic.toStdString());

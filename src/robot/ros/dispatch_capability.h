@@ -26,6 +26,7 @@ class RosDispatch : public MapDispatch {
   Call projections(OutcomeTo<std::vector<map::Projection>> reply) override;
   Call project(const std::vector<map::Projection>& wanted,
                OutcomeTo<std::vector<map::Projection>> reply) override;
+  std::optional<MapExtent> extent() const override { return extent_; }
   std::vector<ProjectedPart> projected() const override;
   std::vector<std::string> silent() const override { return silent_; }
 
@@ -37,6 +38,7 @@ class RosDispatch : public MapDispatch {
   FoundDispatch found_;
   std::map<int, std::shared_ptr<const ProjectedPart>> projected_;
   std::vector<std::string> silent_;
+  std::optional<MapExtent> extent_;
   wire::PendingCalls<map::GridPart> grids_;
   wire::PendingCalls<std::shared_ptr<const map::SpatialCloud>> clouds_;
   wire::PendingCalls<std::string> saves_;

@@ -78,6 +78,24 @@ QByteArray projectionArgs(const std::vector<map::Projection>& projections) {
   return json({{QStringLiteral("projected_maps_info"), rows}});
 }
 
+std::optional<map::GridReference> readMapExtent(const Field& msg) {
+  constexpr std::int64_t kMostAcross = 1'000'000'000;
+  constexpr double kLargestM = 1e6;
+  const auto size = readGridSize(msg, {}, kMostAcross * kMostAcross, EmptyGrids::Refused);
+  if (!size || size->width > kMostAcross || size->height > kMostAcross) return std::nullopt;
+  const map::GridReference grid{int(size->width), int(size->height), resolutionOf(msg),
+                                poseOf(msg["origin"]).pose.flat()};
+  if (map::whyUnusable(grid) || !std::isfinite(grid.origin.yaw_rad)) return std::nullopt;
+  if (grid.width * grid.resolution_m > kLargestM || grid.height * grid.resolution_m > kLargestM)
+    return std::nullopt;
+  return grid;
+}
+
+std::int64_t leastBytesOfCells(std::int64_t cells) { return 2 * cells; }  // "0,"
+
+// Most servers write "0, ", "-1, " and "100, ".
+std::int64_t aboutBytesOfCells(std::int64_t cells) { return 7 * cells / 2; }
+
 Read<map::GridPart> readGridPart(const Field& msg) {
   const Field info = msg["info"];
   if (!info.isObject()) return fieldMissing("info");

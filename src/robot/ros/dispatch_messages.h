@@ -35,6 +35,11 @@ QByteArray projectionArgs(const std::vector<map::Projection>& projections);
 /// nav_msgs/OccupancyGrid. One without cells is an answer, wherever it says that it lies. Cells above 100 are
 /// read as 100.
 Read<map::GridPart> readGridPart(const Field& msg);
+/// nav_msgs/MapMetaData; nullopt where it is no size of a map: no cells, no place, wider than 1,000 km.
+std::optional<map::GridReference> readMapExtent(const Field& msg);
+/// What an answer with so many cells is long, as JSON (nav_msgs/GetMap): about, and at least.
+std::int64_t aboutBytesOfCells(std::int64_t cells);
+std::int64_t leastBytesOfCells(std::int64_t cells);
 /// sensor_msgs/PointCloud2. Of one that is cut short, what came whole, with a note.
 Read<std::shared_ptr<const map::SpatialCloud>> readSpatialCloud(const Field& msg);
 /// map_msgs/ProjectedMap.

@@ -99,6 +99,11 @@ void DispatchRequests::take(FoundDispatch found) {
   if (tells || found_.topics_told)
     forgetProjected([this](int index) { return index >= told_ && !found_.projected.contains(index); });
   if (!found_.any()) forgetProjected([](int) { return true; });
+  std::erase_if(extents_, [this](const auto& one) {
+    return std::none_of(found_.metadata.begin(), found_.metadata.end(),
+                        [&](const FoundTopic& topic) { return topic.name == one.first; });
+  });
+  tellExtent();
   looked();
   if (other_offers) Q_EMIT offersChanged();
 }
@@ -132,6 +137,8 @@ void DispatchRequests::beginAnew() {
   tries_waited_ = false;
   map_said_.clear();
   projections_said_.clear();
+  extents_.clear();
+  tellExtent();
   forgetProjected([](int) { return true; });
 }
 
@@ -190,6 +197,9 @@ std::optional<map::Reason> DispatchRequests::hear(const std::string& topic, cons
     QByteArray& before = seen_[topic];
     const bool other = !before.isEmpty() && before != now;
     before = now;
+    extents_.erase(topic);
+    if (const auto extent = readMapExtent(msg)) extents_[topic] = *extent;
+    tellExtent();
     if (other) Q_EMIT mapChanged();
     return std::nullopt;
   }
@@ -231,6 +241,18 @@ std::optional<map::Reason> DispatchRequests::hearProjected(int index, const Fiel
   return std::nullopt;
 }
 
+void DispatchRequests::tellExtent() {
+  std::optional<map::GridReference> now;
+  for (const auto& [topic, extent] : extents_) {
+    if (now && *now != extent) {
+      now.reset();  // which of them is the map's is not known
+      break;
+    }
+    now = extent;
+  }
+  if (std::exchange(extent_, now) != now) Q_EMIT extentTold(now);
+}
+
 void DispatchRequests::sawMap(const std::string& fingerprint) {
   const std::string before = std::exchange(seen_map_, fingerprint);
   if (!before.empty() && before != fingerprint && found_.any()) Q_EMIT mapChanged();
@@ -254,6 +276,7 @@ void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService servic
   request.args = std::move(args);
   request.patience = patience;
   request.large = true;
+  request.arriving = [errand](qint64 bytes) { errand->tell({bytes, std::nullopt}); };
   call(errand, client_, std::move(request),
        [self = QPointer(this), service, name = there->name, asked_for, taken = std::move(taken),
         failed = std::move(failed)](const CallAnswer& answer) {

@@ -75,6 +75,8 @@ class DispatchRequests : public QObject {
   void mapChanged();
   void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
   void projectedGone(int index);
+  /// What the topics tell of the size of the map; where they differ, nothing.
+  void extentTold(const std::optional<mapwright::map::GridReference>& extent);
   /// Which topics have told nothing as long as somebody has waited for them; told before he is answered.
   void projectedSilent(const QStringList& topics);
 
@@ -117,6 +119,7 @@ class DispatchRequests : public QObject {
   void forgetProjected(const std::function<bool(int)>& whether);
   std::optional<map::Reason> hearProjected(int index, const Field& msg);
   void withdraw(DispatchService service);
+  void tellExtent();
 
   net::rosbridge::Client& client_;
   const DispatchWish wish_;
@@ -131,8 +134,10 @@ class DispatchRequests : public QObject {
   bool tries_waited_ = false;                // for what is asked for by its usual name
   std::string map_said_, projections_said_;  // their frames
   std::function<std::string()> map_frame_;
-  std::map<std::string, QByteArray> seen_;  // metadata by topic
-  std::string seen_map_;                    // fingerprint
+  std::map<std::string, QByteArray> seen_;             // metadata by topic
+  std::map<std::string, map::GridReference> extents_;  // those that are a size
+  std::optional<map::GridReference> extent_;           // as it was told last
+  std::string seen_map_;                               // fingerprint
   std::list<WatchPtr> watches_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 
+#include "robot/ros/dispatch_messages.h"
 #include "robot/wire/link_state.h"
 #include "robot/wire/net_reason.h"
 
@@ -118,6 +119,16 @@ void RosLink::wireParts() {
   connect(dispatch_.get(), &DispatchRequests::mapChanged, this, &RosLink::dispatchedMapChanged);
   connect(dispatch_.get(), &DispatchRequests::projectedCame, this, &RosLink::projectedCame);
   connect(dispatch_.get(), &DispatchRequests::projectedGone, this, &RosLink::projectedGone);
+  connect(dispatch_.get(), &DispatchRequests::extentTold, this,
+          [this](const std::optional<map::GridReference>& grid) {
+            std::optional<MapExtent> extent;
+            if (grid) {
+              const std::int64_t cells = std::int64_t(grid->width) * grid->height;
+              extent = MapExtent{*grid, aboutBytesOfCells(cells), leastBytesOfCells(cells),
+                                 std::int64_t(options_.client.max_message_bytes)};
+            }
+            Q_EMIT mapExtentTold(extent);
+          });
   connect(dispatch_.get(), &DispatchRequests::projectedSilent, this, &RosLink::projectedSilent);
   connect(pictures_.get(), &KabamPictures::doubted, this, [this](const std::string& map_id) {
     pictures_doubted_.insert(map_id);

@@ -116,6 +116,7 @@ class RosLink : public QObject {
   void dispatchedMapChanged();
   void projectedCame(const std::shared_ptr<const mapwright::robot::ProjectedPart>& part);
   void projectedGone(int index);
+  void mapExtentTold(const std::optional<mapwright::robot::MapExtent>& extent);
   void projectedSilent(const QStringList& topics);  // and no others; comes before the answer
 
  private:

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QTimer>
 
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
@@ -15,6 +16,7 @@
 #include "window/clouds/section_tool.h"
 #include "window/current_session.h"
 #include "window/files/folders.h"
+#include "window/map/empty_state.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
 #include "window/map/toast_stack.h"
@@ -24,6 +26,8 @@
 
 namespace mapwright::window {
 namespace {
+
+constexpr int kSectionPx = 280;  // a storey and its ceiling can be told apart
 
 const QString kWidthKey = QStringLiteral("clouds/section_width_m");
 const QString kFolderKey = QStringLiteral("clouds/folder");
@@ -76,9 +80,10 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
   connect(dock_, &CloudsDock::cancelWanted, this, [this] { call_.cancel(); });
   connect(dock_, &CloudsDock::clearWanted, this, [this] {
     clouds_.clear();
+    unsaved_ = false;
     dock_->setOutcome({}, false);
   });
-  connect(dock_, &CloudsDock::saveWanted, this, &CloudsController::askAndSave);
+  connect(dock_, &CloudsDock::saveWanted, this, [this] { askAndSave(); });
   connect(dock_, &CloudsDock::rangeChosen, this, [this](std::optional<scene::CloudRange> range) {
     clouds_.setHeightRange(range);
     refreshClouds();
@@ -96,14 +101,18 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
           [restyle](double px) { restyle([px](scene::LayerStyle& style) { style.size = px; }); });
   connect(&context_.scene, &scene::MapScene::layersChanged, this, [this] {
     dock_->setStyle(context_.scene.layerStyle(scene::Layer::DispatchedCloud));
+    dock_->setScale(clouds_.scale());
     showSection();
   });
   connect(&clouds_, &scene::MapClouds::summed, this, &CloudsController::refreshClouds);
   connect(&clouds_, &scene::MapClouds::changed, this, &CloudsController::cut);
+  connect(&clouds_, &scene::MapClouds::summed, &context_.current, &CurrentSession::stateChanged);
+  connect(context_.overlay.card(), &EmptyStateCard::cloudsWanted, this,
+          [this] { context_.panels.open(dock_); });
   connect(section_tool_, &SectionTool::lineDrawn, this,
           [this](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
             cut_ = scene::CloudCut{from, to, section_dock_->widthBox()->value()};
-            context_.panels.open(section_dock_);
+            openSection();
             cut();
           });
   connect(section_tool_, &SectionTool::lineGone, this, [this] {
@@ -131,6 +140,7 @@ void CloudsController::setSession(session::Session* session) {
   // The scene has let go of the clouds; what was asked for is nobody's any more.
   ++asked_;
   call_ = {};
+  unsaved_ = false;
   dock_->setProgress({});
   dock_->setOutcome({}, false);
   section_tool_->forget();
@@ -223,7 +233,9 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
   for (const map::Reason& note : cloud.notes) said << sentences::sentenceOf(note);
   dock_->setOutcome(said.join(QLatin1Char('\n')), false);
   const bool first = clouds_.empty() && !cloud.points.empty();
+  if (!cloud.points.empty()) unsaved_ = true;
   clouds_.add({*outcome, kind == robot::CloudKind::Occupancy, region});
+  if (!clouds_.settled()) dock_->setSorting();
   if (!context_.scene.layerVisible(scene::Layer::DispatchedCloud)) {
     context_.scene.setLayerVisible(scene::Layer::DispatchedCloud, true);
   }
@@ -239,6 +251,7 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
 
 void CloudsController::refreshClouds() {
   dock_->setClouds(clouds_.sums(), clouds_.heights(), clouds_.heightRange());
+  dock_->setScale(clouds_.scale());
 }
 
 void CloudsController::cut() {
@@ -250,12 +263,32 @@ void CloudsController::cut() {
   });
 }
 
+/// Its dock takes the place of others below the map, which may be low; once it is open its height is the
+/// user's.
+void CloudsController::openSection() {
+  const bool was_open = section_dock_->isVisible() && !section_dock_->visibleRegion().isEmpty();
+  context_.panels.open(section_dock_);
+  if (was_open || section_dock_->isFloating()) return;
+  // The height that it got is known once it has been laid out.
+  QTimer::singleShot(0, section_dock_, [this] {
+    if (section_dock_->height() < kSectionPx)
+      context_.window.resizeDocks({section_dock_}, {kSectionPx}, Qt::Vertical);
+  });
+}
+
 void CloudsController::showSection() {
   if (!section_ && !section_dock_->view()->section()) return;
   section_dock_->showSection(section_, clouds_.sectionPainter(section_, section_dock_->devicePixelRatioF()));
 }
 
-void CloudsController::askAndSave() {
+std::vector<Fetched> CloudsController::fetched() {
+  if (!unsaved_ || clouds_.empty()) return {};
+  const auto points = qint64(clouds_.sums().came);
+  return {{sentences::counted(tr("clouds of %1 points", nullptr, sentences::formOf(points)), points),
+           [this](std::function<void()> saved) { askAndSave(std::move(saved)); }}};
+}
+
+void CloudsController::askAndSave(std::function<void()> then) {
   const QString folder = folderToWriteInto({context_.settings.value(kFolderKey).toString()});
   const QString proposed = QDir(folder).filePath(QStringLiteral("cloud.pcd"));
   QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the cloud that is shown"), proposed,
@@ -263,22 +296,25 @@ void CloudsController::askAndSave() {
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".pcd");
   context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
-  saveTo(path);
+  saveTo(path, std::move(then));
 }
 
-void CloudsController::saveTo(const QString& path) {
+void CloudsController::saveTo(const QString& path, std::function<void()> then) {
   const QString end = QFileInfo(path).suffix().toLower();
   if (end != QLatin1String("pcd") && end != QLatin1String("ply") && end != QLatin1String("csv")) {
     context_.overlay.toasts()->add(Mark::Bad,
                                    tr("A cloud is saved as .pcd, .ply or .csv. Choose one of these."));
     return;
   }
-  clouds_.write(path, [this, path](const tl::expected<std::uint64_t, QString>& outcome) {
+  clouds_.write(path, [this, path, asked = asked_,
+                       then = std::move(then)](const tl::expected<std::uint64_t, QString>& outcome) {
     if (!outcome) {
       context_.overlay.toasts()->add(Mark::Bad, outcome.error());
       return;
     }
     context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+    if (asked == asked_) unsaved_ = false;  // nothing has been asked for since
+    if (then) then();
   });
 }
 

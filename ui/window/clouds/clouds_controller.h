@@ -27,11 +27,13 @@ class CloudsController : public Controller {
   void recall(const QSettings& settings) override;
   void remember(QSettings& settings) override;
   void reset() override;
+  std::vector<Fetched> fetched() override;
 
   /// nullopt: the whole map. One request is under way at a time.
   void fetch(const std::optional<map::CloudRegion>& region);
   /// Writes what is shown; the end of the name says how.
-  void saveTo(const QString& path);
+  /// `then`: once it is written.
+  void saveTo(const QString& path, std::function<void()> then = {});
 
  private:
   void fetchBox(const geometry::WorldRect& box);
@@ -42,7 +44,8 @@ class CloudsController : public Controller {
   void refreshClouds();
   void cut();
   void showSection();
-  void askAndSave();
+  void openSection();
+  void askAndSave(std::function<void()> then = {});
 
   WindowContext& context_;
   scene::MapClouds& clouds_;
@@ -51,6 +54,7 @@ class CloudsController : public Controller {
   SectionTool* section_tool_;
   RegionTool* region_tool_;
   robot::Call call_;
+  bool unsaved_ = false;     // something has come since all of it was written
   std::uint64_t asked_ = 0;  // counts the requests: an answer to an older one is of no use
   std::optional<scene::CloudCut> cut_;
   std::shared_ptr<const scene::CloudSection> section_;

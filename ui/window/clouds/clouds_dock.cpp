@@ -166,6 +166,8 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
   color_->addItems(traits.choices);
   color_->setAccessibleName(tr("Colour of the points"));
   form->addRow(tr("Colour"), color_);
+  scale_ = new ColorScale(body_);
+  form->addRow(scale_);
   size_ = new QDoubleSpinBox(body_);
   size_->setRange(traits.size_px->first, traits.size_px->second);
   size_->setDecimals(0);
@@ -277,6 +279,10 @@ void CloudsDock::setClouds(const scene::CloudSums& sums, const scene::CloudHeigh
   voxel_->setEnabled(sums.voxels);
   refresh();
 }
+
+void CloudsDock::setScale(const std::optional<scene::CloudScale>& scale) { scale_->setScale(scale); }
+
+void CloudsDock::setSorting() { counts_->setText(tr("What has come is being put in order…")); }
 
 void CloudsDock::setStyle(const scene::LayerStyle& style) {
   const QSignalBlocker quiet(size_);

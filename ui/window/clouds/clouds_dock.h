@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "scene/map_clouds.h"
+#include "window/clouds/color_scale.h"
 #include "window/clouds/height_slider.h"
 #include "window/clouds/region_tool.h"
 #include "window/look/plain_label.h"
@@ -39,7 +40,11 @@ class CloudsDock : public QDockWidget {
   void setOutcome(const QString& sentence, bool bad);
   void setClouds(const scene::CloudSums& sums, const scene::CloudHeights& heights,
                  const std::optional<scene::CloudRange>& range);
+  /// What came is not on the map yet, nor counted: until setClouds().
+  void setSorting();
   void setStyle(const scene::LayerStyle& style);
+  /// nullopt: no value gives the colours.
+  void setScale(const std::optional<scene::CloudScale>& scale);
 
   bool voxels() const { return kind_->currentIndex() == 1; }
   RegionShape shape() const { return RegionShape(shape_->currentIndex()); }
@@ -55,6 +60,7 @@ class CloudsDock : public QDockWidget {
   QDoubleSpinBox* highBox() const { return high_; }
   QDoubleSpinBox* askLowBox() const { return ask_low_; }
   QDoubleSpinBox* askHighBox() const { return ask_high_; }
+  ColorScale* scale() const { return scale_; }
   HeightSlider* slider() const { return slider_; }
   QPushButton* viewButton() const { return view_; }
   QPushButton* regionButton() const { return region_; }
@@ -96,6 +102,7 @@ class CloudsDock : public QDockWidget {
   QPushButton *view_ = nullptr, *region_ = nullptr, *whole_ = nullptr, *sure_ = nullptr, *cancel_ = nullptr,
               *save_ = nullptr, *clear_ = nullptr;
   HeightSlider* slider_ = nullptr;
+  ColorScale* scale_ = nullptr;
   PlainLabel* progress_ = nullptr;
   CloudOffer offer_;
   bool busy_ = false, has_clouds_ = false;

@@ -271,6 +271,30 @@ void SectionView::paintEvent(QPaintEvent*) {
   }
 }
 
+std::vector<QRectF> SectionView::bandLabels() const {
+  constexpr double kAsidePx = 6, kGapPx = 4;
+  const QFontMetricsF metrics(font());
+  const QRectF room = field();
+  std::vector<QRectF> labels(bands_.size());
+  // The chosen one first: it stands at the edge.
+  for (const bool chosen : {true, false}) {
+    for (std::size_t i = 0; i < bands_.size(); ++i) {
+      const SectionBand& band = bands_[i];
+      const double top = pxOf({0, band.high_m}).y(), bottom = pxOf({0, band.low_m}).y();
+      if (band.chosen != chosen || bottom < room.top() || top > room.bottom()) continue;
+      const double width = metrics.horizontalAdvance(QString::number(band.index)) + kGapPx;
+      const double lowest = std::max(room.top(), room.bottom() - metrics.height());
+      QRectF label(room.right() - kAsidePx - width, std::clamp(top + 2, room.top() + 2, lowest), width,
+                   metrics.height());
+      const auto taken = [&](const QRectF& other) { return !other.isEmpty() && other.intersects(label); };
+      while (label.left() > room.left() && std::any_of(labels.begin(), labels.end(), taken))
+        label.translate(-width - kGapPx, 0);
+      if (label.left() > room.left()) labels[i] = label;
+    }
+  }
+  return labels;
+}
+
 void SectionView::paintBands(QPainter& painter) const {
   const UiColors colors = appColors();
   const QRect room = field();
@@ -285,9 +309,15 @@ void SectionView::paintBands(QPainter& painter) const {
     painter.setPen(QPen(colors.focus, band.chosen ? 2 : 1, band.chosen ? Qt::SolidLine : Qt::DashLine));
     painter.drawLine(strip.topLeft(), strip.topRight());
     painter.drawLine(strip.bottomLeft(), strip.bottomRight());
-    painter.setPen(colors.text);
-    painter.drawText(strip.adjusted(6, 2, -6, -2), Qt::AlignTop | Qt::AlignRight,
-                     QString::number(band.index));
+  }
+  const std::vector<QRectF> labels = bandLabels();
+  QColor plate = colors.base;
+  plate.setAlpha(200);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].isEmpty()) continue;
+    painter.fillRect(labels[i], plate);
+    painter.setPen(bands_[i].chosen ? colors.accent : colors.text);
+    painter.drawText(labels[i], Qt::AlignCenter, QString::number(bands_[i].index));
   }
   painter.restore();
 }

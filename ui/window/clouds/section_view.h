@@ -37,9 +37,12 @@ class SectionView : public QWidget {
   };
   const std::optional<Reading>& reading() const { return reading_; }
   bool settled() const { return tiles_.settled(); }
+  /// Where the number of each band stands, in their order, side by side where bands cover each other; empty:
+  /// there is no room, or the band is out of sight.
+  std::vector<QRectF> bandLabels() const;
 
-  QSize sizeHint() const override { return {500, 180}; }
-  QSize minimumSizeHint() const override { return {160, 90}; }
+  QSize sizeHint() const override { return {500, 240}; }
+  QSize minimumSizeHint() const override { return {160, 120}; }
 
  Q_SIGNALS:
   void readingChanged();

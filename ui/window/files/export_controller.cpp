@@ -5,12 +5,14 @@
 #include <limits>
 
 #include <QClipboard>
+#include <QComboBox>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QPainter>
+#include <QRadioButton>
 #include <QStandardPaths>
 
 #include "robot/address.h"
@@ -171,6 +173,9 @@ void ExportController::exportMap() {
   connect(dialog_, &ExportDialog::exported, this, [this](const QString& path) {
     context_.settings.setValue(kExportFolderKey, QFileInfo(path).absolutePath());
     context_.overlay.toasts()->add(Mark::Good, tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+    const bool view = dialog_->formatButton(ExportFormat::ViewPicture)->isChecked();
+    const bool submaps = dialog_->sourceBox()->currentData().toBool();
+    if (!view && !submaps) Q_EMIT wholeExported();
   });
   dialog_->open();
 }

@@ -31,6 +31,10 @@ class ExportController : public Controller {
   /// The error is a sentence.
   std::optional<QString> saveMapPicture(const QString& path);
 
+ Q_SIGNALS:
+  /// The whole map on screen is in a file now.
+  void wholeExported();
+
  private:
   void askAndSavePicture();
   void copyPicture();

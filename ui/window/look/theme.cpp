@@ -37,6 +37,7 @@ QStatusBar { background: %window%; border-top: 1px solid %border%; }
 QStatusBar::item { border: none; }
 QHeaderView::section { background: %window%; color: %secondary%; border: none; border-bottom: 1px solid %border%;
   padding: 3px 6px; }
+QHeaderView, QTableCornerButton::section { background: %window%; border: none; }
 QTreeView, QTableView, QListView { border: none; outline: 0; }
 QLineEdit { border: 1px solid %outline%; border-radius: 4px; padding: 2px 6px; background: %base%;
   min-height: 18px; selection-background-color: %accent%;

@@ -9,6 +9,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "robot/map_dispatch.h"
 #include "robot/sends_map.h"
 #include "sentences/plural.h"
 #include "sentences/problem_sentence.h"
@@ -23,12 +24,37 @@ namespace mapwright::window {
 
 using robot::ConnectionPhase;
 
+namespace {
+
+/// Its map is had in space, and not in the plane.
+bool givesCloudsOnly(robot::Robot& robot) {
+  using robot::DispatchService;
+  const robot::MapDispatch* const dispatch = robot.mapDispatch();
+  if (!dispatch || dispatch->offered(DispatchService::Grid) || dispatch->offered(DispatchService::GridRegion))
+    return false;
+  return dispatch->offered(DispatchService::Cloud) || dispatch->offered(DispatchService::CloudRegion) ||
+         dispatch->offered(DispatchService::Occupancy) || dispatch->offered(DispatchService::OccupancyRegion);
+}
+
+EmptyState cloudsInstead() {
+  EmptyState state;
+  state.kind = EmptyState::Kind::NoMap;
+  state.icon = QStringLiteral("map");
+  state.title = QCoreApplication::translate("window", "No map in the plane");
+  state.text = QCoreApplication::translate(
+      "window", "This robot gives clouds of points. Should it send a map, that appears by itself.");
+  state.offers_clouds = true;
+  return state;
+}
+
+}  // namespace
+
 std::optional<EmptyState> emptyState(session::Session* session, const MapsInView& in_view) {
   if (!session) return emptyState({}, {}, nullptr);
   const session::SubmapCounts counts = session->counts();
   const session::MapSlot& slot = session->wholeMap();
   if (in_view.whole && slot.cells()) return std::nullopt;
-  if (in_view.regions_held) return std::nullopt;
+  if (in_view.regions_held || in_view.clouds_held) return std::nullopt;
   // What is not there yet is marked on the map.
   if (in_view.regions && session->connection().phase == ConnectionPhase::Online) return std::nullopt;
   // Its waypoints are to be seen: the notice says what is missing.
@@ -43,6 +69,8 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   if (!online && (slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live)) {
     if (of_submaps) return of_submaps;
   }
+  const bool none_chosen = slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live;
+  if (online && none_chosen && givesCloudsOnly(session->robot())) return cloudsInstead();
   return wholeMapState(slot, session->catalogue().offered(), robot::sendsItsMap(session->robot()));
 }
 
@@ -194,7 +222,8 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
       file_(new QPushButton(tr("Open a map file…"), this)),
       retry_(new QPushButton(tr("Retry"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
-      certificate_(new QPushButton(tr("Certificate…"), this)) {
+      certificate_(new QPushButton(tr("Certificate…"), this)),
+      clouds_(new QPushButton(tr("Fetch clouds…"), this)) {
   setObjectName(QStringLiteral("card"));
   for (QLabel* label : {title_, text_}) {
     label->setTextFormat(Qt::PlainText);
@@ -218,11 +247,12 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   retry_->setObjectName(QStringLiteral("primary"));
   cancel_->setObjectName(QStringLiteral("secondary"));
   certificate_->setObjectName(QStringLiteral("primary"));
+  clouds_->setObjectName(QStringLiteral("primary"));
 
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();
-  for (QPushButton* button : {certificate_, retry_, connect_, demo_, file_, cancel_})
+  for (QPushButton* button : {clouds_, certificate_, retry_, connect_, demo_, file_, cancel_})
     buttons->addWidget(button);
   buttons->addStretch();
   secret_->setObjectName(QStringLiteral("primary"));
@@ -245,6 +275,7 @@ EmptyStateCard::EmptyStateCard(QWidget* parent)
   connect(file_, &QPushButton::clicked, this, &EmptyStateCard::fileWanted);
   connect(retry_, &QPushButton::clicked, this, &EmptyStateCard::retryWanted);
   connect(cancel_, &QPushButton::clicked, this, &EmptyStateCard::cancelWanted);
+  connect(clouds_, &QPushButton::clicked, this, &EmptyStateCard::cloudsWanted);
   connect(certificate_, &QPushButton::clicked, this, &EmptyStateCard::certificateWanted);
   hide();
 }
@@ -272,6 +303,7 @@ void EmptyStateCard::setState(const std::optional<EmptyState>& state) {
   retry_->setVisible(state->offers_retry);
   cancel_->setVisible(state->offers_cancel);
   certificate_->setVisible(state->offers_certificate);
+  clouds_->setVisible(state->offers_clouds);
   if (icon_name_ != state->icon) {
     icon_name_ = state->icon;
     paintIcon();

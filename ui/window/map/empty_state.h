@@ -34,6 +34,7 @@ struct EmptyState {
   bool offers_secret = false;  // the robot refused for want of the right one
   bool offers_connect = false, offers_demo = false, offers_retry = false, offers_cancel = false;
   bool offers_file = false, offers_certificate = false;
+  bool offers_clouds = false;
   bool operator==(const EmptyState&) const = default;
 };
 
@@ -42,6 +43,7 @@ struct MapsInView {
   bool submaps = true, whole = false;
   bool regions = false;       // a map by regions is there, and wanted
   bool regions_held = false;  // some of it has come
+  bool clouds_held = false;   // clouds of points lie there
 };
 
 /// nullopt while there is something on the map. `session` may be null.
@@ -68,6 +70,7 @@ class EmptyStateCard : public QFrame {
   void retryWanted();
   void cancelWanted();
   void certificateWanted();
+  void cloudsWanted();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -86,6 +89,7 @@ class EmptyStateCard : public QFrame {
   QPushButton* retry_;
   QPushButton* cancel_;
   QPushButton* certificate_;
+  QPushButton* clouds_;
   QString icon_name_;
   std::optional<EmptyState> state_;
 };

@@ -1,5 +1,6 @@
 #include "window/projections/projection_tool.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -45,9 +46,10 @@ QCursor ProjectionTool::cursor() const {
   return Qt::PointingHandCursor;  // the view may be turned: an arrow would point elsewhere
 }
 
-void ProjectionTool::setEditable(bool editable) {
-  if (editable == editable_) return;
+void ProjectionTool::setEditable(bool editable, bool takes) {
+  if (editable == editable_ && takes == takes_) return;
   editable_ = editable;
+  takes_ = takes;
   letGo();
 }
 
@@ -152,6 +154,11 @@ bool ProjectionTool::keyPressed(const MapKeyPress& press) {
 }
 
 QString ProjectionTool::hint() const {
+  if (!editable_ && draft_->wanted().empty()) {
+    return takes_ ? tr("The robot is waited for. Esc leaves.")
+                  : tr("There is no robot here that takes projections, and none to choose. Esc leaves.");
+  }
+  if (!takes_) return tr("This robot takes no projections: click in one to choose it. Esc leaves.");
   if (!editable_) return tr("Click in a projection to choose it. Esc leaves.");
   if (hold_ && hold_->index < 0 && hold_->from_m != hold_->to_m) {
     return tr("%1 x %2").arg(lengthText(std::abs(hold_->to_m.x() - hold_->from_m.x())),
@@ -169,6 +176,7 @@ void ProjectionTool::paint(QPainter& painter) {
   const QColor accent = scene_->theme().accent;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
+  std::vector<QRectF> plates;
   const auto draw = [&](const geometry::WorldRect& rect, bool strong, const QString& tag) {
     const auto px = [&view](double x, double y) { return scene::toPoint(view.pixelFromWorld({x, y})); };
     const std::array corners{px(rect.min_x, rect.min_y), px(rect.max_x, rect.min_y),
@@ -185,8 +193,13 @@ void ProjectionTool::paint(QPainter& painter) {
     }
     if (tag.isEmpty()) return;
     const QFontMetricsF metrics(painter.font());
-    const QRectF plate(corners[3].x() + 6, corners[3].y() + 6, metrics.horizontalAdvance(tag) + 2 * kTagPadPx,
-                       metrics.height() + 2 * kTagPadPx);
+    QRectF plate(corners[3].x() + 6, corners[3].y() + 6, metrics.horizontalAdvance(tag) + 2 * kTagPadPx,
+                 metrics.height() + 2 * kTagPadPx);
+    // Those of one place stand side by side.
+    while (std::any_of(plates.begin(), plates.end(),
+                       [&plate](const QRectF& other) { return other.intersects(plate); }))
+      plate.translate(plate.width() + 2, 0);
+    plates.push_back(plate);
     painter.setPen(Qt::NoPen);
     painter.setBrush(accent);
     painter.drawRoundedRect(plate, 3, 3);

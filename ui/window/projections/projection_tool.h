@@ -30,8 +30,8 @@ class ProjectionTool : public MapTool {
   void paint(QPainter& painter) override;
   QString hint() const override;
 
-  /// False: they are only looked at.
-  void setEditable(bool editable);
+  /// Not editable: they are only looked at, for now, or because the robot does not take any.
+  void setEditable(bool editable, bool takes);
   void refresh();
 
  Q_SIGNALS:
@@ -53,7 +53,7 @@ class ProjectionTool : public MapTool {
 
   const scene::MapScene* scene_;
   const ProjectionDraft* draft_;
-  bool editable_ = false;
+  bool editable_ = false, takes_ = false;
   std::optional<Hold> hold_;
   RectGrip under_ = RectGrip::None;
 };

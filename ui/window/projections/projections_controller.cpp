@@ -185,7 +185,8 @@ bool ProjectionsController::editable() const {
 }
 
 void ProjectionsController::refresh() {
-  tool_->setEditable(editable());
+  const robot::MapDispatch* const offered = dispatch();
+  tool_->setEditable(editable(), offered && offered->offered(DispatchService::ChangeProjections));
   dock_->refresh();
   tool_->refresh();
   std::vector<SectionBand> bands;

@@ -15,6 +15,8 @@
 namespace mapwright::window {
 namespace {
 
+constexpr int kLeastColumnPx = 26;
+
 QLabel* plainLines(QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setTextFormat(Qt::PlainText);
@@ -75,9 +77,10 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   table_->setAccessibleName(tr("Projections"));
   table_->setTabKeyNavigation(false);
   table_->setWordWrap(false);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
-  table_->horizontalHeader()->setDefaultSectionSize(52);
-  table_->horizontalHeader()->setStretchLastSection(true);
+  // All of a row is to be seen at once: the frame, mostly the same, takes what is left.
+  table_->horizontalHeader()->setMinimumSectionSize(kLeastColumnPx);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(ProjectionsModel::Frame, QHeaderView::Stretch);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->verticalHeader()->setDefaultSectionSize(24);
   table_->setMinimumHeight(90);
@@ -86,7 +89,7 @@ ProjectionsDock::ProjectionsDock(const ProjectionDraft* draft, QWidget* parent)
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(6);
   auto* const unit = plainLines(body_);
-  unit->setText(tr("Metres; x and y of the lower left corner."));
+  unit->setText(tr("Metres; X and Y of the lower left corner."));
   column->addWidget(unit);
   column->addWidget(table_, 1);
   auto* const edits = new QHBoxLayout;

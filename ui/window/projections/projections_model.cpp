@@ -46,6 +46,18 @@ void setNumber(map::Projection& one, int column, double value) {
   }
 }
 
+/// To the centimetre, without zeros that say nothing: all columns are to be seen side by side.
+QString shortNumber(double value) {
+  QString text = QString::number(value, 'f', 2);
+  while (text.contains(QLatin1Char('.')) &&
+         (text.endsWith(QLatin1Char('0')) || text.endsWith(QLatin1Char('.')))) {
+    const bool point = text.endsWith(QLatin1Char('.'));
+    text.chop(1);
+    if (point) break;
+  }
+  return text == QLatin1String("-0") ? QStringLiteral("0") : text;
+}
+
 }  // namespace
 
 QString flawText(map::ProjectionFlaw flaw) {
@@ -78,7 +90,7 @@ QVariant ProjectionsModel::data(const QModelIndex& index, int role) const {
   const bool numeric = index.column() != Frame;
   switch (role) {
     case Qt::DisplayRole:
-      if (numeric) return QString::number(numberOf(one, index.column()), 'f', 2);
+      if (numeric) return shortNumber(numberOf(one, index.column()));
       return one.frame.empty() ? tr("of the map") : words::plainName(one.frame);
     case Qt::EditRole:
       if (numeric) return numberOf(one, index.column());
@@ -112,13 +124,13 @@ QVariant ProjectionsModel::headerData(int section, Qt::Orientation orientation, 
       case Y:
         return tr("Y");
       case Width:
-        return tr("Width");
+        return tr("W", "width, as the head of a narrow column");
       case Height:
-        return tr("Height");
+        return tr("H", "height, as the head of a narrow column");
       case MinZ:
-        return tr("From z");
+        return tr("z from");
       case MaxZ:
-        return tr("To z");
+        return tr("to", "z from … to, as heads of columns");
       case Frame:
         return tr("Frame");
       default:
@@ -127,6 +139,8 @@ QVariant ProjectionsModel::headerData(int section, Qt::Orientation orientation, 
   }
   if (role == Qt::ToolTipRole && (section == X || section == Y))
     return tr("Of the lower left corner, metres");
+  if (role == Qt::ToolTipRole && section == Width) return tr("Width, metres");
+  if (role == Qt::ToolTipRole && section == Height) return tr("Height on the map, metres");
   if (role == Qt::ToolTipRole && section != Frame) return tr("Metres");
   return {};
 }

@@ -5,18 +5,10 @@
 #include <utility>
 
 #include <QActionGroup>
-#include <QDir>
-#include <QFileDialog>
 #include <QMenu>
-#include <QPushButton>
-#include <QStandardPaths>
 
 #include "scene/regions_on_map.h"
-#include "sentences/failure_sentence.h"
-#include "sentences/region_sentence.h"
 #include "window/current_session.h"
-#include "window/files/export_map.h"
-#include "window/files/folders.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -24,12 +16,13 @@
 #include "window/map/tool_choice.h"
 #include "window/notices.h"
 #include "window/on_screen.h"
+#include "window/regions/map_errand.h"
+#include "window/regions/map_saving.h"
 #include "window/regions/rectangle_tool.h"
+#include "window/regions/region_tip.h"
 #include "window/regions/regions_text.h"
-#include "window/regions/save_map_dialog.h"
 #include "window/status/window_status_bar.h"
 #include "window/viewpoint.h"
-#include "words/qt_plain.h"
 
 namespace mapwright::window {
 namespace {
@@ -38,7 +31,6 @@ using robot::DispatchService;
 using scene::Layer;
 
 const QString kEveryKey = QStringLiteral("regions/refresh_s");
-const QString kFolderKey = QStringLiteral("regions/folder");
 constexpr int kLookEveryMs = 120;  // while the camera moves
 constexpr std::array kEveryS{0, 10, 60, 600};
 constexpr double kShareOfMemory = 2;  // of what unpacked cells of whole maps may take
@@ -68,7 +60,10 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
                               this)),
       every_(new QActionGroup(this)),
       status_(new PlainLabel(&context.bar)),
-      share_(context.workers) {
+      errand_(std::make_unique<MapErrand>(context)),
+      saving_(std::make_unique<MapSaving>(context.window, [this](Mark mark, const QString& text) {
+        context_.overlay.toasts()->add(mark, text);
+      })) {
   addActions();
   status_->setObjectName(QStringLiteral("regionsStatus"));
   status_->setSample(QStringLiteral("0,000 of 0,000 regions, 000.0 MB"));
@@ -85,7 +80,12 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
     if (map_ && !look_soon_.isActive()) look_soon_.start();
   });
   connect(&context_.scene, &scene::MapScene::layersChanged, this, &RegionsController::look);
-  connect(tool_, &RectangleTool::drawn, this, &RegionsController::takeRectangle);
+  new RegionTip(
+      context_.view, [this](const Eigen::Vector2d& world_m) { return reasonAt(world_m); }, this);
+  connect(tool_, &RectangleTool::drawn, errand_.get(), &MapErrand::takeRectangle);
+  connect(errand_.get(), &MapErrand::changed, this, &RegionsController::tell);
+  connect(errand_.get(), &MapErrand::regionWanted, this, &RegionsController::drawRectangle);
+  connect(saving_.get(), &MapSaving::changed, this, &RegionsController::tell);
   tell();
 }
 
@@ -120,13 +120,13 @@ void RegionsController::addActions() {
                                        .icon = "download",
                                        .tip = tr("Ask the robot for all of its map at once"),
                                        .menu = {MenuGroup::WholeMap, 50}},
-                                      this, &RegionsController::fetchWhole);
+                                      errand_.get(), &MapErrand::fetchWhole);
   save_map_ = context_.actions.add({.id = "saveMapOnRobot",
                                     .text = tr("&Save the map on the robot…"),
                                     .icon = "download",
                                     .tip = tr("The robot writes its map into a file of its own"),
                                     .menu = {MenuGroup::WholeMap, 60}},
-                                   this, &RegionsController::saveOnRobot);
+                                   this, [this] { saving_->ask(dispatch_); });
   fetch_region_ = context_.actions.add({.id = "fetchRegion",
                                         .text = tr("Fetch a regi&on…"),
                                         .icon = "rectangle",
@@ -138,9 +138,9 @@ void RegionsController::addActions() {
 }
 
 void RegionsController::setSession(session::Session* session) {
-  stopJob();
-  if (question_) question_->close();
-  if (save_dialog_) save_dialog_->close();
+  errand_->stop();
+  errand_->closeQuestion();
+  saving_->close();
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &RegionsController::follow);
     connect(session, &session::Session::connectionChanged, this, [this] {
@@ -175,7 +175,7 @@ void RegionsController::follow() {
   session::Session* const session = context_.current.session();
   robot::MapDispatch* const dispatch = session ? session->robot().mapDispatch() : nullptr;
   if (dispatch == dispatch_ && (map_ != nullptr) == (dispatch != nullptr)) return;
-  stopJob();
+  errand_->setDispatch(nullptr, nullptr);
   if (dispatch_) dispatch_->disconnect(this);
   dispatch_ = dispatch;
   scene::RegionsOnMap::of(context_.scene).show(nullptr);
@@ -183,9 +183,13 @@ void RegionsController::follow() {
   if (dispatch_) {
     map_ = std::make_unique<regions::RegionMap>(*dispatch_, mapOptions(context_.budgets));
     connect(map_.get(), &regions::RegionMap::changed, this, &RegionsController::tell);
-    connect(dispatch_, &robot::MapDispatch::offersChanged, this, &RegionsController::tell);
-    scene::RegionsOnMap::of(context_.scene).show(map_.get());
+    connect(dispatch_, &robot::MapDispatch::offersChanged, this, [this] {
+      tell();
+      Q_EMIT context_.current.stateChanged();
+    });
+    connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionsController::tell);
   }
+  errand_->setDispatch(dispatch, map_.get());
   look();
   Q_EMIT context_.current.stateChanged();
 }
@@ -217,254 +221,66 @@ void RegionsController::look() {
   tell();
 }
 
+QMessageBox* RegionsController::question() const { return errand_->question(); }
+
 QString RegionsController::statusShown() const { return status_ && map_ ? status_->text() : QString(); }
 
 void RegionsController::tell() {
   const bool by_region = map_ && map_->offered();
   const bool left = map_ && !by_region && online() && map_->regions().bytes() > 0;
+  // Of a robot that never gave a region nothing is missing on the ground.
+  const bool on_map = map_ && (map_->offered() || map_->regions().bytes() > 0);
+  scene::RegionsOnMap::of(context_.scene).show(on_map ? map_.get() : nullptr);
   const bool whole = dispatch_ && dispatch_->offered(DispatchService::Grid);
-  const bool busy = fetch_ || whole_under_way_;
+  const bool busy = errand_->busy();
   refresh_->setEnabled(by_region);
   fetch_whole_->setEnabled(whole && online() && !busy);
-  save_map_->setEnabled(dispatch_ && dispatch_->offered(DispatchService::Save) && online() && !save_dialog_);
+  save_map_->setEnabled(dispatch_ && dispatch_->offered(DispatchService::Save) && online() &&
+                        !saving_->asking());
   fetch_region_->setEnabled(by_region && online() && !busy);
   if (!fetch_region_->isEnabled() && context_.tools.chosen() == tool_) context_.tools.putAway();
   if (status_) {
     status_->setVisible(by_region || left);
     if (by_region || left) status_->setText(regionsStatus(map_->regions()));
   }
-  if (fetch_) {
-    const regions::RegionCounts counts = fetch_->counts();
-    context_.notices.set(NoticeRank::Regions,
-                         {Mark::Busy,
-                          tr("The region is being fetched: %1 of %2 parts are there.")
-                              .arg(countText(counts.answered), countText(counts.in_view)),
-                          tr("Cancel"), [this] { stopJob(); }});
-    return;
-  }
-  if (whole_under_way_) {
-    context_.notices.set(NoticeRank::Regions, {Mark::Busy, tr("The whole map is being fetched."),
-                                               tr("Cancel"), [this] { stopJob(); }});
-    return;
-  }
+  const auto extent = dispatch_ ? dispatch_->extent() : std::nullopt;
+  scene::RegionsOnMap::of(context_.scene).setExtent(extent ? std::optional(extent->grid) : std::nullopt);
+  if (busy) return context_.notices.set(NoticeRank::Regions, errand_->notice());
   const RegionsNotice notice =
-      by_region ? regionsNotice(map_->regions(), whole)
+      by_region ? regionsNotice(map_->regions(), whole, extent)
       : left    ? RegionsNotice{Mark::Warning, tr("The robot gives no regions of its map any more. "
                                                      "What came of it stays.")}
                 : RegionsNotice{};
-  const bool is_about_whole = notice.offer == RegionsNotice::Offer::Whole;
-  context_.notices.set(NoticeRank::Regions, {notice.mark, notice.sentence,
-                                             is_about_whole ? tr("Fetch the whole map…")
-                                             : notice.offer == RegionsNotice::Offer::Retry ? tr("Retry")
-                                                                                           : QString(),
-                                             [this, is_about_whole] {
-                                               if (is_about_whole) return fetchWhole();
-                                               if (map_) map_->retryNow();
-                                             },
-                                             is_about_whole});
-}
-
-void RegionsController::toast(Mark mark, const QString& text) { context_.overlay.toasts()->add(mark, text); }
-
-void RegionsController::saveOnRobot() {
-  if (!dispatch_ || save_dialog_) return;
-  save_dialog_ = new SaveMapDialog(&context_.window);
-  connect(save_dialog_, &QDialog::finished, this, [this] {
-    saving_.cancel();
-    save_dialog_.clear();  // it goes by itself
-    tell();
-  });
-  connect(save_dialog_, &SaveMapDialog::saveWanted, this, [this](const QString& filename) {
-    if (!dispatch_) return save_dialog_->refuse(tr("The robot is not there any more."));
-    save_dialog_->wait();
-    saving_ = dispatch_->save(filename.toStdString(), [self = QPointer(this),
-                                                       filename](const robot::Outcome<std::string>& outcome) {
-      if (!self || !self->save_dialog_) return;
-      if (!outcome) {
-        return self->save_dialog_->refuse(QString::fromStdString(sentences::sentenceOf(outcome.error())));
-      }
-      self->toast(
-          Mark::Good,
-          tr("The robot has saved its map as %1.").arg(words::plainName(QString::fromStdString(*outcome))));
-      self->save_dialog_->accept();
-    });
-  });
-  save_dialog_->open();
-  tell();
-}
-
-void RegionsController::stopJob() {
-  ++job_;
-  whole_.cancel();
-  whole_ = {};
-  whole_under_way_ = false;
-  if (fetch_) fetch_.release()->deleteLater();  // it may be telling just now
-  export_.reset();
-  tell();
-}
-
-void RegionsController::fetchWhole() {
-  if (!dispatch_ || question_) return;
-  question_ = new QMessageBox(
-      QMessageBox::Question, tr("Fetch the whole map"),
-      tr("Fetch all of the map at once? %1")
-          .arg(map_ ? wholeSizeText(map_->regions()) : tr("How large it is, is not known yet.")),
-      QMessageBox::Cancel, &context_.window);
-  question_->setTextFormat(Qt::PlainText);
-  question_->setAttribute(Qt::WA_DeleteOnClose);
-  question_->setDefaultButton(QMessageBox::Cancel);
-  QPushButton* const yes = question_->addButton(tr("Fetch"), QMessageBox::AcceptRole);
-  yes->setObjectName(QStringLiteral("fetchWhole"));
-  connect(yes, &QPushButton::clicked, this, &RegionsController::startWhole);
-  question_->open();
-}
-
-void RegionsController::startWhole() {
-  if (!dispatch_) return;
-  stopJob();
-  whole_under_way_ = true;
-  whole_ = dispatch_->grid(
-      std::nullopt, [self = QPointer(this), job = job_](robot::Outcome<map::GridPart> outcome) {
-        if (!self || job != self->job_) return;
-        self->whole_under_way_ = false;
-        self->whole_ = {};
-        if (!outcome) {
-          self->toast(Mark::Bad, tr("The whole map was not fetched: %1")
-                                     .arg(QString::fromStdString(sentences::sentenceOf(outcome.error()))));
-        } else if (const map::GridPart& part = *outcome;
-                   part.grid.width <= 0 || part.grid.height <= 0 || map::whyUnusable(part.grid)) {
-          self->toast(Mark::Bad,
-                      tr("The whole map was not fetched: %1")
-                          .arg(sentences::sentenceOf(regions::RegionTrouble{
-                              regions::RegionTrouble::Kind::Misplaced, {}, regions::Misfit::Unusable})));
-        } else if (!part.cells ||
-                   part.cells->size() / std::size_t(part.grid.width) < std::size_t(part.grid.height)) {
-          self->toast(Mark::Bad,
-                      tr("The whole map was not fetched: %1")
-                          .arg(sentences::sentenceOf(regions::RegionTrouble{
-                              regions::RegionTrouble::Kind::Misplaced, {}, regions::Misfit::FewerCells})));
-        } else {
-          self->show([part] { return regions::pgmOf(part); }, part.grid, tr("Whole map"));
-        }
-        self->tell();
-      });
-  tell();
-}
-
-void RegionsController::show(std::function<std::string()> picture, const map::GridReference& grid,
-                             const QString& name) {
-  // Laying out hundreds of millions of cells takes a while.
-  share_.startLong([this, picture = std::move(picture), grid, name, job = job_] {
-    map::WholeMap map;
-    map.key = {map::MapKind::Stored, name.toStdString()};
-    // What its dispatcher gives is the map that the robot is in.
-    map.state_of = map::MapKey{map::MapKind::Live, {}};
-    map.name = name.toStdString();
-    map.grid = grid;
-    map.reading = regions::kPgmReading;
-    map.bytes = std::make_shared<const std::string>(picture());
-    QMetaObject::invokeMethod(
-        this,
-        [this, map = std::move(map), job] {
-          session::Session* const session = context_.current.session();
-          if (!session || job != job_) return;
-          session->wholeMap().show(map);
-          context_.scene.setLayerVisible(Layer::WholeMap, true);
-          context_.scene.setLayerVisible(Layer::Regions, false);
-          toast(Mark::Good, tr("%1 is shown. The layer \"Map by regions\" is hidden.")
-                                .arg(QString::fromStdString(map.name)));
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-void RegionsController::takeRectangle(const geometry::WorldRect& rect) {
-  if (!map_ || question_) return;
-  question_ = new QMessageBox(QMessageBox::Question, tr("Fetch a region"),
-                              rectangleText(map_->regions(), rect), QMessageBox::Cancel, &context_.window);
-  question_->setTextFormat(Qt::PlainText);
-  question_->setAttribute(Qt::WA_DeleteOnClose);
-  QPushButton* const keep = question_->addButton(tr("Keep on screen"), QMessageBox::AcceptRole);
-  keep->setObjectName(QStringLiteral("keepRegion"));
-  QPushButton* const save = question_->addButton(tr("Save as PGM and YAML…"), QMessageBox::AcceptRole);
-  save->setObjectName(QStringLiteral("saveRegion"));
-  connect(keep, &QPushButton::clicked, this, [this, rect] { keepRectangle(rect); });
-  connect(save, &QPushButton::clicked, this, [this, rect] {
-    const QDir folder(
-        folderToWriteInto({context_.settings.value(kFolderKey).toString(),
-                           QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}));
-    const QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the region"),
-                                                      folder.filePath(QStringLiteral("region.yaml")),
-                                                      tr("Maps for map_server (*.yaml)"));
-    if (path.isEmpty()) return;
-    context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
-    saveRectangle(rect, path);
-  });
-  question_->open();
-}
-
-void RegionsController::saveRectangle(const geometry::WorldRect& rect, const QString& path) {
-  startRectangle(rect, Then::Save, path);
-}
-
-void RegionsController::keepRectangle(const geometry::WorldRect& rect) {
-  startRectangle(rect, Then::Show, {});
-}
-
-void RegionsController::startRectangle(const geometry::WorldRect& rect, Then then, const QString& path) {
-  if (!dispatch_) return;
-  stopJob();
-  then_ = then;
-  path_ = path;
-  fetch_ = std::make_unique<regions::RegionFetch>(*dispatch_, rect, regions::RegionFetch::Options{});
-  connect(fetch_.get(), &regions::RegionFetch::progressed, this, &RegionsController::tell);
-  connect(fetch_.get(), &regions::RegionFetch::finished, this, &RegionsController::endRectangle);
-  fetch_->start();
-  tell();
-}
-
-void RegionsController::endRectangle() {
-  const std::unique_ptr<regions::RegionFetch, void (*)(regions::RegionFetch*)> fetch(
-      fetch_.release(), [](regions::RegionFetch* one) { one->deleteLater(); });
-  tell();
-  if (fetch->tooLarge()) {
-    return toast(Mark::Bad, tr("This region is too large to be fetched at once: %1")
-                                .arg(rectangleText(fetch->map().regions(), fetch->rect())));
+  using Offer = RegionsNotice::Offer;
+  const bool too_far = notice.offer == Offer::Whole || notice.offer == Offer::Region;
+  Notice said{notice.mark, notice.sentence, {}, {}, too_far};
+  if (notice.offer == Offer::Whole) {
+    said.offer = tr("Fetch the whole map…");
+    said.take = [this] { errand_->fetchWhole(); };
+  } else if (notice.offer == Offer::Region) {
+    said.offer = tr("Fetch a region…");
+    said.take = [this] { drawRectangle(); };
+  } else if (notice.offer == Offer::Retry) {
+    said.offer = tr("Retry");
+    said.take = [this] {
+      if (map_) map_->retryNow();
+    };
   }
-  const QString why = sentences::sentenceOf(fetch->trouble());
-  const regions::RegionCounts counts = fetch->counts();
-  const regions::FetchedGrid fetched =
-      regions::cutOut(fetch->map().regions().sheets(), fetch->rect(), {context_.workers, {}});
-  if (!fetched.cells) {
-    return toast(Mark::Bad, why.isEmpty() ? tr("There is nothing in this region.")
-                                          : tr("The region was not fetched: %1").arg(why));
-  }
-  if (!fetch->complete() && counts.smaller == 0) {
-    toast(Mark::Warning, tr("Parts of the region are missing and shown as unknown (%1 of %2 came): %3")
-                             .arg(countText(counts.answered), countText(counts.in_view), why));
-  } else if (counts.smaller > 0) {
-    toast(Mark::Warning,
-          tr("The robot's answers are smaller than the regions asked for: what is missing is unknown."));
-  } else if (fetched.other_lattices > 0) {
-    toast(Mark::Warning, tr("Some of it came with cells of another size or direction, and is left out."));
-  }
-  if (then_ == Then::Save) return save(fetched);
-  show([cells = fetched.cells] { return regions::pgmOf(*cells); }, fetched.reference,
-       tr("Region %1").arg(areaText(fetch->rect())));
+  context_.notices.set(NoticeRank::Regions, std::move(said));
 }
 
-void RegionsController::save(const regions::FetchedGrid& fetched) {
-  export_ = std::make_unique<ExportJob>(context_.workers);
-  connect(export_.get(), &ExportJob::finished, this, [this](const ExportResult& result) {
-    export_.release()->deleteLater();
-    if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
-    if (result.cancelled) return;
-    toast(Mark::Good,
-          tr("Saved %1")
-              .arg(exportedFiles(QDir::toNativeSeparators(result.path), ExportFormat::MapServer, false)
-                       .join(QStringLiteral(", "))));
-  });
-  export_->start({WholeMapExport{fetched.cells, fetched.reference}, ExportFormat::MapServer, path_, false});
+std::vector<Fetched> RegionsController::fetched() { return errand_->fetched(); }
+
+void RegionsController::noteExported() { errand_->noteSaved(); }
+
+QString RegionsController::reasonAt(const Eigen::Vector2d& world_m) const {
+  const bool seen = map_ && scene::RegionsOnMap::of(context_.scene).map() == map_.get() &&
+                    context_.scene.layerVisible(Layer::Regions) && !comparing(context_.scene);
+  return seen ? regionReason(map_->regions(), world_m, map_->offered(), online()) : QString();
+}
+
+void RegionsController::drawRectangle() {
+  if (fetch_region_->isEnabled()) context_.tools.choose(tool_);
 }
 
 }  // namespace mapwright::window

@@ -52,7 +52,10 @@ SaveMapDialog::SaveMapDialog(QWidget* parent)
   column->addLayout(form);
   column->addWidget(about);
   column->addWidget(state_);
+  column->addStretch();
   column->addLayout(buttons);
+  // What is wrapped needs less height than it asks for while nobody knows how wide it is.
+  resize(kWidthPx, column->totalHeightForWidth(kWidthPx));
   connect(name_, &QLineEdit::textChanged, this, &SaveMapDialog::look);
   connect(save_, &QPushButton::clicked, this, [this] { Q_EMIT saveWanted(filename()); });
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);

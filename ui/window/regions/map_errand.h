@@ -1,0 +1,87 @@
+// What is fetched of a large map once: the whole, or a rectangle. One at a time; the questions go with it.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include <QElapsedTimer>
+#include <QMessageBox>
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+
+#include "regions/region_fetch.h"
+#include "window/controller.h"
+#include "window/notices.h"
+#include "window/window_context.h"
+
+namespace mapwright::window {
+
+class ExportJob;
+struct WholeMapExport;
+
+class MapErrand : public QObject {
+  Q_OBJECT
+ public:
+  explicit MapErrand(WindowContext& context, QObject* parent = nullptr);
+  ~MapErrand() override;
+
+  /// Whom to ask, and what is known of its map; both null: nobody. What is under way ends.
+  void setDispatch(robot::MapDispatch* dispatch, const regions::RegionMap* map);
+
+  bool busy() const { return fetch_ || whole_under_way_; }
+  /// What is to be said of it; an empty sentence while nothing is fetched.
+  Notice notice();
+  QMessageBox* question() const { return question_; }  // null = none is asked
+
+  /// Asks first, with the size that is known.
+  void fetchWhole();
+  /// Asks what is to become of it.
+  void takeRectangle(const geometry::WorldRect& rect);
+  /// Fetches the rectangle and writes `path`.pgm and .yaml, or shows it as a map.
+  void saveRectangle(const geometry::WorldRect& rect, const QString& path);
+  void keepRectangle(const geometry::WorldRect& rect);
+  void stop();
+  void closeQuestion();
+
+  /// What was fetched, is shown as a map, and has not been written; empty = nothing, or nothing any more.
+  std::vector<Fetched> fetched();
+  /// What is shown has been written.
+  void noteSaved() { kept_.reset(); }
+
+ Q_SIGNALS:
+  void changed();       // busy(), notice()
+  void regionWanted();  // a rectangle of it, as the whole cannot be had
+
+ private:
+  enum class Then { Show, Save };
+  void startWhole();
+  void refuseWhole(const QString& why);
+  void endWhole(const robot::Outcome<map::GridPart>& outcome);
+  void startRectangle(const geometry::WorldRect& rect, Then then, const QString& path);
+  void endRectangle();
+  void show(std::function<std::string()> picture, const map::GridReference& grid, const QString& name);
+  void write(const WholeMapExport& map, const QString& path, std::function<void()> then);
+  QString askWhere();  // empty = nowhere
+  void saveKept(const std::function<void()>& then);
+  void toast(Mark mark, const QString& text);
+
+  WindowContext& context_;
+  QPointer<robot::MapDispatch> dispatch_;
+  QPointer<const regions::RegionMap> map_;
+  QPointer<QMessageBox> question_;
+  std::unique_ptr<regions::RegionFetch> fetch_;
+  Then then_ = Then::Show;
+  QString path_;
+  robot::Call whole_;
+  bool whole_under_way_ = false;
+  qint64 whole_bytes_ = 0;  // so much of it has come
+  QElapsedTimer whole_began_;
+  QTimer every_second_;
+  std::uint64_t job_ = 0;  // what still comes of an older one is not taken
+  std::unique_ptr<ExportJob> export_;
+  std::optional<map::MapKey> kept_;  // on screen, and not written
+  work::Share share_;                // the last: it waits for what runs
+};
+
+}  // namespace mapwright::window
