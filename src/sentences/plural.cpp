@@ -29,6 +29,7 @@ constexpr Singular kSingulars[] = {
     {"%1 points", "%1 point"},
     {"%1 points are shown.", "%1 point is shown."},
     {"%1 points have come.", "%1 point has come."},
+    {"clouds of %1 points", "a cloud of %1 point"},
     {"The robot projects %1 maps.", "The robot projects %1 map."},
     {"The robot has answered, but %1 projections are not what it was sent. The table shows what it says.",
      "The robot has answered, but %1 projection is not what it was sent. The table shows what it says."},

@@ -1,5 +1,7 @@
 #include "window/clouds/clouds_controller.h"
 
+#include <algorithm>
+
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -271,8 +273,9 @@ void CloudsController::openSection() {
   if (was_open || section_dock_->isFloating()) return;
   // The height that it got is known once it has been laid out.
   QTimer::singleShot(0, section_dock_, [this] {
-    if (section_dock_->height() < kSectionPx)
-      context_.window.resizeDocks({section_dock_}, {kSectionPx}, Qt::Vertical);
+    const int wanted = std::max(kSectionPx, context_.window.height() / 4);
+    if (section_dock_->height() < wanted)
+      context_.window.resizeDocks({section_dock_}, {wanted}, Qt::Vertical);
   });
 }
 

@@ -124,13 +124,13 @@ QVariant ProjectionsModel::headerData(int section, Qt::Orientation orientation, 
       case Y:
         return tr("Y");
       case Width:
-        return tr("W", "width, as the head of a narrow column");
+        return tr("W");
       case Height:
-        return tr("H", "height, as the head of a narrow column");
+        return tr("H");
       case MinZ:
         return tr("z from");
       case MaxZ:
-        return tr("to", "z from … to, as heads of columns");
+        return tr("to");
       case Frame:
         return tr("Frame");
       default:
