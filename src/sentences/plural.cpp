@@ -24,6 +24,8 @@ constexpr Singular kSingulars[] = {
     {"%1 calls", "%1 call"},
     {"%1 cells", "%1 cell"},
     {"%1 changes", "%1 change"},
+    {"%1 events", "%1 event"},
+    {"%1 events copied", "%1 event copied"},
     {"%1 maps", "%1 map"},
     {"%1 problems", "%1 problem"},
     {"%1 points", "%1 point"},

@@ -1,5 +1,6 @@
 // Bags in the window: the list, the replay in the place of the live robot, and the timeline, with real mouse
 // and keys, on the simulator.
+#include <QClipboard>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
@@ -26,6 +27,7 @@
 #include "window/recordings/record_dialog.h"
 #include "window/recordings/recordings_controller.h"
 #include "window/recordings/recordings_dock.h"
+#include "window/replay/events_dock.h"
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_controller.h"
 #include "window/replay/timeline_dock.h"
@@ -463,6 +465,123 @@ class TestWindowReplay : public QObject {
     QVERIFY(planner->isChecked());
     desk.window->replay()->recall(desk.settings);
     QVERIFY(!planner->isChecked());
+  }
+
+  void aListOfTheEventsGoesThereAndFollows() {
+    Desk desk;
+    desk.replay(kWhole);
+    EventsDock& list = *desk.window->replay()->eventsDock();
+    QVERIFY(!list.isVisible());
+    QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
+    QTRY_VERIFY(list.isVisible() && list.table()->isVisible());
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("all of the bag")));
+    const auto events = replay::eventsOf(desk.clock().reading()->index().digests());
+    QTRY_COMPARE(list.model()->rowCount(), int(events.size()));
+    QVERIFY(events.size() > 3);
+    for (int row = 0; row < int(events.size()); ++row)
+      QCOMPARE(list.model()->event(row)->at_s, events[std::size_t(row)].at_s);
+
+    const int last = int(events.size()) - 1;
+    const auto center = [&](int row) {
+      list.table()->scrollTo(list.model()->index(row, EventsModel::TextColumn));
+      return list.table()->visualRect(list.model()->index(row, EventsModel::TextColumn)).center();
+    };
+    QTest::mouseClick(list.table()->viewport(), Qt::LeftButton, {}, center(last));
+    QTest::mouseDClick(list.table()->viewport(), Qt::LeftButton, {}, center(last));
+    QCOMPARE(desk.clock().at(), events.back().at_s);
+    QCOMPARE(list.model()->presentRow(), last);
+    list.table()->setCurrentIndex(list.model()->index(0, 0));
+    QTest::keyClick(list.table(), Qt::Key_Return);
+    QCOMPARE(desk.clock().at(), events.front().at_s);
+    // What goes elsewhere takes the present row along, and into view.
+    desk.clock().seek(desk.clock().end());
+    QCOMPARE(list.model()->presentRow(), last);
+    QVERIFY(
+        list.table()->viewport()->rect().intersects(list.table()->visualRect(list.model()->index(last, 0))));
+    desk.clock().seek(desk.clock().start() - 1);
+    QCOMPARE(list.model()->presentRow(), -1);
+
+    list.table()->selectAll();
+    list.table()->setFocus();
+    QTest::keyClick(list.table(), Qt::Key_C, Qt::ControlModifier);
+    const QStringList lines =
+        QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), int(events.size()));
+    QVERIFY(lines.front().contains(eventText(events.front())));
+    QVERIFY(lines.front().contains(clockText(events.front().at_s)));
+
+    // It goes with the replay, and comes with the next one.
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.isReplay());
+    QVERIFY(!list.isVisible());
+    QCOMPARE(list.model()->rowCount(), 0);
+  }
+
+  void theListOfEventsIsFilteredByKindAndWords() {
+    Desk desk;
+    desk.replay(kWhole);
+    EventsDock& list = *desk.window->replay()->eventsDock();
+    QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("all of the bag")));
+    const int all = list.model()->rowCount();
+    list.groupBox()->setCurrentIndex(list.groupBox()->findData(int(replay::EventGroup::Planner)));
+    const int planner = list.model()->rowCount();
+    QVERIFY(planner > 0 && planner < all);
+    for (int row = 0; row < planner; ++row)
+      QCOMPARE(replay::groupOf(list.model()->event(row)->kind), replay::EventGroup::Planner);
+    QVERIFY(list.summaryShown().startsWith(QStringLiteral("%1 of %2 events").arg(planner).arg(all)));
+    list.search()->setFocus();
+    QTest::keyClicks(list.search(), QStringLiteral("no such words"));
+    QCOMPARE(list.model()->rowCount(), 0);
+    QVERIFY(!list.emptyShown().isEmpty() && !list.saveButton()->isEnabled());
+    list.search()->clear();
+    list.groupBox()->setCurrentIndex(0);
+    QCOMPARE(list.model()->rowCount(), all);
+  }
+
+  void theListSaysWhatHasNotBeenReadAndHasItRead() {
+    Desk desk;
+    desk.action("replayReadAll")->setChecked(false);
+    desk.replay({BagKind::Bag, "eight_hours.bag"});
+    EventsDock& list = *desk.window->replay()->eventsDock();
+    QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
+    QTRY_VERIFY(list.readButton()->isVisible());
+    QVERIFY(list.summaryShown().contains(QStringLiteral("found so far")));
+    QVERIFY(desk.clock().readShare() < 0.5);
+    QTest::mouseClick(list.readButton(), Qt::LeftButton);
+    QVERIFY(desk.action("replayReadAll")->isChecked());
+    QVERIFY(!list.readButton()->isVisible());
+  }
+
+  void aHundredThousandEventsAreNoBurden() {
+    std::vector<replay::Event> events;
+    for (int i = 0; i < 100'000; ++i)
+      events.push_back(
+          {1'700'000'000 + i * 0.25, replay::EventKind::AlertBegan, i, "wheel " + std::to_string(i), 0});
+    EventsModel model;
+    QTableView view;
+    view.setModel(&model);
+    view.show();
+    QElapsedTimer took;
+    took.start();
+    model.setEvents(events, 1'700'000'000);
+    qInfo("set: %lld ms", static_cast<long long>(took.restart()));
+    model.setFilter({std::nullopt, QStringLiteral("WHEEL 9999")});
+    qInfo("filtered: %lld ms", static_cast<long long>(took.restart()));
+    QCOMPARE(model.rowCount(), 11);
+    model.setFilter({});
+    view.selectRow(50'000);
+    // What comes in the middle moves the rows after it, and the selection with them.
+    std::vector<replay::Event> more = events;
+    more.insert(more.begin() + 10, {1'700'000'002.6, replay::EventKind::EmergencyStopOn, 0, {}, 0});
+    took.restart();
+    model.setEvents(more, 1'700'000'000);
+    qInfo("one more: %lld ms", static_cast<long long>(took.restart()));
+    QCOMPARE(view.selectionModel()->selectedRows().front().row(), 50'001);
+    model.setAt(events[70'000].at_s);
+    QCOMPARE(model.presentRow(), 70'001);
   }
 
   void theRobotIsDrawnBetweenTwoSamples() {

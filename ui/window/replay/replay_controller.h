@@ -15,6 +15,7 @@
 
 namespace mapwright::window {
 
+class EventsDock;
 class ReplayActions;
 class ReplayClock;
 class TimelineDock;
@@ -31,6 +32,7 @@ class ReplayController : public Controller {
 
   ReplayClock& clock() const { return *clock_; }
   TimelineDock* dock() const { return dock_; }
+  EventsDock* eventsDock() const { return events_; }
 
   /// A bag of the present robot, or of the one whose bag is shown. What went wrong becomes a toast.
   void openBag(const robot::BagKey& key);
@@ -60,6 +62,8 @@ class ReplayController : public Controller {
   void chooseMaps();
   void chooseMode();
   void fitAtFirst();
+  void connectEvents();
+  void saveEvents();
   void refresh();
   QString backWords() const;
 
@@ -67,10 +71,12 @@ class ReplayController : public Controller {
   MakeRobot make_robot_;
   ReplayClock* clock_;
   TimelineDock* dock_;
+  EventsDock* events_;
   ReplayActions* actions_;
   QString live_address_;        // of the robot that was left for the replay; empty = none
   bool space_pressed_ = false;  // on the map, and nothing else since
   bool dock_was_open_ = true;
+  bool events_wanted_ = false;  // the list stands open with the next replay
   bool maps_chosen_ = false;
   std::optional<ViewMode> mode_before_;  // a bag without submaps
 };
