@@ -27,6 +27,8 @@ constexpr Singular kSingulars[] = {
     {"%1 events", "%1 event"},
     {"%1 events copied", "%1 event copied"},
     {"%1 maps", "%1 map"},
+    {"%1 messages", "%1 message"},
+    {"%1 poses", "%1 pose"},
     {"%1 problems", "%1 problem"},
     {"%1 points", "%1 point"},
     {"%1 points are shown.", "%1 point is shown."},

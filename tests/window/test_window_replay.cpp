@@ -2,6 +2,8 @@
 // and keys, on the simulator.
 #include <QClipboard>
 #include <QComboBox>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -11,6 +13,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "excerpt/excerpt.h"
 #include "recorder/layout.h"
 #include "recording/source.h"
 #include "robot/axbot/axbot_address.h"
@@ -28,6 +31,7 @@
 #include "window/recordings/recordings_controller.h"
 #include "window/recordings/recordings_dock.h"
 #include "window/replay/events_dock.h"
+#include "window/replay/range_export_dialog.h"
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_controller.h"
 #include "window/replay/timeline_dock.h"
@@ -582,6 +586,119 @@ class TestWindowReplay : public QObject {
     QCOMPARE(view.selectionModel()->selectedRows().front().row(), 50'001);
     model.setAt(events[70'000].at_s);
     QCOMPARE(model.presentRow(), 70'001);
+  }
+
+  void aRangeIsExportedAsMessagesAndAsWay_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("suffix");
+    QTest::newRow("mcap") << int(excerpt::Kind::Mcap) << ".mcap";
+    QTest::newRow("lines") << int(excerpt::Kind::Lines) << ".jsonl";
+    QTest::newRow("geojson") << int(excerpt::Kind::TrackGeoJson) << ".geojson";
+    QTest::newRow("csv") << int(excerpt::Kind::TrackCsv) << ".csv";
+    QTest::newRow("tum") << int(excerpt::Kind::TrackTum) << ".tum";
+  }
+  void aRangeIsExportedAsMessagesAndAsWay() {
+    QFETCH(int, kind);
+    QFETCH(QString, suffix);
+    Desk desk;
+    desk.replay(kWhole);
+    const double from_s = desk.clock().start() + 100, to_s = desk.clock().start() + 130;
+    desk.clock().setLoop(replay::Player::Loop{from_s, to_s});
+    desk.action("replayExport")->trigger();
+    QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    QVERIFY(dialog && dialog->isVisible());
+    QVERIFY(dialog->fromEdit()->text().endsWith(clockText(from_s)));
+    QVERIFY(dialog->toEdit()->text().endsWith(clockText(to_s)));
+    dialog->kindBox()->setCurrentIndex(dialog->kindBox()->findData(kind));
+    QVERIFY(dialog->pathEdit()->text().endsWith(suffix));
+    const QString path = desk.folder.filePath(QStringLiteral("part") + suffix);
+    dialog->pathEdit()->setText(path);
+    QSignalSpy exported(dialog, &RangeExportDialog::exported);
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QTRY_VERIFY(exported.count() == 1);
+    QTRY_VERIFY(!dialog);
+    QVERIFY(QFileInfo(path).size() > 0);
+    if (kind == int(excerpt::Kind::Mcap)) {
+      const auto source = recording::openRecording(path.toStdString());
+      QVERIFY(source);
+      QVERIFY((*source)->summary().finished);
+      QVERIFY(*(*source)->summary().end_ns <= excerpt::nanosecondsOf(to_s));
+      QVERIFY(*(*source)->summary().start_ns >= excerpt::nanosecondsOf(from_s));
+    } else if (kind == int(excerpt::Kind::Lines)) {
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      int lines = 0;
+      while (!file.atEnd()) {
+        const double at_s =
+            QJsonDocument::fromJson(file.readLine()).object()[QStringLiteral("__stamp")].toDouble();
+        QVERIFY(at_s >= from_s && at_s <= to_s);
+        ++lines;
+      }
+      QVERIFY(lines > 10);
+    }
+    // What is there is not replaced without a question.
+    desk.action("replayExport")->trigger();
+    dialog = desk.window->replay()->rangeDialog();
+    dialog->kindBox()->setCurrentIndex(dialog->kindBox()->findData(kind));
+    dialog->pathEdit()->setText(path);
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running());
+    QVERIFY(dialog->said().contains(QStringLiteral("exists")));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(dialog->running());
+    QTRY_VERIFY(!dialog);
+  }
+
+  void anExportThatIsCancelledOrLeftLeavesNothing() {
+    Desk desk;
+    desk.replay({BagKind::Bag, "eight_hours.bag"});
+    desk.action("replayExport")->trigger();
+    const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    QDir().mkpath(desk.folder.filePath(QStringLiteral("out")));
+    const QDir out(desk.folder.filePath(QStringLiteral("out")));
+    dialog->pathEdit()->setText(out.filePath(QStringLiteral("all.mcap")));
+    // Times that are none, or the wrong way round, are told at once.
+    dialog->fromEdit()->setText(QStringLiteral("never"));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("times between")));
+    QVERIFY(dialog->filmEdit()->text().isEmpty());
+    dialog->fromEdit()->setText(QStringLiteral("+30:00"));
+    dialog->toEdit()->setText(QStringLiteral("+20:00"));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("before the beginning")));
+    QVERIFY(dialog->filmEdit()->text().startsWith(
+        QStringLiteral("mapwright bags film 'eight_hours.bag' --robot ")));
+    dialog->fromEdit()->setText(QStringLiteral("+0"));
+    dialog->toEdit()->setText(QStringLiteral("-0"));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(dialog->running());
+    QTest::mouseClick(dialog->closeButton(), Qt::LeftButton);
+    QTRY_VERIFY(!dialog->running());
+    QVERIFY(dialog->said().contains(QStringLiteral("Cancelled")));
+    QVERIFY(out.entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(dialog->running());
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running());
+    QVERIFY(dialog->said().contains(QStringLiteral("was closed")));
+    QVERIFY(!dialog->exportButton()->isEnabled());
+    QVERIFY(out.entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+    dialog->close();
+  }
+
+  void whatCannotBeWrittenIsASentenceInTheDialog() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.action("replayExport")->trigger();
+    const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    dialog->pathEdit()->setText(desk.folder.filePath(QStringLiteral("no/such/folder/a.mcap")));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("no folder")));
+    dialog->pathEdit()->setText(desk.folder.path());
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("is a folder")));
+    dialog->close();
   }
 
   void theRobotIsDrawnBetweenTwoSamples() {

@@ -25,6 +25,7 @@
 #include "window/on_screen.h"
 #include "window/panels.h"
 #include "window/replay/events_dock.h"
+#include "window/replay/range_export_dialog.h"
 #include "window/replay/replay_actions.h"
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_state.h"
@@ -41,6 +42,7 @@ namespace {
 
 const QString kReadAllKey = QStringLiteral("replay/readAll");
 const QString kFollowEventsKey = QStringLiteral("replay/followEvents");
+const QString kRangeFolderKey = QStringLiteral("replay/exportFolder");
 const QString kEventsFolderKey = QStringLiteral("replay/eventsFolder");
 const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
 constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
@@ -65,6 +67,8 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   });
   connectEvents();
   connect(dock_, &TimelineDock::backWanted, this, &ReplayController::back);
+  connect(dock_, &TimelineDock::exportWanted, this, &ReplayController::exportRange);
+  connect(actions_, &ReplayActions::exportWanted, this, &ReplayController::exportRange);
   connect(clock_, &ReplayClock::opened, this, &ReplayController::takeOpened);
   connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::showPose);
   connect(clock_, &ReplayClock::stateChanged, this, [this] {
@@ -78,7 +82,10 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   context_.view.viewport()->installEventFilter(this);
 }
 
-ReplayController::~ReplayController() { clock_->detach(); }
+ReplayController::~ReplayController() {
+  if (range_dialog_) range_dialog_->leaveBag();
+  clock_->detach();
+}
 
 void ReplayController::connectEvents() {
   connect(dock_, &TimelineDock::listWanted, this, [this] { context_.panels.open(events_); });
@@ -88,6 +95,37 @@ void ReplayController::connectEvents() {
   connect(events_, &EventsDock::copyWanted, this,
           [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
   connect(events_, &EventsDock::saveWanted, this, &ReplayController::saveEvents);
+}
+
+RangeExportDialog* ReplayController::rangeDialog() const { return range_dialog_; }
+
+void ReplayController::exportRange() {
+  const replay::Reading* const reading = clock_->reading();
+  session::Session* const session = context_.current.session();
+  const replay::ReplayRobot* const robot = replayOf(session);
+  if (!reading || !robot || !session->robot().bagLibrary()) return;
+  if (range_dialog_) return range_dialog_->raise();
+  RangeOffer offer;
+  offer.source = {session->robot().bagLibrary(), reading->key(), {}};
+  offer.address = robot->address();
+  const auto address = context_.addresses.parse(offer.address);
+  if (reading->key().kind == robot::BagKind::File && address)
+    offer.source.recording = address->path.toStdString();
+  offer.name = QString::fromStdString(reading->key().name);
+  offer.first_s = clock_->start();
+  offer.last_s = clock_->end();
+  offer.loop = clock_->loop();
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  offer.folder = folderToWriteInto({context_.settings.value(kRangeFolderKey).toString(), documents});
+  offer.workers = context_.workers;
+  range_dialog_ = new RangeExportDialog(std::move(offer), &context_.window);
+  range_dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(range_dialog_, &RangeExportDialog::exported, this,
+          [this](const QString& path, const QString& sentence) {
+            context_.settings.setValue(kRangeFolderKey, QFileInfo(path).absolutePath());
+            context_.overlay.toasts()->add(Mark::Good, sentence);
+          });
+  range_dialog_->show();
 }
 
 void ReplayController::saveEvents() {
@@ -146,6 +184,8 @@ void ReplayController::back() {
 
 void ReplayController::setSession(session::Session* session) {
   const bool was_replay = clock_->isOpen() || !dock_was_open_;
+  // What reads of the bag must not outlive its robot.
+  if (range_dialog_) range_dialog_->leaveBag();
   clock_->detach();
   scene::PoseBetween::of(context_.scene).show(std::nullopt);
   auto* const robot = session ? qobject_cast<replay::ReplayRobot*>(&session->robot()) : nullptr;

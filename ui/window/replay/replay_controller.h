@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <Eigen/Core>
+#include <QPointer>
 #include <tl/expected.hpp>
 
 #include "robot/bag_library.h"
@@ -16,6 +17,7 @@
 namespace mapwright::window {
 
 class EventsDock;
+class RangeExportDialog;
 class ReplayActions;
 class ReplayClock;
 class TimelineDock;
@@ -43,6 +45,9 @@ class ReplayController : public Controller {
   void open(std::unique_ptr<robot::Robot> origin, const std::string& name);
   /// Ends the replay; connects to the robot that was on screen before, if there was one.
   void back();
+  /// Asks which part of the open bag goes into a file.
+  void exportRange();
+  RangeExportDialog* rangeDialog() const;  // null: not open
   /// A click on the way that the robot took goes to the time when it was there.
   void clickedOnMap(const Eigen::Vector2d& world_m);
 
@@ -72,6 +77,7 @@ class ReplayController : public Controller {
   ReplayClock* clock_;
   TimelineDock* dock_;
   EventsDock* events_;
+  QPointer<RangeExportDialog> range_dialog_;
   ReplayActions* actions_;
   QString live_address_;        // of the robot that was left for the replay; empty = none
   bool space_pressed_ = false;  // on the map, and nothing else since

@@ -230,6 +230,9 @@ void TimelineDock::showMenu(const QPoint& global_pos, double at_s) {
   menu.addAction(tr("End the loop"), &clock_, [this] { clock_.setLoop(std::nullopt); })
       ->setEnabled(clock_.loop().has_value());
   menu.addSeparator();
+  menu.addAction(themedIcon(QStringLiteral("export")),
+                 clock_.loop() ? tr("Export the loop…") : tr("Export a range…"), this,
+                 &TimelineDock::exportWanted);
   menu.addAction(themedIcon(QStringLiteral("fit")), tr("Show all of the bag"), view_, &TimelineView::showAll);
   menu.exec(global_pos);
 }

@@ -51,6 +51,8 @@ class TimelineDock : public QDockWidget {
 
  Q_SIGNALS:
   void backWanted();
+  /// A part of the bag is to go into a file.
+  void exportWanted();
   /// The panel that lists the events.
   void listWanted();
   /// Those of the view have been found anew.

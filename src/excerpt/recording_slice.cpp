@@ -1,0 +1,170 @@
+#include "excerpt/recording_slice.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "excerpt/whole_target.h"
+#include "reasons/file_reason.h"
+#include "recording/mcap_writer.h"
+#include "recording/source.h"
+#include "robot/recorded/recording_reasons.h"
+
+namespace mapwright::excerpt {
+namespace {
+
+using recording::Message;
+
+constexpr std::int64_t kLookEvery = 256;  // messages
+constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
+constexpr std::string_view kStaticTransforms = "/tf_static", kPatches = "_updates";
+
+using Done = tl::expected<void, map::Reason>;
+
+class Slice {
+ public:
+  Slice(recording::Source& source, recording::McapWriter& writer, const GoesOn& goes_on)
+      : source_(source), writer_(writer), goes_on_(goes_on) {}
+
+  bool ended() const { return ended_; }
+
+  Done describe() {
+    for (const recording::Metadata& metadata : source_.metadata()) {
+      if (auto done = checked(writer_.note(metadata)); !done) return done;
+    }
+    return {};
+  }
+
+  Done sayBefore(std::int64_t from_ns, const std::vector<std::string>& topics) {
+    if (from_ns <= 0) return {};
+    std::vector<Message> before = source_.lastBefore(from_ns - 1, topics);
+    std::vector<Message> more;
+    for (const Message& message : before) {
+      const std::string& topic = message.channel->topic;
+      if (topic == kStaticTransforms) {
+        readInto(more, {.first_ns = 0, .last_ns = from_ns - 1, .topics = {topic}});
+      } else if (topic.size() > kPatches.size() && topic.ends_with(kPatches)) {
+        // They change the grid that came before them, whether or not anybody asked for that.
+        const auto whole = std::find_if(before.begin(), before.end(), [&](const Message& other) {
+          return topic.compare(0, topic.size() - kPatches.size(), other.channel->topic) == 0;
+        });
+        const std::int64_t since_ns = whole == before.end() ? 0 : whole->log_time_ns;
+        readInto(more, {.first_ns = since_ns, .last_ns = from_ns - 1, .topics = {topic}});
+      } else {
+        more.push_back(message);
+      }
+    }
+    std::stable_sort(more.begin(), more.end(),
+                     [](const Message& a, const Message& b) { return a.log_time_ns < b.log_time_ns; });
+    for (const Message& message : more) {
+      recording::Channel channel = *message.channel;
+      channel.metadata["said"] = "before";
+      if (auto done = write(channel, from_ns, 0, message); !done) return done;
+    }
+    done_.said_before = std::int64_t(more.size());
+    return {};
+  }
+
+  Done copy(std::int64_t from_ns, std::int64_t to_ns, const std::vector<std::string>& topics) {
+    const double first_ns = double(std::max(from_ns, source_.summary().start_ns.value_or(from_ns)));
+    const double all_ns = double(std::min(to_ns, source_.summary().end_ns.value_or(to_ns))) - first_ns;
+    const auto cursor = source_.messages({.first_ns = from_ns, .last_ns = to_ns, .topics = topics});
+    while (const auto message = cursor->next()) {
+      if (auto done = write(*message->channel, message->log_time_ns, message->sequence, *message); !done)
+        return done;
+      if (++done_.messages % kLookEvery != 0 || !goes_on_) continue;
+      const double share = all_ns > 0 ? (double(message->log_time_ns) - first_ns) / all_ns : 1;
+      ended_ = !goes_on_(std::clamp(share, 0.0, 1.0));
+      if (ended_) break;
+    }
+    return {};
+  }
+
+  Done attach(std::int64_t from_ns, std::int64_t to_ns) {
+    if (ended_) return {};
+    // Of what was fetched only later the first one counts (recorder/layout.h).
+    std::map<std::string, const recording::AttachmentPlace*> first_of;
+    for (const recording::AttachmentPlace& place : source_.attachments()) {
+      const auto [first, is_new] = first_of.try_emplace(place.name, &place);
+      if (!is_new && place.log_time_ns < first->second->log_time_ns) first->second = &place;
+    }
+    for (const recording::AttachmentPlace& place : source_.attachments()) {
+      if (place.log_time_ns > to_ns && first_of.at(place.name) != &place) continue;
+      auto attachment = source_.attachment(place);
+      if (!attachment) continue;  // it is not sound, and of no use there either
+      attachment->log_time_ns = std::clamp(attachment->log_time_ns, from_ns, std::max(from_ns, to_ns));
+      if (auto done = checked(writer_.attach(*attachment)); !done) return done;
+      ++done_.attachments;
+    }
+    return {};
+  }
+
+  Written done() const {
+    Written done = done_;
+    for (const recording::Note& note : source_.summary().notes) {
+      if (robot::recorded::isLoss(note.code)) done.losses.push_back(robot::recorded::reasonOf(note));
+    }
+    return done;
+  }
+
+ private:
+  static Done checked(const std::optional<disk::Fault>& fault) {
+    if (fault) return tl::make_unexpected(reasons::notWritten(*fault));
+    return {};
+  }
+  void readInto(std::vector<Message>& messages, const recording::Query& query) {
+    const auto cursor = source_.messages(query);
+    while (auto message = cursor->next()) messages.push_back(std::move(*message));
+  }
+  Done write(const recording::Channel& channel, std::int64_t log_ns, std::uint32_t sequence,
+             const Message& message) {
+    const auto id = writer_.addChannel(channel);
+    if (!id) return checked(disk::systemFault(channel.topic, ENOSPC));
+    return checked(writer_.write(*id, {log_ns, message.publish_time_ns, sequence}, message.bytes));
+  }
+
+  recording::Source& source_;
+  recording::McapWriter& writer_;
+  const GoesOn& goes_on_;
+  Written done_;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::string& path, const Order& order,
+                                                                 const GoesOn& goes_on) {
+  auto source = recording::openRecording(path);
+  if (!source) return tl::make_unexpected(robot::recorded::reasonOf(source.error()));
+  auto made = std::make_unique<WholeTarget>(order.path);
+  WholeTarget& target = *made;
+  auto writer = recording::McapWriter::create(std::move(made), {.profile = (*source)->summary().profile});
+  if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
+
+  const std::int64_t from_ns = order.span.from_s ? nanosecondsOf(*order.span.from_s) : 0;
+  const std::int64_t to_ns = order.span.to_s ? nanosecondsOf(*order.span.to_s) : kEver;
+  const std::vector<std::string> topics =
+      order.topic.empty() ? std::vector<std::string>() : std::vector{order.topic};
+  Slice slice(**source, **writer, goes_on);
+  const Done done = slice.describe()
+                        .and_then([&] { return slice.sayBefore(from_ns, topics); })
+                        .and_then([&] { return slice.copy(from_ns, to_ns, topics); })
+                        .and_then([&] { return slice.attach(from_ns, to_ns); })
+                        .and_then([&]() -> Done {
+                          if (slice.ended()) return {};
+                          auto fault = (*writer)->close();
+                          if (!fault) fault = target.place();
+                          if (fault) return tl::make_unexpected(reasons::notWritten(*fault));
+                          return {};
+                        });
+  if (!done) return tl::make_unexpected(done.error());
+  if (slice.ended()) return std::nullopt;
+  return slice.done();
+}
+
+}  // namespace mapwright::excerpt
