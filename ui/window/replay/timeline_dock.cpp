@@ -320,6 +320,7 @@ void TimelineDock::takeContent() {
   content.last_s = clock_.end();
   for (const auto& [from, cell] : reading->chunks().cells()) content.ranges.push_back(rangeOf(cell));
   content.events = replay::eventsOf(reading->index().digests());
+  content.silences = replay::silencesIn(reading->chunks(), reading->index().digests());
   const bool empty = content.ranges.empty();
   view_->setContent(std::move(content));
   view_->setNotice(empty ? tr("This bag holds no messages.") : QString());

@@ -120,6 +120,17 @@ void TimelineView::paintRanges(QPainter& painter, const Rows& rows) const {
         break;
     }
   }
+  for (const replay::Silence& silence : content_.silences) {
+    // The band has a hole there: it has been read, and there is nothing.
+    QRectF part = bar(silence.from_s, silence.until_s);
+    if (silence.until_s < axis.from_s || silence.from_s > axis.until_s) continue;
+    part.setWidth(std::max(part.width(), 2.0));
+    painter.fillRect(part, colors.base);
+    painter.setPen(QPen(colors.secondary_text, 1, Qt::DotLine));
+    painter.drawLine(QPointF(part.left() + 2, part.center().y()),
+                     QPointF(part.right() - 2, part.center().y()));
+    painter.setPen(Qt::NoPen);
+  }
   for (const Stretch& stretch : poor_) {
     QRectF part = between(stretch.from_s, stretch.until_s, rows.ranges_bottom + 2, rows.poor_bottom);
     part.setWidth(std::max(part.width(), 2.0));
