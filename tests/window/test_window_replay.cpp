@@ -190,6 +190,26 @@ class TestWindowReplay : public QObject {
     QCOMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
   }
 
+  void howLongABagIsStandsThereOnceItWasOpened() {
+    Desk desk;
+    desk.connect();
+    const auto shown = [&] {
+      return desk.list()
+          .model()
+          ->indexOf(kWhole)
+          .siblingAtColumn(BagsModel::DurationColumn)
+          .data()
+          .toString();
+    };
+    QCOMPARE(shown(), QStringLiteral("—"));
+    desk.doubleClick(kWhole);
+    QTRY_VERIFY(desk.clock().isOpen());
+    QTRY_VERIFY(desk.list().model()->rowCount() > 0);
+    QCOMPARE(shown(),
+             elapsedText(desk.clock().reading()->info()->end_s - desk.clock().reading()->info()->start_s)
+                 .chopped(2));
+  }
+
   void aDoubleClickReplaysInThePlaceOfTheRobot() {
     Desk desk;
     desk.replay(kWhole);
@@ -701,6 +721,25 @@ class TestWindowReplay : public QObject {
     dialog->close();
   }
 
+  void whereNothingWasRecordedTheBandHasAHole() {
+    Desk desk;
+    desk.replay(kGap);
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_VERIFY(!desk.axis().content().silences.empty());
+    const replay::Silence gap = desk.axis().content().silences.front();
+    QVERIFY(gap.until_s - gap.from_s >= replay::kSilenceS);
+    // No message lies within.
+    for (const auto& [from, digest] : desk.clock().reading()->index().digests()) {
+      for (const replay::Digest::Pose& pose : digest.poses)
+        QVERIFY(pose.stamp_s <= gap.from_s || pose.stamp_s >= gap.until_s);
+    }
+    const QString words = desk.axis().wordsAt(desk.pixelOf((gap.from_s + gap.until_s) / 2));
+    QVERIFY2(words.contains(QStringLiteral("Nothing was recorded from ")), qPrintable(words));
+    QVERIFY(!words.contains(QStringLiteral("could not be read")));
+    QVERIFY(!desk.axis().wordsAt(desk.pixelOf(gap.from_s - 30)).contains(QStringLiteral("Nothing was")));
+    desk.axis().grab();
+  }
+
   void theRobotIsDrawnBetweenTwoSamples() {
     Desk desk;
     desk.replay(BagKey{BagKind::Bag, "gap.bag"});
@@ -801,9 +840,22 @@ class TestWindowReplay : public QObject {
     RecordDialog* const dialog = desk.window->recordings()->recordDialog();
     QVERIFY(dialog);
     QTest::keyClicks(dialog->suffix(), QStringLiteral("te st/1"));
-    QCOMPARE(dialog->suffix()->text(), QStringLiteral("test1"));
+    // What cannot be a name is told, not swallowed.
+    QCOMPARE(dialog->suffix()->text(), QStringLiteral("te st/1"));
+    QVERIFY(dialog->errorShown().contains(QStringLiteral("letters")));
+    QVERIFY(!dialog->recordButton()->isEnabled());
+    dialog->suffix()->selectAll();
+    QTest::keyClicks(dialog->suffix(), QStringLiteral("test-1"));
+    QVERIFY(dialog->errorShown().isEmpty());
+    // The simulated robot records five minutes at most: the dialog stays with what it says.
+    dialog->duration()->setValue(600);
+    const QPointer<QDialog> open = dialog;
+    QTest::keyClick(dialog->suffix(), Qt::Key_Return);
+    QTRY_VERIFY(open && dialog->errorShown().contains(QStringLiteral("duration")));
+    QVERIFY(dialog->isVisible() && dialog->recordButton()->isEnabled());
     dialog->duration()->setValue(30);
     QTest::keyClick(dialog->suffix(), Qt::Key_Return);
+    QTRY_VERIFY(!open);
     QTRY_COMPARE(desk.list().model()->rowCount(), before + 1);
   }
 
