@@ -155,7 +155,7 @@ class TestWindowParts : public QObject {
         idsOf(menuCalled(bar, "&View")->actions()).mid(0, 18).join(QLatin1Char(' ')),
         QStringLiteral("modeSubmaps modeWhole modeBoth - grid showIds showOutlines furniture - colorsNormal "
                        "colorsIncremental colorsActive - themeLight themeDark themeSystem - *"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(32).join(QLatin1Char(' ')),
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(33).join(QLatin1Char(' ')),
              QStringLiteral("- filter focusMap fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("palette shortcuts - diagnostics about"));

@@ -74,12 +74,15 @@ QString shownTime(double at_s) { return QStringLiteral("%1 %2").arg(dayText(at_s
 }  // namespace
 
 QString filmCommand(const RangeOffer& offer, double from_s, double to_s) {
-  const QString what =
-      offer.source.recording.empty()
-          ? QStringLiteral("%1 --robot %2").arg(shellWord(offer.name), shellWord(offer.address))
-          : shellWord(QString::fromStdString(offer.source.recording));
-  return QStringLiteral("mapwright bags film %1 --from %2 --to %3 -o film.mp4")
-      .arg(what, timeWord(from_s), timeWord(to_s));
+  QStringList command{QStringLiteral("mapwright"), QStringLiteral("bags"), QStringLiteral("film")};
+  if (offer.source.recording.empty()) {
+    command << shellWord(offer.name) << QStringLiteral("--robot") << shellWord(offer.address);
+  } else {
+    command << shellWord(QString::fromStdString(offer.source.recording));
+  }
+  command << QStringLiteral("--from") << timeWord(from_s) << QStringLiteral("--to") << timeWord(to_s)
+          << QStringLiteral("-o") << QStringLiteral("film.mp4");
+  return command.join(QLatin1Char(' '));
 }
 
 RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
