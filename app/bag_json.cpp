@@ -60,13 +60,6 @@ bool knowsSlam(const map::SlamStatus& slam) {
 
 }  // namespace
 
-std::string jsonLine(std::string_view json) {
-  std::string line(json);
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return line;
-}
-
 QString timeText(double epoch_s) {
   if (!std::isfinite(epoch_s) || std::abs(epoch_s) > 4e11) return QStringLiteral("-");
   return QDateTime::fromMSecsSinceEpoch(qint64(std::floor(epoch_s * 1000 + 0.5)), Qt::UTC)

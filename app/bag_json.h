@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <QJsonArray>
@@ -25,8 +24,6 @@ std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment);
 /// [{"at","kind"}] with "code", "text" or "metres" where it has them.
 QJsonArray eventsJson(const std::vector<replay::Event>& events);
 QStringList eventRow(const replay::Event& event);
-/// JSON as recorded, on one line: line breaks between values become blanks, and none stands within a text.
-std::string jsonLine(std::string_view json);
 /// "2024-06-03 09:00:00.250", UTC.
 QString timeText(double epoch_s);
 

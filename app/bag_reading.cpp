@@ -11,6 +11,7 @@
 
 #include "app/exit_code.h"
 #include "map/may_pass.h"
+#include "replay/range_walk.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
 
@@ -26,13 +27,6 @@ constexpr int kLookEveryMs = 50;
 constexpr double kAgainAfterS = 0.5;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-/// Asking again would not help.
-bool isFinal(const replay::Cell& cell) {
-  const bool rejected = cell.failure.kind == map::FailureKind::RejectedByRobot && !map::mayPass(cell.failure);
-  return cell.tries >= kTries || rejected || cell.failure.kind == map::FailureKind::Refused ||
-         cell.failure.kind == map::FailureKind::Certificate;
-}
 
 }  // namespace
 
@@ -60,8 +54,8 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option) {
                         .arg(option, text(word))});
 }
 
-CommandResult<TimeSpan> timeSpanFrom(const BagsWords& words) {
-  TimeSpan span;
+CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
+  excerpt::TimeSpan span;
   for (const auto& [word, option, value] :
        {std::tuple(&words.from, "--from", &span.from_s), std::tuple(&words.to, "--to", &span.to_s)}) {
     if (word->empty()) continue;
@@ -141,7 +135,7 @@ std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>&
     const double wanted_s = reading_->chunks().wanted().value_or(-1e300);
     for (const auto& [from, cell] : reading_->chunks().cells()) {
       if (replay::secondsOf(from) > wanted_s) break;
-      if (cell.tries > 0 && isFinal(cell)) failed = failure(cell.failure);
+      if (cell.tries > 0 && replay::isFinal(cell)) failed = failure(cell.failure);
     }
     if (!failed && robot_->time().over())
       failed = failure(robot_->tooLate({.subject = subjectOf(reading_->key())}));
@@ -158,23 +152,11 @@ std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>&
 
 std::optional<CommandFailure> BagReading::readRanges(std::optional<double> from_s, std::optional<double> to_s,
                                                      const TakeRange& take) {
-  replay::Reading& reading = *reading_;
-  double next_s = from_s.value_or(-1e300);
-  const replay::Cell* cell = reading.chunks().cellAt(next_s);
-  while (cell && (!to_s || replay::secondsOf(cell->from) <= *to_s)) {
-    reading.want(std::max(next_s, replay::secondsOf(cell->from)));
+  replay::RangeWalk walk(*reading_, from_s, to_s);
+  while (!walk.over()) {
     replay::ChunkPtr chunk;
-    if (auto failed = waitUntil([&] {
-          // It may have been made of several meanwhile.
-          cell = reading.chunks().cellAt(*reading.chunks().wanted());
-          chunk = reading.chunkAt(cell->from);
-          return chunk != nullptr;
-        }))
-      return failed;
+    if (auto failed = waitUntil([&] { return chunk || (chunk = walk.next()); })) return failed;
     if (auto failed = take(*chunk)) return failed;
-    const auto after = reading.chunks().cells().upper_bound(cell->from);
-    cell = after == reading.chunks().cells().end() ? nullptr : &after->second;
-    if (cell) next_s = replay::secondsOf(cell->from);
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include "app/bags.h"
 #include "app/maps_command.h"
+#include "excerpt/time_span.h"
 #include "replay/reading.h"
 #include "robot/bag_library.h"
 
@@ -54,11 +55,7 @@ class BagReading {
 /// Seconds since the epoch, or ISO 8601 (without a zone: UTC). The error names the option.
 CommandResult<double> timeFrom(const std::string& word, const QString& option);
 
-/// --from and --to; nullopt = not given.
-struct TimeSpan {
-  std::optional<double> from_s, to_s;
-  bool holds(double at_s) const { return !(from_s && at_s < *from_s) && !(to_s && at_s > *to_s); }
-};
-CommandResult<TimeSpan> timeSpanFrom(const BagsWords& words);
+/// --from and --to.
+CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words);
 
 }  // namespace mapwright::app

@@ -8,7 +8,6 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
-#include <QLocale>
 
 #include "app/bag_json.h"
 #include "app/bag_reading.h"
@@ -17,6 +16,7 @@
 #include "app/output_paths.h"
 #include "app/table.h"
 #include "app/waypoint_list.h"
+#include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -41,8 +41,8 @@ int runBags(const BagsWords& words, int& argc, char** argv,
 }
 
 QStringList rowOf(const robot::BagEntry& entry) {
-  const QString size = entry.size_bytes ? QLocale::c().formattedDataSize(*entry.size_bytes)
-                                        : words::plainName(entry.size_text);
+  const QString size =
+      entry.size_bytes ? window::bytesText(*entry.size_bytes) : words::plainName(entry.size_text);
   const QString end = entry.end_s ? timeText(*entry.end_s).chopped(4) : words::plainName(entry.end_text);
   return {entry.key.kind == robot::BagKind::Recording ? Words::tr("recording") : Words::tr("bag"),
           size.isEmpty() ? QStringLiteral("-") : size, end.isEmpty() ? QStringLiteral("-") : end,
@@ -57,9 +57,8 @@ QString fileFor(const BagsWords& words) {
 }
 
 void tellProgress(robot::Progress progress) {
-  const QString bytes = QLocale::c().formattedDataSize(progress.bytes);
-  const QString of =
-      progress.of_bytes ? QLocale::c().formattedDataSize(*progress.of_bytes) : QStringLiteral("?");
+  const QString bytes = window::bytesText(progress.bytes);
+  const QString of = progress.of_bytes ? window::bytesText(*progress.of_bytes) : QStringLiteral("?");
   std::fprintf(stderr, "\r%-40s", qUtf8Printable(Words::tr("%1 of %2").arg(bytes, of)));
 }
 
@@ -139,7 +138,7 @@ int bagsDownload(const BagsWords& words, int& argc, char** argv) {
                             {QStringLiteral("resumed"), done->resumed}});
     } else {
       std::printf("%s: %s\n", qUtf8Printable(oneLine(done->path)),
-                  qUtf8Printable(QLocale::c().formattedDataSize(done->bytes)));
+                  qUtf8Printable(window::bytesText(done->bytes)));
     }
     return kDone;
   });

@@ -1,25 +1,20 @@
 // A part of a bag for other programs: its messages, and where the robot was.
-#include <cmath>
 #include <cstdio>
-#include <map>
 
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonObject>
 
-#include "app/bag_json.h"
-#include "app/bag_mcap.h"
 #include "app/bag_reading.h"
 #include "app/bags.h"
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/output_paths.h"
-#include "app/recording_slice.h"
 #include "app/robot_factory.h"
 #include "app/waypoint_list.h"
-#include "disk/written_file.h"
+#include "excerpt/excerpt.h"
+#include "excerpt/recording_slice.h"
 #include "reasons/file_reason.h"
-#include "replay/track.h"
 #include "robot/recorded/recorded_robot.h"
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
@@ -42,7 +37,7 @@ CommandFailure notWritten(const disk::Fault& fault) {
 
 /// What of a bag goes where, as it was asked for.
 struct Order {
-  TimeSpan span;
+  excerpt::TimeSpan span;
   QString path, format;
 };
 
@@ -67,7 +62,8 @@ CommandResult<Order> orderFrom(const BagsWords& words, const QStringList& format
 }
 
 int runExport(const BagsWords& words, int& argc, char** argv, const QStringList& formats,
-              const std::function<CommandResult<int>(MapsCommand&, BagReading&, const Order&)>& work) {
+              const std::function<CommandResult<int>(const BagsWords&, MapsCommand&, BagReading&,
+                                                     const Order&)>& work) {
   return MapsCommand(words.timeout_s, text(words.report))
       .run(argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
         const auto order = orderFrom(words, formats);
@@ -78,7 +74,7 @@ int runExport(const BagsWords& words, int& argc, char** argv, const QStringList&
         const auto replayed =
             opened->readThrough(words.name, lines ? BagReading::Texts::Whole : BagReading::Texts::Short);
         if (!replayed) return tl::make_unexpected(replayed.error());
-        return work(command, *opened, *order);
+        return work(words, command, *opened, *order);
       });
 }
 
@@ -102,48 +98,6 @@ void tell(const BagsWords& words, const Order& order, MapsCommand& command, QJso
   }
 }
 
-CommandResult<int> exportLines(const BagsWords& words, MapsCommand& command, BagReading& bags,
-                               const Order& order) {
-  disk::WrittenFile file(words.output);
-  std::int64_t messages = 0, odd = 0;
-  const auto failed = bags.readRanges(
-      order.span.from_s, order.span.to_s, [&](const replay::Chunk& chunk) -> std::optional<CommandFailure> {
-        odd += std::int64_t(chunk.source->without_stamp + chunk.source->unreadable);
-        for (std::size_t place = 0; place < chunk.order.size(); ++place) {
-          const robot::BagMessage& message = chunk.at(place);
-          if (!order.span.holds(message.message.received_s)) continue;
-          if (!words.topic.empty() && message.message.topic != words.topic) continue;
-          file.write(jsonLine(chunk.source->textOf(message)));
-          file.write("\n");
-          ++messages;
-        }
-        if (!file.good()) return notWritten(*file.place());
-        return std::nullopt;
-      });
-  if (failed) return tl::make_unexpected(*failed);
-  if (const auto fault = file.place()) return tl::make_unexpected(notWritten(*fault));
-  noteOdd(bags, odd);
-  tell(words, order, command, {{QStringLiteral("messages"), qint64(messages)}},
-       Words::tr("%1 messages").arg(messages));
-  return kDone;
-}
-
-/// An export that was killed leaves what it had written; the next one writes over it.
-class PartOfBefore {
- public:
-  explicit PartOfBefore(const Order& order)
-      : part_(order.path + QStringLiteral(".part")), was_there_(QFileInfo(part_).isFile()) {}
-  void tell(BagReading& bags) const {
-    if (was_there_)
-      bags.robot().note(
-          Words::tr("%1 was left by an export that did not end: it has been replaced.").arg(part_));
-  }
-
- private:
-  QString part_;
-  bool was_there_;
-};
-
 /// The file that is meant, where it is a recording on this computer.
 std::optional<std::string> recordingOf(const BagsWords& words) {
   const auto parsed = knownAddresses().parse(text(words.robot));
@@ -151,98 +105,96 @@ std::optional<std::string> recordingOf(const BagsWords& words) {
   return parsed->path.toStdString();
 }
 
+excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const Order& order) {
+  excerpt::Order wanted;
+  wanted.kind = order.format == QLatin1String("mcap")      ? excerpt::Kind::Mcap
+                : order.format == QLatin1String("jsonl")   ? excerpt::Kind::Lines
+                : order.format == QLatin1String("csv")     ? excerpt::Kind::TrackCsv
+                : order.format == QLatin1String("geojson") ? excerpt::Kind::TrackGeoJson
+                                                           : excerpt::Kind::TrackTum;
+  wanted.path = words.output;
+  wanted.span = order.span;
+  wanted.topic = words.topic;
+  wanted.address = bags.robot().session().robot().address().toStdString();
+  wanted.bag = words.name;
+  return wanted;
+}
+
 /// A part of a recording is what it is there, byte for byte.
 CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, BagReading& bags,
                                const std::string& path, const Order& order) {
   if (const auto why = overOwnSource({order.path}, {path})) return wrong(*why);
-  const PartOfBefore before(order);
-  const auto sliced = sliceRecording(path, words.output, order.span, words.topic);
+  const auto sliced = excerpt::sliceRecording(path, excerptOf(words, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
-  before.tell(bags);
+  const excerpt::Written& done = **sliced;  // nobody ends it
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
-  for (const map::Reason& loss : sliced->losses)
+  for (const map::Reason& loss : done.losses)
     bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
   tell(words, order, command,
-       {{QStringLiteral("messages"), qint64(sliced->messages)},
-        {QStringLiteral("said_before"), qint64(sliced->said_before)},
-        {QStringLiteral("attachments"), qint64(sliced->attachments)}},
-       Words::tr("%1 messages, %2 that had been said before").arg(sliced->messages).arg(sliced->said_before));
+       {{QStringLiteral("messages"), qint64(done.messages)},
+        {QStringLiteral("said_before"), qint64(done.said_before)},
+        {QStringLiteral("attachments"), qint64(done.attachments)}},
+       Words::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before));
   return kDone;
 }
 
-CommandResult<int> exportMcap(const BagsWords& words, MapsCommand& command, BagReading& bags,
-                              const Order& order) {
-  if (isStandardOutput(order.path))
+/// What was written, in figures and in words.
+struct Told {
+  QJsonObject json;
+  QString sentence;
+};
+Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
+  switch (kind) {
+    case excerpt::Kind::Mcap:
+      return {
+          {{QStringLiteral("messages"), qint64(done.messages)},
+           {QStringLiteral("said_before"), qint64(done.said_before)}},
+          Words::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before)};
+    case excerpt::Kind::Lines:
+      return {{{QStringLiteral("messages"), qint64(done.messages)}},
+              Words::tr("%1 messages").arg(done.messages)};
+    default:
+      return {{{QStringLiteral("samples"), qint64(done.samples)},
+               {QStringLiteral("pieces"), qint64(done.pieces)}},
+              Words::tr("%1 samples in %2 pieces").arg(done.samples).arg(done.pieces)};
+  }
+}
+
+CommandResult<int> exportExcerpt(const BagsWords& words, MapsCommand& command, BagReading& bags,
+                                 const Order& order) {
+  const excerpt::Order wanted = excerptOf(words, bags, order);
+  const bool mcap = wanted.kind == excerpt::Kind::Mcap;
+  if (mcap && isStandardOutput(order.path))
     return wrong(Words::tr("An MCAP file needs a file of its own (-o FILE)."));
-  if (const auto recording = recordingOf(words)) return exportSlice(words, command, bags, *recording, order);
-  const PartOfBefore before(order);
-  auto begun =
-      BagMcap::create(words.output, bags.robot().session().robot().address(), words.name, order.span);
-  if (!begun) return tl::make_unexpected(notWritten(begun.error()));
-  before.tell(bags);
-  BagMcap& file = **begun;
-  std::int64_t odd = 0;
-  // What was said before is a part of what was so in that time: it is read as well.
-  const auto failed = bags.readRanges(
-      std::nullopt, order.span.to_s, [&](const replay::Chunk& chunk) -> std::optional<CommandFailure> {
-        odd += std::int64_t(chunk.source->without_stamp + chunk.source->unreadable);
-        for (std::size_t place = 0; place < chunk.order.size(); ++place) {
-          const robot::BagMessage& message = chunk.at(place);
-          if (!words.topic.empty() && message.message.topic != words.topic) continue;
-          if (const auto fault = file.take(message, chunk.source->textOf(message))) return notWritten(*fault);
-        }
-        return std::nullopt;
-      });
+  if (const auto recording = mcap ? recordingOf(words) : std::nullopt)
+    return exportSlice(words, command, bags, *recording, order);
+  const auto writing = excerpt::begin(wanted);
+  if (!writing) return tl::make_unexpected(notWritten(writing.error()));
+  const auto failed = bags.readRanges(excerpt::readsFrom(wanted), order.span.to_s,
+                                      [&](const replay::Chunk& chunk) -> std::optional<CommandFailure> {
+                                        if (const auto fault = (*writing)->take(chunk))
+                                          return notWritten(*fault);
+                                        return std::nullopt;
+                                      });
   if (failed) return tl::make_unexpected(*failed);
-  if (const auto fault = file.finish()) return tl::make_unexpected(notWritten(*fault));
-  noteOdd(bags, odd);
-  tell(words, order, command,
-       {{QStringLiteral("messages"), qint64(file.messages())},
-        {QStringLiteral("said_before"), qint64(file.saidBefore())}},
-       Words::tr("%1 messages, %2 that had been said before").arg(file.messages()).arg(file.saidBefore()));
+  const auto done = (*writing)->place();
+  if (!done) return tl::make_unexpected(notWritten(done.error()));
+  noteOdd(bags, done->odd);
+  const Told told = toldOf(*done, wanted.kind);
+  tell(words, order, command, told.json, told.sentence);
   return kDone;
 }
 
 }  // namespace
 
 int bagsExport(const BagsWords& words, int& argc, char** argv) {
-  return runExport(words, argc, argv, {QStringLiteral("mcap"), QStringLiteral("jsonl")},
-                   [&](MapsCommand& command, BagReading& bags, const Order& order) {
-                     return order.format == QLatin1String("mcap") ? exportMcap(words, command, bags, order)
-                                                                  : exportLines(words, command, bags, order);
-                   });
+  return runExport(words, argc, argv, {QStringLiteral("mcap"), QStringLiteral("jsonl")}, exportExcerpt);
 }
 
 int bagsTrack(const BagsWords& words, int& argc, char** argv) {
-  return runExport(
-      words, argc, argv, {QStringLiteral("csv"), QStringLiteral("geojson"), QStringLiteral("tum")},
-      [&](MapsCommand& command, BagReading& bags, const Order& order) -> CommandResult<int> {
-        replay::PrefixIndex index;
-        std::int64_t odd = 0;
-        const auto failed =
-            bags.readRanges(order.span.from_s, order.span.to_s, [&](const replay::Chunk& chunk) {
-              odd += std::int64_t(chunk.source->without_stamp + chunk.source->unreadable);
-              index.add(replay::tickOf(chunk.from_s), replay::digestOf(chunk));
-              return std::nullopt;
-            });
-        if (failed) return tl::make_unexpected(*failed);
-        const std::vector<replay::TrackPoint> track =
-            replay::within(replay::trackOf(index.digests()), order.span.from_s.value_or(-HUGE_VAL),
-                           order.span.to_s.value_or(HUGE_VAL));
-        const std::string written = order.format == QLatin1String("csv")   ? replay::csvOf(track)
-                                    : order.format == QLatin1String("tum") ? replay::tumOf(track)
-                                                                           : replay::geoJsonOf(track);
-        disk::WrittenFile file(words.output);
-        file.write(written);
-        if (const auto fault = file.place()) return tl::make_unexpected(notWritten(*fault));
-        noteOdd(bags, odd);
-        const std::size_t pieces = track.empty() ? 0 : track.back().piece - track.front().piece + 1;
-        tell(words, order, command,
-             {{QStringLiteral("samples"), qint64(track.size())}, {QStringLiteral("pieces"), qint64(pieces)}},
-             Words::tr("%1 samples in %2 pieces").arg(track.size()).arg(pieces));
-        return kDone;
-      });
+  return runExport(words, argc, argv,
+                   {QStringLiteral("csv"), QStringLiteral("geojson"), QStringLiteral("tum")}, exportExcerpt);
 }
 
 }  // namespace mapwright::app

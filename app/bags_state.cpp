@@ -17,6 +17,7 @@
 #include "app/output_paths.h"
 #include "app/table.h"
 #include "app/waypoint_list.h"
+#include "excerpt/excerpt.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
 
@@ -36,12 +37,12 @@ int runBagsCommand(const BagsWords& words, int& argc, char** argv,
 
 /// Those of a range that is held, between two times.
 /// False: nobody takes them any more.
-bool printFrames(const replay::Chunk& chunk, const TimeSpan& span, const std::string& topic) {
+bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span, const std::string& topic) {
   for (std::size_t place = 0; place < chunk.order.size(); ++place) {
     const robot::BagMessage& message = chunk.at(place);
     if (!span.holds(message.message.received_s)) continue;
     if (!topic.empty() && message.message.topic != topic) continue;
-    if (!printOut(jsonLine(chunk.source->textOf(message)) + "\n")) return false;
+    if (!printOut(excerpt::jsonLine(chunk.source->textOf(message)) + "\n")) return false;
   }
   return true;
 }

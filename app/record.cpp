@@ -10,7 +10,6 @@
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QJsonObject>
-#include <QLocale>
 #include <QTimer>
 
 #include "app/access_words.h"
@@ -29,6 +28,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
+#include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -193,10 +193,10 @@ class Run {
     }
     told_ = now.written.fault;
     if (!terminal_) return;
-    QString line = Words::tr("%1 s, %2, messages: %3")
-                       .arg(QString::number(now.seconds, 'f', 0),
-                            QLocale::c().formattedDataSize(qint64(now.written.bytes)),
-                            QString::number(now.written.messages));
+    QString line =
+        Words::tr("%1 s, %2, messages: %3")
+            .arg(QString::number(now.seconds, 'f', 0), window::bytesText(qint64(now.written.bytes)),
+                 QString::number(now.written.messages));
     if (now.written.lost > 0) line += Words::tr(", lost: %1").arg(now.written.lost);
     std::fprintf(stderr, "\r%-70s", qUtf8Printable(line));
   }
@@ -233,7 +233,7 @@ class Run {
     } else {
       std::printf("%s\n", qUtf8Printable(Words::tr("%1: %2 s, %3, messages: %4, files in it: %5")
                                              .arg(oneLine(order_.path), QString::number(done.seconds, 'f', 1),
-                                                  QLocale::c().formattedDataSize(qint64(done.written.bytes)),
+                                                  window::bytesText(qint64(done.written.bytes)),
                                                   QString::number(done.written.messages),
                                                   QString::number(done.written.files))));
     }
@@ -243,8 +243,7 @@ class Run {
       say(*refused_);
     } else if (done.written.lost > 0) {
       say(Words::tr("Not complete. Lost because the disk or this computer was too slow: %1 (%2).")
-              .arg(QString::number(done.written.lost),
-                   QLocale::c().formattedDataSize(qint64(done.written.lost_bytes))));
+              .arg(QString::number(done.written.lost), window::bytesText(qint64(done.written.lost_bytes))));
     }
     return complete ? kDone : kIncomplete;
   }

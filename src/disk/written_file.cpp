@@ -4,7 +4,9 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <fcntl.h>
+#include <fstream>
 #include <poll.h>
 #include <random>
 #include <sys/stat.h>
@@ -19,7 +21,7 @@ namespace mapwright::disk {
 namespace {
 
 constexpr std::size_t kBuffer = std::size_t(1) << 18;
-constexpr int kMostLinks = 40;
+constexpr int kMostLinks = 40, kMostNames = 100;
 constexpr auto kReaderComesWithin = std::chrono::seconds(5);  // at the other end of a named pipe
 constexpr auto kLookForReaderEvery = std::chrono::milliseconds(10);
 constexpr int kReaderSilentMs = 60'000;
@@ -40,6 +42,22 @@ std::string followed(std::string path) {
   }
   return {};
 }
+
+std::string nameBeside(const std::string& target, unsigned number) {
+  return folderOf(target) + "/.mapwright-" + std::to_string(number) + ".part";
+}
+
+/// What new files must not allow; nullopt: nobody tells. (To ask the system for it is to change it.)
+std::optional<mode_t> umaskNow() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("Umask:")) return mode_t(std::strtoul(line.c_str() + 6, nullptr, 8));
+  }
+  return std::nullopt;
+}
+
+/// An open file, whether or not it has a name.
+std::string linkOf(int fd) { return "/proc/self/fd/" + std::to_string(fd); }
 
 bool isNowhereToKeep(int error) { return error == EINVAL || error == ENOSYS || error == ENOTSUP; }
 
@@ -93,13 +111,9 @@ void WrittenFile::openAside() {
   if (replaces && !S_ISREG(before.st_mode)) return fail(EINVAL);  // it has become something else
   // Moving a file into place asks for the folder's permission only.
   if (replaces && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) return fail(errno);
+  replaces_ = replaces;
   const mode_t mode = replaces ? before.st_mode & 0777 : 0666;
-  std::random_device random;
-  for (int tries = 0; tries < 100 && fd_ < 0; ++tries) {
-    aside_ = folderOf(target_) + "/.mapwright-" + std::to_string(random()) + ".part";
-    fd_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (fd_ < 0 && errno != EEXIST) break;
-  }
+  if (!openUnnamed(mode)) openNamed(mode);
   if (fd_ < 0) {
     const int why = errno;
     aside_.clear();
@@ -118,6 +132,73 @@ void WrittenFile::openAside() {
     }
   }
   if (::fchmod(fd_, mode) != 0 && errno != EPERM) fail(errno);
+}
+
+bool WrittenFile::openUnnamed(mode_t mode) {
+  fd_ = ::open(folderOf(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+  if (fd_ < 0) return false;
+  // By the link it gets its name. Older systems forget the umask for such files.
+  const auto umask = umaskNow();
+  unnamed_ = umask && ::access(linkOf(fd_).c_str(), F_OK) == 0 && ::fchmod(fd_, mode & ~*umask) == 0;
+  if (!unnamed_) ::close(std::exchange(fd_, -1));
+  return unnamed_;
+}
+
+void WrittenFile::openNamed(mode_t mode) {
+  std::random_device random;
+  for (int tries = 0; tries < kMostNames && fd_ < 0; ++tries) {
+    aside_ = nameBeside(target_, random());
+    fd_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (fd_ < 0 && errno != EEXIST) break;
+  }
+}
+
+bool WrittenFile::give(const std::string& name) {
+  return ::linkat(AT_FDCWD, linkOf(fd_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+bool WrittenFile::giveName() {
+  // A name can be given, but not taken from another file: what is there is replaced by moving.
+  const bool at_once = !replaces_ && give(target_);
+  bool given = at_once;
+  std::random_device random;
+  for (int tries = 0; tries < kMostNames && !given; ++tries) {
+    aside_ = nameBeside(target_, random());
+    given = give(aside_);
+    if (!given && errno != EEXIST) break;
+  }
+  if (!given) copyAside();
+  if (fd_ >= 0) ::close(std::exchange(fd_, -1));
+  return at_once;
+}
+
+void WrittenFile::copyAside() {
+  // Some file systems have files without names that never get one.
+  const int from = std::exchange(fd_, -1);
+  aside_.clear();
+  struct stat about {};
+  if (::fstat(from, &about) != 0) fail(errno);
+  if (good()) openNamed(about.st_mode & 0777);
+  if (good() && fd_ < 0) {
+    fail(errno);
+    aside_.clear();
+  }
+  buffer_.resize(kBuffer);
+  off_t at = 0;
+  while (good()) {
+    const ssize_t some = ::pread(from, buffer_.data(), kBuffer, at);
+    if (some < 0 && errno == EINTR) continue;
+    if (some < 0) fail(errno);
+    if (some <= 0) break;
+    at += some;
+    buffer_.resize(std::size_t(some));
+    flush();
+    buffer_.resize(kBuffer);
+  }
+  buffer_.clear();
+  ::close(from);
+  if (good() && !synced(fd_)) fail(errno);
+  if (fd_ >= 0 && ::close(std::exchange(fd_, -1)) != 0 && errno != EINTR) fail(errno);
 }
 
 void WrittenFile::openThrough(bool pipe) {
@@ -185,6 +266,7 @@ bool WrittenFile::finish() {
   flush();
   if (fd_ < 0) return good();
   if (good() && way_ == Way::Aside && !synced(fd_)) fail(errno);
+  if (unnamed_) return good();  // until it has its name it is this alone
   // The last word of a network file system, or of a quota.
   if (::close(std::exchange(fd_, -1)) != 0 && errno != EINTR) fail(errno);
   return good();
@@ -193,9 +275,9 @@ bool WrittenFile::finish() {
 std::optional<Fault> WrittenFile::place() {
   finish();
   if (good() && !std::exchange(placed_, true) && way_ == Way::Aside) {
-    if (::rename(aside_.c_str(), target_.c_str()) != 0) {
-      fail(errno);
-    } else {
+    const bool named = unnamed_ && giveName();
+    if (good() && !named && ::rename(aside_.c_str(), target_.c_str()) != 0) fail(errno);
+    if (good()) {
       aside_.clear();
       // So that the new name, too, outlives a power cut; a folder that cannot be told so keeps it all the
       // same.

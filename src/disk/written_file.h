@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <sys/types.h>
 #include <vector>
 
 #include "disk/fault.h"
@@ -15,7 +16,9 @@ namespace mapwright::disk {
 bool isStandardOutput(const std::string& path);
 
 /// Written beside its place and moved there by place(), once all of it is on the disk; until then, and when
-/// anything fails, what was there before stays as it is. A link is followed to what it names. A file that is
+/// anything fails, what was there before stays as it is. Where the file system can do that it has no name
+/// until then (O_TMPFILE), so that a program that is killed leaves nothing; elsewhere it is
+/// ".mapwright-….part" beside its place. A link is followed to what it names. A file that is
 /// replaced keeps its permissions; a new one gets those that the umask leaves. A character device or a named
 /// pipe is written into as the bytes come, and so is the standard output ("-"); block devices and sockets
 /// are refused. One thread. SIGPIPE and SIGXFSZ must be ignored, or they end the program before that is told.
@@ -40,6 +43,13 @@ class WrittenFile {
  private:
   enum class Way { Aside, Through };  // Through: a device, a pipe or the standard output
   void openAside();
+  /// False: this file system cannot do that.
+  bool openUnnamed(mode_t mode);
+  void openNamed(mode_t mode);
+  bool give(const std::string& name);
+  /// True: it is in its place. False: it is beside it, or that failed.
+  bool giveName();
+  void copyAside();
   void openThrough(bool pipe);
   void flush();
   bool waitForRoom();
@@ -49,7 +59,8 @@ class WrittenFile {
 
   std::string path_;    // as given
   std::string target_;  // links followed
-  std::string aside_;   // empty: there is none
+  std::string aside_;   // empty: there is none, or it has no name
+  bool unnamed_ = false, replaces_ = false;
   std::optional<Fault> problem_;
   Way way_ = Way::Aside;
   int fd_ = -1;

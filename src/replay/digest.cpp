@@ -119,6 +119,10 @@ Digest digestOf(const Chunk& chunk) {
   for (std::uint32_t place = 0; place < chunk.order.size(); ++place) {
     const robot::BagMessage& each = chunk.at(place);
     const double stamp_s = each.message.received_s;
+    if (place == 0) digest.first_s = stamp_s;
+    if (place > 0 && stamp_s - digest.last_s >= kSilenceS)
+      digest.silences.emplace_back(digest.last_s, stamp_s);
+    digest.last_s = stamp_s;
     TopicSpan& span = digest.topics[each.message.topic];
     if (span.count++ == 0) span.first_s = stamp_s;
     span.last_s = stamp_s;

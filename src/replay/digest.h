@@ -30,6 +30,9 @@ struct TopicSpan {
   bool operator==(const TopicSpan&) const = default;
 };
 
+/// So long without any message is worth to be told.
+inline constexpr double kSilenceS = 5;
+
 struct Digest {
   /// The last message of a slot. `place` is that in Chunk::order.
   struct Last {
@@ -63,6 +66,8 @@ struct Digest {
   std::map<std::string, TopicSpan> topics;  // unknown ones, too
   double last_known_s = 0;                  // the stamp of the last message that says something of the world
   std::size_t messages = 0, known = 0;
+  double first_s = 0, last_s = 0;                   // of the messages, where there are any
+  std::vector<std::pair<double, double>> silences;  // within it: from one message to the next one
 };
 
 Digest digestOf(const Chunk& chunk);

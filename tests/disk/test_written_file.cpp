@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -75,6 +76,36 @@ class WrittenFileTest : public QObject {
       file.write("never placed");
     }
     QCOMPARE(read(at("a")), std::string("one"));
+    QCOMPARE(names(), QStringList{QStringLiteral("a")});
+  }
+
+  void whoIsKilledLeavesNothing() {
+    const int unnamed = ::open(folder_->path().toLocal8Bit().constData(), O_TMPFILE | O_RDWR, 0600);
+    if (unnamed < 0) QSKIP("this file system has no files without names");
+    ::close(unnamed);
+    put(at("there"), "before");
+    const pid_t child = ::fork();
+    QVERIFY(child >= 0);
+    if (child == 0) {
+      WrittenFile fresh(at("fresh")), there(at("there"));
+      const std::string much(std::size_t(1) << 20, 'x');
+      for (WrittenFile* const file : {&fresh, &there}) file->write(much);
+      if (fresh.finish()) ::kill(::getpid(), SIGKILL);
+      ::_exit(1);
+    }
+    int status = 0;
+    QCOMPARE(::waitpid(child, &status, 0), child);
+    QVERIFY(WIFSIGNALED(status));
+    QCOMPARE(names(), QStringList{QStringLiteral("there")});
+    QCOMPARE(read(at("there")), std::string("before"));
+  }
+
+  void whatHasComeThereMeanwhileIsReplacedToo() {
+    WrittenFile file(at("a"));
+    file.write("mine");
+    put(at("a"), "another's");
+    QVERIFY(!file.place());
+    QCOMPARE(read(at("a")), std::string("mine"));
     QCOMPARE(names(), QStringList{QStringLiteral("a")});
   }
 

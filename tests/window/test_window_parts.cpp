@@ -158,7 +158,7 @@ class TestWindowParts : public QObject {
              words("colorsNormal colorsIncremental colorsActive"));
     QCOMPARE(idsOf(menuCalled(*menuCalled(bar, "&View"), "Theme")->actions()),
              words("themeLight themeDark themeSystem"));
-    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(27).join(QLatin1Char(' ')),
+    QCOMPARE(idsOf(menuCalled(bar, "&View")->actions()).mid(28).join(QLatin1Char(' ')),
              QStringLiteral("- filter focusMap fullScreen resetLayout"));
     QCOMPARE(idsOf(menuCalled(bar, "&Help")->actions()).join(QLatin1Char(' ')),
              QStringLiteral("palette shortcuts - diagnostics about"));

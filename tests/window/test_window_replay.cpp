@@ -1,6 +1,9 @@
 // Bags in the window: the list, the replay in the place of the live robot, and the timeline, with real mouse
 // and keys, on the simulator.
+#include <QClipboard>
 #include <QComboBox>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -10,6 +13,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "excerpt/excerpt.h"
 #include "recorder/layout.h"
 #include "recording/source.h"
 #include "robot/axbot/axbot_address.h"
@@ -26,6 +30,8 @@
 #include "window/recordings/record_dialog.h"
 #include "window/recordings/recordings_controller.h"
 #include "window/recordings/recordings_dock.h"
+#include "window/replay/events_dock.h"
+#include "window/replay/range_export_dialog.h"
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_controller.h"
 #include "window/replay/timeline_dock.h"
@@ -182,6 +188,26 @@ class TestWindowReplay : public QObject {
     QVERIFY(!desk.list().model()->note(corrupt).text.isEmpty());
     QVERIFY(!desk.isReplay());
     QCOMPARE(desk.window->session()->connection().phase, robot::ConnectionPhase::Online);
+  }
+
+  void howLongABagIsStandsThereOnceItWasOpened() {
+    Desk desk;
+    desk.connect();
+    const auto shown = [&] {
+      return desk.list()
+          .model()
+          ->indexOf(kWhole)
+          .siblingAtColumn(BagsModel::DurationColumn)
+          .data()
+          .toString();
+    };
+    QCOMPARE(shown(), QStringLiteral("—"));
+    desk.doubleClick(kWhole);
+    QTRY_VERIFY(desk.clock().isOpen());
+    QTRY_VERIFY(desk.list().model()->rowCount() > 0);
+    QCOMPARE(shown(),
+             elapsedText(desk.clock().reading()->info()->end_s - desk.clock().reading()->info()->start_s)
+                 .chopped(2));
   }
 
   void aDoubleClickReplaysInThePlaceOfTheRobot() {
@@ -465,6 +491,255 @@ class TestWindowReplay : public QObject {
     QVERIFY(!planner->isChecked());
   }
 
+  void aListOfTheEventsGoesThereAndFollows() {
+    Desk desk;
+    desk.replay(kWhole);
+    EventsDock& list = *desk.window->replay()->eventsDock();
+    QVERIFY(!list.isVisible());
+    QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
+    QTRY_VERIFY(list.isVisible() && list.table()->isVisible());
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("all of the bag")));
+    const auto events = replay::eventsOf(desk.clock().reading()->index().digests());
+    QTRY_COMPARE(list.model()->rowCount(), int(events.size()));
+    QVERIFY(events.size() > 3);
+    for (int row = 0; row < int(events.size()); ++row)
+      QCOMPARE(list.model()->event(row)->at_s, events[std::size_t(row)].at_s);
+
+    const int last = int(events.size()) - 1;
+    const auto center = [&](int row) {
+      list.table()->scrollTo(list.model()->index(row, EventsModel::TextColumn));
+      return list.table()->visualRect(list.model()->index(row, EventsModel::TextColumn)).center();
+    };
+    QTest::mouseClick(list.table()->viewport(), Qt::LeftButton, {}, center(last));
+    QTest::mouseDClick(list.table()->viewport(), Qt::LeftButton, {}, center(last));
+    QCOMPARE(desk.clock().at(), events.back().at_s);
+    QCOMPARE(list.model()->presentRow(), last);
+    list.table()->setCurrentIndex(list.model()->index(0, 0));
+    QTest::keyClick(list.table(), Qt::Key_Return);
+    QCOMPARE(desk.clock().at(), events.front().at_s);
+    // What goes elsewhere takes the present row along, and into view.
+    desk.clock().seek(desk.clock().end());
+    QCOMPARE(list.model()->presentRow(), last);
+    QVERIFY(
+        list.table()->viewport()->rect().intersects(list.table()->visualRect(list.model()->index(last, 0))));
+    desk.clock().seek(desk.clock().start() - 1);
+    QCOMPARE(list.model()->presentRow(), -1);
+
+    list.table()->selectAll();
+    list.table()->setFocus();
+    QTest::keyClick(list.table(), Qt::Key_C, Qt::ControlModifier);
+    const QStringList lines =
+        QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), int(events.size()));
+    QVERIFY(lines.front().contains(eventText(events.front())));
+    QVERIFY(lines.front().contains(clockText(events.front().at_s)));
+
+    // It goes with the replay, and comes with the next one.
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QTRY_VERIFY(!desk.isReplay());
+    QVERIFY(!list.isVisible());
+    QCOMPARE(list.model()->rowCount(), 0);
+  }
+
+  void theListOfEventsIsFilteredByKindAndWords() {
+    Desk desk;
+    desk.replay(kWhole);
+    EventsDock& list = *desk.window->replay()->eventsDock();
+    QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_VERIFY(list.summaryShown().contains(QStringLiteral("all of the bag")));
+    const int all = list.model()->rowCount();
+    list.groupBox()->setCurrentIndex(list.groupBox()->findData(int(replay::EventGroup::Planner)));
+    const int planner = list.model()->rowCount();
+    QVERIFY(planner > 0 && planner < all);
+    for (int row = 0; row < planner; ++row)
+      QCOMPARE(replay::groupOf(list.model()->event(row)->kind), replay::EventGroup::Planner);
+    QVERIFY(list.summaryShown().startsWith(QStringLiteral("%1 of %2 events").arg(planner).arg(all)));
+    list.search()->setFocus();
+    QTest::keyClicks(list.search(), QStringLiteral("no such words"));
+    QCOMPARE(list.model()->rowCount(), 0);
+    QVERIFY(!list.emptyShown().isEmpty() && !list.saveButton()->isEnabled());
+    list.search()->clear();
+    list.groupBox()->setCurrentIndex(0);
+    QCOMPARE(list.model()->rowCount(), all);
+  }
+
+  void theListSaysWhatHasNotBeenReadAndHasItRead() {
+    Desk desk;
+    desk.action("replayReadAll")->setChecked(false);
+    desk.replay({BagKind::Bag, "eight_hours.bag"});
+    EventsDock& list = *desk.window->replay()->eventsDock();
+    QTest::mouseClick(desk.timeline().listButton(), Qt::LeftButton);
+    QTRY_VERIFY(list.readButton()->isVisible());
+    QVERIFY(list.summaryShown().contains(QStringLiteral("found so far")));
+    QVERIFY(desk.clock().readShare() < 0.5);
+    QTest::mouseClick(list.readButton(), Qt::LeftButton);
+    QVERIFY(desk.action("replayReadAll")->isChecked());
+    QVERIFY(!list.readButton()->isVisible());
+  }
+
+  void aHundredThousandEventsAreNoBurden() {
+    std::vector<replay::Event> events;
+    for (int i = 0; i < 100'000; ++i)
+      events.push_back(
+          {1'700'000'000 + i * 0.25, replay::EventKind::AlertBegan, i, "wheel " + std::to_string(i), 0});
+    EventsModel model;
+    QTableView view;
+    view.setModel(&model);
+    view.show();
+    QElapsedTimer took;
+    took.start();
+    model.setEvents(events, 1'700'000'000);
+    qInfo("set: %lld ms", static_cast<long long>(took.restart()));
+    model.setFilter({std::nullopt, QStringLiteral("WHEEL 9999")});
+    qInfo("filtered: %lld ms", static_cast<long long>(took.restart()));
+    QCOMPARE(model.rowCount(), 11);
+    model.setFilter({});
+    view.selectRow(50'000);
+    // What comes in the middle moves the rows after it, and the selection with them.
+    std::vector<replay::Event> more = events;
+    more.insert(more.begin() + 10, {1'700'000'002.6, replay::EventKind::EmergencyStopOn, 0, {}, 0});
+    took.restart();
+    model.setEvents(more, 1'700'000'000);
+    qInfo("one more: %lld ms", static_cast<long long>(took.restart()));
+    QCOMPARE(view.selectionModel()->selectedRows().front().row(), 50'001);
+    model.setAt(events[70'000].at_s);
+    QCOMPARE(model.presentRow(), 70'001);
+  }
+
+  void aRangeIsExportedAsMessagesAndAsWay_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("suffix");
+    QTest::newRow("mcap") << int(excerpt::Kind::Mcap) << ".mcap";
+    QTest::newRow("lines") << int(excerpt::Kind::Lines) << ".jsonl";
+    QTest::newRow("geojson") << int(excerpt::Kind::TrackGeoJson) << ".geojson";
+    QTest::newRow("csv") << int(excerpt::Kind::TrackCsv) << ".csv";
+    QTest::newRow("tum") << int(excerpt::Kind::TrackTum) << ".tum";
+  }
+  void aRangeIsExportedAsMessagesAndAsWay() {
+    QFETCH(int, kind);
+    QFETCH(QString, suffix);
+    Desk desk;
+    desk.replay(kWhole);
+    const double from_s = desk.clock().start() + 100, to_s = desk.clock().start() + 130;
+    desk.clock().setLoop(replay::Player::Loop{from_s, to_s});
+    desk.action("replayExport")->trigger();
+    QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    QVERIFY(dialog && dialog->isVisible());
+    QVERIFY(dialog->fromEdit()->text().endsWith(clockText(from_s)));
+    QVERIFY(dialog->toEdit()->text().endsWith(clockText(to_s)));
+    dialog->kindBox()->setCurrentIndex(dialog->kindBox()->findData(kind));
+    QVERIFY(dialog->pathEdit()->text().endsWith(suffix));
+    const QString path = desk.folder.filePath(QStringLiteral("part") + suffix);
+    dialog->pathEdit()->setText(path);
+    QSignalSpy exported(dialog, &RangeExportDialog::exported);
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QTRY_VERIFY(exported.count() == 1);
+    QTRY_VERIFY(!dialog);
+    QVERIFY(QFileInfo(path).size() > 0);
+    if (kind == int(excerpt::Kind::Mcap)) {
+      const auto source = recording::openRecording(path.toStdString());
+      QVERIFY(source);
+      QVERIFY((*source)->summary().finished);
+      QVERIFY(*(*source)->summary().end_ns <= excerpt::nanosecondsOf(to_s));
+      QVERIFY(*(*source)->summary().start_ns >= excerpt::nanosecondsOf(from_s));
+    } else if (kind == int(excerpt::Kind::Lines)) {
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      int lines = 0;
+      while (!file.atEnd()) {
+        const double at_s =
+            QJsonDocument::fromJson(file.readLine()).object()[QStringLiteral("__stamp")].toDouble();
+        QVERIFY(at_s >= from_s && at_s <= to_s);
+        ++lines;
+      }
+      QVERIFY(lines > 10);
+    }
+    // What is there is not replaced without a question.
+    desk.action("replayExport")->trigger();
+    dialog = desk.window->replay()->rangeDialog();
+    dialog->kindBox()->setCurrentIndex(dialog->kindBox()->findData(kind));
+    dialog->pathEdit()->setText(path);
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running());
+    QVERIFY(dialog->said().contains(QStringLiteral("exists")));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(dialog->running());
+    QTRY_VERIFY(!dialog);
+  }
+
+  void anExportThatIsCancelledOrLeftLeavesNothing() {
+    Desk desk;
+    desk.replay({BagKind::Bag, "eight_hours.bag"});
+    desk.action("replayExport")->trigger();
+    const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    QDir().mkpath(desk.folder.filePath(QStringLiteral("out")));
+    const QDir out(desk.folder.filePath(QStringLiteral("out")));
+    dialog->pathEdit()->setText(out.filePath(QStringLiteral("all.mcap")));
+    // Times that are none, or the wrong way round, are told at once.
+    dialog->fromEdit()->setText(QStringLiteral("never"));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("times between")));
+    QVERIFY(dialog->filmEdit()->text().isEmpty());
+    dialog->fromEdit()->setText(QStringLiteral("+30:00"));
+    dialog->toEdit()->setText(QStringLiteral("+20:00"));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("before the beginning")));
+    QVERIFY(dialog->filmEdit()->text().startsWith(
+        QStringLiteral("mapwright bags film 'eight_hours.bag' --robot ")));
+    dialog->fromEdit()->setText(QStringLiteral("+0"));
+    dialog->toEdit()->setText(QStringLiteral("-0"));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(dialog->running());
+    QTest::mouseClick(dialog->closeButton(), Qt::LeftButton);
+    QTRY_VERIFY(!dialog->running());
+    QVERIFY(dialog->said().contains(QStringLiteral("Cancelled")));
+    QVERIFY(out.entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(dialog->running());
+    QTest::mouseClick(desk.timeline().backButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running());
+    QVERIFY(dialog->said().contains(QStringLiteral("was closed")));
+    QVERIFY(!dialog->exportButton()->isEnabled());
+    QVERIFY(out.entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).isEmpty());
+    dialog->close();
+  }
+
+  void whatCannotBeWrittenIsASentenceInTheDialog() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.action("replayExport")->trigger();
+    const QPointer<RangeExportDialog> dialog = desk.window->replay()->rangeDialog();
+    dialog->pathEdit()->setText(desk.folder.filePath(QStringLiteral("no/such/folder/a.mcap")));
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("no folder")));
+    dialog->pathEdit()->setText(desk.folder.path());
+    QTest::mouseClick(dialog->exportButton(), Qt::LeftButton);
+    QVERIFY(!dialog->running() && dialog->said().contains(QStringLiteral("is a folder")));
+    dialog->close();
+  }
+
+  void whereNothingWasRecordedTheBandHasAHole() {
+    Desk desk;
+    desk.replay(kGap);
+    QTRY_VERIFY(desk.clock().reading()->chunks().wholeRead());
+    QTRY_VERIFY(!desk.axis().content().silences.empty());
+    const replay::Silence gap = desk.axis().content().silences.front();
+    QVERIFY(gap.until_s - gap.from_s >= replay::kSilenceS);
+    // No message lies within.
+    for (const auto& [from, digest] : desk.clock().reading()->index().digests()) {
+      for (const replay::Digest::Pose& pose : digest.poses)
+        QVERIFY(pose.stamp_s <= gap.from_s || pose.stamp_s >= gap.until_s);
+    }
+    const QString words = desk.axis().wordsAt(desk.pixelOf((gap.from_s + gap.until_s) / 2));
+    QVERIFY2(words.contains(QStringLiteral("Nothing was recorded from ")), qPrintable(words));
+    QVERIFY(!words.contains(QStringLiteral("could not be read")));
+    QVERIFY(!desk.axis().wordsAt(desk.pixelOf(gap.from_s - 30)).contains(QStringLiteral("Nothing was")));
+    desk.axis().grab();
+  }
+
   void theRobotIsDrawnBetweenTwoSamples() {
     Desk desk;
     desk.replay(BagKey{BagKind::Bag, "gap.bag"});
@@ -565,9 +840,22 @@ class TestWindowReplay : public QObject {
     RecordDialog* const dialog = desk.window->recordings()->recordDialog();
     QVERIFY(dialog);
     QTest::keyClicks(dialog->suffix(), QStringLiteral("te st/1"));
-    QCOMPARE(dialog->suffix()->text(), QStringLiteral("test1"));
+    // What cannot be a name is told, not swallowed.
+    QCOMPARE(dialog->suffix()->text(), QStringLiteral("te st/1"));
+    QVERIFY(dialog->errorShown().contains(QStringLiteral("letters")));
+    QVERIFY(!dialog->recordButton()->isEnabled());
+    dialog->suffix()->selectAll();
+    QTest::keyClicks(dialog->suffix(), QStringLiteral("test-1"));
+    QVERIFY(dialog->errorShown().isEmpty());
+    // The simulated robot records five minutes at most: the dialog stays with what it says.
+    dialog->duration()->setValue(600);
+    const QPointer<QDialog> open = dialog;
+    QTest::keyClick(dialog->suffix(), Qt::Key_Return);
+    QTRY_VERIFY(open && dialog->errorShown().contains(QStringLiteral("duration")));
+    QVERIFY(dialog->isVisible() && dialog->recordButton()->isEnabled());
     dialog->duration()->setValue(30);
     QTest::keyClick(dialog->suffix(), Qt::Key_Return);
+    QTRY_VERIFY(!open);
     QTRY_COMPARE(desk.list().model()->rowCount(), before + 1);
   }
 

@@ -28,6 +28,12 @@ namespace mapwright::window {
 
 using robot::ConnectionPhase;
 
+namespace {
+
+constexpr int kTickMs = 1000;
+
+}  // namespace
+
 ConnectionController::ConnectionController(WindowContext& context, Connect make_robot, QObject* parent)
     : Controller(parent),
       context_(context),
@@ -38,6 +44,11 @@ ConnectionController::ConnectionController(WindowContext& context, Connect make_
   addActions();
   wireCard();
   connect(&context_.current, &CurrentSession::stateChanged, this, &ConnectionController::refresh);
+  stale_tick_.setInterval(kTickMs);
+  connect(&stale_tick_, &QTimer::timeout, this, [this] {
+    if (chip_) refreshChip();
+    refreshNotices();
+  });
   context_.actions.placeOnBar({BarGroup::Robot, 10}, [this](QWidget* parent_widget) {
     chip_ = new ConnectionChip(parent_widget);
     chip_->setMenu(menus_->makeChipMenu(chip_));
@@ -235,7 +246,11 @@ void ConnectionController::refresh() {
   const session::Session* const session = context_.current.session();
   retry_->setEnabled(session != nullptr);
   disconnect_->setEnabled(session != nullptr);
-  context_.scene.setStale(session && session->staleSince().has_value());
+  const bool stale = session && session->staleSince().has_value();
+  context_.scene.setStale(stale);
+  // How long it lasts goes on by itself.
+  if (stale && !stale_tick_.isActive()) stale_tick_.start();
+  if (!stale) stale_tick_.stop();
   if (chip_) refreshChip();
   refreshNotices();
 }
@@ -258,6 +273,10 @@ void ConnectionController::refreshChip() {
     chip_->setRobot(bagCalled(*replayOf(session)), state.mark, tr("replay"), detail.join(QLatin1Char('\n')));
     return;
   }
+  if (const auto since = session->staleSince())
+    detail << tr("No connection since %1, %2")
+                  .arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss")),
+                       lengthText(since->secsTo(QDateTime::currentDateTime())));
   chip_->setRobot(robotCalled(session->robot()), state.mark, connectionWord(connection.phase),
                   detail.join(QLatin1Char('\n')));
 }

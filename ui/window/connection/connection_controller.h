@@ -7,6 +7,7 @@
 
 #include <QByteArray>
 #include <QSet>
+#include <QTimer>
 #include <tl/expected.hpp>
 
 #include "robot/robot.h"
@@ -74,6 +75,7 @@ class ConnectionController : public Controller {
   RobotMenus* menus_;
   ConnectionChip* chip_ = nullptr;
   QAction *retry_ = nullptr, *disconnect_ = nullptr;
+  QTimer stale_tick_;  // while the connection is lost
   SafetyText safety_;
   QString last_uuid_;
   QString secret_of_;           // an address

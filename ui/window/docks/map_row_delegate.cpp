@@ -85,7 +85,7 @@ void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   painter->setFont(option.font);
   painter->setPen(nameless ? colors.secondary_text : colors.text);
   painter->drawText(first, kLeft | Qt::TextSingleLine,
-                    metrics.elidedText(index.data().toString(), Qt::ElideRight, first.width()));
+                    metrics.elidedText(index.data().toString(), Qt::ElideMiddle, first.width()));
   QFont second = option.font;
   second.setPointSizeF(second.pointSizeF() * 0.88);
   painter->setFont(second);

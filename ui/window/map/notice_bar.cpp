@@ -1,5 +1,7 @@
 #include "window/map/notice_bar.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLocale>
@@ -76,11 +78,21 @@ void NoticeBar::paintEvent(QPaintEvent*) {
   paintMark(&painter, QRectF(14, height() / 2.0 - 7, 14, 14), mark_, colors);
 }
 
+QString lengthText(qint64 seconds) {
+  const qint64 s = std::max<qint64>(seconds, 0);
+  if (s < 60) return QCoreApplication::translate("window", "%1 s").arg(s);
+  if (s < 3600)
+    return QCoreApplication::translate("window", "%1 min %2 s")
+        .arg(QString::number(s / 60), QString::number(s % 60));
+  return QCoreApplication::translate("window", "%1 h %2 min")
+      .arg(QString::number(s / 3600), QString::number(s % 3600 / 60));
+}
+
 QString lostConnectionSentence(const QDateTime& since, const QDateTime& now) {
   const QString format =
       since.date() == now.date() ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm:ss");
-  return QCoreApplication::translate("window", "No connection since %1. Showing what was received.")
-      .arg(QLocale::c().toString(since, format));
+  return QCoreApplication::translate("window", "No connection since %1, %2. Showing what was received.")
+      .arg(QLocale::c().toString(since, format), lengthText(since.secsTo(now)));
 }
 
 }  // namespace mapwright::window

@@ -48,7 +48,9 @@ class NoticeBar : public QFrame {
   QToolButton* close_;
 };
 
-/// "No connection since 14:03:12. Showing what was received."
+/// "12 s", "1 min 48 s", "26 h 3 min".
+QString lengthText(qint64 seconds);
+/// "No connection since 14:03:12, 1 min 48 s. Showing what was received."
 QString lostConnectionSentence(const QDateTime& since, const QDateTime& now);
 
 }  // namespace mapwright::window

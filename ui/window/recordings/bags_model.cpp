@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kNameLength = 200;
 
+bool isFigure(int column) { return column == BagsModel::SizeColumn || column == BagsModel::DurationColumn; }
+
 QString iconOf(BagNote::Kind kind) {
   switch (kind) {
     case BagNote::Kind::Failed:
@@ -79,6 +81,15 @@ void BagsModel::setNote(const robot::BagKey& key, BagNote note) {
   if (first.isValid()) Q_EMIT dataChanged(first, first.siblingAtColumn(kColumns - 1));
 }
 
+void BagsModel::setDuration(const robot::BagKey& key, double length_s) {
+  durations_[key] = std::max(length_s, 0.0);
+  const QModelIndex row = indexOf(key);
+  if (row.isValid()) {
+    const QModelIndex cell = row.siblingAtColumn(DurationColumn);
+    Q_EMIT dataChanged(cell, cell);
+  }
+}
+
 BagNote BagsModel::note(const robot::BagKey& key) const {
   const auto found = notes_.find(key);
   return found == notes_.end() ? BagNote{} : found->second;
@@ -102,6 +113,11 @@ QString BagsModel::text(const robot::BagEntry& entry, int column) const {
       return kindWord(entry.key.kind);
     case SizeColumn:
       return entry.size_bytes ? bytesText(*entry.size_bytes) : plainWords(entry.size_text, 20);
+    case DurationColumn: {
+      const auto known = durations_.find(entry.key);
+      // Robots tell whole seconds.
+      return known == durations_.end() ? QStringLiteral("—") : elapsedText(known->second).chopped(2);
+    }
     case EndColumn:
       return entry.end_s ? QStringLiteral("%1 %2").arg(dayText(*entry.end_s), clockText(*entry.end_s, 0))
                          : plainWords(entry.end_text, 40);
@@ -114,6 +130,10 @@ QString BagsModel::text(const robot::BagEntry& entry, int column) const {
 
 QVariant BagsModel::sortValue(const robot::BagEntry& entry, int column) const {
   if (column == SizeColumn) return qint64(entry.size_bytes.value_or(-1));
+  if (column == DurationColumn) {
+    const auto known = durations_.find(entry.key);
+    return known == durations_.end() ? -1 : known->second;
+  }
   if (column == EndColumn) return entry.end_s.value_or(-1);
   return text(entry, column);
 }
@@ -129,10 +149,12 @@ QVariant BagsModel::data(const QModelIndex& index, int role) const {
     case kSortRole:
       return sortValue(*entry, index.column());
     case Qt::ToolTipRole:
+      if (index.column() == DurationColumn && !durations_.contains(entry->key))
+        return tr("How long it is the robot tells when it is opened.");
       return plainToolTip(text(*entry, index.column()));
     case Qt::TextAlignmentRole:
-      return int(index.column() == SizeColumn ? Qt::AlignRight | Qt::AlignVCenter
-                                              : Qt::AlignLeft | Qt::AlignVCenter);
+      return int(isFigure(index.column()) ? Qt::AlignRight | Qt::AlignVCenter
+                                          : Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
       return kind == BagNote::Kind::None ? QVariant() : QVariant(colorOf(kind, appColors()));
     case Qt::DecorationRole:
@@ -147,7 +169,7 @@ QVariant BagsModel::data(const QModelIndex& index, int role) const {
 QVariant BagsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole)
-    return int(section == SizeColumn ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
+    return int(isFigure(section) ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case NameColumn:
@@ -156,6 +178,8 @@ QVariant BagsModel::headerData(int section, Qt::Orientation orientation, int rol
       return tr("Kind");
     case SizeColumn:
       return tr("Size");
+    case DurationColumn:
+      return tr("Duration");
     case EndColumn:
       return tr("Ended (UTC)");
     case NoteColumn:

@@ -32,7 +32,7 @@ struct BagNote {
 class BagsModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { NameColumn, KindColumn, SizeColumn, EndColumn, NoteColumn, kColumns };
+  enum Column { NameColumn, KindColumn, SizeColumn, DurationColumn, EndColumn, NoteColumn, kColumns };
   static constexpr int kSortRole = Qt::UserRole;
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -41,6 +41,9 @@ class BagsModel : public QAbstractTableModel {
   void setRows(std::vector<robot::BagEntry> rows);
   void clear();
   void setNote(const robot::BagKey& key, BagNote note);
+  /// Robots tell it of one bag only, when that is asked for. Stays when the list is cleared.
+  void setDuration(const robot::BagKey& key, double length_s);
+  void forgetDurations() { durations_.clear(); }
   BagNote note(const robot::BagKey& key) const;
   /// nullptr: there is no such row.
   const robot::BagEntry* entry(int row) const;
@@ -59,6 +62,7 @@ class BagsModel : public QAbstractTableModel {
 
   std::vector<robot::BagEntry> rows_;
   std::map<robot::BagKey, BagNote> notes_;
+  std::map<robot::BagKey, double> durations_;  // seconds
 };
 
 /// "recording".

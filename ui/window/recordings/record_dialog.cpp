@@ -2,11 +2,14 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpressionValidator>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QVBoxLayout>
+
+#include "window/look/ui_colors.h"
 
 namespace mapwright::window {
 
@@ -18,23 +21,25 @@ constexpr int kSuffixLength = 60;
 }  // namespace
 
 RecordDialog::RecordDialog(QWidget* parent)
-    : QDialog(parent), suffix_(new QLineEdit(this)), duration_(new QSpinBox(this)) {
+    : QDialog(parent),
+      suffix_(new QLineEdit(this)),
+      duration_(new QSpinBox(this)),
+      record_(new QPushButton(tr("Record"), this)),
+      said_(new QLabel(this)) {
   setWindowTitle(tr("Record on the robot"));
   setMinimumWidth(380);
   suffix_->setMaxLength(kSuffixLength);
   suffix_->setPlaceholderText(tr("none"));
-  // It becomes part of a file name on the robot.
-  suffix_->setValidator(
-      new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z0-9_.-]*")), suffix_));
+  said_->setTextFormat(Qt::PlainText);
+  said_->setWordWrap(true);
   duration_->setRange(0, kLongestS);
   duration_->setSpecialValueText(tr("as the robot thinks right"));
   duration_->setSuffix(tr(" s"));
   auto* const form = new QFormLayout;
   form->addRow(tr("&Suffix of the name"), suffix_);
   form->addRow(tr("&Duration"), duration_);
-  auto* const record = new QPushButton(tr("Record"), this);
-  record->setObjectName(QStringLiteral("primary"));
-  record->setDefault(true);
+  record_->setObjectName(QStringLiteral("primary"));
+  record_->setDefault(true);
   auto* const cancel = new QPushButton(tr("Cancel"), this);
   cancel->setObjectName(QStringLiteral("secondary"));
   cancel->setAutoDefault(false);
@@ -42,13 +47,49 @@ RecordDialog::RecordDialog(QWidget* parent)
   buttons->setSpacing(8);
   buttons->addStretch();
   buttons->addWidget(cancel);
-  buttons->addWidget(record);
+  buttons->addWidget(record_);
   auto* const column = new QVBoxLayout(this);
   column->setSpacing(12);
   column->addLayout(form);
+  column->addWidget(said_);
   column->addLayout(buttons);
-  connect(record, &QPushButton::clicked, this, &QDialog::accept);
+  connect(suffix_, &QLineEdit::textChanged, this, &RecordDialog::check);
+  connect(record_, &QPushButton::clicked, this, &RecordDialog::recordWanted);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  check();
+}
+
+void RecordDialog::say(const QString& sentence, bool bad) {
+  bad_ = bad;
+  const UiColors colors = appColors();
+  QPalette palette = said_->palette();
+  palette.setColor(QPalette::WindowText, bad ? colors.error_text : colors.secondary_text);
+  said_->setPalette(palette);
+  said_->setText(sentence);
+  said_->setVisible(!sentence.isEmpty());
+}
+
+void RecordDialog::check() {
+  // It becomes part of a file name on the robot. What cannot be in it is told, not swallowed.
+  static const QRegularExpression fits(QStringLiteral("^[A-Za-z0-9_-]*$"));
+  const bool good = fits.match(suffix_->text()).hasMatch();
+  say(good ? QString() : tr("A suffix has letters from A to Z, digits, - and _ only."), !good);
+  record_->setEnabled(good && !asking_);
+}
+
+QString RecordDialog::errorShown() const { return bad_ ? said_->text() : QString(); }
+
+void RecordDialog::setAsking(bool asking) {
+  asking_ = asking;
+  suffix_->setEnabled(!asking);
+  duration_->setEnabled(!asking);
+  check();
+  if (asking) say(tr("Asking the robot…"), false);
+}
+
+void RecordDialog::fail(const QString& sentence) {
+  setAsking(false);
+  say(sentence, true);
 }
 
 robot::BagOrder RecordDialog::order() const {

@@ -1,4 +1,4 @@
-// What the robot is to record: a suffix of the name, and how long.
+// What the robot is to record: a suffix of the name, and how long. Stays until the robot has said yes.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,9 @@
 
 #include "robot/bag_library.h"
 
+class QLabel;
 class QLineEdit;
+class QPushButton;
 class QSpinBox;
 
 namespace mapwright::window {
@@ -19,10 +21,24 @@ class RecordDialog : public QDialog {
   robot::BagOrder order() const;
   QLineEdit* suffix() const { return suffix_; }
   QSpinBox* duration() const { return duration_; }
+  QPushButton* recordButton() const { return record_; }
+  /// What is wrong; empty = nothing.
+  QString errorShown() const;
+  /// The robot is being asked.
+  void setAsking(bool asking);
+  void fail(const QString& sentence);
+
+ Q_SIGNALS:
+  void recordWanted();
 
  private:
+  void check();
+  void say(const QString& sentence, bool bad);
   QLineEdit* suffix_;
   QSpinBox* duration_;
+  QPushButton* record_;
+  QLabel* said_;
+  bool asking_ = false, bad_ = false;
 };
 
 }  // namespace mapwright::window

@@ -89,6 +89,8 @@ void RecordingsController::setSession(session::Session* session) {
   loading_ = listed_ = false;
   error_.clear();
   dock_->model()->clear();
+  if (session && std::exchange(durations_of_, session->robot().address()) != session->robot().address())
+    dock_->model()->forgetDurations();
   if (session) {
     const auto look = [this] {
       const session::Session* const present = context_.current.session();
@@ -149,6 +151,7 @@ void RecordingsController::open(const BagKey& key) {
   library->info(key, [this, key](const robot::Outcome<robot::BagInfo>& outcome) {
     if (!outcome) return fail(key, outcome.error());
     dock_->model()->setNote(key, {});
+    dock_->model()->setDuration(key, outcome->end_s - outcome->start_s);
     // The robot that answers here is left then: not from within its answer.
     QMetaObject::invokeMethod(
         this, [this, key] { Q_EMIT openWanted(key); }, Qt::QueuedConnection);
@@ -208,19 +211,25 @@ void RecordingsController::askToRecord() {
   if (!library() || recordDialog()) return;
   auto* const dialog = new RecordDialog(&context_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { record(dialog->order()); });
+  connect(dialog, &RecordDialog::recordWanted, this, [this, dialog] { record(dialog); });
   dialog->open();
 }
 
-void RecordingsController::record(const robot::BagOrder& order) {
+void RecordingsController::record(RecordDialog* asked) {
   robot::BagLibrary* const library = this->library();
   if (!library) return;
-  library->record(order, [this](const robot::Outcome<robot::BagEntry>& outcome) {
+  asked->setAsking(true);
+  library->record(asked->order(), [this, asking = QPointer<QDialog>(asked)](
+                                      const robot::Outcome<robot::BagEntry>& outcome) {
+    auto* const dialog = qobject_cast<RecordDialog*>(asking.data());
+    // Who has closed it is told all the same.
+    const bool open = dialog && dialog->isVisible();
     if (outcome) {
       context_.overlay.toasts()->add(Mark::Good, tr("The robot records %1.").arg(bagCalled(outcome->key)));
+      if (open) dialog->accept();
     } else {
-      context_.overlay.toasts()->add(Mark::Bad,
-                                     tr("Nothing was recorded: %1").arg(sentence(outcome.error())));
+      const QString why = tr("Nothing was recorded: %1").arg(sentence(outcome.error()));
+      open ? dialog->fail(why) : context_.overlay.toasts()->add(Mark::Bad, why);
     }
     refresh();
   });
@@ -250,7 +259,9 @@ void RecordingsController::remove(const BagKey& key) {
   if (!library) return;
   dock_->model()->setNote(key, {Kind::Deleting, tr("deleting…")});
   library->remove(key, [this, key](const robot::Outcome<BagKey>& outcome) {
-    if (!outcome) return fail(key, outcome.error());
+    if (!outcome)
+      return dock_->model()->setNote(key,
+                                     {Kind::Failed, tr("not deleted: %1").arg(sentence(outcome.error()))});
     dock_->model()->setNote(key, {});
     context_.overlay.toasts()->add(Mark::Good, tr("%1 is deleted.").arg(bagCalled(key)));
     refresh();

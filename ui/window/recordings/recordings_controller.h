@@ -44,12 +44,13 @@ class RecordingsController : public Controller {
   void takeDownload(const robot::BagKey& key, const QString& path,
                     const robot::Outcome<robot::BagDownload>& outcome);
   void askToRecord();
-  void record(const robot::BagOrder& order);
+  void record(RecordDialog* dialog);
   void askToDelete(const robot::BagKey& key);
   void remove(const robot::BagKey& key);
 
   WindowContext& context_;
   RecordingsDock* dock_;
+  QString durations_of_;  // the address of the robot whose bags the model knows how long
   bool loading_ = false, listed_ = false;
   QString error_;
   std::uint64_t asked_ = 0;  // tells the last question for the list from earlier ones

@@ -52,6 +52,8 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setShowGrid(false);
   table_->setWordWrap(false);
+  // The ends of names tell them apart.
+  table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->verticalHeader()->hide();
@@ -64,9 +66,10 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   header->setHighlightSections(false);
   header->setStretchLastSection(true);
   const auto wide = [this](const QString& sample) { return fontMetrics().horizontalAdvance(sample) + 24; };
-  header->resizeSection(BagsModel::NameColumn, wide(QStringLiteral("2023-10-31 14:36:17_00000000.bag")));
+  header->resizeSection(BagsModel::NameColumn, wide(QStringLiteral("2023-10-31_14-36-17.bag")));
   header->resizeSection(BagsModel::KindColumn, wide(QStringLiteral("recording")));
   header->resizeSection(BagsModel::SizeColumn, wide(QStringLiteral("000.0 MB")));
+  header->resizeSection(BagsModel::DurationColumn, wide(QStringLiteral("00:00:00")));
   header->resizeSection(BagsModel::EndColumn, wide(QStringLiteral("2023-10-31 14:36:17")));
   layOut();
 

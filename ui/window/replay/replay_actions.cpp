@@ -60,6 +60,9 @@ ReplayActions::ReplayActions(WindowContext& context, ReplayClock& clock, Timelin
   read_all_->setChecked(true);
   menu_->addAction(read_all_);
   connect(read_all_, &QAction::toggled, this, &ReplayActions::readsAllChanged);
+  entry("replayExport", tr("E&xport a range…"), "export", "",
+        tr("Write a part of the bag, or the way of the robot, into a file"),
+        [this] { Q_EMIT exportWanted(); });
   menu_->addSeparator();
   back_ = context_.actions.add(tr("Replay"), QStringLiteral("replayBack"), tr("Back to the r&obot"),
                                QStringLiteral("robot"), {}, Reach::Everywhere, tr("End the replay"));

@@ -30,6 +30,7 @@ class ReplayActions : public QObject {
  Q_SIGNALS:
   void backWanted();
   void readsAllChanged(bool all);
+  void exportWanted();
 
  private:
   template <typename What>

@@ -73,15 +73,22 @@ replay::Reading* ReplayClock::reading() const { return player_ && robot_ ? robot
 
 Knowledge ReplayClock::knowledge() const { return robot_ ? robot_->knowledge() : Knowledge::Buffering; }
 
-double ReplayClock::lookedBack() const {
+double ReplayClock::lookedBack() const { return readShareUntil(at()); }
+
+double ReplayClock::readShare() const {
+  const replay::Reading* const reading = this->reading();
+  if (!reading) return 0;
+  return reading->chunks().wholeRead() ? 1 : std::min(readShareUntil(end()), 1 - 1e-9);
+}
+
+double ReplayClock::readShareUntil(double until_s) const {
   const replay::Reading* const reading = this->reading();
   if (!reading) return 0;
   double of_s = 0, read_s = 0;
-  const double at_s = at();
   for (const auto& [from, cell] : reading->chunks().cells()) {
     const double begins_s = std::max(replay::secondsOf(cell.from), start());
     const double ends_s = std::min(replay::secondsOf(cell.until), end());
-    if (begins_s > at_s || ends_s <= begins_s) continue;
+    if (begins_s > until_s || ends_s <= begins_s) continue;
     of_s += ends_s - begins_s;
     if (cell.state == replay::CellState::Read) read_s += ends_s - begins_s;
   }

@@ -40,6 +40,9 @@ class ReplayClock : public QObject {
   replay::Knowledge knowledge() const;
   /// How much of what lies before at() has been read, 0..1.
   double lookedBack() const;
+  /// How much of all of the bag has been read, 0..1; 1 exactly when nothing is missing, beyond its told times
+  /// too.
+  double readShare() const;
 
   bool playing() const;
   double speed() const { return player_ ? player_->speed() : 1; }
@@ -73,6 +76,8 @@ class ReplayClock : public QObject {
   void stateChanged();
 
  private:
+  /// Of what begins until then.
+  double readShareUntil(double until_s) const;
   void open();
   void proceed();
   void goSoon();

@@ -5,17 +5,27 @@
 #include <utility>
 
 #include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QKeyEvent>
+#include <QStandardPaths>
 
+#include "disk/written_file.h"
+#include "reasons/file_reason.h"
 #include "scene/pose_between.h"
 #include "sentences/reason_sentence.h"
+#include "window/clipboard.h"
 #include "window/current_session.h"
+#include "window/files/folders.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
 #include "window/map/toast_stack.h"
 #include "window/notices.h"
 #include "window/on_screen.h"
 #include "window/panels.h"
+#include "window/replay/events_dock.h"
+#include "window/replay/range_export_dialog.h"
 #include "window/replay/replay_actions.h"
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_state.h"
@@ -31,6 +41,9 @@ using robot::ConnectionPhase;
 namespace {
 
 const QString kReadAllKey = QStringLiteral("replay/readAll");
+const QString kFollowEventsKey = QStringLiteral("replay/followEvents");
+const QString kRangeFolderKey = QStringLiteral("replay/exportFolder");
+const QString kEventsFolderKey = QStringLiteral("replay/eventsFolder");
 const QString kHiddenEventsKey = QStringLiteral("replay/hiddenEvents");
 constexpr double kNearTrackPx = 10, kRoomAroundTrackM = 8;
 constexpr double kOnePassS = 3;  // poses so near in time belong to one pass by a place
@@ -42,14 +55,20 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
       context_(context),
       make_robot_(std::move(make_robot)),
       clock_(new ReplayClock({}, this)),
-      dock_(new TimelineDock(*clock_, &context.window)) {
+      dock_(new TimelineDock(*clock_, &context.window)),
+      events_(new EventsDock(*clock_, &context.window)) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Bottom, .tab = 40, .menu_rank = 48, .open = false});
+  context_.panels.add(events_, {.side = PanelPlace::Side::Bottom, .tab = 45, .menu_rank = 49, .open = false});
   actions_ = new ReplayActions(context_, *clock_, *dock_, this);
   connect(actions_, &ReplayActions::backWanted, this, &ReplayController::back);
   connect(actions_, &ReplayActions::readsAllChanged, this, [this](bool all) {
     if (replay::Reading* const reading = clock_->reading()) reading->setWhole(all);
+    events_->setReadsAll(all);
   });
+  connectEvents();
   connect(dock_, &TimelineDock::backWanted, this, &ReplayController::back);
+  connect(dock_, &TimelineDock::exportWanted, this, &ReplayController::exportRange);
+  connect(actions_, &ReplayActions::exportWanted, this, &ReplayController::exportRange);
   connect(clock_, &ReplayClock::opened, this, &ReplayController::takeOpened);
   connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::showPose);
   connect(clock_, &ReplayClock::stateChanged, this, [this] {
@@ -63,7 +82,67 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   context_.view.viewport()->installEventFilter(this);
 }
 
-ReplayController::~ReplayController() { clock_->detach(); }
+ReplayController::~ReplayController() {
+  if (range_dialog_) range_dialog_->leaveBag();
+  clock_->detach();
+}
+
+void ReplayController::connectEvents() {
+  connect(dock_, &TimelineDock::listWanted, this, [this] { context_.panels.open(events_); });
+  connect(dock_, &TimelineDock::eventsChanged, this,
+          [this] { events_->setEvents(dock_->view()->content().events); });
+  connect(events_, &EventsDock::readAllWanted, this, [this] { actions_->setReadsAll(true); });
+  connect(events_, &EventsDock::copyWanted, this,
+          [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
+  connect(events_, &EventsDock::saveWanted, this, &ReplayController::saveEvents);
+}
+
+RangeExportDialog* ReplayController::rangeDialog() const { return range_dialog_; }
+
+void ReplayController::exportRange() {
+  const replay::Reading* const reading = clock_->reading();
+  session::Session* const session = context_.current.session();
+  const replay::ReplayRobot* const robot = replayOf(session);
+  if (!reading || !robot || !session->robot().bagLibrary()) return;
+  if (range_dialog_) return range_dialog_->raise();
+  RangeOffer offer;
+  offer.source = {session->robot().bagLibrary(), reading->key(), {}};
+  offer.address = robot->address();
+  const auto address = context_.addresses.parse(offer.address);
+  if (reading->key().kind == robot::BagKind::File && address)
+    offer.source.recording = address->path.toStdString();
+  offer.name = QString::fromStdString(reading->key().name);
+  offer.first_s = clock_->start();
+  offer.last_s = clock_->end();
+  offer.loop = clock_->loop();
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  offer.folder = folderToWriteInto({context_.settings.value(kRangeFolderKey).toString(), documents});
+  offer.workers = context_.workers;
+  range_dialog_ = new RangeExportDialog(std::move(offer), &context_.window);
+  range_dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(range_dialog_, &RangeExportDialog::exported, this,
+          [this](const QString& path, const QString& sentence) {
+            context_.settings.setValue(kRangeFolderKey, QFileInfo(path).absolutePath());
+            context_.overlay.toasts()->add(Mark::Good, sentence);
+          });
+  range_dialog_->show();
+}
+
+void ReplayController::saveEvents() {
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QDir folder(folderToWriteInto({context_.settings.value(kEventsFolderKey).toString(), documents}));
+  QString path =
+      QFileDialog::getSaveFileName(&context_.window, tr("Save the listed events"),
+                                   folder.filePath(QStringLiteral("events.csv")), tr("Tables (*.csv)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".csv");
+  context_.settings.setValue(kEventsFolderKey, QFileInfo(path).absolutePath());
+  if (const auto fault = disk::writeFile(path.toStdString(), events_->model()->csv())) {
+    context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(reasons::notWritten(*fault)));
+  } else {
+    context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
+  }
+}
 
 void ReplayController::openBag(const robot::BagKey& key) {
   auto origin = make_robot_(context_.current.address());
@@ -105,6 +184,8 @@ void ReplayController::back() {
 
 void ReplayController::setSession(session::Session* session) {
   const bool was_replay = clock_->isOpen() || !dock_was_open_;
+  // What reads of the bag must not outlive its robot.
+  if (range_dialog_) range_dialog_->leaveBag();
   clock_->detach();
   scene::PoseBetween::of(context_.scene).show(std::nullopt);
   auto* const robot = session ? qobject_cast<replay::ReplayRobot*>(&session->robot()) : nullptr;
@@ -115,10 +196,16 @@ void ReplayController::setSession(session::Session* session) {
     dock_->setOpening(tr("Opening %1…").arg(bagCalled(*robot)));
     clock_->attach(*robot, *session);
     context_.panels.open(dock_);
+    if (std::exchange(events_wanted_, false)) events_->show();
   } else if (session && was_replay && !std::exchange(dock_was_open_, true)) {
     dock_->hide();
   }
   if (!robot) dock_->setOpening({});
+  // Without a replay it has nothing to say.
+  if (session && !robot && events_->toggleViewAction()->isChecked()) {
+    events_wanted_ = true;
+    events_->hide();
+  }
   maps_chosen_ = false;
   if (session && mode_before_ && viewMode(context_.scene) == ViewMode::Whole)
     setViewMode(context_.scene, *mode_before_);
@@ -242,11 +329,13 @@ void ReplayController::clickedOnMap(const Eigen::Vector2d& world_m) {
 void ReplayController::recall(const QSettings& settings) {
   actions_->setReadsAll(settings.value(kReadAllKey, true).toBool());
   dock_->setHiddenGroups(settings.value(kHiddenEventsKey).toStringList());
+  events_->setFollows(settings.value(kFollowEventsKey, true).toBool());
 }
 
 void ReplayController::remember(QSettings& settings) {
   settings.setValue(kReadAllKey, actions_->readsAll());
   settings.setValue(kHiddenEventsKey, dock_->hiddenGroups());
+  settings.setValue(kFollowEventsKey, events_->follows());
 }
 
 bool ReplayController::eventFilter(QObject* watched, QEvent* event) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <Eigen/Core>
+#include <QPointer>
 #include <tl/expected.hpp>
 
 #include "robot/bag_library.h"
@@ -15,6 +16,8 @@
 
 namespace mapwright::window {
 
+class EventsDock;
+class RangeExportDialog;
 class ReplayActions;
 class ReplayClock;
 class TimelineDock;
@@ -31,6 +34,7 @@ class ReplayController : public Controller {
 
   ReplayClock& clock() const { return *clock_; }
   TimelineDock* dock() const { return dock_; }
+  EventsDock* eventsDock() const { return events_; }
 
   /// A bag of the present robot, or of the one whose bag is shown. What went wrong becomes a toast.
   void openBag(const robot::BagKey& key);
@@ -41,6 +45,9 @@ class ReplayController : public Controller {
   void open(std::unique_ptr<robot::Robot> origin, const std::string& name);
   /// Ends the replay; connects to the robot that was on screen before, if there was one.
   void back();
+  /// Asks which part of the open bag goes into a file.
+  void exportRange();
+  RangeExportDialog* rangeDialog() const;  // null: not open
   /// A click on the way that the robot took goes to the time when it was there.
   void clickedOnMap(const Eigen::Vector2d& world_m);
 
@@ -60,6 +67,8 @@ class ReplayController : public Controller {
   void chooseMaps();
   void chooseMode();
   void fitAtFirst();
+  void connectEvents();
+  void saveEvents();
   void refresh();
   QString backWords() const;
 
@@ -67,10 +76,13 @@ class ReplayController : public Controller {
   MakeRobot make_robot_;
   ReplayClock* clock_;
   TimelineDock* dock_;
+  EventsDock* events_;
+  QPointer<RangeExportDialog> range_dialog_;
   ReplayActions* actions_;
   QString live_address_;        // of the robot that was left for the replay; empty = none
   bool space_pressed_ = false;  // on the map, and nothing else since
   bool dock_was_open_ = true;
+  bool events_wanted_ = false;  // the list stands open with the next replay
   bool maps_chosen_ = false;
   std::optional<ViewMode> mode_before_;  // a bag without submaps
 };

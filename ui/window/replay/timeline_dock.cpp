@@ -60,6 +60,7 @@ TimelineDock::TimelineDock(ReplayClock& clock, QWidget* parent)
   event_forward_ = button("event-forward", tr("Next event"), tr("To the next event (Page down)"));
   events_ = button("filter", tr("Which events"), {});
   makeEventsMenu();
+  list_ = button("list", tr("List of events"), tr("List what happened in the bag"));
   speed_ = new QComboBox(this);
   speed_->setEditable(true);
   speed_->setInsertPolicy(QComboBox::NoInsert);
@@ -174,6 +175,7 @@ void TimelineDock::layOut() {
   for (QToolButton* const tool : {event_back_, message_back_, play_, message_forward_, event_forward_})
     row->addWidget(tool);
   row->addWidget(events_);
+  row->addWidget(list_);
   row->addSpacing(8);
   row->addWidget(speed_);
   row->addSpacing(8);
@@ -202,6 +204,7 @@ void TimelineDock::connectView() {
   connect(view_, &TimelineView::eventWanted, this, &TimelineDock::goToNextEvent);
   connect(view_, &TimelineView::speedWanted, this, &TimelineDock::faster);
   connect(view_, &TimelineView::menuWanted, this, &TimelineDock::showMenu);
+  connect(list_, &QToolButton::clicked, this, &TimelineDock::listWanted);
   connect(play_, &QToolButton::clicked, &clock_, &ReplayClock::togglePlaying);
   connect(message_back_, &QToolButton::clicked, this, [this] { clock_.stepMessage(-1); });
   connect(message_forward_, &QToolButton::clicked, this, [this] { clock_.stepMessage(1); });
@@ -227,6 +230,9 @@ void TimelineDock::showMenu(const QPoint& global_pos, double at_s) {
   menu.addAction(tr("End the loop"), &clock_, [this] { clock_.setLoop(std::nullopt); })
       ->setEnabled(clock_.loop().has_value());
   menu.addSeparator();
+  menu.addAction(themedIcon(QStringLiteral("export")),
+                 clock_.loop() ? tr("Export the loop…") : tr("Export a range…"), this,
+                 &TimelineDock::exportWanted);
   menu.addAction(themedIcon(QStringLiteral("fit")), tr("Show all of the bag"), view_, &TimelineView::showAll);
   menu.exec(global_pos);
 }
@@ -314,10 +320,12 @@ void TimelineDock::takeContent() {
   content.last_s = clock_.end();
   for (const auto& [from, cell] : reading->chunks().cells()) content.ranges.push_back(rangeOf(cell));
   content.events = replay::eventsOf(reading->index().digests());
+  content.silences = replay::silencesIn(reading->chunks(), reading->index().digests());
   const bool empty = content.ranges.empty();
   view_->setContent(std::move(content));
   view_->setNotice(empty ? tr("This bag holds no messages.") : QString());
   takeTime(clock_.at());
+  Q_EMIT eventsChanged();
 }
 
 void TimelineDock::takeTime(double at_s) {
@@ -333,10 +341,11 @@ void TimelineDock::takeTime(double at_s) {
 void TimelineDock::takeState() {
   const replay::Reading* const reading = clock_.reading();
   const bool open = reading != nullptr;
-  for (QWidget* const control : {static_cast<QWidget*>(event_back_), static_cast<QWidget*>(message_back_),
-                                 static_cast<QWidget*>(play_), static_cast<QWidget*>(message_forward_),
-                                 static_cast<QWidget*>(event_forward_), static_cast<QWidget*>(events_),
-                                 static_cast<QWidget*>(speed_), static_cast<QWidget*>(time_)})
+  for (QWidget* const control :
+       {static_cast<QWidget*>(event_back_), static_cast<QWidget*>(message_back_),
+        static_cast<QWidget*>(play_), static_cast<QWidget*>(message_forward_),
+        static_cast<QWidget*>(event_forward_), static_cast<QWidget*>(events_), static_cast<QWidget*>(list_),
+        static_cast<QWidget*>(speed_), static_cast<QWidget*>(time_)})
     control->setEnabled(open);
   const bool playing = clock_.playing();
   play_->setIcon(themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play")));

@@ -44,12 +44,19 @@ class TimelineDock : public QDockWidget {
   QString stateShown() const;
   QString lengthShown() const;
   QToolButton* eventsButton() const { return events_; }
+  QToolButton* listButton() const { return list_; }
   /// Which events are shown, by the words of their groups; for the settings.
   QStringList hiddenGroups() const;
   void setHiddenGroups(const QStringList& words);
 
  Q_SIGNALS:
   void backWanted();
+  /// A part of the bag is to go into a file.
+  void exportWanted();
+  /// The panel that lists the events.
+  void listWanted();
+  /// Those of the view have been found anew.
+  void eventsChanged();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -74,7 +81,7 @@ class TimelineDock : public QDockWidget {
 
   ReplayClock& clock_;
   TimelineView* view_;
-  QToolButton *event_back_, *message_back_, *play_, *message_forward_, *event_forward_, *events_;
+  QToolButton *event_back_, *message_back_, *play_, *message_forward_, *event_forward_, *events_, *list_;
   QComboBox* speed_;
   QLineEdit* time_;
   PlainLabel* length_;

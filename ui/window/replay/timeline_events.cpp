@@ -78,6 +78,32 @@ QString eventText(const Event& event) {
   return {};
 }
 
+QString kindName(EventKind kind) {
+  switch (kind) {
+    case EventKind::AlertBegan:
+      return Words::tr("Alert");
+    case EventKind::AlertEnded:
+      return Words::tr("Alert ended");
+    case EventKind::MoveState:
+      return Words::tr("Planner");
+    case EventKind::PositionJump:
+      return Words::tr("Position jump");
+    case EventKind::MapChanged:
+      return Words::tr("Map");
+    case EventKind::SessionChanged:
+      return Words::tr("SLAM session");
+    case EventKind::QualityLow:
+      return Words::tr("Position poor");
+    case EventKind::QualityGood:
+      return Words::tr("Position good");
+    case EventKind::EmergencyStopOn:
+      return Words::tr("Emergency stop");
+    case EventKind::EmergencyStopOff:
+      return Words::tr("Stop released");
+  }
+  return {};
+}
+
 QString groupName(replay::EventGroup group) {
   switch (group) {
     case replay::EventGroup::Alerts:

@@ -23,6 +23,8 @@ struct EventMark {
 EventMark markOf(const replay::Event& event);
 /// "Alert 1001: blocked", "Jumped 2.3 m". One line of plain text.
 QString eventText(const replay::Event& event);
+/// "Alert ended".
+QString kindName(replay::EventKind kind);
 
 /// What the kinds of a group are called: "Alerts".
 QString groupName(replay::EventGroup group);

@@ -8,65 +8,19 @@
 #include <QPainterPath>
 
 #include "window/look/ui_colors.h"
+#include "window/replay/event_painting.h"
 #include "window/replay/timeline_view.h"
 
 namespace mapwright::window {
 
 namespace {
 
-constexpr double kRadius = 4.5;      // of an event's mark
 constexpr double kCountSize = 0.85;  // of the number of several, against other words
 constexpr double kLabelGapPx = 18;
 
 QColor with(QColor color, int alpha) {
   color.setAlpha(alpha);
   return color;
-}
-
-QColor colorOf(Mark mark, const UiColors& colors) {
-  switch (mark) {
-    case Mark::Good:
-      return colors.ok;
-    case Mark::Warning:
-      return colors.warning;
-    case Mark::Bad:
-      return colors.error;
-    case Mark::Busy:
-      return colors.accent;
-    default:
-      return colors.neutral;
-  }
-}
-
-void paintMark(QPainter& painter, const QPointF& at, const EventMark& mark, const UiColors& colors) {
-  const QColor color = colorOf(mark.mark, colors);
-  const bool hollow = mark.shape == EventShape::Ring;
-  painter.setPen(QPen(hollow ? color : colors.base, hollow ? 1.5 : 1));
-  painter.setBrush(hollow ? QBrush(colors.base) : QBrush(color));
-  const double r = kRadius;
-  switch (mark.shape) {
-    case EventShape::Triangle:
-      painter.drawPolygon(
-          QPolygonF{{at.x(), at.y() - r}, {at.x() + r, at.y() + r}, {at.x() - r, at.y() + r}});
-      break;
-    case EventShape::Diamond:
-      painter.drawPolygon(
-          QPolygonF{{at.x(), at.y() - r}, {at.x() + r, at.y()}, {at.x(), at.y() + r}, {at.x() - r, at.y()}});
-      break;
-    case EventShape::Square:
-      painter.drawRect(QRectF(at.x() - r + 1, at.y() - r + 1, 2 * r - 2, 2 * r - 2));
-      break;
-    case EventShape::Tick:
-      painter.setPen(QPen(color, 1.5));
-      painter.drawLine(QPointF(at.x(), at.y() - r + 1), QPointF(at.x(), at.y() + r - 1));
-      break;
-    case EventShape::Ring:
-      painter.drawEllipse(at, r - 1.5, r - 1.5);
-      break;
-    case EventShape::Disc:
-      painter.drawEllipse(at, r, r);
-      break;
-  }
 }
 
 }  // namespace
@@ -166,6 +120,17 @@ void TimelineView::paintRanges(QPainter& painter, const Rows& rows) const {
         break;
     }
   }
+  for (const replay::Silence& silence : content_.silences) {
+    // The band has a hole there: it has been read, and there is nothing.
+    QRectF part = bar(silence.from_s, silence.until_s);
+    if (silence.until_s < axis.from_s || silence.from_s > axis.until_s) continue;
+    part.setWidth(std::max(part.width(), 2.0));
+    painter.fillRect(part, colors.base);
+    painter.setPen(QPen(colors.secondary_text, 1, Qt::DotLine));
+    painter.drawLine(QPointF(part.left() + 2, part.center().y()),
+                     QPointF(part.right() - 2, part.center().y()));
+    painter.setPen(Qt::NoPen);
+  }
   for (const Stretch& stretch : poor_) {
     QRectF part = between(stretch.from_s, stretch.until_s, rows.ranges_bottom + 2, rows.poor_bottom);
     part.setWidth(std::max(part.width(), 2.0));
@@ -189,10 +154,10 @@ void TimelineView::paintEvents(QPainter& painter, const Rows& rows) const {
     if (cluster.px < -cluster.half_px || cluster.px > width() + cluster.half_px) continue;
     const QPointF at(cluster.px, rows.events_y);
     if (cluster.count == 1) {
-      paintMark(painter, at, cluster.mark, colors);
+      paintEventMark(painter, at, cluster.mark, colors);
       continue;
     }
-    const QColor color = colorOf(cluster.mark.mark, colors);
+    const QColor color = eventMarkColor(cluster.mark.mark, colors);
     const double high = QFontMetricsF(small).height() / 2 + 1;
     const QRectF frame(at.x() - cluster.half_px, at.y() - high, 2 * cluster.half_px, 2 * high);
     painter.setPen(QPen(color, 1.5));
@@ -210,7 +175,7 @@ ClusterSizes TimelineView::clusterSizes() const {
   QFont small = font();
   small.setPointSizeF(font().pointSizeF() * kCountSize);
   ClusterSizes sizes;
-  sizes.single_px = kRadius + 0.5;
+  sizes.single_px = kEventMarkPx + 0.5;
   sizes.digit_px = QFontMetricsF(small).horizontalAdvance(QLatin1Char('0')) / 2;
   sizes.pill_px = 5;
   return sizes;

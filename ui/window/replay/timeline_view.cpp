@@ -136,6 +136,13 @@ QString TimelineView::wordsAt(const QPointF& px) const {
       lines << tr("%1 to %2 could not be read: %3")
                    .arg(clockText(range.from_s, 0), clockText(range.until_s, 0), range.why);
   }
+  const double near_s = kNearPx / 2 * axis.secondsPerPixel();
+  for (const replay::Silence& silence : content_.silences) {
+    if (at_s >= silence.from_s - near_s && at_s <= silence.until_s + near_s)
+      lines << tr("Nothing was recorded from %1 to %2 (%3).")
+                   .arg(clockText(silence.from_s, 1), clockText(silence.until_s, 1),
+                        elapsedText(silence.until_s - silence.from_s));
+  }
   return lines.join(QLatin1Char('\n'));
 }
 

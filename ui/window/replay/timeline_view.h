@@ -11,6 +11,7 @@
 
 #include "replay/events.h"
 #include "replay/player.h"
+#include "replay/silences.h"
 #include "window/replay/timeline_axis.h"
 #include "window/replay/timeline_events.h"
 
@@ -28,7 +29,8 @@ struct TimelineRange {
 struct TimelineContent {
   double first_s = 0, last_s = 0;  // equal: there is nothing
   std::vector<TimelineRange> ranges;
-  std::vector<replay::Event> events;  // in the order of time
+  std::vector<replay::Event> events;      // in the order of time
+  std::vector<replay::Silence> silences;  // nothing was recorded there
 };
 
 class TimelineView : public QWidget {

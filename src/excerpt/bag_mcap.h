@@ -10,28 +10,23 @@
 #include <string_view>
 #include <vector>
 
-#include <QString>
 #include <tl/expected.hpp>
 
-#include "app/bag_reading.h"
 #include "disk/fault.h"
+#include "excerpt/time_span.h"
+#include "excerpt/whole_target.h"
 #include "recording/mcap_writer.h"
 #include "robot/bag_library.h"
 
-namespace mapwright::app {
+namespace mapwright::excerpt {
 
-/// As MCAP has times: nanoseconds since 1970; what lies before or beyond becomes the first or the last.
-std::int64_t nanosecondsOf(double s);
-
-/// One thread. The file gets its name by finish(); until then it is "….part" beside it, and is gone without
-/// finish().
+/// One thread. The file gets its name by finish(), and nothing is left without it.
 class BagMcap {
  public:
   static tl::expected<std::unique_ptr<BagMcap>, disk::Fault> create(const std::string& path,
-                                                                    const QString& address,
+                                                                    const std::string& address,
                                                                     const std::string& bag,
                                                                     const TimeSpan& span);
-  ~BagMcap();
   BagMcap(const BagMcap&) = delete;
   BagMcap& operator=(const BagMcap&) = delete;
 
@@ -45,13 +40,13 @@ class BagMcap {
 
  private:
   BagMcap(std::string path, TimeSpan span) : path_(std::move(path)), span_(span) {}
-  std::string aside() const { return path_ + ".part"; }
   std::optional<disk::Fault> begin();
   std::optional<disk::Fault> write(const std::string& topic, bool before, double log_s, double stamp_s,
                                    std::string_view json);
 
   std::string path_;
   TimeSpan span_;
+  WholeTarget* target_ = nullptr;  // the writer's
   std::unique_ptr<recording::McapWriter> writer_;
   struct Said {
     double stamp_s = 0;
@@ -59,8 +54,8 @@ class BagMcap {
   };
   std::map<std::string, Said> said_;  // by topic
   std::map<std::string, std::uint32_t> sequences_;
-  bool begun_ = false, finished_ = false;
+  bool begun_ = false;
   std::int64_t messages_ = 0, said_before_ = 0;
 };
 
-}  // namespace mapwright::app
+}  // namespace mapwright::excerpt

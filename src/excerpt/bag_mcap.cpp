@@ -1,23 +1,13 @@
-#include "app/bag_mcap.h"
+#include "excerpt/bag_mcap.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
-#include <cstdio>
-#include <filesystem>
-#include <limits>
-#include <system_error>
 #include <utility>
 
-#include "recording/append_file.h"
-
-namespace mapwright::app {
+namespace mapwright::excerpt {
 namespace {
 
-constexpr double kNsPerS = 1e9;
-
-std::string schemeOf(const QString& address) {
-  const std::string text = address.toStdString();
+std::string schemeOf(const std::string& text) {
   const std::size_t end = text.find_first_of("+:");
   const std::string scheme = end == std::string::npos ? text : text.substr(0, end);
   return scheme == "http" || scheme == "https" ? "axbot" : scheme;
@@ -25,27 +15,18 @@ std::string schemeOf(const QString& address) {
 
 }  // namespace
 
-std::int64_t nanosecondsOf(double s) {
-  constexpr double kMost = double(std::numeric_limits<std::int64_t>::max()) / kNsPerS;
-  if (!(s > 0)) return 0;
-  if (s >= kMost) return std::numeric_limits<std::int64_t>::max();
-  // The whole seconds apart: a double of nanoseconds would be off by hundreds of them.
-  const double whole = std::floor(s);
-  return std::int64_t(whole) * 1'000'000'000 + std::llround((s - whole) * kNsPerS);
-}
-
 tl::expected<std::unique_ptr<BagMcap>, disk::Fault> BagMcap::create(const std::string& path,
-                                                                    const QString& address,
+                                                                    const std::string& address,
                                                                     const std::string& bag,
                                                                     const TimeSpan& span) {
   std::unique_ptr<BagMcap> file(new BagMcap(path, span));
-  auto target = recording::appendFile(file->aside(), recording::Existing::Replace);
-  if (!target) return tl::make_unexpected(target.error());
-  auto writer = recording::McapWriter::create(std::move(*target), {});
+  auto target = std::make_unique<WholeTarget>(path);
+  file->target_ = target.get();
+  auto writer = recording::McapWriter::create(std::move(target), {});
   if (!writer) return tl::make_unexpected(writer.error());
   file->writer_ = std::move(*writer);
   recording::Words about{{"version", "1"},
-                         {"address", address.toStdString()},
+                         {"address", address},
                          {"kind", schemeOf(address)},
                          {"bag", bag},
                          {"recorded_by", "mapwright " MAPWRIGHT_VERSION}};
@@ -54,13 +35,6 @@ tl::expected<std::unique_ptr<BagMcap>, disk::Fault> BagMcap::create(const std::s
   if (const auto fault = file->writer_->note({"mapwright", std::move(about)}))
     return tl::make_unexpected(*fault);
   return file;
-}
-
-BagMcap::~BagMcap() {
-  if (finished_) return;
-  writer_.reset();
-  std::error_code nothing_more_to_do;
-  std::filesystem::remove(aside(), nothing_more_to_do);
 }
 
 std::optional<disk::Fault> BagMcap::take(const robot::BagMessage& message, std::string_view json) {
@@ -110,10 +84,7 @@ std::optional<disk::Fault> BagMcap::finish() {
   if (span_.to_s) end.words["ended_ns"] = std::to_string(nanosecondsOf(*span_.to_s));
   if (auto fault = writer_->note(end)) return fault;
   if (auto fault = writer_->close()) return fault;
-  writer_.reset();
-  if (std::rename(aside().c_str(), path_.c_str()) != 0) return disk::systemFault(path_, errno);
-  finished_ = true;
-  return std::nullopt;
+  return target_->place();
 }
 
-}  // namespace mapwright::app
+}  // namespace mapwright::excerpt

@@ -1,29 +1,26 @@
-#include "app/recording_slice.h"
+#include "excerpt/recording_slice.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
-#include "app/bag_mcap.h"
+#include "excerpt/whole_target.h"
 #include "reasons/file_reason.h"
-#include "recording/append_file.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
 #include "robot/recorded/recording_reasons.h"
 
-namespace mapwright::app {
+namespace mapwright::excerpt {
 namespace {
 
 using recording::Message;
 
+constexpr std::int64_t kLookEvery = 256;  // messages
 constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
 constexpr std::string_view kStaticTransforms = "/tf_static", kPatches = "_updates";
 
@@ -31,7 +28,10 @@ using Done = tl::expected<void, map::Reason>;
 
 class Slice {
  public:
-  Slice(recording::Source& source, recording::McapWriter& writer) : source_(source), writer_(writer) {}
+  Slice(recording::Source& source, recording::McapWriter& writer, const GoesOn& goes_on)
+      : source_(source), writer_(writer), goes_on_(goes_on) {}
+
+  bool ended() const { return ended_; }
 
   Done describe() {
     for (const recording::Metadata& metadata : source_.metadata()) {
@@ -71,16 +71,22 @@ class Slice {
   }
 
   Done copy(std::int64_t from_ns, std::int64_t to_ns, const std::vector<std::string>& topics) {
+    const double first_ns = double(std::max(from_ns, source_.summary().start_ns.value_or(from_ns)));
+    const double all_ns = double(std::min(to_ns, source_.summary().end_ns.value_or(to_ns))) - first_ns;
     const auto cursor = source_.messages({.first_ns = from_ns, .last_ns = to_ns, .topics = topics});
     while (const auto message = cursor->next()) {
       if (auto done = write(*message->channel, message->log_time_ns, message->sequence, *message); !done)
         return done;
-      ++done_.messages;
+      if (++done_.messages % kLookEvery != 0 || !goes_on_) continue;
+      const double share = all_ns > 0 ? (double(message->log_time_ns) - first_ns) / all_ns : 1;
+      ended_ = !goes_on_(std::clamp(share, 0.0, 1.0));
+      if (ended_) break;
     }
     return {};
   }
 
   Done attach(std::int64_t from_ns, std::int64_t to_ns) {
+    if (ended_) return {};
     // Of what was fetched only later the first one counts (recorder/layout.h).
     std::map<std::string, const recording::AttachmentPlace*> first_of;
     for (const recording::AttachmentPlace& place : source_.attachments()) {
@@ -98,8 +104,8 @@ class Slice {
     return {};
   }
 
-  SlicedRecording done() const {
-    SlicedRecording done = done_;
+  Written done() const {
+    Written done = done_;
     for (const recording::Note& note : source_.summary().notes) {
       if (robot::recorded::isLoss(note.code)) done.losses.push_back(robot::recorded::reasonOf(note));
     }
@@ -124,41 +130,41 @@ class Slice {
 
   recording::Source& source_;
   recording::McapWriter& writer_;
-  SlicedRecording done_;
+  const GoesOn& goes_on_;
+  Written done_;
+  bool ended_ = false;
 };
 
 }  // namespace
 
-tl::expected<SlicedRecording, map::Reason> sliceRecording(const std::string& path, const std::string& output,
-                                                          const TimeSpan& span, const std::string& topic) {
+tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::string& path, const Order& order,
+                                                                 const GoesOn& goes_on) {
   auto source = recording::openRecording(path);
   if (!source) return tl::make_unexpected(robot::recorded::reasonOf(source.error()));
-  const std::string aside = output + ".part";
-  auto target = recording::appendFile(aside, recording::Existing::Replace);
-  if (!target) return tl::make_unexpected(reasons::notWritten(target.error()));
-  auto writer = recording::McapWriter::create(std::move(*target), {.profile = (*source)->summary().profile});
+  auto made = std::make_unique<WholeTarget>(order.path);
+  WholeTarget& target = *made;
+  auto writer = recording::McapWriter::create(std::move(made), {.profile = (*source)->summary().profile});
   if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
 
-  const std::int64_t from_ns = span.from_s ? nanosecondsOf(*span.from_s) : 0;
-  const std::int64_t to_ns = span.to_s ? nanosecondsOf(*span.to_s) : kEver;
-  const std::vector<std::string> topics = topic.empty() ? std::vector<std::string>() : std::vector{topic};
-  Slice slice(**source, **writer);
+  const std::int64_t from_ns = order.span.from_s ? nanosecondsOf(*order.span.from_s) : 0;
+  const std::int64_t to_ns = order.span.to_s ? nanosecondsOf(*order.span.to_s) : kEver;
+  const std::vector<std::string> topics =
+      order.topic.empty() ? std::vector<std::string>() : std::vector{order.topic};
+  Slice slice(**source, **writer, goes_on);
   const Done done = slice.describe()
                         .and_then([&] { return slice.sayBefore(from_ns, topics); })
                         .and_then([&] { return slice.copy(from_ns, to_ns, topics); })
                         .and_then([&] { return slice.attach(from_ns, to_ns); })
                         .and_then([&]() -> Done {
-                          if (const auto fault = (*writer)->close())
-                            return tl::make_unexpected(reasons::notWritten(*fault));
-                          if (std::rename(aside.c_str(), output.c_str()) != 0)
-                            return tl::make_unexpected(reasons::notWritten(disk::systemFault(output, errno)));
+                          if (slice.ended()) return {};
+                          auto fault = (*writer)->close();
+                          if (!fault) fault = target.place();
+                          if (fault) return tl::make_unexpected(reasons::notWritten(*fault));
                           return {};
                         });
-  if (done) return slice.done();
-  writer->reset();
-  std::error_code nothing_more_to_do;
-  std::filesystem::remove(aside, nothing_more_to_do);
-  return tl::make_unexpected(done.error());
+  if (!done) return tl::make_unexpected(done.error());
+  if (slice.ended()) return std::nullopt;
+  return slice.done();
 }
 
-}  // namespace mapwright::app
+}  // namespace mapwright::excerpt

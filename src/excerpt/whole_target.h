@@ -1,0 +1,27 @@
+// Where a recording goes that is there whole or not at all.
+#pragma once
+
+#include <string>
+
+#include "disk/written_file.h"
+#include "recording/append_file.h"
+
+namespace mapwright::excerpt {
+
+class WholeTarget : public recording::AppendTarget {
+ public:
+  explicit WholeTarget(const std::string& path) : file_(path) {}
+  /// What has failed once stays so.
+  std::optional<disk::Fault> append(std::span<const std::uint8_t> bytes) override {
+    file_.write(bytes.data(), bytes.size());
+    return file_.good() ? std::nullopt : file_.place();
+  }
+  std::optional<disk::Fault> settle() override { return file_.good() ? std::nullopt : file_.place(); }
+  /// Once the writer is closed: the file has its name.
+  std::optional<disk::Fault> place() { return file_.place(); }
+
+ private:
+  disk::WrittenFile file_;
+};
+
+}  // namespace mapwright::excerpt

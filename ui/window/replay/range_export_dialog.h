@@ -1,0 +1,91 @@
+// Asks which part of the open bag goes into a file, as what and where; stays until it is written. The window
+// goes on meanwhile.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QDialog>
+
+#include "excerpt/excerpt_job.h"
+#include "replay/player.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace mapwright::window {
+
+/// The bag as it is open.
+struct RangeOffer {
+  excerpt::ExcerptJob::Source source;
+  QString address;                           // of the robot, or the file
+  QString name;                              // of the bag; untrusted
+  double first_s = 0, last_s = 0;            // its times
+  std::optional<replay::Player::Loop> loop;  // proposed, where there is one
+  QString folder;
+  std::shared_ptr<work::Workers> workers;
+};
+
+/// "mapwright bags film …": what makes pictures of the same range. For a shell: names are quoted.
+QString filmCommand(const RangeOffer& offer, double from_s, double to_s);
+
+class RangeExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit RangeExportDialog(RangeOffer offer, QWidget* parent = nullptr);
+  ~RangeExportDialog() override;
+
+  /// The bag is no longer open: what is under way ends, and nothing more can be begun.
+  void leaveBag();
+
+  QLineEdit* fromEdit() const { return from_; }
+  QLineEdit* toEdit() const { return to_; }
+  QComboBox* kindBox() const { return kind_; }
+  QLineEdit* pathEdit() const { return path_; }
+  QLineEdit* filmEdit() const { return film_; }
+  QPushButton* exportButton() const { return export_; }
+  QPushButton* closeButton() const { return close_; }
+  /// What went wrong, what was left out, what is asked; empty = nothing.
+  QString said() const;
+  bool running() const { return job_ != nullptr; }
+
+ Q_SIGNALS:
+  void exported(const QString& path, const QString& sentence);
+
+ public Q_SLOTS:
+  void start();
+
+ protected:
+  void reject() override;
+
+ private:
+  void layOut();
+  void takeKind();
+  void takeRange();
+  void browse();
+  void say(const QString& sentence, bool bad = true);
+  void setRunning(bool running);
+  void take(const excerpt::Ended& ended);
+  /// What is wrong with what is typed; nullopt: nothing.
+  std::optional<QString> whyNot(const QString& path) const;
+  std::optional<double> time(const QLineEdit* edit, const QString& shown, double meant_s) const;
+  /// nullopt: one of both is no time.
+  std::optional<excerpt::TimeSpan> span() const;
+
+  RangeOffer offer_;
+  QLineEdit *from_, *to_, *path_, *film_;
+  QComboBox* kind_;
+  QPushButton *browse_, *export_, *close_;
+  QProgressBar* progress_;
+  QLabel* said_;
+  QString from_shown_, to_shown_;  // as proposed: those mean the exact times
+  double from_s_ = 0, to_s_ = 0;   // the proposed ones
+  QString asked_;                  // whether this file may be replaced
+  bool left_ = false;
+  std::unique_ptr<excerpt::ExcerptJob> job_;
+};
+
+}  // namespace mapwright::window
