@@ -84,8 +84,20 @@ void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
   };
   command
       .add_option("--dispatcher-answer", f.answer,
-                  help(Words::tr("What comes of a region: pad, empty, rotated or elsewhere")))
-      ->check(CLI::IsMember({"pad", "empty", "rotated", "elsewhere"}))
+                  help(Words::tr("What comes of a region: pad, empty, rotated, elsewhere or corner")))
+      ->check(CLI::IsMember({"pad", "empty", "rotated", "elsewhere", "corner"}))
+      ->group(group);
+  command
+      .add_option("--dispatcher-most", f.most_cells,
+                  help(Words::tr("Its grids of regions have so many cells at most, 0 = any number")))
+      ->check(CLI::Range(0, 40'000'000))
+      ->group(group);
+  command
+      .add_option(
+          "--dispatcher-too-much", f.too_much,
+          help(Words::tr(
+              "What comes of a region with more cells: cut (the lower left part of it), empty or error")))
+      ->check(CLI::IsMember({"cut", "empty", "error"}))
       ->group(group);
   command
       .add_option("--dispatcher-lie", f.cloud.lie,

@@ -69,6 +69,7 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
   }
   const geometry::WorldRect bounds = grid.bounds();
   const bool elsewhere = liesElsewhere(grid, ask.asking);
+  plan_.gave(grid.width, grid.height);
   plan_.setCells(grid.resolution_m, anchorOf(grid));
   // Where the map has become smaller, nothing of the old one must stay.
   if (ask.key && !elsewhere) forgetOld(ask, change);
@@ -83,6 +84,7 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
 }
 
 void MapRegions::forgetOld(const RegionAsk& ask, Change& change) {
+  if (!plan_.isOfThisCut(ask.id)) return;
   const RegionRow& row = plan_.row(*ask.key);
   const bool some_is_new = row.came_in == ask.round && !row.came.empty();
   // What a part overlaps of the square beside it belongs there.

@@ -118,6 +118,29 @@ class DispatchCommandsTest : public QObject {
     QCOMPARE(QImage(file("whole.png")).size(), QSize(400, 400));
   }
 
+  void aRobotThatGivesLittleAtOnceIsAskedInPieces_data() {
+    QTest::addColumn<QByteArray>("too_much");
+    for (const char* answer : {"cut", "empty", "error"}) QTest::newRow(answer) << QByteArray(answer);
+  }
+  void aRobotThatGivesLittleAtOnceIsAskedInPieces() {
+    QFETCH(QByteArray, too_much);
+    const auto picture = [&](const char* name) {
+      return ask({text("snapshot"), text("--region"), text("20,10,70,60"), text("--layers"), text("none"),
+                  text("-o"), file(name)});
+    };
+    start();
+    const Ran whole = picture("whole.png");
+    QVERIFY2(whole.exit_code == 0, whole.error.constData());
+    start([&](simulator::Options& options) {
+      options.faults.ros.dispatcher.most_cells = 200'000;
+      options.faults.ros.dispatcher.too_much = too_much.toStdString();
+    });
+    const Ran pieces = picture("pieces.png");
+    QVERIFY2(pieces.exit_code == 0, pieces.error.constData());
+    QVERIFY(!pieces.error.contains("smaller"));
+    QCOMPARE(QImage(file("pieces.png")), QImage(file("whole.png")));
+  }
+
   void aRegionIsOfTheLiveMapAlone() {
     start();
     const Ran ran = ask({text("maps"), text("export"), text("12"), text("--region"), text("0,0,1,1"),
