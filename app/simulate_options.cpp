@@ -101,8 +101,9 @@ void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
       ->group(group);
   command
       .add_option("--dispatcher-lie", f.cloud.lie,
-                  help(Words::tr("What is wrong in its clouds: point-step, row-step, width or data")))
-      ->check(CLI::IsMember({"point-step", "row-step", "width", "data"}))
+                  help(Words::tr("What is wrong in its clouds: point-step, row-step, width or data; in its "
+                                 "grids: data or cells")))
+      ->check(CLI::IsMember({"point-step", "row-step", "width", "data", "cells"}))
       ->group(group);
   flag("--dispatcher-big-endian", f.cloud.big_endian, help(Words::tr("Its clouds are big-endian")));
   flag("--dispatcher-float64", f.cloud.float64, help(Words::tr("Its clouds have coordinates of 64 bits")));

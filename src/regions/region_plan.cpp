@@ -15,6 +15,12 @@ geometry::WorldRect around(const Eigen::Vector2d& centre, double edge_m) {
 
 }  // namespace
 
+map::GridRegion questionOf(const RegionAsk& ask) {
+  map::GridRegion region = askedFor(ask.asking);
+  region.centre_m += ask.aim.cwiseProduct(region.size_m);
+  return region;
+}
+
 RegionState RegionRow::state() const {
   if (answered) return nothing ? RegionState::Nothing : RegionState::Held;
   if (ask != 0) return RegionState::Fetching;
@@ -60,10 +66,6 @@ void RegionPlan::listInView() {
   for (const RegionKey& key : in_view_) {
     in_view_set_.insert(key);
     if (const auto found = rows_.find(key); found != rows_.end()) found->second.seen = views_;
-  }
-  if (searched_ && !isInView(*searched_)) {
-    rows_[*searched_].quarters.reset();
-    searched_.reset();
   }
 }
 
@@ -113,6 +115,7 @@ bool RegionPlan::wanted(const RegionRow& row) const {
 RegionAsk RegionPlan::send(RegionAsk ask, RegionRow& row) {
   ask.id = ++last_id_;
   ask.round = round_;
+  ask.aim = aim_;
   row.ask = ask.id;
   under_way_.emplace(ask.id, UnderWay{ask, cuts_});
   return ask;
@@ -140,7 +143,7 @@ std::vector<RegionAsk> RegionPlan::take(Millis now) {
     asks.push_back(send(std::move(*ask), rows_[*ask->key]));
   }
   // While it is being found out how much is given at once, more than that is not asked for.
-  if (searched_) return asks;
+  if (searching()) return asks;
   // What is missing before what gets newer.
   for (const bool missing : {true, false}) {
     for (const RegionKey& key : in_view_) {
@@ -189,7 +192,7 @@ std::optional<Millis> RegionPlan::nextDue(Millis now) const {
   if (!cut_) return probe_.ask == 0 ? std::optional(std::max(now, probe_.retry_at)) : std::nullopt;
   std::optional<Millis> due;
   if (const auto ask = askAboutLimit()) due = std::max(now, row(*ask->key).retry_at);
-  if (searched_) return due;
+  if (searching()) return due;
   const auto middle = emptyMiddle();
   for (const RegionKey& key : in_view_) {
     const RegionRow& known = row(key);

@@ -93,10 +93,14 @@ struct RegionAsk {
   bool part = false;                // of the square: as a whole it was answered with nothing
   bool quarter = false;             // to find out whether the square is too much to be answered
   std::optional<Side> beyond = {};  // to find out whether the map goes on where the answer ended
+  Eigen::Vector2d aim{0, 0};        // so many of its lengths beside it is asked for
   geometry::WorldRect rect = {};    // whose cells are wanted
   geometry::WorldRect asking =
       {};  // what the dispatcher is asked for: rounding must not lose the cells at the rim
 };
+
+/// What the dispatcher is asked for.
+map::GridRegion questionOf(const RegionAsk& ask);
 
 /// Each region of a lattice is asked for once while it is in view, nearest to the middle first, a few at a
 /// time; what failed waits and is asked for again; after refresh() all in view once more. What has left the
@@ -116,6 +120,9 @@ class RegionPlan {
 
   /// What failed need not wait any longer.
   void retryNow();
+
+  /// Everything is asked for so many of its own lengths beside where it lies, from now on.
+  void aim(const Eigen::Vector2d& aim) { aim_ = aim; }
 
   /// What to send now; it counts as under way until ended().
   std::vector<RegionAsk> take(Millis now);
@@ -186,6 +193,8 @@ class RegionPlan {
   std::optional<geometry::WorldRect> partOf(const RegionKey& key,
                                             const std::optional<RegionKey>& middle) const;
 
+  /// The quarters of a square in view are asked for. Of one that has left the view that waits.
+  bool searching() const;
   /// What finds out how much is given at once: before anything else is asked for.
   std::optional<RegionAsk> askAboutLimit() const;
   /// The side of a square where its answer ends and may end with the map, or not.
@@ -217,6 +226,7 @@ class RegionPlan {
   bool too_far_ = false;
   std::map<RegionKey, RegionRow> rows_;
   RegionRow probe_;
+  Eigen::Vector2d aim_{0, 0};
   AnswerLimit limit_;
   std::optional<RegionKey> searched_;  // the square whose quarters are asked for
   int searches_left_ = kMostSearches;

@@ -38,10 +38,12 @@ std::optional<Side> RegionPlan::openSide(const RegionKey& key) const {
   return std::nullopt;
 }
 
+bool RegionPlan::searching() const { return searched_ && isInView(*searched_) && row(*searched_).quarters; }
+
 std::optional<RegionAsk> RegionPlan::askAboutLimit() const {
-  if (searched_) {
+  if (searching()) {
     const RegionRow& known = row(*searched_);
-    if (!known.quarters || known.ask != 0) return std::nullopt;
+    if (known.ask != 0) return std::nullopt;
     const geometry::WorldRect quarter = known.quarters->asking();
     // With the margin of squares, so that they are answered where these are.
     return RegionAsk{.key = searched_,
@@ -97,12 +99,15 @@ std::optional<Eigen::Vector2d> RegionPlan::placeIn(const RegionKey& key) const {
 
 bool RegionPlan::beginQuarters(const RegionAsk& ask, RegionRow& row,
                                const std::optional<Eigen::Vector2d>& place) {
-  if (!place || !resolution_m_ || searched_ || searches_left_ <= 0 || ask.round < round_) return false;
+  if (!place || !resolution_m_ || searching() || searches_left_ <= 0 || ask.round < round_) return false;
   const geometry::WorldRect square = squareOf(*ask.key);
   const double wide = square.width() / *resolution_m_, high = square.height() / *resolution_m_;
   if (!(wide * high <= 1e12) || limit_.hasGiven(std::int64_t(wide * high))) return false;
   const QuarterSearch search(square, int(std::max(wide, high) + 0.5), *place);
   if (search.over()) return false;
+  if (searched_) {
+    if (const auto left = rows_.find(*searched_); left != rows_.end()) left->second.quarters.reset();
+  }
   --searches_left_;
   row.quarters = search;
   searched_ = ask.key;

@@ -225,6 +225,37 @@ class TestAnswerLimit : public QObject {
     QVERIFY2(told.asked < 300, qPrintable(QString::number(told.asked)));
   }
 
+  void whoLooksAwayWhileALimitIsSearchedGetsTheMapAllTheSame() {
+    const FakeGround ground = hall(6000, 4000);
+    MapRegions regions = regionsOf();
+    const WorldRect view{-10, 0, 10, 20};
+    look(regions, view);
+    const Answer answer = [&](const auto& region) {
+      return limited(ground, Habit::Nothing, 100'000, region);
+    };
+    // At any of the first questions: far away, or nowhere.
+    for (int i = 0; i < 12; ++i) {
+      const auto asks = regions.take(Millis(10'000));
+      if (i % 2 == 0) {
+        for (const RegionAsk& ask : asks)
+          regions.answered(ask.id, answer(askedFor(ask.asking)), Millis(10'000));
+        continue;
+      }
+      if (i % 4 == 1) {
+        look(regions, {-1e6, -1e6, 1e6, 1e6});
+        QVERIFY(regions.take(Millis(10'000)).empty());
+      } else {
+        regions.setView(std::nullopt, {0, 0});
+      }
+      for (const RegionAsk& ask : asks)
+        regions.answered(ask.id, tl::unexpected(map::Failure{.kind = map::FailureKind::Cancelled}),
+                         Millis(10'000));
+      look(regions, view);
+    }
+    settle(regions, answer);
+    QCOMPARE(wrongIn(regions, ground, view.grown(-0.1)), 0);
+  }
+
   void whatFailsNowAndThenIsNoLimit() {
     const FakeGround ground = hall(6000, 4000);
     MapRegions regions = regionsOf();

@@ -190,6 +190,8 @@ CallOutcome Dispatcher::grid(const Region& asked, bool whole) {
       cells.push_back(building_.cellAt(at.x(), at.y()));
     }
   }
+  for (std::size_t i = 0; odd.cloud.lie == "cells" && i < cells.size(); i += 1000)
+    cells[i] = i % 2000 == 0 ? 120 : -7;
   if (odd.cloud.lie == "data") cells.resize(cells.size() - cells.size() / 3);
   return {true, Value::Object{{member, Value::Object{{"header", header},
                                                      {"info", info(cell, width, height, origin)},
