@@ -84,13 +84,26 @@ void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
   };
   command
       .add_option("--dispatcher-answer", f.answer,
-                  help(Words::tr("What comes of a region: pad, empty, rotated or elsewhere")))
-      ->check(CLI::IsMember({"pad", "empty", "rotated", "elsewhere"}))
+                  help(Words::tr("What comes of a region: pad, empty, rotated, elsewhere or corner")))
+      ->check(CLI::IsMember({"pad", "empty", "rotated", "elsewhere", "corner"}))
+      ->group(group);
+  command
+      .add_option("--dispatcher-most", f.most_cells,
+                  help(Words::tr("Its grids of regions have so many cells at most, 0 = any number")))
+      ->check(CLI::Range(0, 40'000'000))
+      ->group(group);
+  command
+      .add_option(
+          "--dispatcher-too-much", f.too_much,
+          help(Words::tr(
+              "What comes of a region with more cells: cut (the lower left part of it), empty or error")))
+      ->check(CLI::IsMember({"cut", "empty", "error"}))
       ->group(group);
   command
       .add_option("--dispatcher-lie", f.cloud.lie,
-                  help(Words::tr("What is wrong in its clouds: point-step, row-step, width or data")))
-      ->check(CLI::IsMember({"point-step", "row-step", "width", "data"}))
+                  help(Words::tr("What is wrong in its clouds: point-step, row-step, width or data; in its "
+                                 "grids: data or cells")))
+      ->check(CLI::IsMember({"point-step", "row-step", "width", "data", "cells"}))
       ->group(group);
   flag("--dispatcher-big-endian", f.cloud.big_endian, help(Words::tr("Its clouds are big-endian")));
   flag("--dispatcher-float64", f.cloud.float64, help(Words::tr("Its clouds have coordinates of 64 bits")));

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "app/bag_reading.h"
+#include "app/map_region.h"
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
@@ -49,20 +50,6 @@ std::optional<QSize> parseSize(const QString& word) {
 }
 
 /// X,Y,LX,LY: the middle, and the lengths of the sides.
-std::optional<geometry::WorldRect> parseRegion(const QString& word) {
-  const QStringList parts = word.split(QLatin1Char(','));
-  if (parts.size() != 4) return std::nullopt;
-  std::array<double, 4> numbers{};
-  for (int at = 0; at < 4; ++at) {
-    bool ok = false;
-    numbers[std::size_t(at)] = parts[at].trimmed().toDouble(&ok);
-    if (!ok || !(std::abs(numbers[std::size_t(at)]) <= submap::kMaxCoordinateM)) return std::nullopt;
-  }
-  const auto [x, y, lx, ly] = numbers;
-  if (!(lx > 0 && ly > 0)) return std::nullopt;
-  return geometry::WorldRect{x - lx / 2, y - ly / 2, x + lx / 2, y + ly / 2};
-}
-
 /// What has no place beside --region.
 std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
   if (options.mode == SnapshotMode::Submaps)
@@ -184,13 +171,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     options.map = map::mapKeyFromText(words.map);
   }
   if (!words.region.empty()) {
-    options.region = parseRegion(text(words.region));
-    if (!options.region) {
-      return wrong(
-          Words::tr("--region %1: write X,Y,LX,LY in metres, the middle and the lengths of the sides, "
-                    "for example 12.5,-3,40,25.")
-              .arg(text(words.region)));
-    }
+    const auto region = gridRegionFrom(words.region);
+    if (!region) return wrong(region.error());
+    const Eigen::Vector2d low = region->centre_m - region->size_m / 2, high = low + region->size_m;
+    options.region = geometry::WorldRect{low.x(), low.y(), high.x(), high.y()};
     if (const auto why = whyNotWithRegion(words, options)) return wrong(*why);
     options.mode = SnapshotMode::Whole;
   }

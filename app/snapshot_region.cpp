@@ -9,6 +9,7 @@
 #include "app/snapshot_run.h"
 #include "robot/map_dispatch.h"
 #include "sentences/absence_sentence.h"
+#include "sentences/plural.h"
 #include "sentences/region_sentence.h"
 
 namespace mapwright::app {
@@ -70,7 +71,8 @@ bool SnapshotRun::sizeRegion() {
     fail(kUsage, Words::tr("--region is too large: it has more cells than are fetched for one picture."));
     return false;
   }
-  if (counts.answered == 0) {
+  const bool some_came = fetch_ && fetch_->map().regions().holdsAnyOf(*options_.region);
+  if (counts.answered == 0 && !some_came) {
     const map::FailureKind kind =
         fetch_ && fetch_->over() && fetch_->trouble().kind == regions::RegionTrouble::Kind::Failed
             ? fetch_->trouble().failure.kind
@@ -97,6 +99,19 @@ bool SnapshotRun::sizeRegion() {
     return false;
   }
   options_.size_px = *size;
+  if (const std::int64_t odd = fetch_->map().regions().oddCells(); odd > 0) {
+    notes_ << Words::tr(
+                  "%1 cells of its answers are neither -1 nor 0 to 100. Those above 100 are shown as 100, "
+                  "those below -1 as unknown.",
+                  nullptr, sentences::formOf(qint64(odd)))
+                  .arg(odd);
+  }
+  if (fetch_->map().regions().asksForCorners()) {
+    notes_ << Words::tr(
+                  "%1 takes the place that it is asked for as a corner of the region instead of its middle "
+                  "(REP 130): it was asked accordingly.")
+                  .arg(options_.robot);
+  }
   if (counts.smaller > 0 && counts.answered == counts.in_view) {
     notes_ << Words::tr(
                   "Some of its answers are smaller than the regions asked for (%1 of %2): what is missing is "
@@ -114,8 +129,7 @@ void SnapshotRun::takeRegion(SnapshotContent& content) {
   content.regions = &fetch_->map();
   content.whole = false;
   if (!options_.raw) return;
-  const regions::FetchedGrid fetched =
-      regions::cutOut(fetch_->map().regions().sheets(), *options_.region, {workers_, {}});
+  const regions::FetchedGrid fetched = regions::cutOut(fetch_->map().regions().sheets(), *options_.region);
   content.whole = true;
   if (fetched.cells) content.grid = render::PlacedGrid{fetched.cells, fetched.reference};
   if (fetched.other_lattices > 0) {

@@ -69,10 +69,17 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
   }
   const geometry::WorldRect bounds = grid.bounds();
   const bool elsewhere = liesElsewhere(grid, ask.asking);
+  plan_.gave(grid.width, grid.height);
   plan_.setCells(grid.resolution_m, anchorOf(grid));
   // Where the map has become smaller, nothing of the old one must stay.
   if (ask.key && !elsewhere) forgetOld(ask, change);
   cells_.put(part);
+  for (const map::Reason& note : part.notes) {
+    const auto* const count = note.code == map::ReasonCode::RosCellsOutOfRange && !note.arguments.empty()
+                                  ? std::get_if<std::int64_t>(&note.arguments.front())
+                                  : nullptr;
+    if (count) odd_cells_ += *count;
+  }
   change.cells.extend(bounds);
   if (elsewhere && ask.key) {
     plan_.failed(ask.id, {RegionTrouble::Kind::Elsewhere, {}, Misfit::None}, now);
@@ -80,9 +87,31 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
     plan_.answered(ask.id, false, commonGround(grid, ask.asking));
   }
   noteCovered(ask, grid);
+  noteAim(ask, grid, elsewhere);
+}
+
+void MapRegions::noteAim(const RegionAsk& ask, const map::GridReference& grid, bool elsewhere) {
+  const bool aimed = !ask.aim.isZero();
+  if (reading_ == Reading::Suspected && aimed) {
+    // The next answer tells: where that lies beside, too, places are asked for as they are.
+    reading_ = elsewhere ? Reading::Given : Reading::Corner;
+    if (elsewhere) plan_.aim({0, 0});
+  } else if (reading_ == Reading::NotKnown && elsewhere) {
+    const auto aim = aimAgainst(grid, ask.asking);
+    if (!aim) return;
+    reading_ = Reading::Suspected;
+    plan_.aim(*aim);
+    plan_.retryNow();
+  }
+}
+
+bool MapRegions::holdsAnyOf(const geometry::WorldRect& rect) const {
+  return std::any_of(cells_.sheets().begin(), cells_.sheets().end(),
+                     [&](const auto& sheet) { return sheet->holdsAnyOf(rect); });
 }
 
 void MapRegions::forgetOld(const RegionAsk& ask, Change& change) {
+  if (!plan_.isOfThisCut(ask.id)) return;
   const RegionRow& row = plan_.row(*ask.key);
   const bool some_is_new = row.came_in == ask.round && !row.came.empty();
   // What a part overlaps of the square beside it belongs there.

@@ -62,6 +62,13 @@ class MapRegions {
   std::optional<RegionView> at(const Eigen::Vector2d& world_m) const;
   /// What a map of `rect` would be in cells; nullopt while it is not known how large they are.
   std::optional<double> cellsOf(const geometry::WorldRect& rect) const;
+  /// The robot takes what it is asked for as a corner of the region, not as its middle, and is asked
+  /// accordingly.
+  bool asksForCorners() const { return reading_ == Reading::Corner; }
+  /// Cells of its answers that were neither -1 nor 0 to 100, as the adapter has counted them.
+  std::int64_t oddCells() const { return odd_cells_; }
+  /// Some cell came that lies in `rect`.
+  bool holdsAnyOf(const geometry::WorldRect& rect) const;
   /// Where the known part of the map ends; empty = nothing is known of it.
   const geometry::WorldRect& reach() const { return cells_.reach(); }
 
@@ -72,10 +79,15 @@ class MapRegions {
   void forgetOld(const RegionAsk& ask, Change& change);
   void noteCovered(const RegionAsk& ask, const map::GridReference& grid);
   void keepToBudget(Change& change);
+  /// Learns how the robot reads places, where answers lie elsewhere in a way that can be met.
+  void noteAim(const RegionAsk& ask, const map::GridReference& grid, bool elsewhere);
 
   Options options_;
   RegionPlan plan_;
   RegionCells cells_;
+  enum class Reading { NotKnown, Suspected, Corner, Given };  // Given: no corner, or nothing helps
+  Reading reading_ = Reading::NotKnown;
+  std::int64_t odd_cells_ = 0;
 };
 
 }  // namespace mapwright::regions

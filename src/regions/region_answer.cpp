@@ -31,6 +31,20 @@ bool liesElsewhere(const map::GridReference& answer, const geometry::WorldRect& 
   return as_large && beside.cwiseAbs().maxCoeff() > rounding;
 }
 
+std::optional<Eigen::Vector2d> aimAgainst(const map::GridReference& answer,
+                                          const geometry::WorldRect& asked) {
+  if (answer.origin.yaw_rad != 0) return std::nullopt;
+  const geometry::WorldRect bounds = answer.bounds();
+  const double rounding = kRoundingCells * answer.resolution_m;
+  const Eigen::Vector2d size(asked.width(), asked.height());
+  if (std::abs(bounds.width() - size.x()) > rounding || std::abs(bounds.height() - size.y()) > rounding)
+    return std::nullopt;
+  const Eigen::Vector2d beside = bounds.center() - asked.center();
+  if (((beside.cwiseAbs() - size / 2).cwiseAbs().array() > rounding).any() || size.minCoeff() < 4 * rounding)
+    return std::nullopt;
+  return Eigen::Vector2d(beside.x() > 0 ? -0.5 : 0.5, beside.y() > 0 ? -0.5 : 0.5);
+}
+
 geometry::WorldRect commonGround(const map::GridReference& answer, const geometry::WorldRect& asked) {
   if (answer.origin.yaw_rad != 0) return {};
   const geometry::WorldRect bounds = answer.bounds();

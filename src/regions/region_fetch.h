@@ -13,14 +13,13 @@ namespace mapwright::regions {
 
 /// What a rectangle came to. What was not fetched, and what lies beyond the map, is unknown.
 struct FetchedGrid {
-  std::shared_ptr<const grids::GridPyramid> cells;  // null: no cell came
+  std::shared_ptr<const grids::GridPyramid> cells;  // null: no cell came; shares them with the sheet
   map::GridReference reference;
   int other_lattices = 0;  // pieces on so many other lattices of cells are left out
 };
-/// Cuts `rect` out of what came: of the sheet that has the most of it, turned as that is. Takes a while for
-/// large ones; any thread may call it while nothing changes `sheets`.
-FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, const geometry::WorldRect& rect,
-                   const grids::Means& means = {});
+/// Cuts `rect` out of what came: of the sheet that has the most of it, turned as that is, and as it is now.
+/// Quick for large ones, too: tiles are made when they are looked at.
+FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, const geometry::WorldRect& rect);
 
 /// The same cells as a picture (PGM) that is read back with kPgmReading: what is above 100 is unknown there.
 /// `part` has as many cells as it says, one at least.

@@ -71,7 +71,7 @@ void RegionMap::look() {
     for (const RegionAsk& ask : regions_.take(monotonic_())) {
       // The robot may answer when this is gone.
       calls_[ask.id] = dispatch_->grid(
-          askedFor(ask.asking), [self = QPointer(this), id = ask.id](robot::Outcome<map::GridPart> outcome) {
+          questionOf(ask), [self = QPointer(this), id = ask.id](robot::Outcome<map::GridPart> outcome) {
             if (self) self->take(id, std::move(outcome));
           });
     }

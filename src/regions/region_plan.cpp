@@ -15,13 +15,19 @@ geometry::WorldRect around(const Eigen::Vector2d& centre, double edge_m) {
 
 }  // namespace
 
+map::GridRegion questionOf(const RegionAsk& ask) {
+  map::GridRegion region = askedFor(ask.asking);
+  region.centre_m += ask.aim.cwiseProduct(region.size_m);
+  return region;
+}
+
 RegionState RegionRow::state() const {
   if (answered) return nothing ? RegionState::Nothing : RegionState::Held;
   if (ask != 0) return RegionState::Fetching;
   return failures > 0 ? RegionState::Failed : RegionState::NotAsked;
 }
 
-RegionPlan::RegionPlan(PlanOptions options) : options_(options) {}
+RegionPlan::RegionPlan(PlanOptions options) : options_(options), limit_(options.region_cells) {}
 
 const RegionRow& RegionPlan::row(const RegionKey& key) const {
   static const RegionRow kNone;
@@ -36,12 +42,17 @@ void RegionPlan::setView(std::optional<geometry::WorldRect> rect, const Eigen::V
   listInView();
 }
 
+double RegionPlan::mostInView() const {
+  const double pieces = double(limit_.pieces()) * limit_.pieces();
+  return options_.most_in_view * std::min(pieces, double(kMostPieces));
+}
+
 void RegionPlan::listInView() {
   in_view_.clear();
   in_view_set_.clear();
   too_far_ = false;
   if (!view_ || !cut_) return;
-  if (lattice_.countIn(*view_) > options_.most_in_view) {
+  if (lattice_.countIn(*view_) > mostInView()) {
     too_far_ = true;
     return;
   }
@@ -63,6 +74,8 @@ void RegionPlan::cut(double edge_m, const Eigen::Vector2d& anchor_m) {
   cut_ = true;
   ++cuts_;
   rows_.clear();
+  searched_.reset();
+  for (auto& ends : ends_) ends.clear();
   listInView();
 }
 
@@ -73,14 +86,20 @@ bool RegionPlan::setCells(double resolution_m, const Eigen::Vector2d& anchor_m) 
     --cuts_left_;
   }
   resolution_m_ = resolution_m;
-  cut(options_.region_cells * resolution_m, anchor_m);
+  cut(limit_.edge() * resolution_m, anchor_m);
   return true;
 }
 
 void RegionPlan::refresh() {
   ++round_;
   cuts_left_ = kMostCuts;
-  for (auto& [key, row] : rows_) row.rim.reset();
+  searches_left_ = kMostSearches;
+  searched_.reset();
+  for (auto& ends : ends_) ends.clear();
+  for (auto& [key, row] : rows_) {
+    row.rim.reset();
+    row.quarters.reset();
+  }
   retryNow();
 }
 
@@ -90,18 +109,20 @@ void RegionPlan::retryNow() {
 }
 
 bool RegionPlan::wanted(const RegionRow& row) const {
-  return row.ask == 0 && (!row.answered || row.asked_for < round_);
+  return row.ask == 0 && !row.quarters && (!row.answered || row.asked_for < round_);
+}
+
+RegionAsk RegionPlan::send(RegionAsk ask, RegionRow& row) {
+  ask.id = ++last_id_;
+  ask.round = round_;
+  ask.aim = aim_;
+  row.ask = ask.id;
+  under_way_.emplace(ask.id, UnderWay{ask, cuts_});
+  return ask;
 }
 
 std::vector<RegionAsk> RegionPlan::take(Millis now) {
   std::vector<RegionAsk> asks;
-  const auto send = [&](std::optional<RegionKey> key, const geometry::WorldRect& rect, RegionRow& row,
-                        double margin_m, bool part = false) {
-    RegionAsk ask{++last_id_, round_, key, part, rect, rect.grown(margin_m)};
-    row.ask = ask.id;
-    under_way_.emplace(ask.id, UnderWay{ask, cuts_});
-    asks.push_back(std::move(ask));
-  };
   if (!view_) return asks;
   const auto room = [&] { return int(under_way_.size()) < options_.most_under_way; };
   if (!cut_) {
@@ -112,10 +133,17 @@ std::vector<RegionAsk> RegionPlan::take(Millis now) {
         first = {std::max(first.min_x, only.min_x), std::max(first.min_y, only.min_y),
                  std::min(first.max_x, only.max_x), std::min(first.max_y, only.max_y)};
       }
-      send(std::nullopt, first, probe_, 0);
+      asks.push_back(send({.rect = first, .asking = first}, probe_));
     }
     return asks;
   }
+  while (room()) {
+    auto ask = askAboutLimit();
+    if (!ask || row(*ask->key).retry_at > now) break;
+    asks.push_back(send(std::move(*ask), rows_[*ask->key]));
+  }
+  // While it is being found out how much is given at once, more than that is not asked for.
+  if (searching()) return asks;
   // What is missing before what gets newer.
   for (const bool missing : {true, false}) {
     for (const RegionKey& key : in_view_) {
@@ -126,19 +154,23 @@ std::vector<RegionAsk> RegionPlan::take(Millis now) {
       row.seen = views_;
       // What has been found of one that was answered with nothing is asked for as it was found.
       if (row.all_is_nothing && !row.known.empty()) {
-        send(key, row.known, row, 0, true);
+        asks.push_back(send({.key = key, .part = true, .rect = row.known, .asking = row.known}, row));
       } else {
-        send(key, squareOf(key), row, resolution_m_.value_or(0) / 2);
+        const geometry::WorldRect square = squareOf(key);
+        asks.push_back(
+            send({.key = key, .rect = square, .asking = square.grown(resolution_m_.value_or(0) / 2)}, row));
       }
     }
   }
+  auto middle = emptyMiddle();
   for (const RegionKey& key : in_view_) {
     if (!room()) return asks;
-    const auto part = partOf(key);
+    const auto part = partOf(key, middle);
     if (!part || this->row(key).retry_at > now) continue;
     RegionRow& row = rows_[key];
-    if (!row.rim && row.only_tried) row.looked_for = lookFor(key);
-    send(key, *part, row, 0, true);
+    if (!row.rim && row.only_tried) row.looked_for = lookFor(key, middle);
+    asks.push_back(send({.key = key, .part = true, .rect = *part, .asking = *part}, row));
+    middle = emptyMiddle();
   }
   return asks;
 }
@@ -159,9 +191,12 @@ std::optional<Millis> RegionPlan::nextDue(Millis now) const {
   if (!view_ || int(under_way_.size()) >= options_.most_under_way) return std::nullopt;
   if (!cut_) return probe_.ask == 0 ? std::optional(std::max(now, probe_.retry_at)) : std::nullopt;
   std::optional<Millis> due;
+  if (const auto ask = askAboutLimit()) due = std::max(now, row(*ask->key).retry_at);
+  if (searching()) return due;
+  const auto middle = emptyMiddle();
   for (const RegionKey& key : in_view_) {
     const RegionRow& known = row(key);
-    if (wanted(known) || partOf(key))
+    if (wanted(known) || partOf(key, middle))
       due = std::min(due.value_or(Millis::max()), std::max(now, known.retry_at));
   }
   return due;
@@ -170,6 +205,11 @@ std::optional<Millis> RegionPlan::nextDue(Millis now) const {
 const RegionAsk* RegionPlan::find(std::uint64_t id) const {
   const auto found = under_way_.find(id);
   return found == under_way_.end() ? nullptr : &found->second.ask;
+}
+
+bool RegionPlan::isOfThisCut(std::uint64_t id) const {
+  const auto found = under_way_.find(id);
+  return found != under_way_.end() && found->second.cut == cuts_;
 }
 
 /// nullptr: the lattice that it was asked for is gone.
@@ -187,6 +227,8 @@ void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldR
   RegionRow* const row = rowOf(ask);
   if (!row) return;
   row->ask = 0;
+  if (ask.quarter) return quarterAnswered(ask, *row, nothing, known);
+  if (ask.beyond) return lookedBeyond(ask, *row, nothing, known);
   row->failures = 0;
   row->trouble = {};
   row->asked_for = ask.round;
@@ -198,8 +240,12 @@ void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldR
   row->rim.reset();
   row->only_tried = !options_.only;
   row->looked_for.reset();
-  row->beside = row->within = {};
-  if (ask.key) return searchAround(*ask.key);
+  row->beside = row->within = row->looked_beyond = {};
+  row->lost_looks = 0;
+  if (ask.key) {
+    if (nothing && beginQuarters(ask, *row, placeIn(*ask.key))) return;
+    return searchAround(*ask.key);
+  }
   // It does not tell how large its cells are, so regions are as large as they usually would be.
   if (!cut_) cut(options_.region_cells * options_.assumed_resolution_m, Eigen::Vector2d::Zero());
 }
@@ -212,9 +258,20 @@ void RegionPlan::failed(std::uint64_t id, RegionTrouble trouble, Millis now) {
   RegionRow* const row = rowOf(ask);
   if (!row) return;
   row->ask = 0;
+  if (ask.quarter) return quarterAnswered(ask, *row, true, {});
+  if (ask.beyond) {
+    row->retry_at = now + options_.cooldown;
+    if (++row->lost_looks >= kMostLostLooks) row->looked_beyond.fill(true);
+    return;
+  }
+  const bool refused = trouble.kind == RegionTrouble::Kind::Failed &&
+                       trouble.failure.kind == map::FailureKind::RejectedByRobot;
   row->trouble = std::move(trouble);
   ++row->failures;
   wait(*row, now);
+  // Once is chance.
+  if (refused && row->failures > 1 && ask.key && !ask.part)
+    beginQuarters(ask, *row, placeIn(*ask.key).value_or(squareOf(*ask.key).center()));
 }
 
 void RegionPlan::wait(RegionRow& row, Millis now) const {
@@ -243,6 +300,8 @@ void RegionPlan::came(const RegionKey& key, const geometry::WorldRect& where, bo
   row.nothing = row.all_is_nothing = false;
   row.known = where;
   row.rim.reset();
+  row.quarters.reset();
+  if (searched_ == key) searched_.reset();
   row.asked_for = std::max(row.asked_for, round);
   row.failures = 0;
   row.trouble = {};
@@ -256,10 +315,12 @@ void RegionPlan::forget(const RegionKey& key) {
 bool RegionPlan::settled(int tries) const {
   if (!view_) return true;
   if (!cut_) return probe_.failures >= tries;
+  if (askAboutLimit()) return false;
+  const auto middle = emptyMiddle();
   return std::all_of(in_view_.begin(), in_view_.end(), [&](const RegionKey& key) {
     const RegionRow& known = row(key);
     if (known.ask != 0) return false;
-    if (partOf(key) && known.failures < tries) return false;
+    if (known.quarters || (partOf(key, middle) && known.failures < tries)) return false;
     return (known.answered && known.asked_for >= round_) || known.failures >= tries;
   });
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "map/failure.h"
+#include "regions/answer_limit.h"
 #include "regions/region_cells.h"
 #include "regions/region_lattice.h"
 #include "regions/region_rim.h"
@@ -22,7 +23,9 @@ using Millis = std::chrono::milliseconds;
 
 struct PlanOptions {
   int most_under_way = 2;
-  int most_in_view = 32;  // regions; with more in view nothing is asked for
+  // Regions of so many cells; with more in view nothing is asked for. Where a dispatcher gives less at once
+  // there are more of smaller ones, up to kMostPieces for each.
+  int most_in_view = 32;
   int region_cells = RegionSheet::kStep;
   Millis cooldown{2'000};  // after a failure, doubling up to
   Millis cooldown_limit{60'000};
@@ -73,6 +76,9 @@ struct RegionRow {
   std::optional<RimSearch> rim;               // the rim of the map in it, while that is searched
   std::array<bool, 4> beside{}, within{};     // from where it has been searched; by Side
   std::array<int, 4> cells_to{};              // how far the search got
+  std::array<bool, 4> looked_beyond{};        // whether the map goes on where its answer ends; by Side
+  int lost_looks = 0;                         // questions for that which failed
+  std::optional<QuarterSearch> quarters;      // whether it was too much to be answered, while that is asked
 
   RegionState state() const;
   /// It is asked for once more; what came before is shown until then.
@@ -83,12 +89,18 @@ struct RegionRow {
 struct RegionAsk {
   std::uint64_t id = 0;     // never 0
   std::uint64_t round = 0;  // counts refresh()
-  std::optional<RegionKey> key;
-  bool part = false;         // of the square: as a whole it was answered with nothing
-  geometry::WorldRect rect;  // whose cells are wanted
-  geometry::WorldRect
-      asking;  // what the dispatcher is asked for: rounding must not lose the cells at the rim
+  std::optional<RegionKey> key = {};
+  bool part = false;                // of the square: as a whole it was answered with nothing
+  bool quarter = false;             // to find out whether the square is too much to be answered
+  std::optional<Side> beyond = {};  // to find out whether the map goes on where the answer ended
+  Eigen::Vector2d aim{0, 0};        // so many of its lengths beside it is asked for
+  geometry::WorldRect rect = {};    // whose cells are wanted
+  geometry::WorldRect asking =
+      {};  // what the dispatcher is asked for: rounding must not lose the cells at the rim
 };
+
+/// What the dispatcher is asked for.
+map::GridRegion questionOf(const RegionAsk& ask);
 
 /// Each region of a lattice is asked for once while it is in view, nearest to the middle first, a few at a
 /// time; what failed waits and is asked for again; after refresh() all in view once more. What has left the
@@ -109,6 +121,9 @@ class RegionPlan {
   /// What failed need not wait any longer.
   void retryNow();
 
+  /// Everything is asked for so many of its own lengths beside where it lies, from now on.
+  void aim(const Eigen::Vector2d& aim) { aim_ = aim; }
+
   /// What to send now; it counts as under way until ended().
   std::vector<RegionAsk> take(Millis now);
   /// Requests under way that nobody wants any more: each is told once.
@@ -117,6 +132,10 @@ class RegionPlan {
   std::optional<Millis> nextDue(Millis now) const;
 
   const RegionAsk* find(std::uint64_t id) const;  // under way
+  /// Squares have not been cut anew since it was asked for.
+  bool isOfThisCut(std::uint64_t id) const;
+  /// An answer came with so many cells, for whatever. Before answered().
+  void gave(int width, int height) { limit_.gave(width, height); }
   /// How a request ended: it brought something for its region (`known`: where; empty = that is not known), or
   /// that there is nothing; it went wrong, or it was cancelled.
   void answered(std::uint64_t id, bool nothing, const geometry::WorldRect& known = {});
@@ -143,13 +162,18 @@ class RegionPlan {
   /// What came of it ends before it does, though there is map beside it: the answer was smaller than it
   /// should be.
   bool hasSeam(const RegionKey& key) const;
+  /// It gives less at once than it would be asked for: squares are smaller.
+  bool isLimited() const { return limit_.pieces() > 1; }
   /// Everything in view is there, as far as it is to be had: what failed has been tried so often.
   bool settled(int tries) const;
 
  private:
   static constexpr int kMostCuts = 4;  // after refresh(); a map may be gridded anew, but not all the time
+  static constexpr int kMostPieces = 64, kMostSearches = 3, kMostEnds = 16, kMostLostLooks = 3;
 
   bool wanted(const RegionRow& row) const;
+  double mostInView() const;
+  RegionAsk send(RegionAsk ask, RegionRow& row);
   void listInView();
   void cut(double edge_m, const Eigen::Vector2d& anchor_m);
   RegionRow* rowOf(const RegionAsk& ask);
@@ -165,13 +189,30 @@ class RegionPlan {
   bool beginRim(const RegionKey& key, RegionRow& row, const geometry::WorldRect& known, Side towards);
   int hintFor(const RegionKey& key, Side towards) const;
   void partAnswered(const RegionAsk& ask, RegionRow& row, bool nothing, const geometry::WorldRect& known);
-  /// What of a square that was answered with nothing is to be asked for by itself.
-  std::optional<geometry::WorldRect> partOf(const RegionKey& key) const;
+  /// What of a square that was answered with nothing is to be asked for by itself. `middle`: emptyMiddle().
+  std::optional<geometry::WorldRect> partOf(const RegionKey& key,
+                                            const std::optional<RegionKey>& middle) const;
+
+  /// The quarters of a square in view are asked for. Of one that has left the view that waits.
+  bool searching() const;
+  /// What finds out how much is given at once: before anything else is asked for.
+  std::optional<RegionAsk> askAboutLimit() const;
+  /// The side of a square where its answer ends and may end with the map, or not.
+  std::optional<Side> openSide(const RegionKey& key) const;
+  bool endsHere(const geometry::WorldRect& known, Side side) const;
+  void lookedBeyond(const RegionAsk& ask, RegionRow& row, bool nothing, const geometry::WorldRect& known);
+  /// It may have been too much: begins to search. False: there is no reason to think so.
+  bool beginQuarters(const RegionAsk& ask, RegionRow& row, const std::optional<Eigen::Vector2d>& place);
+  void quarterAnswered(const RegionAsk& ask, RegionRow& row, bool nothing, const geometry::WorldRect& known);
+  /// Somewhere in the square where the map is.
+  std::optional<Eigen::Vector2d> placeIn(const RegionKey& key) const;
+  void takeLimit();
+
   /// The square in the middle of the view, where nothing at all has been found in view.
   std::optional<RegionKey> emptyMiddle() const;
   /// Where the map is to be looked for in a square: the middle of an empty view, and where nothing of the map
   /// is known, those of its squares.
-  std::optional<Eigen::Vector2d> lookFor(const RegionKey& key) const;
+  std::optional<Eigen::Vector2d> lookFor(const RegionKey& key, const std::optional<RegionKey>& middle) const;
 
   PlanOptions options_;
   RegionLattice lattice_;
@@ -185,6 +226,12 @@ class RegionPlan {
   bool too_far_ = false;
   std::map<RegionKey, RegionRow> rows_;
   RegionRow probe_;
+  Eigen::Vector2d aim_{0, 0};
+  AnswerLimit limit_;
+  std::optional<RegionKey> searched_;  // the square whose quarters are asked for
+  int searches_left_ = kMostSearches;
+  bool cuts_ends_ = false;  // what is partly beyond the map is cut, not answered with nothing
+  std::array<std::vector<double>, 4> ends_;  // where nothing came from beyond; by Side
   struct UnderWay {
     RegionAsk ask;
     std::uint64_t cut = 0;  // of which lattice

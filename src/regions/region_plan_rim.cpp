@@ -5,25 +5,12 @@
 #include <utility>
 
 #include "regions/region_plan.h"
+#include "regions/region_sides.h"
 
 namespace mapwright::regions {
 namespace {
 
 constexpr double kTouchCells = 0.1;  // rounding of places that are the same
-
-RegionKey besideOf(const RegionKey& key, Side side) {
-  switch (side) {
-    case Side::Left:
-      return {key.x - 1, key.y};
-    case Side::Right:
-      return {key.x + 1, key.y};
-    case Side::Bottom:
-      return {key.x, key.y - 1};
-    case Side::Top:
-      break;
-  }
-  return {key.x, key.y + 1};
-}
 
 /// `known` reaches the side of `square` that is turned to it.
 bool touches(const geometry::WorldRect& known, const geometry::WorldRect& square, Side side, double slack) {
@@ -41,34 +28,12 @@ bool touches(const geometry::WorldRect& known, const geometry::WorldRect& square
   return known.min_y <= square.max_y + slack;
 }
 
-/// `known`, which lies in `square`, goes as far as that does.
-bool reaches(const geometry::WorldRect& known, const geometry::WorldRect& square, Side side, double slack) {
-  switch (side) {
-    case Side::Left:
-      return known.min_x <= square.min_x + slack;
-    case Side::Right:
-      return known.max_x >= square.max_x - slack;
-    case Side::Bottom:
-      return known.min_y <= square.min_y + slack;
-    case Side::Top:
-      break;
-  }
-  return known.max_y >= square.max_y - slack;
-}
-
 /// As wide as `square` where it lies beside it.
 bool spans(const geometry::WorldRect& known, const geometry::WorldRect& square, Side towards, double slack) {
   return towards == Side::Left || towards == Side::Right
              ? known.min_y <= square.min_y + slack && known.max_y >= square.max_y - slack
              : known.min_x <= square.min_x + slack && known.max_x >= square.max_x - slack;
 }
-
-geometry::WorldRect common(const geometry::WorldRect& a, const geometry::WorldRect& b) {
-  return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x),
-          std::min(a.max_y, b.max_y)};
-}
-
-std::size_t at(Side side) { return std::size_t(side); }
 
 }  // namespace
 
@@ -95,20 +60,21 @@ std::optional<RegionKey> RegionPlan::emptyMiddle() const {
   return middle && isInView(*middle) ? middle : std::nullopt;
 }
 
-std::optional<geometry::WorldRect> RegionPlan::partOf(const RegionKey& key) const {
+std::optional<geometry::WorldRect> RegionPlan::partOf(const RegionKey& key,
+                                                      const std::optional<RegionKey>& middle) const {
   const RegionRow& known = row(key);
-  if (!canBeSearched(known)) return std::nullopt;
+  if (!canBeSearched(known) || known.quarters) return std::nullopt;
   if (known.rim) return known.rim->asking();
   if (!known.known.empty()) return std::nullopt;
   if (!known.only_tried) return squareOf(key);
-  const auto place = lookFor(key);
+  const auto place = lookFor(key, middle);
   if (!place) return std::nullopt;
-  const geometry::WorldRect middle{place->x(), place->y(), place->x(), place->y()};
-  return common(middle.grown(options_.probe_m / 2), squareOf(key));
+  const geometry::WorldRect there{place->x(), place->y(), place->x(), place->y()};
+  return common(there.grown(options_.probe_m / 2), squareOf(key));
 }
 
-std::optional<Eigen::Vector2d> RegionPlan::lookFor(const RegionKey& key) const {
-  const auto middle = emptyMiddle();
+std::optional<Eigen::Vector2d> RegionPlan::lookFor(const RegionKey& key,
+                                                   const std::optional<RegionKey>& middle) const {
   if (!middle) return std::nullopt;
   const auto& before = row(key).looked_for;
   if (*middle == key) {
@@ -169,7 +135,7 @@ void RegionPlan::searchAround(const RegionKey& key) {
 bool RegionPlan::hasSeam(const RegionKey& key) const {
   constexpr double kLackCells = 1.5;  // less is rounding
   const RegionRow& known = row(key);
-  if (!resolution_m_ || known.known.empty() || known.ask != 0 || known.rim) return false;
+  if (!resolution_m_ || known.known.empty() || known.ask != 0 || known.rim || openSide(key)) return false;
   const geometry::WorldRect square = squareOf(key);
   const double slack = kLackCells * *resolution_m_;
   return std::any_of(kSides.begin(), kSides.end(), [&](Side side) {
@@ -199,6 +165,7 @@ void RegionPlan::partAnswered(const RegionAsk& ask, RegionRow& row, bool nothing
     row.known = nothing ? geometry::WorldRect{} : known;
     row.nothing = nothing;
     row.beside = row.within = {};
+    if (!row.known.empty() && beginQuarters(ask, row, row.known.center())) return;
   }
   searchAround(*ask.key);
 }

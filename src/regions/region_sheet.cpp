@@ -20,6 +20,12 @@ Eigen::Vector2d turned(const Eigen::Vector2d& p, double yaw_rad) {
   return geometry::Pose2{0, 0, yaw_rad}.apply(p);
 }
 
+std::shared_ptr<std::uint8_t> notFetched() {
+  std::shared_ptr<std::uint8_t> cells(new std::uint8_t[kTileBytes], std::default_delete<std::uint8_t[]>());
+  std::memset(cells.get(), kNotFetched, kTileBytes);
+  return cells;
+}
+
 }  // namespace
 
 RegionSheet::RegionSheet(const map::GridReference& piece)
@@ -47,10 +53,26 @@ std::size_t RegionSheet::PlaceHash::operator()(const Place& place) const noexcep
 }
 
 std::optional<grids::GridTile> RegionSheet::tile(int level, int tile_x, int tile_y) const {
+  const Cells cells = made({level, tile_x, tile_y});
+  if (!cells) return std::nullopt;
+  return grids::GridTile{cells, false, false};
+}
+
+/// null: there is nothing.
+RegionSheet::Cells RegionSheet::made(const Place& place) const {
+  std::uint64_t changes = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = tiles_.find(place);
+    if (found == tiles_.end()) return nullptr;
+    if (found->second) return found->second;
+    changes = changes_;
+  }
+  Cells cells = reduced(place);
   const std::lock_guard lock(mutex_);
-  const auto found = tiles_.find({level, tile_x, tile_y});
-  if (found == tiles_.end()) return std::nullopt;
-  return grids::GridTile{found->second, false, false};
+  const auto found = tiles_.find(place);
+  if (changes == changes_ && found != tiles_.end()) found->second = cells;
+  return cells;
 }
 
 std::size_t RegionSheet::bytes() const {
@@ -90,12 +112,10 @@ bool RegionSheet::holds(const map::GridReference& piece) const {
 }
 
 std::shared_ptr<std::uint8_t> RegionSheet::copyOf(const Place& place) const {
+  const auto found = tiles_.find(place);
+  if (found == tiles_.end()) return notFetched();
   std::shared_ptr<std::uint8_t> cells(new std::uint8_t[kTileBytes], std::default_delete<std::uint8_t[]>());
-  if (const auto found = tiles_.find(place); found != tiles_.end()) {
-    std::memcpy(cells.get(), found->second.get(), kTileBytes);
-  } else {
-    std::memset(cells.get(), kNotFetched, kTileBytes);
-  }
+  std::memcpy(cells.get(), found->second.get(), kTileBytes);
   return cells;
 }
 
@@ -164,6 +184,23 @@ bool RegionSheet::forgetWhere(const CellBox& box, Inside inside) {
   return true;
 }
 
+bool RegionSheet::holdsAnyOf(const geometry::WorldRect& rect) const {
+  const auto box = boxAround(rect);
+  if (!box) return false;
+  for (const auto& [place, cells] : tiles_) {
+    if (place.level != 0) continue;
+    const int left = place.x * kEdge, top = place.y * kEdge;
+    for (int v = std::max(top, box->top); v <= std::min(top + kEdge - 1, box->bottom); ++v) {
+      for (int u = std::max(left, box->left); u <= std::min(left + kEdge - 1, box->right); ++u) {
+        const std::size_t at = std::size_t(v - top) * kEdge + std::size_t(u - left);
+        if (cells.get()[at] != kNotFetched && rect.contains(reference_.worldFromCell({u + 0.5, v + 0.5})))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool RegionSheet::forget(const geometry::WorldRect& rect) {
   const auto box = boxAround(rect);
   return box && forgetWhere(*box, [&](const Eigen::Vector2d& middle) { return rect.contains(middle); });
@@ -180,22 +217,16 @@ bool RegionSheet::forgetUnder(const map::GridReference& piece) {
   });
 }
 
-RegionSheet::Cells RegionSheet::reduced(const Place& place, const Tiles& next) const {
-  const auto finer = [&](int x, int y) -> const std::uint8_t* {
-    const Place below{place.level - 1, place.x * 2 + x, place.y * 2 + y};
-    if (const auto found = next.find(below); found != next.end()) return found->second.get();
-    const auto held = tiles_.find(below);
-    return held == tiles_.end() ? nullptr : held->second.get();
-  };
-  std::shared_ptr<std::uint8_t> cells;
+RegionSheet::Cells RegionSheet::reduced(const Place& place) const {
+  const std::shared_ptr<std::uint8_t> cells = notFetched();
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 2; ++x) {
-      const std::uint8_t* const from = finer(x, y);
+      const Cells from = made({place.level - 1, place.x * 2 + x, place.y * 2 + y});
       if (!from) continue;
-      if (!cells) cells = copyOf({-1, 0, 0});  // of a place that nothing is held of
       for (int row = 0; row < kEdge / 2; ++row) {
-        reducer_.reduceRow(from + std::size_t(row) * 2 * kEdge, from + (std::size_t(row) * 2 + 1) * kEdge,
-                           kEdge, cells.get() + std::size_t(row + y * kEdge / 2) * kEdge + x * kEdge / 2);
+        reducer_.reduceRow(from.get() + std::size_t(row) * 2 * kEdge,
+                           from.get() + (std::size_t(row) * 2 + 1) * kEdge, kEdge,
+                           cells.get() + std::size_t(row + y * kEdge / 2) * kEdge + x * kEdge / 2);
       }
     }
   }
@@ -203,26 +234,35 @@ RegionSheet::Cells RegionSheet::reduced(const Place& place, const Tiles& next) c
 }
 
 void RegionSheet::take(std::vector<std::pair<Place, Cells>> changed) {
-  Tiles next(changed.begin(), changed.end());
-  std::vector<Place> finer;
-  for (const auto& [place, cells] : changed) finer.push_back(place);
-  for (int level = 1; level < levels_; ++level) {
-    std::vector<Place> coarser;
-    for (const Place& place : finer) {
-      const Place above{level, place.x / 2, place.y / 2};
-      if (next.contains(above)) continue;
-      next.emplace(above, reduced(above, next));
-      coarser.push_back(above);
-    }
-    finer = std::move(coarser);
-  }
   const std::lock_guard lock(mutex_);
-  for (auto& [place, cells] : next) {
+  ++changes_;
+  std::vector<Place> finer;
+  for (auto& [place, cells] : changed) {
+    finer.push_back(place);
     if (cells) {
       tiles_[place] = std::move(cells);
     } else {
       tiles_.erase(place);
     }
+  }
+  for (int level = 1; level < levels_; ++level) {
+    std::vector<Place> coarser;
+    for (const Place& place : finer) {
+      const Place above{level, place.x / 2, place.y / 2};
+      if (std::find(coarser.begin(), coarser.end(), above) != coarser.end()) continue;
+      coarser.push_back(above);
+      bool any = false;
+      for (const int x : {0, 1}) {
+        for (const int y : {0, 1})
+          any = any || tiles_.contains({level - 1, above.x * 2 + x, above.y * 2 + y});
+      }
+      if (any) {
+        tiles_[above] = nullptr;
+      } else {
+        tiles_.erase(above);
+      }
+    }
+    finer = std::move(coarser);
   }
 }
 

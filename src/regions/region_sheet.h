@@ -50,6 +50,8 @@ class RegionSheet final : public grids::GridPyramid {
   /// Forgets the cells whose middle lies in `rect`, or under `piece`. True when there were any.
   bool forget(const geometry::WorldRect& rect);
   bool forgetUnder(const map::GridReference& piece);
+  /// There is a cell whose middle lies in `rect`.
+  bool holdsAnyOf(const geometry::WorldRect& rect) const;
   /// Nothing is left.
   bool empty() const;
   /// Bounds in the world of all tiles that hold something.
@@ -76,16 +78,21 @@ class RegionSheet final : public grids::GridPyramid {
   template <typename Inside>
   bool forgetWhere(const CellBox& box, Inside inside);
   std::shared_ptr<std::uint8_t> copyOf(const Place& place) const;
-  /// Takes over tiles of level 0 (null: nothing is left of it) and makes the coarser ones anew.
+  /// Takes over tiles of level 0 (null: nothing is left of it); those of coarser levels are made when they
+  /// are looked at, by who looks.
   void take(std::vector<std::pair<Place, Cells>> changed);
-  Cells reduced(const Place& place, const Tiles& next) const;
+  Cells made(const Place& place) const;
+  Cells reduced(const Place& place) const;
 
   grids::GridReducer reducer_;
   map::GridReference reference_;
   Eigen::Vector2d zero_{0, 0};
   int levels_ = 1;
   mutable std::mutex mutex_;
-  Tiles tiles_;  // written under the lock, by the one thread that changes
+  // Written under the lock: places by the one thread that changes, tiles of coarser levels that are null for
+  // not made yet by those that look, too.
+  mutable Tiles tiles_;
+  std::uint64_t changes_ = 0;
 };
 
 }  // namespace mapwright::regions

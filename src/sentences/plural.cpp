@@ -63,6 +63,10 @@ constexpr Singular kSingulars[] = {
     {"%1 features that are no points were left out.", "%1 feature that is no point was left out."},
     {"%1 rows without an id were left out.", "%1 row without an id was left out."},
     {"%1 points without a place were left out.", "%1 point without a place was left out."},
+    {"%1 cells of its answers are neither -1 nor 0 to 100. Those above 100 are shown as 100, those below -1 "
+     "as unknown.",
+     "%1 cell of its answers is neither -1 nor 0 to 100. It is shown as 100 if it is above that, else as "
+     "unknown."},
     {"%1 cells are neither -1 nor 0 to 100. They are shown as unknown.",
      "%1 cell is neither -1 nor 0 to 100. It is shown as unknown."},
     {"The robot has taken the picture, but shows %1 cells otherwise than they were sent. Compare both.",

@@ -58,6 +58,12 @@ class DispatchCommandsTest : public QObject {
     return ask({text("maps"), text("export"), text("--region"), text(region), text("-o"), output});
   }
 
+  /// A picture of a region and nothing on it.
+  Ran picture(const char* region, const char* name) const {
+    return ask({text("snapshot"), text("--region"), text(region), text("--layers"), text("none"), text("-o"),
+                file(name)});
+  }
+
  private Q_SLOTS:
   void cleanup() { robot_.reset(); }
 
@@ -148,6 +154,64 @@ class DispatchCommandsTest : public QObject {
     const Ran ran = ask({text("snapshot"), text("--mode"), text("submaps"), text("-o"), file("all.png")});
     QCOMPARE(ran.exit_code, 4);
     QVERIFY2(ran.error.count('\n') == 1 && ran.error.contains("submaps"), ran.error.constData());
+  }
+
+  void whatCameOfARegionIsShownThoughItLiesBeside() {
+    start([](simulator::Options& options) { options.faults.ros.dispatcher.answer = "elsewhere"; });
+    // The first, small question is answered a few metres to the right: that much lies in the region.
+    const Ran part = picture("0,0,40,20", "part.png");
+    QVERIFY2(part.exit_code == 1, part.error.constData());
+    QVERIFY2(part.error.contains("another region"), part.error.constData());
+    QCOMPARE(QImage(file("part.png")).size(), QSize(800, 400));
+    const Ran none = picture("0,0,6,6", "none.png");
+    QCOMPARE(none.exit_code, 3);
+    QVERIFY(!QFile::exists(file("none.png")));
+  }
+
+  void aRobotThatTakesPlacesForCornersIsAskedForCorners() {
+    start();
+    const Ran right = picture("20,10,70,60", "right.png");
+    QVERIFY2(right.exit_code == 0, right.error.constData());
+    start([](simulator::Options& options) { options.faults.ros.dispatcher.answer = "corner"; });
+    const Ran ran =
+        ask({text("snapshot"), text("--region"), text("20,10,70,60"), text("--layers"), text("none"),
+             text("-o"), file("corner.png"), text("--report"), file("corner.json")});
+    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QFile report(file("corner.json"));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QByteArray told = report.readAll();
+    QVERIFY2(told.contains("as a corner"), told.constData());
+    QCOMPARE(QImage(file("corner.png")), QImage(file("right.png")));
+  }
+
+  void cellsThatMeanNothingAreCountedOnce() {
+    start([](simulator::Options& options) { options.faults.ros.dispatcher.cloud.lie = "cells"; });
+    const Ran ran = ask({text("snapshot"), text("--region"), text("0,0,60,40"), text("--layers"),
+                         text("none"), text("-o"), file("odd.png"), text("--report"), file("odd.json")});
+    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    QFile report(file("odd.json"));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QByteArray told = report.readAll();
+    QCOMPARE(told.count("neither -1 nor 0 to 100"), 1);
+  }
+
+  void aRobotThatGivesLittleAtOnceIsAskedInPieces_data() {
+    QTest::addColumn<QByteArray>("too_much");
+    for (const char* answer : {"cut", "empty", "error"}) QTest::newRow(answer) << QByteArray(answer);
+  }
+  void aRobotThatGivesLittleAtOnceIsAskedInPieces() {
+    QFETCH(QByteArray, too_much);
+    start();
+    const Ran whole = picture("20,10,70,60", "whole.png");
+    QVERIFY2(whole.exit_code == 0, whole.error.constData());
+    start([&](simulator::Options& options) {
+      options.faults.ros.dispatcher.most_cells = 200'000;
+      options.faults.ros.dispatcher.too_much = too_much.toStdString();
+    });
+    const Ran pieces = picture("20,10,70,60", "pieces.png");
+    QVERIFY2(pieces.exit_code == 0, pieces.error.constData());
+    QVERIFY(!pieces.error.contains("smaller"));
+    QCOMPARE(QImage(file("pieces.png")), QImage(file("whole.png")));
   }
 
   void aRegionIsOfTheLiveMapAlone() {

@@ -112,6 +112,64 @@ class TestRegionFetch : public QObject {
       }
     }
   }
+  void whatIsCutOutIsTheSameAsAMapOfItsCells_data() {
+    QTest::addColumn<geometry::WorldRect>("rect");
+    QTest::addColumn<double>("yaw");
+    QTest::newRow("odd") << geometry::WorldRect{-7.35, -3.15, 31.1, 22.2} << 0.0;
+    QTest::newRow("whole tiles") << geometry::WorldRect{-12.8, -12.8, 12.8, 25.6} << 0.0;
+    QTest::newRow("narrow") << geometry::WorldRect{-20, 1, 40, 1.35} << 0.0;
+    QTest::newRow("beyond what came") << geometry::WorldRect{-60, -60, 10, 10} << 0.0;
+    QTest::newRow("turned") << geometry::WorldRect{-7.35, -3.15, 21.1, 12.2} << 0.3;
+  }
+  void whatIsCutOutIsTheSameAsAMapOfItsCells() {
+    QFETCH(geometry::WorldRect, rect);
+    QFETCH(double, yaw);
+    FakeGround ground;
+    ground.origin.yaw_rad = yaw;
+    RegionCells cells;
+    for (const double x : {-20.0, 0.0, 20.0}) {
+      for (const double y : {-20.0, 0.0, 20.0}) QVERIFY(cells.put(ground.part({{x, y}, {20, 20}})));
+    }
+    const FetchedGrid fetched = cutOut(cells.sheets(), rect);
+    QVERIFY(fetched.cells);
+    const int width = fetched.reference.width, height = fetched.reference.height;
+    const auto builder =
+        grids::buildGrid(width, height, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins);
+    const RegionSheet& sheet = *cells.sheets().front();
+    std::vector<std::uint8_t> row(std::size_t(width), 0);
+    int known = 0;
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) {
+        const Eigen::Vector2d world = fetched.reference.worldFromCell({u + 0.5, v + 0.5});
+        const Eigen::Vector2d cell = sheet.reference().cellFromWorld(world);
+        const std::uint8_t byte = sheet.at(int(cell.x()), int(cell.y()));
+        const bool there = byte != kNotFetched && (yaw == 0 || rect.contains(world));
+        row[std::size_t(u)] = there ? byte : grids::kUnknownOccupancy;
+        known += row[std::size_t(u)] != grids::kUnknownOccupancy;
+      }
+      builder->pushRow(row);
+    }
+    builder->finish();
+    QVERIFY(known > 100);
+    const auto expected = builder->pyramid();
+    QCOMPARE(fetched.cells->levels(), expected->levels());
+    constexpr int kTile = grids::GridPyramid::kTileEdge;
+    for (int level = expected->levels(); level-- > 0;) {
+      for (int y = 0; y * kTile < expected->levelHeight(level); ++y) {
+        for (int x = 0; x * kTile < expected->levelWidth(level); ++x) {
+          const auto one = fetched.cells->tile(level, x, y), other = expected->tile(level, x, y);
+          QVERIFY(one && other);
+          QVERIFY(std::equal(one->cells.get(), one->cells.get() + kTile * kTile, other->cells.get()));
+        }
+      }
+      QVERIFY(!fetched.cells->tile(level, (expected->levelWidth(level) + kTile - 1) / kTile, 0));
+    }
+    // What comes later is not in it.
+    const std::string before = pgmOf(*fetched.cells);
+    ground.cell = [](int, int) { return std::int8_t(55); };
+    QVERIFY(cells.put(ground.part({{0, 0}, {20, 20}})));
+    QCOMPARE(pgmOf(*fetched.cells), before);
+  }
   void whatFailsIsTriedAFewTimesAndToldOf() {
     FakeDispatch dispatch;
     Clock clock;

@@ -92,8 +92,9 @@ class TestRegionRim : public QObject {
     QTest::addColumn<int>("height");
     QTest::addColumn<WorldRect>("view");
     QTest::addColumn<int>("most_asked");
-    QTest::newRow("within one square") << 500 << 400 << WorldRect{-30, -10, -20, 0} << 60;
-    QTest::newRow("all of a small map") << 500 << 400 << WorldRect{-60, -40, 20, 40} << 100;
+    // A dozen among them find out that they are not too much for one answer.
+    QTest::newRow("within one square") << 500 << 400 << WorldRect{-30, -10, -20, 0} << 75;
+    QTest::newRow("all of a small map") << 500 << 400 << WorldRect{-60, -40, 20, 40} << 115;
     QTest::newRow("a corner") << 3000 << 2000 << WorldRect{-60, -30, -10, 20} << 100;
     QTest::newRow("an edge") << 3000 << 2000 << WorldRect{10, -30, 60, 10} << 100;
     QTest::newRow("all of it") << 3000 << 2000 << WorldRect{-45, -20, 120, 95} << 250;
@@ -230,6 +231,35 @@ class TestRegionRim : public QObject {
     }
     QVERIFY(there > 1000);
     QCOMPARE(wrong, 0);
+  }
+
+  void whoTakesPlacesForCornersIsAskedForCorners_data() {
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    QTest::newRow("lower left") << 0.5 << 0.5;
+    QTest::newRow("upper left") << 0.5 << -0.5;
+  }
+  void whoTakesPlacesForCornersIsAskedForCorners() {
+    QFETCH(double, x);
+    QFETCH(double, y);
+    const FakeGround ground = hall(3000, 2000);
+    const WorldRect view{-60, -30, 40, 30};
+    MapRegions regions = regionsOf(512);
+    regions.setView(view, {0, 0});
+    int asked = 0;
+    for (auto asks = regions.take(kNow); !asks.empty() && asked < 1000; asks = regions.take(kNow)) {
+      for (const RegionAsk& ask : asks) {
+        ++asked;
+        map::GridRegion region = questionOf(ask);
+        region.centre_m += region.size_m.cwiseProduct(Eigen::Vector2d(x, y));
+        regions.answered(ask.id, ground.part(region), kNow);
+      }
+    }
+    QVERIFY(regions.asksForCorners());
+    QCOMPARE(wrongIn(regions, ground, view), 0);
+    QCOMPARE(regions.counts().failed, 0);
+    QCOMPARE(regions.counts().answered, regions.counts().in_view);
+    QVERIFY2(asked <= 2 * regions.counts().in_view, qPrintable(QString::number(asked)));
   }
 
   // The cells of a turned map that lie around a square may all lie beside it.

@@ -1,4 +1,7 @@
 // Pieces of a grid on one lattice of cells.
+#include <atomic>
+#include <thread>
+
 #include <QtTest>
 
 #include "grids/reduce_grid.h"
@@ -178,6 +181,55 @@ class TestRegionSheet : public QObject {
         if (resolution > 1e-3) QCOMPARE(int(cellAt(*cells.sheets().back(), middle)), 42);
       }
     }
+  }
+
+  // Coarser levels are made by who looks, while pieces come.
+  void coarserLevelsAreRightWhoeverMakesThem() {
+    const auto piece = [](int x, int y, int round) {
+      map::GridReference grid{300, 300, 0.05, {x * 15.0, y * 15.0, 0}};
+      std::vector<std::int8_t> cells(90'000);
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        cells[i] = std::int8_t((i / 7 + std::size_t(round * 13)) % 101);
+      return std::pair(grid, cells);
+    };
+    const auto first = piece(0, 0, 0);
+    RegionSheet sheet(first.first), other(first.first);
+    const int middle = sheet.width() / 2 / 256;
+    std::atomic<bool> over = false;
+    std::vector<std::thread> readers;
+    for (int reader = 0; reader < 3; ++reader) {
+      readers.emplace_back([&] {
+        while (!over) {
+          for (int level = 0; level < sheet.levels(); ++level) {
+            for (int at = -2; at < 5; ++at) sheet.tile(level, (middle + at) >> level, (middle - at) >> level);
+          }
+        }
+      });
+    }
+    for (int round = 0; round < 8; ++round) {
+      for (int x = 0; x < 4; ++x) {
+        for (int y = 0; y < 4; ++y) {
+          const auto [grid, cells] = piece(x, y, round);
+          sheet.put(grid, cells);
+          if (round == 7) other.put(grid, cells);
+        }
+      }
+    }
+    over = true;
+    for (std::thread& reader : readers) reader.join();
+    QCOMPARE(sheet.bytes(), other.bytes());
+    int compared = 0;
+    for (int level = 0; level < sheet.levels(); ++level) {
+      for (int x = (middle - 8) >> level; x <= (middle + 8) >> level; ++x) {
+        for (int y = (middle - 8) >> level; y <= (middle + 8) >> level; ++y) {
+          const auto one = sheet.tile(level, x, y), same = other.tile(level, x, y);
+          QCOMPARE(one.has_value(), same.has_value());
+          compared += one.has_value();
+          if (one) QVERIFY(std::equal(one->cells.get(), one->cells.get() + 65'536, same->cells.get()));
+        }
+      }
+    }
+    QVERIFY(compared > 20);
   }
 };
 

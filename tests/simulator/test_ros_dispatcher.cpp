@@ -126,6 +126,23 @@ class TestRosDispatcher : public QObject {
              answer == QLatin1String("pad") ? 200 : 0);
   }
 
+  void anAnswerMayHaveSoManyCellsAtMost() {
+    Options options = with();
+    options.faults.ros.dispatcher.most_cells = 10'000;
+    RosRobot cutting(options);
+    const QJsonObject less = grid(cutting, square(0, 0, 10));
+    QCOMPARE(at(less, "info.width").toInt(), 100);
+    QCOMPARE(at(less, "data").toArray().size(), 10'000);
+    QVERIFY(std::abs(at(less, "info.origin.position.x").toDouble() + 5) < 1e-6);
+    QCOMPARE(at(grid(cutting, square(0, 0, 5)), "info.width").toInt(), 100);
+    options.faults.ros.dispatcher.too_much = "empty";
+    QCOMPARE(at(grid(RosRobot(options), square(0, 0, 10)), "info.width").toInt(), 0);
+    options.faults.ros.dispatcher.too_much = "error";
+    RosRobot refusing(options);
+    QVERIFY(!at(refusing->ask("/map_dispatcher/get_sub_map", square(0, 0, 10)), "result").toBool(true));
+    QCOMPARE(at(grid(refusing, square(0, 0, 5)), "info.width").toInt(), 100);
+  }
+
   void aTurnedAnswerIsLarger() {
     Options options = with();
     options.faults.ros.dispatcher.answer = "rotated";

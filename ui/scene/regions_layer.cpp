@@ -47,10 +47,23 @@ void RegionGround::paintHatch(QPainter& painter) const {
   unknown.addRect(0, 0, view.width_px, view.height_px);
   QPainterPath answered;
   answered.setFillRule(Qt::WindingFill);
-  for (const regions::RegionView& region : map_->regions().answeredIn(view.visibleWorld())) {
-    answered.addPolygon(onScreen(region.rect));
+  // Thousands of small ones make few shapes: they come column by column, upwards.
+  geometry::WorldRect column;
+  const auto add = [&] {
+    if (column.empty()) return;
+    answered.addPolygon(onScreen(column));
     answered.closeSubpath();
+  };
+  regions::RegionKey last;
+  for (const regions::RegionView& region : map_->regions().answeredIn(view.visibleWorld())) {
+    if (region.key.x != last.x || region.key.y != last.y + 1) {
+      add();
+      column = {};
+    }
+    column.extend(region.rect);
+    last = region.key;
   }
+  add();
   unknown.addPath(answered);
   QPainterPath screen;
   screen.addRect(0, 0, view.width_px, view.height_px);

@@ -138,6 +138,7 @@ CallOutcome Dispatcher::grid(const Region& asked, bool whole) {
   const double shift = odd.regrids ? 0.013 * edits().map : 0;
   Region region = asked;
   if (odd.answer == "elsewhere") region.centre_m.x() += 2 * asked.size_m.x();
+  if (odd.answer == "corner" && !whole) region.centre_m += asked.size_m / 2;
   // In cells of the whole map.
   const auto first = [&](double at) { return std::floor((at + half - shift) / cell + 1e-6); };
   const auto last = [&](double at) { return std::ceil((at + half - shift) / cell - 1e-6); };
@@ -155,7 +156,9 @@ CallOutcome Dispatcher::grid(const Region& asked, bool whole) {
                    (u0 > first(low.x()) || v0 > first(low.y()) || u1 < last(high.x()) || v1 < last(high.y()));
   const Value header = headerOf(kFrame, 0, options_.ros.dialect);
   const char* const member = whole ? "map" : "sub_map";
-  if (beyond || cut) {
+  const bool too_much = !whole && odd.most_cells > 0 && !beyond && (u1 - u0) * (v1 - v0) > odd.most_cells;
+  if (too_much && odd.too_much == "error") return refused(verb, "this region is too large");
+  if (beyond || cut || (too_much && odd.too_much == "empty")) {
     return {true, Value::Object{{member, Value::Object{{"header", header},
                                                        {"info", info(cell, 0, 0, {})},
                                                        {"data", Value::Int8s{}}}}}};
@@ -172,6 +175,11 @@ CallOutcome Dispatcher::grid(const Region& asked, bool whole) {
         region.centre_m - Eigen::Vector2d(columns * c - rows * s, columns * s + rows * c) * cell / 2;
     origin = {corner.x(), corner.y(), kTurn};
   }
+  if (too_much && odd.answer != "rotated") {
+    const double edge_cells = std::floor(std::sqrt(odd.most_cells));
+    columns = std::min(columns, std::max(edge_cells, std::floor(odd.most_cells / rows)));
+    rows = std::min(rows, std::floor(odd.most_cells / columns));
+  }
   if (columns * rows > kMostCells) return refused(verb, "not enough memory for so many cells");
   const int width = static_cast<int>(columns), height = static_cast<int>(rows);
   Value::Int8s cells;
@@ -182,6 +190,8 @@ CallOutcome Dispatcher::grid(const Region& asked, bool whole) {
       cells.push_back(building_.cellAt(at.x(), at.y()));
     }
   }
+  for (std::size_t i = 0; odd.cloud.lie == "cells" && i < cells.size(); i += 1000)
+    cells[i] = i % 2000 == 0 ? 120 : -7;
   if (odd.cloud.lie == "data") cells.resize(cells.size() - cells.size() / 3);
   return {true, Value::Object{{member, Value::Object{{"header", header},
                                                      {"info", info(cell, width, height, origin)},

@@ -64,8 +64,11 @@ struct CloudOddities {
 struct DispatcherFaults {
   /// A region that reaches beyond the map is cut; "pad": filled up, and clouds are larger than asked for;
   /// "empty": 0 x 0, and clouds hold nothing; "rotated": in a grid that lies askew; "elsewhere": of another
-  /// region.
+  /// region; "corner": x and y are taken for the lower left corner.
   std::string answer;
+  int most_cells = 0;  // > 0: an answer for a region has no more cells than that
+  /// What comes of one that has more: its lower left part; "empty": 0 x 0; "error": an error.
+  std::string too_much;
   CloudOddities cloud;              // its lie "data" is about grids, too
   bool resolution_changes = false;  // from call to call
   bool regrids = false;             // every fourth call the grid is laid out anew

@@ -222,8 +222,7 @@ void MapErrand::endRectangle() {
   }
   const QString why = sentences::sentenceOf(fetch->trouble());
   const regions::RegionCounts counts = fetch->counts();
-  const regions::FetchedGrid fetched =
-      regions::cutOut(fetch->map().regions().sheets(), fetch->rect(), {context_.workers, {}});
+  const regions::FetchedGrid fetched = regions::cutOut(fetch->map().regions().sheets(), fetch->rect());
   if (!fetched.cells) {
     return toast(Mark::Bad, why.isEmpty() ? tr("There is nothing in this region.")
                                           : tr("The region was not fetched: %1").arg(why));
