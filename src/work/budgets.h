@@ -13,17 +13,18 @@ struct Budgets {
   std::size_t tiles = 0;       // of submaps: the view's, and of coarser levels
   std::size_t grid_tiles = 0;  // of all whole maps, costmaps and differences: the views'
   std::size_t unpacked = 0;    // cells of whole maps that were looked at last
+  std::size_t regions = 0;     // cells of maps by regions
 
-  std::size_t all() const { return textures + dense + tiles + grid_tiles + unpacked; }
+  std::size_t all() const { return textures + dense + tiles + grid_tiles + unpacked + regions; }
   bool operator==(const Budgets&) const = default;
   friend Budgets operator+(const Budgets& a, const Budgets& b) {
-    return {a.textures + b.textures, a.dense + b.dense, a.tiles + b.tiles, a.grid_tiles + b.grid_tiles,
-            a.unpacked + b.unpacked};
+    return {a.textures + b.textures,     a.dense + b.dense,       a.tiles + b.tiles,
+            a.grid_tiles + b.grid_tiles, a.unpacked + b.unpacked, a.regions + b.regions};
   }
 };
 
 inline constexpr std::size_t kLeastBudget = std::size_t(128) << 20;
-inline constexpr std::size_t kUsualBudget = std::size_t(640) << 20;
+inline constexpr std::size_t kUsualBudget = std::size_t(768) << 20;
 
 /// Shares `bytes` out (at least kLeastBudget).
 Budgets budgetsFrom(std::size_t bytes = kUsualBudget);

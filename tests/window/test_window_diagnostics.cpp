@@ -35,7 +35,7 @@ class WindowDiagnosticsTest : public QObject {
  private Q_SLOTS:
   void tellsWhatIsHeldOfWhatIsAllowed() {
     Bench bench;
-    bench.budgets = work::budgetsFrom(std::size_t(200) << 20);
+    bench.budgets = work::budgetsFrom(std::size_t(240) << 20);
     MainWindow& window = bench.open();
     QVERIFY(!window.connectTo(test::kAddress));
     bench.load();
@@ -47,7 +47,7 @@ class WindowDiagnosticsTest : public QObject {
     QVERIFY(lines.contains(QStringLiteral("Cells of submaps\t%1\t80.0")
                                .arg(double(held.textures) / double(1 << 20), 0, 'f', 1)));
     QVERIFY(lines.last().startsWith(QLatin1String("All\t")) &&
-            lines.last().endsWith(QLatin1String("\t200.0")));
+            lines.last().endsWith(QLatin1String("\t240.0")));
   }
 
   void followsWhatGoesOn() {

@@ -135,8 +135,9 @@ class WorkersTest : public QObject {
     QVERIFY(budgetsFrom(0) == budgetsFrom(kLeastBudget));
     for (const std::size_t bytes : {kLeastBudget, kUsualBudget, std::size_t(5) << 30}) {
       const Budgets budgets = budgetsFrom(bytes);
-      QVERIFY(budgets.all() <= bytes && budgets.all() > bytes - 20);
-      QVERIFY(budgets.textures && budgets.dense && budgets.tiles && budgets.grid_tiles && budgets.unpacked);
+      QVERIFY(budgets.all() <= bytes && budgets.all() > bytes - 24);
+      QVERIFY(budgets.textures && budgets.dense && budgets.tiles && budgets.grid_tiles && budgets.unpacked &&
+              budgets.regions);
     }
     QCOMPARE(budgetsFrom().tiles, std::size_t(192) << 20);
   }

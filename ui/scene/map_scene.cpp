@@ -121,6 +121,8 @@ work::Budgets MapScene::memory() const {
   held.dense = tiles.dense_bytes;
   held.tiles = tiles.cache_bytes;
   held.grid_tiles = impl_->raster.cacheBytes() + impl_->dispatched->tiles().cacheBytes();
+  if (const regions::RegionMap* const map = RegionsOnMap::of(*this).map())
+    held.regions = map->regions().bytes();
   return held;
 }
 

@@ -50,6 +50,7 @@ Table memoryOf(const Diagnostics& now) {
        row(QCoreApplication::translate("window", "Tiles of maps and costmaps"), held.grid_tiles,
            allowed.grid_tiles),
        row(QCoreApplication::translate("window", "Cells of maps, unpacked"), held.unpacked, allowed.unpacked),
+       row(QCoreApplication::translate("window", "Cells of maps by regions"), held.regions, allowed.regions),
        row(QCoreApplication::translate("window", "All"), held.all(), allowed.all())}};
 }
 

@@ -33,14 +33,13 @@ using scene::Layer;
 const QString kEveryKey = QStringLiteral("regions/refresh_s");
 constexpr int kLookEveryMs = 120;  // while the camera moves
 constexpr std::array kEveryS{0, 10, 60, 600};
-constexpr double kShareOfMemory = 2;  // of what unpacked cells of whole maps may take
 constexpr double kBytesOfRegion = 1024 * 1024 * 4 / 3.0;
 constexpr double kFirstViewM = 60;
 constexpr int kLeastInView = 6, kMostInView = 72;
 
 regions::RegionMap::Options mapOptions(const work::Budgets& budgets) {
   regions::RegionMap::Options options;
-  const double bytes = double(budgets.unpacked) * kShareOfMemory;
+  const double bytes = double(budgets.regions);
   options.regions.budget_bytes = std::size_t(bytes);
   // What is in view is never given up, so it must fit.
   options.regions.plan.most_in_view =
