@@ -94,6 +94,7 @@ void RegionPlan::refresh() {
   ++round_;
   cuts_left_ = kMostCuts;
   searches_left_ = kMostSearches;
+  fine_looks_left_ = kMostFineLooks;
   searched_.reset();
   for (auto& ends : ends_) ends.clear();
   for (auto& [key, row] : rows_) {
@@ -168,7 +169,7 @@ std::vector<RegionAsk> RegionPlan::take(Millis now) {
     const auto part = partOf(key, middle);
     if (!part || this->row(key).retry_at > now) continue;
     RegionRow& row = rows_[key];
-    if (!row.rim && row.only_tried) row.looked_for = lookFor(key, middle);
+    if (!row.rim && row.only_tried) noteLook(row, *lookFor(key, middle));
     asks.push_back(send({.key = key, .part = true, .rect = *part, .asking = *part}, row));
     middle = emptyMiddle();
   }
@@ -240,6 +241,7 @@ void RegionPlan::answered(std::uint64_t id, bool nothing, const geometry::WorldR
   row->rim.reset();
   row->only_tried = !options_.only;
   row->looked_for.reset();
+  row->looks = 0;
   row->beside = row->within = row->looked_beyond = {};
   row->lost_looks = 0;
   if (ask.key) {

@@ -72,7 +72,8 @@ struct RegionRow {
   // Asked for as a whole it was answered with nothing; what came since came in parts.
   bool all_is_nothing = false;
   bool only_tried = false;                    // no more of it than is wanted has been asked for
-  std::optional<Eigen::Vector2d> looked_for;  // a place around which it was asked for by itself
+  std::optional<Eigen::Vector2d> looked_for;  // the middle of a view around which it was asked for by itself
+  int looks = 0;                              // so many of its own places likewise
   std::optional<RimSearch> rim;               // the rim of the map in it, while that is searched
   std::array<bool, 4> beside{}, within{};     // from where it has been searched; by Side
   std::array<int, 4> cells_to{};              // how far the search got
@@ -169,7 +170,8 @@ class RegionPlan {
 
  private:
   static constexpr int kMostCuts = 4;  // after refresh(); a map may be gridded anew, but not all the time
-  static constexpr int kMostPieces = 64, kMostSearches = 3, kMostEnds = 16, kMostLostLooks = 3;
+  static constexpr int kMostPieces = 64, kMostSearches = 3, kMostEnds = 16, kMostLostLooks = 3,
+                       kMostFineLooks = 64;
 
   bool wanted(const RegionRow& row) const;
   double mostInView() const;
@@ -210,9 +212,14 @@ class RegionPlan {
 
   /// The square in the middle of the view, where nothing at all has been found in view.
   std::optional<RegionKey> emptyMiddle() const;
+  struct Look {
+    Eigen::Vector2d place;
+    bool middle_of_view = false;
+  };
   /// Where the map is to be looked for in a square: the middle of an empty view, and where nothing of the map
-  /// is known, those of its squares.
-  std::optional<Eigen::Vector2d> lookFor(const RegionKey& key, const std::optional<RegionKey>& middle) const;
+  /// is known, those of its squares, of their quarters and so on.
+  std::optional<Look> lookFor(const RegionKey& key, const std::optional<RegionKey>& middle) const;
+  void noteLook(RegionRow& row, const Look& look);
 
   PlanOptions options_;
   RegionLattice lattice_;
@@ -229,7 +236,7 @@ class RegionPlan {
   Eigen::Vector2d aim_{0, 0};
   AnswerLimit limit_;
   std::optional<RegionKey> searched_;  // the square whose quarters are asked for
-  int searches_left_ = kMostSearches;
+  int searches_left_ = kMostSearches, fine_looks_left_ = kMostFineLooks;
   bool cuts_ends_ = false;  // what is partly beyond the map is cut, not answered with nothing
   std::array<std::vector<double>, 4> ends_;  // where nothing came from beyond; by Side
   struct UnderWay {

@@ -11,6 +11,16 @@ namespace mapwright::regions {
 namespace {
 
 constexpr double kTouchCells = 0.1;  // rounding of places that are the same
+constexpr int kPlaceCells = 16;
+constexpr int kLookPlaces = 1 + 4 + 16;
+
+/// The middle of a square, those of its quarters, and of theirs.
+Eigen::Vector2d lookPlace(const geometry::WorldRect& square, int number) {
+  const int across = number == 0 ? 1 : number < 5 ? 2 : 4;
+  const int place = number - (number == 0 ? 0 : number < 5 ? 1 : 5);
+  return {square.min_x + square.width() * (place % across + 0.5) / across,
+          square.min_y + square.height() * (place / across + 0.5) / across};
+}
 
 /// `known` reaches the side of `square` that is turned to it.
 bool touches(const geometry::WorldRect& known, const geometry::WorldRect& square, Side side, double slack) {
@@ -67,23 +77,42 @@ std::optional<geometry::WorldRect> RegionPlan::partOf(const RegionKey& key,
   if (known.rim) return known.rim->asking();
   if (!known.known.empty()) return std::nullopt;
   if (!known.only_tried) return squareOf(key);
-  const auto place = lookFor(key, middle);
-  if (!place) return std::nullopt;
-  const geometry::WorldRect there{place->x(), place->y(), place->x(), place->y()};
-  return common(there.grown(options_.probe_m / 2), squareOf(key));
+  const auto look = lookFor(key, middle);
+  if (!look) return std::nullopt;
+  const geometry::WorldRect there{look->place.x(), look->place.y(), look->place.x(), look->place.y()};
+  // The smaller it is, the nearer to the rim it may lie.
+  const double few_cells_m = kPlaceCells * resolution_m_.value_or(options_.assumed_resolution_m);
+  const double edge_m = look->middle_of_view ? options_.probe_m : std::min(options_.probe_m, few_cells_m);
+  return common(there.grown(edge_m / 2), squareOf(key));
 }
 
-std::optional<Eigen::Vector2d> RegionPlan::lookFor(const RegionKey& key,
-                                                   const std::optional<RegionKey>& middle) const {
+std::optional<RegionPlan::Look> RegionPlan::lookFor(const RegionKey& key,
+                                                    const std::optional<RegionKey>& middle) const {
   if (!middle) return std::nullopt;
-  const auto& before = row(key).looked_for;
+  const RegionRow& tried = row(key);
   if (*middle == key) {
+    const auto& before = tried.looked_for;
     const bool new_place = !before || (*before - centre_m_).cwiseAbs().maxCoeff() > options_.probe_m / 2;
-    return new_place ? std::optional(centre_m_) : std::nullopt;
+    if (new_place) return Look{centre_m_, true};
   }
   const bool nothing_is_known =
       std::all_of(rows_.begin(), rows_.end(), [](const auto& each) { return each.second.known.empty(); });
-  return nothing_is_known && !before ? std::optional(squareOf(key).center()) : std::nullopt;
+  if (!nothing_is_known || tried.looks >= kLookPlaces || (tried.looks > 0 && fine_looks_left_ <= 0))
+    return std::nullopt;
+  // Each square as finely as the others.
+  const bool others_first = std::any_of(in_view_.begin(), in_view_.end(), [&](const RegionKey& other) {
+    return row(other).looks < tried.looks;
+  });
+  if (others_first) return std::nullopt;
+  return Look{lookPlace(squareOf(key), tried.looks)};
+}
+
+void RegionPlan::noteLook(RegionRow& row, const Look& look) {
+  if (look.middle_of_view) {
+    row.looked_for = look.place;
+  } else if (row.looks++ > 0) {
+    --fine_looks_left_;
+  }
 }
 
 int RegionPlan::hintFor(const RegionKey& key, Side towards) const {
