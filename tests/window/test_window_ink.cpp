@@ -73,6 +73,28 @@ class TestWindowInk : public QObject {
     QVERIFY(test::Ink(notice->findChild<PlainLabel*>()).reach() > 200);
   }
 
+  void aLongNoticeTakesASecondLineAndAShortOneGivesItBack() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    window.resize(1000, 700);
+    NoticeBar* const notice = window.overlay()->notice();
+    notice->setNotice(Mark::Warning, QStringLiteral("Short."), QStringLiteral("Retry now"));
+    QTRY_VERIFY(notice->height() > 0);
+    const int one_line = notice->height();
+    const QString words = QStringLiteral("So much is to be said here that one line has no room for it: ");
+    notice->setNotice(Mark::Warning, words + words, QStringLiteral("Retry now"));
+    QTRY_VERIFY(notice->height() > one_line);
+    const int two_lines = notice->height();
+    const PlainLabel* const label = notice->findChild<PlainLabel*>();
+    verifyPainted(notice->findChild<PlainLabel*>());
+    QVERIFY(label->height() >= label->heightForWidth(label->width()));
+    // No more than two, whatever is said.
+    notice->setNotice(Mark::Warning, words + words + words + words, QStringLiteral("Retry now"));
+    QTRY_COMPARE(notice->height(), two_lines);
+    notice->setNotice(Mark::Warning, QStringLiteral("Short."), QStringLiteral("Retry now"));
+    QTRY_COMPARE(notice->height(), one_line);
+  }
+
   void aNoticeFromBeforeTheWindowIsShown() {
     Bench bench;
     bench.settings.sync();

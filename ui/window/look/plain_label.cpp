@@ -1,5 +1,7 @@
 #include "window/look/plain_label.h"
 
+#include <algorithm>
+
 #include <QEvent>
 #include <QHelpEvent>
 #include <QPainter>
@@ -22,7 +24,7 @@ void PlainLabel::setText(const QString& given) {
   if (text == text_) return;
   text_ = text;
   setAccessibleName(text);
-  if (sample_.isEmpty()) updateGeometry();
+  if (sample_.isEmpty() || most_lines_ > 1) updateGeometry();
   update();
 }
 
@@ -39,6 +41,37 @@ void PlainLabel::setElideMode(Qt::TextElideMode mode) {
 void PlainLabel::setSample(const QString& sample) {
   sample_ = sample;
   updateGeometry();
+}
+
+void PlainLabel::setMostLines(int lines) {
+  most_lines_ = std::max(lines, 1);
+  QSizePolicy policy = sizePolicy();
+  policy.setHeightForWidth(most_lines_ > 1);
+  setSizePolicy(policy);
+}
+
+QStringList PlainLabel::linesIn(int width) const {
+  const QFontMetrics metrics = fontMetrics();
+  const auto fits = [&](const QString& text) { return metrics.horizontalAdvance(text) <= width; };
+  QString rest = text_;
+  QStringList lines;
+  while (lines.size() + 1 < most_lines_ && !fits(rest)) {
+    qsizetype end = -1;
+    for (qsizetype blank = rest.indexOf(QLatin1Char(' ')); blank >= 0 && fits(rest.left(blank));
+         blank = rest.indexOf(QLatin1Char(' '), blank + 1)) {
+      end = blank;
+    }
+    if (end <= 0) break;  // not even a word has room
+    lines << rest.left(end);
+    rest = rest.mid(end + 1);
+  }
+  return lines << metrics.elidedText(rest, elide_, width);
+}
+
+int PlainLabel::heightForWidth(int width) const {
+  if (most_lines_ == 1) return -1;
+  const int more = int(linesIn(width - iconWidth()).size()) - 1;
+  return sizeHint().height() + more * fontMetrics().lineSpacing();
 }
 
 void PlainLabel::setSecondary(bool secondary) {
@@ -78,14 +111,15 @@ void PlainLabel::paintEvent(QPaintEvent*) {
   painter.setPen(!isEnabled() ? palette().color(QPalette::Disabled, QPalette::WindowText)
                  : secondary_ ? colors.secondary_text
                               : colors.text);
-  painter.drawText(area, int(alignment_) | Qt::TextSingleLine,
-                   fontMetrics().elidedText(text_, elide_, area.width()));
+  const QStringList lines = linesIn(area.width());
+  painter.drawText(area, int(alignment_) | (lines.size() == 1 ? int(Qt::TextSingleLine) : 0),
+                   lines.join(QLatin1Char('\n')));
 }
 
 bool PlainLabel::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     QString tip = hint_;
-    if (fontMetrics().horizontalAdvance(text_) > width() - iconWidth()) {
+    if (linesIn(width() - iconWidth()).join(QLatin1Char(' ')) != text_) {
       tip = tip.isEmpty() ? text_ : tip + QLatin1Char('\n') + text_;
     }
     auto* help = static_cast<QHelpEvent*>(event);

@@ -1,7 +1,8 @@
-// One line of plain text that never changes the layout around it.
+// Plain text, one line as a rule, that does not change the layout around it.
 #pragma once
 
 #include <QColor>
+#include <QStringList>
 #include <QWidget>
 
 namespace mapwright::window {
@@ -22,6 +23,8 @@ class PlainLabel : public QWidget {
   void setElideMode(Qt::TextElideMode mode);
   /// The preferred width is that of `sample` (empty: of the text).
   void setSample(const QString& sample);
+  /// What has no room in one line may take so many; it asks for as much height then.
+  void setMostLines(int lines);
   void setSecondary(bool secondary);
   bool secondary() const { return secondary_; }
   void setIcon(const QString& icon_name, const QColor& color);  // drawn before the text; empty = none
@@ -30,6 +33,7 @@ class PlainLabel : public QWidget {
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
+  int heightForWidth(int width) const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -38,11 +42,14 @@ class PlainLabel : public QWidget {
 
  private:
   int iconWidth() const { return icon_.isEmpty() ? 0 : 20; }
+  /// As they are painted in so much room, the last one elided.
+  QStringList linesIn(int width) const;
   QString text_, sample_, icon_, hint_;
   QColor icon_color_;
   Qt::Alignment alignment_ = Qt::AlignLeft | Qt::AlignVCenter;
   Qt::TextElideMode elide_ = Qt::ElideRight;
   bool secondary_ = false;
+  int most_lines_ = 1;
 };
 
 /// Plain text made safe for places that guess at rich text (tooltips).

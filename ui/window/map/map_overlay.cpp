@@ -81,7 +81,9 @@ void MapOverlay::place() {
   for (QWidget* strip :
        std::initializer_list<QWidget*>{safety_notice_, notice_, place_notice_, edit_notice_, compare_bar_}) {
     if (strip->isHidden()) continue;
-    strip->setGeometry(0, top, area.width(), strip->sizeHint().height());
+    const int height =
+        strip->hasHeightForWidth() ? strip->heightForWidth(area.width()) : strip->sizeHint().height();
+    strip->setGeometry(0, top, area.width(), height);
     top += strip->height();
   }
   const QSize furniture = furniture_->sizeHint();

@@ -37,7 +37,8 @@ NoticeBar::NoticeBar(QWidget* parent)
   close_->setAccessibleName(tr("Dismiss this notice"));
   row->addWidget(close_);
   label_->setSample(QStringLiteral("x"));
-  label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  label_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  label_->setMostLines(2);
   connect(close_, &QToolButton::clicked, this, &NoticeBar::closed);
   connect(button_, &QPushButton::clicked, this, &NoticeBar::offerTaken);
   connect(second_, &QPushButton::clicked, this, &NoticeBar::secondTaken);
