@@ -145,6 +145,27 @@ class TestWindowInk : public QObject {
     verify();
   }
 
+  void aToastShowsAllOfWhatItSays() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    ToastStack& toasts = *window.overlay()->toasts();
+    const QString wide = QStringLiteral("Exported 12,115 messages to /home/me/2024-06-03_08-50-00.mcap");
+    const QString word =
+        QStringLiteral("/home/me/") + QString(200, QLatin1Char('w')) + QStringLiteral(".mcap");
+    for (const QString& text : {wide, word}) {
+      toasts.add(Mark::Good, text);
+      QCOMPARE(toasts.texts().back(), text);
+      const auto* const label = toasts.findChildren<QLabel*>(QStringLiteral("toastText")).back();
+      QTRY_VERIFY(label->isVisible() && label->width() > 100);
+      const QFontMetrics metrics = label->fontMetrics();
+      // Nothing is cut off at the right: it goes on in the next line.
+      const QRect needed = metrics.boundingRect(QRect(0, 0, label->width(), 10'000),
+                                                Qt::TextWordWrap | Qt::AlignLeft, label->text());
+      QVERIFY2(needed.width() <= label->width() + 1, qPrintable(QString::number(needed.width())));
+      QVERIFY(label->height() >= needed.height());
+    }
+  }
+
   void theFirstToast() {
     Bench bench;
     MainWindow& window = bench.open();

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QTextBoundaryFinder>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -17,6 +18,24 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kAtMost = 4;
+constexpr int kWidestText = 380;
+constexpr QChar kMayBreak(0x200b);
+
+/// Words that are wider than a line (paths, names of others) may be broken anywhere.
+QString breakable(const QString& text, const QFontMetrics& metrics) {
+  QStringList words = text.split(QLatin1Char(' '));
+  for (QString& word : words) {
+    if (metrics.horizontalAdvance(word) <= kWidestText) continue;
+    QTextBoundaryFinder finder(QTextBoundaryFinder::Grapheme, word);
+    QString pieces;
+    for (qsizetype from = 0, to = finder.toNextBoundary(); to > from;
+         from = to, to = finder.toNextBoundary()) {
+      pieces += word.mid(from, to - from) + kMayBreak;
+    }
+    word = pieces;
+  }
+  return words.join(QLatin1Char(' '));
+}
 
 class MarkBox : public QWidget {
  public:
@@ -52,10 +71,13 @@ void ToastStack::add(Mark mark, const QString& text, ToastOffer offer) {
   auto* label = new QLabel(toast);
   label->setObjectName(QStringLiteral("toastText"));
   label->setTextFormat(Qt::PlainText);
-  label->setText(words::plainText(text));
-  label->setWordWrap(text.size() > 60);
-  label->setMaximumWidth(380);
-  if (label->wordWrap()) label->setMinimumWidth(320);
+  const QString plain = words::plainText(text);
+  label->setText(breakable(plain, label->fontMetrics()));
+  label->setAccessibleName(plain);
+  label->setWordWrap(label->fontMetrics().horizontalAdvance(plain) > kWidestText ||
+                     plain.contains(QLatin1Char('\n')));
+  label->setMaximumWidth(kWidestText);
+  if (label->wordWrap()) label->setFixedSize(kWidestText, label->heightForWidth(kWidestText));
   auto* close = new QToolButton(toast);
   close->setIcon(themedIcon(QStringLiteral("close")));
   close->setIconSize({14, 14});
@@ -101,7 +123,7 @@ QStringList ToastStack::texts() const {
   QStringList texts;
   for (int i = 0; i < column_->count(); ++i) {
     if (const auto* label = column_->itemAt(i)->widget()->findChild<QLabel*>(QStringLiteral("toastText"))) {
-      texts << label->text();
+      texts << label->accessibleName();
     }
   }
   return texts;
