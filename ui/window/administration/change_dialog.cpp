@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "sentences/failure_sentence.h"
+#include "window/look/dialog_look.h"
 #include "window/look/ui_colors.h"
 #include "words/qt_plain.h"
 
@@ -60,10 +61,7 @@ ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
     form->addRow(tr("&Type its name"), typed_);
     connect(typed_, &QLineEdit::textChanged, this, &ChangeDialog::check);
   }
-  accept_->setObjectName(QStringLiteral("primary"));
-  accept_->setDefault(true);
-  cancel_->setObjectName(QStringLiteral("secondary"));
-  cancel_->setAutoDefault(false);
+  giveRoles(*accept_, {cancel_});
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();

@@ -18,6 +18,7 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include "window/look/dialog_look.h"
 #include "window/look/ui_colors.h"
 #include "words/qt_plain.h"
 
@@ -68,19 +69,8 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   resolution_->setSingleStep(0.01);
   resolution_->setValue(offer_.submap_resolution_m);
   path_->setObjectName(QStringLiteral("path"));
-  for (QPushButton* button : {browse_, cancel_}) {
-    button->setObjectName(QStringLiteral("secondary"));
-    button->setAutoDefault(false);
-  }
-  export_->setObjectName(QStringLiteral("primary"));
-  export_->setDefault(true);
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->setFixedHeight(4);
-  QSizePolicy keeps = progress_->sizePolicy();
-  keeps.setRetainSizeWhenHidden(true);
-  progress_->setSizePolicy(keeps);
-  progress_->hide();
+  giveRoles(*export_, {browse_, cancel_});
+  makeLine(*progress_);
   error_->setTextFormat(Qt::PlainText);
   error_->setWordWrap(true);
   QPalette red = error_->palette();

@@ -17,6 +17,7 @@
 #include "sentences/absence_sentence.h"
 #include "window/docks/message_view.h"
 #include "window/docks/pretty_json.h"
+#include "window/docks/row_table.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -165,19 +166,11 @@ void MessagesDock::buildTable() {
   sorted_->setSortRole(TopicsModel::kSortRole);
   sorted_->setFilterKeyColumn(TopicsModel::TopicColumn);
   sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  table_->setModel(sorted_);
-  table_->setItemDelegate(new TableRowDelegate(table_));
+  showRows(*table_, sorted_, tr("Topics"), 22);
   table_->setSortingEnabled(true);
   table_->sortByColumn(TopicsModel::TopicColumn, Qt::AscendingOrder);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setTabKeyNavigation(false);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(22);
-  table_->setAccessibleName(tr("Topics"));
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setMinimumSectionSize(40);

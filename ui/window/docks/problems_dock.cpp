@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "sentences/plural.h"
+#include "window/docks/row_table.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -26,16 +27,8 @@ ProblemsDock::ProblemsDock(QWidget* parent)
       clear_(new QPushButton(tr("Clear"), this)),
       retry_(new QPushButton(tr("Retry"), this)) {
   setObjectName(QStringLiteral("problems"));
-  table_->setModel(model_);
-  table_->setItemDelegate(new TableRowDelegate(table_));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  showRows(*table_, model_, tr("Problems"));
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
-  table_->setAccessibleName(tr("Problems"));
   table_->installEventFilter(this);
   QHeaderView* header = table_->horizontalHeader();
   header->setHighlightSections(false);

@@ -9,6 +9,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "window/look/dialog_look.h"
 #include "window/look/ui_colors.h"
 
 namespace mapwright::window {
@@ -38,11 +39,8 @@ RecordDialog::RecordDialog(QWidget* parent)
   auto* const form = new QFormLayout;
   form->addRow(tr("&Suffix of the name"), suffix_);
   form->addRow(tr("&Duration"), duration_);
-  record_->setObjectName(QStringLiteral("primary"));
-  record_->setDefault(true);
   auto* const cancel = new QPushButton(tr("Cancel"), this);
-  cancel->setObjectName(QStringLiteral("secondary"));
-  cancel->setAutoDefault(false);
+  giveRoles(*record_, {cancel});
   auto* const buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();

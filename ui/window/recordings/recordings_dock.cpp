@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "sentences/plural.h"
+#include "window/docks/row_table.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -46,19 +47,11 @@ RecordingsDock::RecordingsDock(QWidget* parent)
   refresh_->setIconSize({16, 16});
   refresh_->setAccessibleName(tr("Refresh the list of recordings"));
   refresh_->setToolTip(tr("Ask the robot again what it has recorded"));
-  table_->setModel(sorted_);
-  table_->setItemDelegate(new TableRowDelegate(table_));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  showRows(*table_, sorted_, tr("Recordings"));
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
   // The ends of names tell them apart.
   table_->setTextElideMode(Qt::ElideMiddle);
-  table_->setTabKeyNavigation(false);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
-  table_->setAccessibleName(tr("Recordings"));
   table_->installEventFilter(this);
   table_->setSortingEnabled(true);
   table_->sortByColumn(BagsModel::EndColumn, Qt::DescendingOrder);

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "window/look/dialog_look.h"
+
 namespace mapwright::window {
 namespace {
 
@@ -37,11 +39,8 @@ SaveMapDialog::SaveMapDialog(QWidget* parent)
   auto* const form = new QFormLayout;
   form->addRow(tr("&Name on the robot"), name_);
   save_ = new QPushButton(tr("Save"), this);
-  save_->setObjectName(QStringLiteral("primary"));
-  save_->setDefault(true);
   auto* const cancel = new QPushButton(tr("Cancel"), this);
-  cancel->setObjectName(QStringLiteral("secondary"));
-  cancel->setAutoDefault(false);
+  giveRoles(*save_, {cancel});
   auto* const buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();

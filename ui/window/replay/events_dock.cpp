@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include "sentences/plural.h"
+#include "window/docks/row_table.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -38,17 +39,9 @@ EventsDock::EventsDock(ReplayClock& clock, QWidget* parent)
       retry_(new QPushButton(tr("Retry"), this)),
       save_(new QPushButton(tr("Save…"), this)) {
   setObjectName(QStringLiteral("events"));
-  table_->setModel(model_);
-  table_->setItemDelegate(new TableRowDelegate(table_));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  showRows(*table_, model_, tr("Events"));
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setTabKeyNavigation(false);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
-  table_->setAccessibleName(tr("Events"));
   table_->installEventFilter(this);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);

@@ -21,6 +21,7 @@
 #include "sentences/plural.h"
 #include "sentences/reason_sentence.h"
 #include "window/files/export_map.h"
+#include "window/look/dialog_look.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
 #include "window/replay/timeline_axis.h"
@@ -135,19 +136,8 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
 RangeExportDialog::~RangeExportDialog() = default;
 
 void RangeExportDialog::layOut() {
-  for (QPushButton* const button : {browse_, close_}) {
-    button->setObjectName(QStringLiteral("secondary"));
-    button->setAutoDefault(false);
-  }
-  export_->setObjectName(QStringLiteral("primary"));
-  export_->setDefault(true);
-  progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
-  progress_->setFixedHeight(4);
-  QSizePolicy keeps = progress_->sizePolicy();
-  keeps.setRetainSizeWhenHidden(true);
-  progress_->setSizePolicy(keeps);
-  progress_->hide();
+  giveRoles(*export_, {browse_, close_});
+  makeLine(*progress_);
   said_->setTextFormat(Qt::PlainText);
   said_->setWordWrap(true);
   said_->hide();

@@ -14,6 +14,7 @@
 
 #include "exchange/waypoint_steps.h"
 #include "sentences/plural.h"
+#include "window/docks/row_table.h"
 #include "window/docks/tree_view.h"
 #include "window/look/ui_colors.h"
 #include "window/waypoints/waypoint_text.h"
@@ -55,16 +56,7 @@ WaypointReview::WaypointReview(QWidget* parent)
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
   }
-  table_->setModel(model_);
-  table_->setItemDelegate(new TableRowDelegate(table_));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setTabKeyNavigation(false);
-  table_->setAccessibleName(tr("The calls in their order"));
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(kRowPx);
+  showRows(*table_, model_, tr("The calls in their order"), kRowPx);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);

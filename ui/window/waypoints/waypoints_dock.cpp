@@ -18,6 +18,7 @@
 #include "sentences/placing_sentence.h"
 #include "sentences/plural.h"
 #include "sentences/reason_sentence.h"
+#include "window/docks/row_table.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -153,20 +154,11 @@ WaypointsDock::~WaypointsDock() {
 void WaypointsDock::buildTable() {
   sorted_->setSourceModel(model_);
   sorted_->setSortRole(WaypointsModel::kSortRole);
-  table_->setModel(sorted_);
-  table_->setItemDelegate(new TableRowDelegate(table_));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  showRows(*table_, sorted_, tr("Waypoints"), kRowPx);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setSortingEnabled(true);
   table_->sortByColumn(WaypointsModel::NameColumn, Qt::AscendingOrder);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(kRowPx);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->setAccessibleName(tr("Waypoints"));
   table_->installEventFilter(this);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(table_, &QWidget::customContextMenuRequested, this, &WaypointsDock::showMenu);

@@ -1,0 +1,27 @@
+#include "window/look/dialog_look.h"
+
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace mapwright::window {
+
+void giveRoles(QPushButton& main, std::initializer_list<QPushButton*> others) {
+  main.setObjectName(QStringLiteral("primary"));
+  main.setDefault(true);
+  for (QPushButton* const button : others) {
+    button->setObjectName(QStringLiteral("secondary"));
+    button->setAutoDefault(false);
+  }
+}
+
+void makeLine(QProgressBar& progress) {
+  progress.setRange(0, 1000);
+  progress.setTextVisible(false);
+  progress.setFixedHeight(4);
+  QSizePolicy keeps = progress.sizePolicy();
+  keeps.setRetainSizeWhenHidden(true);
+  progress.setSizePolicy(keeps);
+  progress.hide();
+}
+
+}  // namespace mapwright::window

@@ -1,0 +1,16 @@
+// What dialogs have in common: which button is which, and how progress looks.
+#pragma once
+
+#include <initializer_list>
+
+class QProgressBar;
+class QPushButton;
+
+namespace mapwright::window {
+
+/// `main` is what Enter presses; `others` stand beside it.
+void giveRoles(QPushButton& main, std::initializer_list<QPushButton*> others);
+/// A thin line from 0 to 1000 that is hidden at first, and keeps its room while it is.
+void makeLine(QProgressBar& progress);
+
+}  // namespace mapwright::window
