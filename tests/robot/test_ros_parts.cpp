@@ -121,7 +121,8 @@ class RosPartsTest : public QObject {
     row("ros+ws://robot?ns=/a/b/", "ros+ws://robot:9090?ns=/a/b");
     row("rep130+ws://robot", "rep130+ws://robot:9090");
     row("rep130+wss://robot?projected_map=p/q&get_sub_map=/other/name&ns=/map_dispatcher",
-        "rep130+wss://robot:9090?ns=/map_dispatcher&get_sub_map=/other/name&projected_map=/map_dispatcher/p/q");
+        "rep130+wss://robot:9090?ns=/map_dispatcher&get_sub_map=/other/name&projected_map=/map_dispatcher/p/"
+        "q");
   }
   void addressesAreMadeWhole() {
     QFETCH(QString, typed);
