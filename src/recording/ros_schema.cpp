@@ -57,8 +57,9 @@ bool isName(std::string_view text) {
   });
 }
 
-/// "nav_msgs/msg/Path" is "nav_msgs/Path".
+/// "nav_msgs/msg/Path" is "nav_msgs/Path"; what was in roslib before it moved is where everybody has it now.
 std::string plainName(std::string_view name) {
+  if (name == "roslib/Header") return "std_msgs/Header";
   const std::size_t first = name.find('/');
   const std::size_t last = name.rfind('/');
   if (first == std::string_view::npos || first == last) return std::string(name);

@@ -15,6 +15,7 @@ class TestRecordedMessages : public QObject {
   void definitionsBecomeTrees();
   void whatIsNoDefinitionIsNamed();
   void messagesOfRos1AreReadByTheRosLayers();
+  void whatWasInRoslibIsInStdMsgs();
   void messagesOfRos2AreReadByTheRosLayers();
   void everyKindOfMemberComesThrough();
   void alignmentCountsFromTheEncapsulation();
@@ -137,6 +138,25 @@ void TestRecordedMessages::messagesOfRos1AreReadByTheRosLayers() {
   QVERIFY(grid->width == 3 && grid->height == 2);
   QCOMPARE(grid->cells == (std::vector<std::int8_t>{0, 100, -1, 0, 0, 50}), true);
   QCOMPARE(grid->origin.x_m, 1.0);
+}
+
+// Until ROS moved it, in 2010, every bag said "MSG: roslib/Header".
+void TestRecordedMessages::whatWasInRoslibIsInStdMsgs() {
+  const std::string header = "\nuint32 seq\ntime stamp\nstring frame_id\n";
+  for (const char* const field : {"Header", "roslib/Header", "std_msgs/Header"}) {
+    for (const char* const section : {"roslib/Header", "std_msgs/Header"}) {
+      const auto schema = parseRosSchema(
+          "sensor_msgs/LaserScan",
+          field + std::string(" header\nfloat32[] ranges\n") + kRule + section + header, RosDialect::Ros1);
+      QVERIFY2(schema, field);
+      QCOMPARE(schema->types[schema->types[0].fields[0].type].fields.size(), std::size_t(3));
+    }
+  }
+  // A package may have a header of its own all the same.
+  const RosSchema own =
+      schemaOf("a/B", "Header h\n" + kRule + "a/Header\nint8 x\n" + kRule + "roslib/Header" + header,
+               RosDialect::Ros1);
+  QCOMPARE(own.types[own.types[0].fields[0].type].fields.size(), std::size_t(1));
 }
 
 void TestRecordedMessages::messagesOfRos2AreReadByTheRosLayers() {
