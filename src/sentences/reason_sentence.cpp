@@ -76,6 +76,12 @@ QString lackWords(const Reason& reason) {
   return whyAbsent(robot::Capability(number(0)), absence);
 }
 
+/// Whether it names the frame that its own does not fit; no such frame is known where it does not.
+bool namesOtherFrame(const Reason& reason) {
+  if (reason.code == ReasonCode::RosFramesApart) return reason.arguments.size() != 1;
+  return reason.code != ReasonCode::WaypointInOtherFrame || reason.arguments.size() != 2;
+}
+
 std::string causesOf(const Reason& reason) { return wordsOf(reason.because).toStdString(); }
 
 QString withCauses(const Reason& reason, const QString& text) {
@@ -153,7 +159,8 @@ QString consequenceOf(Consequence consequence) {
 QString wordsOf(const Reason& reason) {
   if (reason.code == ReasonCode::CapabilityLacking)
     return ended(reason, withCauses(reason, lackWords(reason)));
-  const QString text = templateOf(reason.code, countIn(reason));
+  const QString text =
+      namesOtherFrame(reason) ? templateOf(reason.code, countIn(reason)) : wordsOfLoneFrame(reason.code);
   std::vector<map::Argument> arguments = reason.arguments;
   if (const auto* const status = arguments.empty() ? nullptr : std::get_if<std::int64_t>(&arguments[0]);
       status && isAboutAStatus(reason.code))

@@ -13,6 +13,8 @@ QString wordsOfMaps(map::ReasonCode code, int count);
 QString wordsOfFiles(map::ReasonCode code, int count);
 QString wordsOfLinks(map::ReasonCode code, int count);
 QString wordsOfRos(map::ReasonCode code, int count);
+/// Of a frame that fits no other, because none is known. The codes are those of wordsOfRos().
+QString wordsOfLoneFrame(map::ReasonCode code);
 QString wordsOfRecordings(map::ReasonCode code, int count);
 
 }  // namespace mapwright::sentences

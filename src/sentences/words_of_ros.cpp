@@ -207,6 +207,23 @@ QString ofMapManagers(ReasonCode code) {
 
 }  // namespace
 
+QString wordsOfLoneFrame(ReasonCode code) {
+  switch (code) {
+    case ReasonCode::RosFramesApart:
+      return Words::tr(
+          "Neither a map nor a transform tells where the frame %1 lies. It is shown as seen from there, as "
+          "if "
+          "the robot never moved.");
+    case ReasonCode::WaypointInOtherFrame:
+      return Words::tr(
+          "Waypoint \"%1\" is told in the frame %2, and no map has come that tells its own. It is taken for "
+          "a "
+          "place on the map.");
+    default:
+      return {};
+  }
+}
+
 QString wordsOfRos(ReasonCode code, int count) {
   QString text = ofRos(code, count);
   if (text.isEmpty()) text = ofTopics(code);

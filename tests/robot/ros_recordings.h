@@ -229,15 +229,19 @@ struct Drive {
            out.numbers("data", std::vector<std::int8_t>{std::int8_t(step % 100), 50});
          }});
   }
-  static void scan(std::vector<Said>& said, double at_s) {
+
+ public:
+  static void scan(std::vector<Said>& said, double at_s, const char* topic = "/scan") {
     said.push_back(
-        {"/scan", "sensor_msgs/LaserScan", at_s, [=](RosOut& out) {
+        {topic, "sensor_msgs/LaserScan", at_s, [=](RosOut& out) {
            out.header(at_s, "laser").f32("angle_min", 0).f32("angle_max", 0.5);
            out.f32("angle_increment", 0.5).f32("time_increment", 0).f32("scan_time", 0);
            out.f32("range_min", 0.125).f32("range_max", 30);
            out.numbers("ranges", std::vector<float>{2, 4}).numbers("intensities", std::vector<float>{});
          }});
   }
+
+ private:
   static void markers(std::vector<Said>& said, double at_s, int step) {
     said.push_back({"/markers", "visualization_msgs/MarkerArray", at_s, [=](RosOut& out) {
                       out.list("markers", 1, [&](std::size_t) {

@@ -509,6 +509,49 @@ class RecordedRobotTest : public QObject {
     QVERIFY2(grids > 15, qPrintable(QString::number(grids)));
   }
 
+  void scansThatNothingPlacesAreShownInTheirOwnFrame_data() {
+    QTest::addColumn<bool>("mounted");
+    QTest::newRow("no transforms") << false;
+    QTest::newRow("how the lidar is mounted") << true;
+  }
+  // An old bag of scans alone: neither a map nor where the robot was.
+  void scansThatNothingPlacesAreShownInTheirOwnFrame() {
+    QFETCH(const bool, mounted);
+    std::vector<Drive::Said> said;
+    for (const Drive::Said& one : Drive{1}.all()) {
+      if (mounted && one.topic == "/tf_static") said.push_back(one);
+    }
+    for (int i = 0; i < 40; ++i) Drive::scan(said, Drive::kStartS + 0.1 + i * 0.25, "/base_scan");
+    std::string bag = recordings::bagOf(said);
+    for (std::size_t at = 0; (at = bag.find("std_msgs/Header", at)) != std::string::npos;)
+      if (bag.compare(at - 5, 5, "MSG: ") == 0) {
+        bag.replace(at, 15, "roslib/Header\n#");
+      } else {
+        ++at;
+      }
+    const QString path = written(bag, QStringLiteral("bag"));
+    const auto robot = opened(path);
+    std::vector<map::Problem> problems;
+    connect(robot.get(), &Robot::problemFound, robot.get(), [&](const map::Problem& problem) {
+      if (problem.subject.kind == map::SubjectKind::Topic) problems.push_back(problem);
+    });
+    const auto whole = range(*robot, keyOf(path), 0, 4e9);
+    QVERIFY(whole);
+    int clouds = 0;
+    for (const BagMessage& message : (*whole)->messages) {
+      const auto* const cloud = std::get_if<map::PointCloudMessage>(&message.message.message);
+      if (!cloud) continue;
+      ++clouds;
+      QCOMPARE(cloud->points->front().x_m, mounted ? 2.25 : 2.0);
+    }
+    QCOMPARE(clouds, 40);
+    QVERIFY(waitFor([&] { return !problems.empty(); }));
+    QCOMPARE(problems.size(), std::size_t(1));
+    QCOMPARE(problems.front().reason,
+             map::Reason(map::ReasonCode::RosFramesApart, {mounted ? "base_link" : "laser"}));
+    QCOMPARE(problems.front().subject, map::Subject(map::SubjectKind::Topic, "/base_scan"));
+  }
+
   void theEncodingsTellTheSame() {
     const Drive drive{12};
     std::optional<map::World> first;

@@ -300,6 +300,51 @@ class RosPartsTest : public QObject {
     QVERIFY(messageOf<map::GridMessage>(give(world, kPatches, patch("map", kNow + 1))));
   }
 
+  // A lidar without a robot.
+  void aScanThatNothingPlacesIsShownInItsOwnFrame() {
+    RosWorld world;
+    const auto scan = [](double at_s) {
+      return "{" + header("laser", at_s) +
+             R"(,"angle_min":0,"angle_increment":0.1,"range_min":0,"range_max":9,"ranges":[1,2]})";
+    };
+    QVERIFY(!messageOf<map::PointCloudMessage>(give(world, kScan, scan(kNow))));  // it may still be placed
+    QVERIFY(world.overdue(kNow + 0.5).empty());
+    const WorldResults late = world.overdue(kNow + 1.5);
+    const auto shown = messageOf<map::PointCloudMessage>(late);
+    QVERIFY(shown);
+    QCOMPARE(shown->points->front().x_m, 1.0);
+    QCOMPARE(late.front().notes, std::vector<map::Reason>({{ReasonCode::RosFramesApart, {"laser"}}}));
+    const WorldResults next = give(world, kScan, scan(kNow + 2), kNow + 2);
+    QVERIFY(messageOf<map::PointCloudMessage>(next));
+    QCOMPARE(next.back().notes.size(), std::size_t(1));  // as long as it is so
+    // A map comes: where the scan lies on it nobody knows, and it does not stay as if it were known.
+    const auto gone = messageOf<map::PointCloudMessage>(give(world, kMap, grid("map", kNow + 3), kNow + 3));
+    QVERIFY(gone && gone->points->empty());
+    QVERIFY(!messageOf<map::PointCloudMessage>(give(world, kScan, scan(kNow + 3), kNow + 3)));
+    QCOMPARE(unplaced(world.overdue(kNow + 5)), std::optional(ReasonCode::RosFrameUnknown));
+  }
+
+  // Its frames are those of its wheels: they only took their time.
+  void aScanThatTransformsPlaceInTheEndIsNotInItsOwnFrame() {
+    RosWorld world;
+    const auto scan = [](double at_s) {
+      return "{" + header("laser", at_s) +
+             R"(,"angle_min":0,"angle_increment":0.1,"range_min":0,"range_max":9,"ranges":[1,2]})";
+    };
+    give(world, kScan, scan(kNow));
+    give(world, kStatic, tf("base_link", "laser", 0, 0, 0, 0), kNow + 0.5);
+    give(world, kTf, tf("odom", "base_link", 5, 0, 0, kNow), kNow + 0.6);
+    QVERIFY(!messageOf<map::PointCloudMessage>(world.overdue(kNow + 1.2)));
+    for (const double at_s : {1.3, 1.7}) {
+      for (const WorldResult& result :
+           give(world, kTf, tf("odom", "base_link", 5, 0, 0, kNow + at_s), kNow + at_s))
+        QVERIFY(result.notes.empty());
+    }
+    const WorldResults placed = give(world, kScan, scan(kNow + 1.5), kNow + 1.8);
+    QVERIFY(messageOf<map::PointCloudMessage>(placed) && placed.back().notes.empty());
+    QCOMPARE(messageOf<map::PointCloudMessage>(placed)->points->front().x_m, 6.0);
+  }
+
   void aScanIsPutRightByWhereTheRobotWasMeanwhile() {
     RosWorld world;
     give(world, kTf, tf("map", "laser", 0, 0, 0, kNow));

@@ -66,8 +66,8 @@ std::int64_t BlockPlacing::blockOf(std::int64_t at_ns) {
 BlockPlacing::BlockPlacing(const Parts& parts, std::int64_t block_ns, std::int64_t from_ns,
                            std::int64_t until_ns)
     : parts_(parts), block_ns_(block_ns), next_look_ns_(block_ns - kBeforeNs) {
-  ahead_.placeAtOnce(parts_.shape.fixed_frame);
-  now_.placeAtOnce(parts_.shape.fixed_frame);
+  ahead_.placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
+  now_.placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
   readStatics();
   recording::Query query;
   query.first_ns = block_ns - kBeforeNs;

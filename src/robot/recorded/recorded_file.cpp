@@ -131,7 +131,10 @@ bool RecordedFile::refresh() {
   // What was placed stays as it is: another frame would be another map.
   if (parts_->file->channels().size() == channels && parts_->shape.fixed_by_file) return true;
   RosShape shape = shapeOf(*parts_->file, parts_->fields);
-  if (parts_->shape.fixed_by_file) shape.fixed_frame = parts_->shape.fixed_frame;
+  if (parts_->shape.fixed_by_file) {
+    shape.fixed_frame = parts_->shape.fixed_frame;
+    shape.own_frame = parts_->shape.own_frame;
+  }
   shape.fixed_by_file |= parts_->shape.fixed_by_file;
   parts_->shape = std::move(shape);
   Q_EMIT opened(facts());

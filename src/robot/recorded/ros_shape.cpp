@@ -92,10 +92,10 @@ std::string mapFrame(recording::Source& file, MessageFields& fields, const RosSh
   return {};
 }
 
-/// By the transforms at its beginning; empty: they do not tell.
-std::string rootFrame(recording::Source& file, MessageFields& fields, const RosShape& shape) {
-  if (shape.transforms.empty()) return {};
+/// The transforms at its beginning.
+ros::RosWorld firstTransforms(recording::Source& file, MessageFields& fields, const RosShape& shape) {
   ros::RosWorld world;
+  if (shape.transforms.empty()) return world;
   recording::Query query;
   query.topics = shape.transforms;
   const auto cursor = file.messages(query);
@@ -110,11 +110,36 @@ std::string rootFrame(recording::Source& file, MessageFields& fields, const RosS
     for (const ros::Source& source : shape.by_topic.at(message->channel->topic))
       world.take(source, (*frame)->root(), double(message->log_time_ns) / 1e9);
   }
+  return world;
+}
+
+/// What the robot's frames hang on; empty: transforms do not tell.
+std::string rootFrame(const ros::RosWorld& world) {
   const std::vector<std::string> frames = world.transforms().frames();
   if (std::binary_search(frames.begin(), frames.end(), std::string(kMap))) return kMap;
   const std::string robot = world.robotFrame();
   for (const std::string& root : world.transforms().roots()) {
     if (!robot.empty() && root != robot && world.transforms().find(root, robot, {})) return root;
+  }
+  return {};
+}
+
+/// What the first scan, or cloud, lies in; empty: there is none.
+std::string frameOfFirstScan(recording::Source& file, MessageFields& fields, const RosShape& shape,
+                             const ros::RosWorld& world) {
+  recording::Query query;
+  for (const ros::Source& source : shape.sources) {
+    if (source.stream == map::Stream::Cloud) query.topics.push_back(source.topic);
+  }
+  if (query.topics.empty()) return {};
+  const auto cursor = file.messages(query);
+  for (int count = 0; count < kMostLookedAt; ++count) {
+    const auto message = cursor->next();
+    if (!message) break;
+    const auto frame = fields.read(*message);
+    if (!frame) continue;
+    const std::string name = ros::frameName((*frame)->root()["header"]["frame_id"].text());
+    if (!name.empty()) return world.ownFrameOf(name);
   }
   return {};
 }
@@ -164,7 +189,14 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields) {
     }
   }
   shape.fixed_frame = mapFrame(file, fields, shape);
-  if (shape.fixed_frame.empty()) shape.fixed_frame = rootFrame(file, fields, shape);
+  if (shape.fixed_frame.empty()) {
+    const ros::RosWorld world = firstTransforms(file, fields, shape);
+    shape.fixed_frame = rootFrame(world);
+    if (shape.fixed_frame.empty()) {
+      shape.fixed_frame = frameOfFirstScan(file, fields, shape, world);
+      shape.own_frame = !shape.fixed_frame.empty();
+    }
+  }
   shape.fixed_by_file = !shape.fixed_frame.empty();
   if (!shape.fixed_by_file) shape.fixed_frame = kMap;
   return shape;

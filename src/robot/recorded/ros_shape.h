@@ -24,8 +24,9 @@ struct RosShape {
   std::map<std::string, std::string> patches_of;  // by topic of the grid: that of its patches
   /// One for the whole file, so that no message is placed otherwise because another was read before: that of
   /// its first map; without a map `map` where transforms name it, else the root of the robot's own frames at
-  /// the beginning of the file.
+  /// the beginning of the file; where neither tells, what its first scan lies in.
   std::string fixed_frame;
+  bool own_frame = false;      // it is that of the first scan
   bool fixed_by_file = false;  // false: the file has not told yet, `map` is assumed
 
   /// The robot speaks ROS: what has no type is taken by its usual name.

@@ -60,6 +60,8 @@ void RosWorld::forgetAll() {
   transforms_ = {};
   unusable_.clear();
   map_frame_.clear();
+  own_frame_.clear();
+  in_own_frame_.clear();
   first_transform_s_ = latest_s_ = 0;
   grids_.clear();
   waiting_.clear();
@@ -97,18 +99,43 @@ bool RosWorld::posedByTransforms() const {
   return !robot.empty() && transforms_.find(fixedFrame(), robot, {}).has_value();
 }
 
-std::string RosWorld::fixedFrame() const {
-  if (!given_frame_.empty()) return given_frame_;
+std::optional<std::string> RosWorld::toldFrame() const {
   if (!map_frame_.empty()) return map_frame_;
   const std::vector<std::string> frames = transforms_.frames();
-  if (frames.empty() || std::binary_search(frames.begin(), frames.end(), kMap)) return kMap;
+  if (std::binary_search(frames.begin(), frames.end(), kMap)) return kMap;
   // Transforms come by and by, those that never change first: their root is none before the others had time.
-  if (latest_s_ - first_transform_s_ < kPatienceS) return kMap;
+  if (frames.empty() || latest_s_ - first_transform_s_ < kPatienceS) return std::nullopt;
   const std::string robot = robotFrame();
   for (const std::string& root : transforms_.roots()) {
     if (!robot.empty() && root != robot && transforms_.find(root, robot, {})) return root;
   }
-  return kMap;
+  return std::nullopt;
+}
+
+std::string RosWorld::fixedFrame() const {
+  if (!given_frame_.empty()) return given_frame_;
+  if (auto told = toldFrame()) return *told;
+  return own_frame_.empty() ? kMap : own_frame_;
+}
+
+void RosWorld::noteOwnFrame(const Source& source, WorldResult& result) {
+  if (!inOwnFrame() || source.stream != Stream::Cloud) return;
+  in_own_frame_.insert(source.topic);
+  result.notes.emplace_back(map::ReasonCode::RosFramesApart, std::vector<map::Argument>{own_frame_});
+}
+
+/// Something tells now: what was shown before lies nowhere any more, unless it is where it was.
+void RosWorld::leaveOwnFrame(double now_s, WorldResults& results) {
+  if (own_frame_.empty() || !given_frame_.empty() || !toldFrame()) return;
+  const bool elsewhere = std::exchange(own_frame_, {}) != *toldFrame();
+  for (const std::string& topic : std::exchange(in_own_frame_, {})) {
+    if (!elsewhere) break;
+    WorldResult gone;
+    gone.topic = topic;
+    gone.received_s = now_s;
+    gone.message = map::PointCloudMessage{topic, std::make_shared<const std::vector<map::CloudPoint>>()};
+    results.push_back(std::move(gone));
+  }
 }
 
 Read<bool> patchGrid(Grid& grid, const GridPatch& patch) {
@@ -220,7 +247,8 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
     case Form::Tf:
     case Form::StaticTf:
       takeTf(source, msg, result);
-      results = placeWaiting();
+      leaveOwnFrame(received_s, results);
+      for (WorldResult& placed : placeWaiting()) results.push_back(std::move(placed));
       if (markers_.waits() && std::abs(received_s - markers_looked_s_) >= kMarkersEveryS)
         lookAtMarkers(received_s, results);
       break;
@@ -229,6 +257,7 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       with(readGrid(msg), [&](Grid grid) {
         result.notes = grid.notes;
         if (source.stream == Stream::WholeMap) map_frame_ = grid.header.frame;
+        leaveOwnFrame(received_s, results);
         if (kept_topics_.contains(source.topic)) grids_.insert_or_assign(source.topic, grid);
         taking(std::move(grid));
       });
@@ -342,6 +371,7 @@ void RosWorld::takeContent(const Source& source, Content content, WorldResult& r
   if (placed) {
     waiting_.erase(source.topic);  // what is older is of no use any more
     result.message = std::move(*placed);
+    noteOwnFrame(source, result);
     return;
   }
   if (!given_frame_.empty()) {
@@ -349,6 +379,7 @@ void RosWorld::takeContent(const Source& source, Content content, WorldResult& r
     placed = place(source, content, Sweep::Beginning);
     if (placed) {
       result.message = std::move(*placed);
+      noteOwnFrame(source, result);
     } else {
       result.unplaced = reasonOf(placed.error());
     }
@@ -415,6 +446,13 @@ WorldResults RosWorld::overdue(double now_s) {
     const Waiting& oldest = messages.front();
     // Of a scan whose end is not known the beginning will do.
     auto placed = place(oldest.source, oldest.content, Sweep::Beginning);
+    const std::string& frame = headerOf(oldest.content).frame;
+    const bool may_be_told = first_transform_s_ > 0 && now_s - first_transform_s_ < kPatienceS;
+    if (!placed && own_frame_.empty() && !toldFrame() && !may_be_told && !frame.empty() &&
+        oldest.source.stream == Stream::Cloud) {
+      own_frame_ = ownFrameOf(frame);
+      placed = place(oldest.source, oldest.content, Sweep::Beginning);
+    }
     queue.told = !placed;
     WorldResult result;
     result.topic = topic;
@@ -422,6 +460,7 @@ WorldResults RosWorld::overdue(double now_s) {
     if (placed) {
       result.recorded_s = headerOf(oldest.content).stamp_s;
       result.message = std::move(*placed);
+      noteOwnFrame(oldest.source, result);
       messages.pop_front();
       queue.since_s = now_s;
     } else {

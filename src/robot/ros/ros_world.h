@@ -35,8 +35,9 @@ Read<bool> patchGrid(Grid& grid, const GridPatch& patch);
 
 /// All that is kept between two messages. The fixed frame is that of the map; without a map it is called
 /// `map`, and where no such frame has come a while after the first transform, it is the root of the robot's
-/// own. What needs a transform that is not there is not placed: a transform is waited for, then named, never
-/// guessed. One thread.
+/// own. Where nothing at all says how the robot's frames lie, it is the one that its scans are in, and each
+/// message that is placed there says so. What needs a transform that is not there is not placed: a transform
+/// is waited for, then named, never guessed. One thread.
 class RosWorld {
  public:
   static constexpr double kPatienceS = 1;     // for a transform, before its absence is told
@@ -47,7 +48,11 @@ class RosWorld {
 
   /// For recordings, whose later transforms are taken first: this is the fixed frame from now on, whatever
   /// comes, and a message whose transform is not there when it is taken is `unplaced` at once. Markers wait.
-  void placeAtOnce(std::string fixed_frame) { given_frame_ = std::move(fixed_frame); }
+  /// `own`: it is that of the robot's scans, for want of a map and of transforms.
+  void placeAtOnce(std::string fixed_frame, bool own = false) {
+    if (own) own_frame_ = fixed_frame;
+    given_frame_ = std::move(fixed_frame);
+  }
   /// Grids of these topics are kept whole, for patches.
   void keepGrids(std::set<std::string> topics);
   /// A message of `source`. Transforms may place what has waited: more than one result.
@@ -77,6 +82,9 @@ class RosWorld {
   /// nothing was told so far.
   std::optional<tl::expected<geometry::Pose2, map::Reason>> pose() const;
   const Transforms& transforms() const { return transforms_; }
+  /// Where scans are shown whose frame is `frame`, as long as nothing says how it lies to others: what it
+  /// hangs on.
+  std::string ownFrameOf(const std::string& frame) const { return transforms_.rootAbove(frame); }
 
  private:
   using Content = std::variant<Grid, Outline, Points, Placed>;
@@ -97,6 +105,12 @@ class RosWorld {
   void takeTf(const Source& source, const Field& msg, WorldResult& result);
   void takePatch(const Source& source, const Field& msg, WorldResult& result);
   void takeContent(const Source& source, Content content, WorldResult& result);
+  /// The frame of the map, or a root of the robot's frames: all but the fallbacks.
+  std::optional<std::string> toldFrame() const;
+  bool inOwnFrame() const { return !own_frame_.empty() && fixedFrame() == own_frame_; }
+  /// As RosFramesApart from nothing: there is no other frame.
+  void noteOwnFrame(const Source& source, WorldResult& result);
+  void leaveOwnFrame(double now_s, WorldResults& results);
   static const Header& headerOf(const Content& content);
   /// A scan is placed point by point, once all of its sweep is known; or as it lay at its beginning.
   enum class Sweep { Whole, Beginning };
@@ -113,6 +127,8 @@ class RosWorld {
   std::set<std::pair<std::string, std::string>> unusable_;
   std::string map_frame_;
   std::string given_frame_;                      // placeAtOnce(); empty: frames are found
+  std::string own_frame_;                        // of scans, where nothing tells; empty: none is needed
+  std::set<std::string> in_own_frame_;           // topics with points there
   double first_transform_s_ = 0, latest_s_ = 0;  // when they came; 0 = none yet
   std::set<std::string> kept_topics_;
   std::map<std::string, Grid> grids_;     // by topic

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace mapwright::robot::ros {
 namespace {
@@ -223,6 +224,26 @@ std::vector<std::string> Transforms::frames() const {
   for (const Frame& frame : frames_) names.push_back(frame.name);
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::string Transforms::rootAbove(const std::string& frame) const {
+  std::string name = frameName(frame);
+  Index at = indexOf(name);
+  if (at == kNone) return name;
+  while (frames_[at].parent != kNone) at = frames_[at].parent;
+  return frames_[at].name;
+}
+
+std::vector<Transforms::Age> Transforms::newest() const {
+  std::vector<Age> ages;
+  for (const Frame& frame : frames_) {
+    if (frame.parent == kNone || frame.is_static || frame.history.empty()) continue;
+    ages.push_back({frames_[frame.parent].name, frame.name, frame.history.back().at_s});
+  }
+  std::sort(ages.begin(), ages.end(), [](const Age& a, const Age& b) {
+    return std::tie(a.stamp_s, a.child) < std::tie(b.stamp_s, b.child);
+  });
+  return ages;
 }
 
 std::vector<std::string> Transforms::roots() const {
