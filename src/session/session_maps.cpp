@@ -105,7 +105,7 @@ void Session::wireMaps() {
   connect(this, &Session::rowsChanged, this, [this] {
     if (overview_.phase() == MapSlot::Phase::Empty) return;
     const SubmapCounts now = counts();
-    if (now.list_received && now.pending == 0 && now.shown > 0) overview_.clear();
+    if (now.list_received && now.pending == 0 && now.held > 0) overview_.clear();
   });
   no_live_map_timer_.setSingleShot(true);
   connect(&no_live_map_timer_, &QTimer::timeout, this, [this] {

@@ -11,7 +11,8 @@ namespace mapwright::session {
 
 /// How one submap stands, for a row of the inspector.
 enum class SubmapStatus {
-  OnScreen,  // the listed version is held and drawn (or would be, were it visible)
+  OnScreen,  // the listed version is held and drawn
+  Hidden,    // the same, but the user has hidden it
   Updating,  // an older version is on screen, the listed one is queued or being fetched
   Queued,
   Fetching,
@@ -22,17 +23,18 @@ enum class SubmapStatus {
   Unplaced,  // no usable pose
 };
 
-/// Counters over all listed submaps. shown + pending + without_slice + missing + failed + corrupt == listed.
+/// Counters over all listed submaps. held + pending + without_slice + missing + failed + corrupt == listed.
 struct SubmapCounts {
   bool list_received = false;
   int listed = 0;
-  int shown = 0;    // have a drawable chosen slice (OnScreen, or an older version while Updating)
+  int held = 0;     // have a drawable chosen slice (also an older version while Updating)
+  int shown = 0;    // those of them that are not hidden
   int pending = 0;  // nothing held yet: queued, being fetched or being decoded
   int without_slice = 0;
   int missing = 0;
   int failed = 0;    // waiting for another try, nothing held
   int corrupt = 0;   // corrupt chosen slice, or no usable pose
-  int hidden = 0;    // by the user's choice (independent of the above)
+  int hidden = 0;    // by the user's choice, whether held or not
   int updating = 0;  // a newer version than the one on screen is on its way
   int trajectories = 0;
   int fetching = 0, queued = 0;  // fetch work

@@ -7,7 +7,8 @@ void SubmapTally::add(const SubmapStanding& standing, int by) {
   if (!standing.visible) counts_.hidden += by;
   if (standing.status == SubmapStatus::Updating) counts_.updating += by;
   if (standing.drawable) {
-    counts_.shown += by;
+    counts_.held += by;
+    if (standing.visible) counts_.shown += by;
     return;
   }
   switch (standing.status) {
@@ -25,6 +26,7 @@ void SubmapTally::add(const SubmapStanding& standing, int by) {
       counts_.without_slice += by;
       break;
     case SubmapStatus::OnScreen:
+    case SubmapStatus::Hidden:
     case SubmapStatus::Updating:
     case SubmapStatus::Queued:
     case SubmapStatus::Fetching:

@@ -324,7 +324,8 @@ SubmapStatus Submaps::status(map::SubmapId id) const {
     if (newer_coming) return SubmapStatus::Updating;
     if (fetch == submap::FetchState::Waiting) return SubmapStatus::Waiting;
     const bool has_slice = std::size_t(slice_) < row->slices.size();
-    if (has_slice && row->slices[std::size_t(slice_)].texture) return SubmapStatus::OnScreen;
+    if (has_slice && row->slices[std::size_t(slice_)].texture)
+      return row->visible ? SubmapStatus::OnScreen : SubmapStatus::Hidden;
     if (has_slice && row->slices[std::size_t(slice_)].corrupt.any()) return SubmapStatus::Corrupt;
     return SubmapStatus::NoSlice;
   }

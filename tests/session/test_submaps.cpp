@@ -84,7 +84,8 @@ class SubmapsTest : public QObject {
       const SubmapStatus status = submaps.status(id);
       counts.updating += status == SubmapStatus::Updating;
       if (row.drawable(submaps.slice())) {
-        ++counts.shown;
+        ++counts.held;
+        counts.shown += row.visible;
       } else if (status == SubmapStatus::Missing) {
         ++counts.missing;
       } else if (status == SubmapStatus::Waiting) {

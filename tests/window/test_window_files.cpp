@@ -294,6 +294,59 @@ class TestWindowFiles : public QObject {
     QVERIFY(QImage(path).width() > 100);
   }
 
+  void hidingIsAMatterOfLookingAndExportAsks() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.robot->missing = {{1, 1}};
+    bench.robot->list({test::entry(0, 0, 1, 0, 0), test::entry(0, 1, 1, 5, 0), test::entry(1, 0, 3, 40, 0),
+                       test::entry(1, 1, 1, 0, 5)});
+    QTRY_COMPARE(window.session()->counts().held, 3);
+    QTRY_COMPARE(window.session()->counts().missing, 1);
+    const auto width = [&](const char* name, bool with_hidden) {
+      bench.action("export")->trigger();
+      ExportDialog* dialog = window.exportDialog();
+      dialog->hiddenBox()->setChecked(with_hidden);
+      const QString path = bench.folder.filePath(QLatin1String(name));
+      dialog->pathEdit()->setText(path);
+      dialog->start();
+      return QTest::qWaitFor([&] { return QFile::exists(path); }) ? QImage(path).width() : 0;
+    };
+    const int all = width("all.png", true);
+    window.session()->setVisible({{0, 0}, {1, 0}}, false);
+    bench.action("export")->trigger();
+    ExportDialog* dialog = window.exportDialog();
+    QVERIFY(dialog->hiddenBox()->isVisible());
+    QVERIFY(dialog->hiddenBox()->isChecked());
+    QVERIFY(dialog->hiddenBox()->text().contains(QLatin1String("2 submaps")));
+    QCOMPARE(dialog->contentText(),
+             QStringLiteral("3 of 4 submaps are in it. Not there yet, or damaged: 1."));
+    dialog->hiddenBox()->setChecked(false);
+    QCOMPARE(dialog->contentText(),
+             QStringLiteral("1 of 4 submaps are in it. Not there yet, or damaged: 1."));
+    dialog->formatButton(ExportFormat::ViewPicture)->setChecked(true);
+    QVERIFY(dialog->contentText().contains(QLatin1String("hidden")));
+    QVERIFY(!dialog->hiddenBox()->isEnabled());
+    QCOMPARE(width("again.png", true), all);
+    QVERIFY(width("shown.png", false) < all / 2);
+    // With everything hidden there is still a map to export, if that is wanted.
+    window.session()->setVisible({{0, 1}}, false);
+    bench.action("export")->trigger();
+    QVERIFY(window.exportDialog()->exportButton()->isEnabled());
+    window.exportDialog()->hiddenBox()->setChecked(false);
+    QVERIFY(!window.exportDialog()->exportButton()->isEnabled());
+  }
+
+  void nothingIsAskedWhereNothingIsHidden() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    bench.action("export")->trigger();
+    QVERIFY(!window.exportDialog()->hiddenBox()->isVisible());
+    QCOMPARE(window.exportDialog()->contentText(), QStringLiteral("3 of 3 submaps are in it."));
+  }
+
   void exportsTheViewAndSaysWhatWentWrong() {
     Bench bench;
     MainWindow& window = bench.open();

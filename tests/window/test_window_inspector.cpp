@@ -158,13 +158,17 @@ class TestWindowInspector : public QObject {
     QTRY_COMPARE(all.data().toString(), QStringLiteral("2 of 6"));
     QTRY_COMPARE(session->counts().corrupt, 2);
     // What is done by hand changes no count before the others count too.
-    window.inspector()->model()->setData(bench.row({0, 0}).siblingAtColumn(0), Qt::Unchecked,
-                                         Qt::CheckStateRole);
+    window.inspector()->filterModel()->setData(bench.row({0, 0}), Qt::Unchecked, Qt::CheckStateRole);
     compare();
+    // What is hidden is not shown, wherever it is said.
+    QTRY_COMPARE(all.data().toString(), QStringLiteral("1 of 6"));
+    QCOMPARE(bench.row({0, 0}, SubmapTreeModel::StatusColumn).data().toString(), QStringLiteral("hidden"));
+    QVERIFY(window.bar()->loadingShown().contains(QLatin1String("1 hidden")));
+    QVERIFY(submapDetails(*session, {0, 0}).endsWith(QLatin1String("hidden")));
     bench.robot->corrupt.clear();
     for (map::SubmapEntry& entry : entries) entry.version = 2;
     bench.robot->list(entries);
-    QTRY_COMPARE(all.data().toString(), QStringLiteral("3 of 6"));
+    QTRY_COMPARE(all.data().toString(), QStringLiteral("2 of 6"));
     // Another slice, which none of them has.
     session->setSlice(1);
     QTRY_COMPARE(all.data().toString(), QStringLiteral("0 of 6"));
@@ -172,6 +176,8 @@ class TestWindowInspector : public QObject {
     session->setSlice(0);
     window.inspector()->show();
     compare();
+    QTRY_COMPARE(all.data().toString(), QStringLiteral("2 of 6"));
+    window.inspector()->filterModel()->setData(bench.row({0, 0}), Qt::Checked, Qt::CheckStateRole);
     QTRY_COMPARE(all.data().toString(), QStringLiteral("3 of 6"));
     QVERIFY(compared > 5);
     QVERIFY2(different.isEmpty(), qPrintable(different.join(QStringLiteral(", "))));

@@ -72,6 +72,8 @@ class TestWindowText : public QObject {
     counts.corrupt = 1;
     QCOMPARE(loadingText(counts), QStringLiteral("312 of 480 submaps, 2 missing, 1 corrupt"));
     QCOMPARE(trafficText(counts), QStringLiteral("4 in flight, 1,200 queued"));
+    counts.hidden = 100;
+    QCOMPARE(loadingText(counts), QStringLiteral("312 of 480 submaps, 100 hidden, 2 missing, 1 corrupt"));
   }
 
   void tellsCoordinatesAsFineAsAPixelMeansThem() {

@@ -352,8 +352,7 @@ std::vector<render::PlacedTexture> MapScene::placedTextures() const {
   std::vector<render::PlacedTexture> placed;
   if (!session_) return placed;
   for (const auto& [id, row] : session_->book().rows()) {
-    const auto placement = row.visible ? session_->book().placement(id, session_->slice()) : std::nullopt;
-    if (placement)
+    if (const auto placement = session_->book().placement(id, session_->slice()))
       placed.push_back({id, placement->texture, placement->world_from_texture, pixelFlags(row.entry)});
   }
   return placed;

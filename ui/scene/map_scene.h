@@ -84,7 +84,7 @@ class MapScene : public QGraphicsScene {
   void setMeasurement(std::optional<Measurement> measurement);
 
   render::TileRenderer& renderer() { return *renderer_; }
-  /// The submaps that are drawn, in painting order.
+  /// The submaps that have a picture, hidden ones too, in painting order.
   std::vector<render::PlacedTexture> placedTextures() const;
   /// The whole map that is shown or could be; nullopt while none is open.
   std::optional<render::PlacedGrid> wholeMap() const;

@@ -285,7 +285,7 @@ void ConnectionController::refreshNotices() {
   session::Session* const session = context_.current.session();
   Notice link, limits;
   const auto since = session ? session->staleSince() : std::nullopt;
-  if (since && (session->counts().shown > 0 || session->wholeMap().cells())) {
+  if (since && (session->counts().held > 0 || session->wholeMap().cells())) {
     const robot::ConnectionState connection = session->connection();
     const bool refused = connection.phase == ConnectionPhase::Refused;
     link.mark = refused ? Mark::Bad : Mark::Warning;

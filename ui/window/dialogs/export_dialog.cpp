@@ -20,6 +20,7 @@
 
 #include "window/look/dialog_look.h"
 #include "window/look/ui_colors.h"
+#include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -42,17 +43,19 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
     : QDialog(parent),
       offer_(std::move(offer)),
       job_(workers),
-      map_picture_(new QRadioButton(tr("&Picture of the whole map (PNG)"), this)),
+      map_picture_(new QRadioButton(tr("&Picture of the map (PNG)"), this)),
       map_server_(new QRadioButton(tr("&ROS map (PGM and YAML, for map_server)"), this)),
       view_picture_(new QRadioButton(tr("Picture of the present &view (PNG)"), this)),
       source_(new QComboBox(this)),
       resolution_(new QDoubleSpinBox(this)),
+      hidden_(new QCheckBox(this)),
       world_file_(new QCheckBox(tr("With a &world file (.pgw) that places the picture"), this)),
       path_(new QLineEdit(this)),
       browse_(new QPushButton(tr("&Browse…"), this)),
       export_(new QPushButton(tr("Export"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
       progress_(new QProgressBar(this)),
+      content_(new QLabel(this)),
       error_(new QLabel(this)),
       source_label_(new QLabel(tr("&What"), this)),
       resolution_label_(new QLabel(tr("Metres per &cell"), this)) {
@@ -62,6 +65,10 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   if (offer_.whole) source_->addItem(tr("The whole map"), false);
   if (!offer_.submaps.empty()) source_->addItem(tr("The submaps, composed"), true);
   source_->setCurrentIndex(qMax(0, source_->findData(offer_.prefers_submaps)));
+  const int hidden = int(offer_.hidden.size());
+  hidden_->setText(tr("&Also what is hidden on the map (%1)").arg(submapsText(hidden)));
+  hidden_->setChecked(true);
+  hidden_->setVisible(hidden > 0);
   source_label_->setBuddy(source_);
   resolution_label_->setBuddy(resolution_);
   resolution_->setDecimals(4);
@@ -71,7 +78,11 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   path_->setObjectName(QStringLiteral("path"));
   giveRoles(*export_, {browse_, cancel_});
   makeLine(*progress_);
-  error_->setTextFormat(Qt::PlainText);
+  for (QLabel* label : {content_, error_}) label->setTextFormat(Qt::PlainText);
+  QPalette grey = content_->palette();
+  grey.setColor(QPalette::WindowText, appColors().secondary_text);
+  content_->setPalette(grey);
+  content_->setWordWrap(true);
   error_->setWordWrap(true);
   QPalette red = error_->palette();
   red.setColor(QPalette::WindowText, appColors().error_text);
@@ -82,6 +93,8 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   form->setHorizontalSpacing(12);
   form->setVerticalSpacing(6);
   form->addRow(source_label_, source_);
+  form->addRow(QString(), hidden_);
+  form->addRow(QString(), content_);
   form->addRow(resolution_label_, resolution_);
   auto* path_row = new QHBoxLayout;
   path_row->addWidget(path_, 1);
@@ -106,7 +119,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   column->addLayout(buttons);
 
   // As they stand, and not as they were made.
-  QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, resolution_,
+  QWidget* const order[] = {map_picture_, map_server_, view_picture_, source_, hidden_, resolution_,
                             path_,        browse_,     world_file_,   cancel_, export_};
   for (std::size_t i = 1; i < std::size(order); ++i) setTabOrder(order[i - 1], order[i]);
 
@@ -120,6 +133,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   for (QRadioButton* button : {map_picture_, map_server_, view_picture_})
     connect(button, &QRadioButton::toggled, this, &ExportDialog::sync);
   connect(source_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);
+  connect(hidden_, &QCheckBox::toggled, this, &ExportDialog::sync);
   connect(path_, &QLineEdit::textEdited, this, [this] {
     confirmed_ = source_confirmed_ = false;
     error_->hide();
@@ -145,7 +159,30 @@ QRadioButton* ExportDialog::formatButton(ExportFormat format) const {
                                                : map_picture_;
 }
 
-bool ExportDialog::fromSubmaps() const { return source_->currentData().toBool(); }
+bool ExportDialog::fromSubmaps() const {
+  return format() != ExportFormat::ViewPicture && source_->currentData().toBool();
+}
+
+bool ExportDialog::withHidden() const { return offer_.hidden.empty() || hidden_->isChecked(); }
+
+std::vector<render::PlacedTexture> ExportDialog::chosenSubmaps() const {
+  if (withHidden()) return offer_.submaps;
+  std::vector<render::PlacedTexture> chosen;
+  std::copy_if(offer_.submaps.begin(), offer_.submaps.end(), std::back_inserter(chosen),
+               [this](const render::PlacedTexture& placed) { return !offer_.hidden.contains(placed.id); });
+  return chosen;
+}
+
+QString ExportDialog::describeContent() const {
+  if (format() == ExportFormat::ViewPicture) return tr("What is hidden on the map is not in it.");
+  if (!fromSubmaps()) return offer_.unsaved ? tr("Changes that are not saved are not in it.") : QString();
+  const int all = int(offer_.submaps.size()) + offer_.without_picture;
+  const int chosen = int(offer_.submaps.size()) - (withHidden() ? 0 : int(offer_.hidden.size()));
+  const QString kept = tr("%1 of %2 are in it.").arg(countText(chosen), submapsText(all));
+  if (offer_.without_picture == 0) return kept;
+  return kept + QLatin1Char(' ') +
+         tr("Not there yet, or damaged: %1.").arg(countText(offer_.without_picture));
+}
 
 void ExportDialog::sync() {
   const bool view = format() == ExportFormat::ViewPicture;
@@ -153,6 +190,10 @@ void ExportDialog::sync() {
   resolution_->setEnabled(!view && fromSubmaps());
   resolution_label_->setEnabled(resolution_->isEnabled());
   source_label_->setEnabled(!view);
+  hidden_->setEnabled(fromSubmaps());
+  content_->setText(describeContent());
+  content_->setVisible(!content_->text().isEmpty());
+  export_->setEnabled(!fromSubmaps() || !chosenSubmaps().empty());
   world_file_->setEnabled(format() != ExportFormat::MapServer);
   // The name stays, its ending follows the format.
   QString path = path_->text();
@@ -207,7 +248,7 @@ void ExportDialog::start() {
   if (request.format == ExportFormat::ViewPicture) {
     request.source = offer_.view();
   } else if (fromSubmaps()) {
-    request.source = SubmapsExport{offer_.submaps, resolution_->value()};
+    request.source = SubmapsExport{chosenSubmaps(), resolution_->value()};
   } else if (offer_.whole) {
     request.source = *offer_.whole;
   } else {
@@ -219,8 +260,9 @@ void ExportDialog::start() {
 }
 
 void ExportDialog::setRunning(bool running) {
-  for (QWidget* widget : std::initializer_list<QWidget*>{map_picture_, map_server_, view_picture_, source_,
-                                                         resolution_, world_file_, path_, browse_, export_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{map_picture_, map_server_, view_picture_, source_, hidden_,
+                                       resolution_, world_file_, path_, browse_, export_})
     widget->setEnabled(!running);
   progress_->setValue(0);
   progress_->setVisible(running);
@@ -256,6 +298,8 @@ void ExportDialog::reject() {
   }
   QDialog::reject();
 }
+
+QString ExportDialog::contentText() const { return content_->isHidden() ? QString() : content_->text(); }
 
 QString ExportDialog::errorText() const { return error_->isHidden() ? QString() : error_->text(); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 
 #include <QDialog>
 
@@ -20,12 +21,15 @@ namespace mapwright::window {
 
 /// What there is to export at present.
 struct ExportOffer {
-  QString name;                         // of the map, for the proposed file
-  std::optional<WholeMapExport> whole;  // nullopt: none is complete
-  QString why_not_whole;                // the sentence then
-  std::vector<render::PlacedTexture> submaps;
-  double submap_resolution_m = 0.05;  // of the finest one
-  bool prefers_submaps = false;       // they are what is on screen
+  QString name;                                // of the map, for the proposed file
+  std::optional<WholeMapExport> whole;         // nullopt: none is complete
+  QString why_not_whole;                       // the sentence then
+  std::vector<render::PlacedTexture> submaps;  // hidden ones too
+  std::set<map::SubmapId> hidden;              // those of them that the user has hidden
+  int without_picture = 0;                     // listed, and not among them
+  bool unsaved = false;                        // on screen `whole` has changes that are not saved
+  double submap_resolution_m = 0.05;           // of the finest one
+  bool prefers_submaps = false;                // they are what is on screen
   std::function<ViewExport()> view;
   std::vector<std::string> sources;  // the files that what is on screen was read from
   QString folder;
@@ -38,9 +42,13 @@ class ExportDialog : public QDialog {
 
   QRadioButton* formatButton(ExportFormat format) const;
   QComboBox* sourceBox() const { return source_; }
+  /// Shown where submaps are hidden.
+  QCheckBox* hiddenBox() const { return hidden_; }
   QCheckBox* worldFileBox() const { return world_file_; }
   QLineEdit* pathEdit() const { return path_; }
   QPushButton* exportButton() const { return export_; }
+  /// What will be in the file, and what not.
+  QString contentText() const;
   QString errorText() const;
   void start();
 
@@ -53,6 +61,9 @@ class ExportDialog : public QDialog {
  private:
   ExportFormat format() const;
   bool fromSubmaps() const;
+  bool withHidden() const;
+  std::vector<render::PlacedTexture> chosenSubmaps() const;
+  QString describeContent() const;
   void sync();
   void browse();
   void take(const ExportResult& result);
@@ -63,11 +74,11 @@ class ExportDialog : public QDialog {
   QRadioButton *map_picture_, *map_server_, *view_picture_;
   QComboBox* source_;
   QDoubleSpinBox* resolution_;
-  QCheckBox* world_file_;
+  QCheckBox *hidden_, *world_file_;
   QLineEdit* path_;
   QPushButton *browse_, *export_, *cancel_;
   QProgressBar* progress_;
-  QLabel *error_, *source_label_, *resolution_label_;
+  QLabel *content_, *error_, *source_label_, *resolution_label_;
   bool confirmed_ = false;         // overwriting
   bool source_confirmed_ = false;  // overwriting what the map is read from
 };

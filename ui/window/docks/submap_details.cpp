@@ -17,7 +17,7 @@ QString submapDetails(const session::Session& session, map::SubmapId id) {
         .arg(QString::fromStdString(map::toText(id)));
   QString name =
       QStringLiteral("%1 v%2").arg(QString::fromStdString(map::toText(id))).arg(row->entry.version);
-  if (row->shown_version >= 0 && row->shown_version != row->entry.version) {
+  if (row->visible && row->shown_version >= 0 && row->shown_version != row->entry.version) {
     name += InspectorDock::tr(" (v%1 on screen)").arg(row->shown_version);
   }
   SubmapFacts facts;

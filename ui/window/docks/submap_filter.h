@@ -16,8 +16,8 @@ struct SubmapFacts {
   int version = 0;         // as listed
   int shown_version = -1;  // on screen, -1 = none
   bool frozen = false, incremental = false, nearby = false;
-  bool visible = true;    // by the user's choice
-  bool drawable = false;  // counts as shown
+  bool visible = true;  // by the user's choice
+  bool shown = false;   // held and not hidden
   session::SubmapStatus status = session::SubmapStatus::Queued;
   bool operator==(const SubmapFacts&) const = default;
 };

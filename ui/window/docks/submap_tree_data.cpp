@@ -72,7 +72,7 @@ QVariant SubmapTreeModel::leafData(const SubmapFacts& leaf, int column, int role
       if (column == LocateColumn) return tr("Show this submap in the middle of the map");
       QStringList lines{
           tr("Submap %1, version %2").arg(QString::fromStdString(map::toText(leaf.id))).arg(leaf.version)};
-      if (leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {
+      if (leaf.visible && leaf.shown_version >= 0 && leaf.shown_version != leaf.version) {
         lines << tr("Version %1 is on screen.").arg(leaf.shown_version);
       }
       const QString reason = session_ ? sentences::sentenceOf(session_->reason(leaf.id)) : QString();

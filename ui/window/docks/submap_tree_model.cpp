@@ -32,7 +32,7 @@ SubmapFacts factsOf(const session::Session& session, map::SubmapId id, const sub
   facts.incremental = row.entry.is_incremental;
   facts.nearby = row.entry.is_nearby;
   facts.visible = row.visible;
-  facts.drawable = row.drawable(session.slice());
+  facts.shown = row.visible && row.drawable(session.slice());
   facts.status = session.status(id);
   return facts;
 }
@@ -249,7 +249,7 @@ void SubmapTreeModel::recount() {
 }
 
 void SubmapTreeModel::count(Branch& branch, const SubmapFacts& facts, int by) {
-  const int visible = facts.visible ? by : 0, shown = facts.drawable ? by : 0;
+  const int visible = facts.visible ? by : 0, shown = facts.shown ? by : 0;
   total_ += by;
   visible_ += visible;
   shown_ += shown;

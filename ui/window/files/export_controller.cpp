@@ -145,6 +145,11 @@ void ExportController::exportMap() {
   const session::MapSlot& slot = session->wholeMap();
   ExportOffer offer;
   offer.submaps = context_.scene.placedTextures();
+  const auto& rows = session->book().rows();
+  for (const auto& placed : offer.submaps) {
+    if (!rows.at(placed.id).visible) offer.hidden.insert(placed.id);
+  }
+  offer.without_picture = int(rows.size()) - int(offer.submaps.size());
   double finest = std::numeric_limits<double>::infinity();
   for (const render::PlacedTexture& placed : offer.submaps) {
     if (placed.texture->resolutionM() > 0) finest = std::min(finest, placed.texture->resolutionM());
@@ -152,6 +157,8 @@ void ExportController::exportMap() {
   if (std::isfinite(finest)) offer.submap_resolution_m = finest;
   if (slot.cells() && slot.cells()->complete() && slot.settled()) {
     offer.whole = WholeMapExport{slot.cells(), slot.reference()};
+    const auto on_screen = context_.scene.wholeMap();
+    offer.unsaved = on_screen && on_screen->cells != slot.cells();
   } else {
     offer.why_not_whole = slot.cells() ? tr("The map is still being read.")
                                        : tr("No whole map is open, and no submaps are there.");

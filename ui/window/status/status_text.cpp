@@ -91,6 +91,7 @@ QString loadingText(const session::SubmapCounts& counts) {
   const auto add = [&parts](int count, const QString& word) {
     if (count > 0) parts << QStringLiteral("%1 %2").arg(countText(count), word);
   };
+  add(counts.hidden, QCoreApplication::translate("window", "hidden"));
   add(counts.missing, QCoreApplication::translate("window", "missing"));
   add(counts.failed, QCoreApplication::translate("window", "failed"));
   add(counts.corrupt, QCoreApplication::translate("window", "corrupt"));
@@ -250,6 +251,8 @@ QString statusWord(SubmapStatus status) {
   switch (status) {
     case SubmapStatus::OnScreen:
       return QCoreApplication::translate("window", "shown");
+    case SubmapStatus::Hidden:
+      return QCoreApplication::translate("window", "hidden");
     case SubmapStatus::Updating:
       return QCoreApplication::translate("window", "updating");
     case SubmapStatus::Queued:
@@ -274,6 +277,8 @@ QString statusIcon(SubmapStatus status) {
   switch (status) {
     case SubmapStatus::OnScreen:
       return QStringLiteral("check");
+    case SubmapStatus::Hidden:
+      return QStringLiteral("eye-off");
     case SubmapStatus::Updating:
       return QStringLiteral("updating");
     case SubmapStatus::Queued:
@@ -301,6 +306,7 @@ Mark statusMark(SubmapStatus status) {
     case SubmapStatus::Updating:
     case SubmapStatus::Fetching:
       return Mark::Busy;
+    case SubmapStatus::Hidden:
     case SubmapStatus::Queued:
     case SubmapStatus::NoSlice:
       return Mark::Neutral;
