@@ -119,6 +119,8 @@ class Session : public QObject {
   void openMap(const map::MapKey& key);
   /// The second map of a comparison; nullopt ends it.
   void compareWith(std::optional<map::MapKey> key);
+  /// The same with a map that is not of this robot: a file. Its key becomes one that the robot has not.
+  void compareWith(map::WholeMap map);
   /// Keeps the map on screen as it is now as the second of a comparison, however it changes later.
   void keepForComparing();
   /// What `owner` (a layer list, a panel) wants of the robot: kinds of data, and topics by the robot's own
@@ -190,8 +192,9 @@ class Session : public QObject {
   quint64 fetches_ = 0, cache_hits_ = 0, bytes_fetched_ = 0;
   bool overview_wanted_, submaps_wanted_, maps_by_itself_;
   bool still_ = false;
-  bool live_wanted_ = true;  // the whole map on screen is the one that the robot sends
-  bool map_chosen_ = false;  // by the user
+  bool live_wanted_ = true;                      // the whole map on screen is the one that the robot sends
+  bool map_chosen_ = false;                      // by the user
+  std::optional<map::WholeMap> compared_aside_;  // the robot is not asked for it
   struct Wish {
     map::Streams streams;
     QStringList topics;

@@ -139,9 +139,17 @@ void Session::openMap(const map::MapKey& key) {
 }
 
 void Session::compareWith(std::optional<map::MapKey> key) {
+  compared_aside_.reset();
   // Another map must not stand in for the one that is to be compared.
   if (!key || !(compared_map_.shown().key == *key)) compared_map_.clear();
   if (key) openInto(compared_map_, *key);
+}
+
+void Session::compareWith(map::WholeMap map) {
+  compared_map_.clear();
+  map.key.id = map.path.empty() ? map.name : map.path;
+  compared_aside_ = map;
+  compared_map_.show(std::move(map));
 }
 
 void Session::keepForComparing() {
@@ -150,6 +158,7 @@ void Session::keepForComparing() {
   kept.state_of = kept.key;
   kept.key.id += kept.key.id.empty() ? "kept" : " (kept)";
   kept.notes.clear();
+  compared_aside_ = kept;
   compared_map_.show(std::move(kept));
 }
 
@@ -262,7 +271,12 @@ void Session::askForPlaces(MapSlot& slot, const map::MapKey& key, std::function<
 
 void Session::retryMaps() {
   for (MapSlot* slot : {&whole_map_, &compared_map_}) {
-    if (slot->phase() == MapSlot::Phase::Failed) openInto(*slot, map::MapKey(slot->key()));
+    if (slot->phase() != MapSlot::Phase::Failed) continue;
+    if (slot == &compared_map_ && compared_aside_) {
+      slot->show(*compared_aside_);
+    } else {
+      openInto(*slot, map::MapKey(slot->key()));
+    }
   }
 }
 

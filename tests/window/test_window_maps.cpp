@@ -16,6 +16,7 @@
 #include "window/map/map_overlay.h"
 #include "window/map/notice_bar.h"
 #include "window/map/swipe_handle.h"
+#include "window/on_screen.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
 
@@ -291,6 +292,127 @@ class TestWindowMaps : public QObject {
     QTest::mouseClick(comparison.bar()->closeButton(), Qt::LeftButton);
     QCOMPARE(window.mapScene()->compareMode(), scene::CompareMode::Off);
     QVERIFY(!comparison.bar()->isVisible());
+  }
+
+  void eachHalfOfASwipeIsNamedByWhatItShows_data() {
+    QTest::addColumn<Qt::Key>("mode");
+    QTest::newRow("submaps") << Qt::Key_1;
+    QTest::newRow("whole map") << Qt::Key_2;
+    QTest::newRow("both") << Qt::Key_3;
+  }
+  void eachHalfOfASwipeIsNamedByWhatItShows() {
+    QFETCH(Qt::Key, mode);
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    window.openMap(stored("1"));
+    QTRY_VERIFY(ready(window));
+    // Submaps that lie on the free ground of the map, walls everywhere.
+    bench.robot->list({test::entry(0, 0, 1, 3, 2), test::entry(0, 1, 1, 3.5, 2.5)});
+    QTRY_COMPARE(window.session()->counts().shown, 2);
+    bench.key(mode);
+    scene::MapScene& scene = *window.mapScene();
+    const auto names = [&] { return halfNames(window.session(), scene); };
+    QVERIFY(names().left.isEmpty());
+    // The submaps against the whole map.
+    bench.action("compare")->trigger();
+    QVERIFY(scene.halves().left == scene::HalfContent::Submaps);
+    QCOMPARE(names().left, QStringLiteral("Submaps of Ground floor"));
+    QCOMPARE(names().right, QStringLiteral("Map 1"));
+    // Two whole maps: no submaps, also while the second one is on its way.
+    window.comparison()->start(SecondMap(stored("2")));
+    QVERIFY(scene.halves().left == scene::HalfContent::WholeMap);
+    QVERIFY(scene.halves().right == scene::HalfContent::ComparedMap);
+    QCOMPARE(names().left, QStringLiteral("Map 1"));
+    QVERIFY(names().right.startsWith(QLatin1String("Fetching ")));
+    QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
+    QCOMPARE(names().right, QStringLiteral("Map 2"));
+    QTRY_VERIFY(scene.picturesSettled());
+    scene.setLayerVisible(Layer::Outlines, false);
+    const QImage swiped = window.mapPicture();
+    window.session()->setVisible({{0, 0}, {0, 1}}, false);
+    QTRY_VERIFY(scene.picturesSettled());
+    QCOMPARE(window.mapPicture(), swiped);
+    // The names are part of the picture.
+    scene.setHalfNames({}, {});
+    QVERIFY(window.mapPicture() != swiped);
+    // Difference is about the same two, whatever the mode.
+    window.comparison()->start(SecondMap(stored("7")));
+    QTest::mouseClick(window.comparison()->bar()->differenceButton(), Qt::LeftButton);
+    QVERIFY(window.windowTitle().startsWith(QLatin1String("Map 1 | Fetching")));
+    QTRY_VERIFY(window.windowTitle().startsWith(QLatin1String("Map 1 | Map 7")));
+    QVERIFY(names().left.isEmpty());
+  }
+
+  void saysWhatIsUnderTheCursorOfThatHalf() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    window.openMap(stored("1"));
+    QTRY_VERIFY(ready(window));
+    scene::MapScene& scene = *window.mapScene();
+    const Eigen::Vector2d wall(0.1, 1.5);
+    QVERIFY(scene.occupancyAt(wall).has_value());
+    // The submaps stand left of the line, and there is none here.
+    bench.action("compare")->trigger();
+    scene.setSwipeAt(1);
+    QVERIFY(!scene.occupancyAt(wall).has_value());
+    scene.setSwipeAt(0);
+    QVERIFY(scene.occupancyAt(wall).has_value());
+    window.comparison()->start(SecondMap(stored("2")));
+    QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
+    QVERIFY(scene.occupancyAt(wall).has_value());
+  }
+
+  void twoMapsOfOneNameAreToldApart() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    window.openMap(stored("1"));
+    QTRY_VERIFY(ready(window));
+    const auto names = [&] { return halfNames(window.session(), *window.mapScene()); };
+    window.comparison()->start(SecondMap(KeptState{}));
+    QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
+    QCOMPARE(names().left, QStringLiteral("Map 1 (id 1)"));
+    QCOMPARE(names().right, QStringLiteral("Map 1 (as it was kept)"));
+    QCOMPARE(window.comparison()->bar()->firstShown(), QStringLiteral("Map 1 (id 1)"));
+    window.comparison()->startWith(test::wholeMap({map::MapKind::File, {}}, "Map 1", 30, 30));
+    QTRY_COMPARE(window.session()->comparedMap().phase(), session::MapSlot::Phase::Ready);
+    QVERIFY(names().left != names().right);
+    QVERIFY(window.comparison()->bar()->second()->currentText().startsWith(QLatin1String("Map 1 (")));
+    QVERIFY(window.windowTitle().contains(names().left + QStringLiteral(" | ") + names().right));
+  }
+
+  void aDamagedMapIsNotShownByThePictureOfAnotherOne() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    QTRY_COMPARE(window.maps()->model()->maps(), 3);
+    window.openMap(stored("1"));
+    QTRY_VERIFY(ready(window));
+    const session::MapSlot& second = window.session()->comparedMap();
+    window.comparison()->startWith(test::wholeMap({map::MapKind::File, {}}, "good", 30, 30));
+    QTRY_COMPARE(second.phase(), session::MapSlot::Phase::Ready);
+    map::WholeMap damaged = test::wholeMap({map::MapKind::File, {}}, "damaged", 30, 30);
+    damaged.bytes = std::make_shared<const std::string>("P5\n30 30\n");
+    window.comparison()->startWith(damaged);
+    QTRY_COMPARE(second.phase(), session::MapSlot::Phase::Failed);
+    QVERIFY(!second.cells());
+    QCOMPARE(halfNames(window.session(), *window.mapScene()).right, QStringLiteral("damaged failed"));
+    QVERIFY(!window.comparison()->bar()->statusShown().isEmpty());
+    // The robot is not asked for it: whatever it has would be another map.
+    bench.robot->maps.opened.clear();
+    window.session()->retryNow();
+    QTRY_COMPARE(second.phase(), session::MapSlot::Phase::Failed);
+    QCOMPARE(second.name(), QStringLiteral("damaged"));
+    for (const map::MapKey& asked : bench.robot->maps.opened) QVERIFY(asked.kind != map::MapKind::File);
   }
 
   void keepsThePresentStateToCompareWith() {

@@ -90,4 +90,10 @@ enum class DispatchedCloudChoice { Height, Intensity, Rgb, OneColor };
 /// How two maps are compared on screen.
 enum class CompareMode { Off, Swipe, Difference };
 
+/// What the halves of a swipe show.
+enum class HalfContent { Nothing, Submaps, WholeMap, ComparedMap };
+struct Halves {
+  HalfContent left = HalfContent::WholeMap, right = HalfContent::Nothing;
+};
+
 }  // namespace mapwright::scene

@@ -21,6 +21,7 @@ namespace mapwright::scene {
 struct LayerContext {
   geometry::ViewTransform view;  // logical pixels
   MapTheme theme;
+  double covered_top_px = 0;               // under what floats over the map
   std::optional<geometry::Pose2> between;  // where the robot is drawn instead, if it is drawn
   const map::LiveState* live = nullptr;    // never null while items exist; of the session, or an empty one
   LabelSpace* labels = nullptr;            // never null while items exist; empty at the start of a frame

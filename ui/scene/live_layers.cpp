@@ -209,10 +209,38 @@ void SwipeLayer::setAt(double fraction) {
   update();
 }
 
+void SwipeLayer::setNames(const QString& left, const QString& right) {
+  if (left == left_ && right == right_) return;
+  left_ = left;
+  right_ = right;
+  update();
+}
+
+void SwipeLayer::paintName(QPainter& painter, const QString& name, double from_px, double to_px,
+                           bool at_end) const {
+  constexpr double kLineGapPx = 18, kPadPx = 8, kTopPx = 12, kHeightPx = 24, kLeastPx = 32, kMostPx = 420;
+  const QFontMetricsF metrics(context_.theme.label_font);
+  const double room = std::min(kMostPx, to_px - from_px - 2 * kLineGapPx) - 2 * kPadPx;
+  if (name.isEmpty() || room < kLeastPx) return;
+  const QString text = metrics.elidedText(name, Qt::ElideRight, room);
+  const double width = std::ceil(metrics.horizontalAdvance(text)) + 2 * kPadPx;
+  const QRectF box(at_end ? to_px - kLineGapPx - width : from_px + kLineGapPx,
+                   context_.covered_top_px + kTopPx, width, kHeightPx);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(context_.theme.text_halo);
+  painter.drawRoundedRect(box, 4, 4);
+  painter.setPen(context_.theme.text);
+  painter.setFont(context_.theme.label_font);
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
 void SwipeLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const double x = std::round(at_ * context_.view.width_px);
   painter->fillRect(QRectF(x - 2, 0, 4, context_.view.height_px), context_.theme.text_halo);
   painter->fillRect(QRectF(x - 1, 0, 2, context_.view.height_px), context_.theme.accent);
+  painter->setRenderHint(QPainter::Antialiasing);
+  paintName(*painter, left_, 0, x, true);
+  paintName(*painter, right_, x, context_.view.width_px, false);
 }
 
 }  // namespace mapwright::scene

@@ -153,9 +153,13 @@ class SwipeLayer : public LayerItem {
   using LayerItem::LayerItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
   void setAt(double fraction);
+  void setNames(const QString& left, const QString& right);
 
  private:
+  void paintName(QPainter& painter, const QString& name, double from_px, double to_px, bool at_end) const;
+
   double at_ = 0.5;
+  QString left_, right_;
 };
 
 /// The tick of a heading, from a place in viewport pixels.

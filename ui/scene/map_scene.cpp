@@ -140,7 +140,6 @@ void MapScene::setSession(session::Session* session) {
   MapClouds::of(*this).clear();
   impl_->highlighted.clear();
   impl_->context.live = session_ ? &session_->live() : &impl_->nothing_live;
-  impl_->has_compared = false;
   impl_->raster.setSession(session_);
   renderer_->clear();
   impl_->outlines.clear();
@@ -163,7 +162,6 @@ void MapScene::setSession(session::Session* session) {
     connect(session_, &Session::frameChanged, this, &MapScene::takeFrame);
     for (const session::MapSlot* slot : {&session_->wholeMap(), &session_->comparedMap()}) {
       connect(slot, &session::MapSlot::changed, this, [this] {
-        impl_->has_compared = session_ && session_->comparedMap().cells() != nullptr;
         syncPlace();
         noteSettled();
       });
@@ -340,6 +338,10 @@ geometry::WorldRect MapScene::contentBounds() const {
   if (impl_->items.at(Layer::Submaps)->isVisible()) bounds.extend(session_->contentBounds());
   if (impl_->items.at(Layer::WholeMap)->isVisible() || bounds.empty())
     bounds.extend(impl_->raster.wholeBounds());
+  if (impl_->has_compared && impl_->compare != CompareMode::Off) {
+    bounds.extend(impl_->raster.wholeBounds());
+    bounds.extend(impl_->raster.comparedBounds());
+  }
   if (impl_->items.at(Layer::Regions)->isVisible()) bounds.extend(impl_->raster.regionBounds());
   if (const RegionsOnMap& regions = RegionsOnMap::of(*this);
       regions.map() && regions.extent() && layerVisible(Layer::Regions))
@@ -388,7 +390,11 @@ void MapScene::setMeasurement(std::optional<Measurement> measurement) {
 }
 
 std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
-  if (impl_->items.at(Layer::Submaps)->isVisible()) {
+  const Eigen::Vector2d pixel = view_.pixelFromWorld(world_m);
+  const auto shows = [&](const LayerItem& item) {
+    return item.isVisible() && (!item.part() || item.part()->contains(pixel.x(), pixel.y()));
+  };
+  if (shows(*impl_->items.at(Layer::Submaps))) {
     if (const auto intensity = renderer_->intensityAt(world_m)) {
       return int(std::lround((1.0 - *intensity / 255.0) * 100.0));
     }
@@ -396,8 +402,10 @@ std::optional<int> MapScene::occupancyAt(const Eigen::Vector2d& world_m) const {
   if (impl_->items.at(Layer::Regions)->isVisible()) {
     if (const auto occupancy = impl_->raster.regionOccupancyAt(world_m)) return occupancy;
   }
-  const auto whole = impl_->raster.wholeMap();
-  if (!whole || !impl_->items.at(Layer::WholeMap)->isVisible()) return std::nullopt;
+  const auto whole = shows(*impl_->raster.compared())           ? impl_->raster.comparedMap()
+                     : shows(*impl_->items.at(Layer::WholeMap)) ? impl_->raster.wholeMap()
+                                                                : std::nullopt;
+  if (!whole) return std::nullopt;
   const Eigen::Vector2d cell = whole->reference.cellFromWorld(world_m);
   if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() < whole->reference.width &&
         cell.y() < whole->reference.height))

@@ -57,12 +57,19 @@ class MapScene : public QGraphicsScene {
   void setLayerOrder(const std::vector<Layer>& order);
 
   /// Compares the session's wholeMap() with its comparedMap(); swiping without a compared map sets the
-  /// submaps (left) against the whole map (right).
+  /// submaps (left), where the robot has some, against the whole map (right).
   CompareMode compareMode() const;
   void setCompareMode(CompareMode mode);
   /// Where the swipe divides the viewport, 0 (left edge) .. 1.
   double swipeAt() const;
   void setSwipeAt(double fraction);
+  /// What is to be seen left and right of the line.
+  Halves halves() const;
+  /// What both halves are called on the map; empty = not at all.
+  void setHalfNames(const QString& left, const QString& right);
+  /// So much of its top lies under strips.
+  void setCoveredTop(double px);
+  double coveredTop() const;
 
   /// The submaps to point at (selected in the tree): framed in the accent colour.
   void setHighlighted(std::set<map::SubmapId> ids);

@@ -120,4 +120,23 @@ void MapScene::setSwipeAt(double fraction) {
   impl_->applyVisibility();
 }
 
+Halves MapScene::halves() const {
+  Halves halves = impl_->halves();
+  if (halves.left == HalfContent::Submaps && !impl_->items.at(Layer::Submaps)->isVisible())
+    halves.left = HalfContent::Nothing;
+  return halves;
+}
+
+void MapScene::setHalfNames(const QString& left, const QString& right) {
+  impl_->swipe->setNames(left, right);
+}
+
+void MapScene::setCoveredTop(double px) {
+  if (px == impl_->context.covered_top_px) return;
+  impl_->context.covered_top_px = px;
+  impl_->swipe->update();
+}
+
+double MapScene::coveredTop() const { return impl_->context.covered_top_px; }
+
 }  // namespace mapwright::scene

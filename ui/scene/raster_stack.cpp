@@ -281,8 +281,15 @@ geometry::WorldRect RasterStack::wholeBounds() const {
   return placed ? placed->reference.bounds() : geometry::WorldRect{};
 }
 
+geometry::WorldRect RasterStack::comparedBounds() const {
+  const auto& placed = compared_.renderer->grid();
+  return placed ? placed->reference.bounds() : geometry::WorldRect{};
+}
+
 bool RasterStack::overviewShown() const { return overview_.renderer->grid().has_value(); }
 
 std::optional<render::PlacedGrid> RasterStack::wholeMap() const { return whole_.renderer->grid(); }
+
+std::optional<render::PlacedGrid> RasterStack::comparedMap() const { return compared_.renderer->grid(); }
 
 }  // namespace mapwright::scene

@@ -49,9 +49,11 @@ class RasterStack : public QObject {
   /// And read to the end.
   bool settled() const;
   geometry::WorldRect wholeBounds() const;
+  geometry::WorldRect comparedBounds() const;
   bool overviewShown() const;
   std::size_t cacheBytes() const;
   std::optional<render::PlacedGrid> wholeMap() const;
+  std::optional<render::PlacedGrid> comparedMap() const;
   /// Shown in the place of the cells of the whole map, while that is the map `map`; null = none are.
   void setEdited(const map::MapKey& map, std::shared_ptr<const grids::GridPyramid> cells);
   void editedChanged(const geometry::WorldRect& where);

@@ -42,7 +42,7 @@ RobotPlace robotPlace(const session::Session& session, const MapsOnScreen& on_sc
     const Whereabouts left = in(session.wholeMap());
     const Whereabouts right = on_screen.compared ? in(session.comparedMap()) : Whereabouts::Elsewhere;
     const bool in_left = left != Whereabouts::Elsewhere, in_right = right != Whereabouts::Elsewhere;
-    if (on_screen.mode == CompareMode::Swipe && !on_screen.compared) {
+    if (on_screen.submaps_left) {
       // The submaps are the robot's own; they stand at the left of the whole map.
       place.drawn = partOf(true, in_left);
     } else if (on_screen.mode == CompareMode::Swipe) {

@@ -30,6 +30,7 @@ struct MapsOnScreen {
   bool whole = false;     // as the only one, or as one of two
   bool compared = false;  // a second whole map
   CompareMode mode = CompareMode::Off;
+  bool submaps_left = false;  // they are set against the whole map
 };
 
 /// `choice`: draw it or not, whatever is known; nullopt = as is known.

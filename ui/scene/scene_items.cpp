@@ -124,7 +124,20 @@ void SceneItems::addFeatures(QGraphicsScene& scene, MapFeatures& features) {
 
 MapsOnScreen SceneItems::onScreen() const {
   return {shown.at(Layer::WholeMap) || compare != CompareMode::Off,
-          has_compared && compare != CompareMode::Off, compare};
+          has_compared && compare != CompareMode::Off, compare,
+          compare == CompareMode::Swipe && halves().left == HalfContent::Submaps};
+}
+
+void SceneItems::takeCompared(session::Session* session) {
+  has_submaps = session && session->robot().submapSource();
+  wants_second = session && session->comparedMap().phase() != session::MapSlot::Phase::Empty;
+  has_compared = session && session->comparedMap().cells() != nullptr;
+}
+
+Halves SceneItems::halves() const {
+  if (wants_second) return {HalfContent::WholeMap, HalfContent::ComparedMap};
+  if (has_submaps) return {HalfContent::Submaps, HalfContent::WholeMap};
+  return {HalfContent::WholeMap, HalfContent::Nothing};
 }
 
 std::optional<QRectF> SceneItems::rectOf(ScreenPart part) const {
@@ -141,23 +154,24 @@ void SceneItems::applyVisibility() {
   for (const auto& [layer, of_layer] : by_layer) {
     for (LayerItem* item : of_layer) item->setVisible(shown.at(layer));
   }
-  if (swiping) items.at(Layer::WholeMap)->setVisible(true);
-  if (swiping && !second) items.at(Layer::Submaps)->setVisible(true);
-  if (difference) {
-    items.at(Layer::WholeMap)->setVisible(false);
-    items.at(Layer::Submaps)->setVisible(false);
+  const bool submaps_left = halves().left == HalfContent::Submaps;
+  if (compare != CompareMode::Off) {
+    // Each half is one map, whatever was on screen before.
+    items.at(Layer::WholeMap)->setVisible(!difference);
+    items.at(Layer::Submaps)->setVisible(swiping && submaps_left);
   }
   // Regions are on neither side of a comparison.
-  if (swiping || difference) {
+  if (compare != CompareMode::Off) {
     for (LayerItem* item : by_layer.at(Layer::Regions)) item->setVisible(false);
   }
   raster.compared()->setVisible(swiping && second);
   raster.difference()->setVisible(difference);
   const auto part = [&](ScreenPart which) { return swiping ? rectOf(which) : std::nullopt; };
   tiles->setPart(part(ScreenPart::Left));
-  items.at(Layer::WholeMap)->setPart(part(second ? ScreenPart::Left : ScreenPart::Right));
+  const ScreenPart of_the_whole = submaps_left ? ScreenPart::Right : ScreenPart::Left;
+  items.at(Layer::WholeMap)->setPart(part(of_the_whole));
   raster.compared()->setPart(part(ScreenPart::Right));
-  for (LayerItem* item : of_whole.items) item->setPart(part(second ? ScreenPart::Left : ScreenPart::Right));
+  for (LayerItem* item : of_whole.items) item->setPart(part(of_the_whole));
   for (LayerItem* item : of_compared.items) {
     item->setPart(part(ScreenPart::Right));
     item->setVisible(item->isVisible() && second && swiping);
@@ -178,7 +192,8 @@ void SceneItems::applyVisibility() {
   dispatched->tiles().setActive(dispatched->isVisible());
 }
 
-bool SceneItems::placeRobot(const session::Session* session) {
+bool SceneItems::placeRobot(session::Session* session) {
+  takeCompared(session);
   const RobotPlace before = place;
   place = {};
   if (!session) {
@@ -238,7 +253,7 @@ void SceneItems::takeFeatures(const session::Session* session) {
   const bool opened = on_screen.whole && take(session->wholeMap(), of_whole);
   if (on_screen.compared) take(session->comparedMap(), of_compared);
   // Beside an opened map the robot's own overlays have a place only on the half of the submaps.
-  const bool beside = compare == CompareMode::Swipe && !on_screen.compared && place.drawn == ScreenPart::Left;
+  const bool beside = on_screen.submaps_left && place.drawn == ScreenPart::Left;
   if (place.overlays_fit && context.live->map_info && (!opened || beside))
     of_robot.overlays = context.live->map_info->overlays;
 }

@@ -36,6 +36,7 @@ class SceneItems {
 
   /// Gives every item its place in `order`.
   void stack();
+  Halves halves() const;
   /// What the user wants to see (`shown`), changed by what a comparison needs.
   void applyVisibility();
   /// What lies on the maps that are shown, by what is known of them and by what the robot sends.
@@ -43,7 +44,7 @@ class SceneItems {
   /// The waypoints among them: those that are being edited, else those that the robot tells.
   void takeWaypoints(const session::Session* session);
   /// Finds out where the robot belongs; true when that has changed.
-  bool placeRobot(const session::Session* session);
+  bool placeRobot(session::Session* session);
   /// All items of a layer: some layers show things of several maps.
   const std::vector<LayerItem*>& itemsOf(Layer layer) const { return by_layer.at(layer); }
 
@@ -64,7 +65,9 @@ class SceneItems {
   std::map<Layer, bool> shown;
   std::vector<Layer> order;
   CompareMode compare = CompareMode::Off;
-  bool has_compared = false;
+  bool has_submaps = false;   // the robot has some
+  bool wants_second = false;  // a second map is compared, or on its way
+  bool has_compared = false;  // it is there
   double swipe_at = 0.5;
   RasterStack raster;
   std::map<Layer, LayerItem*> items;  // the first of each layer
@@ -87,6 +90,7 @@ class SceneItems {
   template <typename Item>
   Item* add(QGraphicsScene& scene, Layer layer, Item* item);
   void addFeatures(QGraphicsScene& scene, MapFeatures& features);
+  void takeCompared(session::Session* session);
   MapsOnScreen onScreen() const;
   std::optional<QRectF> rectOf(ScreenPart part) const;
 };

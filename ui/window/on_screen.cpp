@@ -12,13 +12,45 @@
 
 namespace mapwright::window {
 
+namespace {
+
+using session::MapSlot;
+
+/// What is there of it, or how it stands.
+QString nameOf(const MapSlot& slot) {
+  if (slot.phase() == MapSlot::Phase::Empty) return QCoreApplication::translate("window", "no whole map yet");
+  const QString progress = slot.cells() ? QString() : mapProgressText(slot);
+  return progress.isEmpty() ? mapOnScreen(slot) : progress;
+}
+
+/// What tells it from another map of its name.
+QString markOf(const MapSlot& slot) {
+  const map::WholeMap& shown = slot.shown();
+  const map::MapKey& key = slot.cells() ? shown.key : slot.key();
+  if (shown.state_of) return QCoreApplication::translate("window", "as it was kept");
+  if (key.kind == map::MapKind::Live) return QCoreApplication::translate("window", "live");
+  if (key.kind == map::MapKind::File)
+    return plainWords(shown.path.empty() ? map::toText(key) : shown.path, 120);
+  return QCoreApplication::translate("window", "id %1").arg(plainWords(map::toText(key), 60));
+}
+
+QString submapsCalled(session::Session* session, const scene::MapScene& scene) {
+  const QString its = submapsOf(session, scene);
+  return its.isEmpty() ? QCoreApplication::translate("window", "Submaps")
+                       : QCoreApplication::translate("window", "Submaps of %1").arg(its);
+}
+
+}  // namespace
+
 bool comparing(const scene::MapScene& scene) { return scene.compareMode() != scene::CompareMode::Off; }
 
 MapsInView mapsInView(const scene::MapScene& scene) {
   const regions::RegionMap* const regions = scene::RegionsOnMap::of(scene).map();
   const bool by_region = regions && scene.layerVisible(scene::Layer::Regions);
-  return {scene.layerVisible(scene::Layer::Submaps),
-          scene.layerVisible(scene::Layer::WholeMap) || comparing(scene), by_region,
+  const bool submaps = comparing(scene) ? scene.compareMode() == scene::CompareMode::Swipe &&
+                                              scene.halves().left == scene::HalfContent::Submaps
+                                        : scene.layerVisible(scene::Layer::Submaps);
+  return {submaps, scene.layerVisible(scene::Layer::WholeMap) || comparing(scene), by_region,
           by_region && regions->regions().bytes() > 0,
           scene.layerVisible(scene::Layer::DispatchedCloud) && !scene::MapClouds::of(scene).empty()};
 }
@@ -36,6 +68,31 @@ QString submapsOf(session::Session* session, const scene::MapScene& scene) {
   return plainWords(map::currentMapName(session->live(), session->catalogue().entries()), 60);
 }
 
+HalfNames comparedNames(const session::Session& session) {
+  HalfNames names{nameOf(session.wholeMap()), nameOf(session.comparedMap())};
+  if (names.left != names.right) return names;
+  const QString with = QStringLiteral("%1 (%2)");
+  return {with.arg(names.left, markOf(session.wholeMap())),
+          with.arg(names.right, markOf(session.comparedMap()))};
+}
+
+HalfNames halfNames(session::Session* session, const scene::MapScene& scene) {
+  if (!session || scene.compareMode() != scene::CompareMode::Swipe) return {};
+  const auto called = [&](scene::HalfContent content) {
+    switch (content) {
+      case scene::HalfContent::Submaps:
+        return submapsCalled(session, scene);
+      case scene::HalfContent::WholeMap:
+        return nameOf(session->wholeMap());
+      default:
+        return QString();
+    }
+  };
+  const scene::Halves halves = scene.halves();
+  if (halves.right == scene::HalfContent::ComparedMap) return comparedNames(*session);
+  return {called(halves.left), called(halves.right)};
+}
+
 QString windowTitle(session::Session* session, const scene::MapScene& scene) {
   if (!session) return QStringLiteral("mapwright");
   const replay::ReplayRobot* const replayed = replayOf(session);
@@ -47,14 +104,14 @@ QString windowTitle(session::Session* session, const scene::MapScene& scene) {
   if (mapsInView(scene).whole) {
     const session::MapSlot& slot = session->wholeMap();
     if (slot.phase() != session::MapSlot::Phase::Empty) map = mapOnScreen(slot);
-    const session::MapSlot& second = session->comparedMap();
-    if (comparing(scene) && second.cells()) {
-      map = QCoreApplication::translate("window", "%1 | %2").arg(map, mapOnScreen(second));
+    if (comparing(scene)) {
+      const bool difference = scene.compareMode() == scene::CompareMode::Difference;
+      const HalfNames names = difference ? comparedNames(*session) : halfNames(session, scene);
+      if (!names.left.isEmpty() && !names.right.isEmpty())
+        map = QCoreApplication::translate("window", "%1 | %2").arg(names.left, names.right);
     }
   } else if (mapsInView(scene).submaps && session->robot().submapSource()) {
-    const QString its = submapsOf(session, scene);
-    map = its.isEmpty() ? QCoreApplication::translate("window", "Submaps")
-                        : QCoreApplication::translate("window", "Submaps of %1").arg(its);
+    map = submapsCalled(session, scene);
   }
   // A map file is called like its map.
   return map.isEmpty() || map == name ? QStringLiteral("%1 – mapwright").arg(name)

@@ -16,6 +16,13 @@ MapsInView mapsInView(const scene::MapScene& scene);
 QString robotCalled(const robot::Robot& robot);
 /// The map that the submaps belong to; empty where none is known.
 QString submapsOf(session::Session* session, const scene::MapScene& scene);
+/// What the halves of a swipe really show, told apart where both have one name; empty: there is no swipe.
+struct HalfNames {
+  QString left, right;
+};
+HalfNames halfNames(session::Session* session, const scene::MapScene& scene);
+/// The open map and the one that it is compared with, likewise.
+HalfNames comparedNames(const session::Session& session);
 /// "Ground floor – dock-3 – mapwright". Null: no robot.
 QString windowTitle(session::Session* session, const scene::MapScene& scene);
 

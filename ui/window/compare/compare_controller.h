@@ -40,7 +40,6 @@ class CompareController : public Controller {
   PicturePlacing& placing_;
   Read read_;
   CompareControl* control_;
-  QAction* compare_;
   std::unique_ptr<robot::Robot> source_;  // reads a file
 };
 

@@ -17,6 +17,7 @@
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
+#include "window/on_screen.h"
 #include "window/status/status_text.h"
 
 namespace mapwright::window {
@@ -145,10 +146,12 @@ void CompareBar::fill(session::Session* session, const std::optional<SecondMap>&
   }
   if (session->wholeMap().source() || (chosen && std::holds_alternative<KeptState>(*chosen)))
     offer(KeptState{}, tr("Keep the present state"));
-  offer(FileAside{}, tr("File…"));
-  if (offers != offers_ || titles.size() != second_->count()) {
+  const bool file = chosen && std::holds_alternative<FileAside>(*chosen);
+  offer(FileAside{}, file ? comparedNames(*session).right : tr("File…"));
+  if (offers != offers_ || titles != titles_) {
     const QSignalBlocker quiet(second_);
     offers_ = offers;
+    titles_ = titles;
     second_->clear();
     second_->addItems(titles);
   }
@@ -167,8 +170,7 @@ void CompareBar::sync(session::Session* session, CompareMode mode, const std::op
   const session::MapSlot& first = session->wholeMap();
   const session::MapSlot& second = session->comparedMap();
   const bool submaps = chosen && std::holds_alternative<SubmapsAside>(*chosen);
-  first_->setText(first.phase() == session::MapSlot::Phase::Empty ? tr("no whole map yet")
-                                                                  : mapCalled(first.name(), first.key()));
+  first_->setText(comparedNames(*session).left);
   swipe_->setChecked(mode == CompareMode::Swipe);
   difference_->setChecked(mode == CompareMode::Difference);
   difference_->setEnabled(!submaps);

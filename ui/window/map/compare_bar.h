@@ -55,6 +55,7 @@ class CompareBar : public QFrame {
   void fill(session::Session* session, const std::optional<SecondMap>& chosen);
 
   std::vector<SecondMap> offers_;  // by row of the list
+  QStringList titles_;
   PlainLabel *first_, *status_;
   QComboBox* second_;
   QToolButton *swipe_, *difference_, *close_;

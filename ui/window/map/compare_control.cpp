@@ -4,6 +4,7 @@
 
 #include "window/map/map_view.h"
 #include "window/map/swipe_handle.h"
+#include "window/on_screen.h"
 
 namespace mapwright::window {
 
@@ -52,7 +53,7 @@ void CompareControl::start(const std::optional<SecondMap>& second) {
 void CompareControl::startWith(map::WholeMap map) {
   if (!session_) return;
   start(SecondMap(FileAside{}));
-  session_->comparedMap().show(std::move(map));
+  session_->compareWith(std::move(map));
   sync();
 }
 
@@ -93,6 +94,8 @@ void CompareControl::end() {
 
 void CompareControl::sync() {
   bar_->sync(session_, scene_->compareMode(), second_);
+  const HalfNames names = halfNames(session_, *scene_);
+  scene_->setHalfNames(names.left, names.right);
   const bool swiping = session_ && scene_->compareMode() == CompareMode::Swipe;
   handle_->setVisible(swiping);
   if (!swiping) return;
