@@ -15,7 +15,7 @@ Viewpoint::Viewpoint(MapView& view, QObject* parent) : QObject(parent), view_(vi
   connect(&view_, &MapView::movedByHand, this, &Viewpoint::choose);
 }
 
-void Viewpoint::fit(const geometry::WorldRect& world) { view_.fit(world, false, kClosestFitMPerPx); }
+void Viewpoint::fit(const geometry::WorldRect& world) { view_.keepFitted(world, kClosestFitMPerPx); }
 
 void Viewpoint::lookAt(const geometry::WorldRect& world) {
   geometry::ViewTransform to = view_.destination();

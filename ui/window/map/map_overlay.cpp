@@ -86,6 +86,7 @@ void MapOverlay::place() {
     strip->setGeometry(0, top, area.width(), height);
     top += strip->height();
   }
+  view_->setCoveredTop(top);
   const QSize furniture = furniture_->sizeHint();
   furniture_->setGeometry(area.width() - furniture.width() - kMargin, top + kMargin, furniture.width(),
                           furniture.height());

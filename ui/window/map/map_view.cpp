@@ -56,6 +56,7 @@ void MapView::setView(const geometry::ViewTransform& view) {
 }
 
 void MapView::moveTo(const geometry::ViewTransform& view, bool animated, std::optional<QPointF> anchor) {
+  kept_fit_.reset();
   geometry::ViewTransform to = view;
   to.width_px = std::max(1, viewport()->width());
   to.height_px = std::max(1, viewport()->height());
@@ -133,15 +134,41 @@ void MapView::lookAt(const Eigen::Vector2d& world_m, bool animated) {
 
 void MapView::fit(const geometry::WorldRect& world, bool animated, double closest_m_per_px) {
   if (world.empty()) return;
-  const double margin = std::min(48.0, 0.06 * std::min(viewport()->width(), viewport()->height()));
-  geometry::ViewTransform to = scene_->view();
-  to.width_px = std::max(1, viewport()->width());
-  to.height_px = std::max(1, viewport()->height());
-  to.rotation_rad = destination().rotation_rad;
-  to = to.fitted(world, margin);
-  to.scale_m_per_px = std::max(to.scale_m_per_px, closest_m_per_px);
   setFollowing(false);
-  moveTo(to, animated);
+  moveTo(fittedTo(world, closest_m_per_px), animated);
+}
+
+geometry::ViewTransform MapView::fittedTo(const geometry::WorldRect& world, double closest_m_per_px) const {
+  geometry::ViewTransform to = scene_->view();
+  to.rotation_rad = destination().rotation_rad;
+  to.width_px = std::max(1, viewport()->width());
+  const int height = std::max(1, viewport()->height());
+  // Where strips would leave hardly anything there is nothing to be gained by them.
+  const double covered = std::min(scene_->coveredTop(), height / 2.0);
+  to.height_px = std::max(1, int(height - covered));
+  to = to.fitted(world, std::min(48.0, 0.06 * std::min(to.width_px, to.height_px)));
+  to.scale_m_per_px = std::max(to.scale_m_per_px, closest_m_per_px);
+  to.height_px = height;
+  return to.pannedBy({0, covered / 2});
+}
+
+void MapView::keepFitted(const geometry::WorldRect& world, double closest_m_per_px) {
+  if (world.empty()) return;
+  fit(world, false, closest_m_per_px);
+  kept_fit_ = {world, closest_m_per_px};
+}
+
+bool MapView::fitAgain() {
+  if (!kept_fit_ || cursor_px_) return false;
+  const Fit fit = *kept_fit_;
+  keepFitted(fit.world, fit.closest_m_per_px);
+  return true;
+}
+
+void MapView::setCoveredTop(int px) {
+  if (px == scene_->coveredTop()) return;
+  scene_->setCoveredTop(px);
+  fitAgain();
 }
 
 void MapView::panBy(const QPointF& pixels) {
@@ -151,6 +178,7 @@ void MapView::panBy(const QPointF& pixels) {
 }
 
 void MapView::takeByHand(bool keeps_following) {
+  kept_fit_.reset();
   if (!keeps_following) setFollowing(false);
   Q_EMIT movedByHand();
 }
@@ -158,6 +186,7 @@ void MapView::takeByHand(bool keeps_following) {
 void MapView::setFollowing(bool following) {
   if (following == following_) return;
   following_ = following;
+  kept_fit_.reset();
   if (session::Session* session = scene_->session()) {
     if (following) {
       connect(session, &session::Session::liveChanged, this, &MapView::centreOnRobot, Qt::UniqueConnection);
@@ -242,7 +271,26 @@ void MapView::resizeEvent(QResizeEvent* event) {
     motion_->from.width_px = motion_->to.width_px = std::max(1, viewport()->width());
     motion_->from.height_px = motion_->to.height_px = std::max(1, viewport()->height());
   }
-  setView(scene_->view());
+  // A panel that takes room, or gives it back, leaves the map where it is on the screen: somebody may be
+  // about to click on it. With the window itself it grows around the middle.
+  const QPoint corner = mapTo(window(), QPoint());
+  const QSize window_size = window()->size();
+  const bool by_panel = event->oldSize().isValid() && window_size == window_size_ && !following_;
+  const QPointF moved = corner_px_ - corner, grown(event->size().width() - event->oldSize().width(),
+                                                   event->size().height() - event->oldSize().height());
+  corner_px_ = corner;
+  window_size_ = window_size;
+  if (fitAgain()) return;
+  geometry::ViewTransform view = scene_->view();
+  if (by_panel) {
+    const Eigen::Vector2d by(moved.x() - grown.x() / 2, moved.y() - grown.y() / 2);
+    view = view.pannedBy(by);
+    if (motion_) {
+      motion_->from = motion_->from.pannedBy(by);
+      motion_->to = motion_->to.pannedBy(by);
+    }
+  }
+  setView(view);
 }
 
 void MapView::updateCursor() {

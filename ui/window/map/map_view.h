@@ -39,8 +39,14 @@ class MapView : public QGraphicsView {
   void rotateBy(double rad, std::optional<QPointF> anchor = {});
   void setRotation(double rad);
   void lookAt(const Eigen::Vector2d& world_m, bool animated = true);
-  /// Shows a rectangle as a whole; small ones are not magnified beyond `closest_m_per_px`.
+  /// Shows a rectangle as a whole, below the strips that lie over the map; small ones are not magnified
+  /// beyond `closest_m_per_px`.
   void fit(const geometry::WorldRect& world, bool animated, double closest_m_per_px = 0.005);
+  /// The same at once, and again when strips or panels take room or give it back: until the camera is moved
+  /// in another way, and never under the cursor.
+  void keepFitted(const geometry::WorldRect& world, double closest_m_per_px);
+  /// So much of its top lies under strips.
+  void setCoveredTop(int px);
 
   /// While following, the robot's pose is kept in the middle; panning by hand ends it.
   void setFollowing(bool following);
@@ -79,6 +85,8 @@ class MapView : public QGraphicsView {
 
  private:
   void setView(const geometry::ViewTransform& view);
+  geometry::ViewTransform fittedTo(const geometry::WorldRect& world, double closest_m_per_px) const;
+  bool fitAgain();
   void step();
   void panBy(const QPointF& pixels);
   void zoomFactorAt(const QPointF& anchor, double factor);
@@ -95,6 +103,13 @@ class MapView : public QGraphicsView {
   PanTool pan_tool_;
   MapTool* tool_ = &pan_tool_;
   std::optional<CameraMotion> motion_;
+  struct Fit {
+    geometry::WorldRect world;
+    double closest_m_per_px = 0;
+  };
+  std::optional<Fit> kept_fit_;
+  QSize window_size_;  // at the last resize
+  QPoint corner_px_;   // of the map in the window, then
   QElapsedTimer motion_clock_;
   QTimer motion_timer_;
   int animation_ms_;
