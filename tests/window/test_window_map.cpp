@@ -12,10 +12,13 @@
 #include "window/docks/inspector_controls.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
+#include "window/docks/maps_dock.h"
+#include "window/docks/problems_dock.h"
 #include "window/main_window.h"
 #include "window/map/map_furniture.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
+#include "window/map/notice_bar.h"
 #include "window/map/toast_stack.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
@@ -91,9 +94,9 @@ class TestWindowMap : public QObject {
     QVERIFY(!window.overlay()->hint().isEmpty());
     bench.key(Qt::Key_Escape);
     QCOMPARE(window.view()->tool()->name(), QStringLiteral("pan"));
-    bench.key(Qt::Key_Tab);
+    bench.key(Qt::Key_H);
     QVERIFY(!window.overlay()->furniture()->isVisible());
-    bench.key(Qt::Key_Tab);
+    bench.key(Qt::Key_H);
     QVERIFY(window.overlay()->furniture()->isVisible());
 
     QLineEdit* filter = window.inspector()->controls()->filterEdit();
@@ -144,6 +147,145 @@ class TestWindowMap : public QObject {
     }
     QVERIFY2(fields >= 5, QByteArray::number(fields));
     QVERIFY2(others >= 20, QByteArray::number(others));
+  }
+
+  void tabGoesFromTheMapThroughTheControlsAndBack_data() {
+    QTest::addColumn<bool>("backwards");
+    QTest::newRow("Tab") << false;
+    QTest::newRow("Shift+Tab") << true;
+  }
+  void tabGoesFromTheMapThroughTheControlsAndBack() {
+    QFETCH(bool, backwards);
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    bench.action("compare")->trigger();  // a strip and a grip over the map
+    int most = 0;
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+      dock->show();
+      dock->raise();
+      QCoreApplication::processEvents();
+      window.view()->setFocus();
+      QWidget* at = QApplication::focusWidget();
+      QCOMPARE(at, static_cast<QWidget*>(window.view()));
+      QStringList way;
+      bool dock_seen = false, over_map = false;
+      do {
+        QTest::keyClick(at, backwards ? Qt::Key_Backtab : Qt::Key_Tab,
+                        backwards ? Qt::ShiftModifier : Qt::NoModifier);
+        QWidget* const next = QApplication::focusWidget();
+        QVERIFY(next);
+        way << QLatin1String(next->metaObject()->className()) + QLatin1Char(' ') + next->objectName();
+        QVERIFY2(next != at, qPrintable(QStringLiteral("it ends at ") + way.last()));
+        QVERIFY2(way.size() < 400, qPrintable(way.mid(380).join(QStringLiteral(", "))));
+        dock_seen |= dock->isAncestorOf(next);
+        over_map |= window.view()->isAncestorOf(next);
+        at = next;
+      } while (at != window.view());
+      most = std::max(most, int(way.size()));
+      QVERIFY2(over_map, "the strips over the map are on the way");
+      const auto inside = dock->findChildren<QWidget*>();
+      const bool has_any = std::any_of(inside.begin(), inside.end(), [&](const QWidget* widget) {
+        return widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) &&
+               !widget->focusProxy();
+      });
+      QVERIFY2(dock_seen || !has_any, qPrintable(dock->objectName()));
+    }
+    QVERIFY2(most > 10, QByteArray::number(most));
+  }
+
+  void fitLeavesTheStripsAlone() {
+    Bench bench;
+    bench.offerMaps();
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    QTRY_VERIFY(window.session()->counts().pending == 0);
+    NoticeBar* const strip = window.overlay()->safetyNotice();
+    const auto tall = [&](int px) {
+      strip->setMinimumHeight(px);
+      strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
+      window.overlay()->place();
+    };
+    // A map that is taller than wide, so that its top would reach under the strip.
+    bench.robot->list({test::entry(0, 0, 1, 0, 0), test::entry(0, 1, 1, 0, 60)});
+    QTRY_COMPARE(window.session()->counts().shown, 2);
+    tall(120);
+    bench.key(Qt::Key_F);
+    const auto fits = [&](double covered) {
+      const auto all = window.session()->contentBounds();
+      const auto& view = window.mapScene()->view();
+      const double high = view.pixelFromWorld({all.center().x(), all.max_y}).y();
+      const double low = view.pixelFromWorld({all.center().x(), all.min_y}).y();
+      return high > covered && low < view.height_px &&
+             std::abs((high - covered) - (view.height_px - low)) < 1;
+    };
+    QVERIFY(strip->geometry().bottom() >= 119);
+    QVERIFY(fits(strip->geometry().bottom() + 1));
+    // Chosen by hand it stays, whatever comes over the map.
+    const auto chosen = window.mapScene()->view();
+    tall(200);
+    QCOMPARE(window.mapScene()->view(), chosen);
+  }
+
+  void whatIsFittedAtFirstMakesRoomForAStripThatComesLater() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.robot->list({test::entry(0, 0, 1, 0, 0), test::entry(0, 1, 1, 0, 60)});
+    QTRY_COMPARE(window.session()->counts().shown, 2);
+    const auto high = [&] {
+      const auto all = window.session()->contentBounds();
+      return window.mapScene()->view().pixelFromWorld({all.center().x(), all.max_y}).y();
+    };
+    NoticeBar* const strip = window.overlay()->safetyNotice();
+    strip->setMinimumHeight(120);
+    strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
+    window.overlay()->place();
+    QTRY_VERIFY(high() > 120);
+    strip->setNotice(Mark::None, {}, {});
+    window.overlay()->place();
+    QTRY_VERIFY(high() < 120);
+    // Never under the cursor.
+    const QPoint at(200, 300);
+    QMouseEvent move(QEvent::MouseMove, at, window.view()->viewport()->mapToGlobal(at), Qt::NoButton,
+                     Qt::NoButton, {});
+    QApplication::sendEvent(window.view()->viewport(), &move);
+    const auto before = window.mapScene()->view();
+    strip->setNotice(Mark::Bad, QStringLiteral("Emergency stop"), {}, false);
+    window.overlay()->place();
+    QCOMPARE(window.mapScene()->view(), before);
+  }
+
+  void aPanelThatOpensLeavesTheMapUnderTheCursor() {
+    Bench bench;
+    MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    window.view()->lookAt({3, 4});
+    const auto world = [&] {  // of a place on the screen
+      const QPoint global = window.mapToGlobal(QPoint(600, 250));
+      return window.view()->worldAt(window.view()->viewport()->mapFromGlobal(global));
+    };
+    const Eigen::Vector2d before = world();
+    const QSize size = window.view()->size();
+    window.problems()->show();
+    QTRY_VERIFY(window.view()->size() != size);
+    QVERIFY((world() - before).norm() < 1e-6);
+    window.layers()->hide();
+    window.maps()->hide();
+    QCoreApplication::processEvents();
+    QVERIFY((world() - before).norm() < 1e-6);
+    window.problems()->hide();
+    QTRY_VERIFY(window.view()->height() >= size.height());
+    QVERIFY((world() - before).norm() < 1e-6);
+    // With the window it grows around the middle.
+    const Eigen::Vector2d middle = window.mapScene()->view().center_m;
+    window.resize(window.width() + 120, window.height());
+    QCoreApplication::processEvents();
+    QVERIFY((window.mapScene()->view().center_m - middle).norm() < 1e-6);
   }
 
   void followsTheRobotUntilPanned() {

@@ -2,17 +2,20 @@
 
 #include <algorithm>
 
+#include "sentences/problem_sentence.h"
+#include "sentences/subject_name.h"
 #include "window/clipboard.h"
 #include "window/current_session.h"
 #include "window/docks/problems_dock.h"
+#include "window/map/map_overlay.h"
+#include "window/map/toast_stack.h"
 #include "window/panels.h"
 #include "window/status/window_status_bar.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
 namespace {
-
-const QString kShownKey = QStringLiteral("window/problemsShown");
 
 /// An error that still holds; what is wrong with the robot itself has its own notice.
 bool isError(const session::LoggedProblem& row, const std::vector<map::SafetyCondition>& safety) {
@@ -35,27 +38,28 @@ ProblemsController::ProblemsController(WindowContext& context, QObject* parent)
 
 void ProblemsController::setSession(session::Session* session) {
   dock_->setSession(session);
-  if (session) connect(session, &session::Session::problemsChanged, this, &ProblemsController::openOnce);
+  told_ = false;
+  if (session)
+    connect(session, &session::Session::problemsChanged, this, &ProblemsController::tellFirstError);
 }
 
-void ProblemsController::recall(const QSettings& settings) {
-  if (context_.panels.restored()) shown_once_ = settings.value(kShownKey, false).toBool();
-}
-
-void ProblemsController::remember(QSettings& settings) { settings.setValue(kShownKey, shown_once_); }
-
-void ProblemsController::openOnce() {
-  // So that nobody overlooks the first error; after that the count in the status bar is enough.
+void ProblemsController::tellFirstError() {
+  // So that nobody overlooks it; after that the count in the status bar is enough. The panel does not open by
+  // itself: it would lie where somebody is about to click.
   session::Session* const session = context_.current.session();
-  if (shown_once_ || !session) return;
+  if (told_ || !session) return;
   const auto& rows = session->problems().rows();
   const auto& safety = session->safety().conditions();
-  if (std::none_of(rows.begin(), rows.end(),
-                   [&](const session::LoggedProblem& row) { return isError(row, safety); })) {
-    return;
-  }
-  shown_once_ = true;
-  context_.panels.open(dock_);
+  const auto error = std::find_if(rows.begin(), rows.end(),
+                                  [&](const session::LoggedProblem& row) { return isError(row, safety); });
+  if (error == rows.end()) return;
+  told_ = true;
+  if (dock_->isVisible()) return;
+  const QString subject = words::plainName(sentences::nameOf(error->problem.subject));
+  const QString sentence = sentences::sentenceOf(error->problem);
+  context_.overlay.toasts()->add(
+      Mark::Bad, subject.isEmpty() ? sentence : QStringLiteral("%1: %2").arg(subject, sentence),
+      {tr("Show problems"), [this] { context_.panels.open(dock_); }});
 }
 
 }  // namespace mapwright::window

@@ -15,19 +15,16 @@ class ProblemsController : public Controller {
 
   ProblemsDock* dock() const { return dock_; }
   void setSession(session::Session* session) override;
-  void recall(const QSettings& settings) override;
-  void remember(QSettings& settings) override;
 
  Q_SIGNALS:
   void retryWanted();
 
  private:
-  void openOnce();
+  void tellFirstError();
 
   WindowContext& context_;
   ProblemsDock* dock_;
-  /// They have opened by themselves, once for good: whether they are open is the user's from then on.
-  bool shown_once_ = false;
+  bool told_ = false;  // that there is an error, of this session
 };
 
 }  // namespace mapwright::window
