@@ -81,8 +81,8 @@ void ViewController::addOtherActions() {
   furniture_ = context_.actions.add({.id = "furniture",
                                      .text = tr("&Buttons on the map"),
                                      .icon = "furniture",
-                                     .keys = {"Tab"},
-                                     .reach = Reach::Map,
+                                     .keys = {"H"},
+                                     .reach = Reach::OutsideText,
                                      .tip = tr("Show the buttons that float over the map"),
                                      .toggle = true,
                                      .menu = {MenuGroup::Drawn, 40}});

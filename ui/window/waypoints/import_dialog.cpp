@@ -64,6 +64,7 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, QW
   setWindowTitle(source_.name.isEmpty() ? tr("Paste waypoints")
                                         : tr("Import %1").arg(words::plainName(source_.name)));
   resize(720, 420);
+  table_->setTabKeyNavigation(false);
   separator_->addItem(tr("Tabs"), QChar(u'\t'));
   separator_->addItem(tr("Commas"), QChar(u','));
   separator_->addItem(tr("Semicolons"), QChar(u';'));
