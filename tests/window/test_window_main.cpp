@@ -195,6 +195,7 @@ class TestWindowMain : public QObject {
       window.mapScene()->setLayerVisible(scene::Layer::Grid, false);
       window.mapScene()->setLayerOpacity(scene::Layer::Trail, 0.5);
       window.setColorMode(render::ColorMode::Active);
+      QVERIFY(!window.connectTo(kAddress));
       bench.key(Qt::Key_M);
       window.close();
     }
@@ -278,6 +279,40 @@ class TestWindowMain : public QObject {
       dock->toggleViewAction()->trigger();
       QTRY_VERIFY(!dock->visibleRegion().isEmpty());
     }
+  }
+
+  void nothingThatNeedsARobotIsEnabledWithoutOne() {
+    // Everything else acts on a robot, a file, or on what they show.
+    const QSet<QByteArray> may{
+        // Getting one, the program itself, help.
+        "connect", "demo", "openFile", "quit", "about", "diagnostics", "palette", "shortcuts",
+        // How maps are to look, and how the window does: remembered, whoever comes next.
+        "modeSubmaps", "modeWhole", "modeBoth", "grid", "showIds", "showOutlines", "colorsNormal",
+        "colorsIncremental", "colorsActive", "furniture", "pan", "replayReadAll", "fullScreen", "resetLayout",
+        "focusMap", "showRecordings"};
+    Bench bench;
+    MainWindow& window = bench.open();
+    const auto check = [&](const char* when) {
+      for (const Actions::Entry& entry : window.actionList().entries()) {
+        const QString id = entry.action->objectName();
+        const bool setting = id.startsWith(QLatin1String("theme")) || id.startsWith(QLatin1String("snap"));
+        const bool panel = qobject_cast<QDockWidget*>(entry.action->parent()) != nullptr;
+        if (panel || setting || may.contains(id.toUtf8())) continue;
+        QVERIFY2(!entry.action->isEnabled(),
+                 qPrintable(QLatin1String(when) + id + QLatin1Char(' ') + entry.action->text()));
+      }
+    };
+    check("at first: ");
+    QVERIFY(!window.connectTo(kAddress));
+    bench.load();
+    for (const char* id : {"fit", "zoomIn", "goTo", "measure", "export", "compare", "follow", "filter"})
+      QVERIFY2(bench.action(id)->isEnabled(), id);
+    window.leaveRobot();
+    check("afterwards: ");
+    // What is disabled does nothing by its key either.
+    const auto camera = window.mapScene()->view();
+    for (const Qt::Key key : {Qt::Key_Plus, Qt::Key_BracketLeft, Qt::Key_0}) bench.key(key);
+    QCOMPARE(window.mapScene()->view(), camera);
   }
 
   void leavesTheProblemsAsTheyWereLeft_data() {

@@ -370,6 +370,7 @@ class TestWindowMap : public QObject {
   void takesPictures() {
     Bench bench;
     MainWindow& window = bench.open();
+    QVERIFY(!window.connectTo(kAddress));
     const QString path = bench.folder.filePath(QStringLiteral("map.png"));
     QVERIFY(!window.saveMapPicture(path));
     const QImage saved(path);

@@ -60,6 +60,7 @@ QAction* Actions::add(const ActionSpec& spec) {
   QAction* const action =
       make(QLatin1String(spec.id), spec.text, QLatin1String(spec.icon), keys, spec.reach, spec.tip);
   if (spec.toggle) makeToggle(*action);
+  if (spec.needs_session) need_session_.push_back(action);
   const bool in_menu = spec.menu.rank != 0;
   enter({in_menu ? withoutMnemonic(menuTitle(menuOf(spec.menu.group))) : QString(), action, spec.reach,
          spec.menu});
@@ -120,6 +121,10 @@ QAction* Actions::find(const QString& id) const {
     if (entry.action->objectName() == id) return entry.action;
   }
   return nullptr;
+}
+
+void Actions::setSessionOpen(bool open) {
+  for (QAction* action : need_session_) action->setEnabled(open);
 }
 
 void Actions::attach(QWidget* window, QWidget* map) {

@@ -81,8 +81,9 @@ struct ActionSpec {
   const char* icon = "";
   std::vector<const char*> keys = {};  // "Ctrl+O"
   Reach reach = Reach::Everywhere;
-  QString tip = {};     // gets the keys appended
-  bool toggle = false;  // on or off
+  QString tip = {};            // gets the keys appended
+  bool toggle = false;         // on or off
+  bool needs_session = false;  // it can do nothing while no robot and no file is open
   MenuPlace menu = {};
   BarPlace bar = {};
   MapMenuPlace map_menu = {};
@@ -141,6 +142,9 @@ class Actions : public QObject {
   const std::vector<Placed<BarGroup, BarItem>>& onBar() const { return on_bar_; }
   const std::vector<Placed<MapMenuGroup, MapMenuFiller>>& onMapMenu() const { return on_map_menu_; }
 
+  /// Those that need a session are disabled while there is none, and enabled when one begins.
+  void setSessionOpen(bool open);
+
   /// Makes the shortcuts work: those of Reach::Map on `map`, the rest on `window`.
   void attach(QWidget* window, QWidget* map);
 
@@ -150,6 +154,7 @@ class Actions : public QObject {
   void enter(Entry entry);
 
   std::vector<Entry> entries_;
+  std::vector<QAction*> need_session_;
   // Each in the order of its places.
   std::vector<Placed<MenuGroup, QAction*>> in_menus_;
   std::vector<Placed<BarGroup, BarItem>> on_bar_;

@@ -235,6 +235,7 @@ void MainWindow::createToolBar() {
 }
 
 void MainWindow::tellControllers(session::Session* session) {
+  actions_.setSessionOpen(session != nullptr);
   for (Controller* controller : controllers_) controller->setSession(session);
 }
 
@@ -279,6 +280,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void MainWindow::showMapMenu(const QPoint& global_pos, const QPointF& viewport_px) {
+  if (!session()) return;  // there is no map
   QMenu menu(this);
   fillMapMenu(menu, actions_, view_->worldAt(viewport_px));
   menu.exec(global_pos);

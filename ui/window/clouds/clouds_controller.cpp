@@ -54,6 +54,7 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
                                                          .icon = "rectangle",
                                                          .tip = tr("Draw a region and fetch its cloud"),
                                                          .toggle = true,
+                                                         .needs_session = true,
                                                          .menu = {MenuGroup::Tools, 60}}));
   context_.tools.add(section_tool_,
                      context_.actions.add({.id = "cloudSection",
@@ -61,6 +62,7 @@ CloudsController::CloudsController(WindowContext& context, QObject* parent)
                                            .icon = "line",
                                            .tip = tr("Drag a line to see a cloud from its side"),
                                            .toggle = true,
+                                           .needs_session = true,
                                            .menu = {MenuGroup::Tools, 70}}));
   connect(region_tool_, &RegionTool::boxDrawn, this, &CloudsController::fetchBox);
   connect(region_tool_, &RegionTool::sphereDrawn, this, [this](const Eigen::Vector2d& centre, double radius) {

@@ -19,17 +19,16 @@ CompareController::CompareController(WindowContext& context, PicturePlacing& pla
       placing_(placing),
       read_(std::move(read)),
       control_(new CompareControl(&context.scene, &context.view, context.overlay.compareBar(), this)) {
-  compare_ = context_.actions.add({.id = "compare",
-                                   .text = tr("Com&pare…"),
-                                   .icon = "compare",
-                                   .keys = {"Ctrl+Shift+D"},
-                                   .tip = tr("Set the open map against another one"),
-                                   .menu = {MenuGroup::WholeMap, 10},
-                                   .bar = {BarGroup::Maps, 40}},
-                                  this, [this] { control_->start(); });
+  context_.actions.add({.id = "compare",
+                        .text = tr("Com&pare…"),
+                        .icon = "compare",
+                        .keys = {"Ctrl+Shift+D"},
+                        .tip = tr("Set the open map against another one"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::WholeMap, 10},
+                        .bar = {BarGroup::Maps, 40}},
+                       this, [this] { control_->start(); });
   connect(control_, &CompareControl::fileWanted, this, &CompareController::chooseFile);
-  connect(&context_.current, &CurrentSession::stateChanged, this,
-          [this] { compare_->setEnabled(context_.current.session() != nullptr); });
 }
 
 CompareController::~CompareController() = default;

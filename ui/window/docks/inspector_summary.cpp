@@ -23,7 +23,8 @@ QString slamStateText(const session::Session& session) {
         text = QCoreApplication::translate("window", "positioning");
         break;
       case map::SlamState::Invalid:
-        text = QCoreApplication::translate("window", "inactive");
+        // Or not told, or not in words that are known.
+        text = QCoreApplication::translate("window", "not told");
         break;
     }
   } else if (text == QLatin1String("slam")) {

@@ -50,19 +50,21 @@ ExportController::ExportController(WindowContext& context,
                                    std::function<QStringList(const QString& picture)> yamls_naming,
                                    QObject* parent)
     : Controller(parent), context_(context), yamls_naming_(std::move(yamls_naming)) {
-  export_ = context_.actions.add({.id = "export",
-                                  .text = tr("E&xport…"),
-                                  .icon = "export",
-                                  .keys = {"Ctrl+E"},
-                                  .tip = tr("Write the map on screen into a file"),
-                                  .menu = {MenuGroup::WholeMap, 20},
-                                  .map_menu = {MapMenuGroup::Copies, 30}},
-                                 this, &ExportController::exportMap);
+  context_.actions.add({.id = "export",
+                        .text = tr("E&xport…"),
+                        .icon = "export",
+                        .keys = {"Ctrl+E"},
+                        .tip = tr("Write the map on screen into a file"),
+                        .needs_session = true,
+                        .menu = {MenuGroup::WholeMap, 20},
+                        .map_menu = {MapMenuGroup::Copies, 30}},
+                       this, &ExportController::exportMap);
   context_.actions.add({.id = "screenshotCopy",
                         .text = tr("Copy pict&ure"),
                         .icon = "copy",
                         .keys = {"Ctrl+Shift+C"},
                         .tip = tr("Copy the map as a picture"),
+                        .needs_session = true,
                         .menu = {MenuGroup::Copies, 20},
                         .map_menu = {MapMenuGroup::Copies, 10}},
                        this, &ExportController::copyPicture);
@@ -71,12 +73,11 @@ ExportController::ExportController(WindowContext& context,
                         .icon = "screenshot",
                         .keys = {"Ctrl+Shift+S"},
                         .tip = tr("Save the map as a PNG picture"),
+                        .needs_session = true,
                         .menu = {MenuGroup::Copies, 30},
                         .bar = {BarGroup::Places, 20},
                         .map_menu = {MapMenuGroup::Copies, 20}},
                        this, &ExportController::askAndSavePicture);
-  connect(&context_.current, &CurrentSession::stateChanged, this,
-          [this] { export_->setEnabled(context_.current.session() != nullptr); });
 }
 
 ExportDialog* ExportController::dialog() const { return dialog_; }

@@ -43,7 +43,6 @@ class ExportController : public Controller {
 
   WindowContext& context_;
   std::function<QStringList(const QString& picture)> yamls_naming_;
-  QAction* export_;
   QPointer<ExportDialog> dialog_;
 };
 

@@ -29,6 +29,7 @@ InspectorController::InspectorController(WindowContext& context, QAction* show_i
                         .icon = "filter",
                         .keys = {"Ctrl+F"},
                         .tip = tr("Go to the filter of the SLAM inspector"),
+                        .needs_session = true,
                         .menu = {MenuGroup::Window, 10}},
                        this, &InspectorController::goToFilter);
   addToMapMenu();

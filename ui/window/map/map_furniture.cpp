@@ -75,6 +75,7 @@ MapFurniture::MapFurniture(QAction* zoom_in, QAction* zoom_out, QAction* fit, QA
   column->addWidget(north_);
   north_->setToolTip(north_up->toolTip());
   connect(north_, &QAbstractButton::clicked, north_up, &QAction::trigger);
+  connect(north_up, &QAction::enabledChanged, north_, &QWidget::setEnabled);
 }
 
 }  // namespace mapwright::window

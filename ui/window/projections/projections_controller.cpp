@@ -44,6 +44,7 @@ ProjectionsController::ProjectionsController(WindowContext& context, QObject* pa
                                                 .icon = "rectangle",
                                                 .tip = tr("Draw what a robot is to lay on the plane"),
                                                 .toggle = true,
+                                                .needs_session = true,
                                                 .menu = {MenuGroup::Tools, 80}});
   context_.tools.add(tool_, action);
   connect(action, &QAction::toggled, this, [this](bool on) {

@@ -32,6 +32,7 @@ ToolsController::ToolsController(WindowContext& context, QObject* parent)
                                                      .reach = Reach::OutsideText,
                                                      .tip = tr("Measure distances along clicked points"),
                                                      .toggle = true,
+                                                     .needs_session = true,
                                                      .menu = {MenuGroup::Tools, 20},
                                                      .bar = {BarGroup::Tools, 20}}));
   context_.actions.placeOnMapMenu(

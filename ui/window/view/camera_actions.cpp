@@ -18,6 +18,7 @@ void addCameraActions(Actions& actions, MapView& view) {
                .keys = {"+", "="},
                .reach = Reach::OutsideText,
                .tip = MapView::tr("Zoom in"),
+               .needs_session = true,
                .menu = {MenuGroup::Zoom, 10}},
               &view, [&view] { view.zoomSteps(1); });
   actions.add({.id = "zoomOut",
@@ -26,6 +27,7 @@ void addCameraActions(Actions& actions, MapView& view) {
                .keys = {"-"},
                .reach = Reach::OutsideText,
                .tip = MapView::tr("Zoom out"),
+               .needs_session = true,
                .menu = {MenuGroup::Zoom, 20}},
               &view, [&view] { view.zoomSteps(-1); });
   actions.add({.id = "native",
@@ -34,6 +36,7 @@ void addCameraActions(Actions& actions, MapView& view) {
                .keys = {"0"},
                .reach = Reach::OutsideText,
                .tip = MapView::tr("One cell of 5 cm on one pixel"),
+               .needs_session = true,
                .menu = {MenuGroup::Zoom, 30},
                .bar = {BarGroup::Look, 20}},
               &view, [&view] { view.setScale(kNativeScaleMPerPx); });
@@ -43,6 +46,7 @@ void addCameraActions(Actions& actions, MapView& view) {
                .keys = {"F"},
                .reach = Reach::OutsideText,
                .tip = MapView::tr("Show the whole map"),
+               .needs_session = true,
                .menu = {MenuGroup::Zoom, 40},
                .bar = {BarGroup::Look, 10},
                .map_menu = {MapMenuGroup::Look, 10}},
@@ -53,6 +57,7 @@ void addCameraActions(Actions& actions, MapView& view) {
                .keys = {"N"},
                .reach = Reach::OutsideText,
                .tip = MapView::tr("Turn the view so that the map's y axis points up"),
+               .needs_session = true,
                .menu = {MenuGroup::Turn, 10},
                .bar = {BarGroup::Look, 40},
                .map_menu = {MapMenuGroup::Look, 20}},
@@ -63,6 +68,7 @@ void addCameraActions(Actions& actions, MapView& view) {
                .keys = {"["},
                .reach = Reach::OutsideText,
                .tip = MapView::tr("Turn the view by 15° counter-clockwise"),
+               .needs_session = true,
                .menu = {MenuGroup::Turn, 30}},
               &view, [&view] { view.rotateBy(kTurn); });
   actions.add({.id = "rotateRight",
@@ -71,6 +77,7 @@ void addCameraActions(Actions& actions, MapView& view) {
                .keys = {"]"},
                .reach = Reach::OutsideText,
                .tip = MapView::tr("Turn the view by 15° clockwise"),
+               .needs_session = true,
                .menu = {MenuGroup::Turn, 40}},
               &view, [&view] { view.rotateBy(-kTurn); });
 }

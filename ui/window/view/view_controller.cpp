@@ -42,6 +42,7 @@ void ViewController::addRobotActions() {
                                   .reach = Reach::OutsideText,
                                   .tip = tr("Keep the robot in the middle; panning ends it"),
                                   .toggle = true,
+                                  .needs_session = true,
                                   .menu = {MenuGroup::Look, 10},
                                   .bar = {BarGroup::Look, 30}},
                                  this, &ViewController::follow);
@@ -50,6 +51,7 @@ void ViewController::addRobotActions() {
                         .icon = "goto",
                         .keys = {"Ctrl+G"},
                         .tip = tr("Centre the map on a point"),
+                        .needs_session = true,
                         .menu = {MenuGroup::Look, 20},
                         .bar = {BarGroup::Places, 10}},
                        this, &ViewController::goTo);
@@ -75,6 +77,7 @@ void ViewController::addOtherActions() {
        .keys = {"C"},
        .reach = Reach::OutsideText,
        .tip = tr("Copy the world coordinates under the cursor"),
+       .needs_session = true,
        .menu = {MenuGroup::Copies, 10}},
       this,
       [this] { copyCoordinates(context_.view.cursorWorld().value_or(context_.scene.view().center_m)); });
@@ -186,7 +189,6 @@ void ViewController::fitAtFirst() {
 
 void ViewController::refresh() {
   const session::Session* const session = context_.current.session();
-  follow_->setEnabled(session != nullptr);
   const bool turned = session && session->wholeMap().shown().display_rotation_rad.has_value();
   robot_turn_->setEnabled(turned);
   robot_turn_->setToolTip(plainToolTip(turned ? tr("Turn the view as this map's robot shows it to people")
