@@ -120,6 +120,7 @@ class ScriptedBridge {
   int pieces = 0;                    // that came
   std::function<void(int)> atPiece;  // its number within its message
   QList<QWebSocket*> peers;
+  bool silent = false;         // no service is answered
   QSet<QString> lost_in_cbor;  // topics that never arrive when they are compressed
 
  private:
@@ -146,7 +147,7 @@ class ScriptedBridge {
       if (frames_.contains(topic)) peer.sendBinaryMessage(frames_[topic]);
     } else if (op == QLatin1String("unsubscribe")) {
       subscribers_[topic].remove(&peer);
-    } else if (op == QLatin1String("call_service")) {
+    } else if (op == QLatin1String("call_service") && !silent) {
       const QString service = asked_now[QLatin1String("service")].toString();
       QJsonObject answer{{QStringLiteral("op"), QStringLiteral("service_response")},
                          {QStringLiteral("id"), asked_now[QLatin1String("id")]},

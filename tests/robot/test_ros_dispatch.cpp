@@ -337,6 +337,39 @@ class RosDispatchTest : public QObject {
     QCOMPARE(server_->timesCalled(text("/d/get_map")), 1);
   }
 
+  void norIsTheTopicThatBringsAllOfIt() {
+    serve("/d/get_sub_map", "map_msgs/GetMapROI", {{text("sub_map"), grid()}});
+    server_->advertise(text("/map"), text("nav_msgs/OccupancyGrid"));
+    server_->advertise(text("/map_updates"), text("map_msgs/OccupancyGridUpdate"));
+    server_->latch(text("/map"), grid());
+    robot_->liveTopics()->setWanted({map::Stream::WholeMap}, {});
+    QVERIFY(begin());
+    const int looks = server_->timesCalled(text("/rosapi/topics"));
+    QTRY_VERIFY_WITH_TIMEOUT(server_->timesCalled(text("/rosapi/topics")) > looks + 3, kPatienceMs);
+    const auto asked = [this](const char* topic) {
+      return std::any_of(server_->asked.begin(), server_->asked.end(), [&](const QJsonObject& one) {
+        return one[text("op")] == text("subscribe") && one[text("topic")] == text(topic);
+      });
+    };
+    QVERIFY(!asked("/map") && !asked("/map_updates"));
+    // Who wants it gets it, once.
+    const auto whole = outcome<map::WholeMap>([&](auto reply) {
+      return robot_->wholeMapSource()->fetch({map::MapKind::Live, {}}, reply);
+    });
+    QVERIFY(whole);
+    QTRY_VERIFY_WITH_TIMEOUT(asked("/map") && !server_->isAskedFor("/map"), kPatienceMs);
+  }
+
+  void aTopicOfTheMapIsLeftOnceItComesByRegion() {
+    server_->advertise(text("/map"), text("nav_msgs/OccupancyGrid"));
+    server_->latch(text("/map"), grid());
+    robot_->liveTopics()->setWanted({map::Stream::WholeMap}, {});
+    QVERIFY(begin());
+    QTRY_VERIFY_WITH_TIMEOUT(server_->isAskedFor("/map"), kPatienceMs);
+    serve("/d/get_sub_map", "map_msgs/GetMapROI", {{text("sub_map"), grid()}});
+    QTRY_VERIFY_WITH_TIMEOUT(!server_->isAskedFor("/map"), kPatienceMs);
+  }
+
   void theWholeMapIsAskedByTheNameOfTheAddress() {
     ros::DispatchWish wish;
     wish.expected = true;

@@ -383,14 +383,90 @@ class RosRobotTest : public QObject {
 
   // KABAM.
 
-  void whoInsistsOnAMapManagerIsRefusedWithoutOne() {
+  void whoInsistsOnAMapManagerWaitsForIt() {
     makeRobot([](ros::LinkOptions& options) { options.kabam_only = true; });
     robot_->connectToRobot();
-    QTRY_VERIFY(isIn(ConnectionPhase::Refused));
+    QTRY_VERIFY(isIn(ConnectionPhase::Interrupted));
     QVERIFY(robot_->connection().reason.code == map::ReasonCode::NoMapManagerThere);
+    QVERIFY(robot_->connection().retry_in_ms);
+    const auto entries = answerTo<std::vector<map::CatalogueEntry>>(
+        [&](auto reply) { return robot_->mapCatalogue()->list(reply); });
+    QVERIFY(!entries && entries.error().kind == map::FailureKind::Unreachable);
     manage();
-    QVERIFY(online());  // retried
+    QTRY_VERIFY(isIn(ConnectionPhase::Online));  // by itself
     QVERIFY(robot_->waypointStore());
+  }
+
+  void aMapManagerThatIsLookedForAgainIsThereAtOnce() {
+    makeRobot([](ros::LinkOptions& options) {
+      options.kabam_only = true;
+      options.look_every = std::chrono::hours(1);
+    });
+    robot_->connectToRobot();
+    QTRY_VERIFY(isIn(ConnectionPhase::Interrupted));
+    manage();
+    QVERIFY(online());  // retried by hand
+  }
+
+  // Nothing is taken away because nothing was heard.
+
+  void aServerThatAnswersNothingForAWhileTakesNothingAway() {
+    manage();
+    makeRobot([](ros::LinkOptions& options) { options.look_patience = milliseconds(40); });
+    QVERIFY(online());
+    QTRY_VERIFY(robot_->waypointStore());
+    QVERIFY(read());  // all is told
+    QSignalSpy changed(robot_.get(), &Robot::capabilitiesChanged);
+    QSignalSpy maps(robot_.get(), &Robot::mapsChanged);
+    server_->silent = true;
+    const auto looks = server_->timesCalled(QStringLiteral("/rosapi/topics"));
+    QTRY_VERIFY(server_->timesCalled(QStringLiteral("/rosapi/topics")) > looks + 3);
+    QVERIFY(isIn(ConnectionPhase::Online));
+    QVERIFY(robot_->waypointStore() && robot_->mapAdministration());
+    QCOMPARE(robot_->identity().model, QStringLiteral("ROS (KABAM)"));
+    QVERIFY(changed.isEmpty() && maps.isEmpty());
+    server_->silent = false;
+  }
+
+  void noneOfItGoesWhileTheNextConnectionIsSilentToo() {
+    manage();
+    makeRobot([](ros::LinkOptions& options) { options.look_patience = milliseconds(40); });
+    QVERIFY(online());
+    QTRY_VERIFY(robot_->waypointStore());
+    QSignalSpy changed(robot_.get(), &Robot::capabilitiesChanged);
+    server_->silent = true;
+    server_->cut();
+    QTRY_VERIFY(!isIn(ConnectionPhase::Online));
+    const auto looks = server_->timesCalled(QStringLiteral("/rosapi/topics"));
+    QTRY_VERIFY(server_->timesCalled(QStringLiteral("/rosapi/topics")) > looks + 3);
+    QVERIFY(robot_->waypointStore());
+    server_->silent = false;
+    const auto after = server_->timesCalled(QStringLiteral("/rosapi/topics"));
+    QTRY_VERIFY(server_->timesCalled(QStringLiteral("/rosapi/topics")) > after + 2);
+    QTRY_VERIFY(isIn(ConnectionPhase::Online));
+    QVERIFY(robot_->waypointStore());
+    QVERIFY(changed.isEmpty());
+  }
+
+  void aMapManagerWhoseEndIsToldGoes() {
+    manage();
+    QVERIFY(online());
+    QTRY_VERIFY(robot_->waypointStore());
+    for (const char* name : {"current_map_info", "map_list", "archived_map_list", "current_map_waypoints"})
+      server_->forget(text("/map_manager/") + QLatin1String(name));
+    server_->withdraw(QStringLiteral("/map_manager/load_map"));
+    QTRY_VERIFY(!robot_->waypointStore());
+  }
+
+  void aTopicThatTheServerDidNotKnowYetIsAskedForAgain() {
+    server_->withdraw(QStringLiteral("/rosapi/topics"));
+    server_->withdraw(QStringLiteral("/rosapi/services"));
+    makeRobot([](ros::LinkOptions& options) { options.topics.again = milliseconds(30); });
+    QVERIFY(online());
+    want({Stream::WholeMap});
+    QTRY_VERIFY(server_->isAskedFor("/map"));
+    server_->keep(QStringLiteral("/map"), grid());  // to who asks from now on
+    QTRY_VERIFY(last<map::GridMessage>());
   }
 
   void aMapManagerWithoutRosapiIsFoundByAsking() {

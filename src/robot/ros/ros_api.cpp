@@ -28,6 +28,12 @@ QByteArray withText(const char* member, const std::string& text) {
 
 bool answered(const CallAnswer& answer) { return answer.kind == CallAnswer::Kind::Answered; }
 
+/// Who says nothing does not say that there is nothing.
+bool silent(const CallAnswer& answer) {
+  return answer.kind == CallAnswer::Kind::TimedOut || answer.kind == CallAnswer::Kind::LinkLost ||
+         answer.kind == CallAnswer::Kind::Cancelled;
+}
+
 std::vector<std::string> textsOf(const Field& list) {
   std::vector<std::string> texts;
   list.each([&](const Field& item) {
@@ -120,6 +126,7 @@ void RosApi::look(const std::string& ns, const DispatchWish& dispatch, std::func
       for (std::size_t i = 0; i < names.size(); ++i) look->found.topics->push_back({names[i], types[i]});
       askTypes(look);
     }
+    look->found.topics_silent = silent(answer);
     step(look);
   });
   ask("/rosapi/services", "{}", [this, look, ns, dispatch](const CallAnswer& answer) {
@@ -127,6 +134,7 @@ void RosApi::look(const std::string& ns, const DispatchWish& dispatch, std::func
       look->found.services = textsOf(answer.values["services"]);
       askServiceTypes(look, ns, dispatch);
     }
+    look->found.services_silent = silent(answer);
     step(look);
   });
 }
@@ -212,10 +220,12 @@ void RosApi::countPublishers(const std::string& topic, std::function<void(std::o
   });
 }
 
-void RosApi::probeMapManager(const std::string& place, std::function<void(bool)> then) {
+void RosApi::probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then) {
   // It only reads, whatever is there.
   ask((place + "/get_waypoint").c_str(), getWaypointArgs({}),
-      [then = std::move(then)](const CallAnswer& answer) { then(answered(answer)); });
+      [then = std::move(then)](const CallAnswer& answer) {
+        then(silent(answer) ? std::nullopt : std::optional(answered(answer)));
+      });
 }
 
 }  // namespace mapwright::robot::ros

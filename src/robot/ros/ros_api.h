@@ -18,10 +18,11 @@
 
 namespace mapwright::robot::ros {
 
-/// nullopt: the robot does not tell.
+/// nullopt: the robot does not tell, or (`…_silent`) nothing was heard at all, so nothing is known.
 struct Found {
   std::optional<std::vector<FoundTopic>> topics;
   std::optional<std::vector<std::string>> services;
+  bool topics_silent = false, services_silent = false;
   std::vector<std::string> map_services;  // those of type nav_msgs/GetMap, the better ones first
   /// Those that may be a dispatcher's; nullopt like the services.
   std::optional<std::vector<TypedService>> dispatch_services = {};
@@ -49,8 +50,9 @@ class RosApi : public QObject {
   void look(const std::string& ns, const DispatchWish& dispatch, std::function<void(Found)> then);
   /// How many nodes send by the topic; nullopt: it does not tell.
   void countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then);
-  /// Whether a map manager answers at `place`, where nobody tells which services there are.
-  void probeMapManager(const std::string& place, std::function<void(bool)> then);
+  /// Whether a map manager answers at `place`, where nobody tells which services there are; nullopt: nothing
+  /// was heard.
+  void probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then);
 
  private:
   struct Look {

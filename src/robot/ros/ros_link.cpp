@@ -112,8 +112,10 @@ void RosLink::wireParts() {
             note(service, map::ProblemCode::Unavailable,
                  map::Reason(map::ReasonCode::MapServiceFailed, {service}, {why}));
           });
-  connect(dispatch_.get(), &DispatchRequests::offersChanged, this,
-          [this] { Q_EMIT dispatchKnown(dispatch_->found()); });
+  connect(dispatch_.get(), &DispatchRequests::offersChanged, this, [this] {
+    Q_EMIT dispatchKnown(dispatch_->found());
+    sync();  // whoever gives the map by region is not asked for all of it
+  });
   connect(dispatch_.get(), &DispatchRequests::topicsChanged, this, &RosLink::sync);
   connect(dispatch_.get(), &DispatchRequests::lookWanted, this, &RosLink::lookAnew);
   connect(dispatch_.get(), &DispatchRequests::mapChanged, this, &RosLink::dispatchedMapChanged);
@@ -152,15 +154,15 @@ bool RosLink::open_() const { return client_ && client_->link().state() == WebSo
 void RosLink::open() {
   start();
   wanted_ = true;
-  refused_ = false;
   client_->open();
+  if (awaits_manager_) look();
   publishState();
 }
 
 void RosLink::close() {
   wanted_ = false;
   was_known_ = false;
-  refused_ = false;
+  found_ = {};
   if (client_) client_->close();
   noteLink();
 }
@@ -189,8 +191,7 @@ void RosLink::setBasics(const LiveTopics::Basics& basics) {
 /// Open, perhaps again: another robot may answer there now.
 void RosLink::begin() {
   ++round_;
-  known_ = looking_ = look_again_ = false;
-  found_ = {};
+  known_ = looking_ = look_again_ = awaits_manager_ = false;
   deliveries_->forget();
   world_.forgetAll();
   kabam_->book().forget();
@@ -205,7 +206,7 @@ void RosLink::begin() {
 void RosLink::noteLink() {
   if (!open_() && client_) {
     ++round_;
-    known_ = looking_ = look_again_ = false;
+    known_ = looking_ = look_again_ = awaits_manager_ = false;
     look_timer_->stop();
     overdue_timer_->stop();
     subscriptions_->pause();
@@ -231,10 +232,11 @@ void RosLink::publishState() {
   if (state.failure == map::FailureKind::NotARobot) {
     state.reason = {map::ReasonCode::NoRosbridgeThere, {host}, {state.reason}};
   }
-  if (refused_) {
-    state.phase = ConnectionPhase::Refused;
+  if (awaits_manager_) {
+    state.phase = ConnectionPhase::Interrupted;
     state.failure = map::FailureKind::NotARobot;
     state.reason = {map::ReasonCode::NoMapManagerThere, {host}};
+    state.retry_in_ms = std::max(0, look_timer_->remainingTime());
   }
   Q_EMIT stateChanged(state);
 }
@@ -259,26 +261,38 @@ void RosLink::look() {
       looking_ = false;
       return look();
     }
+    keepUnheard(found);
     auto manager = mapManagerIn(found, options_.ns);
     if (manager || found.services) return takeLook(std::move(found), std::move(manager));
     // Nobody tells: it is asked something.
-    const std::string place = options_.ns + "/map_manager";
-    api_->probeMapManager(place, [this, round, found = std::move(found), place](bool there) {
-      if (round == round_) takeLook(found, there ? std::optional(place) : std::nullopt);
+    const std::string place = has_manager_ ? kabam_->book().place() : options_.ns + "/map_manager";
+    api_->probeMapManager(place, [this, round, found = std::move(found), place](std::optional<bool> there) {
+      if (round == round_)
+        takeLook(found, there.value_or(has_manager_) ? std::optional(place) : std::nullopt);
     });
   });
+}
+
+/// Who has told before is only slow now, and nothing is taken away because nothing was heard: not on the next
+/// connection either, unless somebody says otherwise there.
+void RosLink::keepUnheard(Found& found) const {
+  if (!found.topics && (known_ || found.topics_silent)) {
+    found.topics = found_.topics;
+    found.unsent = found_.unsent;
+  }
+  if (!found.services && (known_ || found.services_silent))
+    found.dispatch_services = found_.dispatch_services;
+  if (!found.services && found.services_silent) {
+    found.services = found_.services;
+    found.map_services = found_.map_services;
+  }
 }
 
 void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   looking_ = false;
   look_timer_->start(options_.look_every);
-  // One that has told before is only slow now.
-  if (known_ && !found.topics) {
-    found.topics = found_.topics;
-    found.unsent = found_.unsent;
-  }
-  if (known_ && !found.services) found.dispatch_services = found_.dispatch_services;
-  if (!manager && options_.kabam_only && !was_known_) return refuse();
+  if (!manager && options_.kabam_only && !was_known_) return awaitManager();
+  awaits_manager_ = false;
   found_ = std::move(found);
   sources_ = sourcesOf(found_.topics, options_.ns);
   dispatch_->take(dispatchIn(found_.dispatch_services, sentTopics(found_), options_.dispatch));
@@ -316,15 +330,19 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   for (const EarlyPtr& one : early) endEarly(one, std::nullopt);
 }
 
-void RosLink::refuse() {
-  refused_ = true;
-  client_->close();
-  noteLink();
+/// It may be started after the server: it is looked for until it is there.
+void RosLink::awaitManager() {
+  awaits_manager_ = true;
+  const auto early = early_;
+  for (const EarlyPtr& one : early) endEarly(one, map::FailureKind::Unreachable);
+  publishState();
 }
 
 void RosLink::sync() {
   // Before it is known what there is, nothing is asked for.
   if (!known_) return;
+  // The map of a dispatcher that gives it by region may be gigabytes: about the whole people decide.
+  wish_.map_by_region = dispatch_->found().has(DispatchService::GridRegion);
   wish_.dispatchers_own = dispatch_->topics();
   wish_.dispatchers_tried = dispatch_->triedTopic();
   const auto wanted = topicsFor(wish_, sources_, found_);
@@ -334,9 +352,8 @@ void RosLink::sync() {
       return source.stream == map::Stream::WholeMap && source.form == Form::Grid;
     });
   });
-  // The map of a dispatcher that gives it by region may be gigabytes: about the whole people decide.
-  const bool by_region = dispatch_->found().has(DispatchService::GridRegion);
-  const bool map_wanted = wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !by_region);
+  const bool map_wanted =
+      wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !wish_.map_by_region);
   AskedMap::Services services{found_.map_services, found_.services.has_value()};
   if (!services.known) {
     services.names = usualMapServices(options_.ns);

@@ -40,7 +40,7 @@ struct LinkOptions {
   QUrl url;  // ws(s)://host:port[/path]
   QByteArray secret;
   std::string ns;           // "/robot1": what is below it goes first; empty = none
-  bool kabam_only = false;  // without a map manager it is not the robot that was meant
+  bool kabam_only = false;  // without a map manager it is not the robot that was meant, yet
   net::Trust trust;
   net::rosbridge::ClientOptions client;
   std::chrono::milliseconds look_every{10'000};  // which topics and services there are
@@ -140,8 +140,9 @@ class RosLink : public QObject {
   void noteLink();
   void look();
   void lookAnew();
+  void keepUnheard(Found& found) const;
   void takeLook(Found found, std::optional<std::string> manager);
-  void refuse();
+  void awaitManager();
   void sync();
   void publishState();
   void take(const net::rosbridge::TopicMessage& message);
@@ -197,8 +198,8 @@ class RosLink : public QObject {
   bool known_ = false;       // what this connection's robot has
   bool was_known_ = false;   // on a connection before
   bool has_manager_ = false;
-  bool refused_ = false;
-  int round_ = 0;  // of connections
+  bool awaits_manager_ = false;  // connected, and looking for the map manager that is not there yet
+  int round_ = 0;                // of connections
   std::list<EarlyPtr> early_;
   std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic
   wire::RawLimit raw_limit_;

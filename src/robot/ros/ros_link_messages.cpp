@@ -186,7 +186,8 @@ void RosLink::forgetTrouble(const std::string& topic) {
 // The first transforms to come may be those of the wheels alone, and a pose may come before any of them: the
 // robot would seem to jump when the others do.
 bool RosLink::framesComplete() const {
-  const bool map_expected = !sourcesFor(map::Stream::WholeMap, sources_).empty();
+  const bool map_expected =
+      (!wish_.map_by_region || wish_.whole_map) && !sourcesFor(map::Stream::WholeMap, sources_).empty();
   const bool transforms_expected = std::any_of(sources_.begin(), sources_.end(),
                                                [](const Source& source) { return source.form == Form::Tf; });
   return (!map_expected || world_.fixedByMap()) && (!transforms_expected || world_.posedByTransforms());

@@ -58,7 +58,8 @@ void RosLink::whenKnown(const wire::ErrandPtr& errand, map::Subject subject, map
   };
   early_.push_back(early);
   using State = net::WebSocketLink::State;
-  const bool coming = client_ && (open_() || client_->link().state() == State::Connecting);
+  const bool coming =
+      client_ && !awaits_manager_ && (open_() || client_->link().state() == State::Connecting);
   if (!coming) return endEarly(early, map::FailureKind::Unreachable);
   early->number = errand->begun([this, held = std::weak_ptr(early)] {
     QMetaObject::invokeMethod(

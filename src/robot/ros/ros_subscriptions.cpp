@@ -64,6 +64,7 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
                                              const Found& found) {
   map::Streams streams = wish.streams;
   if (wish.basics.pose) streams.insert({Stream::Pose, Stream::Model});
+  if (wish.map_by_region) streams.erase(Stream::WholeMap);
   if (wish.whole_map) streams.insert(Stream::WholeMap);
   const bool placed = std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
     return streams.contains(source.stream) && needsTransforms(source.form) &&
@@ -118,6 +119,7 @@ void RosSubscriptions::subscribe(Asked& asked) {
   Subscription subscription = asked.wanted.subscription;
   if (asked.plain) subscription.compression = Compression::None;
   client_.subscribe(subscription);
+  asked.asked_at.start();
 }
 
 void RosSubscriptions::ask(std::map<std::string, WantedTopic> wanted, const Found& found) {
@@ -158,6 +160,7 @@ void RosSubscriptions::beginAnew() {
     asked.came = 0;
     asked.replaced = false;
     asked.since.start();
+    asked.asked_at.start();
   }
   timer_.start();
 }
@@ -201,6 +204,9 @@ void RosSubscriptions::look() {
       asked.plain = true;
       subscribe(asked);
     }
+    // Whether it is there by now is told by nobody.
+    if (!asked.heard() && !lists(found_, topic) && asked.asked_at.elapsed() > patience_.again.count())
+      askAgain(topic);
     if (!asked.told && waited > patience_.silent_after && !mayBeSilent(topic, asked)) silent.push_back(topic);
   }
   for (const std::string& topic : silent) tellSilence(topic);

@@ -29,6 +29,7 @@ struct TopicWish {
   LiveTopics::Basics basics;
   std::vector<std::string> managers_own;         // of a map manager
   bool whole_map = false;                        // for a request that is under way
+  bool map_by_region = false;                    // the whole comes for such a request only
   std::vector<FoundTopic> dispatchers_own = {};  // of a map dispatcher
   std::string dispatchers_tried = {};            // one of these that may not be there
 };
@@ -55,6 +56,7 @@ class RosSubscriptions : public QObject {
     std::chrono::milliseconds json_after{3'000};    // a compressed topic may be lost in compression
     std::chrono::milliseconds silent_after{5'000};  // then its silence is told, at first and later
     std::chrono::milliseconds look_every{250};
+    std::chrono::milliseconds again{10'000};  // servers refuse a topic that is not there yet, for good
   };
   RosSubscriptions(net::rosbridge::Client& client, RosApi& api, Patience patience, QObject* parent = nullptr);
 
@@ -79,7 +81,7 @@ class RosSubscriptions : public QObject {
  private:
   struct Asked {
     WantedTopic wanted;
-    QElapsedTimer since;
+    QElapsedTimer since, asked_at;
     int came = 0;  // messages of this connection, as far as that matters
     bool plain = false, told = false;
     bool replaced = false;  // by the answer of a service, which has been told
