@@ -1,6 +1,7 @@
-// Whether a robot sends the map that it works with by itself.
+// Whether a robot sends the map that it works with by itself, and how.
 #pragma once
 
+#include "robot/map_dispatch.h"
 #include "robot/robot.h"
 
 namespace mapwright::robot {
@@ -9,6 +10,13 @@ namespace mapwright::robot {
 inline bool sendsItsMap(Robot& robot) {
   LiveTopics* const live = robot.liveTopics();
   return live && !live->topicsOf(map::Stream::WholeMap).isEmpty();
+}
+
+/// It may be too large to be moved: its regions are asked for where somebody looks, and all of it is not
+/// moved unasked.
+inline bool givesByRegion(Robot& robot) {
+  const MapDispatch* const dispatch = robot.mapDispatch();
+  return dispatch && dispatch->offered(DispatchService::GridRegion);
 }
 
 }  // namespace mapwright::robot

@@ -11,6 +11,7 @@
 #include "robot/sends_map.h"
 #include "robot/waypoint_store.h"
 #include "sentences/absence_sentence.h"
+#include "session/lacks_picture.h"
 #include "session/session.h"
 
 namespace mapwright::session {
@@ -30,10 +31,9 @@ map::WholeMap liveMap(const map::GridMessage& message, const map::LiveState& liv
   return map;
 }
 
-/// Nothing is to be waited for: the live map of such a robot is seen by regions.
-bool givenByRegion(robot::Robot& robot, const map::MapKey& key) {
-  const robot::MapDispatch* const dispatch = robot.mapDispatch();
-  return key.kind == map::MapKind::Live && dispatch && dispatch->offered(robot::DispatchService::GridRegion);
+/// The map that such a robot works with is seen by regions: the whole of it nobody moves unasked.
+bool givenByRegion(robot::Robot& robot, const map::CatalogueEntry& entry) {
+  return (entry.is_current || entry.key.kind == map::MapKind::Live) && robot::givesByRegion(robot);
 }
 
 }  // namespace
@@ -77,10 +77,19 @@ void Session::wireMaps() {
               Qt::UniqueConnection);
   };
   hearStores();
-  connect(robot_.get(), &robot::Robot::capabilitiesChanged, this, [this, hearStores] {
+  // It may begin to send its map when all that it keeps has been looked for.
+  const auto followLiveMap = [this] {
+    if (still_ || live_wanted_ || !robot::sendsItsMap(*robot_)) return;
+    if (!map_chosen_ && maps_by_itself_) live_wanted_ = true;
+    const bool may_come =
+        whole_map_.phase() == MapSlot::Phase::Failed && whole_map_.failure() == map::FailureKind::Unsupported;
+    if (may_come && !live_wanted_) openInto(whole_map_, map::MapKey(whole_map_.key()));
+  };
+  connect(robot_.get(), &robot::Robot::capabilitiesChanged, this, [this, hearStores, followLiveMap] {
     catalogue_.setSource(robot_->mapCatalogue());
     hearStores();
     sendWants();  // other topics may bring what is wanted
+    followLiveMap();
     followLivePlaces();
   });
   connect(&catalogue_, &Catalogue::changed, this, [this] {
@@ -112,7 +121,7 @@ void Session::wireMaps() {
     // It sends no map of its own: the one that it works with is shown, until it does.
     const map::CatalogueEntry* const current = catalogue_.current();
     if (map_chosen_ || !maps_by_itself_ || !current || live_.grids.contains(map::GridKind::WholeMap)) return;
-    if (!(whole_map_.key() == current->key) && !givenByRegion(*robot_, current->key))
+    if (!(whole_map_.key() == current->key) && !givenByRegion(*robot_, *current))
       openInto(whole_map_, current->key);
   });
 }
@@ -127,7 +136,7 @@ void Session::openFirstMap() {
     return;
   const map::CatalogueEntry* entry = catalogue_.current();
   if (!entry && catalogue_.entries().size() == 1) entry = &catalogue_.entries().front();
-  if (!entry || whole_map_.key() == entry->key || givenByRegion(*robot_, entry->key)) return;
+  if (!entry || whole_map_.key() == entry->key || givenByRegion(*robot_, *entry)) return;
   live_wanted_ = false;
   openInto(whole_map_, entry->key);
 }
@@ -207,7 +216,9 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
 }
 
 std::optional<map::MapKey> Session::placesOf(const MapSlot& slot) const {
-  const map::MapKey& key = slot.cells() ? slot.shown().key : slot.key();
+  const bool by_region = &slot == &whole_map_ && isByRegion(*robot_, slot);
+  if (by_region) return placesOfLiveMap();
+  const map::MapKey key = slot.cells() ? slot.shown().state_of.value_or(slot.shown().key) : slot.key();
   return key.kind == map::MapKind::Live ? placesOfLiveMap() : key;
 }
 

@@ -43,6 +43,7 @@ class FakeRobot : public robot::Robot,
   robot::OverviewSource* overviewSource() override { return offers_overview ? this : nullptr; }
   robot::WaypointSource* waypointSource() override { return has_maps ? this : nullptr; }
   robot::LiveTopics* liveTopics() override { return has_topics ? this : nullptr; }
+  robot::MapDispatch* mapDispatch() override { return dispatch; }
 
   robot::Call list(robot::OutcomeTo<std::vector<map::CatalogueEntry>> reply) override {
     lists.push_back(std::move(reply));
@@ -70,7 +71,9 @@ class FakeRobot : public robot::Robot,
     return {};
   }
   QStringList known() const override { return {}; }
-  QStringList topicsOf(map::Stream stream) const override { return test::topicsOf(stream); }
+  QStringList topicsOf(map::Stream stream) const override {
+    return sends_no_map && stream == map::Stream::WholeMap ? QStringList() : test::topicsOf(stream);
+  }
   void setWanted(const map::Streams& streams, const QStringList& topics) override {
     wanted = test::topicsOf(streams) + topics;
     wants.push_back(wanted);
@@ -103,6 +106,9 @@ class FakeRobot : public robot::Robot,
   }
 
   bool has_maps = false, has_topics = false, has_submaps = true, offers_overview = false;
+  bool sends_no_map = false;
+  map::FailureKind failure = map::FailureKind::None;  // of the connection, from the next setPhase() on
+  robot::MapDispatch* dispatch = nullptr;
   std::vector<robot::OutcomeTo<std::vector<map::CatalogueEntry>>> lists;
   std::vector<std::pair<map::MapKey, robot::OutcomeTo<map::CatalogueEntry>>> descriptions;
   std::vector<std::pair<map::MapKey, robot::OutcomeTo<std::string>>> thumbnails;
@@ -145,6 +151,7 @@ class FakeRobot : public robot::Robot,
 
   void setPhase(robot::ConnectionPhase phase) {
     state_.phase = phase;
+    state_.failure = failure;
     Q_EMIT connectionChanged();
   }
   /// Stamped with its clock.

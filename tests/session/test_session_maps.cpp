@@ -1,8 +1,10 @@
 // A session and its whole maps: catalogue, opening, comparing, topics.
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 
 #include "fake_robot.h"
+#include "robot/map_dispatch.h"
 #include "sentences/problem_sentence.h"
 #include "session/session.h"
 
@@ -22,6 +24,33 @@ map::GridMessage liveGrid(int gray, map::GridKind kind = map::GridKind::WholeMap
   message.png = test::grayPicture(40, 40, gray);
   return message;
 }
+
+/// A dispatcher that is never asked.
+class RegionsOnly : public robot::MapDispatch {
+ public:
+  using MapDispatch::MapDispatch;
+  std::vector<robot::DispatchOffer> offers() const override {
+    robot::DispatchOffer offer;
+    offer.service = robot::DispatchService::GridRegion;
+    offer.name = "/get_sub_map";
+    offer.offered = true;
+    return {offer};
+  }
+  robot::Call grid(const std::optional<map::GridRegion>&, robot::OutcomeTo<map::GridPart>) override {
+    return {};
+  }
+  robot::Call cloud(robot::CloudKind, const std::optional<map::CloudRegion>&,
+                    robot::OutcomeTo<std::shared_ptr<const map::SpatialCloud>>) override {
+    return {};
+  }
+  robot::Call save(const std::string&, robot::OutcomeTo<std::string>) override { return {}; }
+  robot::Call projections(robot::OutcomeTo<std::vector<map::Projection>>) override { return {}; }
+  robot::Call project(const std::vector<map::Projection>&,
+                      robot::OutcomeTo<std::vector<map::Projection>>) override {
+    return {};
+  }
+  std::vector<robot::ProjectedPart> projected() const override { return {}; }
+};
 
 }  // namespace
 
@@ -593,6 +622,57 @@ class SessionMapsTest : public QObject {
     QTRY_COMPARE(shownGray(), 30);
     robot_->say(liveGrid(254));
     QTRY_COMPARE(shownGray(), 254);
+  }
+
+  void aRobotThatBeginsToSendItsMapLaterShowsIt() {
+    make(true, true);
+    robot_->sends_no_map = true;
+    goOnline();
+    robot_->answerList({FakeRobot::entry("8", true)});
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
+    robot_->map_fetches[0].second(
+        tl::make_unexpected(test::failed("no picture of it", map::FailureKind::Unsupported)));
+    QCOMPARE(session_->wholeMap().phase(), Phase::Failed);
+    robot_->sends_no_map = false;
+    Q_EMIT robot_->capabilitiesChanged();
+    robot_->say(liveGrid(254));
+    QTRY_COMPARE(shownGray(), 254);
+  }
+
+  void aMapThatTheUserOpenedIsTriedAgainOnceTheRobotSendsOne() {
+    make(true, true);
+    robot_->sends_no_map = true;
+    goOnline();
+    robot_->answerList({FakeRobot::entry("8", true)});
+    session_->openMap({map::MapKind::Stored, "8"});
+    robot_->map_fetches.back().second(
+        tl::make_unexpected(test::failed("no picture of it", map::FailureKind::Unsupported)));
+    robot_->map_fetches.clear();
+    robot_->sends_no_map = false;
+    Q_EMIT robot_->capabilitiesChanged();
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
+    QCOMPARE(robot_->map_fetches[0].first, (map::MapKey{map::MapKind::Stored, "8"}));
+  }
+
+  void theMapOfARobotThatGivesItByRegionIsNotFetchedAsAWhole() {
+    Session::Options options;
+    options.live_map_within_ms = 1;
+    make(true, true, true, false, options);
+    RegionsOnly dispatch;
+    robot_->dispatch = &dispatch;
+    goOnline();
+    robot_->answerList({FakeRobot::entry("8", true), FakeRobot::entry("9")});
+    session_->want(QStringLiteral("layers"), {map::Stream::WholeMap});
+    bool over = false;  // the time that it is waited for
+    QTimer::singleShot(20, this, [&] { over = true; });
+    QTRY_VERIFY(over);
+    QVERIFY(robot_->map_fetches.empty());
+    QCOMPARE(session_->problems().unresolved(), 0);
+    // Its waypoints need no picture.
+    QCOMPARE(session_->placesOf(session_->wholeMap()), std::optional(map::MapKey{map::MapKind::Stored, "8"}));
+    session_->openMap({map::MapKind::Stored, "9"});
+    QCOMPARE(robot_->map_fetches.size(), std::size_t(1));
+    session_.reset();
   }
 
   void anOverviewIsShownUntilEverySubmapIsIn() {
