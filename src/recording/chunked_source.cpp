@@ -272,6 +272,22 @@ std::optional<Message> ChunkedSource::lastOf(std::uint32_t channel, std::int64_t
   return std::nullopt;
 }
 
+std::vector<Packing> ChunkedSource::packing() const {
+  std::map<std::string, Packing> by_name;
+  for (const ChunkPlace& place : chunks_) {
+    const std::optional<Packing> one = place.bare ? std::nullopt : packingOf(place);
+    if (!one) continue;
+    Packing& all = by_name[one->compression];
+    all.compression = one->compression;
+    ++all.chunks;
+    all.packed_bytes += one->packed_bytes;
+    all.unpacked_bytes += one->unpacked_bytes;
+  }
+  std::vector<Packing> packing;
+  for (auto& [name, all] : by_name) packing.push_back(std::move(all));
+  return packing;
+}
+
 std::vector<Message> ChunkedSource::lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) {
   const ChannelChoice choice(topics);
   // Of channels that share a topic the one that messages() would give last.

@@ -59,6 +59,7 @@ class ChunkedSource : public Source {
   std::vector<ChannelPtr> channels() const override;
   std::unique_ptr<Cursor> messages(const Query& query) override;
   std::vector<Message> lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) override;
+  std::vector<Packing> packing() const override;
   const std::vector<AttachmentPlace>& attachments() const override { return attachments_; }
   const std::vector<Metadata>& metadata() const override { return metadata_; }
 
@@ -72,6 +73,8 @@ class ChunkedSource : public Source {
   virtual tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) = 0;
   /// A message of a chunk; its channel is set by the caller. The entry is one that unpack() gave.
   virtual Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const = 0;
+  /// That one chunk, by its head; nullopt: it cannot be read.
+  virtual std::optional<Packing> packingOf(const ChunkPlace& place) const = 0;
   /// The latest log time at or before `at_ns` by the index alone. An unreadable index is `unknown`.
   struct Latest {
     bool unknown = true;

@@ -96,6 +96,17 @@ tl::expected<UnpackedChunk, Note> McapReader::unpack(const ChunkPlace& place) {
   return chunk;
 }
 
+std::optional<Packing> McapReader::packingOf(const ChunkPlace& place) const {
+  if (place.length < mcap::kRecordHead) return std::nullopt;
+  const std::uint64_t length = place.length - mcap::kRecordHead;
+  const std::optional<UnpackedChunk> start =
+      raw(place.offset + mcap::kRecordHead, std::min<std::uint64_t>(length, mcap::kMostChunkHead));
+  const std::optional<mcap::ChunkHead> head =
+      start ? mcap::chunkHeadIn(start->all(), length) : std::optional<mcap::ChunkHead>();
+  if (!head) return std::nullopt;
+  return Packing{head->compression, 1, head->records_size, head->unpacked_size};
+}
+
 void McapReader::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
   ByteReader in(chunk.all());
   while (in.left() > 0) {

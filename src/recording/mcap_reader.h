@@ -25,8 +25,10 @@ class McapReader final : public ChunkedSource {
 
   std::optional<Attachment> attachment(const AttachmentPlace& place) override;
   bool refresh() override;
+  std::string format() const override { return "MCAP"; }
 
  protected:
+  std::optional<Packing> packingOf(const ChunkPlace& place) const override;
   tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
   Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
   Latest latestByIndex(const ChunkPlace& place, const ChannelShare& share, std::int64_t at_ns) override;

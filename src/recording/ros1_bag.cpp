@@ -129,6 +129,18 @@ tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkPlace& place) {
   return std::move(*stored);
 }
 
+std::optional<Packing> Ros1Bag::packingOf(const ChunkPlace& place) const {
+  Window window(*bytes_);
+  bool cut = false;
+  const std::optional<Head> head = headAt(window, place.offset, bytes_->size(), cut);
+  if (!head || head->op != Op::Chunk) return std::nullopt;
+  const bag::Fields fields = head->fields();
+  std::string compression = fields.text("compression");
+  if (compression == "none") compression.clear();
+  return Packing{std::move(compression), 1, head->data_size,
+                 fields.number<std::uint32_t>("size").value_or(0)};
+}
+
 void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
   ByteReader in(chunk.all());
   while (in.left() > 0) {

@@ -25,8 +25,10 @@ class Ros1Bag final : public ChunkedSource {
   /// There are none in bags.
   std::optional<Attachment> attachment(const AttachmentPlace&) override { return std::nullopt; }
   bool refresh() override;
+  std::string format() const override { return "ROS bag 2.0"; }
 
  protected:
+  std::optional<Packing> packingOf(const ChunkPlace& place) const override;
   tl::expected<UnpackedChunk, Note> unpack(const ChunkPlace& place) override;
   Message read(const UnpackedChunk& chunk, const ChunkEntry& entry) const override;
   Latest latestByIndex(const ChunkPlace& place, const ChannelShare& share, std::int64_t at_ns) override;

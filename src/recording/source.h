@@ -35,6 +35,12 @@ struct Query {
   bool backwards = false;
 };
 
+/// The chunks that are packed alike.
+struct Packing {
+  std::string compression;  // "zstd", "lz4", "bz2"; empty: none
+  std::uint64_t chunks = 0, packed_bytes = 0, unpacked_bytes = 0;
+};
+
 /// Messages one after the other. Must not outlive its source.
 class Cursor {
  public:
@@ -56,6 +62,11 @@ class Source {
   /// Of each of the topics (none = all) the last message at or before `at_ns`: the one that messages() would
   /// give last. Found by the index; only the chunks that hold one of them are unpacked.
   virtual std::vector<Message> lastBefore(std::int64_t at_ns, const std::vector<std::string>& topics) = 0;
+
+  /// "MCAP", "ROS bag 2.0".
+  virtual std::string format() const = 0;
+  /// By the heads of the chunks, each of which is read. Messages outside of chunks are not in it.
+  virtual std::vector<Packing> packing() const = 0;
 
   virtual const std::vector<AttachmentPlace>& attachments() const = 0;
   /// nullopt: it is not sound, which is noted.
