@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include <simdjson.h>
@@ -31,10 +32,8 @@ struct Access {
   }
   static Field ofReal(double value) {
     Field field;
-    if (std::isfinite(value)) {
-      field.kind_ = Field::Kind::Real;
-      field.raw_[0] = std::bit_cast<std::uint64_t>(value);
-    }
+    field.kind_ = std::isfinite(value) ? Field::Kind::Real : Field::Kind::NotFinite;
+    field.raw_[0] = std::bit_cast<std::uint64_t>(value);
     return field;
   }
   static Field ofNumber(const std::variant<std::int64_t, double>& number) {
@@ -45,7 +44,7 @@ struct Access {
   static Field ofCbor(const std::uint8_t* at, const std::uint8_t* end) {
     const CborItem item = CborItem::at(at, end);
     if (item.type == CborItem::Type::Whole) return ofWhole(item.whole);
-    if (item.type == CborItem::Type::Real) return ofReal(item.real);
+    if (item.type == CborItem::Type::Real || !std::isfinite(item.real)) return ofReal(item.real);
     Field field;
     if (item.type != CborItem::Type::Null) {
       field.kind_ = Field::Kind::Cbor;

@@ -129,9 +129,9 @@ void take(CborItem& item, std::variant<std::int64_t, double> number) {
   if (const auto* whole = std::get_if<std::int64_t>(&number)) {
     item.type = CborItem::Type::Whole;
     item.whole = *whole;
-  } else if (std::isfinite(std::get<double>(number))) {
-    item.type = CborItem::Type::Real;
+  } else {
     item.real = std::get<double>(number);
+    if (std::isfinite(item.real)) item.type = CborItem::Type::Real;
   }
 }
 

@@ -208,6 +208,14 @@ std::optional<double> Field::number() const {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+std::optional<double> Field::real() const {
+  if (kind_ == Kind::NotFinite) return Access::real(*this);
+  if (kind_ == Kind::Null) return std::numeric_limits<double>::quiet_NaN();
+  return isNumber() ? number() : std::nullopt;
+}
+
+std::optional<CborNumbers> Field::typedArray() const { return numbersOf(*this); }
+
 std::optional<std::int64_t> Field::integer() const {
   std::int64_t exact = 0;
   if (kind_ == Kind::Integer) return Access::whole(*this);

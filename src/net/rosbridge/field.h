@@ -14,6 +14,8 @@
 
 namespace mapwright::net::rosbridge {
 
+struct CborNumbers;  // cbor_item.h
+
 /// A value of a message: a view into its Frame, valid as long as that lives, on any thread. A cheap value
 /// type. Reading is lenient and never throws; what is absent or of another type is a null field or nullopt. A
 /// number that is not finite is null, as it is in JSON. Texts and names are untrusted, but always valid
@@ -22,7 +24,7 @@ class Field {
  public:
   Field() = default;  // null
 
-  bool isNull() const { return kind_ == Kind::Null; }
+  bool isNull() const { return kind_ == Kind::Null || kind_ == Kind::NotFinite; }
   bool isObject() const;
   bool isList() const;  // typed arrays and byte strings of CBOR as well
   bool isText() const;
@@ -36,7 +38,9 @@ class Field {
   void each(const std::function<void(const Field&)>& take) const;                       // items of a list
   void members(const std::function<void(std::string_view, const Field&)>& take) const;  // of an object
 
-  std::optional<double> number() const;         // finite; also a number written as text
+  std::optional<double> number() const;  // finite; also a number written as text
+  /// A number as the robot has it: null is NaN, and CBOR tells infinities.
+  std::optional<double> real() const;
   std::optional<std::int64_t> integer() const;  // whole and fits; 3.0 and "3" are
   std::optional<bool> flag() const;             // true/false, 0/1
   std::string text() const;                     // of a text; empty for all else
@@ -49,6 +53,8 @@ class Field {
   /// float32[] and float64[]: numbers or a typed array; null (NaN, infinities) is NaN. nullopt: none of
   /// these, or more than `max`.
   std::optional<std::vector<double>> numbers(std::size_t max) const;
+  /// Where the numbers of a typed array of CBOR, or of a byte string, lie.
+  std::optional<CborNumbers> typedArray() const;
   /// Seconds since the epoch of a ROS time, {secs,nsecs} or {sec,nanosec}.
   std::optional<double> time() const;
 
@@ -62,7 +68,7 @@ class Field {
  private:
   friend class Frame;
   friend struct Access;  // what only the readers of this folder may do
-  enum class Kind : std::uint8_t { Null, Json, Cbor, Integer, Real };
+  enum class Kind : std::uint8_t { Null, NotFinite, Json, Cbor, Integer, Real };
   Kind kind_ = Kind::Null;
   std::array<std::uint64_t, 2> raw_{};  // an element of simdjson, where an item of CBOR lies, or a number
 };
