@@ -104,8 +104,10 @@ QStringList bagLosses(const session::ProblemLog& log) {
   QStringList lines;
   for (const session::LoggedProblem& row : log.rows()) {
     const map::Problem& problem = row.problem;
-    if (!row.resolved && problem.subject.kind == map::SubjectKind::Bag &&
-        problem.code == map::ProblemCode::Unreadable && problem.severity >= map::Severity::Warning)
+    const bool lost =
+        problem.code == map::ProblemCode::Unreadable || problem.code == map::ProblemCode::Unavailable;
+    if (!row.resolved && problem.subject.kind == map::SubjectKind::Bag && lost &&
+        problem.severity >= map::Severity::Warning)
       lines << problemLine(problem);
   }
   return lines;

@@ -306,7 +306,10 @@ enum class ReasonCode {
   RecordingOnlyRead,
   RecordingLacksPicture,
   RecordingLacksSubmap,
-  RecordingNotFinished,
+  RecordingNotFinished,  // the time of its last message
+  RecordingNotBegun,     // likewise, without any message
+  RecordingLinkAway,     // from when, until when
+  RecordingLinkGone,     // since when
   RecordingWithoutIndex,
   RecordingIndexUnusable,
   RecordingCutOff,           // place

@@ -47,12 +47,48 @@ struct BagEntry {
   bool operator==(const BagEntry&) const = default;
 };
 
+/// What a file holds by one topic in one form. Texts are untrusted.
+struct BagTopic {
+  std::string name, type, encoding;      // "/scan", "sensor_msgs/LaserScan", "ros1"; empty: it does not say
+  std::optional<std::int64_t> messages;  // nullopt: only counting them would tell
+  bool operator==(const BagTopic&) const = default;
+};
+
+/// The parts of a file that are packed alike.
+struct BagPacking {
+  std::string compression;  // "zstd", "bz2"; empty: none
+  std::int64_t parts = 0, stored_bytes = 0, unpacked_bytes = 0;
+  bool operator==(const BagPacking&) const = default;
+};
+
+/// When the link to the robot was away while it was recorded. Seconds since the epoch.
+struct BagAway {
+  double from_s = 0;
+  std::optional<double> until_s;  // nullopt: to the end
+  bool operator==(const BagAway&) const = default;
+};
+
 /// What a robot says of a bag as a whole. Seconds since the epoch; robots tell whole ones: the last message
 /// may lie after end_s. An empty bag has no times, or equal ones.
 struct BagInfo {
   std::int64_t messages = 0;
   double start_s = 0, end_s = 0;
+  // Of files alone.
+  bool interrupted = false;  // its end is missing: whoever wrote it was interrupted, or still writes
+  std::vector<BagAway> away = {};
+  std::vector<BagTopic> topics = {};  // by name
+  std::vector<BagPacking> packing = {};
+  std::string format = {}, written_by = {};  // "MCAP", "ROS bag 2.0"; in its own words
+  std::int64_t attachments = 0;
   bool operator==(const BagInfo&) const = default;
+
+  /// The time without a link in which `at_s` lies; null: there was one.
+  const BagAway* awayAt(double at_s) const {
+    for (const BagAway& one : away) {
+      if (at_s >= one.from_s && at_s < one.until_s.value_or(at_s + 1)) return &one;
+    }
+    return nullptr;
+  }
 };
 
 /// One message of a bag. Its stamp is message.received_s: when it was recorded.

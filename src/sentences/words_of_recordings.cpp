@@ -30,7 +30,14 @@ QString ofFiles(ReasonCode code) {
     case ReasonCode::RecordingLacksSubmap:
       return Words::tr("The recording does not hold this submap.");
     case ReasonCode::RecordingNotFinished:
-      return Words::tr("Its end is missing: it is still being written, or was interrupted.");
+      return Words::tr("Its end is missing: it was interrupted after %1, or is still being written.");
+    case ReasonCode::RecordingNotBegun:
+      return Words::tr(
+          "Its end is missing, and so are its messages: it was interrupted, or is still being written.");
+    case ReasonCode::RecordingLinkAway:
+      return Words::tr("The connection to the robot was away from %1 to %2.");
+    case ReasonCode::RecordingLinkGone:
+      return Words::tr("The connection to the robot was away from %1 to the end.");
     case ReasonCode::RecordingWithoutIndex:
       return Words::tr("It has no index and was looked through. Opening it takes longer.");
     case ReasonCode::RecordingIndexUnusable:

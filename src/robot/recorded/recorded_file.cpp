@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <QFileInfo>
@@ -9,6 +10,7 @@
 
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/stream_topics.h"
+#include "robot/recorded/interruption.h"
 #include "robot/recorded/recording_reasons.h"
 
 namespace mapwright::robot::recorded {
@@ -107,12 +109,27 @@ void RecordedFile::tell(const map::Problem& problem) {
 }
 
 void RecordedFile::tellNotes() {
+  tellInterruption();
   for (const recording::Note& note : parts_->file->summary().notes) {
     if (!reasonOf(note).any()) continue;
     const auto severity = isLoss(note.code) ? map::Severity::Warning : map::Severity::Info;
     const auto code = isLoss(note.code) ? map::ProblemCode::Unreadable : map::ProblemCode::Odd;
     tell({severity, subjectOf(ownKey()), reasonOf(note), code});
   }
+  for (const BagAway& away : awayIn(*parts_->file))
+    tell({map::Severity::Info, subjectOf(ownKey()), reasonOf(away), map::ProblemCode::Odd});
+}
+
+void RecordedFile::tellInterruption() {
+  const bool interrupted = isInterrupted(*parts_->file);
+  if (std::exchange(told_interrupted_, interrupted) == interrupted) return;
+  const map::Subject bag = subjectOf(ownKey());
+  if (!interrupted) {
+    Q_EMIT recovered({bag, map::ProblemCode::Unavailable});
+    return;
+  }
+  Q_EMIT problemFound(
+      {map::Severity::Warning, bag, interruptionOf(parts_->file->summary()), map::ProblemCode::Unavailable});
 }
 
 std::size_t RecordedFile::newlyUntimed() {
@@ -212,15 +229,46 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
       info.messages = told_info_->messages;
     }
     const auto cursor = parts_->file->messages(query);
-    while (cursor->next()) ++info.messages;
+    while (const auto message = cursor->next()) {
+      ++info.messages;
+      ++counted_of_[message->channel->id];
+    }
     counted_until_ns_ = summary.end_ns;
   }
   if (summary.start_ns) info.start_s = double(*summary.start_ns) / 1e9;
   info.end_s = summary.end_ns ? double(*summary.end_ns) / 1e9 : info.start_s;
+  info.interrupted = isInterrupted(*parts_->file);
+  info.away = awayIn(*parts_->file);
+  tellContent(info, summary);
   tellNotes();
   told_info_ = info;
   info_is_old_ = false;
   return info;
+}
+
+void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary) const {
+  const auto& counts = summary.counted ? summary.messages_of : counted_of_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> topics;
+  for (const recording::ChannelPtr& channel : parts_->file->channels()) {
+    const auto count = counts.find(channel->id);
+    topics[{channel->topic, channel->schema_name, channel->message_encoding}] +=
+        count == counts.end() ? 0 : std::int64_t(count->second);
+  }
+  for (const auto& [topic, messages] : topics) {
+    const auto& [name, type, encoding] = topic;
+    info.topics.push_back({name, type, encoding, messages});
+  }
+  info.format = parts_->file->format();
+  info.written_by = summary.library;
+  info.attachments = std::int64_t(parts_->file->attachments().size());
+  // Of one that grows it is told as it was at first: each chunk is looked at for it.
+  if (told_info_) {
+    info.packing = told_info_->packing;
+    return;
+  }
+  for (const recording::Packing& one : parts_->file->packing())
+    info.packing.push_back({one.compression, std::int64_t(one.chunks), std::int64_t(one.packed_bytes),
+                            std::int64_t(one.unpacked_bytes)});
 }
 
 void RecordedFile::messages(const wire::ErrandPtr& errand, const BagKey& key, const BagRange& range,

@@ -55,6 +55,7 @@ class RecordedFile : public QObject {
   void opened(const mapwright::robot::recorded::RecordingFacts& facts);
   void refused(const mapwright::map::Reason& why);
   void problemFound(const mapwright::map::Problem& problem);
+  void recovered(const mapwright::map::Recovery& recovery);
 
  private:
   struct Job;
@@ -73,10 +74,14 @@ class RecordedFile : public QObject {
   std::optional<map::Failure> whyNot(const map::Subject& subject);
   bool refresh();
   void tellNotes();
+  /// That its end is missing, as long as it is.
+  void tellInterruption();
   /// Messages without a usable time that no chunk has counted yet: they lie in no range.
   std::size_t newlyUntimed();
   void tell(const map::Problem& problem);
   RecordingFacts facts() const;
+  /// Of which topics how many messages are in it, and how it lies in its file.
+  void tellContent(BagInfo& info, const recording::Summary& summary) const;
   void proceed(const std::shared_ptr<Job>& job);
 
   RecordedOptions options_;
@@ -85,8 +90,10 @@ class RecordedFile : public QObject {
   std::optional<BagInfo> told_info_;  // of the file as it was last
   bool info_is_old_ = false;          // the file has grown since it was told
   std::optional<std::int64_t> counted_until_ns_;
+  std::map<std::uint32_t, std::uint64_t> counted_of_;  // by channel, where the file does not tell
   std::set<std::string> told_;
   std::size_t told_untimed_ = 0;
+  bool told_interrupted_ = false;
 };
 
 }  // namespace mapwright::robot::recorded

@@ -172,12 +172,14 @@ RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* 
   qRegisterMetaType<RecordingFacts>();
   qRegisterMetaType<map::Reason>();
   qRegisterMetaType<map::Problem>();
+  qRegisterMetaType<map::Recovery>();
   identity_.model = tr("Recording");
   identity_.name = QFileInfo(options.path).fileName();
   file_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("recording"));
   connect(&thread_, &QThread::finished, file_, &QObject::deleteLater);
   connect(file_, &RecordedFile::problemFound, this, &Robot::problemFound);
+  connect(file_, &RecordedFile::recovered, this, &Robot::recovered);
   connect(file_, &RecordedFile::opened, this, [this](const RecordingFacts& facts) {
     topics_.set(facts);
     RobotIdentity identity = facts.identity;

@@ -12,7 +12,7 @@ map::Reason reasonOf(const recording::Note& note) {
   const std::int64_t place(static_cast<std::int64_t>(note.offset));
   switch (note.code) {
     case Code::NotFinished:
-      return ReasonCode::RecordingNotFinished;
+      break;  // reasonOf(Interruption)
     case Code::NoIndex:
       return ReasonCode::RecordingWithoutIndex;
     case Code::IndexUnusable:

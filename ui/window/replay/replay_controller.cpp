@@ -29,6 +29,7 @@
 #include "window/replay/replay_actions.h"
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_state.h"
+#include "window/replay/timeline_axis.h"
 #include "window/replay/timeline_dock.h"
 #include "window/replay/track_on_map.h"
 #include "window/unsaved_changes.h"
@@ -71,6 +72,7 @@ ReplayController::ReplayController(WindowContext& context, MakeRobot make_robot,
   connect(actions_, &ReplayActions::exportWanted, this, &ReplayController::exportRange);
   connect(clock_, &ReplayClock::opened, this, &ReplayController::takeOpened);
   connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::showPose);
+  connect(clock_, &ReplayClock::timeChanged, this, &ReplayController::noteLink);
   connect(clock_, &ReplayClock::stateChanged, this, [this] {
     showPose();
     chooseMaps();
@@ -232,6 +234,12 @@ void ReplayController::showPose() {
   if (clock_->isOpen()) scene::PoseBetween::of(context_.scene).show(clock_->poseBetween());
 }
 
+void ReplayController::noteLink() {
+  const replay::Reading* const reading = clock_->reading();
+  const bool away = reading && reading->info() && reading->info()->awayAt(clock_->at());
+  if (std::exchange(away_, away) != away) refresh();
+}
+
 void ReplayController::chooseMaps() {
   session::Session* const session = context_.current.session();
   if (maps_chosen_ || !session || !clock_->isOpen() || clock_->knowledge() != replay::Knowledge::Exact)
@@ -289,6 +297,15 @@ void ReplayController::refresh() {
       notice.sentence += QLatin1Char(' ') + tr("The map is that of now.");
     if (hasToldNoMap(context_.current.session(), mapsInView(context_.scene)))
       notice.sentence += QLatin1Char(' ') + tr("The bag has not told a map yet at this time.");
+    const std::optional<robot::BagInfo>& info = clock_->reading()->info();
+    if (const robot::BagAway* const away = info ? info->awayAt(clock_->at()) : nullptr)
+      notice.sentence +=
+          QLatin1Char(' ') + tr("No connection to the robot since %1: nothing came at this time.")
+                                 .arg(clockText(away->from_s, 0));
+    if (info && info->interrupted)
+      notice.sentence +=
+          QLatin1Char(' ') + tr("The recording was interrupted at %1, or is still being written.")
+                                 .arg(clockText(info->end_s, 0));
     notice.offer = backWords();
     notice.take = [this] { back(); };
     notice.closable = true;

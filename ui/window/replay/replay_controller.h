@@ -63,6 +63,8 @@ class ReplayController : public Controller {
   void takeConnection();
   void takeOpened();
   void showPose();
+  /// Whether the robot was connected at this time of its recording.
+  void noteLink();
   /// Once all of the first moment is known.
   void chooseMaps();
   void chooseMode();
@@ -84,6 +86,7 @@ class ReplayController : public Controller {
   bool dock_was_open_ = true;
   bool events_wanted_ = false;  // the list stands open with the next replay
   bool maps_chosen_ = false;
+  bool away_ = false;                    // the link was, at this time of the recording
   std::optional<ViewMode> mode_before_;  // a bag without submaps
 };
 

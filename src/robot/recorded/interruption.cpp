@@ -1,0 +1,79 @@
+#include "robot/recorded/interruption.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <QDateTime>
+
+namespace mapwright::robot::recorded {
+namespace {
+
+using map::ReasonCode;
+
+constexpr const char* kMadeHere = "mapwright";
+constexpr const char* kEndMark = "mapwright.end";
+constexpr const char* kLinkMark = "mapwright.link";
+
+std::optional<std::int64_t> numberIn(const recording::Words& words, const char* name) {
+  const auto found = words.find(name);
+  if (found == words.end()) return std::nullopt;
+  std::int64_t value = 0;
+  const char* const end = found->second.data() + found->second.size();
+  const auto [stop, error] = std::from_chars(found->second.data(), end, value);
+  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+std::int64_t nanoseconds(double epoch_s) { return std::llround(epoch_s * 1e6) * 1'000; }
+
+}  // namespace
+
+bool isInterrupted(const recording::Source& file) {
+  if (!file.summary().finished) return true;
+  const std::vector<recording::Metadata>& all = file.metadata();
+  const auto has = [&](const char* name) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const recording::Metadata& one) { return one.name == name; });
+  };
+  return has(kMadeHere) && !has(kEndMark);
+}
+
+map::Reason interruptionOf(const recording::Summary& summary) {
+  if (!summary.end_ns) return ReasonCode::RecordingNotBegun;
+  return {ReasonCode::RecordingNotFinished, {timeWords(*summary.end_ns)}};
+}
+
+std::vector<BagAway> awayIn(const recording::Source& file) {
+  // What is said when it comes back says again when it went.
+  std::map<std::int64_t, std::optional<std::int64_t>> back_of;
+  for (const recording::Metadata& metadata : file.metadata()) {
+    if (metadata.name != kLinkMark) continue;
+    const auto lost_ns = numberIn(metadata.words, "lost_ns");
+    if (!lost_ns) continue;
+    std::optional<std::int64_t>& back_ns = back_of[*lost_ns];
+    if (const auto told_ns = numberIn(metadata.words, "back_ns")) back_ns = told_ns;
+  }
+  std::vector<BagAway> all;
+  for (const auto& [lost_ns, back_ns] : back_of) {
+    BagAway away{double(lost_ns) / 1e9, std::nullopt};
+    if (back_ns) away.until_s = double(*back_ns) / 1e9;
+    all.push_back(away);
+  }
+  return all;
+}
+
+map::Reason reasonOf(const BagAway& away) {
+  const std::string from = timeWords(nanoseconds(away.from_s));
+  if (!away.until_s) return {ReasonCode::RecordingLinkGone, {from}};
+  return {ReasonCode::RecordingLinkAway, {from, timeWords(nanoseconds(*away.until_s))}};
+}
+
+std::string timeWords(std::int64_t epoch_ns) {
+  return QDateTime::fromMSecsSinceEpoch(epoch_ns / 1'000'000, Qt::UTC)
+      .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz 'UTC'"))
+      .toStdString();
+}
+
+}  // namespace mapwright::robot::recorded
