@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "simulator/ros/message_details.h"
 #include "simulator/ros/shapes.h"
 #include "simulator/ros/topic_table.h"
 
@@ -51,7 +52,8 @@ std::vector<Services::Row> Services::rows() const {
     for (const Row& row :
          {Row{"/rosapi/topics", "rosapi/Topics"}, Row{"/rosapi/topic_type", "rosapi/TopicType"},
           Row{"/rosapi/topics_for_type", "rosapi/TopicsForType"}, Row{"/rosapi/services", "rosapi/Services"},
-          Row{"/rosapi/service_type", "rosapi/ServiceType"}, Row{"/rosapi/nodes", "rosapi/Nodes"}})
+          Row{"/rosapi/service_type", "rosapi/ServiceType"}, Row{"/rosapi/nodes", "rosapi/Nodes"},
+          Row{"/rosapi/message_details", "rosapi/MessageDetails"}})
       rows.push_back(row);
   }
   return rows;
@@ -167,6 +169,7 @@ Value Services::answerRosapi(std::string_view verb, const Value& request) const 
     }
     return Value::Object{{"topics", std::move(names)}, {"types", std::move(types)}};
   }
+  if (verb == "message_details") return messageDetails(request["type"].text(), options_.ros.dialect);
   if (verb == "topic_type") {
     for (const TopicRow& topic : topics) {
       if (topic.name == request["topic"].text())

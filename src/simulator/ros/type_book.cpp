@@ -50,6 +50,7 @@ constexpr Definition kDefinitions[] = {
     {"kabam_msgs/GetWaypointRequest", "string map_id,string waypoint_id"},
     {"rosapi/TopicsRequest", ""},
     {"rosapi/TopicTypeRequest", "string topic"},
+    {"rosapi/MessageDetailsRequest", "string type"},
     {"rosapi/TopicsForTypeRequest", "string type"},
     {"rosapi/ServicesRequest", ""},
     {"rosapi/ServiceTypeRequest", "string service"},
