@@ -16,11 +16,17 @@ struct Delivery {
     Message,  // of a topic, or an answer that is as good as one
     Submap,   // the body of an answer about `submap`, whose version is the one that the answer says
     Picture,  // what a message only names: `name` is the address as the message has it
+    /// What messages of the type `name` (Delivery::schema) are made of, as `encoding` writes it: "ros1msg",
+    /// "ros2msg", "protobuf". No bytes: nobody can tell. Of each type that was named, before or after its
+    /// first message.
+    Definition,
   };
   Kind kind = Kind::Message;
-  std::string_view name;      // of a message: its topic; empty where a frame names none
-  std::string_view encoding;  // of a message: "json", "cbor", "protobuf"; else the media type, empty: unknown
-  std::string_view schema;    // the type of a message as the robot calls it; empty: it does not say
+  std::string_view name;  // of a message: its topic; empty where a frame names none
+  /// Of a message: "json", "cbor", "protobuf", or "axbot" (a binary frame that cannot be unpacked); else the
+  /// media type, empty: unknown.
+  std::string_view encoding;
+  std::string_view schema;  // the type of a message as the robot calls it; empty: it does not say
   map::SubmapKey submap;
   std::string_view bytes;
   double received_s = 0;         // seconds since the epoch

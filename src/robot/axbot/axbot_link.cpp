@@ -144,6 +144,7 @@ void AxbotLink::start() {
   connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
     deliveries_->forget();
+    delivered_definition_ = false;
     topics_confirmed_ = false;
     subscribed_ = false;
     // It may have got another firmware.
@@ -275,26 +276,41 @@ void AxbotLink::send(const QStringList& requests) {
   for (const QString& request : requests) socket_->sendText(request);
 }
 
-void AxbotLink::deliver(const QByteArray& frame, const std::string& topic, bool binary,
-                        std::optional<double> said_s) {
+void AxbotLink::deliver(std::shared_ptr<const std::string> bytes, const std::string& topic,
+                        const char* encoding, std::optional<double> said_s) {
   wire::DeliveryPlace::Parcel parcel;
-  const auto kept = std::make_shared<const QByteArray>(frame);
   parcel.name = topic;
-  parcel.encoding = binary ? "protobuf" : "json";
+  parcel.encoding = encoding;
+  if (std::string_view(encoding) == "protobuf") parcel.schema = kBinaryType;
   // One topic may come both ways; what has no topic is about what was asked a moment ago.
-  if (!topic.empty()) parcel.slot = parcel.encoding + topic;
-  parcel.bytes = view(*kept);
-  parcel.held_bytes = std::size_t(kept->size());
-  parcel.keeps = kept;
+  if (!topic.empty()) parcel.slot = encoding + topic;
+  parcel.bytes = *bytes;
+  parcel.held_bytes = bytes->size();
+  parcel.keeps = std::move(bytes);
   parcel.received_s = options_.wall_s();
   parcel.said_s = said_s;
+  deliveries_->pass(std::move(parcel));
+}
+
+void AxbotLink::deliverDefinition() {
+  if (std::exchange(delivered_definition_, true)) return;
+  const auto definition = std::make_shared<const std::string>(binaryTypeDefinition());
+  wire::DeliveryPlace::Parcel parcel;
+  parcel.kind = Delivery::Kind::Definition;
+  parcel.name = kBinaryType;
+  parcel.encoding = "protobuf";
+  parcel.slot = "definition";
+  parcel.bytes = *definition;
+  parcel.held_bytes = definition->size();
+  parcel.keeps = definition;
+  parcel.received_s = options_.wall_s();
   deliveries_->pass(std::move(parcel));
 }
 
 void AxbotLink::takeText(const QByteArray& utf8) {
   tap_->pass({view(utf8), false, options_.wall_s()});
   TextFrame frame = topic_reader_.read(view(utf8));
-  deliver(utf8, frame.topic, false, frame.stamp_s);
+  deliver(std::make_shared<const std::string>(view(utf8)), frame.topic, "json", frame.stamp_s);
   if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
     Q_EMIT rawReceived(rawText(frame.topic, view(utf8)));
   }
@@ -315,12 +331,23 @@ void AxbotLink::takeText(const QByteArray& utf8) {
 
 void AxbotLink::takeBinary(const QByteArray& bytes) {
   tap_->pass({view(bytes), true, options_.wall_s()});
-  deliver(bytes, topicOfBinaryFrame(view(bytes)), true, std::nullopt);
+  auto frame = unpackBinaryFrame(view(bytes));
+  const std::string topic = topicOfBinaryFrame(view(bytes));
   if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
     Q_EMIT rawReceived(rawBinary(view(bytes)));
-  if (auto message = parseBinaryFrame(view(bytes))) {
-    emitTopic(topicOfBinaryFrame(view(bytes)), std::move(*message));
+  std::optional<map::TopicMessage> message;
+  if (frame) {
+    message = parseBinaryBody(topic, frame->body);
+  } else {
+    message = frame.error();
   }
+  if (frame) {
+    deliverDefinition();
+    deliver(std::make_shared<const std::string>(std::move(frame->body)), topic, "protobuf", std::nullopt);
+  } else {
+    deliver(std::make_shared<const std::string>(view(bytes)), topic, "axbot", std::nullopt);
+  }
+  if (message) emitTopic(topic, std::move(*message));
 }
 
 void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {

@@ -101,7 +101,9 @@ class AxbotLink : public QObject {
   void askForWanted();
   /// Streams of which nothing has come, and that older firmware calls otherwise.
   map::Streams silentStreams() const;
-  void deliver(const QByteArray& frame, const std::string& topic, bool binary, std::optional<double> said_s);
+  void deliver(std::shared_ptr<const std::string> bytes, const std::string& topic, const char* encoding,
+               std::optional<double> said_s);
+  void deliverDefinition();
   void takeText(const QByteArray& utf8);
   void takeBinary(const QByteArray& bytes);
   void ask(quint64 ticket, const map::SubmapKey& key);
@@ -133,6 +135,7 @@ class AxbotLink : public QObject {
   QStringList topics_;                  // that are wanted by name
   map::Streams older_;                  // streams whose older names are asked for too, on this connection
   std::set<std::string> heard_topics_;  // on this connection
+  bool delivered_definition_ = false;   // likewise: of what binary frames hold
   bool wanted_ = false;
   bool device_info_answered_ = false;
   bool device_info_asked_ = false;

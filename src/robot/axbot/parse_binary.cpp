@@ -1,5 +1,9 @@
+#include <functional>
 #include <limits>
+#include <set>
 #include <span>
+
+#include <google/protobuf/descriptor.pb.h>
 
 #include "packed/unpack.h"
 #include "robot/axbot/parse_binary_cloud.h"
@@ -52,21 +56,38 @@ tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_
   return frame;
 }
 
+std::string binaryTypeDefinition() {
+  google::protobuf::FileDescriptorSet files;
+  std::set<std::string> taken;
+  // Each behind those that it is made of.
+  const std::function<void(const google::protobuf::FileDescriptor&)> take =
+      [&](const google::protobuf::FileDescriptor& file) {
+        if (!taken.insert(file.name()).second) return;
+        for (int i = 0; i < file.dependency_count(); ++i) take(*file.dependency(i));
+        file.CopyTo(files.add_file());
+      };
+  take(*ros_messages::RosMessageWrapper::descriptor()->file());
+  return files.SerializeAsString();
+}
+
+std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::string_view body) {
+  ros_messages::RosMessageWrapper wrapper;
+  const bool read = body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
+                    wrapper.ParseFromArray(body.data(), int(body.size()));
+  if (isCloudTopic(topic)) {
+    if (read && wrapper.has_point_cloud()) return readCloud(topic, wrapper.point_cloud());
+    return map::UnreadableMessage{topic, map::ReasonCode::BinaryWithoutPoints};
+  }
+  if (topic != "/submap_list") return std::nullopt;
+  if (!read || !wrapper.has_submap_list())
+    return map::UnreadableMessage{topic, map::ReasonCode::BinaryWithoutList};
+  return toSubmapList(wrapper.submap_list());
+}
+
 std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes) {
   const auto frame = unpackBinaryFrame(bytes);
   if (!frame) return frame.error();
-  ros_messages::RosMessageWrapper wrapper;
-  const bool read = frame->body.size() <= std::size_t(std::numeric_limits<int>::max()) &&
-                    wrapper.ParseFromArray(frame->body.data(), int(frame->body.size()));
-  if (isCloudTopic(frame->topic)) {
-    if (read && wrapper.has_point_cloud()) return readCloud(frame->topic, wrapper.point_cloud());
-    return map::UnreadableMessage{frame->topic, map::ReasonCode::BinaryWithoutPoints};
-  }
-  if (frame->topic != "/submap_list") return std::nullopt;
-  if (!read || !wrapper.has_submap_list()) {
-    return map::UnreadableMessage{frame->topic, map::ReasonCode::BinaryWithoutList};
-  }
-  return toSubmapList(wrapper.submap_list());
+  return parseBinaryBody(frame->topic, frame->body);
 }
 
 }  // namespace mapwright::robot::axbot

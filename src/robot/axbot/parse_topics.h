@@ -61,6 +61,13 @@ tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_
 /// Its topic alone; empty when there is none.
 std::string topicOfBinaryFrame(std::string_view bytes);
 
+/// The type of what a binary frame holds, and its definition (a FileDescriptorSet of protobuf).
+inline constexpr const char* kBinaryType = "ros_messages.RosMessageWrapper";
+std::string binaryTypeDefinition();
+
+/// Reads what a binary frame holds, as parseBinaryFrame() does.
+std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::string_view body);
+
 /// Reads a binary frame. nullopt for topics that are not ours; UnreadableMessage when it cannot be read.
 std::optional<map::TopicMessage> parseBinaryFrame(std::string_view bytes);
 

@@ -220,6 +220,15 @@ void RosApi::countPublishers(const std::string& topic, std::function<void(std::o
   });
 }
 
+void RosApi::define(const std::string& type, std::function<void(std::optional<RosDefinition>)> then) {
+  ask("/rosapi/message_details", withText("type", type),
+      [type, then = std::move(then)](const CallAnswer& answer) {
+        auto definition = answered(answer) ? definitionIn(answer.values["typedefs"]) : std::nullopt;
+        if (definition) definition->ros2 |= type.find("/msg/") != std::string::npos;
+        then(std::move(definition));
+      });
+}
+
 void RosApi::probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then) {
   // It only reads, whatever is there.
   ask((place + "/get_waypoint").c_str(), getWaypointArgs({}),

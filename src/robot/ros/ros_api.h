@@ -14,6 +14,7 @@
 
 #include "net/rosbridge/client.h"
 #include "robot/ros/dispatch_names.h"
+#include "robot/ros/ros_definition.h"
 #include "robot/ros/ros_topics.h"
 
 namespace mapwright::robot::ros {
@@ -50,6 +51,9 @@ class RosApi : public QObject {
   void look(const std::string& ns, const DispatchWish& dispatch, std::function<void(Found)> then);
   /// How many nodes send by the topic; nullopt: it does not tell.
   void countPublishers(const std::string& topic, std::function<void(std::optional<std::size_t>)> then);
+  /// What messages of this type ("nav_msgs/Path", "nav_msgs/msg/Path") are made of; nullopt: it does not
+  /// tell.
+  void define(const std::string& type, std::function<void(std::optional<RosDefinition>)> then);
   /// Whether a map manager answers at `place`, where nobody tells which services there are; nullopt: nothing
   /// was heard.
   void probeMapManager(const std::string& place, std::function<void(std::optional<bool>)> then);

@@ -193,6 +193,9 @@ void RosLink::begin() {
   ++round_;
   known_ = looking_ = look_again_ = awaits_manager_ = false;
   deliveries_->forget();
+  delivered_types_.clear();
+  defined_types_.clear();
+  defining_ = false;
   world_.forgetAll();
   kabam_->book().forget();
   live_map_->forget();

@@ -78,6 +78,8 @@ class RosLink : public QObject {
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
   void setWatching(bool on) { watching_ = on; }
+  /// Whoever sits in the deliveries now gets the definitions of all types that were delivered.
+  void defineTypes();
 
   void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
   void describe(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
@@ -150,6 +152,9 @@ class RosLink : public QObject {
                const std::shared_ptr<const net::rosbridge::Frame>& frame, const char* member,
                std::optional<double> said_s, double received_s);
   void deliverMessage(const net::rosbridge::TopicMessage& message);
+  /// Asks what the types to be defined are made of, one after the other.
+  void askDefinition();
+  void deliverDefinition(const std::string& type, const std::optional<RosDefinition>& definition);
   void takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer);
   void takeOfManager(const net::rosbridge::TopicMessage& message);
   void comparePicture();
@@ -192,6 +197,9 @@ class RosLink : public QObject {
   TopicWish wish_;
   Found found_;
   std::vector<Source> sources_;
+  // Types of messages that were delivered on this connection, and those whose definition is not known yet.
+  std::set<std::string> delivered_types_, defined_types_;
+  bool defining_ = false;
   bool wanted_ = false, watching_ = false;
   bool looking_ = false;
   bool look_again_ = false;  // when this look is over: it may tell of before

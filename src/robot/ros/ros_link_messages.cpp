@@ -17,6 +17,8 @@ constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
 
 constexpr qint64 kTellAgainMs = 5'000;
 
+constexpr const char* kAskedMap = "nav_msgs/GetMapResponse";
+
 map::Subject topicSubject(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
 
 RawMessage rawOf(const TopicMessage& message) {
@@ -43,6 +45,7 @@ std::string slotOf(const TopicMessage& message) {
 void RosLink::deliver(const std::string& name, std::string type, std::string slot,
                       const std::shared_ptr<const net::rosbridge::Frame>& frame, const char* member,
                       std::optional<double> said_s, double received_s) {
+  if (!type.empty() && delivered_types_.insert(type).second) askDefinition();
   wire::DeliveryPlace::Parcel parcel;
   parcel.name = name;
   parcel.schema = std::move(type);
@@ -53,6 +56,49 @@ void RosLink::deliver(const std::string& name, std::string type, std::string slo
   parcel.find = [frame = frame.get(), member] { return frame->rawMember(member); };
   parcel.received_s = received_s;
   parcel.said_s = said_s;
+  deliveries_->pass(std::move(parcel));
+}
+
+void RosLink::defineTypes() { askDefinition(); }
+
+void RosLink::askDefinition() {
+  if (defining_ || !known_ || !deliveries_->taken()) return;
+  const auto next = std::find_if(delivered_types_.begin(), delivered_types_.end(),
+                                 [&](const std::string& type) { return !defined_types_.contains(type); });
+  if (next == delivered_types_.end()) return;
+  const std::string type = *next;
+  defined_types_.insert(type);
+  defining_ = true;
+  // Services are not told of by that name: what it answers with is a map.
+  const bool ros2 =
+      found_.topics && std::any_of(found_.topics->begin(), found_.topics->end(), [](const FoundTopic& one) {
+        return one.type.find("/msg/") != std::string::npos;
+      });
+  const std::string map = ros2 ? "nav_msgs/msg/OccupancyGrid" : "nav_msgs/OccupancyGrid";
+  const bool asked_map = type == kAskedMap;
+  api_->define(asked_map ? map : type,
+               [this, round = round_, type, map, asked_map](std::optional<RosDefinition> definition) {
+                 if (round != round_) return;
+                 defining_ = false;
+                 if (definition && asked_map) definition = definitionAround(*definition, map, "map");
+                 deliverDefinition(type, definition);
+                 askDefinition();
+               });
+}
+
+void RosLink::deliverDefinition(const std::string& type, const std::optional<RosDefinition>& definition) {
+  wire::DeliveryPlace::Parcel parcel;
+  parcel.kind = Delivery::Kind::Definition;
+  parcel.name = type;
+  parcel.encoding = definition && definition->ros2 ? "ros2msg" : "ros1msg";
+  parcel.slot = "definition of " + type;
+  if (definition) {
+    const auto text = std::make_shared<const std::string>(definition->text);
+    parcel.bytes = *text;
+    parcel.held_bytes = text->size();
+    parcel.keeps = text;
+  }
+  parcel.received_s = wall();
   deliveries_->pass(std::move(parcel));
 }
 
@@ -103,8 +149,8 @@ void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::Cal
     source.base = maps.front().topic;
   }
   note(service, map::ProblemCode::Unavailable, std::nullopt);
-  deliver(service, "nav_msgs/GetMapResponse", service, answer.frame, "values",
-          answer.values["map"]["header"]["stamp"].time(), wall());
+  deliver(service, kAskedMap, service, answer.frame, "values", answer.values["map"]["header"]["stamp"].time(),
+          wall());
   // Patches, and whoever listens to the topic, take it for what that would have brought.
   if (!source.base.empty()) source.topic = source.base;
   for (WorldResult& result : world_.take(source, answer.values["map"], wall())) tell(std::move(result));

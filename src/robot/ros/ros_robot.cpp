@@ -86,6 +86,11 @@ void RosRobot::listen() {
   });
 }
 
+void RosRobot::setDeliveryTap(DeliveryTap tap) {
+  deliveries_->set(std::move(tap));
+  QMetaObject::invokeMethod(link_, &RosLink::defineTypes);
+}
+
 RobotIdentity RosRobot::identity() const {
   RobotIdentity identity;
   identity.model = has_manager_ ? QStringLiteral("ROS (KABAM)") : QStringLiteral("ROS");

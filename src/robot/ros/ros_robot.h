@@ -35,7 +35,7 @@ class RosRobot : public Robot, public Delivers {
   PictureStore* pictureStore() override { return takes_pictures_ ? &picture_store_ : nullptr; }
   MapDispatch* mapDispatch() override { return has_dispatch_ ? &dispatch_ : nullptr; }
   Absence whyNot(Capability capability) const override;
-  void setDeliveryTap(DeliveryTap tap) override { deliveries_->set(std::move(tap)); }
+  void setDeliveryTap(DeliveryTap tap) override;
 
  private:
   void listen();

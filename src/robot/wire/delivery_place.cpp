@@ -24,6 +24,11 @@ void DeliveryPlace::pass(Parcel parcel) {
   if (!parcel.slot.empty()) hold(std::move(parcel));
 }
 
+bool DeliveryPlace::taken() const {
+  const std::lock_guard lock(mutex_);
+  return bool(tap_);
+}
+
 void DeliveryPlace::forget() {
   const std::lock_guard lock(mutex_);
   held_.clear();

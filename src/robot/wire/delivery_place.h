@@ -38,6 +38,8 @@ class DeliveryPlace {
   /// Returns once the tap of before is not being called any more.
   void set(DeliveryTap tap);
   void pass(Parcel parcel);
+  /// Whether anybody sits there.
+  bool taken() const;
   /// Another connection: what was said on the last one is not to be had again.
   void forget();
 
@@ -49,7 +51,7 @@ class DeliveryPlace {
   static void hand(const DeliveryTap& tap, const Parcel& parcel, bool before);
   void hold(Parcel parcel);
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   DeliveryTap tap_;
   std::map<std::string, Held> held_;  // by slot
   std::size_t held_bytes_ = 0;
