@@ -15,6 +15,7 @@ bool EntryQueue::put(Entry entry, std::string_view bytes) {
     const std::lock_guard lock(mutex_);
     if (closed_) return false;
     if (entry.kind == Entry::Kind::Message && !entry.before) entry.sequence = ++sequences_[entry.name];
+    if (entry.kind == Entry::Kind::Message && entry.before) said_before_.insert(entry.name);
     // One that is larger than all is taken when it is alone.
     if (held_bytes_ > 0 && held_bytes_ + size > most_bytes_) {
       ++lost_.entries;
@@ -32,6 +33,11 @@ bool EntryQueue::put(Entry entry, std::string_view bytes) {
   }
   came_.notify_one();
   return true;
+}
+
+bool EntryQueue::heard(const std::string& topic) const {
+  const std::lock_guard lock(mutex_);
+  return sequences_.contains(topic) || said_before_.contains(topic);
 }
 
 std::vector<Entry> EntryQueue::take(std::chrono::milliseconds at_most) {

@@ -8,17 +8,18 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "recording/message.h"
 
 namespace mapwright::recorder {
 
-/// A message, an attachment or metadata.
+/// A message, an attachment, metadata, or what messages of a type are made of.
 struct Entry {
-  enum class Kind : std::uint8_t { Message, File, Words };
+  enum class Kind : std::uint8_t { Message, File, Words, Definition };
   Kind kind = Kind::Message;
-  std::string name;              // topic; of an attachment or of metadata
+  std::string name;              // topic; of an attachment, of metadata or of a type
   std::string encoding, schema;  // of a message; of an attachment `encoding` is its media type
   bool before = false;           // said before the recording began
   std::int64_t log_ns = 0, publish_ns = 0;
@@ -42,6 +43,9 @@ class EntryQueue {
   /// It is closed and nothing is in it.
   bool over() const;
 
+  /// Whether a message of this topic has been put, lost ones included.
+  bool heard(const std::string& topic) const;
+
   struct Losses {
     std::uint64_t entries = 0, bytes = 0;
   };
@@ -57,6 +61,7 @@ class EntryQueue {
   bool closed_ = false;
   Losses lost_;
   std::unordered_map<std::string, std::uint32_t> sequences_;  // by topic
+  std::unordered_set<std::string> said_before_;               // topics
 };
 
 }  // namespace mapwright::recorder

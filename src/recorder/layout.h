@@ -7,25 +7,33 @@
 // empty where the robot did not say), recorded_by ("mapwright 1.2.3"), started_ns. It is written again when a
 // robot says only later who it is: the last one counts. Metadata "mapwright.end" (kEnd), once, when the
 // recording was finished: ended_ns, messages, lost (messages and files that were not written because the disk
-// or this computer was too slow), lost_bytes. A file without it was interrupted.
+// or this computer was too slow), lost_bytes. A file without it was interrupted. Metadata "mapwright.link"
+// (kLink): the link to the robot was away. lost_ns when it was lost, and once more with back_ns when it was
+// there again; without that it was away to the end.
 //
 // Messages. Log time: when the message arrived here, nanoseconds since 1970 (UTC) of this computer's clock,
 // never less than started_ns. Publish time: the robot's own stamp where the message has one, else the log
 // time. Sequence: counts the messages of the topic from 1, those that were lost included: a gap is a loss.
+// Every channel has a schema, and others can read it: where nothing better is known it is the JSON schema
+// {"type":"object"} (schema name "mapwright.Message", kPlainJson, unless another one is said below).
 //   Autoxing, text frames: topic = the frame's own, message_encoding "json", the frame exactly as sent.
 //   Frames
 //     without a topic (answers, errors): topic "/axbot/answer".
 //   Autoxing, binary frames: topic as the frame says ("/axbot/binary" where it says none), message_encoding
-//     "protobuf", the frame exactly as sent: topic length, topic, gzip flag, RosMessageWrapper (axbot.md,
-//     "WebSocket"). Schema name "mapwright.axbot.BinaryFrame", no schema: it is more than the message.
-//   ROS: topic = the topic, schema_name = its ROS type as the server writes it (empty: it did not say),
-//     schema_encoding and data empty. message_encoding "json": exactly the text of the member `msg`; "cbor":
-//     exactly its CBOR. Of what came as a picture ("png") or in pieces ("fragment"): the text that it became.
-//     An asked map: topic = the service ("/static_map"), schema_name "nav_msgs/GetMapResponse", the member
-//     `values` likewise.
+//     "protobuf", schema "ros_messages.RosMessageWrapper" with its definition: what the frame holds behind
+//     its topic and its gzip flag, unpacked (axbot.md, "WebSocket"). One that cannot be unpacked:
+//     message_encoding "json", schema name "mapwright.axbot.BinaryFrame", {"base64": the frame as sent}.
+//   ROS: topic = the topic, schema_name = its ROS type as the server writes it. Where rosapi tells what the
+//     type is made of: message_encoding "ros1" with schema_encoding "ros1msg", or "cdr" with "ros2msg", the
+//     message as ROS itself writes it. Where it does not, or where a message is not what its definition says:
+//     "json", the member `msg` as sent, or as JSON where it came as CBOR; of a type that nobody said the
+//     schema name is kPlainJson. An asked map: topic = the service ("/static_map"), schema_name
+//     "nav_msgs/GetMapResponse", the member `values` likewise.
 //   AimDK: topic "/aimdk/CALL" (CALL without its service: "GetStoredMapNames", "GetCurrentWorkingMap",
 //     "GetTopoMsgs"), message_encoding "json", the body of the answer as sent. Get2DWholeMap is an
 //     attachment. What the rosbridge beside it says is written as that of a ROS robot.
+// Until version 1 of the layout messages of ROS were "json" or "cbor" with a schema without encoding and
+// data, binary frames "protobuf" with the frame as sent and a schema "mapwright.axbot.BinaryFrame" likewise.
 //
 // What was said before the recording began. The first messages are the last one of every topic that had been
 // said by then (as far as memory went): log time started_ns, publish time as above but the time of its own
@@ -67,14 +75,16 @@
 
 namespace mapwright::recorder {
 
-inline constexpr int kVersion = 1;
+inline constexpr int kVersion = 2;
 inline constexpr const char* kAbout = "mapwright";
 inline constexpr const char* kEnd = "mapwright.end";
+inline constexpr const char* kLink = "mapwright.link";
 inline constexpr const char* kSaid = "said";  // channel metadata
 inline constexpr const char* kBefore = "before";
 inline constexpr const char* kAxbotAnswer = "/axbot/answer";
 inline constexpr const char* kAxbotBinary = "/axbot/binary";
 inline constexpr const char* kAxbotBinarySchema = "mapwright.axbot.BinaryFrame";
+inline constexpr const char* kPlainJson = "mapwright.Message";
 inline constexpr const char* kAimdkTopics = "/aimdk/";
 
 /// "submaps/UUID/TRAJECTORY/INDEX/VERSION".

@@ -34,6 +34,11 @@ Entry entryOf(const robot::Delivery& delivery, std::int64_t started_ns) {
   const std::int64_t unsaid_ns = delivery.before ? came_ns : entry.log_ns;
   entry.publish_ns = delivery.said_s ? nsOf(*delivery.said_s).value_or(unsaid_ns) : unsaid_ns;
   entry.encoding = delivery.encoding;
+  if (delivery.kind == robot::Delivery::Kind::Definition) {
+    entry.kind = Entry::Kind::Definition;
+    entry.name = delivery.name;
+    return entry;
+  }
   if (delivery.kind != robot::Delivery::Kind::Message) {
     entry.kind = Entry::Kind::File;
     entry.publish_ns = 0;  // when it was made nobody says
@@ -42,9 +47,9 @@ Entry entryOf(const robot::Delivery& delivery, std::int64_t started_ns) {
                                                                 : pictureName(delivery.name);
     return entry;
   }
-  const bool binary = delivery.encoding == "protobuf";
+  const bool binary = delivery.encoding == "protobuf" || delivery.encoding == "axbot";
   entry.name = !delivery.name.empty() ? std::string(delivery.name) : binary ? kAxbotBinary : kAxbotAnswer;
-  entry.schema = binary ? std::string_view(kAxbotBinarySchema) : delivery.schema;
+  entry.schema = delivery.schema;
   return entry;
 }
 
@@ -80,6 +85,8 @@ void Recorder::begin() {
   thread_ = std::thread([this] { run(); });
   tell();
   connect(robot_.data(), &robot::Robot::identityChanged, this, &Recorder::tell);
+  takeLink();
+  connect(robot_.data(), &robot::Robot::connectionChanged, this, &Recorder::takeLink);
   if (robot::Delivers* const delivers = robot::deliversOf(*robot_)) {
     delivers->setDeliveryTap([queue = queue_, started_ns = started_ns_](const robot::Delivery& delivery) {
       queue->put(entryOf(delivery, started_ns), delivery.bytes);
@@ -116,6 +123,21 @@ void Recorder::tell() {
   entry.words["firmware"] = identity.version.toStdString();
   entry.words["recorded_by"] = options_.recorded_by;
   entry.words["started_ns"] = std::to_string(started_ns_);
+  queue_->put(std::move(entry), {});
+}
+
+void Recorder::takeLink() {
+  if (!robot_) return;
+  const bool online = robot_->connection().phase == robot::ConnectionPhase::Online;
+  was_online_ |= online;
+  if (!was_online_ || online == !lost_ns_) return;
+  const std::int64_t now_ns = options_.now_ns();
+  Entry entry;
+  entry.kind = Entry::Kind::Words;
+  entry.name = kLink;
+  entry.words["lost_ns"] = std::to_string(lost_ns_.value_or(now_ns));
+  if (online) entry.words["back_ns"] = std::to_string(now_ns);
+  lost_ns_ = online ? std::nullopt : std::optional(now_ns);
   queue_->put(std::move(entry), {});
 }
 

@@ -60,6 +60,8 @@ class Recorder : public QObject {
     std::optional<disk::Fault> end_fault;  // why the file has no end; it can be read all the same
   };
   Progress progress() const;
+  /// Whether any message of this topic has come.
+  bool heard(const std::string& topic) const { return queue_->heard(topic); }
   Fetches& fetches() { return *fetches_; }
 
  Q_SIGNALS:
@@ -71,6 +73,8 @@ class Recorder : public QObject {
   Recorder(robot::Robot& robot, std::unique_ptr<recording::McapWriter> writer, Options options);
   void begin();
   void tell();
+  /// Writes down when the link was lost, and when it was there again.
+  void takeLink();
   void run();
   void publish();
 
@@ -82,6 +86,8 @@ class Recorder : public QObject {
   std::unique_ptr<Fetches> fetches_;
   QTimer timer_;
   bool stopped_ = false;
+  bool was_online_ = false;
+  std::optional<std::int64_t> lost_ns_;  // while the link is away
   mutable std::mutex mutex_;
   Progress progress_;
   std::thread thread_;

@@ -18,7 +18,12 @@ std::pair<std::size_t, std::size_t> contentOf(const Entry& entry) {
 }  // namespace
 
 void Tape::write(Entry entry) {
-  if (entry.kind == Entry::Kind::Message) return message(entry);
+  if (entry.kind == Entry::Kind::Definition) {
+    forms_.define(entry);
+    return writeUndefined(entry.name);
+  }
+  if (entry.kind == Entry::Kind::Message)
+    return forms_.ready(entry) ? message(std::move(entry)) : holdUndefined(std::move(entry));
   if (entry.kind == Entry::Kind::File) {
     const auto content = contentOf(entry);
     const auto known = files_.find(entry.name);
@@ -28,22 +33,56 @@ void Tape::write(Entry entry) {
   if (beside(entry)) wait(std::move(entry));
 }
 
-void Tape::message(const Entry& entry) {
-  const auto channel = channelOf(entry);
-  if (!channel) return lose(entry);
+void Tape::message(Entry entry) {
+  const MessageForms::Formed formed = forms_.formed(entry, std::move(entry.bytes));
+  const auto channel = channelOf(entry, formed);
+  if (!channel) return lose(formed.bytes.size());
   const std::uint64_t lost = writer_->progress().lost;
-  const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(entry.bytes.data()), entry.bytes.size());
+  const auto bytes =
+      std::span(reinterpret_cast<const std::uint8_t*>(formed.bytes.data()), formed.bytes.size());
   fault_ = writer_->write(*channel, {entry.log_ns, entry.publish_ns, entry.sequence}, bytes);
-  if (writer_->progress().lost != lost) lose(entry);
+  if (writer_->progress().lost != lost) lose(formed.bytes.size());
 }
 
-std::optional<recording::ChannelId> Tape::channelOf(const Entry& entry) {
-  Key key(entry.name, entry.encoding, entry.schema, entry.before);
+void Tape::holdUndefined(Entry entry) {
+  if (undefined_bytes_ + entry.bytes.size() > kMostWaitingBytes) giveUp(std::nullopt);
+  if (forms_.ready(entry)) return message(std::move(entry));
+  undefined_bytes_ += entry.bytes.size();
+  undefined_[entry.schema].messages.push_back(std::move(entry));
+}
+
+void Tape::writeUndefined(const std::string& type) {
+  auto held = undefined_.extract(type);
+  if (held.empty()) return;
+  for (Entry& entry : held.mapped().messages) {
+    undefined_bytes_ -= entry.bytes.size();
+    message(std::move(entry));
+  }
+}
+
+void Tape::giveUp(std::optional<std::int64_t> now_ns) {
+  std::vector<std::string> over;
+  for (auto& [type, held] : undefined_) {
+    if (now_ns && !held.since_ns) held.since_ns = now_ns;
+    // A clock that was set back must not make anybody wait.
+    const bool waits = now_ns && *now_ns >= *held.since_ns && *now_ns - *held.since_ns < kDefinedWithinNs;
+    if (!waits) over.push_back(type);
+  }
+  for (const std::string& type : over) {
+    forms_.giveUp(type);
+    writeUndefined(type);
+  }
+}
+
+std::optional<recording::ChannelId> Tape::channelOf(const Entry& entry, const MessageForms::Formed& formed) {
+  Key key(entry.name, formed.encoding, formed.schema_name, formed.schema_encoding, entry.before);
   if (const auto known = channels_.find(key); known != channels_.end()) return known->second;
   recording::Channel channel;
   channel.topic = entry.name;
-  channel.message_encoding = entry.encoding;
-  channel.schema_name = entry.schema;
+  channel.message_encoding = formed.encoding;
+  channel.schema_name = formed.schema_name;
+  channel.schema_encoding = formed.schema_encoding;
+  channel.schema_data = formed.schema_data;
   if (entry.before) channel.metadata[kSaid] = kBefore;
   const auto added = writer_->addChannel(channel);
   if (added) channels_.emplace(std::move(key), *added);
@@ -63,18 +102,19 @@ std::optional<disk::Fault> Tape::beside(const Entry& entry) {
 void Tape::wait(Entry entry) {
   if (waiting_bytes_ + entry.bytes.size() > kMostWaitingBytes) {
     files_.erase(entry.name);  // it may come again
-    return lose(entry);
+    return lose(entry.bytes.size());
   }
   waiting_bytes_ += entry.bytes.size();
   waiting_.push_back(std::move(entry));
 }
 
-void Tape::lose(const Entry& entry) {
+void Tape::lose(std::size_t bytes) {
   ++lost_;
-  lost_bytes_ += entry.bytes.size();
+  lost_bytes_ += bytes;
 }
 
 void Tape::tick(std::int64_t now_ns) {
+  giveUp(now_ns);
   fault_ = writer_->tick(now_ns);
   // A clock that was set back must not make anybody wait.
   const bool may_try = now_ns < tried_ns_ || now_ns - tried_ns_ >= kTryAgainNs;
@@ -87,9 +127,10 @@ void Tape::tick(std::int64_t now_ns) {
 }
 
 std::optional<disk::Fault> Tape::finish(std::int64_t now_ns, EntryQueue::Losses elsewhere) {
+  giveUp(std::nullopt);
   fault_ = writer_->flush();
   while (!waiting_.empty() && !beside(waiting_.front())) waiting_.pop_front();
-  for (const Entry& entry : waiting_) lose(entry);
+  for (const Entry& entry : waiting_) lose(entry.bytes.size());
   waiting_.clear();
   recording::Metadata end;
   end.name = kEnd;

@@ -9,8 +9,10 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "recorder/entry_queue.h"
+#include "recorder/message_forms.h"
 #include "recording/mcap_writer.h"
 
 namespace mapwright::recorder {
@@ -29,7 +31,8 @@ class Tape {
   explicit Tape(std::unique_ptr<recording::McapWriter> writer) : writer_(std::move(writer)) {}
 
   /// An attachment that is there already with the same content is left out. One that the disk does not take
-  /// waits, within a bound, and is tried again by tick(); so are metadata.
+  /// waits, within a bound, and is tried again by tick(); so are metadata. A message whose type is not
+  /// defined yet waits for that, not for long.
   void write(Entry entry);
   /// To be called several times a second.
   void tick(std::int64_t now_ns);
@@ -38,16 +41,30 @@ class Tape {
   Written written() const;
 
   static constexpr std::size_t kMostWaitingBytes = std::size_t(64) << 20;
+  static constexpr std::int64_t kDefinedWithinNs = 5'000'000'000;
 
  private:
-  void message(const Entry& entry);
-  std::optional<recording::ChannelId> channelOf(const Entry& entry);
+  void message(Entry entry);
+  std::optional<recording::ChannelId> channelOf(const Entry& entry, const MessageForms::Formed& formed);
+  void holdUndefined(Entry entry);
+  void writeUndefined(const std::string& type);
+  /// Those of types that nobody will define any more.
+  void giveUp(std::optional<std::int64_t> now_ns);
   std::optional<disk::Fault> beside(const Entry& entry);
   void wait(Entry entry);
-  void lose(const Entry& entry);
+  void lose(std::size_t bytes);
 
   std::unique_ptr<recording::McapWriter> writer_;
-  using Key = std::tuple<std::string, std::string, std::string, bool>;
+  MessageForms forms_;
+  /// Messages of a type that is not defined yet.
+  struct Undefined {
+    std::vector<Entry> messages;
+    std::optional<std::int64_t> since_ns;  // by the clock of tick()
+  };
+  std::map<std::string, Undefined> undefined_;  // by type
+  std::size_t undefined_bytes_ = 0;
+  /// Topic, encoding, type, encoding of the schema, said before.
+  using Key = std::tuple<std::string, std::string, std::string, std::string, bool>;
   std::map<Key, recording::ChannelId> channels_;
   std::map<std::string, std::pair<std::size_t, std::size_t>> files_;  // size and hash, by name
   std::deque<Entry> waiting_;
