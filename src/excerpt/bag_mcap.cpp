@@ -22,7 +22,7 @@ tl::expected<std::unique_ptr<BagMcap>, disk::Fault> BagMcap::create(const std::s
   std::unique_ptr<BagMcap> file(new BagMcap(path, span));
   auto target = std::make_unique<WholeTarget>(path);
   file->target_ = target.get();
-  auto writer = recording::McapWriter::create(std::move(target), {});
+  auto writer = recording::McapWriter::create(std::move(target), wholeFileOptions());
   if (!writer) return tl::make_unexpected(writer.error());
   file->writer_ = std::move(*writer);
   recording::Words about{{"version", "1"},
@@ -69,6 +69,9 @@ std::optional<disk::Fault> BagMcap::write(const std::string& topic, bool before,
   recording::Channel channel;
   channel.topic = topic;
   channel.message_encoding = "json";
+  channel.schema_name = "mapwright.Message";
+  channel.schema_encoding = "jsonschema";
+  channel.schema_data = R"({"type":"object"})";
   if (before) channel.metadata["said"] = "before";
   const auto id = writer_->addChannel(channel);
   if (!id) return disk::systemFault(path_, ENOSPC);  // more topics than MCAP can number

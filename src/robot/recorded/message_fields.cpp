@@ -12,6 +12,8 @@ using net::rosbridge::Frame;
 
 namespace {
 
+constexpr const char* kPlainJson = "mapwright.Message";  // recorder/layout.h
+
 tl::expected<FramePtr, map::Reason> frameOf(const QByteArray& bytes, Frame::Wire wire) {
   FramePtr frame = Frame::read(bytes, wire);
   switch (frame->fault()) {
@@ -33,7 +35,11 @@ bool isRos(const recording::Channel& channel, bool untyped) {
   }
   if (recording::rosWire(encoding) || encoding == "cbor") return true;
   if (encoding != "json") return false;
-  return channel.schema_name.empty() ? untyped : channel.schema_name.find('/') != std::string::npos;
+  return isUntyped(channel) ? untyped : channel.schema_name.find('/') != std::string::npos;
+}
+
+bool isUntyped(const recording::Channel& channel) {
+  return channel.schema_name.empty() || channel.schema_name == kPlainJson;
 }
 
 const MessageFields::Schema& MessageFields::schemaOf(const recording::ChannelPtr& channel) {
@@ -56,7 +62,8 @@ const MessageFields::Schema& MessageFields::schemaOf(const recording::ChannelPtr
 
 std::string rosTypeOf(const recording::Channel& channel) {
   const auto kind = foxgloveKind(channel);
-  return kind ? rosTypeOf(*kind) : channel.schema_name;
+  if (kind) return rosTypeOf(*kind);
+  return isUntyped(channel) ? std::string() : channel.schema_name;
 }
 
 const MessageFields::Protobuf& MessageFields::protobufOf(const recording::ChannelPtr& channel) {

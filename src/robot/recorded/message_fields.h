@@ -23,6 +23,9 @@ using FramePtr = std::shared_ptr<const net::rosbridge::Frame>;
 /// Foxglove. `untyped`: those are, too, whose type nobody said.
 bool isRos(const recording::Channel& channel, bool untyped);
 
+/// Whether nobody said of which type its messages are.
+bool isUntyped(const recording::Channel& channel);
+
 /// The type of ROS as which they are read; of others than Foxglove's the one that the channel tells.
 std::string rosTypeOf(const recording::Channel& channel);
 

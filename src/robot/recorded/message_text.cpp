@@ -9,7 +9,8 @@ namespace mapwright::robot::recorded {
 namespace {
 
 constexpr std::int64_t kNsOfASecond = 1'000'000'000;
-constexpr qsizetype kMostText = qsizetype(8) << 10;  // of a message whose lists are cut
+constexpr qsizetype kMostText = qsizetype(8) << 10;            // of a message whose lists are cut
+constexpr std::size_t kMostForPeople = std::size_t(64) << 10;  // larger ones are not read for a text alone
 constexpr std::size_t kMostWhole = std::size_t(16) << 10;
 
 std::string secondsText(std::int64_t ns) {
@@ -49,7 +50,7 @@ std::string_view MessageText::bytes() const {
 std::string MessageText::wrapped(std::string_view member, std::string_view json) const {
   std::string text =
       "{\"topic\":" + jsonText(message_.channel->topic) + ",\"__stamp\":" + secondsText(message_.log_time_ns);
-  if (!message_.channel->schema_name.empty()) text += ",\"type\":" + jsonText(message_.channel->schema_name);
+  if (!isUntyped(*message_.channel)) text += ",\"type\":" + jsonText(message_.channel->schema_name);
   return text.append(",\"").append(member).append("\":").append(json).append("}");
 }
 
@@ -95,9 +96,11 @@ std::string MessageText::ofBinaryFrame() const {
 }
 
 std::string MessageText::ofOther(MessageFields& fields) const {
-  if (!programs_ || message_.channel->message_encoding != "protobuf") return ofBytes();
+  if (message_.channel->message_encoding != "protobuf") return ofBytes();
+  if (!programs_ && message_.bytes.size() > kMostForPeople) return ofBytes();
   const auto frame = fields.readAsItIs(message_);
-  return frame ? whole(*frame) : ofBytes();
+  if (!frame) return ofBytes();
+  return programs_ ? whole(*frame) : wrapped("msg", viewOf((*frame)->root().toJson(kMostText)));
 }
 
 std::string MessageText::ofBytes() const {

@@ -246,6 +246,17 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
       // One beside the range counts in its own.
       if (!range_.whole_texts && placed && takes(stamp_s)) ++chunk_->unreadable;
     }
+  } else if (channel.message_encoding == "json" && channel.schema_name == kBinaryFrame) {
+    // One that could not be unpacked when it was recorded.
+    const auto root = json_.read(texts.bytes());
+    told.known = root.has_value();
+    if (root) {
+      const QByteArray frame =
+          QByteArray::fromBase64(QByteArray::fromStdString(wire::text(*root, {"base64"})));
+      const auto read = axbot::parseBinaryFrame({frame.constData(), std::size_t(frame.size())});
+      if (read) told.message.message = *read;
+    }
+    text = texts.ofBytes();
   } else if (channel.message_encoding == "json") {
     const auto root = json_.read(texts.bytes());
     if (root && root->is_object()) {
@@ -267,6 +278,12 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
     }
     text = texts.ofBinaryFrame();
   } else {
+    if (channel.message_encoding == "protobuf" && channel.schema_name == axbot::kBinaryType) {
+      if (auto read = axbot::parseBinaryBody(channel.topic, texts.bytes())) {
+        told.known = true;
+        told.message.message = std::move(*read);
+      }
+    }
     text = texts.ofOther(parts.fields);
   }
   add(std::move(told), text);

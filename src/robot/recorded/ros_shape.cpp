@@ -154,7 +154,7 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields) {
   std::vector<std::string> untyped;
   for (const recording::ChannelPtr& channel : file.channels()) {
     if (!shape.isRos(*channel)) continue;
-    if (channel->schema_name.empty()) addOnce(untyped, channel->topic);
+    if (isUntyped(*channel)) addOnce(untyped, channel->topic);
     const ros::FoundTopic topic{channel->topic, rosTypeOf(*channel)};
     if (std::find(found.begin(), found.end(), topic) != found.end()) continue;
     if (answersWithMap(ros::plainType(topic.type))) addOnce(services, topic.name);
