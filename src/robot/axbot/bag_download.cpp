@@ -75,6 +75,11 @@ struct Download {
             .cause = {map::ReasonCode::BagFileNotWritten, {path.toStdString(), why.toStdString()}}};
   }
   void end(map::Failure failure) {
+    // A part without anything in it is none.
+    if (part.isOpen() && part.size() == 0) {
+      part.remove();
+      QFile::remove(besidePart(path));
+    }
     part.close();
     reply(tl::make_unexpected(std::move(failure)));
   }

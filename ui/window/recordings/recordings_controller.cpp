@@ -20,6 +20,7 @@
 #include "window/recordings/record_dialog.h"
 #include "window/recordings/recordings_dock.h"
 #include "window/replay/replay_state.h"
+#include "words/file_name.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -35,12 +36,7 @@ QString sentence(const map::Failure& failure) { return words::plainName(sentence
 
 /// A file name of a name from a robot.
 QString fileNameOf(const BagKey& key) {
-  QString name = bagCalled(key);
-  for (QChar& letter : name) {
-    if (QStringLiteral("/\\:*?\"<>|").contains(letter)) letter = QLatin1Char('-');
-  }
-  while (name.startsWith(QLatin1Char('.'))) name.remove(0, 1);
-  return name.isEmpty() ? QStringLiteral("recording.bag") : name;
+  return words::fileName(bagCalled(key), QStringLiteral("recording.bag"));
 }
 
 }  // namespace
