@@ -26,7 +26,7 @@ class Lines : public Writing {
     for (std::size_t place = 0; place < chunk.order.size(); ++place) {
       const robot::BagMessage& message = chunk.at(place);
       if (!order_.span.holds(message.message.received_s)) continue;
-      if (!order_.topic.empty() && message.message.topic != order_.topic) continue;
+      if (!isOneOf(order_.topics, message.message.topic)) continue;
       file_.write(jsonLine(chunk.source->textOf(message)));
       file_.write("\n");
       ++done_.messages;
@@ -47,13 +47,14 @@ class Lines : public Writing {
 
 class Mcap : public Writing {
  public:
-  Mcap(std::unique_ptr<BagMcap> file, std::string topic) : file_(std::move(file)), topic_(std::move(topic)) {}
+  Mcap(std::unique_ptr<BagMcap> file, std::vector<std::string> topics)
+      : file_(std::move(file)), topics_(std::move(topics)) {}
 
   std::optional<disk::Fault> take(const replay::Chunk& chunk) override {
     odd_ += oddIn(chunk);
     for (std::size_t place = 0; place < chunk.order.size(); ++place) {
       const robot::BagMessage& message = chunk.at(place);
-      if (!topic_.empty() && message.message.topic != topic_) continue;
+      if (!isOneOf(topics_, message.message.topic)) continue;
       if (auto fault = file_->take(message, chunk.source->textOf(message))) return fault;
     }
     return std::nullopt;
@@ -69,7 +70,7 @@ class Mcap : public Writing {
 
  private:
   std::unique_ptr<BagMcap> file_;
-  std::string topic_;
+  std::vector<std::string> topics_;
   std::int64_t odd_ = 0;
 };
 
@@ -105,6 +106,10 @@ class Track : public Writing {
 
 }  // namespace
 
+bool isOneOf(const std::vector<std::string>& topics, const std::string& topic) {
+  return topics.empty() || std::find(topics.begin(), topics.end(), topic) != topics.end();
+}
+
 std::string jsonLine(std::string_view json) {
   std::string line(json);
   std::replace_if(
@@ -124,7 +129,7 @@ tl::expected<std::unique_ptr<Writing>, disk::Fault> begin(const Order& order) {
     case Kind::Mcap: {
       auto file = BagMcap::create(order.path, order.address, order.bag, order.span);
       if (!file) return tl::make_unexpected(file.error());
-      return std::make_unique<Mcap>(std::move(*file), order.topic);
+      return std::make_unique<Mcap>(std::move(*file), order.topics);
     }
     case Kind::Lines:
       return std::make_unique<Lines>(order);

@@ -30,7 +30,9 @@ struct Order {
   Kind kind = Kind::Mcap;
   std::string path;  // of the file; an MCAP file needs one, all else may go to the standard output ("-")
   TimeSpan span;
-  std::string topic;  // of this one alone; "" = all. Not of tracks
+  std::vector<std::string> topics;  // of these alone; none = all. Not of tracks
+  /// Of recordings, instead of `span`, to the nanosecond: both counted in.
+  std::optional<std::int64_t> first_ns, last_ns;
   // What is written into an MCAP file about where it comes from.
   std::string address, bag;
 };
@@ -44,6 +46,9 @@ struct Written {
   std::int64_t odd = 0;                  // left out: they cannot be read, or have no stamp
   std::vector<map::Reason> losses;       // of what is damaged in a file that was read, or cut off
 };
+
+/// Whether it is wanted: one of the topics, or there are none.
+bool isOneOf(const std::vector<std::string>& topics, const std::string& topic);
 
 /// One thread at a time. Nothing has the name of the file before place(), and nothing is left without it.
 class Writing {

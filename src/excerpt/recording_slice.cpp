@@ -13,6 +13,7 @@
 #include "reasons/file_reason.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
+#include "robot/recorded/interruption.h"
 #include "robot/recorded/recording_reasons.h"
 
 namespace mapwright::excerpt {
@@ -104,8 +105,17 @@ class Slice {
     return {};
   }
 
+  /// What was interrupted was so after its last message, and no part that ends before.
+  Done markEnd(std::int64_t to_ns) {
+    const std::int64_t last_ns = source_.summary().end_ns.value_or(0);
+    cut_short_ = robot::recorded::isInterrupted(source_) && to_ns >= last_ns;
+    if (cut_short_ || ended_ || !robot::recorded::isInterrupted(source_)) return {};
+    return checked(writer_.note({"mapwright.end", {{"ended_ns", std::to_string(to_ns)}}}));
+  }
+
   Written done() const {
     Written done = done_;
+    if (cut_short_) done.losses.push_back(robot::recorded::interruptionOf(source_.summary()));
     for (const recording::Note& note : source_.summary().notes) {
       if (robot::recorded::isLoss(note.code)) done.losses.push_back(robot::recorded::reasonOf(note));
     }
@@ -132,7 +142,7 @@ class Slice {
   recording::McapWriter& writer_;
   const GoesOn& goes_on_;
   Written done_;
-  bool ended_ = false;
+  bool ended_ = false, cut_short_ = false;
 };
 
 }  // namespace
@@ -143,18 +153,21 @@ tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::stri
   if (!source) return tl::make_unexpected(robot::recorded::reasonOf(source.error()));
   auto made = std::make_unique<WholeTarget>(order.path);
   WholeTarget& target = *made;
-  auto writer = recording::McapWriter::create(std::move(made), {.profile = (*source)->summary().profile});
+  auto writer =
+      recording::McapWriter::create(std::move(made), wholeFileOptions((*source)->summary().profile));
   if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
 
-  const std::int64_t from_ns = order.span.from_s ? nanosecondsOf(*order.span.from_s) : 0;
-  const std::int64_t to_ns = order.span.to_s ? nanosecondsOf(*order.span.to_s) : kEver;
-  const std::vector<std::string> topics =
-      order.topic.empty() ? std::vector<std::string>() : std::vector{order.topic};
+  const std::int64_t from_ns =
+      order.first_ns.value_or(order.span.from_s ? nanosecondsOf(*order.span.from_s) : 0);
+  const std::int64_t to_ns =
+      order.last_ns.value_or(order.span.to_s ? nanosecondsOf(*order.span.to_s) : kEver);
+  const std::vector<std::string>& topics = order.topics;
   Slice slice(**source, **writer, goes_on);
   const Done done = slice.describe()
                         .and_then([&] { return slice.sayBefore(from_ns, topics); })
                         .and_then([&] { return slice.copy(from_ns, to_ns, topics); })
                         .and_then([&] { return slice.attach(from_ns, to_ns); })
+                        .and_then([&] { return slice.markEnd(to_ns); })
                         .and_then([&]() -> Done {
                           if (slice.ended()) return {};
                           auto fault = (*writer)->close();

@@ -1,12 +1,25 @@
 // Where a recording goes that is there whole or not at all.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "disk/written_file.h"
 #include "recording/append_file.h"
+#include "recording/mcap_writer.h"
 
 namespace mapwright::excerpt {
+
+/// Nobody reads it before it is whole: chunks are closed by their size alone.
+inline recording::WriterOptions wholeFileOptions(std::string profile = {}) {
+  recording::WriterOptions options;
+  options.profile = std::move(profile);
+  options.chunk_bytes = std::size_t(4) << 20;
+  options.chunk_ns = std::numeric_limits<std::int64_t>::max();
+  return options;
+}
 
 class WholeTarget : public recording::AppendTarget {
  public:

@@ -1,0 +1,19 @@
+// Several recordings on this computer as one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "excerpt/excerpt.h"
+#include "map/reason.h"
+
+namespace mapwright::excerpt {
+
+/// What lies in `order` of all of `paths`, by log time, in one MCAP file; of the same time what the first one
+/// says comes first. Channels that are the same become one; files and metadata of all are in it. One thread,
+/// until it is done. The error of one that cannot be opened names it.
+tl::expected<Written, map::Reason> mergeRecordings(const std::vector<std::string>& paths, const Order& order);
+
+}  // namespace mapwright::excerpt
