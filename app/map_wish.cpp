@@ -13,6 +13,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
 #include "sentences/reason_sentence.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
@@ -146,7 +147,7 @@ void MapWish::chooseCurrent() {
   } else {
     fail(kRobotError,
          catalogue.entries().empty()
-             ? Words::tr("There is no map.")
+             ? (QStringList(Words::tr("There is no map.")) + namedMap()).join(QLatin1Char(' '))
              : Words::tr("None of its %1 maps is the current one. Give an id (mapwright maps list).")
                    .arg(catalogue.entries().size()));
   }
@@ -166,8 +167,18 @@ QStringList MapWish::liveTroubles() const {
   return grave + others;
 }
 
+/// Which map its messages name, where it is not there itself.
+QStringList MapWish::namedMap() const {
+  const auto& named = session_.world().live.map_info;
+  if (!named || (named->name.empty() && named->uid.empty())) return {};
+  const QString name = words::plainName(named->name.empty() ? named->uid : named->name);
+  return {named->name.empty() || named->uid.empty()
+              ? Words::tr("Its messages name the map \"%1\".").arg(name)
+              : Words::tr("Its messages name the map \"%1\" (%2).").arg(name, words::plainName(named->uid))};
+}
+
 void MapWish::failWithoutLive(const QString& sentence) {
-  fail(kRobotError, (QStringList(sentence) + liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
+  fail(kRobotError, (QStringList(sentence) + namedMap() + liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
 }
 
 QString MapWish::noMapNow() const {

@@ -59,6 +59,7 @@ class MapWish {
   /// Asks for the catalogue; false while it is on its way, or cannot be had.
   bool catalogueIn();
   void fail(int exit_code, const QString& sentence);
+  QStringList namedMap() const;
   void failWithoutLive(const QString& sentence);
   bool shown() const;
   bool local() const;

@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonObject>
 #include <QTimer>
 
@@ -75,8 +76,8 @@ CommandResult<Order> orderFrom(const RecordWords& words) {
   } else if (words.submaps != "listed") {
     return wrong(Words::tr("--submaps is all, listed or none, but not \"%1\".").arg(text(words.submaps)));
   }
-  if (!(words.duration_s >= 0 && words.duration_s <= 1e8))
-    return wrong(Words::tr("--duration must be at least 0 seconds, and at most 100000000."));
+  if (words.duration_s && !(*words.duration_s > 0 && *words.duration_s <= 1e8))
+    return wrong(Words::tr("--duration must be more than 0 seconds, and at most 100000000."));
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400))
     return wrong(Words::tr("--timeout must be more than 0 and at most 86400 seconds."));
   if (isStandardOutput(order.path))
@@ -176,8 +177,8 @@ class Run {
       refused_ = whyNotConnected(robot_->connection());
       loop_.quit();
     });
-    if (words_.duration_s > 0)
-      QTimer::singleShot(std::chrono::milliseconds(std::llround(words_.duration_s * 1000)), &context_,
+    if (words_.duration_s)
+      QTimer::singleShot(std::chrono::milliseconds(std::llround(*words_.duration_s * 1000)), &context_,
                          [this] { loop_.quit(); });
     loop_.exec();
   }
@@ -201,6 +202,11 @@ class Run {
     std::fprintf(stderr, "\r%-70s", qUtf8Printable(line));
   }
 
+  bool offers(const QString& topic) const {
+    const robot::LiveTopics* const topics = robot_->liveTopics();
+    return topics && topics->known().contains(topic);
+  }
+
   void clearLine() const {
     if (terminal_) std::fprintf(stderr, "\r%-70s\r", "");
   }
@@ -217,8 +223,12 @@ class Run {
   CommandResult<int> end(std::size_t missing) {
     clearLine();
     const Recorder::Progress done = recorder_->progress();
-    const bool complete =
-        done.written.lost == 0 && !done.end_fault && not_had_ == 0 && !refused_ && interruptions_ == 0;
+    QStringList silent;
+    for (const QString& topic : order_.topics) {
+      if (!recorder_->heard(topic.toStdString())) silent << topic;
+    }
+    const bool complete = done.written.lost == 0 && !done.end_fault && not_had_ == 0 && !refused_ &&
+                          interruptions_ == 0 && silent.isEmpty();
     if (words_.json) {
       printJson(QJsonObject{{QStringLiteral("file"), order_.path},
                             {QStringLiteral("seconds"), done.seconds},
@@ -229,6 +239,7 @@ class Run {
                             {QStringLiteral("lost"), qint64(done.written.lost)},
                             {QStringLiteral("lost_bytes"), qint64(done.written.lost_bytes)},
                             {QStringLiteral("interruptions"), interruptions_},
+                            {QStringLiteral("silent_topics"), QJsonArray::fromStringList(silent)},
                             {QStringLiteral("complete"), complete}});
     } else {
       std::printf("%s\n", qUtf8Printable(Words::tr("%1: %2 s, %3, messages: %4, files in it: %5")
@@ -245,6 +256,10 @@ class Run {
       say(Words::tr("Not complete. Lost because the disk or this computer was too slow: %1 (%2).")
               .arg(QString::number(done.written.lost), window::bytesText(qint64(done.written.lost_bytes))));
     }
+    for (const QString& topic : silent)
+      say(Words::tr("Nothing came by %1: %2")
+              .arg(oneLine(topic), offers(topic) ? Words::tr("the robot has it, and was silent.")
+                                                 : Words::tr("the robot tells of no topic of that name.")));
     return complete ? kDone : kIncomplete;
   }
 

@@ -1,6 +1,7 @@
 // `mapwright record`: what a robot sends, into an MCAP file (cli.md; recorder/layout.h).
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/robot_access.h"
@@ -16,11 +17,11 @@ struct RecordWords {
   std::string robot;
   AccessWords access;
   std::string output;
-  double duration_s = 0;           // 0: until it is stopped
-  double timeout_s = 30;           // for the connection
-  std::string topics;              // comma-separated, by the robot's own names, besides those of `streams`
-  std::string streams = "all";     // comma-separated words of kinds of data, "all" or "none"
-  std::string submaps = "listed";  // "all", "listed" or "none"
+  std::optional<double> duration_s;  // nullopt = until it is told to end
+  double timeout_s = 30;             // for the connection
+  std::string topics;                // comma-separated, by the robot's own names, besides those of `streams`
+  std::string streams = "all";       // comma-separated words of kinds of data, "all" or "none"
+  std::string submaps = "listed";    // "all", "listed" or "none"
   bool json = false, force = false;
 };
 

@@ -2,6 +2,7 @@
 #include <csignal>
 
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -93,6 +94,16 @@ class RecordCommandTest : public QObject {
     QCOMPARE(said[QStringLiteral("bytes")].toInteger(), QFileInfo(file).size());
   }
 
+  void aTopicThatSaysNothingIsNamed() {
+    const Ended done = run(words(path("silent.mcap"), {QStringLiteral("--duration"), QStringLiteral("2"),
+                                                       QStringLiteral("--submaps"), QStringLiteral("none"),
+                                                       QStringLiteral("--topics"), QStringLiteral("/nope,/tracked_pose")}));
+    QCOMPARE(done.code, 1);
+    QVERIFY2(done.errors.contains("/nope") && !done.errors.contains("/tracked_pose"), done.errors.constData());
+    const QJsonArray silent = QJsonDocument::fromJson(done.out)[QStringLiteral("silent_topics")].toArray();
+    QCOMPARE(silent, QJsonArray{QStringLiteral("/nope")});
+  }
+
   void aSignalFinishesTheFile_data() {
     QTest::addColumn<int>("signal");
     QTest::newRow("Ctrl+C") << SIGINT;
@@ -169,6 +180,7 @@ class RecordCommandTest : public QObject {
     QTest::newRow("no such kind of data")
         << QStringList{QStringLiteral("--streams"), QStringLiteral("pose,odd")};
     QTest::newRow("no such choice") << QStringList{QStringLiteral("--submaps"), QStringLiteral("some")};
+    QTest::newRow("no time at all") << QStringList{QStringLiteral("--duration"), QStringLiteral("0")};
     QTest::newRow("a time that is none") << QStringList{QStringLiteral("--duration"), QStringLiteral("-1")};
     QTest::newRow("no file") << QStringList{QStringLiteral("-o"), QStringLiteral("-")};
   }
