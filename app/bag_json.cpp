@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 
+#include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -54,6 +55,13 @@ QJsonValue orNull(const std::optional<Value>& value) {
   return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
 }
 
+/// Messages a second, over the whole length; nullopt: it has none, or nobody knows.
+std::optional<double> rateOf(const robot::BagTopic& topic, const robot::BagInfo& info) {
+  const double length_s = info.end_s - info.start_s;
+  if (!topic.messages || !(length_s > 0)) return std::nullopt;
+  return double(*topic.messages) / length_s;
+}
+
 bool knowsSlam(const map::SlamStatus& slam) {
   return !slam.state.empty() || slam.position_quality || slam.reliable;
 }
@@ -76,13 +84,80 @@ QJsonObject bagJson(const robot::BagEntry& entry) {
 }
 
 QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
-  return {{QStringLiteral("name"), text(name)},
-          {QStringLiteral("messages"), qint64(info.messages)},
-          {QStringLiteral("start"), info.start_s},
-          {QStringLiteral("end"), info.end_s}};
+  QJsonArray away;
+  for (const robot::BagAway& one : info.away)
+    away.append(
+        QJsonObject{{QStringLiteral("from"), one.from_s}, {QStringLiteral("to"), orNull(one.until_s)}});
+  QJsonObject all{{QStringLiteral("name"), text(name)},
+                  {QStringLiteral("messages"), qint64(info.messages)},
+                  {QStringLiteral("start"), info.start_s},
+                  {QStringLiteral("end"), info.end_s},
+                  {QStringLiteral("interrupted"), info.interrupted},
+                  {QStringLiteral("away"), away}};
+  if (info.format.empty()) return all;  // a robot tells no more
+  QJsonArray topics, packing;
+  for (const robot::BagTopic& one : info.topics)
+    topics.append(QJsonObject{{QStringLiteral("topic"), text(one.name)},
+                              {QStringLiteral("type"), text(one.type)},
+                              {QStringLiteral("encoding"), text(one.encoding)},
+                              {QStringLiteral("messages"), one.messages ? QJsonValue(qint64(*one.messages))
+                                                                        : QJsonValue(QJsonValue::Null)},
+                              {QStringLiteral("hz"), orNull(rateOf(one, info))}});
+  for (const robot::BagPacking& one : info.packing)
+    packing.append(QJsonObject{{QStringLiteral("compression"), text(one.compression)},
+                               {QStringLiteral("chunks"), qint64(one.parts)},
+                               {QStringLiteral("stored_bytes"), qint64(one.stored_bytes)},
+                               {QStringLiteral("unpacked_bytes"), qint64(one.unpacked_bytes)}});
+  all[QStringLiteral("format")] = text(info.format);
+  all[QStringLiteral("written_by")] = text(info.written_by);
+  all[QStringLiteral("attachments")] = qint64(info.attachments);
+  all[QStringLiteral("topics")] = topics;
+  all[QStringLiteral("packing")] = packing;
+  return all;
 }
 
-QJsonObject stateJson(double at_s, const replay::Moment& moment) {
+std::vector<QStringList> topicRows(const robot::BagInfo& info) {
+  if (info.topics.empty()) return {};
+  std::vector<QStringList> rows{
+      {Words::tr("MESSAGES"), Words::tr("HZ"), Words::tr("ENCODING"), Words::tr("TOPIC"), Words::tr("TYPE")}};
+  for (const robot::BagTopic& one : info.topics) {
+    const std::optional<double> rate = rateOf(one, info);
+    rows.push_back({one.messages ? QString::number(*one.messages) : QStringLiteral("-"),
+                    rate ? QString::number(*rate, 'f', 2) : QStringLiteral("-"),
+                    one.encoding.empty() ? QStringLiteral("-") : words::plainName(one.encoding),
+                    words::plainName(one.name),
+                    one.type.empty() ? QStringLiteral("-") : words::plainName(one.type)});
+  }
+  return rows;
+}
+
+std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info) {
+  std::vector<QStringList> rows{{Words::tr("name"), words::plainName(name)},
+                                {Words::tr("messages"), QString::number(info.messages)},
+                                {Words::tr("start"), timeText(info.start_s)},
+                                {Words::tr("end"), timeText(info.end_s)}};
+  if (!info.format.empty()) {
+    rows.push_back({Words::tr("length"), Words::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
+    rows.push_back({Words::tr("format"), text(info.format)});
+  }
+  if (!info.written_by.empty()) rows.push_back({Words::tr("written by"), words::plainName(info.written_by)});
+  for (const robot::BagPacking& one : info.packing)
+    rows.push_back({Words::tr("compression"),
+                    Words::tr("%1: %2 chunks, %3 of %4")
+                        .arg(one.compression.empty() ? Words::tr("none") : words::plainName(one.compression),
+                             QString::number(one.parts), window::bytesText(one.stored_bytes),
+                             window::bytesText(one.unpacked_bytes))});
+  if (info.attachments > 0) rows.push_back({Words::tr("files in it"), QString::number(info.attachments)});
+  if (info.interrupted) rows.push_back({Words::tr("interrupted"), timeText(info.end_s)});
+  for (const robot::BagAway& one : info.away)
+    rows.push_back(
+        {Words::tr("no connection"),
+         Words::tr("%1 to %2")
+             .arg(timeText(one.from_s), one.until_s ? timeText(*one.until_s) : Words::tr("the end"))});
+  return rows;
+}
+
+QJsonObject stateJson(double at_s, const replay::Moment& moment, const robot::BagInfo& bag) {
   const map::LiveState& live = moment.at.world.live;
   const QJsonValue null(QJsonValue::Null);
   QJsonObject state;
@@ -121,12 +196,16 @@ QJsonObject stateJson(double at_s, const replay::Moment& moment) {
   for (const auto& [topic, stamp_s] : moment.topics)
     topics[text(topic)] = QJsonObject{{QStringLiteral("stamp"), stamp_s}};
   state[QStringLiteral("topics")] = topics;
+  const robot::BagAway* const away = bag.awayAt(at_s);
+  state[QStringLiteral("away_since")] = away ? QJsonValue(away->from_s) : null;
   return state;
 }
 
-std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment) {
+std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, const robot::BagInfo& bag) {
   const map::LiveState& live = moment.at.world.live;
   std::vector<QStringList> rows{{Words::tr("at"), timeText(at_s)}};
+  if (const robot::BagAway* const away = bag.awayAt(at_s))
+    rows.push_back({Words::tr("no connection"), Words::tr("since %1").arg(timeText(away->from_s))});
   if (live.robot_pose) {
     rows.push_back({Words::tr("pose"), Words::tr("%1, %2, %3 rad")
                                            .arg(live.robot_pose->x_m, 0, 'f', 3)

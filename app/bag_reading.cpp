@@ -14,6 +14,7 @@
 #include "replay/range_walk.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
@@ -106,6 +107,11 @@ CommandResult<replay::Reading*> BagReading::readThrough(const std::string& name,
 
 CommandResult<replay::Reading*> BagReading::open(const std::string& name, replay::Reading::Options options) {
   reading_ = std::make_unique<replay::Reading>(*library_, keyOf(name), std::move(options));
+  QObject::connect(reading_.get(), &replay::Reading::chunkRead, reading_.get(),
+                   [odd = unreadable_](const replay::ChunkPtr& chunk) {
+                     const robot::BagChunk& source = *chunk->source;
+                     (*odd)[chunk->from_s] = std::int64_t(source.without_stamp + source.unreadable);
+                   });
   std::optional<map::Failure> failed;
   bool opened = false;
   QObject context;
@@ -178,6 +184,25 @@ CommandResult<replay::Moment> BagReading::momentAt(double at_s) {
   });
   if (failed) return tl::make_unexpected(*failed);
   return moment;
+}
+
+void BagReading::noteUnknown(const std::vector<std::string>& topics) {
+  const std::vector<robot::BagTopic> known =
+      reading_->info() ? reading_->info()->topics : std::vector<robot::BagTopic>();
+  for (const std::string& topic : topics) {
+    const bool there = std::any_of(known.begin(), known.end(),
+                                   [&](const robot::BagTopic& one) { return one.name == topic; });
+    if (!known.empty() && !there)
+      robot_->lack(Words::tr("There is no topic %1 in it.").arg(words::plainName(topic)));
+  }
+}
+
+void BagReading::noteUnreadable(double until_s) {
+  std::int64_t odd = 0;
+  for (const auto& [from_s, count] : *unreadable_) odd += from_s <= until_s ? count : 0;
+  if (odd > 0)
+    robot_->lack(Words::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
+  robot_->insistOnReadable();
 }
 
 }  // namespace mapwright::app

@@ -1,9 +1,13 @@
 // A bag as a command reads it: found by its name, waited for.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/bags.h"
 #include "app/maps_command.h"
@@ -43,6 +47,10 @@ class BagReading {
   std::optional<CommandFailure> readWhole();
   /// The world of `at_s`, exactly.
   CommandResult<replay::Moment> momentAt(double at_s);
+  /// Those of the topics that a file does not hold; robots tell only of what they have sent.
+  void noteUnknown(const std::vector<std::string>& topics);
+  /// What was read until then lacks what cannot be read, or has no stamp: says so.
+  void noteUnreadable(double until_s);
 
  private:
   BagReading() = default;
@@ -50,6 +58,9 @@ class BagReading {
   MapReading* robot_ = nullptr;
   robot::BagLibrary* library_ = nullptr;
   std::unique_ptr<replay::Reading> reading_;
+  /// Messages that could not be read, by the start of their range.
+  std::shared_ptr<std::map<double, std::int64_t>> unreadable_ =
+      std::make_shared<std::map<double, std::int64_t>>();
 };
 
 /// Seconds since the epoch, or ISO 8601 (without a zone: UTC). The error names the option.

@@ -17,6 +17,7 @@
 #include "app/table.h"
 #include "app/waypoint_list.h"
 #include "window/status/status_text.h"
+#include "words/file_name.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -52,8 +53,7 @@ QStringList rowOf(const robot::BagEntry& entry) {
 /// Where a bag goes when nobody says it: its name is the robot's, and must not lead anywhere else.
 QString fileFor(const BagsWords& words) {
   if (!words.output.empty()) return text(words.output);
-  const QString name = QFileInfo(text(words.name)).fileName();
-  return name == QLatin1String("..") || name == QLatin1String(".") ? QString() : name;
+  return words::fileName(QFileInfo(text(words.name)).fileName(), {});
 }
 
 void tellProgress(robot::Progress progress) {
@@ -100,10 +100,11 @@ int bagsInfo(const BagsWords& words, int& argc, char** argv) {
       printJson(infoJson(words.name, *info));
       return kDone;
     }
-    printTable({{Words::tr("name"), words::plainName(words.name)},
-                {Words::tr("messages"), QString::number(info->messages)},
-                {Words::tr("start"), timeText(info->start_s)},
-                {Words::tr("end"), timeText(info->end_s)}});
+    printTable(infoRows(words.name, *info));
+    if (const auto topics = topicRows(*info); !topics.empty()) {
+      std::printf("\n");
+      printTable(topics);
+    }
     return kDone;
   });
 }

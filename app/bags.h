@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/robot_access.h"
 
@@ -13,11 +14,13 @@ struct BagsWords {
   AccessWords access;
   std::string name;                        // of a bag or a recording (mapwright bags list)
   std::string from, to, at;                // times
-  std::string topic;                       // frames: of this one alone
+  std::vector<std::string> topics;         // frames, export: of these alone
   std::string kinds;                       // events: of these groups alone
   std::string output;                      // download: the file; "" = called like the bag. export, track
   std::string format;                      // export, track; "" = as the file's name ends
   std::string suffix, duration, category;  // record
+  std::vector<std::string> files;          // merge: those that are put together
+  double every_s = 60;                     // split
   std::string report;
   double timeout_s = 300;
   bool json = false, yes = false, force = false;
@@ -33,6 +36,9 @@ int bagsDownload(const BagsWords& words, int& argc, char** argv);
 int bagsDelete(const BagsWords& words, int& argc, char** argv);
 int bagsExport(const BagsWords& words, int& argc, char** argv);
 int bagsTrack(const BagsWords& words, int& argc, char** argv);
+int bagsRepair(const BagsWords& words, int& argc, char** argv);
+int bagsSplit(const BagsWords& words, int& argc, char** argv);
+int bagsMerge(const BagsWords& words, int& argc, char** argv);
 int bagsRecord(const BagsWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

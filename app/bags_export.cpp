@@ -1,4 +1,5 @@
 // A part of a bag for other programs: its messages, and where the robot was.
+#include <cmath>
 #include <cstdio>
 
 #include <QCoreApplication>
@@ -78,12 +79,6 @@ int runExport(const BagsWords& words, int& argc, char** argv, const QStringList&
       });
 }
 
-void noteOdd(BagReading& bags, std::int64_t odd) {
-  if (odd > 0)
-    bags.robot().lack(
-        Words::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
-}
-
 /// What was written, for scripts and for people.
 void tell(const BagsWords& words, const Order& order, MapsCommand& command, QJsonObject done,
           const QString& sentence) {
@@ -114,7 +109,7 @@ excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const O
                                                            : excerpt::Kind::TrackTum;
   wanted.path = words.output;
   wanted.span = order.span;
-  wanted.topic = words.topic;
+  wanted.topics = words.topics;
   wanted.address = bags.robot().session().robot().address().toStdString();
   wanted.bag = words.name;
   return wanted;
@@ -127,6 +122,7 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
   const auto sliced = excerpt::sliceRecording(path, excerptOf(words, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
   const excerpt::Written& done = **sliced;  // nobody ends it
+  bags.noteUnknown(words.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
   for (const map::Reason& loss : done.losses)
@@ -180,7 +176,8 @@ CommandResult<int> exportExcerpt(const BagsWords& words, MapsCommand& command, B
   if (failed) return tl::make_unexpected(*failed);
   const auto done = (*writing)->place();
   if (!done) return tl::make_unexpected(notWritten(done.error()));
-  noteOdd(bags, done->odd);
+  bags.noteUnknown(words.topics);
+  bags.noteUnreadable(HUGE_VAL);
   const Told told = toldOf(*done, wanted.kind);
   tell(words, order, command, told.json, told.sentence);
   return kDone;

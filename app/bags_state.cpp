@@ -37,11 +37,12 @@ int runBagsCommand(const BagsWords& words, int& argc, char** argv,
 
 /// Those of a range that is held, between two times.
 /// False: nobody takes them any more.
-bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span, const std::string& topic) {
+bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span,
+                 const std::vector<std::string>& topics) {
   for (std::size_t place = 0; place < chunk.order.size(); ++place) {
     const robot::BagMessage& message = chunk.at(place);
     if (!span.holds(message.message.received_s)) continue;
-    if (!topic.empty() && message.message.topic != topic) continue;
+    if (!excerpt::isOneOf(topics, message.message.topic)) continue;
     if (!printOut(excerpt::jsonLine(chunk.source->textOf(message)) + "\n")) return false;
   }
   return true;
@@ -57,20 +58,17 @@ int bagsFrames(const BagsWords& words, int& argc, char** argv) {
     if (!opened) return tl::make_unexpected(opened.error());
     const auto replayed = opened->readThrough(words.name, BagReading::Texts::Whole);
     if (!replayed) return tl::make_unexpected(replayed.error());
-    std::int64_t odd = 0;
     bool taken = true;
     const auto failed = opened->readRanges(
         span->from_s, span->to_s, [&](const replay::Chunk& chunk) -> std::optional<CommandFailure> {
-          odd += std::int64_t(chunk.source->without_stamp + chunk.source->unreadable);
-          taken = printFrames(chunk, *span, words.topic);
+          taken = printFrames(chunk, *span, words.topics);
           // Nothing more is read for nobody; why, is said in the end.
           return taken ? std::nullopt : std::optional(CommandFailure{kUsage, {}});
         });
     if (!taken) return kUsage;
     if (failed) return tl::make_unexpected(*failed);
-    if (odd > 0)
-      opened->robot().lack(
-          Words::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
+    opened->noteUnknown(words.topics);
+    opened->noteUnreadable(HUGE_VAL);
     return kDone;
   });
 }
@@ -99,12 +97,13 @@ int bagsState(const BagsWords& words, int& argc, char** argv) {
     }
     const auto moment = opened->momentAt(*at_s);
     if (!moment) return tl::make_unexpected(moment.error());
-    const QJsonObject state = stateJson(*at_s, *moment);
+    const robot::BagInfo bag = (*replayed)->info().value_or(robot::BagInfo());
     if (words.json) {
-      printJson(state);
+      printJson(stateJson(*at_s, *moment, bag));
     } else {
-      printTable(stateRows(*at_s, *moment));
+      printTable(stateRows(*at_s, *moment, bag));
     }
+    opened->noteUnreadable(*at_s);
     return kDone;
   });
 }
@@ -150,6 +149,7 @@ int bagsEvents(const BagsWords& words, int& argc, char** argv) {
     std::vector<replay::Event> events = replay::eventsOf(reading.index().digests());
     std::erase_if(events,
                   [&](const replay::Event& event) { return !groups->contains(replay::groupOf(event.kind)); });
+    opened->noteUnreadable(HUGE_VAL);
     if (words.json) {
       printJson(eventsJson(events));
       return kDone;

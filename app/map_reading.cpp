@@ -193,6 +193,14 @@ QStringList MapReading::problems(map::Severity least) const {
   return lines;
 }
 
+void MapReading::insistOnReadable() {
+  for (const session::LoggedProblem& row : session_.problems().rows()) {
+    const bool unreadable =
+        row.problem.code == map::ProblemCode::Unreadable && row.problem.severity >= map::Severity::Warning;
+    if (!row.resolved && unreadable) complete_ = false;
+  }
+}
+
 QStringList MapReading::warnings() const {
   QStringList all = bagLosses(session_.problems()) + notes_ + problems(map::Severity::Warning);
   all.removeDuplicates();  // what is odd about waypoints is found again when their map is opened

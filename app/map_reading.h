@@ -73,6 +73,8 @@ class MapReading {
     note(sentence);
     complete_ = false;
   }
+  /// Nothing that came was unreadable, else it is not complete.
+  void insistOnReadable();
   /// Every part of what was asked for could be had, else it is not complete.
   void insistOnAll() { complete_ = complete_ && problems(map::Severity::Warning).isEmpty(); }
   QString nameOfMap() const { return name_; }
