@@ -25,29 +25,42 @@ struct BagCommand {
 };
 
 std::vector<BagCommand> bagCommands() {
-  return {{"list", Words::tr("All bags and recordings of a robot"), bagsList},
-          {"info", Words::tr("How many messages are in one, and of when"), bagsInfo},
-          {"frames", Words::tr("Its messages as recorded, one a line"), bagsFrames},
-          {"state", Words::tr("The world at a time, as playing it from the start would make it"), bagsState},
-          {"events", Words::tr("Alerts, states of the planner, jumps, changes of the map, lost positions"),
-           bagsEvents},
-          {"download", Words::tr("Fetch one into a file, or the rest of one that broke off"), bagsDownload},
-          {"export", Words::tr("A part of one as MCAP or as JSON lines"), bagsExport},
-          {"track", Words::tr("Where the robot was, as CSV, GeoJSON or TUM"), bagsTrack},
-          {"delete", Words::tr("Delete one on the robot (--yes)"), bagsDelete},
-          {"record", Words::tr("Let the robot record"), bagsRecord}};
+  return {
+      {"list", Words::tr("All bags and recordings of a robot"), bagsList},
+      {"info", Words::tr("How many messages are in one, and of when"), bagsInfo},
+      {"frames", Words::tr("Its messages as recorded, one a line"), bagsFrames},
+      {"state", Words::tr("The world at a time, as playing it from the start would make it"), bagsState},
+      {"events", Words::tr("Alerts, states of the planner, jumps, changes of the map, lost positions"),
+       bagsEvents},
+      {"download", Words::tr("Fetch one into a file, or the rest of one that broke off"), bagsDownload},
+      {"export", Words::tr("A part of one as MCAP or as JSON lines"), bagsExport},
+      {"track", Words::tr("Where the robot was, as CSV, GeoJSON or TUM"), bagsTrack},
+      {"repair",
+       Words::tr("A recording that was interrupted or is damaged: what is sound of it as a whole MCAP file"),
+       bagsRepair},
+      {"split", Words::tr("A recording in parts of equal length, each with what had been said before"),
+       bagsSplit},
+      {"merge", Words::tr("Several recordings as one"), bagsMerge},
+      {"delete", Words::tr("Delete one on the robot (--yes)"), bagsDelete},
+      {"record", Words::tr("Let the robot record"), bagsRecord}};
 }
 
 void addOptions(const std::string& name, CLI::App& command, BagsWords& words) {
   const auto is = [&](auto... names) { return ((name == names) || ...); };
   const std::string time = help(Words::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
-  if (!is("list", "record"))
+  if (is("merge"))
+    command.add_option("files", words.files, help(Words::tr("Recordings on this computer")))->required();
+  if (!is("list", "record", "merge"))
     command.add_option("name", words.name, help(Words::tr("Its name (mapwright bags list), or a file")))
         ->required();
-  if (is("frames", "state", "export", "track")) command.add_option("--from", words.from, time);
-  if (is("frames", "export", "track")) command.add_option("--to", words.to, time);
-  if (is("frames", "export"))
-    command.add_option("--topic", words.topic, help(Words::tr("Only messages of this topic")));
+  if (is("frames", "state", "export", "track", "merge")) command.add_option("--from", words.from, time);
+  if (is("frames", "export", "track", "merge")) command.add_option("--to", words.to, time);
+  if (is("frames", "export", "split", "merge"))
+    command
+        .add_option("--topic", words.topics,
+                    help(Words::tr("Only messages of this topic; several with commas between them")))
+        ->delimiter(',')
+        ->allow_extra_args(false);
   if (is("export", "track")) {
     command.add_option("-o,--output", words.output, help(Words::tr("The file; - is the standard output")))
         ->required();
@@ -57,6 +70,18 @@ void addOptions(const std::string& name, CLI::App& command, BagsWords& words) {
                            : help(Words::tr("csv, geojson or tum; without it as the file's name ends")));
     command.add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
   }
+  if (is("repair", "split", "merge")) {
+    command
+        .add_option("-o,--output", words.output,
+                    is("split")
+                        ? help(Words::tr("The MCAP files, with a number in their name: part-%03d.mcap"))
+                        : help(Words::tr("The MCAP file to write")))
+        ->required();
+    command.add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+  }
+  if (is("split"))
+    command.add_option("--every", words.every_s, help(Words::tr("Seconds of each part")))
+        ->capture_default_str();
   if (is("events"))
     command.add_option(
         "--kind", words.kinds,
