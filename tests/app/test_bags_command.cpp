@@ -12,6 +12,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtEndian>
 
 #include "../net/scripted_server.h"
 #include "recording/append_file.h"
@@ -88,6 +89,39 @@ class BagsCommandTest : public QObject {
     (void)(*writer)->close();
     return path;
   }
+  static QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  /// Where the records of an MCAP file end.
+  static QList<qsizetype> recordEnds(const QByteArray& mcap) {
+    QList<qsizetype> ends;
+    for (qsizetype at = 8; at + 9 <= mcap.size();) {
+      at += 9 + qsizetype(qFromLittleEndian<quint64>(mcap.constData() + at + 1));
+      ends << at;
+    }
+    return ends;
+  }
+  /// Recorded by mapwright, which was killed; somebody has given it an index since. The link was away twice.
+  QString withoutEndMark() const {
+    const QString path = folder_.filePath(QStringLiteral("killed.mcap"));
+    const auto source = recording::openRecording(recording().toStdString());
+    auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
+    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    const auto ns = [](double s) {
+      return std::to_string(1'717'405'200'000'000'000 + std::llround(s * 1e9));
+    };
+    (void)(*writer)->note({"mapwright", {{"version", "1"}, {"kind", "axbot"}}});
+    (void)(*writer)->note({"mapwright.link", {{"lost_ns", ns(20)}}});
+    (void)(*writer)->note({"mapwright.link", {{"lost_ns", ns(20)}, {"back_ns", ns(25)}}});
+    (void)(*writer)->note({"mapwright.link", {{"lost_ns", ns(50)}}});
+    const auto cursor = (*source)->messages({});
+    while (const auto message = cursor->next())
+      (void)(*writer)->write(*(*writer)->addChannel(*message->channel), {message->log_time_ns, 0, 0},
+                             message->bytes);
+    (void)(*writer)->close();
+    return path;
+  }
   static QString bag() { return QStringLiteral("2024-06-03_09-00-00.bag"); }
   static QString at(double s) { return QString::number(1717405200 + s, 'f', 3); }
 
@@ -142,6 +176,177 @@ class BagsCommandTest : public QObject {
     const QJsonObject told = QJsonDocument::fromJson(report.readAll()).object();
     QCOMPARE(told[QStringLiteral("complete")], QJsonValue(false));
     QVERIFY(!told.contains(QStringLiteral("waypoints")));
+  }
+
+  void aRecordingWithoutItsEndIsToldAsInterrupted_data() {
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<QString>("file");
+    const QString whole = recording();
+    const QByteArray bytes = contentOf(whole);
+    const QList<qsizetype> ends = recordEnds(bytes);
+    const auto cut = [&](const char* name, qsizetype at) {
+      QFile file(folder_.filePath(QLatin1String(name)));
+      if (file.open(QIODevice::WriteOnly)) file.write(bytes.left(at));
+      return file.fileName();
+    };
+    const qsizetype middle = ends[ends.size() / 3];
+    const QMap<QString, QString> files{{QStringLiteral("at a record"), cut("at.mcap", middle)},
+                                       {QStringLiteral("within a record"), cut("within.mcap", middle + 7)},
+                                       {QStringLiteral("recorded here, with an index"), withoutEndMark()}};
+    for (auto file = files.begin(); file != files.end(); ++file) {
+      for (const char* command : {"frames", "info", "state --at %1", "events", "export -o cut.jsonl --force",
+                                  "export -o cut.mcap --force", "track -o cut.csv --force"})
+        QTest::addRow("%s: %s", qPrintable(file.key()), command) << QString::fromLatin1(command) << *file;
+    }
+  }
+  void aRecordingWithoutItsEndIsToldAsInterrupted() {
+    QFETCH(QString, command);
+    QFETCH(QString, file);
+    const QString words = command.contains(QLatin1String("%1")) ? command.arg(at(10)) : command;
+    const Outcome told = run(words + QLatin1Char(' ') + file);
+    QCOMPARE(told.code, 1);
+    QVERIFY2(told.err.contains("interrupted after 2024-06-03 09:00:"), told.err.constData());
+    QVERIFY(!told.out.isEmpty());
+  }
+  void whenItWasInterruptedAndWhereTheLinkWasAwayStandsInItsFacts() {
+    QVERIFY(
+        !run(QStringLiteral("info --json ") + recording()).object()[QStringLiteral("interrupted")].toBool());
+    const Outcome info = run(QStringLiteral("info --json ") + withoutEndMark());
+    QVERIFY(info.object()[QStringLiteral("interrupted")].toBool());
+    const QJsonArray away = info.object()[QStringLiteral("away")].toArray();
+    QCOMPARE(away.size(), 2);
+    QCOMPARE(away[0][QStringLiteral("from")].toDouble(), at(20).toDouble());
+    QCOMPARE(away[0][QStringLiteral("to")].toDouble(), at(25).toDouble());
+    QCOMPARE(away[1][QStringLiteral("from")].toDouble(), at(50).toDouble());
+    QVERIFY(away[1][QStringLiteral("to")].isNull());
+    const auto since = [&](double s) {
+      return run(QStringLiteral("state --json --at %1 %2").arg(at(s), withoutEndMark()))
+          .object()[QStringLiteral("away_since")];
+    };
+    QVERIFY(since(10).isNull());
+    QCOMPARE(since(22).toDouble(), at(20).toDouble());
+    QVERIFY(since(30).isNull());
+    // A part that ends before it broke off is whole; one that goes on to there is not.
+    QCOMPARE(
+        run(QStringLiteral("export --to %1 -o early.mcap --force %2").arg(at(40), withoutEndMark())).code, 1);
+    QCOMPARE(run(QStringLiteral("info early.mcap")).code, 0);
+    QCOMPARE(run(QStringLiteral("export -o late.mcap --force ") + withoutEndMark()).code, 1);
+    QCOMPARE(run(QStringLiteral("info late.mcap")).code, 1);
+  }
+
+  void infoTellsWhatAFileHolds() {
+    const QJsonObject info = run(QStringLiteral("info --json ") + recording()).object();
+    QCOMPARE(info[QStringLiteral("format")].toString(), QStringLiteral("MCAP"));
+    QCOMPARE(info[QStringLiteral("written_by")].toString(), QStringLiteral("mapwright"));
+    const QJsonArray topics = info[QStringLiteral("topics")].toArray();
+    QCOMPARE(topics.size(), 2);
+    QCOMPARE(topics[0][QStringLiteral("topic")].toString(), QStringLiteral("/alerts"));
+    QCOMPARE(topics[0][QStringLiteral("messages")].toInt(), 1);
+    QCOMPARE(topics[1][QStringLiteral("messages")].toInt(), 600);
+    QCOMPARE(topics[1][QStringLiteral("encoding")].toString(), QStringLiteral("json"));
+    QVERIFY(std::abs(topics[1][QStringLiteral("hz")].toDouble() - 10) < 0.1);
+    const QJsonValue packing = info[QStringLiteral("packing")][0];
+    QCOMPARE(packing[QStringLiteral("compression")].toString(), QStringLiteral("zstd"));
+    QVERIFY(packing[QStringLiteral("chunks")].toInt() > 5);
+    QVERIFY(packing[QStringLiteral("stored_bytes")].toInt() <
+            packing[QStringLiteral("unpacked_bytes")].toInt());
+    const Outcome table = run(QStringLiteral("info ") + recording());
+    QVERIFY2(table.out.contains("/tracked_pose") && table.out.contains("10.0"), table.out.constData());
+  }
+
+  void severalTopicsAreChosenAndOneThatIsNotThereIsNamed() {
+    const QString file = recording();
+    const auto count = [&](const char* topics) {
+      return run(QStringLiteral("frames --topic %1 %2").arg(QLatin1String(topics), file)).lines().size();
+    };
+    QCOMPARE(count("/alerts"), 1);
+    QCOMPARE(count("/alerts,/tracked_pose"), 601);
+    const Outcome none = run(QStringLiteral("frames --topic /alerts,/nope ") + file);
+    QCOMPARE(none.lines().size(), 1);
+    QVERIFY2(none.code == 1 && none.err.contains("/nope"), none.err.constData());
+    QCOMPARE(run(QStringLiteral("export --topic /nope -o nope.mcap --force ") + file).code, 1);
+  }
+
+  void aPartOfARecordingIsPackedInFewChunks() {
+    QVERIFY(run(QStringLiteral("export -o packed.mcap --force ") + recording()).code == 0);
+    const auto opened =
+        recording::openRecording(folder_.filePath(QStringLiteral("packed.mcap")).toStdString());
+    QVERIFY(opened);
+    QCOMPARE((*opened)->summary().chunks, std::size_t(1));
+    QCOMPARE((*opened)->summary().messages, std::uint64_t(601));
+  }
+
+  void whatIsSoundOfABrokenRecordingIsMadeAWholeFile() {
+    const QByteArray bytes = contentOf(recording());
+    const QList<qsizetype> ends = recordEnds(bytes);
+    QFile file(folder_.filePath(QStringLiteral("broken.mcap")));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes.left(ends[ends.size() / 2] + 5)) > 0);
+    file.close();
+    const Outcome made = run(QStringLiteral("repair broken.mcap -o whole.mcap --force --json"));
+    QVERIFY2(made.code == 0 && made.err.contains("interrupted"), made.err.constData());
+    const auto opened =
+        recording::openRecording(folder_.filePath(QStringLiteral("whole.mcap")).toStdString());
+    QVERIFY(opened);
+    QVERIFY((*opened)->summary().finished && (*opened)->summary().indexed &&
+            (*opened)->summary().notes.empty());
+    QVERIFY((*opened)->summary().messages > 100);
+    QCOMPARE(made.object()[QStringLiteral("messages")].toInt(), int((*opened)->summary().messages));
+    // More than its end is lost.
+    QByteArray damaged = bytes;
+    damaged[ends[2] - 20] = char(~damaged[ends[2] - 20]);
+    for (qsizetype i = 60; i < 90; ++i) damaged[i] = 'x';
+    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(damaged) > 0);
+    file.close();
+    QCOMPARE(run(QStringLiteral("repair broken.mcap -o whole.mcap --force")).code, 1);
+    QCOMPARE(run(QStringLiteral("repair broken.mcap -o broken.mcap --force")).code, 2);
+  }
+
+  void aRecordingIsSplitAndPutTogetherAgain() {
+    const Outcome split =
+        run(QStringLiteral("split %1 --every 20 -o part-%02d.mcap --force --json").arg(recording()));
+    QVERIFY2(split.code == 0, split.err.constData());
+    QCOMPARE(split.object()[QStringLiteral("files")].toArray().size(), 3);
+    QCOMPARE(split.object()[QStringLiteral("messages")].toInt(), 601);
+    const Outcome merged =
+        run(QStringLiteral("merge part-02.mcap part-00.mcap part-01.mcap -o merged.mcap --force --json"));
+    QVERIFY2(merged.code == 0, merged.err.constData());
+    // But for what each part says had been said before.
+    const auto opened =
+        recording::openRecording(folder_.filePath(QStringLiteral("merged.mcap")).toStdString());
+    const auto whole = recording::openRecording(recording().toStdString());
+    QVERIFY(opened && whole);
+    const auto a = (*opened)->messages({}), b = (*whole)->messages({});
+    while (const auto message = a->next()) {
+      if (message->channel->metadata.contains("said")) continue;
+      const auto same = b->next();
+      QVERIFY(same && same->log_time_ns == message->log_time_ns);
+      QVERIFY(
+          std::equal(same->bytes.begin(), same->bytes.end(), message->bytes.begin(), message->bytes.end()));
+    }
+    QVERIFY(!b->next());
+    QCOMPARE(run(QStringLiteral("split %1 -o part.mcap").arg(recording())).code, 2);
+    QCOMPARE(run(QStringLiteral("merge part-00.mcap nowhere.mcap -o merged.mcap --force")).code, 2);
+  }
+
+  void aMessageThatCannotBeReadIsNotHidden() {
+    const QString path = folder_.filePath(QStringLiteral("odd.mcap"));
+    auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
+    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    recording::Channel channel;
+    channel.topic = "/tracked_pose";
+    channel.message_encoding = "json";
+    for (const std::string text : {R"({"topic":"/tracked_pose","pos":[1,1],"ori":0})", "{broken"})
+      (void)(*writer)->write(*(*writer)->addChannel(channel), {1'717'405'200'000'000'000, 0, 0},
+                             {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    QVERIFY(!(*writer)->close());
+    for (const char* command : {"frames", "state --at 1717405201", "events", "track -o odd.csv --force"})
+      QCOMPARE(run(QLatin1String(command) + QLatin1Char(' ') + path).code, 1);
+  }
+
+  void aDownloadThatIsRefusedLeavesNothing() {
+    QCOMPARE(run(QStringLiteral("download nothing.bag -o nothing.bag")).code, 4);
+    for (const char* name : {"nothing.bag", "nothing.bag.part", "nothing.bag.part.of"})
+      QVERIFY2(!QFile::exists(folder_.filePath(QLatin1String(name))), name);
   }
 
   void aListWithoutOneOfItsHalvesIsNotComplete() {
