@@ -24,13 +24,7 @@ NameEditor::NameEditor(QWidget* map) : QLineEdit(map) {
 
 void NameEditor::ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then) {
   finish();
-  const int height = sizeHint().height();
-  const QRect room = parentWidget()->rect().adjusted(4, 4, -4, -4);
-  const int x =
-      std::clamp(int(at.x()) + kAsidePx, room.left(), std::max(room.left(), room.right() - kWidthPx));
-  const int y =
-      std::clamp(int(at.y()) - height / 2, room.top(), std::max(room.top(), room.bottom() - height));
-  setGeometry(x, y, kWidthPx, height);
+  follow(at);
   setText(name);
   offered_ = name;
   selectAll();
@@ -38,6 +32,16 @@ void NameEditor::ask(const QPointF& at, const QString& name, std::function<void(
   show();
   raise();
   setFocus();
+}
+
+void NameEditor::follow(const QPointF& at) {
+  const int height = sizeHint().height();
+  const QRect room = parentWidget()->rect().adjusted(4, 4, -4, -4);
+  const int x =
+      std::clamp(int(at.x()) + kAsidePx, room.left(), std::max(room.left(), room.right() - kWidthPx));
+  const int y =
+      std::clamp(int(at.y()) - height / 2, room.top(), std::max(room.top(), room.bottom() - height));
+  setGeometry(x, y, kWidthPx, height);
 }
 
 void NameEditor::finish() { close(true); }
@@ -67,8 +71,9 @@ void NameEditor::keyPressEvent(QKeyEvent* event) {
 
 void NameEditor::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
-  // Its own context menu is no end.
-  if (event->reason() != Qt::PopupFocusReason) close(true);
+  // Its own context menu is no end, and neither is another window that comes to the front.
+  const Qt::FocusReason why = event->reason();
+  if (why != Qt::PopupFocusReason && why != Qt::ActiveWindowFocusReason) close(true);
 }
 
 }  // namespace mapwright::window

@@ -14,6 +14,8 @@ class NameEditor : public QLineEdit {
   /// Offers `name` for editing beside `at` (viewport pixels). What is typed goes to `then` while it is typed,
   /// and with Enter or when the focus goes elsewhere; after Esc, and where nothing is left, it gets `name`.
   void ask(const QPointF& at, const QString& name, std::function<void(const QString&)> then);
+  /// What it names is there now; typing goes on.
+  void follow(const QPointF& at);
   /// Takes what has been typed so far.
   void finish();
 

@@ -68,6 +68,7 @@ bool WaypointTool::pressed(const MapPoint& at) {
   press_m_ = at.world_m;
   press_px_ = now_px_ = at.px;
   if (onHandle(at)) {
+    pressed_on_one_ = false;
     grabbed_ = *editing_->selected().begin();
     drag_ = editing_->selected().size() == 1 ? Drag::Turn : Drag::TurnGroup;
     turned_by_rad_ = 0;
@@ -215,6 +216,8 @@ void WaypointTool::clicked(const MapPoint& at) {
     return;
   }
   if (at.modifiers & Qt::ShiftModifier) return;  // a frame of nothing
+  // A handle is for dragging alone: whoever clicks there means what lies below it.
+  if (const auto key = under(at)) return editing_->select({*key});
   if (!editing_->editable()) {
     editing_->select({});
     return;

@@ -74,7 +74,7 @@ class WaypointTool : public MapTool {
   WaypointSnapping* snapping_;
   Drag drag_ = Drag::None;
   edit::Key grabbed_;
-  bool pressed_on_one_ = false;  // what went down on a waypoint or its handle is no click on the ground
+  bool pressed_on_one_ = false;  // what went down on a waypoint is no click on the ground
   Eigen::Vector2d press_m_{0, 0};
   QPointF press_px_, now_px_;
   double turned_by_rad_ = 0;

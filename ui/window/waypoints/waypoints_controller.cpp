@@ -84,8 +84,11 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
   connect(notice, &NoticeBar::secondTaken, this, [this] {
     if (list_) list_->turnDown();
   });
-  // A camera that moves would leave the line behind.
-  connect(&context_.scene, &scene::MapScene::viewChanged, name_editor_, &NameEditor::finish);
+  // A camera that moves takes the line along: what is typed on must not become commands of the map.
+  connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] {
+    const map::Waypoint* const point = name_editor_->isHidden() ? nullptr : editing_.find(named_);
+    if (point) name_editor_->follow(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)));
+  });
   connect(name_editor_, &NameEditor::closed, this, [this] { context_.view.setFocus(); });
   refresh();
 }
@@ -345,6 +348,7 @@ void WaypointsController::askName(const edit::Key& key, edit::Gesture gesture) {
   if (!QRectF(context_.view.viewport()->rect()).contains(at)) context_.view.lookAt(point->position_m, false);
   // All that is typed is one step, and one with what made the waypoint.
   if (gesture == 0) gesture = editing_.newGesture();
+  named_ = key;
   name_editor_->ask(scene::toPoint(context_.scene.view().pixelFromWorld(point->position_m)),
                     QString::fromStdString(point->name),
                     [this, key, gesture](const QString& name) { editing_.rename(key, name, gesture); });

@@ -77,6 +77,7 @@ class WaypointsController : public Controller {
   WaypointsDock* dock_;
   WaypointTool* tool_;
   NameEditor* name_editor_;
+  edit::Key named_;  // by the line on the map
   WaypointTransfer* transfer_;
   WaypointReview* review_;
   QAction *tool_action_ = nullptr, *revert_action_ = nullptr;
