@@ -25,20 +25,6 @@ constexpr int kFarewellMs = 150;         // until a request that is given up say
 constexpr double kReconnectWithinS = 5;  // to see what became of the requests of a lost link
 constexpr int kLooksToSettle = 3;        // a submission that was overtaken begins again by itself, later
 
-bool isOfTheLink(const map::Failure& failure) {
-  switch (failure.kind) {
-    case map::FailureKind::Unreachable:
-    case map::FailureKind::TimedOut:
-    case map::FailureKind::Refused:
-    case map::FailureKind::NotARobot:
-    case map::FailureKind::Certificate:
-    case map::FailureKind::Cancelled:
-      return true;
-    default:
-      return false;
-  }
-}
-
 class Sending {
  public:
   Sending(const ListedWaypoints& list, AtFailure at_failure)
@@ -103,37 +89,20 @@ class Sending {
       sent_.conflicts.insert_or_assign(key, conflict);
   }
 
-  struct Told {
-    StepState state;
-    std::optional<map::Failure> failure;
-  };
-  Told toldBy(const Row& row, bool in_time) const {
-    switch (row.state) {
-      case Row::State::Done:
-        return {StepState::Applied, std::nullopt};
-      case Row::State::Failed: {
-        map::Failure failure = *row.failure;
-        if (!in_time) failure = robot_.tooLate(std::move(failure));
-        if (failure.applied == map::Applied::Yes) return {StepState::Applied, std::move(failure)};
-        const bool maybe = failure.applied == map::Applied::Maybe;
-        return {maybe ? StepState::Unknown : StepState::Failed, std::move(failure)};
-      }
-      case Row::State::UnderWay: {
-        map::Failure failure;
-        failure.applied = map::Applied::Maybe;
-        return {StepState::Unknown, robot_.tooLate(std::move(failure))};
-      }
-      case Row::State::Waiting:
-      case Row::State::NotSent:
-        break;
+  exchange::SentOutcome toldBy(const Row& row, bool in_time) const {
+    exchange::SentOutcome told = exchange::answered(row);
+    if (row.state == Row::State::UnderWay) {
+      told.failure = robot_.tooLate({.applied = map::Applied::Maybe, .asked_for = map::AskedFor::Change});
+    } else if (told.failure && !in_time) {
+      told.failure = robot_.tooLate(std::move(*told.failure));
     }
-    return {StepState::NotSent, std::nullopt};
+    return told;
   }
   /// A step of several requests is applied when all of them are.
   void noteRows(bool in_time) {
-    std::map<SentStep*, Told> told;
+    std::map<SentStep*, exchange::SentOutcome> told;
     for (const Row& row : open_.submission().rows()) {
-      const Told now = toldBy(row, in_time);
+      const exchange::SentOutcome now = toldBy(row, in_time);
       for (const robot::WaypointChange& change : row.request.changes) {
         const edit::Key key = open_.document().ourName(change.id);
         for (const exchange::WaypointStep& step : exchange::stepsOf({{key, change.before, change.after}})) {
@@ -146,10 +115,8 @@ class Sending {
     }
     for (auto& [sent, now] : told) {
       // What failed is not asked for again.
-      if (sent->state == StepState::Failed || sent->state == StepState::Unknown) continue;
-      sent->state = now.state;
-      sent->failure = std::move(now.failure);
-      if (sent->failure) sent->failure->asked_for = map::AskedFor::Change;
+      const StepState before = sent->outcome.state;
+      if (before != StepState::Failed && before != StepState::Unknown) sent->outcome = std::move(now);
     }
   }
   SentStep* find(const edit::Key& key, exchange::StepKind kind) {
@@ -176,7 +143,7 @@ class Sending {
       const auto online = [&] {
         return robot_.session().connection().phase == robot::ConnectionPhase::Online;
       };
-      if (!isOfTheLink(stored.error()) || !robot_.waitUntil(online, kReconnectWithinS)) return false;
+      if (!edit::isOfTheLink(stored.error()) || !robot_.waitUntil(online, kReconnectWithinS)) return false;
     }
     return false;
   }
@@ -185,18 +152,8 @@ class Sending {
   void judge() {
     for (SentStep& sent : sent_.steps) {
       const auto kept = sent_.kept.find(sent.step.key);
-      if (exchange::isDone(sent.step, kept == sent_.kept.end() ? nullptr : &kept->second)) {
-        sent.state = StepState::Applied;
-        sent.failure.reset();
-      } else if (sent.state == StepState::Applied) {
-        sent.state = StepState::Failed;  // see SentStep::sentence()
-        const bool says_why = sent.failure && sent.failure->reason == map::FailureReason::Unfit;
-        if (!says_why) sent.failure.reset();
-      } else if (sent.state == StepState::Unknown && !isOfTheLink(*sent.failure)) {
-        // Whose answer has not come may be at work on it still: what is not so yet proves nothing.
-        sent.state = StepState::Failed;
-        sent.failure->applied = map::Applied::No;
-      }
+      const bool is_so = exchange::isDone(sent.step, kept == sent_.kept.end() ? nullptr : &kept->second);
+      sent.outcome = exchange::judged(std::move(sent.outcome), is_so);
     }
   }
 
@@ -240,15 +197,9 @@ QString shownName(const exchange::WaypointStep& step) { return words::plainName(
 
 }  // namespace
 
-QString SentStep::sentence() const {
-  if (state == StepState::Applied) return {};
-  if (failure) return QString::fromStdString(sentences::sentenceOf(*failure));
-  return state == StepState::Failed ? Words::tr("It was taken, but afterwards it is not so.") : QString();
-}
-
 std::size_t SentWaypoints::count(StepState state) const {
-  return std::size_t(
-      std::count_if(steps.begin(), steps.end(), [&](const SentStep& sent) { return sent.state == state; }));
+  return std::size_t(std::count_if(steps.begin(), steps.end(),
+                                   [&](const SentStep& sent) { return sent.outcome.state == state; }));
 }
 
 int SentWaypoints::exitCode() const {
@@ -271,7 +222,8 @@ QString SentWaypoints::sentence() const {
   QStringList lines;
   for (const StepState state : {StepState::Unknown, StepState::Failed}) {
     for (const SentStep& sent : steps) {
-      if (sent.state == state) lines << QStringLiteral("%1: %2").arg(shownName(sent.step), sent.sentence());
+      if (sent.outcome.state == state)
+        lines << QStringLiteral("%1: %2").arg(shownName(sent.step), exchange::sentenceOf(sent.outcome));
     }
   }
   if (lines.isEmpty() && failure) lines << QString::fromStdString(sentences::sentenceOf(*failure));
@@ -295,9 +247,9 @@ QJsonObject sentJson(const SentWaypoints& sent, const std::string& map) {
   const auto rowsOf = [&](StepState state) {
     QJsonArray rows;
     for (const SentStep& one : sent.steps) {
-      if (one.state != state) continue;
+      if (one.outcome.state != state) continue;
       QJsonObject row = exchange::stepJson(one.step, map);
-      row[QStringLiteral("sentence")] = one.sentence();
+      row[QStringLiteral("sentence")] = exchange::sentenceOf(one.outcome);
       rows << row;
     }
     return rows;
@@ -316,10 +268,11 @@ QJsonObject sentReport(const SentWaypoints& sent, const std::string& map) {
     QJsonObject row = exchange::stepJson(one.step, map);
     // A created one has its id by now.
     if (const auto kept = sent.kept.find(one.step.key);
-        kept != sent.kept.end() && one.state == StepState::Applied)
+        kept != sent.kept.end() && one.outcome.state == StepState::Applied)
       row[QStringLiteral("id")] = QString::fromStdString(kept->second.id);
-    row[QStringLiteral("state")] = QLatin1String(stableWordOf(one.state));
-    if (const QString why = one.sentence(); !why.isEmpty()) row[QStringLiteral("sentence")] = why;
+    row[QStringLiteral("state")] = QLatin1String(stableWordOf(one.outcome.state));
+    if (const QString why = exchange::sentenceOf(one.outcome); !why.isEmpty())
+      row[QStringLiteral("sentence")] = why;
     changes << row;
   }
   QJsonObject report = sentJson(sent, map);
@@ -334,8 +287,8 @@ void printSent(const SentWaypoints& sent) {
   for (const SentStep& one : sent.steps) {
     const auto kept = sent.kept.find(one.step.key);
     const std::string id = kept != sent.kept.end() ? kept->second.id : one.step.id();
-    const QString why = one.sentence();
-    table.push_back({wordOf(one.state), wordOf(one.step.kind), words::plainName(id),
+    const QString why = exchange::sentenceOf(one.outcome);
+    table.push_back({wordOf(one.outcome.state), wordOf(one.step.kind), words::plainName(id),
                      why.isEmpty() ? shownName(one.step)
                                    : QStringLiteral("%1: %2").arg(shownName(one.step), oneLine(why))});
   }

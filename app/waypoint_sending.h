@@ -9,23 +9,15 @@
 
 #include "app/waypoint_list.h"
 #include "edit/open_waypoints.h"
-#include "exchange/waypoint_steps.h"
+#include "exchange/sent_outcome.h"
 
 namespace mapwright::app {
 
-enum class StepState {
-  Applied,
-  Failed,   // it has not been made
-  Unknown,  // it was asked for, and neither an answer nor a look tells
-  NotSent,
-};
+using StepState = exchange::SentState;
 
 struct SentStep {
   exchange::WaypointStep step;
-  StepState state = StepState::NotSent;
-  std::optional<map::Failure> failure = {};
-  /// Why it Failed or is Unknown.
-  QString sentence() const;
+  exchange::SentOutcome outcome = {};
 };
 
 struct SentWaypoints {

@@ -118,9 +118,10 @@ int change(const WaypointsWords& words, int& argc, char** argv,
     }
     if (edits->size() > 1 && !taken)
       words.json ? printJson(sentJson(*sent, list->mapId())) : printSent(*sent);
-    const bool of_the_request = edits->size() == 1 && sent->conflicts.empty() && sent->steps.front().failure;
+    const bool of_the_request =
+        edits->size() == 1 && sent->conflicts.empty() && sent->steps.front().outcome.failure;
     return tl::make_unexpected(list->robot->failure(
-        of_the_request ? list->failure(*sent->steps.front().failure).exit_code : sent->exitCode(),
+        of_the_request ? list->failure(*sent->steps.front().outcome.failure).exit_code : sent->exitCode(),
         sent->sentence()));
   });
 }

@@ -61,6 +61,7 @@ OpenWaypoints::~OpenWaypoints() {
 
 void OpenWaypoints::noteSubmission() {
   const auto& failure = submission_.failure();
+  if (submission_.phase() == SubmissionPhase::Stopped) read_since_ = false;
   const bool overtaken = submission_.phase() == SubmissionPhase::Stopped && failure &&
                          failure->kind == map::FailureKind::Conflict;
   if (overtaken && ++conflicts_met_ <= kMostOvertaken) {
@@ -90,6 +91,7 @@ void OpenWaypoints::read() {
     if (!self) return;
     self->reading_ = false;
     if (stored && !self->saving()) {
+      self->read_since_ = true;
       self->take(*stored);
     } else if (!stored) {
       self->failure_ = stored.error();
@@ -170,6 +172,14 @@ bool OpenWaypoints::areReviewed(const std::vector<robot::WaypointRequest>& reque
                       const robot::WaypointCall call = callOf(request);
                       return call.service == reviewed.service && call.arguments == reviewed.arguments;
                     });
+}
+
+std::optional<map::Failure> OpenWaypoints::stoppedBy() const {
+  const auto& failure = submission_.failure();
+  const bool overcome =
+      failure && read_since_ && isOfTheLink(*failure) && failure->kind != map::FailureKind::Cancelled;
+  const bool stands = submission_.phase() == SubmissionPhase::Stopped && failure && !overcome;
+  return stands ? failure : std::nullopt;
 }
 
 void OpenWaypoints::robotGone() {

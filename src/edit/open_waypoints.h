@@ -74,6 +74,9 @@ class OpenWaypoints : public QObject {
   /// What became of all that has been sent has been read since.
   bool looked() const { return looked_; }
   bool saving() const { return submission_.running(); }
+  /// Why saving stopped, as long as it stands in the way: a link that was lost does so until the list has
+  /// been read again.
+  std::optional<map::Failure> stoppedBy() const;
   /// There is something to be saved, it is not under way, and no conflict waits to be decided.
   bool maySave() const { return unsaved() && !saving() && document_.conflicts().empty(); }
   const WaypointSubmission& submission() const { return submission_; }
@@ -122,8 +125,8 @@ class OpenWaypoints : public QObject {
   std::optional<map::Failure> failure_;
   std::vector<map::Reason> notes_;
   bool has_read_ = false, reading_ = false, read_again_ = false;
-  int conflicts_met_ = 0;  // in a row, while saving
-  bool looked_ = true;
+  int conflicts_met_ = 0;                                     // in a row, while saving
+  bool looked_ = true, read_since_ = false;                   // read_since_: saving stopped
   std::set<std::string> zero_turns_;                          // their ids
   std::string revision_;                                      // of what was read last
   std::optional<std::vector<robot::WaypointCall>> reviewed_;  // nullopt = all that it takes

@@ -31,8 +31,8 @@ enum class AtFailure {
   GoOn,  // those that do not need it are, unless the link is what failed
 };
 
-/// It says something about one request, and nothing about the next.
-inline bool concernsOneRequest(const map::Failure& failure) {
+/// It says something about the way there, and nothing about what was asked for.
+inline bool isOfTheLink(const map::Failure& failure) {
   switch (failure.kind) {
     case map::FailureKind::Unreachable:
     case map::FailureKind::TimedOut:
@@ -40,11 +40,14 @@ inline bool concernsOneRequest(const map::Failure& failure) {
     case map::FailureKind::NotARobot:
     case map::FailureKind::Certificate:
     case map::FailureKind::Cancelled:
-    case map::FailureKind::Conflict:
-      return false;
-    default:
       return true;
+    default:
+      return false;
   }
+}
+/// It says something about one request, and nothing about the next.
+inline bool concernsOneRequest(const map::Failure& failure) {
+  return !isOfTheLink(failure) && failure.kind != map::FailureKind::Conflict;
 }
 
 /// How one request stands.

@@ -90,6 +90,20 @@ QString reasonOf(const Failure& failure) {
   }
 }
 
+/// What can be said where nobody has said anything.
+QString kindOf(const Failure& failure) {
+  switch (failure.kind) {
+    case FailureKind::Unreachable:
+      return Words::tr("the connection is gone");
+    case FailureKind::TimedOut:
+      return Words::tr("no answer came in time");
+    case FailureKind::Conflict:
+      return Words::tr("somebody else has changed it meanwhile");
+    default:
+      return Words::tr("it did not work");
+  }
+}
+
 QString notThere(const Failure& failure) {
   return failure.subject.kind == SubjectKind::Map ? Words::tr("There is no such map.")
                                                   : Words::tr("There is no such thing.");
@@ -123,5 +137,15 @@ QString textOf(const Failure& failure) {
 }  // namespace
 
 std::string sentenceOf(const map::Failure& failure) { return textOf(failure).toStdString(); }
+
+std::string whyOf(const map::Failure& failure) {
+  const bool told = failure.reason == FailureReason::Told || failure.reason == FailureReason::Empty;
+  // Who was overtaken has not been refused by anybody.
+  QString why = failure.kind == FailureKind::Conflict ? text(toldBy(failure))
+                : told                                ? reasonOf(failure)
+                                                      : textOf(failure);
+  if (why.isEmpty()) why = kindOf(failure);
+  return words::asSentence(why.toStdString());
+}
 
 }  // namespace mapwright::sentences

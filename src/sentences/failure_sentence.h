@@ -11,4 +11,8 @@ namespace mapwright::sentences {
 /// which whoever shows it names beside.
 std::string sentenceOf(const map::Failure& failure);
 
+/// "The robot answered 404 (not found): No such map.": the reason alone, for whoever says by himself what has
+/// come about and what has not.
+std::string whyOf(const map::Failure& failure);
+
 }  // namespace mapwright::sentences

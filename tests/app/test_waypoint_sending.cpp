@@ -53,7 +53,7 @@ class WaypointSendingTest : public QObject {
   }
   static QString states(const app::SentWaypoints& sent) {
     QString line;
-    for (const app::SentStep& one : sent.steps) line += QStringLiteral("AFUN").at(int(one.state));
+    for (const app::SentStep& one : sent.steps) line += QStringLiteral("AFUN").at(int(one.outcome.state));
     return line;
   }
 
@@ -156,8 +156,9 @@ class WaypointSendingTest : public QObject {
     app::ListedWaypoints list{robot.get(), {}, {}, &store};
     const auto sent = app::sendWaypoints(list, threeMoves(store), app::AtFailure::GoOn);
     QVERIFY(sent.has_value());
-    QCOMPARE(int(sent->steps.front().state), int(app::StepState::Failed));
-    QCOMPARE(sent->steps.front().sentence(), QString::fromStdString(sentences::sentenceOf(tags)));
+    QCOMPARE(int(sent->steps.front().outcome.state), int(app::StepState::Failed));
+    QCOMPARE(exchange::sentenceOf(sent->steps.front().outcome),
+             QString::fromStdString(sentences::sentenceOf(tags)));
   }
 
   void whatNobodyCanTellIsNamed() {

@@ -38,6 +38,7 @@ struct Desk : test::WaypointsDesk {
   static map::Failure failure(map::FailureKind kind, map::Applied applied) {
     map::Failure made{kind};
     made.applied = applied;
+    made.asked_for = map::AskedFor::Change;
     return made;
   }
   /// The second request ends so.
@@ -167,17 +168,39 @@ class TestWindowWaypointsReview : public QObject {
     desk.open();
     desk.review().goOnBox()->setChecked(true);  // a lost link stops it all the same
     desk.send();
-    QTRY_VERIFY2(desk.outcome(1).contains(QLatin1String("Whether it has arrived is not known yet.")),
+    QTRY_VERIFY2(desk.outcome(1).contains(QLatin1String("Whether it has been changed is not known")),
                  qPrintable(desk.outcome(1)));
     QTRY_VERIFY(desk.review().statusShown().contains(QLatin1String("as soon as the link is back")));
     QCOMPARE(desk.outcome(2), QStringLiteral("not sent"));
     QVERIFY(desk.review().comparedShown().isEmpty());
+    // Nowhere is what was carried out, or may have been, said to be as it was.
+    const QString unchanged = QStringLiteral("not been changed");
+    for (const QString& text :
+         {desk.outcome(0), desk.outcome(1), desk.review().statusShown(), desk.dock().statusShown()})
+      QVERIFY2(!text.contains(unchanged), qPrintable(text));
+    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("The connection is gone.")),
+             qPrintable(desk.review().statusShown()));
+    QVERIFY2(desk.dock().statusShown().contains(
+                 QLatin1String("Not all is saved: 1 of 3 requests were carried out, of 1 it is not known. "
+                               "The connection is gone.")),
+             qPrintable(desk.dock().statusShown()));
+    QVERIFY(desk.dock().statusIsBad());
     if (!arrives) desk.store.put(waypoint("b", 3, 2, "Kitchen"));
     desk.store.unreadable = false;
     Q_EMIT desk.store.changed();
-    QTRY_VERIFY2(desk.outcome(1).contains(arrives ? QLatin1String("It has arrived all the same.")
-                                                  : QLatin1String("It has not arrived.")),
-                 qPrintable(desk.outcome(1)));
+    // What is not to be seen there yet may come still.
+    QTRY_VERIFY2(desk.review().comparedShown().contains(arrives ? QLatin1String("2 as wanted, 1 differ")
+                                                                : QLatin1String("1 as wanted, 2 differ")),
+                 qPrintable(desk.review().comparedShown()));
+    QVERIFY2(arrives ? desk.outcome(1) == QLatin1String("done, but its answer was lost")
+                     : desk.outcome(1).startsWith(QLatin1String("Whether it has been changed is not known")),
+             qPrintable(desk.outcome(1)));
+    // The link is back: what it did to the others is over.
+    QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 calls")),
+             qPrintable(desk.review().statusShown()));
+    QVERIFY2(!desk.dock().statusShown().contains(QLatin1String("saved:")),
+             qPrintable(desk.dock().statusShown()));
+    QVERIFY(!desk.dock().statusIsBad());
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
     QCOMPARE(desk.store.asked.size(), std::size_t(arrives ? 3 : 4));

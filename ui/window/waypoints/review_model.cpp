@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "exchange/waypoint_steps.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
 #include "window/status/state_mark.h"
@@ -81,73 +80,34 @@ robot::WaypointCall ReviewModel::call(int row) const {
   return follows_ ? list_->callOf(request(row)) : plan_[std::size_t(row)].call;
 }
 
-std::optional<bool> ReviewModel::arrived(const robot::WaypointRequest& request) const {
-  if (!list_->looked()) return std::nullopt;
-  const edit::WaypointDocument& document = list_->document();
-  return std::all_of(request.changes.begin(), request.changes.end(), [&](const robot::WaypointChange& one) {
-    const edit::Key key = document.ourName(one.id);
-    const auto steps = exchange::stepsOf({{key, one.before, one.after}});
-    return std::all_of(steps.begin(), steps.end(),
-                       [&](const auto& step) { return exchange::isDone(step, document.findKept(key)); });
-  });
-}
-
 ReviewModel::Outcome ReviewModel::outcome(int row) const {
   if (!follows_) return {};
   const auto& sent = list_->submission().rows()[std::size_t(row)];
-  switch (sent.state) {
-    case State::Waiting:
-      return {Mark::Neutral, tr("waiting")};
-    case State::UnderWay:
-      return {Mark::Busy, tr("under way…")};
-    case State::Done:
-      return {Mark::Good, tr("done")};
-    case State::NotSent:
+  if (sent.state == State::Waiting) return {Mark::Neutral, tr("waiting")};
+  if (sent.state == State::UnderWay) return {Mark::Busy, tr("under way…")};
+  const exchange::SentOutcome outcome = outcomeOf(*list_, sent);
+  switch (outcome.state) {
+    case exchange::SentState::Applied:
+      return {Mark::Good, sent.state == State::Done ? tr("done") : tr("done, but its answer was lost")};
+    case exchange::SentState::NotSent:
       return {Mark::Neutral, tr("not sent")};
-    case State::Failed:
+    case exchange::SentState::Unknown:
+      return {Mark::Warning, words::plainLine(exchange::sentenceOf(outcome))};
+    case exchange::SentState::Failed:
       break;
   }
-  const map::Failure& failure = *sent.failure;
-  if (failure.applied == map::Applied::No) return {Mark::Bad, failureText(failure)};
-  map::Failure plain = failure;  // whether it was applied is said here
-  plain.applied = map::Applied::No;
-  const QString why = failureText(plain);
-  const auto there = failure.applied == map::Applied::Yes ? std::optional(true) : arrived(sent.request);
-  if (!there) return {Mark::Warning, tr("%1 Whether it has arrived is not known yet.").arg(why)};
-  return *there ? Outcome{Mark::Good, tr("%1 It has arrived all the same.").arg(why)}
-                : Outcome{Mark::Bad, tr("%1 It has not arrived.").arg(why)};
+  return {Mark::Bad, words::plainLine(exchange::sentenceOf(outcome))};
 }
 
-ReviewModel::Counts ReviewModel::counts() const {
-  Counts counts;
-  for (int row = 0; row < rowCount(); ++row) {
-    if (!follows_) {
-      ++counts.not_sent;
-      continue;
-    }
-    const auto& sent = list_->submission().rows()[std::size_t(row)];
-    const bool maybe = sent.state == State::Failed && sent.failure->applied != map::Applied::No;
-    if (sent.state == State::Done) {
-      ++counts.done;
-    } else if (maybe) {
-      const auto there =
-          sent.failure->applied == map::Applied::Yes ? std::optional(true) : arrived(sent.request);
-      ++(there ? *there ? counts.done : counts.failed : counts.unknown);
-    } else {
-      ++(sent.state == State::Failed ? counts.failed : counts.not_sent);
-    }
-  }
-  return counts;
+exchange::SentCounts ReviewModel::counts() const {
+  return follows_ && list_ ? countsOf(*list_) : exchange::SentCounts{.not_sent = std::size_t(rowCount())};
 }
 
 std::vector<robot::WaypointRequest> ReviewModel::rest() const {
   std::vector<robot::WaypointRequest> rest;
-  if (!follows_) return rest;
+  if (!follows_ || !list_) return rest;
   for (const auto& sent : list_->submission().rows()) {
-    if (sent.state == State::Done) continue;
-    const bool maybe = sent.state == State::Failed && sent.failure->applied != map::Applied::No;
-    if (maybe && arrived(sent.request).value_or(false)) continue;
-    rest.push_back(sent.request);
+    if (outcomeOf(*list_, sent).state != exchange::SentState::Applied) rest.push_back(sent.request);
   }
   return rest;
 }

@@ -7,6 +7,7 @@
 #include <QPointer>
 
 #include "edit/open_waypoints.h"
+#include "exchange/sent_outcome.h"
 #include "window/status/status_text.h"
 
 namespace mapwright::window {
@@ -27,10 +28,7 @@ class ReviewModel : public QAbstractTableModel {
   const std::vector<edit::PlannedRequest>& plan() const { return plan_; }
 
   /// How many rows stand so.
-  struct Counts {
-    std::size_t done = 0, failed = 0, unknown = 0, not_sent = 0;
-  };
-  Counts counts() const;
+  exchange::SentCounts counts() const;
   /// The requests that are not carried out, as far as is known.
   std::vector<robot::WaypointRequest> rest() const;
 
@@ -48,8 +46,6 @@ class ReviewModel : public QAbstractTableModel {
   const robot::WaypointRequest& request(int row) const;
   robot::WaypointCall call(int row) const;
   Outcome outcome(int row) const;
-  /// Of one whose answer was lost: it has arrived, it has not, or nobody has looked yet.
-  std::optional<bool> arrived(const robot::WaypointRequest& request) const;
   void follow();
 
   QPointer<edit::OpenWaypoints> list_;

@@ -209,8 +209,8 @@ QString WaypointReview::statusText() const {
               "sent.")
         .arg(waypointsText(qsizetype(list_->document().conflicts().size())));
   if (!sent_) {
-    if (unreached_ && list_->submission().failure())
-      return failureText(*list_->submission().failure()) + QLatin1Char(' ') + tr("Nothing has been sent.");
+    if (const auto why = list_->stoppedBy(); unreached_ && why)
+      return whyText(*why) + QLatin1Char(' ') + tr("Nothing has been sent.");
     if (overtaken_)
       return tr(
           "Nothing has been sent: the list has changed meanwhile, and this is what it takes now. Look at it "
@@ -218,13 +218,14 @@ QString WaypointReview::statusText() const {
           "send it.");
     return model_->rowCount() == 0 ? tr("There is nothing to send.") : tr("Nothing has been sent yet.");
   }
-  const ReviewModel::Counts counts = model_->counts();
+  const exchange::SentCounts counts = model_->counts();
   const auto& submission = list_->submission();
   switch (submission.phase()) {
     case SubmissionPhase::Looking:
       return tr("Looking how they are kept now…");
     case SubmissionPhase::Sending:
-      return tr("Sending: %1 of %2 done.").arg(figure(counts.done), figure(std::size_t(model_->rowCount())));
+      return tr("Sending: %1 of %2 done.")
+          .arg(figure(counts.applied), figure(std::size_t(model_->rowCount())));
     case SubmissionPhase::LookingAgain:
       return tr("All is sent. Looking what has become of it…");
     case SubmissionPhase::Done:
@@ -233,13 +234,10 @@ QString WaypointReview::statusText() const {
       break;
   }
   QString text = tr("Of %1 calls %2 were carried out, %3 failed, %4 are not known and %5 were not sent.")
-                     .arg(figure(std::size_t(model_->rowCount())), figure(counts.done), figure(counts.failed),
-                          figure(counts.unknown), figure(counts.not_sent));
-  if (submission.failure()) {
-    map::Failure why = *submission.failure();
-    why.applied = map::Applied::No;  // which of them have arrived stands in the rows
-    text = failureText(why) + QLatin1Char(' ') + text;
-  }
+                     .arg(figure(std::size_t(model_->rowCount())), figure(counts.applied),
+                          figure(counts.failed), figure(counts.unknown), figure(counts.not_sent));
+  // Why alone: what has become of each stands in its row.
+  if (const auto why = list_->stoppedBy()) text = whyText(*why) + QLatin1Char(' ') + text;
   if (!list_->looked())
     text += QLatin1Char(' ') +
             tr("What has arrived could not be read yet; that is done as soon as the link is back.");

@@ -130,31 +130,36 @@ QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
 }
 
 QString failureText(const map::Failure& failure) {
-  using map::FailureKind;
-  QString text;
-  if (!failure.detail.empty() || failure.cause.any() || !failure.robot_code.empty()) {
-    text = words::plainLine(QString::fromStdString(sentences::sentenceOf(failure)));
-  } else {
-    switch (failure.kind) {
-      case FailureKind::Unreachable:
-        text = Words::tr("The connection is gone.");
-        break;
-      case FailureKind::TimedOut:
-        text = Words::tr("No answer came in time.");
-        break;
-      case FailureKind::Cancelled:
-        text = Words::tr("It was cancelled.");
-        break;
-      case FailureKind::Conflict:
-        text = Words::tr("Somebody else changed them meanwhile.");
-        break;
-      default:
-        text = Words::tr("It was refused.");
-    }
+  const bool says_why = !failure.detail.empty() || failure.cause.any() || !failure.robot_code.empty();
+  return says_why ? words::plainLine(QString::fromStdString(sentences::sentenceOf(failure)))
+                  : whyText(failure);
+}
+
+exchange::SentOutcome outcomeOf(const edit::OpenWaypoints& list, const exchange::SentRequest& sent) {
+  return exchange::outcomeOf(sent, list.looked() ? &list.document() : nullptr);
+}
+
+exchange::SentCounts countsOf(const edit::OpenWaypoints& list) {
+  return exchange::countsOf(list.submission().rows(), list.looked() ? &list.document() : nullptr);
+}
+
+QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by) {
+  const exchange::SentCounts counts = countsOf(list);
+  const std::size_t sent = counts.applied + counts.failed + counts.unknown, all = sent + counts.not_sent;
+  const QString why = whyText(stopped_by);
+  if (all < 2 || counts.applied + counts.unknown == 0) {
+    return counts.unknown > 0 ? Words::tr("Whether it is saved is not known. %1").arg(why)
+                              : Words::tr("Not saved. %1").arg(why);
   }
-  if (failure.applied == map::Applied::Maybe)
-    text += QLatin1Char(' ') + Words::tr("Whether it was applied is not known; saving again looks first.");
-  return text;
+  const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
+  QString text = Words::tr("Not all is saved: %1 of %2 requests were carried out")
+                     .arg(figure(counts.applied), figure(all));
+  if (counts.unknown > 0) text += Words::tr(", of %1 it is not known").arg(figure(counts.unknown));
+  return text + QStringLiteral(". ") + why;
+}
+
+QString whyText(const map::Failure& failure) {
+  return words::plainLine(QString::fromStdString(sentences::whyOf(failure)));
 }
 
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "edit/open_waypoints.h"
+#include "exchange/sent_outcome.h"
 
 namespace mapwright::window {
 
@@ -41,8 +42,15 @@ QString pendingText(const edit::ItemState& state, int pending);
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after);
 /// "Changed here: position 1.000, 2.000. Changed elsewhere: position 4.000, 2.000."
 QString conflictText(const edit::Conflict<map::Waypoint>& conflict);
-/// What went wrong, and what of it was applied.
+/// What went wrong.
 QString failureText(const map::Failure& failure);
+/// What has become of a request of the list's submission, and of all of them, as far as it is known.
+exchange::SentOutcome outcomeOf(const edit::OpenWaypoints& list, const exchange::SentRequest& sent);
+exchange::SentCounts countsOf(const edit::OpenWaypoints& list);
+/// "Not all is saved: of 3 requests 1 was carried out. The connection is gone."
+QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stopped_by);
+/// Why it went wrong, without what has become of it.
+QString whyText(const map::Failure& failure);
 /// "There is a draft of these waypoints of today 19:20:05 that was not saved: 3 changes."
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now);
 

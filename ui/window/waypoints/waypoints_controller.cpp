@@ -268,8 +268,7 @@ void WaypointsController::noteSaving() {
     // The review says it, and can go on.
     if (!review_->isVisible()) {
       when_saved_ = nullptr;
-      context_.overlay.toasts()->add(Mark::Bad,
-                                     tr("The waypoints are not saved. %1").arg(failureText(*failure)));
+      context_.overlay.toasts()->add(Mark::Bad, tr("Waypoints: %1").arg(notSavedText(*list_, *failure)));
     }
   }
   if (list_->saving()) told_failure_.reset();

@@ -294,13 +294,12 @@ void WaypointsDock::refresh() {
   const bool several = editing_->selected().size() > 1;
   form_->setVisible(document && !several);
   group_->setVisible(document && several);
-  const bool bad =
-      list_ && (list_->failure() || list_->submission().phase() == edit::SubmissionPhase::Stopped ||
-                list_->draftTrouble().any());
+  status_bad_ =
+      list_ && (list_->failure() || (list_->stoppedBy() && list_->unsaved()) || list_->draftTrouble().any());
   status_->setText(statusText());
   status_->setToolTip(plainToolTip(status_->text()));  // where there is no room for all of it
   status_->setVisible(!status_->text().isEmpty());
-  secondary(status_, bad);
+  secondary(status_, status_bad_);
 
   conflicts_->refresh(document, editing_->selected());
 }
@@ -312,20 +311,12 @@ QString WaypointsDock::statusText() const {
   if (!list_) return {};
   if (list_->saving()) return tr("Saving…");
   QStringList parts;
-  const auto& submission = list_->submission();
-  const bool stopped =
-      submission.phase() == edit::SubmissionPhase::Stopped && submission.failure() && list_->unsaved();
-  const QString not_read = list_->failure() ? failureText(*list_->failure()) : QString();
-  const QString not_saved = stopped ? failureText(*submission.failure()) : QString();
+  const auto stopped_by = list_->unsaved() ? list_->stoppedBy() : std::nullopt;
+  const QString not_saved = stopped_by ? notSavedText(*list_, *stopped_by) : QString();
   // Where one thing stands in the way of both it is told once.
-  if (!not_read.isEmpty() && not_read != not_saved) parts << not_read;
-  if (stopped) {
-    QString text = tr("Not saved. %1").arg(not_saved);
-    if (submission.rows().size() > 1 && submission.done() < submission.rows().size())
-      text += QLatin1Char(' ') +
-              tr("%1 of %2 requests were carried out.").arg(submission.done()).arg(submission.rows().size());
-    parts << text;
-  }
+  const bool told = stopped_by && list_->failure() && whyText(*list_->failure()) == whyText(*stopped_by);
+  if (list_->failure() && !told) parts << failureText(*list_->failure());
+  if (stopped_by) parts << not_saved;
   if (list_->draftTrouble().any()) parts << tr("No draft is kept.");
   const auto unsaved = qsizetype(document->unsaved().size());
   QString count = waypointsText(qsizetype(document->items().size()));

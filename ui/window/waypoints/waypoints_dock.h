@@ -53,7 +53,8 @@ class WaypointsDock : public QDockWidget {
   QPushButton* theirsButton() const;
   QToolButton* warningsButton() const { return next_warning_; }
   QString statusShown() const;
-  QString conflictShown() const;  // empty = none
+  bool statusIsBad() const { return status_bad_; }  // in red
+  QString conflictShown() const;                    // empty = none
   /// Keys of the rows that are selected and that I deleted.
   std::vector<edit::Key> selectedDeleted() const;
   /// What stands in the place of rows; empty while there are some.
@@ -100,7 +101,7 @@ class WaypointsDock : public QDockWidget {
   WaypointForm* form_;
   GroupForm* group_;
   const WaypointWarnings* warnings_ = nullptr;
-  bool showing_selection_ = false;
+  bool showing_selection_ = false, status_bad_ = false;
 };
 
 }  // namespace mapwright::window

@@ -1,0 +1,81 @@
+// What has become of a request that was sent: nothing is said to be unchanged that was carried out, or may
+// have been.
+#include <QTest>
+
+#include "exchange/sent_outcome.h"
+
+using namespace mapwright;
+using exchange::SentOutcome;
+using exchange::SentState;
+using map::Applied;
+using map::FailureKind;
+using Row = exchange::SentRequest;
+Q_DECLARE_METATYPE(mapwright::map::FailureKind)
+Q_DECLARE_METATYPE(mapwright::map::Applied)
+Q_DECLARE_METATYPE(mapwright::exchange::SentState)
+
+namespace {
+
+Row failedRow(FailureKind kind, Applied applied) {
+  map::Failure failure{kind};
+  failure.applied = applied;
+  return {{}, Row::State::Failed, failure};
+}
+
+const QString kUnchanged = QStringLiteral("It has not been changed");
+const QString kNotKnown = QStringLiteral("Whether it has been changed is not known");
+
+}  // namespace
+
+class SentOutcomeTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void onlyWhatHasNotBeenMadeIsSaidToBeUnchanged_data() {
+    QTest::addColumn<FailureKind>("kind");
+    QTest::addColumn<Applied>("applied");
+    for (const FailureKind kind :
+         {FailureKind::Unreachable, FailureKind::TimedOut, FailureKind::Refused, FailureKind::RejectedByRobot,
+          FailureKind::MalformedAnswer, FailureKind::Cancelled, FailureKind::Unsupported}) {
+      for (const Applied applied : {Applied::No, Applied::Maybe, Applied::Yes})
+        QTest::addRow("%d %d", int(kind), int(applied)) << kind << applied;
+    }
+  }
+  void onlyWhatHasNotBeenMadeIsSaidToBeUnchanged() {
+    QFETCH(FailureKind, kind);
+    QFETCH(Applied, applied);
+    const SentOutcome told = exchange::answered(failedRow(kind, applied));
+    const SentState states[] = {SentState::Failed, SentState::Unknown, SentState::Applied};
+    QCOMPARE(told.state, states[int(applied)]);
+    QCOMPARE(exchange::sentenceOf(told).startsWith(kUnchanged), applied == Applied::No);
+    QCOMPARE(exchange::sentenceOf(told).startsWith(kNotKnown), applied == Applied::Maybe);
+
+    const SentOutcome seen = exchange::judged(told, true);
+    QCOMPARE(seen.state, SentState::Applied);
+    QVERIFY(exchange::sentenceOf(seen).isEmpty());
+
+    // Nothing is to be seen of it: over a lost link it may come still.
+    const SentOutcome unseen = exchange::judged(told, false);
+    const bool may_come = applied == Applied::Maybe && edit::isOfTheLink(map::Failure{kind});
+    QCOMPARE(unseen.state, may_come ? SentState::Unknown : SentState::Failed);
+    if (applied == Applied::Maybe)
+      QVERIFY(exchange::sentenceOf(unseen).startsWith(may_come ? kNotKnown : kUnchanged));
+  }
+
+  void whatWasTakenAndIsNotSoAfterwardsIsToldSo() {
+    const SentOutcome taken = exchange::answered({{}, Row::State::Done});
+    QCOMPARE(taken.state, SentState::Applied);
+    const SentOutcome gone = exchange::judged(taken, false);
+    QCOMPARE(gone.state, SentState::Failed);
+    QCOMPARE(exchange::sentenceOf(gone), QStringLiteral("It was taken, but afterwards it is not so."));
+  }
+
+  void whatIsUnderWayIsNotKnownYet() {
+    const SentOutcome told = exchange::answered({{}, Row::State::UnderWay});
+    QCOMPARE(told.state, SentState::Unknown);
+    QVERIFY(exchange::sentenceOf(told).startsWith(kNotKnown));
+    QCOMPARE(exchange::answered({{}, Row::State::Waiting}).state, SentState::NotSent);
+  }
+};
+
+QTEST_GUILESS_MAIN(SentOutcomeTest)
+#include "test_sent_outcome.moc"
