@@ -70,6 +70,13 @@ QString someIds(const std::vector<const map::Waypoint*>& points) {
 
 }  // namespace
 
+std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
+                                           std::vector<exchange::WaypointEdit> edits) {
+  exchange::FittedEdits fitted = exchange::fitted(std::move(edits), list.store->keeps());
+  for (const QString& note : fitted.notes) list.robot->note(note);
+  return std::move(fitted.edits);
+}
+
 CommandFailure ListedWaypoints::failure(const map::Failure& failed) const {
   CommandFailure failure = robot->failure(failed);
   // Of files nobody answers: they cannot be read, or not written.

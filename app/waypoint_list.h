@@ -5,6 +5,7 @@
 
 #include "app/maps_command.h"
 #include "app/waypoints.h"
+#include "exchange/waypoint_plan.h"
 #include "robot/waypoint_store.h"
 
 namespace mapwright::app {
@@ -19,6 +20,10 @@ struct ListedWaypoints {
   /// A request about them that failed.
   CommandFailure failure(const map::Failure& failed) const;
 };
+
+/// The edits as they are going to be kept there; what of them is not is noted.
+std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
+                                           std::vector<exchange::WaypointEdit> edits);
 
 enum class Use { Reading, Changing };
 /// Connects, and reads those of the map `map` ("" = the current one). For Changing a robot without a

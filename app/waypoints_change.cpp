@@ -96,8 +96,9 @@ int change(const WaypointsWords& words, int& argc, char** argv,
     if (const auto failure = check()) return tl::make_unexpected(*failure);
     const auto list = listWaypoints(command, words, words.map, Use::Changing);
     if (!list) return tl::make_unexpected(list.error());
-    const Edits edits = editsOf(*list);
+    Edits edits = editsOf(*list);
     if (!edits) return tl::make_unexpected(edits.error());
+    edits = fitted(*list, std::move(*edits));
     for (const exchange::WaypointEdit& edit : *edits) {
       const QString why = edit.after ? exchange::whyNotKept(edit.before, *edit.after) : QString();
       if (!why.isEmpty()) return wrong(why);

@@ -64,7 +64,7 @@ CommandResult<std::vector<exchange::WaypointEdit>> wantedEdits(const ListedWaypo
     list.robot->note(QStringLiteral("%1: %2").arg(oneLine(inputCalled(words.file), 200), note));
   auto edits = exchange::editsFor(exchange::itemsOf(list.stored.points), wanted.points, others);
   if (!edits) return wrong(QStringLiteral("%1: %2").arg(inputCalled(words.file), edits.error()));
-  return std::move(*edits);
+  return fitted(list, std::move(*edits));
 }
 
 /// What is doubtful about the list as the plan makes it; what cannot be told is said.
@@ -143,7 +143,7 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
       return wrong(
           Words::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
     if (bytes->size() > kMost) return wrong(Words::tr("%1 is larger than 256 MiB.").arg(file));
-    const auto plan = exchange::planFromBytes(*bytes);
+    auto plan = exchange::planFromBytes(*bytes);
     if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
     const auto list = listWaypoints(command, words, words.map.empty() ? plan->map : words.map, Use::Changing);
     if (!list) return tl::make_unexpected(list.error());
@@ -152,6 +152,7 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
       return wrong(
           Words::tr("%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
               .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
+    plan->edits = fitted(*list, std::move(plan->edits));
     return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),
                     words);
   });

@@ -43,6 +43,9 @@ class Document : public DocumentEvents {
  public:
   explicit Document(QObject* parent = nullptr) : DocumentEvents(parent) {}
 
+  /// Makes of an item what can be kept; whatever is changed here goes through it.
+  void setFit(std::function<void(Item&)> fit) { fit_ = std::move(fit); }
+
   /// Begins anew with what is kept; nothing can be undone.
   void reset(Items<Item> stored) {
     stack_.clear();
@@ -72,6 +75,9 @@ class Document : public DocumentEvents {
   /// Makes the changes as one command. Those that change nothing are left out; a command that ends where it
   /// began vanishes.
   void change(std::vector<Change<Item>> changes, const QString& text, Gesture gesture = 0) {
+    for (Change<Item>& one : changes) {
+      if (fit_ && one.after) fit_(*one.after);
+    }
     std::erase_if(changes, [](const auto& one) { return same(one.before, one.after); });
     if (!changes.empty()) stack_.push(new Command(*this, std::move(changes), text, gesture));
   }
@@ -214,7 +220,8 @@ class Document : public DocumentEvents {
   /// with what is kept now becomes a conflict; what has been changed here meanwhile stays as it is here.
   void rebase(const std::vector<Change<Item>>& older, const QString& text) {
     std::vector<Change<Item>> here;
-    for (const Change<Item>& change : older) {
+    for (Change<Item> change : older) {
+      if (fit_ && change.after) fit_(*change.after);
       const std::optional<Item> now = mine(change.key);
       Merged<Item> merged = merge(change.before, change.after, now);
       if (merged.conflict && unsaved_.contains(change.key)) {
@@ -352,6 +359,7 @@ class Document : public DocumentEvents {
   }
 
   Items<Item> base_, items_;
+  std::function<void(Item&)> fit_;
   std::set<Key> unsaved_;
   std::map<Key, std::optional<Item>> sent_, in_doubt_;
   std::map<Key, Conflict<Item>> conflicts_;

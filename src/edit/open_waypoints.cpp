@@ -25,10 +25,12 @@ OpenWaypoints::OpenWaypoints(robot::WaypointStore& store, map::MapKey map, const
     : QObject(parent),
       store_(&store),
       map_(std::move(map)),
+      keeps_(store.keeps()),
       options_(withWorkers(std::move(options))),
       identity_{address, QString::fromStdString(map::toText(map_)), QStringLiteral("waypoints")},
       submission_(storeOf(), listener()),
       looking_(options_.workers) {
+  document_.setFit([keeps = keeps_](map::Waypoint& point) { fit(point, keeps); });
   if (!options_.drafts_folder.isEmpty()) {
     keeper_ = std::make_unique<DraftKeeper>(
         options_.drafts_folder, identity_,
@@ -235,8 +237,12 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
   return hears;
 }
 
-std::vector<robot::WaypointChange> OpenWaypoints::wireChanges(
-    const std::vector<Change<map::Waypoint>>& changes) const {
+std::set<Key> OpenWaypoints::refused() const {
+  return keeps_.name_twice ? std::set<Key>() : refusedNames(document_.kept(), document_.changes(), keeps_);
+}
+
+std::vector<robot::WaypointChange> OpenWaypoints::wireChanges() const {
+  const std::set<Key> refused = this->refused();
   std::vector<robot::WaypointChange> wire;
   for (const Change<map::Waypoint>& change : changes)
     wire.push_back({document_.theirName(change.key), change.before, change.after});

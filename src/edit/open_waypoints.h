@@ -55,6 +55,7 @@ class OpenWaypoints : public QObject {
   const std::vector<map::Reason>& notes() const { return notes_; }  // what is odd about them
   /// Those that are kept with a quaternion of zero; one that has been turned here since has another yaw.
   std::set<Key> zeroTurns() const;
+  const robot::KeptFields& keeps() const { return keeps_; }
   WaypointDocument& document() { return document_; }
   const WaypointDocument& document() const { return document_; }
   bool unsaved() const { return !document_.unsaved().empty(); }
@@ -119,6 +120,7 @@ class OpenWaypoints : public QObject {
 
   QPointer<robot::WaypointStore> store_;
   map::MapKey map_;
+  robot::KeptFields keeps_;
   EditOptions options_;
   DraftIdentity identity_;
   Phase phase_ = Phase::Reading;

@@ -46,4 +46,35 @@ std::optional<map::Waypoint> ItemJson<map::Waypoint>::read(const QJsonObject& ob
   return point;
 }
 
+void fit(map::Waypoint& point, const robot::KeptFields& keeps) {
+  if (!keeps.type) point.type.clear();
+  if (!keeps.no_heading && !point.yaw_rad) point.yaw_rad = 0;
+}
+
+std::set<Key> refusedNames(const Items<map::Waypoint>& kept,
+                           const std::vector<Change<map::Waypoint>>& changes,
+                           const robot::KeptFields& keeps) {
+  std::set<Key> refused;
+  if (keeps.name_twice) return refused;
+  std::map<Key, std::string> names;  // afterwards
+  for (const auto& [key, point] : kept) names[key] = point.name;
+  for (const Change<map::Waypoint>& one : changes) {
+    one.after ? void(names[one.key] = one.after->name) : void(names.erase(one.key));
+  }
+  // One that is refused keeps its name, which may be what another one waits for.
+  for (bool any = true; any;) {
+    any = false;
+    std::map<std::string, int> bearers;
+    for (const auto& [key, name] : names) ++bearers[name];
+    for (const Change<map::Waypoint>& one : changes) {
+      const bool named = one.after && (!one.before || one.before->name != one.after->name);
+      if (!named || refused.contains(one.key) || bearers[one.after->name] < 2) continue;
+      refused.insert(one.key);
+      one.before ? void(names[one.key] = one.before->name) : void(names.erase(one.key));
+      any = true;
+    }
+  }
+  return refused;
+}
+
 }  // namespace mapwright::edit

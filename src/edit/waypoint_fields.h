@@ -2,13 +2,16 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <tuple>
+#include <vector>
 
 #include <QJsonObject>
 
 #include "edit/document.h"
 #include "edit/draft.h"
 #include "map/waypoint.h"
+#include "robot/waypoint_store.h"
 
 namespace mapwright::edit {
 
@@ -26,6 +29,12 @@ inline constexpr FieldMask kName = 1, kPosition = 2, kYaw = 4, kTags = 8, kType 
 }
 
 using WaypointDocument = Document<map::Waypoint>;
+
+/// As it is going to be kept: what is not kept is left out, a heading that there must be is 0.
+void fit(map::Waypoint& point, const robot::KeptFields& keeps);
+/// Which of the changes of what is `kept` would be refused for sure: they give a name that another one has.
+std::set<Key> refusedNames(const Items<map::Waypoint>& kept,
+                           const std::vector<Change<map::Waypoint>>& changes, const robot::KeptFields& keeps);
 
 template <>
 struct ItemJson<map::Waypoint> {

@@ -10,6 +10,7 @@
 #include <QUuid>
 
 #include "exchange/waypoint_json.h"
+#include "sentences/plural.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::exchange {
@@ -140,6 +141,47 @@ QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoi
       return Words::tr("Its place is more than %1 m away from the origin.").arg(kFarthestM, 0, 'f', 0);
   }
   return {};
+}
+
+FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& keeps) {
+  qint64 typed = 0, unturned = 0;
+  for (WaypointEdit& edit : edits) {
+    if (!edit.after) continue;
+    const map::Waypoint as_wanted = *edit.after;
+    edit::fit(*edit.after, keeps);
+    typed += edit.after->type != as_wanted.type ? 1 : 0;
+    unturned += edit.after->yaw_rad != as_wanted.yaw_rad ? 1 : 0;
+  }
+  std::erase_if(edits, [](const WaypointEdit& edit) { return edit::same(edit.before, edit.after); });
+  FittedEdits fitted{std::move(edits), {}};
+  if (typed > 0)
+    fitted.notes << sentences::counted(
+        Words::tr("Types are not kept here: those of %1 waypoints are left out.", nullptr,
+                  sentences::formOf(typed)),
+        typed);
+  if (unturned > 0)
+    fitted.notes << sentences::counted(
+        Words::tr("Every waypoint has a heading here: %1 waypoints without one get 0°.", nullptr,
+                  sentences::formOf(unturned)),
+        unturned);
+  return fitted;
+}
+
+QString refusedText(const std::set<edit::Key>& refused, const std::vector<WaypointEdit>& edits) {
+  constexpr int kNamed = 3;
+  QStringList names;
+  qint64 count = 0;
+  for (const WaypointEdit& edit : edits) {
+    if (!edit.after || !refused.contains(edit.key)) continue;
+    if (++count <= kNamed) names << shown(edit.after->name);
+  }
+  if (count == 0) return {};
+  if (count > kNamed) names << QStringLiteral("…");
+  return sentences::counted(Words::tr("%1 waypoints are not sent: the robot refuses a name that another one "
+                                      "has",
+                                      nullptr, sentences::formOf(count)),
+                            count) +
+         QStringLiteral(" (") + names.join(QStringLiteral(", ")) + QStringLiteral(").");
 }
 
 WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoint>& wanted, Others others) {

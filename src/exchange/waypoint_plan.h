@@ -1,6 +1,7 @@
 // What it takes to make a list of waypoints another one, as a value and as a file. Pure functions.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <QByteArray>
 #include <QJsonArray>
 #include <QString>
+#include <QStringList>
 #include <tl/expected.hpp>
 
 #include "exchange/wanted_waypoint.h"
@@ -26,6 +28,14 @@ WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoi
 
 /// Why a waypoint cannot be kept like that; empty when it can. What is as it was is not looked at.
 QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoint& after);
+/// The edits as they are going to be kept. `notes`: what of them is not, a sentence each.
+struct FittedEdits {
+  std::vector<WaypointEdit> edits;  // without those that change nothing
+  QStringList notes;
+};
+FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& keeps);
+/// "Dock, Gate: another waypoint has this name, …"; empty when none is refused.
+QString refusedText(const std::set<edit::Key>& refused, const std::vector<WaypointEdit>& edits);
 /// Names a new waypoint until it is kept.
 edit::Key freshKey();
 

@@ -28,6 +28,13 @@ struct StoredWaypoints {
   std::set<std::string> zero_turns = {};
 };
 
+/// What of a waypoint is kept; the rest is lost there, or refused.
+struct KeptFields {
+  bool type = true;
+  bool no_heading = true;  // false: one without a heading would come back with a heading of 0
+  bool name_twice = true;  // false: a name that another one has is refused
+};
+
 /// One waypoint as it was and as it is to be; nullopt = it is not there.
 struct WaypointChange {
   std::string id;
@@ -57,6 +64,8 @@ class WaypointStore : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
+  /// The same of all of its lists.
+  virtual KeptFields keeps() const { return {}; }
   /// A map without a list has an empty one.
   virtual Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) = 0;
   /// The requests that make `changes` of the list as it is `now`, in the order that they are to be sent in.

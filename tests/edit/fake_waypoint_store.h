@@ -28,6 +28,7 @@ class FakeWaypointStore : public robot::WaypointStore {
   enum class Way { OneByOne, AllAtOnce };
   explicit FakeWaypointStore(Way way) : way_(way) {}
 
+  robot::KeptFields keeps() const override { return kept_fields; }
   robot::Call read(const map::MapKey&, robot::OutcomeTo<robot::StoredWaypoints> reply) override {
     ++reads;
     return later([this, reply] {
@@ -105,6 +106,7 @@ class FakeWaypointStore : public robot::WaypointStore {
   }
 
   std::vector<map::Waypoint> points;
+  robot::KeptFields kept_fields;
   std::set<std::string> zero_turns;  // ids
   int revision = 1, reads = 0;
   bool hold = false, unreadable = false;
@@ -134,6 +136,8 @@ class FakeWaypointStore : public robot::WaypointStore {
       if (!change.after) continue;
       map::Waypoint point = *change.after;
       point.id = change.id;
+      if (!kept_fields.type) point.type.clear();
+      if (!kept_fields.no_heading) point.yaw_rad = point.yaw_rad.value_or(0);
       if (!change.before && way_ == Way::OneByOne) {
         point.id = "robot-" + std::to_string(++last_id_);
         receipt.ids[change.id] = point.id;

@@ -1,5 +1,7 @@
 // Waypoints in the window: on the map by hand, in the list, saved, merged, left.
 #include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -15,6 +17,7 @@
 #include "window/map/map_overlay.h"
 #include "window/map/notice_bar.h"
 #include "window/map/toast_stack.h"
+#include "window/waypoints/group_form.h"
 #include "window/waypoints/name_editor.h"
 #include "window/waypoints/waypoint_form.h"
 #include "window/waypoints/waypoint_snapping.h"
@@ -145,6 +148,89 @@ class TestWindowWaypoints : public QObject {
     QVERIFY2(
         std::abs(desk.control().tool()->handle()->y() - (desk.px(1, 1).y() - WaypointTool::kHandlePx)) < 2,
         "up");
+  }
+
+  // A row of them, as far apart as the handle of the one before.
+  void theNextOneMayLieWhereTheHandleIs() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(0.5, 2));
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("Corr 1"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    const geometry::ViewTransform view = desk.window->mapScene()->view();
+    const auto handle = desk.control().tool()->handle();
+    QVERIFY(handle);
+    desk.moveTo(handle->toPoint());
+    desk.click(handle->toPoint(), Qt::AltModifier);
+    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desk.control().nameEditor()));
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("Corr 2"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QCOMPARE(desk.items().size(), std::size_t(4));
+    QVERIFY(desk.editing().only());
+    QCOMPARE(desk.editing().only()->name, std::string("Corr 2"));
+    QVERIFY(desk.near(*desk.editing().selected().begin(), 0.5 + 0.01 * WaypointTool::kHandlePx, 2));
+    QVERIFY(desk.window->mapScene()->view() == view);  // no letter of it was a command
+    // One below the handle is the one that is meant.
+    desk.editing().select({"a"});
+    desk.editing().set(
+        "b",
+        [&] {
+          map::Waypoint there = *desk.editing().find("b");
+          const Eigen::Vector2d at = view.worldFromPixel(
+              {desk.control().tool()->handle()->x(), desk.control().tool()->handle()->y()});
+          there.position_m = at;
+          return there;
+        }(),
+        QStringLiteral("move"));
+    desk.click(desk.control().tool()->handle()->toPoint());
+    QCOMPARE(desk.editing().selected(), std::set<edit::Key>{"b"});
+    QCOMPARE(desk.items().size(), std::size_t(4));
+  }
+
+  void theLineForTheNameGoesAlongWithTheMap() {
+    Desk desk;
+    desk.start();
+    desk.take();
+    desk.click(desk.px(2, 2));
+    NameEditor* const editor = desk.control().nameEditor();
+    QTest::keyClicks(editor, QStringLiteral("Co"));
+    const QPoint before = editor->pos();
+    geometry::ViewTransform camera = desk.window->mapScene()->view();
+    camera.center_m.x() += 0.5;
+    desk.window->view()->moveTo(camera, false);
+    QVERIFY(editor->isVisible());
+    QCOMPARE(editor->pos(), before - QPoint(50, 0));
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("rr"));
+    QCOMPARE(desk.editing().only()->name, std::string("Corr"));
+    camera.center_m.x() += 500;  // out of sight it is still there to be typed into
+    desk.window->view()->moveTo(camera, false);
+    QVERIFY(desk.window->view()->viewport()->rect().contains(editor->geometry()));
+  }
+
+  void whatIsNotKeptThereIsNotOffered() {
+    Desk desk;
+    desk.store.kept_fields = {.type = false, .no_heading = false};
+    for (map::Waypoint& point : desk.store.points) point.yaw_rad = 1;
+    desk.start();
+    desk.bringUp();
+    desk.editing().select({"a", "b"});
+    QVERIFY(!desk.dock().groupForm()->typeEdit()->isVisible());
+    QCOMPARE(desk.dock().groupForm()->turnChoice()->count(), 2);
+    const edit::Key fresh = desk.editing().add({2, 2});
+    QCOMPARE(desk.editing().find(fresh)->yaw_rad, std::optional(0.0));
+    desk.editing().select({fresh});
+    QVERIFY(desk.dock().form()->yawBox()->specialValueText().isEmpty());
+    QCOMPARE(desk.dock().form()->yawBox()->minimum(), -180.0);
+  }
+
+  void aFileOffersAllOfIt() {
+    Desk desk;
+    desk.start();
+    desk.bringUp();
+    desk.editing().select({"a", "b"});
+    QVERIFY(desk.dock().groupForm()->typeEdit()->isVisible());
+    QCOMPARE(desk.dock().groupForm()->turnChoice()->count(), 3);
   }
 
   void keysNudgeRenameAndDelete() {

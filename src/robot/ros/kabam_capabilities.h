@@ -27,6 +27,8 @@ class KabamWaypointStore : public WaypointStore {
   Q_OBJECT
  public:
   explicit KabamWaypointStore(RosLink* link, QObject* parent = nullptr);
+  /// MapWaypoint has no type, and an orientation always; names are told apart within a map.
+  KeptFields keeps() const override { return {.type = false, .no_heading = false, .name_twice = false}; }
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
   std::vector<WaypointRequest> plan(const StoredWaypoints& now,
                                     const std::vector<WaypointChange>& changes) const override;

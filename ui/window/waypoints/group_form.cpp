@@ -77,12 +77,13 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
       turn_(new QPushButton(tr("Turn"), this)),
       add_tags_(new QLineEdit(this)),
       remove_tags_(new QLineEdit(this)),
-      type_(new QLineEdit(this)) {
+      type_(new QLineEdit(this)),
+      type_label_(new QLabel(tr("Kind"), this)) {
   for (QLabel* label : {place_, tags_}) {
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
   }
-  turn_how_->addItems({tr("to"), tr("by"), tr("none")});
+  turn_how_->addItems({tr("to"), tr("by")});
   turn_how_->setAccessibleName(tr("How the heading changes"));
   add_tags_->setPlaceholderText(tr("add, then Enter"));
   add_tags_->setAccessibleName(tr("Tags that all get"));
@@ -114,10 +115,16 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
   form->addRow(tr("Heading"), turn_row);
   form->addRow(tr("Tags"), tags_row);
   form->addRow(QString(), tags_);
-  form->addRow(tr("Kind"), type_);
+  form->addRow(type_label_, type_);
 
   connect(editing_, &WaypointEditing::selectionChanged, this, &GroupForm::refresh);
   connect(editing_, &WaypointEditing::opened, this, [this] {
+    // What is not kept there is not offered.
+    const robot::KeptFields& keeps = editing_->keeps();
+    for (QWidget* of_types : std::initializer_list<QWidget*>{type_label_, type_})
+      of_types->setVisible(keeps.type);
+    turn_how_->removeItem(kNoTurn);
+    if (keeps.no_heading) turn_how_->addItem(tr("none"));
     if (editing_->document())
       connect(editing_->document(), &edit::DocumentEvents::changed, this, &GroupForm::refresh);
     refresh();

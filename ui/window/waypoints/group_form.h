@@ -54,6 +54,7 @@ class GroupForm : public QWidget {
   QComboBox* turn_how_;
   QPushButton *shift_, *turn_;
   QLineEdit *add_tags_, *remove_tags_, *type_;
+  QLabel* type_label_;
 };
 
 }  // namespace mapwright::window

@@ -47,10 +47,12 @@ QString becomes(exchange::StepKind kind) {
 
 }  // namespace
 
-ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, QWidget* parent)
+ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, const robot::KeptFields& keeps,
+                           QWidget* parent)
     : QDialog(parent),
       source_(std::move(source)),
       kept_(std::move(kept)),
+      keeps_(keeps),
       table_(new QTableWidget(0, 3, this)),
       status_(new QLabel(this)),
       header_(new QCheckBox(tr("First row names the &columns"), this)),
@@ -146,7 +148,9 @@ void ImportDialog::look() {
     auto edits = exchange::editsFor(kept_, wanted->points,
                                     others_->isChecked() ? exchange::Others::Go : exchange::Others::Stay);
     if (edits) {
-      edits_ = std::move(*edits);
+      exchange::FittedEdits fitted = exchange::fitted(std::move(*edits), keeps_);
+      edits_ = std::move(fitted.edits);
+      notes = fitted.notes + notes;
     } else {
       problem = edits.error();
     }

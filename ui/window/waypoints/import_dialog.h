@@ -31,8 +31,9 @@ class ImportDialog : public QDialog {
   Q_OBJECT
  public:
   using Edits = std::vector<exchange::WaypointEdit>;
-  /// `kept`: the waypoints as they are here.
-  ImportDialog(ImportSource source, exchange::WaypointItems kept, QWidget* parent = nullptr);
+  /// `kept`: the waypoints as they are here; `keeps`: what of one can be kept.
+  ImportDialog(ImportSource source, exchange::WaypointItems kept, const robot::KeptFields& keeps,
+               QWidget* parent = nullptr);
 
   QTableWidget* table() const { return table_; }
   QCheckBox* headerBox() const { return header_; }
@@ -51,6 +52,7 @@ class ImportDialog : public QDialog {
 
   ImportSource source_;
   exchange::WaypointItems kept_;
+  robot::KeptFields keeps_;
   Edits edits_;
   QTableWidget* table_;
   QLabel* status_;

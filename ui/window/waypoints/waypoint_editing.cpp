@@ -9,10 +9,12 @@
 
 namespace mapwright::window {
 
-void WaypointEditing::setDocument(edit::WaypointDocument* document, const QString& why_not) {
+void WaypointEditing::setDocument(edit::WaypointDocument* document, const QString& why_not,
+                                  const robot::KeptFields& keeps) {
   if (document_) document_->disconnect(this);
   document_ = document;
   why_not_ = why_not;
+  keeps_ = keeps;
   selected_.clear();
   preview_.clear();
   if (document_) connect(document_, &edit::DocumentEvents::changed, this, &WaypointEditing::takeChange);

@@ -25,12 +25,15 @@ class WaypointEditing : public QObject {
   using QObject::QObject;
 
   /// The list to work on; null = there is none. `why_not`: why it can only be looked at; empty = it can be
-  /// changed. `cell_m`: what a nudge is worth.
-  void setDocument(edit::WaypointDocument* document, const QString& why_not);
+  /// changed. `keeps`: what of a waypoint is kept there.
+  void setDocument(edit::WaypointDocument* document, const QString& why_not,
+                   const robot::KeptFields& keeps = {});
+  /// What a nudge is worth.
   void setCell(double cell_m) { cell_m_ = cell_m; }
   edit::WaypointDocument* document() const { return document_; }
   bool editable() const { return document_ && why_not_.isEmpty(); }
   QString whyNot() const { return why_not_; }
+  const robot::KeptFields& keeps() const { return keeps_; }
   double cell() const { return cell_m_; }
   const map::Waypoint* find(const edit::Key& key) const { return document_ ? document_->find(key) : nullptr; }
 
@@ -87,6 +90,7 @@ class WaypointEditing : public QObject {
 
   QPointer<edit::WaypointDocument> document_;
   QString why_not_;
+  robot::KeptFields keeps_;
   double cell_m_ = 0.05;
   std::set<edit::Key> selected_;
   WaypointPreview preview_;

@@ -83,6 +83,11 @@ WaypointForm::WaypointForm(WaypointEditing* editing, QWidget* parent)
   connect(editing_, &WaypointEditing::selectionChanged, this, &WaypointForm::refresh);
   connect(editing_, &WaypointEditing::previewChanged, this, &WaypointForm::refresh);
   connect(editing_, &WaypointEditing::opened, this, [this] {
+    // None is not offered where every waypoint has a heading.
+    const bool may_be_none = editing_->keeps().no_heading;
+    const QSignalBlocker quiet(yaw_);
+    yaw_->setRange(may_be_none ? kNoHeading : -180, 180);
+    yaw_->setSpecialValueText(may_be_none ? tr("none") : QString());
     if (editing_->document())
       connect(editing_->document(), &edit::DocumentEvents::changed, this, &WaypointForm::refresh);
     refresh();

@@ -19,6 +19,7 @@ class WaypointForm : public QWidget {
   explicit WaypointForm(WaypointEditing* editing, QWidget* parent = nullptr);
   QLineEdit* nameEdit() const { return name_; }
   QLineEdit* tagsEdit() const { return tags_; }
+  QDoubleSpinBox* yawBox() const { return yaw_; }
   /// What is doubtful about them; must outlive this.
   void setWarnings(const WaypointWarnings* warnings);
   QString warningsShown() const;  // empty = none

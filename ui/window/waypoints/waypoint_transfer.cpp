@@ -151,12 +151,14 @@ void WaypointTransfer::pasteCopied(const std::string& geojson) {
   exchange::nameNameless(wanted->points, editing_->document()->items(), tr("Waypoint %1"));
   auto edits = exchange::editsFor({}, wanted->points, exchange::Others::Go);
   if (!edits) return say(false, tr("What was copied cannot be pasted. %1").arg(edits.error()));
-  for (auto& edit : *edits) {
+  exchange::FittedEdits fitted = exchange::fitted(std::move(*edits), editing_->keeps());
+  for (auto& edit : fitted.edits) {
     if (edit.after) edit.after->id = edit.key;
   }
-  const qsizetype count = qsizetype(edits->size());
-  editing_->make(std::move(*edits), tr("paste %1"));
-  say(true, tr("%1 pasted").arg(waypointsText(count)));
+  QStringList said{tr("%1 pasted").arg(waypointsText(qsizetype(fitted.edits.size())))};
+  editing_->make(std::move(fitted.edits), tr("paste %1"));
+  context_.overlay.toasts()->add(fitted.notes.isEmpty() ? Mark::Good : Mark::Warning,
+                                 (said + fitted.notes).join(QLatin1Char('\n')));
 }
 
 void WaypointTransfer::importFile(const QString& path) {
@@ -173,7 +175,8 @@ void WaypointTransfer::ask(ImportSource source) {
   if (!editing_->editable()) return;
   if (dialog_) dialog_->close();
   const bool pasted = source.name.isEmpty();
-  dialog_ = new ImportDialog(std::move(source), editing_->document()->items(), &context_.window);
+  dialog_ =
+      new ImportDialog(std::move(source), editing_->document()->items(), editing_->keeps(), &context_.window);
   connect(dialog_, &ImportDialog::chosen, this, [this, pasted](std::vector<exchange::WaypointEdit> edits) {
     for (auto& edit : edits) {
       if (edit.after && edit.after->id.empty()) edit.after->id = edit.key;

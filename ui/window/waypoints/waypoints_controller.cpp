@@ -250,7 +250,8 @@ void WaypointsController::closeList() {
 void WaypointsController::noteSaving() {
   // The list can be edited from when it has been read.
   const bool ready = list_ && list_->phase() == edit::OpenWaypoints::Phase::Ready;
-  if (ready && editing_.document() != &list_->document()) editing_.setDocument(&list_->document(), {});
+  if (ready && editing_.document() != &list_->document())
+    editing_.setDocument(&list_->document(), {}, list_->keeps());
   const edit::SubmissionPhase phase = list_->submission().phase();
   // Without a conflict it is the review that has to be looked at again.
   const bool to_decide = phase == edit::SubmissionPhase::Undecided && !list_->document().conflicts().empty();
