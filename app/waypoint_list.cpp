@@ -73,7 +73,7 @@ QString someIds(const std::vector<const map::Waypoint*>& points) {
 std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
                                            std::vector<exchange::WaypointEdit> edits) {
   exchange::FittedEdits fitted = exchange::fitted(std::move(edits), list.store->keeps());
-  for (const QString& note : fitted.notes) list.robot->note(note);
+  if (!fitted.notes.isEmpty()) list.robot->note(fitted.notes.join(QLatin1Char(' ')));
   return std::move(fitted.edits);
 }
 

@@ -26,12 +26,30 @@ QJsonArray doubtsJson(const DoubtsAhead& doubts) {
   return rows;
 }
 
+std::set<edit::Key> refusedOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {
+  return edit::refusedNames(exchange::itemsOf(list.stored.points), edits, list.store->keeps());
+}
+
+QJsonArray refusedJson(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {
+  const std::set<edit::Key> refused = refusedOf(list, edits);
+  QJsonArray rows;
+  for (const exchange::WaypointEdit& edit : edits) {
+    if (!refused.contains(edit.key)) continue;
+    rows << QJsonObject{
+        {QStringLiteral("id"), edit.before ? QJsonValue(QString::fromStdString(edit.key)) : QJsonValue()},
+        {QStringLiteral("name"), QString::fromStdString(edit.after->name)}};
+  }
+  return rows;
+}
+
 QJsonObject previewJson(const ListedWaypoints& list, const exchange::MergedEdits& edits,
                         const std::optional<DoubtsAhead>& doubts) {
   QJsonObject json{
       {QStringLiteral("changes"), exchange::stepsJson(exchange::stepsOf(edits.edits), list.mapId())},
       {QStringLiteral("calls"), callsOf(list, edits.edits)},
       {QStringLiteral("conflicts"), exchange::conflictsJson(edits.conflicts, list.mapId())}};
+  if (const QJsonArray refused = refusedJson(list, edits.edits); !refused.isEmpty())
+    json[QStringLiteral("refused")] = refused;
   if (doubts) json[QStringLiteral("warnings")] = doubtsJson(*doubts);
   return json;
 }
@@ -39,8 +57,11 @@ QJsonObject previewJson(const ListedWaypoints& list, const exchange::MergedEdits
 }  // namespace
 
 QJsonArray callsOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits) {
+  const std::set<edit::Key> refused = refusedOf(list, edits);
   std::vector<robot::WaypointChange> changes;
-  for (const exchange::WaypointEdit& edit : edits) changes.push_back({edit.key, edit.before, edit.after});
+  for (const exchange::WaypointEdit& edit : edits) {
+    if (!refused.contains(edit.key)) changes.push_back({edit.key, edit.before, edit.after});
+  }
   return exchange::callsJson(*list.store, list.store->plan(list.stored, changes), list.map);
 }
 
@@ -68,6 +89,8 @@ void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edit
   }
   for (const QString& line : exchange::conflictLines(edits.conflicts))
     table.push_back({Words::tr("conflict"), QString(), QString(), line});
+  if (const QString why = exchange::refusedText(refusedOf(list, edits.edits), edits.edits); !why.isEmpty())
+    table.push_back({Words::tr("refused"), QString(), QString(), why});
   const bool changes = table.size() > 1;
   for (const DoubtAhead& one : doubts.value_or(DoubtsAhead())) {
     table.push_back({Words::tr("warning"), one.id.empty() ? QStringLiteral("-") : words::plainName(one.id),

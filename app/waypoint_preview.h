@@ -21,11 +21,11 @@ using DoubtsAhead = std::vector<DoubtAhead>;
 /// The same for a report, with the map.
 QJsonObject previewReport(const ListedWaypoints& list, const exchange::MergedEdits& edits,
                           const std::optional<DoubtsAhead>& doubts = {});
-/// {"changes","calls","conflicts"}, and "warnings" [{"id"|null,"name","warnings"}] where they were looked
-/// for; or a table.
+/// {"changes","calls","conflicts"}, "refused" [{"id"|null,"name"}] where a name would be, and "warnings"
+/// [{"id"|null,"name","warnings"}] where they were looked for; or a table.
 void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edits, bool json,
                   const std::optional<DoubtsAhead>& doubts = {});
-/// The requests that the store would be sent.
+/// The requests that the store would be sent: those that it would refuse for sure are not.
 QJsonArray callsOf(const ListedWaypoints& list, const std::vector<exchange::WaypointEdit>& edits);
 
 }  // namespace mapwright::app

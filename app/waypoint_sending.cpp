@@ -43,7 +43,9 @@ class Sending {
       sent_.steps.push_back({std::move(step)});
     takeConflicts();
     bool looked = true;  // nothing has been sent since
-    if (sent_.conflicts.empty() && !sent_.steps.empty()) looked = send() || look();
+    const bool any_refused = noteRefused();
+    if (sent_.conflicts.empty() && !sent_.steps.empty() && (!any_refused || at_failure_ == AtFailure::GoOn))
+      looked = send() || look();
     sent_.kept = open_.document().kept();
     if (looked) judge();
     return std::move(sent_);
@@ -82,6 +84,19 @@ class Sending {
     const QDeadlineTimer patience(kFarewellMs);
     while (open_.saving() && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, 10);
     sent_.failure = robot_.tooLate({});
+  }
+
+  /// What would be refused for sure is not sent, and with it nothing where the first failure stops it.
+  bool noteRefused() {
+    const std::set<edit::Key> refused = open_.refused();
+    for (SentStep& sent : sent_.steps) {
+      if (!refused.contains(sent.step.key)) continue;
+      map::Failure failure{.kind = map::FailureKind::RejectedByRobot, .asked_for = map::AskedFor::Change};
+      failure.cause = {map::ReasonCode::ResultNameTaken, {sent.step.after->name}};
+      sent.outcome = {StepState::Failed, failure};
+      sent_.failure = std::move(failure);
+    }
+    return !refused.empty();
   }
 
   void takeConflicts() {

@@ -52,6 +52,7 @@ class Document : public DocumentEvents {
     base_ = stored;
     items_ = std::move(stored);
     unsaved_.clear();
+    since_.clear();
     sent_.clear();
     conflicts_.clear();
     in_doubt_.clear();
@@ -93,18 +94,20 @@ class Document : public DocumentEvents {
   const std::set<Key>& unsaved() const { return unsaved_; }
   std::size_t sent() const { return sent_.size(); }
   const std::map<Key, Conflict<Item>>& conflicts() const { return conflicts_; }
-  /// What is to be done where they are kept so that they are as here; without what is in conflict.
+  /// What is to be done where they are kept so that they are as here, in the order in which it was done here;
+  /// without what is in conflict.
   std::vector<Change<Item>> changes() const {
-    std::vector<Change<Item>> changes;
-    for (const Key& key : unsaved_) {
-      if (!conflicts_.contains(key)) changes.push_back({key, valueOf(base_, key), mine(key)});
-    }
+    std::vector<Change<Item>> changes = allChanges();
+    std::erase_if(changes, [this](const auto& one) { return conflicts_.contains(one.key); });
     return changes;
   }
   /// The same with what is in conflict: all that would be lost.
   std::vector<Change<Item>> allChanges() const {
+    std::vector<std::pair<std::uint64_t, Key>> order;
+    for (const Key& key : unsaved_) order.emplace_back(since_.at(key), key);
+    std::sort(order.begin(), order.end());
     std::vector<Change<Item>> changes;
-    for (const Key& key : unsaved_) changes.push_back({key, valueOf(base_, key), mine(key)});
+    for (auto& [since, key] : order) changes.push_back({key, valueOf(base_, key), mine(key)});
     return changes;
   }
 
@@ -147,7 +150,7 @@ class Document : public DocumentEvents {
     unsaved_.clear();
     DocumentChange told;
     for (const auto& [key, item] : items_) {
-      unsaved_.insert(key);
+      noteUnsaved(key);
       told.changed.push_back(key);
     }
     tell(std::move(told));
@@ -297,7 +300,13 @@ class Document : public DocumentEvents {
   void refreshState(const Key& key) {
     const Item *const kept = findKept(key), *const here = find(key);
     const bool alike = !kept == !here && (!kept || difference(*kept, *here) == 0);
-    alike ? void(unsaved_.erase(key)) : void(unsaved_.insert(key));
+    if (!alike) return noteUnsaved(key);
+    unsaved_.erase(key);
+    since_.erase(key);
+  }
+  void noteUnsaved(const Key& key) {
+    unsaved_.insert(key);
+    if (since_.try_emplace(key, last_change_ + 1).second) ++last_change_;
   }
   void tell(DocumentChange told) { Q_EMIT changed(told); }
 
@@ -361,6 +370,8 @@ class Document : public DocumentEvents {
   Items<Item> base_, items_;
   std::function<void(Item&)> fit_;
   std::set<Key> unsaved_;
+  std::unordered_map<Key, std::uint64_t> since_;  // since when each of unsaved_ is
+  std::uint64_t last_change_ = 0;
   std::map<Key, std::optional<Item>> sent_, in_doubt_;
   std::map<Key, Conflict<Item>> conflicts_;
   // Ours by theirs, where they differ, and the reverse.

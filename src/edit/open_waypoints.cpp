@@ -73,7 +73,7 @@ void OpenWaypoints::noteSubmission() {
     conflicts_met_ = 0;
   }
   Q_EMIT changed();
-  if (submission_.phase() == SubmissionPhase::Done) Q_EMIT saved();
+  if (submission_.phase() == SubmissionPhase::Done && refused().empty()) Q_EMIT saved();
   // Cancelled between two requests: what became of those before has not been looked at.
   if (submission_.phase() == SubmissionPhase::Stopped && failure &&
       failure->kind == map::FailureKind::Cancelled && way_.look_after_failure && !looked_)
@@ -156,7 +156,7 @@ std::vector<PlannedRequest> OpenWaypoints::planned() const {
     now.points.push_back(point);
     now.points.back().id = document_.theirName(key);
   }
-  for (robot::WaypointRequest& request : store_->plan(now, wireChanges(document_.changes()))) {
+  for (robot::WaypointRequest& request : store_->plan(now, wireChanges())) {
     robot::WaypointCall call = store_->callOf(map_, request);
     planned.push_back({std::move(request), std::move(call)});
   }
@@ -204,7 +204,7 @@ WaypointSubmission::Listener OpenWaypoints::listener() {
       [this](const robot::StoredWaypoints& stored) -> std::optional<std::vector<robot::WaypointRequest>> {
     take(stored);
     if (!document_.conflicts().empty()) return std::nullopt;
-    auto requests = store_->plan(stored, wireChanges(document_.changes()));
+    auto requests = store_->plan(stored, wireChanges());
     return areReviewed(requests) ? std::optional(std::move(requests)) : std::nullopt;
   };
   hears.needs = [](const robot::WaypointRequest& later, const robot::WaypointRequest& failed) {
@@ -244,8 +244,10 @@ std::set<Key> OpenWaypoints::refused() const {
 std::vector<robot::WaypointChange> OpenWaypoints::wireChanges() const {
   const std::set<Key> refused = this->refused();
   std::vector<robot::WaypointChange> wire;
-  for (const Change<map::Waypoint>& change : changes)
-    wire.push_back({document_.theirName(change.key), change.before, change.after});
+  for (const Change<map::Waypoint>& change : document_.changes()) {
+    if (!refused.contains(change.key))
+      wire.push_back({document_.theirName(change.key), change.before, change.after});
+  }
   return wire;
 }
 

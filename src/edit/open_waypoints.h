@@ -59,10 +59,12 @@ class OpenWaypoints : public QObject {
   WaypointDocument& document() { return document_; }
   const WaypointDocument& document() const { return document_; }
   bool unsaved() const { return !document_.unsaved().empty(); }
+  /// Those of what is not saved that are not sent, for they would be refused: another one has their name.
+  std::set<Key> refused() const;
 
   void read();
-  /// Sends what is not saved. Ends in saved(), or in submission().phase() Undecided or Stopped; then it is
-  /// gone on with by save() again.
+  /// Sends what is not saved and would not be refused. Ends in saved() when that was all, or in
+  /// submission().phase() Undecided or Stopped; then it is gone on with by save() again.
   void save(AtFailure at_failure = AtFailure::Stop);
   /// What save() would send of what was read last, in that order. Asks nobody.
   std::vector<PlannedRequest> planned() const;
@@ -111,7 +113,8 @@ class OpenWaypoints : public QObject {
   void startSaving();
   WaypointSubmission::Store storeOf();
   WaypointSubmission::Listener listener();
-  std::vector<robot::WaypointChange> wireChanges(const std::vector<Change<map::Waypoint>>& changes) const;
+  /// What is to be sent, as the store takes it.
+  std::vector<robot::WaypointChange> wireChanges() const;
   std::vector<Change<map::Waypoint>> ownChanges(const std::vector<robot::WaypointChange>& changes) const;
   void lookForDrafts();
   void offer(LeftDrafts left);

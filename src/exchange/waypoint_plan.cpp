@@ -78,30 +78,30 @@ map::Waypoint withWanted(map::Waypoint point, const WantedWaypoint& wanted) {
   return point;
 }
 
-/// The change of a plan's row, on top of those before.
-std::optional<QString> take(const QJsonObject& row, const WaypointItems& base,
-                            std::map<edit::Key, WaypointEdit>& edits) {
+/// The change of a plan's row, on top of those before; of which waypoint.
+tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItems& base,
+                                      std::map<edit::Key, WaypointEdit>& edits) {
   const QString kind = row.value(QLatin1String("kind")).toString();
   const auto read = wantedFromJson(row);
-  if (!read) return read.error();
+  if (!read) return wrong(read.error());
   if (kind == wordOf(StepKind::Create)) {
     const auto point = waypointFromJson(row);
-    if (!point) return point.error();
+    if (!point) return wrong(point.error());
     const edit::Key key = point->id.empty() ? freshKey() : point->id;
     const bool is_new =
         !base.contains(key) && edits.emplace(key, WaypointEdit{key, std::nullopt, *point}).second;
-    return is_new ? std::nullopt
-                  : std::optional(Words::tr("there is a waypoint %1 already.").arg(shown(key)));
+    if (!is_new) return wrong(Words::tr("there is a waypoint %1 already.").arg(shown(key)));
+    return key;
   }
   const auto before = base.find(read->id);
-  if (before == base.end()) return Words::tr("its base has no waypoint %1.").arg(shown(read->id));
+  if (before == base.end()) return wrong(Words::tr("its base has no waypoint %1.").arg(shown(read->id)));
   WaypointEdit& edit =
       edits.try_emplace(read->id, WaypointEdit{read->id, before->second, before->second}).first->second;
   if (kind == wordOf(StepKind::Delete)) {
     edit.after.reset();
-    return std::nullopt;
+    return read->id;
   }
-  if (!edit.after) return Words::tr("%1 is deleted already.").arg(shown(read->id));
+  if (!edit.after) return wrong(Words::tr("%1 is deleted already.").arg(shown(read->id)));
   const QJsonValue to = row.value(QLatin1String("to"));
   if (kind == wordOf(StepKind::Move) && read->position_m) {
     edit.after->position_m = *read->position_m;
@@ -113,9 +113,9 @@ std::optional<QString> take(const QJsonObject& row, const WaypointItems& base,
   } else if (kind == wordOf(StepKind::Retype) && read->type) {
     edit.after->type = *read->type;
   } else {
-    return Words::tr("it does not say what becomes of %1.").arg(shown(read->id));
+    return wrong(Words::tr("it does not say what becomes of %1.").arg(shown(read->id)));
   }
-  return std::nullopt;
+  return read->id;
 }
 
 }  // namespace
@@ -173,10 +173,12 @@ QString refusedText(const std::set<edit::Key>& refused, const std::vector<Waypoi
   qint64 count = 0;
   for (const WaypointEdit& edit : edits) {
     if (!edit.after || !refused.contains(edit.key)) continue;
-    if (++count <= kNamed) names << shown(edit.after->name);
+    ++count;
+    names << shown(edit.after->name);
   }
   if (count == 0) return {};
-  if (count > kNamed) names << QStringLiteral("…");
+  names.removeDuplicates();
+  if (names.size() > kNamed) names = names.mid(0, kNamed) << QStringLiteral("…");
   return sentences::counted(Words::tr("%1 waypoints are not sent: the robot refuses a name that another one "
                                       "has",
                                       nullptr, sentences::formOf(count)),
@@ -270,12 +272,16 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
   }
   row = 0;
   std::map<edit::Key, WaypointEdit> edits;
+  std::vector<edit::Key> order;  // of the file
   for (const QJsonValue& value : changes.toArray()) {
     ++row;
-    if (const auto why = take(value.toObject(), plan.base, edits))
-      return wrong(Words::tr("Change %1: %2").arg(QString::number(row), *why));
+    const std::size_t known = edits.size();
+    const auto added = take(value.toObject(), plan.base, edits);
+    if (!added) return wrong(Words::tr("Change %1: %2").arg(QString::number(row), added.error()));
+    if (edits.size() > known) order.push_back(*added);
   }
-  for (auto& [key, edit] : edits) {
+  for (const edit::Key& key : order) {
+    WaypointEdit& edit = edits.at(key);
     const QString why = edit.after ? whyNotKept(edit.before, *edit.after) : QString();
     if (!why.isEmpty()) return wrong(QStringLiteral("%1: %2").arg(shown(key), why));
     plan.edits.push_back(std::move(edit));

@@ -182,6 +182,69 @@ class RosCommandsTest : public QObject {
     QVERIFY(waypoints(QStringLiteral("delete New Last --yes")).exit_code == 0);
   }
 
+  void whatItDoesNotKeepIsLeftOutWithAWordAndNotSentAgain() {
+    start();
+    const auto waypoints = [&](const QString& line) {
+      return run(QStringList{QStringLiteral("waypoints")} + line.split(QLatin1Char(' ')) +
+                 QStringList{QStringLiteral("--robot"), kabam()});
+    };
+    const auto json = [](const Ran& ran) { return QJsonDocument::fromJson(ran.out).object(); };
+    QTemporaryDir folder;
+    const QString csv = folder.filePath(QStringLiteral("w.csv")),
+                  plan = folder.filePath(QStringLiteral("p.json"));
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("name,x,y,yaw_rad,type\r\nShelf,5,5,,rack\r\n");
+    file.close();
+    const Ran planned = waypoints(QStringLiteral("import %1 --dry-run --json").arg(csv));
+    const QJsonObject change = json(planned)[QLatin1String("changes")].toArray().first().toObject();
+    QVERIFY2(!change.contains(QLatin1String("type")), planned.out.constData());
+    QCOMPARE(change[QLatin1String("yaw_rad")], QJsonValue(0.0));
+    for (const char* word : {"Types are not kept here", "Every waypoint has a heading here"})
+      QVERIFY2(planned.error.contains(word), planned.error.constData());
+    const Ran imported = waypoints(QStringLiteral("import --json ") + csv);
+    QVERIFY2(imported.exit_code == 0, (imported.out + imported.error).constData());
+    QCOMPARE(json(imported)[QLatin1String("applied")].toInt(), 1);
+    const Ran again = waypoints(QStringLiteral("import --json ") + csv);
+    QCOMPARE(json(again)[QLatin1String("applied")].toInt(-1), 0);
+    QCOMPARE(again.exit_code, 0);
+  }
+
+  void aNameTwiceIsNotSent() {
+    start();
+    const auto waypoints = [&](const QString& line) {
+      return run(QStringList{QStringLiteral("waypoints")} + line.split(QLatin1Char(' ')) +
+                 QStringList{QStringLiteral("--robot"), kabam()});
+    };
+    QCOMPARE(waypoints(QStringLiteral("create Twice --at 1,2")).exit_code, 0);
+    const Ran shown = waypoints(QStringLiteral("create Twice --at 3,4 --dry-run --json"));
+    QCOMPARE(QJsonDocument::fromJson(shown.out)[QLatin1String("calls")].toArray().size(), 0);
+    const QJsonArray refused = QJsonDocument::fromJson(shown.out)[QLatin1String("refused")].toArray();
+    QCOMPARE(refused.first()[QLatin1String("name")].toString(), QStringLiteral("Twice"));
+    const Ran told = waypoints(QStringLiteral("create Twice --at 3,4 --dry-run"));
+    QVERIFY2(told.out.contains("1 waypoint is not sent"), told.out.constData());
+    QTemporaryDir folder;
+    const QString csv = folder.filePath(QStringLiteral("w.csv"));
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("id,name,x,y\r\n,Fresh,5,5\r\nnone,Twice,6,6\r\n");
+    file.close();
+    const QString plan = folder.filePath(QStringLiteral("p.json"));
+    const Ran whole = waypoints(QStringLiteral("import ") + csv);
+    QCOMPARE(whole.exit_code, 0);  // it is found by its name
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("id,name,x,y\r\n,Fresh 2,5,5\r\n,Fresh 3,6,6\r\n,Fresh 3,7,7\r\n");
+    file.close();
+    const Ran none = waypoints(QStringLiteral("import --json ") + csv);
+    QCOMPARE(none.exit_code, 4);
+    const QJsonObject sent = QJsonDocument::fromJson(none.out).object();
+    QCOMPARE(sent[QLatin1String("applied")].toInt(-1), 0);
+    QCOMPARE(sent[QLatin1String("failed")].toArray().size(), 2);
+    QCOMPARE(sent[QLatin1String("remaining")].toInt(-1), 1);
+    const Ran others = waypoints(QStringLiteral("import --go-on --json ") + csv);
+    QCOMPARE(QJsonDocument::fromJson(others.out)[QLatin1String("applied")].toInt(-1), 1);
+  }
+
   void aRobotWhoseOnlyMapDoesNotComeSaysSo() {
     simulator::Options options;
     options.paused = true;

@@ -48,6 +48,65 @@ struct Desk {
 class TestDocument : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void changesStandInTheOrderInWhichTheyWereMade() {
+    Desk desk;
+    for (const char* id : {"z", "m", "b2"}) desk.set(point(id));
+    desk.set(moved(point("b", 5), 6));
+    desk.remove("a");
+    desk.set(moved(point("m"), 1));  // once more: it stays where it was
+    const auto keys = [&] {
+      std::string line;
+      for (const auto& change : desk.document.changes()) line += change.key + ' ';
+      return line;
+    };
+    QCOMPARE(keys(), std::string("z m b2 b a "));
+    desk.document.take(items({point("a"), point("b", 5), point("q")}));
+    QCOMPARE(keys(), std::string("z m b2 b a "));
+    desk.document.confirm({{"m", std::nullopt, moved(point("m"), 1)}});
+    QCOMPARE(keys(), std::string("z b2 b a "));
+  }
+
+  void whatIsChangedIsMadeSuchThatItCanBeKept() {
+    Desk desk;
+    desk.document.setFit([](Waypoint& one) { fit(one, {.type = false, .no_heading = false}); });
+    Waypoint made = point("c", 1);
+    made.type = "shelf";
+    desk.set(made);
+    QCOMPARE(desk.at("c").type, std::string());
+    QCOMPARE(desk.at("c").yaw_rad, std::optional(0.0));
+    made.id = "d";
+    desk.document.rebase({{"d", std::nullopt, made}}, QStringLiteral("take up"));
+    QCOMPARE(desk.at("d").type, std::string());
+    QCOMPARE(desk.at("d").yaw_rad, std::optional(0.0));
+    // What somebody else keeps there comes as it is.
+    desk.document.take(items({point("a"), point("b", 5), point("e")}));
+    QVERIFY(!desk.at("e").yaw_rad);
+  }
+
+  void aNameThatAnotherOneHasIsRefused() {
+    const robot::KeptFields one_of_each{.name_twice = false};
+    const Items<Waypoint> kept =
+        items({point("a", 0, 0, "A"), point("b", 0, 0, "B"), point("c", 0, 0, "C"), point("d", 0, 0, "C")});
+    const auto to = [&](const Key& key, const std::string& name) {
+      const bool there = kept.contains(key);
+      return Change<Waypoint>{key, there ? std::optional(kept.at(key)) : std::nullopt,
+                              point(key, 0, 0, name)};
+    };
+    const auto refused = [&](const std::vector<Change<Waypoint>>& changes) {
+      return refusedNames(kept, changes, one_of_each);
+    };
+    QCOMPARE(refused({to("n", "N")}), (std::set<Key>{}));
+    QCOMPARE(refused({to("n", "A")}), (std::set<Key>{"n"}));
+    QCOMPARE(refused({to("a", "B"), to("b", "A")}), (std::set<Key>{}));  // they change places
+    QCOMPARE(refused({to("n", "A"), {"a", kept.at("a"), std::nullopt}}), (std::set<Key>{}));
+    QCOMPARE(refused({to("n", "N"), to("m", "N")}), (std::set<Key>{"m", "n"}));
+    // Who waits for a name that is not let go of is refused, too.
+    QCOMPARE(refused({to("a", "C"), to("b", "A")}), (std::set<Key>{"a", "b"}));
+    // Whoever leaves a name alone is not asked, be it twice there.
+    QCOMPARE(refused({{"c", kept.at("c"), moved(kept.at("c"), 1)}}), (std::set<Key>{}));
+    QVERIFY(refusedNames(kept, {to("n", "A")}, {}).empty());
+  }
+
   void undoAndRedoExchangeValues() {
     Desk desk;
     desk.set(moved(point("a"), 3));

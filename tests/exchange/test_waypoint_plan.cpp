@@ -2,6 +2,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "exchange/waypoint_plan.h"
@@ -53,6 +54,40 @@ std::string withChanges(const QByteArray& plan, const std::function<void(QJsonAr
 class WaypointPlanTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void whatIsNotKeptIsLeftOutWithAWord() {
+    map::Waypoint typed = point("", "New", 1, 1);
+    typed.type = "shelf";
+    map::Waypoint door = point("1", "Door", 1, 1);
+    door.yaw_rad = 0;
+    map::Waypoint as_typed = door;
+    as_typed.type = "door";
+    const robot::KeptFields keeps{.type = false, .no_heading = false};
+    const auto fitted = exchange::fitted({{"k", std::nullopt, typed}, {"1", door, as_typed}}, keeps);
+    QCOMPARE(fitted.edits.size(), std::size_t(1));  // the type alone was another one
+    QCOMPARE(fitted.edits.front().after->type, std::string());
+    QCOMPARE(fitted.edits.front().after->yaw_rad, std::optional(0.0));
+    QCOMPARE(
+        fitted.notes,
+        (QStringList{QStringLiteral("Types are not kept here: those of 2 waypoints are left out."),
+                     QStringLiteral("Every waypoint has a heading here: 1 waypoint without one gets 0°.")}));
+    QVERIFY(exchange::fitted({{"k", std::nullopt, typed}}, {}).notes.isEmpty());
+  }
+
+  void aPlanKeepsItsOrder() {
+    const auto edits = exchange::editsFor(
+        two(),
+        {wanted("", "Corr 3", Eigen::Vector2d(3, 0)), wanted("2", "Dock", Eigen::Vector2d(3, 3)),
+         wanted("", "Corr 1", Eigen::Vector2d(1, 0)), wanted("1", "Gate", Eigen::Vector2d(1, 1))},
+        exchange::Others::Go);
+    QVERIFY(edits.has_value());
+    const auto plan = exchange::planFromBytes(
+        exchange::planBytes({QStringLiteral("file:///m"), "1", two(), *edits}, {}).toStdString());
+    QVERIFY(plan.has_value());
+    QCOMPARE(told(plan->edits)
+                 .replace(QRegularExpression(QStringLiteral("create \\S*")), QStringLiteral("create")),
+             QStringLiteral("create Corr 3 | move 2 Dock | create Corr 1 | rename 1 Door"));
+  }
+
   void anImportAddsAndChangesAndLeavesTheOthers() {
     const auto edits = exchange::editsFor(
         two(),

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QLabel>
+#include <QTableView>
 #include <QtTest>
 
 #include "waypoints_desk.h"
@@ -277,6 +278,117 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_VERIFY(!desk.control().unsaved());
     QCoreApplication::processEvents();
     QVERIFY(desk.window->session()->wholeMap().key().id != "2");
+  }
+
+  void enterSendsWhereverTheFocusIs_data() {
+    QTest::addColumn<QString>("focus");
+    for (const char* focus : {"send", "close", "go on", "table"})
+      QTest::newRow(focus) << QString::fromLatin1(focus);
+  }
+  void enterSendsWhereverTheFocusIs() {
+    QFETCH(QString, focus);
+    Desk desk;
+    desk.change();
+    desk.store.before_performing = [&] { desk.store.hold = true; };
+    desk.open();
+    desk.review().activateWindow();
+    QTRY_VERIFY(desk.review().isActiveWindow());
+    const std::map<QString, QWidget*> places{
+        {QStringLiteral("send"), desk.review().sendButton()},
+        {QStringLiteral("close"), desk.review().closeButton()},
+        {QStringLiteral("go on"), desk.review().goOnBox()},
+        {QStringLiteral("table"), desk.review().findChild<QTableView*>()}};
+    QWidget* const place = places.at(focus);
+    place->setFocus();
+    QTest::keyClick(place, Qt::Key_Return);
+    QTRY_COMPARE(desk.store.asked.size(), std::size_t(1));
+    QVERIFY(desk.review().isVisible());
+    // Once more, and Space: what is under way is not cancelled by a button that the focus has hopped to.
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space})
+      QTest::keyClick(desk.review().focusWidget() ? desk.review().focusWidget() : &desk.review(), key);
+    QCOMPARE(desk.outcome(0), QStringLiteral("under way…"));
+    QTest::mouseClick(desk.review().cancelButton(), Qt::LeftButton);
+    QTRY_VERIFY(desk.review().sendButton()->isVisible());
+    // Nor is it closed.
+    desk.store.before_performing = [&] { desk.store.hold = false; };
+    desk.store.hold = false;
+    QTest::keyClick(desk.review().focusWidget() ? desk.review().focusWidget() : &desk.review(),
+                    Qt::Key_Return);
+    QTRY_VERIFY(!desk.control().unsaved());
+    QTest::keyClick(desk.review().focusWidget() ? desk.review().focusWidget() : &desk.review(),
+                    Qt::Key_Return);
+    QVERIFY(desk.review().isVisible());
+  }
+
+  void aNameTwiceIsSaidBeforeAndNotSent() {
+    Desk desk;
+    desk.store.kept_fields.name_twice = false;
+    desk.change();
+    desk.editing().rename("b", QStringLiteral("Gate"));
+    desk.open();
+    QCOMPARE(desk.review().model()->rowCount(), 2);
+    QVERIFY2(desk.review().statusShown().contains(QLatin1String(
+                 "1 waypoint is not sent: the robot refuses a name that another one has (Gate).")),
+             qPrintable(desk.review().statusShown()));
+    desk.send();
+    QTRY_COMPARE(desk.store.asked.size(), std::size_t(2));
+    QTRY_VERIFY2(desk.review().statusShown().contains(QLatin1String("1 waypoint is not sent")),
+                 qPrintable(desk.review().statusShown()));
+    QVERIFY(desk.control().unsaved());
+    // Another name, and it goes.
+    desk.editing().rename("b", QStringLiteral("Gate 2"));
+    desk.open();
+    QTRY_COMPARE(desk.review().model()->rowCount(), 1);
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+  }
+
+  void whoLeavesIsNotLetGoWhileANameTwiceIsLeft() {
+    Desk desk;
+    desk.store.kept_fields.name_twice = false;
+    desk.change();
+    desk.editing().rename("b", QStringLiteral("Gate"));
+    desk.window->openMap({map::MapKind::Stored, "2"});
+    desk.answer(QMessageBox::Save);
+    QTRY_VERIFY(desk.review().isVisible());
+    desk.send();
+    QTRY_COMPARE(desk.store.asked.size(), std::size_t(2));
+    QTRY_VERIFY(desk.review().statusShown().contains(QLatin1String("1 waypoint is not sent")));
+    QCoreApplication::processEvents();
+    QVERIFY(desk.window->session()->wholeMap().key().id != "2");
+  }
+
+  void newOnesAreSentInTheOrderInWhichTheyWereMade() {
+    Desk desk;
+    desk.start();
+    QStringList names;
+    for (int i = 1; i <= 8; ++i) {
+      names << QStringLiteral("Corr %1").arg(i);
+      const edit::Key key = desk.editing().add({0.3 * i, 1});
+      desk.editing().rename(key, names.back());
+    }
+    desk.open();
+    QStringList listed;
+    for (int row = 0; row < 8; ++row) listed << desk.cell(row, ReviewModel::WaypointColumn);
+    QCOMPARE(listed, names);
+  }
+
+  void aHeadingThatThereMustBeIsSaidBefore() {
+    Desk desk;
+    desk.store.kept_fields = {.type = false, .no_heading = false};
+    for (map::Waypoint& point : desk.store.points) point.yaw_rad = 1.5;
+    desk.start();
+    const edit::Key key = desk.editing().add({1, 1});
+    desk.open();
+    QVERIFY2(desk.cell(0, ReviewModel::ChangeColumn).contains(QStringLiteral("heading 0.0°")),
+             qPrintable(desk.cell(0, ReviewModel::ChangeColumn)));
+    QVERIFY2(desk.review().statusShown().contains(QLatin1String("has a heading on this robot")),
+             qPrintable(desk.review().statusShown()));
+    // One that is turned has the heading that was chosen.
+    map::Waypoint turned = *desk.editing().find(key);
+    turned.yaw_rad = 1;
+    desk.editing().set(key, turned, QStringLiteral("turn"));
+    QTRY_VERIFY(!desk.review().statusShown().contains(QLatin1String("has a heading on this robot")));
   }
 
   void namesOfOthersAreText() {

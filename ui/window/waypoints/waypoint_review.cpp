@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -12,6 +13,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "exchange/waypoint_plan.h"
 #include "exchange/waypoint_steps.h"
 #include "sentences/plural.h"
 #include "window/docks/row_table.h"
@@ -69,7 +71,9 @@ WaypointReview::WaypointReview(QWidget* parent)
   header->resizeSection(ReviewModel::OutcomeColumn, wide(22));
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
+  // Enter sends, wherever the focus is, and does nothing else.
   send_->setDefault(true);
+  for (QPushButton* button : {cancel_, close_}) button->setAutoDefault(false);
 
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(go_on_);
@@ -124,6 +128,7 @@ void WaypointReview::review(edit::OpenWaypoints* list, const QString& map) {
   show();
   raise();
   activateWindow();
+  (send_->isVisible() && send_->isEnabled() ? static_cast<QWidget*>(send_) : table_)->setFocus();
 }
 
 void WaypointReview::forget() {
@@ -152,8 +157,10 @@ void WaypointReview::send() {
     return takePlan();
   }
   overtaken_ = unreached_ = false;
-  for (const edit::Change<map::Waypoint>& change : list_->document().changes())
-    wanted_.insert_or_assign(change.key, change);
+  const std::set<edit::Key> refused = list_->refused();
+  for (const edit::Change<map::Waypoint>& change : list_->document().changes()) {
+    if (!refused.contains(change.key)) wanted_.insert_or_assign(change.key, change);
+  }
   sent_ = true;
   list_->send(model_->showsPlan() ? model_->plan() : planned,
               go_on_->isChecked() ? edit::AtFailure::GoOn : edit::AtFailure::Stop);
@@ -183,7 +190,10 @@ void WaypointReview::refresh() {
   heading_->setText(
       tr("Waypoints of %1: %2 in this order.")
           .arg(map_, sentences::counted(tr("%1 calls", nullptr, sentences::formOf(rows)), rows)));
-  status_->setText(statusText());
+  QStringList lines{statusText(), list_->saving() ? QString() : refusedText()};
+  if (model_->showsPlan()) lines << madeUpText();
+  lines.removeAll(QString());
+  status_->setText(lines.join(QLatin1Char('\n')));
   status_->setVisible(!status_->text().isEmpty());
   compared_->setText(comparedText());
   compared_->setVisible(!compared_->text().isEmpty());
@@ -192,12 +202,13 @@ void WaypointReview::refresh() {
   progress_->setValue(int(list_->submission().done()));
   const bool all_done = sent_ && phase == SubmissionPhase::Done;
   send_->setText(sent_ && !all_done ? tr("&Send the rest") : tr("&Send"));
+  // A button that goes leaves the focus to the next one, and Space would press that.
+  if (saving ? send_->hasFocus() || close_->hasFocus() : cancel_->hasFocus()) table_->setFocus();
   send_->setVisible(!saving);
   send_->setEnabled(list_->maySave() && (model_->showsPlan() ? rows > 0 : !all_done));
   cancel_->setVisible(saving);
   close_->setVisible(!saving);
   go_on_->setEnabled(!saving);
-  (all_done ? close_ : send_)->setDefault(true);
 }
 
 QString WaypointReview::statusText() const {
@@ -216,7 +227,8 @@ QString WaypointReview::statusText() const {
           "Nothing has been sent: the list has changed meanwhile, and this is what it takes now. Look at it "
           "and "
           "send it.");
-    return model_->rowCount() == 0 ? tr("There is nothing to send.") : tr("Nothing has been sent yet.");
+    if (model_->rowCount() > 0) return tr("Nothing has been sent yet.");
+    return list_->unsaved() ? QString() : tr("There is nothing to send.");
   }
   const exchange::SentCounts counts = model_->counts();
   const auto& submission = list_->submission();
@@ -242,6 +254,28 @@ QString WaypointReview::statusText() const {
     text += QLatin1Char(' ') +
             tr("What has arrived could not be read yet; that is done as soon as the link is back.");
   return text;
+}
+
+QString WaypointReview::refusedText() const {
+  return exchange::refusedText(list_->refused(), list_->document().changes());
+}
+
+QString WaypointReview::madeUpText() const {
+  if (list_->keeps().no_heading) return {};
+  const auto& plan = model_->plan();
+  const bool any = std::any_of(plan.begin(), plan.end(), [](const edit::PlannedRequest& one) {
+    return std::any_of(one.request.changes.begin(), one.request.changes.end(), [](const auto& change) {
+      return !change.before && change.after && change.after->yaw_rad == 0.0;
+    });
+  });
+  return any ? tr("Every waypoint has a heading on this robot: a new one has 0° until it is turned.")
+             : QString();
+}
+
+void WaypointReview::keyPressEvent(QKeyEvent* event) {
+  // A key that is held down sends once.
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!enter || !event->isAutoRepeat()) QDialog::keyPressEvent(event);
 }
 
 QString WaypointReview::comparedText() const {

@@ -33,6 +33,7 @@ class WaypointReview : public QDialog {
   ReviewModel* model() const { return model_; }
   QPushButton* sendButton() const { return send_; }
   QPushButton* cancelButton() const { return cancel_; }
+  QPushButton* closeButton() const { return close_; }
   QCheckBox* goOnBox() const { return go_on_; }
   QString statusShown() const;
   /// "Compared …"; empty before there is something to compare.
@@ -42,6 +43,7 @@ class WaypointReview : public QDialog {
   void givenUp();  // closed, and not all is sent
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
@@ -49,6 +51,8 @@ class WaypointReview : public QDialog {
   void takePlan();
   void refresh();
   QString statusText() const;
+  QString refusedText() const;  // what is not sent
+  QString madeUpText() const;   // what is sent that nobody has chosen
   QString comparedText() const;
 
   QPointer<edit::OpenWaypoints> list_;
