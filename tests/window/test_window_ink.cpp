@@ -166,6 +166,26 @@ class TestWindowInk : public QObject {
     }
   }
 
+  void whatIsSaidAgainIsCounted() {
+    Bench bench;
+    ToastStack& toasts = *bench.open().overlay()->toasts();
+    const QString same = QStringLiteral("Not saved yet");
+    for (int i = 0; i < 3; ++i) toasts.add(Mark::Warning, same);
+    QCOMPARE(toasts.texts(), QStringList{QStringLiteral("Not saved yet (3 times)")});
+    toasts.add(Mark::Good, same);  // good news is another thing
+    toasts.add(Mark::Warning, same);
+    QCOMPARE(toasts.texts(), (QStringList{same, QStringLiteral("Not saved yet (4 times)")}));
+    // What one offers is not lost.
+    int taken = 0;
+    for (int i = 0; i < 2; ++i)
+      toasts.add(Mark::Good, QStringLiteral("Written"),
+                 {QStringLiteral("Show"), [&taken, i] { taken = i + 1; }});
+    QCOMPARE(toasts.texts().last(), QStringLiteral("Written (2 times)"));
+    toasts.findChildren<QPushButton*>().back()->click();
+    QCOMPARE(taken, 2);
+    QCOMPARE(toasts.texts().size(), qsizetype(2));
+  }
+
   void theFirstToast() {
     Bench bench;
     MainWindow& window = bench.open();

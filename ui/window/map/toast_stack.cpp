@@ -51,6 +51,17 @@ class MarkBox : public QWidget {
   Mark mark_;
 };
 
+void takeAway(QVBoxLayout& column, int at) {
+  QLayoutItem* const item = column.takeAt(at);
+  item->widget()->hide();
+  item->widget()->deleteLater();
+  delete item;
+}
+
+QString counted(const QString& text, int times) {
+  return times > 1 ? ToastStack::tr("%1 (%2 times)").arg(text, QString::number(times)) : text;
+}
+
 }  // namespace
 
 ToastStack::ToastStack(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
@@ -60,18 +71,23 @@ ToastStack::ToastStack(QWidget* parent) : QWidget(parent), column_(new QVBoxLayo
 }
 
 void ToastStack::add(Mark mark, const QString& text, ToastOffer offer) {
-  while (column_->count() >= kAtMost) {
-    QLayoutItem* oldest = column_->takeAt(0);
-    oldest->widget()->hide();
-    oldest->widget()->deleteLater();
-    delete oldest;
+  // What is said again is counted, and stands where the newest does.
+  int times = 1;
+  const QString same = QStringLiteral("%1\n%2\n%3").arg(QString::number(int(mark)), offer.words, text);
+  for (int i = column_->count() - 1; i >= 0; --i) {
+    if (column_->itemAt(i)->widget()->property("says").toString() != same) continue;
+    times += column_->itemAt(i)->widget()->property("times").toInt();
+    takeAway(*column_, i);
   }
+  while (column_->count() >= kAtMost) takeAway(*column_, 0);
   auto* toast = new QFrame(this);
   toast->setObjectName(QStringLiteral("toast"));
+  toast->setProperty("says", same);
+  toast->setProperty("times", times);
   auto* label = new QLabel(toast);
   label->setObjectName(QStringLiteral("toastText"));
   label->setTextFormat(Qt::PlainText);
-  const QString plain = words::plainText(text);
+  const QString plain = counted(words::plainText(text), times);
   label->setText(breakable(plain, label->fontMetrics()));
   label->setAccessibleName(plain);
   label->setWordWrap(label->fontMetrics().horizontalAdvance(plain) > kWidestText ||

@@ -23,8 +23,8 @@ class ToastStack : public QWidget {
   Q_OBJECT
  public:
   explicit ToastStack(QWidget* parent = nullptr);
-  /// Plain text. Good ones go after `lifetime_ms`, warnings, errors and those with an offer after three times
-  /// that, or by a click.
+  /// Plain text; one that is there already is counted. Good ones go after `lifetime_ms`, warnings, errors and
+  /// those with an offer after three times that, or by a click.
   void add(Mark mark, const QString& text, ToastOffer offer = {});
   void setLifetimeMs(int ms) { lifetime_ms_ = ms; }
   /// What is shown at present, oldest first.
