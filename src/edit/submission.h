@@ -116,7 +116,6 @@ class Submission : public SubmissionEvents {
   void start(Way way = {}) {
     if (running()) return;
     if (phase_ == SubmissionPhase::Done) rows_.clear();
-    std::erase_if(rows_, [](const Row& row) { return row.state != Row::State::Done; });
     way_ = way;
     failure_.reset();
     met_.reset();
@@ -125,6 +124,8 @@ class Submission : public SubmissionEvents {
       if (!stored) return stop(stored.error());
       if (cancelled_) return stop(cancelled());
       auto planned = listener_.plan(*stored);
+      // Only now is it known what has become of those that were not done.
+      std::erase_if(rows_, [](const Row& row) { return row.state != Row::State::Done; });
       if (!planned) return enter(SubmissionPhase::Undecided);
       if (planned->empty() && rows_.empty()) return enter(SubmissionPhase::Done);
       for (Request& request : *planned) rows_.push_back({std::move(request)});

@@ -92,11 +92,15 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
     case exchange::SentState::NotSent:
       return {Mark::Neutral, tr("not sent")};
     case exchange::SentState::Unknown:
-      return {Mark::Warning, words::plainLine(exchange::sentenceOf(outcome))};
     case exchange::SentState::Failed:
       break;
   }
-  return {Mark::Bad, words::plainLine(exchange::sentenceOf(outcome))};
+  // The state first: a column is narrow, and its tooltip has the whole sentence.
+  const bool failed = outcome.state == exchange::SentState::Failed;
+  const QString sentence = words::plainLine(exchange::sentenceOf(outcome));
+  const QString why = outcome.failure ? whyText(*outcome.failure) : sentence;
+  return {failed ? Mark::Bad : Mark::Warning,
+          failed ? tr("failed. %1").arg(why) : tr("not known. %1").arg(why), sentence};
 }
 
 exchange::SentCounts ReviewModel::counts() const {
@@ -157,8 +161,10 @@ QVariant ReviewModel::data(const QModelIndex& index, int role) const {
       if (asked.changes.size() == 1)
         text = changeText(asked.changes.front().before, asked.changes.front().after);
       break;
-    default:
-      text = outcome(index.row()).text;
+    default: {
+      const Outcome outcome = this->outcome(index.row());
+      text = tip && !outcome.sentence.isEmpty() ? outcome.sentence : outcome.text;
+    }
   }
   return tip ? plainToolTip(text) : text;
 }

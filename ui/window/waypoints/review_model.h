@@ -41,6 +41,7 @@ class ReviewModel : public QAbstractTableModel {
   struct Outcome {
     Mark mark = Mark::None;
     QString text;
+    QString sentence = {};  // with what has become of it; empty = the text says it
   };
   using State = edit::WaypointSubmission::Row::State;
   const robot::WaypointRequest& request(int row) const;

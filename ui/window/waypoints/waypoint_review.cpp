@@ -68,7 +68,7 @@ WaypointReview::WaypointReview(QWidget* parent)
   header->resizeSection(ReviewModel::NumberColumn, wide(4));
   header->resizeSection(ReviewModel::CallColumn, wide(22));
   header->resizeSection(ReviewModel::WaypointColumn, wide(20));
-  header->resizeSection(ReviewModel::OutcomeColumn, wide(22));
+  header->resizeSection(ReviewModel::OutcomeColumn, wide(30));
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(6);
   // Enter sends, wherever the focus is, and does nothing else.
@@ -144,6 +144,7 @@ void WaypointReview::forget() {
 }
 
 void WaypointReview::takePlan() {
+  sent_ = false;  // nothing of this has been
   model_->showPlan(list_, list_->planned());
   refresh();
 }
@@ -172,7 +173,6 @@ void WaypointReview::refresh() {
   const SubmissionPhase phase = list_->submission().phase();
   if (sent_ && phase == SubmissionPhase::Undecided) {
     // Nothing has been sent: others were there meanwhile.
-    sent_ = false;
     overtaken_ = true;
     return takePlan();
   }
@@ -180,7 +180,6 @@ void WaypointReview::refresh() {
                                 list_->submission().rows().empty();
   if (sent_ && !list_->saving() && before_the_first) {
     // How they are kept could not be looked up: what stands here is still what it takes.
-    sent_ = false;
     unreached_ = true;
     return takePlan();
   }
@@ -224,7 +223,8 @@ QString WaypointReview::statusText() const {
       return whyText(*why) + QLatin1Char(' ') + tr("Nothing has been sent.");
     if (overtaken_)
       return tr(
-          "Nothing has been sent: the list has changed meanwhile, and this is what it takes now. Look at it "
+          "Nothing of this has been sent: the list has changed meanwhile, and this is what it takes now. "
+          "Look at it "
           "and "
           "send it.");
     if (model_->rowCount() > 0) return tr("Nothing has been sent yet.");
