@@ -39,12 +39,22 @@ class ReplayRobot::Topics : public robot::LiveTopics {
   QStringList known() const override { return origin_.known(); }
   QStringList topicsOf(map::Stream stream) const override { return origin_.topicsOf(stream); }
   void setWanted(const map::Streams& streams, const QStringList& topics) override {
-    const auto is_new = [this](map::Stream stream) { return !streams_.contains(stream); };
-    const bool more = std::any_of(streams.begin(), streams.end(), is_new);
-    streams_ = streams;
-    // Of what nobody wanted so far the last messages are behind. Who is told of them wants the same again,
-    // and that is nothing new.
-    if (more || std::exchange(topics_, topics) != topics) replay_.lookAgain();
+    wanted_ = {streams, topics};
+    // Who wants the same anew says it in two breaths, none of it and all of it again: what is wanted after
+    // both is compared.
+    if (std::exchange(compares_, true)) return;
+    QMetaObject::invokeMethod(
+        &replay_, [this] { compareWants(); }, Qt::QueuedConnection);
+  }
+  /// Of what nobody wanted so far the last messages are behind.
+  void compareWants() {
+    compares_ = false;
+    const Wants before = std::exchange(seen_, wanted_);
+    const bool more = std::any_of(wanted_.streams.begin(), wanted_.streams.end(),
+                                  [&](map::Stream stream) { return !before.streams.contains(stream); }) ||
+                      std::any_of(wanted_.topics.begin(), wanted_.topics.end(),
+                                  [&](const QString& topic) { return !before.topics.contains(topic); });
+    if (more) replay_.lookAgain();
   }
   void setWatching(bool on) override {
     replay_.watching_ = on;
@@ -57,8 +67,12 @@ class ReplayRobot::Topics : public robot::LiveTopics {
  private:
   robot::LiveTopics& origin_;
   ReplayRobot& replay_;
-  map::Streams streams_;  // wanted so far
-  QStringList topics_;
+  struct Wants {
+    map::Streams streams;
+    QStringList topics;
+  };
+  Wants wanted_, seen_;
+  bool compares_ = false;  // soon
 };
 
 /// The maps of where the bag comes from. Which one the robot worked with then the bag tells, not what it

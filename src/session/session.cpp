@@ -174,7 +174,12 @@ void Session::take(const map::StampedMessage& stamped) {
   const map::TopicMessage& message = stamped.message;
   const int frame = live_.frame;
   world_ = map::reduce(std::move(world_), stamped);
-  if (live_.frame != frame) takeFrame();
+  if (live_.frame != frame) {
+    // What the robot says once and not again (landmarks, doors, the map) may have come before it told of the
+    // new frame: asked for anew it is sent again.
+    if (robot::LiveTopics* const live = robot_->liveTopics()) live->setWanted({}, {});
+    takeFrame();
+  }
   if (const auto* list = std::get_if<map::SubmapList>(&message)) {
     if (submaps_wanted_) submaps_.takeList(*list);
     return;
@@ -184,7 +189,10 @@ void Session::take(const map::StampedMessage& stamped) {
             unreadable->reason, map::ProblemCode::Unreadable});
     return;
   }
-  if (const auto* grid = std::get_if<map::GridMessage>(&message)) takeGrid(*grid);
+  if (const auto* grid = std::get_if<map::GridMessage>(&message)) {
+    if (grid->body_bytes > 0) countFetch(grid->body_bytes, grid->from_cache);
+    takeGrid(*grid);
+  }
   Q_EMIT liveChanged(int(message.index()));
 }
 

@@ -292,7 +292,6 @@ void Session::retryMaps() {
 }
 
 void Session::takeGrid(const map::GridMessage& message) {
-  if (message.body_bytes > 0) countFetch(message.body_bytes, message.from_cache);
   if (message.kind != map::GridKind::WholeMap) {
     layer_grids_.take(message);
     return;
@@ -338,13 +337,7 @@ void Session::takeFrame() {
     slot->clear();  // or its picture would stay until the new one is whole
     openInto(*slot, live_map);
   }
-  // What the robot says once and not again (landmarks, doors, the map) may have come before it told of the
-  // new frame: asked for anew it is sent again.
-  if (robot::LiveTopics* const live = robot_->liveTopics()) {
-    live->setWanted({}, {});
-    live->setWanted(wanted_.streams, wanted_.topics);
-    sendWants();
-  }
+  sendWants();
   Q_EMIT frameChanged();
 }
 

@@ -151,6 +151,39 @@ class ReplayRobotTest : public QObject {
     QVERIFY(viewer.waitFor([&] { return viewer.jumps == before + 2; }));
   }
 
+  void whoAsksAnewForTheSameIsNotToldAgain() {
+    const Bag bag = makeBag({});
+    Viewer viewer(bag);
+    QVERIFY(viewer.open());
+    QVERIFY(viewer.goTo(bag[1000].stamp_s));
+    robot::LiveTopics& live = *viewer.robot->liveTopics();
+    const map::Streams streams{map::Stream::Path};
+    const QStringList topics{QStringLiteral("/a"), QStringLiteral("/b")};
+    const auto turn = [] {
+      for (int turns = 0; turns < 20; ++turns) QCoreApplication::processEvents();
+    };
+    live.setWanted(streams, topics);
+    turn();
+    const int before = viewer.jumps;
+    // None of it and all of it again, as for a new frame; at every jump, too.
+    connect(viewer.robot.get(), &ReplayRobot::jumped, viewer.robot.get(), [&] {
+      live.setWanted({}, {});
+      live.setWanted(streams, topics);
+    });
+    live.setWanted({}, {});
+    live.setWanted(streams, topics);
+    turn();
+    QCOMPARE(viewer.jumps, before);
+    live.setWanted(streams, {topics.back(), topics.front()});  // in another order
+    live.setWanted(streams, {topics.front()});                 // less
+    turn();
+    QCOMPARE(viewer.jumps, before);
+    live.setWanted(streams, topics);
+    QVERIFY(viewer.waitFor([&] { return viewer.jumps > before; }));
+    turn();
+    QCOMPARE(viewer.jumps, before + 1);
+  }
+
   void whileItLooksBackItShowsWhatItKnows() {
     const Bag bag = makeBag({});
     ChunksOptions chunks;

@@ -136,8 +136,15 @@ class SessionMapsTest : public QObject {
     robot_->say(liveGrid(0));
     QTRY_COMPARE(shownGray(), 0);
     QSignalSpy frames(session_.get(), &Session::frameChanged), told(session_.get(), &Session::liveChanged);
+    const QStringList wanted = robot_->wanted;
+    robot_->wants.clear();
+    const auto fetched = session_->counts().fetches;
     session_->reset(world);
     QVERIFY(session_->world() == world);
+    // The whole world is there: nothing is to be sent again.
+    QVERIFY(std::all_of(robot_->wants.begin(), robot_->wants.end(),
+                        [&](const QStringList& wants) { return wants == wanted; }));
+    QCOMPARE(session_->counts().fetches, fetched);
     QCOMPARE(frames.size(), 1);
     for (const int what : {map::topicIndex<map::TrackedPose>(), map::topicIndex<map::AlertsMessage>()}) {
       QVERIFY(std::any_of(told.begin(), told.end(),
