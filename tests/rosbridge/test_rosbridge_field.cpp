@@ -298,6 +298,14 @@ class TestRosbridgeField : public QObject {
     const QByteArray long_text = '"' + QByteArray(5000, 'x') + '"';
     QCOMPARE(json(long_text)->root().toWholeJson(), long_text);
     QCOMPARE(cbor(typedArray(72, "\xff\x05"))->root().toWholeJson(), QByteArray(R"({"a":[-1,5]})"));
+    // Whole numbers to their last digit.
+    const quint64 most = std::numeric_limits<quint64>::max();
+    QCOMPARE(cbor(typedArray(71, littleEndian<quint64>({most, 1})))->root().toWholeJson(),
+             QByteArray(R"({"a":[18446744073709551615,1]})"));
+    QCOMPARE(cbor(QByteArray::fromHex("a161611b8000000000000001"))->root().toWholeJson(),
+             QByteArray(R"({"a":9223372036854775809})"));
+    QCOMPARE(json(R"({"a":18446744073709551615})")->root().toWholeJson(),
+             QByteArray(R"({"a":18446744073709551615})"));
     // Bytes are base64, and what is no finite number is null.
     QCOMPARE(cbor(typedArray(64, "\xff\x05"))->root().toWholeJson(), QByteArray(R"({"a":"/wU="})"));
     const QByteArray reals = littleEndian<float>(

@@ -30,20 +30,28 @@ struct Access {
     field.raw_[0] = std::uint64_t(value);
     return field;
   }
+  /// Beyond int64: a real number that remembers its digits.
+  static Field ofNatural(std::uint64_t value) {
+    Field field = ofReal(double(value));
+    field.raw_[1] = value;
+    return field;
+  }
   static Field ofReal(double value) {
     Field field;
     field.kind_ = std::isfinite(value) ? Field::Kind::Real : Field::Kind::NotFinite;
     field.raw_[0] = std::bit_cast<std::uint64_t>(value);
     return field;
   }
-  static Field ofNumber(const std::variant<std::int64_t, double>& number) {
-    const auto* whole = std::get_if<std::int64_t>(&number);
-    return whole != nullptr ? ofWhole(*whole) : ofReal(std::get<double>(number));
+  static Field ofNumber(const CborNumber& number) {
+    if (const auto* whole = std::get_if<std::int64_t>(&number)) return ofWhole(*whole);
+    if (const auto* natural = std::get_if<std::uint64_t>(&number)) return ofNatural(*natural);
+    return ofReal(std::get<double>(number));
   }
   /// The item at `at` of bytes that lookThrough() found whole.
   static Field ofCbor(const std::uint8_t* at, const std::uint8_t* end) {
     const CborItem item = CborItem::at(at, end);
     if (item.type == CborItem::Type::Whole) return ofWhole(item.whole);
+    if (item.type == CborItem::Type::Natural) return ofNatural(item.natural);
     if (item.type == CborItem::Type::Real || !std::isfinite(item.real)) return ofReal(item.real);
     Field field;
     if (item.type != CborItem::Type::Null) {
@@ -62,6 +70,13 @@ struct Access {
   static bool isCbor(const Field& field) { return field.kind_ == Field::Kind::Cbor; }
   static bool isJson(const Field& field) { return field.kind_ == Field::Kind::Json; }
   static std::int64_t whole(const Field& field) { return std::int64_t(field.raw_[0]); }
+  /// A whole number beyond int64, and within uint64.
+  static std::optional<std::uint64_t> natural(const Field& field) {
+    std::uint64_t value = 0;
+    if (field.kind_ == Field::Kind::Real && field.raw_[1] != 0) return field.raw_[1];
+    if (isJson(field) && json(field).is_uint64() && json(field).get(value) == simdjson::SUCCESS) return value;
+    return std::nullopt;
+  }
   static double real(const Field& field) { return std::bit_cast<double>(field.raw_[0]); }
 
   /// The items of a list, until `take` answers false. `Take` is a template, so that the numbers of a large

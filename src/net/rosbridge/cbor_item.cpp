@@ -125,10 +125,13 @@ std::optional<CborNumbers> numbersTagged(std::uint64_t tag) {
   return numbers;
 }
 
-void take(CborItem& item, std::variant<std::int64_t, double> number) {
+void take(CborItem& item, const CborNumber& number) {
   if (const auto* whole = std::get_if<std::int64_t>(&number)) {
     item.type = CborItem::Type::Whole;
     item.whole = *whole;
+  } else if (const auto* natural = std::get_if<std::uint64_t>(&number)) {
+    item.type = CborItem::Type::Natural;
+    item.natural = *natural;
   } else {
     item.real = std::get<double>(number);
     if (std::isfinite(item.real)) item.type = CborItem::Type::Real;
@@ -144,7 +147,7 @@ CborFault lookThrough(const std::uint8_t* at, const std::uint8_t* end) {
   return fault == CborFault::None && at != end ? CborFault::Broken : fault;
 }
 
-std::variant<std::int64_t, double> CborNumbers::at(std::size_t index) const {
+CborNumber CborNumbers::at(std::size_t index) const {
   const std::uint8_t* from = data + index * width;
   std::uint64_t bits = 0;
   if (big_endian) {
@@ -157,7 +160,7 @@ std::variant<std::int64_t, double> CborNumbers::at(std::size_t index) const {
     const unsigned unused = unsigned(64 - 8 * width);
     return std::int64_t(bits << unused) >> unused;
   }
-  if (bits > kMostWhole) return double(bits);
+  if (bits > kMostWhole) return bits;
   return std::int64_t(bits);
 }
 
@@ -172,7 +175,7 @@ CborItem CborItem::at(const std::uint8_t* at, const std::uint8_t* end) {
   switch (head.major) {
     case kUnsigned:
       if (head.value > kMostWhole) {
-        take(item, double(head.value));
+        take(item, head.value);
       } else {
         take(item, std::int64_t(head.value));
       }

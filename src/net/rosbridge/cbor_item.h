@@ -17,6 +17,9 @@ enum class CborFault { None, Broken, TooDeep };
 /// follows may be asked about bytes only that this found whole.
 CborFault lookThrough(const std::uint8_t* at, const std::uint8_t* end);
 
+/// A whole number is std::int64_t where that holds it, std::uint64_t beyond.
+using CborNumber = std::variant<std::int64_t, std::uint64_t, double>;
+
 /// Numbers side by side.
 struct CborNumbers {
   enum class Of { Unsigned, Signed, Float };
@@ -26,12 +29,11 @@ struct CborNumbers {
   const std::uint8_t* data = nullptr;
   std::size_t count = 0;
 
-  /// Whole numbers that int64 holds, others as double.
-  std::variant<std::int64_t, double> at(std::size_t index) const;
+  CborNumber at(std::size_t index) const;
 };
 
 struct CborItem {
-  enum class Type { Null, Whole, Real, Flag, Text, Numbers, List, Object };
+  enum class Type { Null, Whole, Natural, Real, Flag, Text, Numbers, List, Object };
 
   /// Tags without a meaning for us are passed over. Null is also: undefined, numbers that are not finite or
   /// beyond 64 bits, strings in chunks, typed arrays of 128-bit floats or of half an element.
@@ -39,6 +41,7 @@ struct CborItem {
 
   Type type = Type::Null;
   std::int64_t whole = 0;
+  std::uint64_t natural = 0;  // beyond `whole`
   double real = 0;  // of Null, too: a number that is not finite, else 0
   bool flag = false;
   std::string_view text;  // as it came, maybe no UTF-8

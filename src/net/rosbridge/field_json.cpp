@@ -131,6 +131,10 @@ class Writer {
   }
 
   void writeNumber(const Field& field) {
+    if (const std::optional<std::uint64_t> natural = Access::natural(field)) {
+      out_ += QByteArray::number(qulonglong(*natural));
+      return;
+    }
     if (const std::optional<std::int64_t> whole = field.integer()) {
       out_ += QByteArray::number(qlonglong(*whole));
       return;
