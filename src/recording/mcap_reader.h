@@ -55,6 +55,9 @@ class McapReader final : public ChunkedSource {
   /// Takes in all records in [from, to); answers where the first one begins that is not whole, or `to`.
   std::uint64_t scan(std::uint64_t from, std::uint64_t to);
   enum class Step : std::uint8_t { Taken, NoRecord, CutOff, DataEnds };
+  /// A record of a kind that nobody here knows may be passed over: another one follows where it ends. Source:
+  /// MCAP format specification, "Records" (opcodes 0x10 to 0x7F are of later versions, from 0x80 on private).
+  static bool leadsOn(Window& window, const RecordHead& head, std::uint64_t to);
   Step take(Window& window, const RecordHead& head, std::uint64_t to);
   Step takeChunk(Window& window, const RecordHead& head, std::uint64_t to);
   Step takeMessage(Window& window, const RecordHead& head);

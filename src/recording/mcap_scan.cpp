@@ -13,9 +13,8 @@ using mcap::Op;
 
 // Bytes of bare records that are read as one chunk.
 constexpr std::uint64_t kMostBare = std::uint64_t(1) << 20;
-constexpr std::uint8_t kFirstPrivateOp = 0x80;
 
-bool isOp(std::uint8_t op) { return op >= std::uint8_t(Op::Header) && op <= std::uint8_t(Op::DataEnd); }
+bool isKnownOp(std::uint8_t op) { return op >= std::uint8_t(Op::Header) && op <= std::uint8_t(Op::DataEnd); }
 
 }  // namespace
 
@@ -63,7 +62,7 @@ std::uint64_t McapReader::scan(std::uint64_t from, std::uint64_t to) {
       ByteReader in(start);
       const auto op = in.number<std::uint8_t>();
       head = {Op(op), from, in.number<std::uint64_t>()};
-      const bool sound = isOp(op) || op >= kFirstPrivateOp;
+      const bool sound = isKnownOp(op) || leadsOn(window, head, to);
       step = !sound ? Step::NoRecord : take(window, head, to);
     }
     if (step == Step::DataEnds) {
@@ -83,6 +82,17 @@ std::uint64_t McapReader::scan(std::uint64_t from, std::uint64_t to) {
   }
   settleChunk(true);
   return from;
+}
+
+bool McapReader::leadsOn(Window& window, const RecordHead& head, std::uint64_t to) {
+  if (std::uint8_t(head.op) == 0) return false;
+  if (head.length > to - head.content()) return true;  // take() tells whether it was cut
+  ByteReader in(window.look(head.end(), mcap::kRecordHead, to));
+  const auto op = in.number<std::uint8_t>();
+  const auto length = in.number<std::uint64_t>();
+  if (!in.sound()) return true;                  // the file ends here
+  if (Op(op) == Op::MessageIndex) return false;  // it was a chunk, and that is damage
+  return isKnownOp(op) || (op != 0 && length <= to - head.end() - mcap::kRecordHead);
 }
 
 McapReader::Step McapReader::take(Window& window, const RecordHead& head, std::uint64_t to) {

@@ -13,6 +13,7 @@ class TestMcapDamage : public QObject {
   void aFileThatWasCutHoldsItsWholeChunks();
   void aFlippedByteCostsAtMostAChunk();
   void readingGoesOnBehindWhatIsNoRecord();
+  void recordsOfAnotherKindAreNoDamage();
   void aFileThatGrowsIsFollowed();
   void lz4AndOverlongChunksAreRead();
   void aBombTakesNoMemory();
@@ -92,6 +93,30 @@ void TestMcapDamage::readingGoesOnBehindWhatIsNoRecord() {
   QVERIFY(opened);
   QCOMPARE(rowsOf(**opened) == made.byTime(), true);
   QVERIFY(has(**opened, NoteCode::BytesSkipped) && has(**opened, NoteCode::NotFinished));
+}
+
+void TestMcapDamage::recordsOfAnotherKindAreNoDamage() {
+  const Made made = makeRecording(4, 10, 0, 6);
+  for (const int op : {0x10, 0x42, 0x7f, 0x80, 0xff}) {
+    for (const std::size_t length : {0, 1, 5000}) {
+      mcap::RecordWriter record;
+      record.begin(mcap::Op(op));
+      record.raw(bytesOf(std::string(length, '\x01')));
+      record.end();
+      const std::string inserted(record.bytes().begin(), record.bytes().end());
+      std::string bytes = made.bytes->substr(0, std::size_t(made.chunks[3].first));
+      const auto whole = std::make_shared<std::string>(bytes);
+      bytes.insert(std::size_t(made.chunks[1].first), inserted);
+      const Opened opened = openRecording(heldBytes(std::make_shared<std::string>(bytes)));
+      QVERIFY(opened);
+      QCOMPARE(rowsOf(**opened) == made.byTime(), true);
+      QVERIFY(!has(**opened, NoteCode::BytesSkipped));
+      // Nor is it at the end of what was written.
+      const Opened last = openRecording(heldBytes(std::make_shared<std::string>(*whole + inserted)));
+      QVERIFY(last && !has(**last, NoteCode::BytesSkipped) && !has(**last, NoteCode::CutOff));
+      QCOMPARE(rowsOf(**last) == made.byTime(), true);
+    }
+  }
 }
 
 void TestMcapDamage::aFileThatGrowsIsFollowed() {
