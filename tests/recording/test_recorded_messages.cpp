@@ -2,6 +2,7 @@
 
 #include "net/rosbridge/frame.h"
 #include "recording/ros_cbor.h"
+#include "recording/seconds.h"
 #include "recordings.h"
 #include "robot/ros/read_messages.h"
 
@@ -12,6 +13,7 @@ using mapwright::net::rosbridge::Frame;
 class TestRecordedMessages : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void timesAreWhatTheirDigitsSay();
   void definitionsBecomeTrees();
   void whatIsNoDefinitionIsNamed();
   void messagesOfRos1AreReadByTheRosLayers();
@@ -75,6 +77,26 @@ std::shared_ptr<const Frame> frameOf(const RosSchema& schema, RosWire wire, cons
 }
 
 }  // namespace
+
+void TestRecordedMessages::timesAreWhatTheirDigitsSay() {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    // A stamp that is printed to its last digit and typed again is the same time.
+    const std::int64_t ns = 1'500'000'000'000'000'000 + std::int64_t(random() % 500'000'000'000'000'000);
+    const QByteArray printed = QByteArray::number(qlonglong(ns / 1'000'000'000)) + '.' +
+                               QByteArray::number(qlonglong(ns % 1'000'000'000)).rightJustified(9, '0');
+    QCOMPARE(secondsOf(ns), printed.toDouble());
+    // Microseconds, as robots send them, survive a double.
+    const std::int64_t us = ns / 1000 * 1000;
+    QCOMPARE(nanosecondsOf(secondsOf(us)), us);
+  }
+  QCOMPARE(nanosecondsOf(1717405200.123456), std::int64_t(1'717'405'200'123'456'000));
+  QCOMPARE(nanosecondsOf(-0.25), std::int64_t(-250'000'000));
+  QCOMPARE(nanosecondsOf(0.1234567896), std::int64_t(123'456'790));
+  QCOMPARE(nanosecondsOf(5), std::int64_t(5'000'000'000));
+  QCOMPARE(nanosecondsOf(std::nan("")), std::int64_t(0));
+  QCOMPARE(nanosecondsOf(1e300), std::int64_t(9'200'000'000'000'000'000));
+}
 
 void TestRecordedMessages::definitionsBecomeTrees() {
   const RosSchema schema = schemaOf("nav_msgs/OccupancyGrid", kGrid1, RosDialect::Ros1);

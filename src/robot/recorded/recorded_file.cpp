@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QThread>
 
+#include "recording/seconds.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/stream_topics.h"
 #include "robot/recorded/interruption.h"
@@ -202,7 +203,7 @@ Outcome<std::vector<BagEntry>> RecordedFile::list() {
   BagEntry entry;
   entry.key = ownKey();
   entry.size_bytes = std::int64_t(summary.bytes);
-  if (summary.end_ns) entry.end_s = double(*summary.end_ns) / 1e9;
+  if (summary.end_ns) entry.end_s = recording::secondsOf(*summary.end_ns);
   return std::vector<BagEntry>{entry};
 }
 
@@ -235,8 +236,8 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
     }
     counted_until_ns_ = summary.end_ns;
   }
-  if (summary.start_ns) info.start_s = double(*summary.start_ns) / 1e9;
-  info.end_s = summary.end_ns ? double(*summary.end_ns) / 1e9 : info.start_s;
+  if (summary.start_ns) info.start_s = recording::secondsOf(*summary.start_ns);
+  info.end_s = summary.end_ns ? recording::secondsOf(*summary.end_ns) : info.start_s;
   info.interrupted = isInterrupted(*parts_->file);
   info.away = awayIn(*parts_->file);
   tellContent(info, summary);
@@ -286,7 +287,7 @@ void RecordedFile::messages(const wire::ErrandPtr& errand, const BagKey& key, co
     return;
   }
   const auto end_ns = parts_->file->summary().end_ns;
-  if (!end_ns || nanosecondsOf(range.until_s) > *end_ns) refresh();
+  if (!end_ns || recording::nanosecondsOf(range.until_s) > *end_ns) refresh();
   const auto job = std::make_shared<Job>(Job{RangeJob(key, range), errand, std::move(reply)});
   job->number = errand->begun([held = std::weak_ptr(job)] {
     if (const auto now = held.lock()) now->stopped = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "recording/seconds.h"
 #include "robot/recorded/foxglove.h"
 #include "robot/ros/ros_world.h"
 
@@ -108,7 +109,7 @@ ros::RosWorld firstTransforms(recording::Source& file, MessageFields& fields, co
     const auto frame = fields.read(*message);
     if (!frame) continue;
     for (const ros::Source& source : shape.by_topic.at(message->channel->topic))
-      world.take(source, (*frame)->root(), double(message->log_time_ns) / 1e9);
+      world.take(source, (*frame)->root(), recording::secondsOf(message->log_time_ns));
   }
   return world;
 }
