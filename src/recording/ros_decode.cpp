@@ -55,7 +55,7 @@ class Decoder {
       value(field);
       if (fault_) return;
     }
-    if (cdr_ && type.fields.empty()) take(1);
+    if (cdr_ && type.fields.empty() && left() > 0) take(1);  // not all write a byte in their place
     if (!fault_) visitor_.endObject();
   }
 

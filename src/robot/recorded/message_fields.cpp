@@ -26,6 +26,13 @@ tl::expected<FramePtr, map::Reason> frameOf(const QByteArray& bytes, Frame::Wire
   }
 }
 
+map::Reason missing(const recording::Channel& channel) {
+  return {map::ReasonCode::RosSchemaMissing, {channel.schema_name}};
+}
+
+/// What a message without members may take: CDR has a head, a byte in the place of members, and padding.
+std::size_t bytesOfNothing(recording::RosWire wire) { return wire == recording::RosWire::Cdr ? 8 : 0; }
+
 }  // namespace
 
 bool isRos(const recording::Channel& channel, bool untyped) {
@@ -46,9 +53,8 @@ const MessageFields::Schema& MessageFields::schemaOf(const recording::ChannelPtr
   const auto known = schemas_.find(channel->id);
   if (known != schemas_.end() && known->second.channel == channel) return known->second.schema;
   const auto read = [&]() -> Schema {
-    if (channel->schema_data.empty())
-      return tl::unexpected(map::Reason(map::ReasonCode::RosSchemaMissing, {channel->schema_name}));
     const auto dialect = recording::rosDialect(channel->schema_encoding);
+    if (channel->schema_data.empty() && !dialect) return tl::unexpected(missing(*channel));
     if (!dialect) {
       return tl::unexpected(map::Reason(map::ReasonCode::RosEncodingUnknown,
                                         {channel->message_encoding, channel->schema_encoding}));
@@ -100,6 +106,9 @@ tl::expected<FramePtr, map::Reason> MessageFields::readAsItIs(const recording::M
   }
   const Schema& schema = schemaOf(message.channel);
   if (!schema) return tl::unexpected(schema.error());
+  // A definition without a word is that of a type without members (std_msgs/Empty), if the message agrees.
+  if (message.channel->schema_data.empty() && message.bytes.size() > bytesOfNothing(*wire))
+    return tl::unexpected(missing(*message.channel));
   const auto cbor = recording::rosToCbor(*schema, *wire, message.bytes);
   if (!cbor) return tl::unexpected(reasonOf(cbor.error(), encoding));
   return frameOf(*cbor, Frame::Wire::Binary);
