@@ -1,7 +1,7 @@
 #include "replay/chunk.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -25,15 +25,16 @@ Chunk inRange(robot::BagChunkPtr answer) {
   Chunk chunk;
   chunk.from_s = answer->from_s;
   chunk.until_s = answer->until_s;
-  std::set<std::pair<std::string_view, std::string_view>> at_beginning;  // topic and bytes
+  std::map<std::pair<std::string_view, std::string_view>, int> at_beginning;  // topic and bytes
   for (std::uint32_t i = 0; i < answer->messages.size(); ++i) {
     const robot::BagMessage& message = answer->messages[i];
     const double stamp_s = message.message.received_s;
     if (stamp_s < chunk.from_s) {
       chunk.back_filled.push_back(i);
     } else if (stamp_s < chunk.until_s) {
-      const bool border = stamp_s == chunk.from_s;
-      if (border && !at_beginning.emplace(message.message.topic, answer->textOf(message)).second) continue;
+      const bool may_be_told_twice = message.latched && stamp_s == chunk.from_s;
+      if (may_be_told_twice && ++at_beginning[{message.message.topic, answer->textOf(message)}] == 2)
+        continue;
       chunk.order.push_back(i);
     }
   }

@@ -33,8 +33,8 @@ struct Chunk {
 using ChunkPtr = std::shared_ptr<const Chunk>;
 
 /// Each message of the answer that lies in its range once: what is at its very end belongs to the next range,
-/// whether or not the robot counts the end in, and what was told twice at its beginning, back-filled and as
-/// itself, is one message if topic, stamp and bytes are the same. Different ones of equal stamps all stay.
+/// whether or not the robot counts the end in. A latched one at its beginning may be told twice, back-filled
+/// and as itself (topic, stamp, bytes): that is one. All others stay, however often they say the same.
 Chunk inRange(robot::BagChunkPtr answer);
 
 }  // namespace mapwright::replay
