@@ -153,4 +153,87 @@ inline std::string drive(bool protobuf) {
   return *bytes;
 }
 
+/// A type with a member of every kind, in a file with two messages of it: one that says much, and one that
+/// says nothing.
+class Everything {
+ public:
+  Everything() {
+    using Field = pb::FieldDescriptorProto;
+    file_.set_name("everything.proto");
+    file_.set_package("test");
+    file_.set_syntax("proto3");
+    pb::EnumDescriptorProto& kinds = *file_.add_enum_type();
+    kinds.set_name("Kind");
+    for (int number = 0; number < 3; ++number) {
+      pb::EnumValueDescriptorProto& value = *kinds.add_value();
+      value.set_name("KIND_" + std::to_string(number));
+      value.set_number(number);
+    }
+    pb::DescriptorProto& all = *file_.add_message_type();
+    all.set_name("Everything");
+    const auto add = [&](const char* name, Field::Type type, const char* type_name, bool several) {
+      Field& field = *all.add_field();
+      field.set_name(name);
+      field.set_number(all.field_size());
+      field.set_type(type);
+      if (type_name) field.set_type_name(type_name);
+      field.set_label(several ? Field::LABEL_REPEATED : Field::LABEL_OPTIONAL);
+    };
+    for (const bool several : {false, true}) {
+      add(several ? "smalls" : "small", Field::TYPE_SINT32, nullptr, several);
+      add(several ? "larges" : "large", Field::TYPE_UINT64, nullptr, several);
+      add(several ? "reals" : "real", Field::TYPE_FLOAT, nullptr, several);
+      add(several ? "yeses" : "yes", Field::TYPE_BOOL, nullptr, several);
+      add(several ? "names" : "name", Field::TYPE_STRING, nullptr, several);
+      add(several ? "kinds" : "kind", Field::TYPE_ENUM, ".test.Kind", several);
+      add(several ? "inners" : "inner", Field::TYPE_MESSAGE, ".test.Everything", several);
+    }
+    pb::DescriptorProto& entry = *all.add_nested_type();
+    entry.set_name("ByNameEntry");
+    entry.mutable_options()->set_map_entry(true);
+    for (const auto& [name, type] : {std::pair("key", Field::TYPE_STRING), {"value", Field::TYPE_INT32}}) {
+      Field& field = *entry.add_field();
+      field.set_name(name);
+      field.set_number(entry.field_size());
+      field.set_type(type);
+      field.set_label(Field::LABEL_OPTIONAL);
+    }
+    add("by_name", Field::TYPE_MESSAGE, ".test.Everything.ByNameEntry", true);
+    pool_.BuildFile(file_);
+  }
+  std::string recording() {
+    pb::FileDescriptorSet set;
+    *set.add_file() = file_;
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    mapwright::recording::Channel channel;
+    channel.topic = "/all";
+    channel.message_encoding = channel.schema_encoding = "protobuf";
+    channel.schema_name = "test.Everything";
+    channel.schema_data = set.SerializeAsString();
+    const auto id = *writer->addChannel(channel);
+    std::int64_t at_ns = 1'717'405'200'000'000'000;
+    for (const char* json :
+         {R"({"small":-3,"large":"18446744073709551615","real":0.5,"yes":true,"name":"q","kind":2,)"
+          R"("inner":{"small":7},"smalls":[1,0,-1],"larges":["9223372036854775808","1"],"reals":[0.25,0],)"
+          R"("yeses":[true,false],"names":["a",""],"kinds":[0,2],"by_name":{"right":0,"left":1}})",
+          "{}"}) {
+      const std::unique_ptr<pb::Message> message(
+          factory_.GetPrototype(pool_.FindMessageTypeByName("test.Everything"))->New());
+      pb::util::JsonParseOptions options;
+      const auto status = pb::util::JsonStringToMessage(json, message.get(), options);
+      if (!status.ok()) qFatal("%s", std::string(status.message()).c_str());
+      writer->write(id, {at_ns, at_ns, 0}, recordings::bytesOf(message->SerializeAsString()));
+      at_ns += 1'000'000'000;
+    }
+    writer->close();
+    return *bytes;
+  }
+
+ private:
+  pb::FileDescriptorProto file_;
+  pb::DescriptorPool pool_;
+  pb::DynamicMessageFactory factory_{&pool_};
+};
+
 }  // namespace foxglove

@@ -1,16 +1,16 @@
 #include "robot/recorded/protobuf_schema.h"
 
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
-#include <QCborArray>
-#include <QCborMap>
-#include <QCborValue>
+#include <QCborStreamWriter>
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
 #include <google/protobuf/descriptor_database.h>
 #include <google/protobuf/dynamic_message.h>
+#include <google/protobuf/reflection.h>
 #include <google/protobuf/stubs/logging.h>
 
 namespace mapwright::robot::recorded {
@@ -19,8 +19,17 @@ namespace {
 namespace pb = google::protobuf;
 using Field = pb::FieldDescriptor;
 
-constexpr int kDeepest = 16;      // messages in messages that are looked at
-constexpr int kFloat64List = 86;  // RFC 8746, 2.1: little-endian
+constexpr int kDeepest = 100;  // messages in messages: as deep as protobuf itself reads them
+
+/// RFC 8746, 2.1: little-endian ones.
+enum NumberList : std::uint64_t {
+  kUint32 = 70,
+  kUint64 = 71,
+  kInt32 = 78,
+  kInt64 = 79,
+  kFloat32 = 85,
+  kFloat64 = 86
+};
 
 /// What is wrong with a definition is told by the channel's reason.
 class Silent final : public pb::DescriptorPool::ErrorCollector {
@@ -29,79 +38,169 @@ class Silent final : public pb::DescriptorPool::ErrorCollector {
                 const std::string&) override {}
 };
 
-QString nameOf(const Field& field) { return QString::fromStdString(field.name()); }
+/// Writes messages as maps.
+class CborOut {
+ public:
+  explicit CborOut(QByteArray& out) : writer_(&out) {}
+  bool tooDeep() const { return too_deep_; }
 
-QCborMap valueOf(const pb::Message& message, int depth);
-
-QCborValue single(const pb::Message& message, const Field& field, int depth) {
-  const pb::Reflection& of = *message.GetReflection();
-  switch (field.cpp_type()) {
-    case Field::CPPTYPE_INT32:
-      return qint64(of.GetInt32(message, &field));
-    case Field::CPPTYPE_INT64:
-      return qint64(of.GetInt64(message, &field));
-    case Field::CPPTYPE_UINT32:
-      return qint64(of.GetUInt32(message, &field));
-    case Field::CPPTYPE_UINT64: {
-      const std::uint64_t value = of.GetUInt64(message, &field);
-      if (value > std::uint64_t(std::numeric_limits<qint64>::max())) return double(value);
-      return qint64(value);
+  void message(const pb::Message& message) {
+    if (++depth_ > kDeepest) too_deep_ = true;
+    writer_.startMap();
+    const pb::Descriptor& type = *message.GetDescriptor();
+    for (int i = 0; i < type.field_count() && !too_deep_; ++i) {
+      const Field& field = *type.field(i);
+      // Of what has a presence absent is not the same as zero; all else is zero or empty where nothing came.
+      const pb::Reflection& of = *message.GetReflection();
+      if (!field.is_repeated() && field.has_presence() && !of.HasField(message, &field)) continue;
+      text(field.name());
+      value(message, field);
     }
-    case Field::CPPTYPE_DOUBLE:
-      return of.GetDouble(message, &field);
-    case Field::CPPTYPE_FLOAT:
-      return double(of.GetFloat(message, &field));
-    case Field::CPPTYPE_BOOL:
-      return of.GetBool(message, &field);
-    case Field::CPPTYPE_ENUM:
-      return qint64(of.GetEnumValue(message, &field));
-    case Field::CPPTYPE_STRING: {
-      const std::string text = of.GetString(message, &field);
-      const QByteArray bytes(text.data(), qsizetype(text.size()));
-      if (field.type() == Field::TYPE_BYTES) return bytes;
-      return QString::fromUtf8(bytes);
+    std::vector<const Field*> set;
+    if (type.extension_range_count() > 0) message.GetReflection()->ListFields(message, &set);
+    for (const Field* const field : set) {
+      if (!field->is_extension()) continue;
+      text('[' + field->full_name() + ']');  // as protobuf's own JSON has it
+      value(message, *field);
     }
-    case Field::CPPTYPE_MESSAGE:
-      return valueOf(of.GetMessage(message, &field), depth + 1);
+    writer_.endMap();
+    --depth_;
   }
-  return {};
-}
 
-QCborValue numbers(const std::vector<double>& values) {
-  const QByteArray bytes(reinterpret_cast<const char*>(values.data()),
-                         qsizetype(values.size() * sizeof(double)));
-  return {QCborTag(kFloat64List), QCborValue(bytes)};
-}
-
-QCborValue repeated(const pb::Message& message, const Field& field, int depth) {
-  const pb::Reflection& of = *message.GetReflection();
-  const int count = of.FieldSize(message, &field);
-  if (field.cpp_type() == Field::CPPTYPE_DOUBLE || field.cpp_type() == Field::CPPTYPE_FLOAT) {
-    std::vector<double> values;
-    values.reserve(std::size_t(count));
-    for (int i = 0; i < count; ++i)
-      values.push_back(field.cpp_type() == Field::CPPTYPE_DOUBLE
-                           ? of.GetRepeatedDouble(message, &field, i)
-                           : double(of.GetRepeatedFloat(message, &field, i)));
-    return numbers(values);
+ private:
+  void text(const std::string& utf8) { writer_.appendTextString(utf8.data(), qsizetype(utf8.size())); }
+  void textOrBytes(const Field& field, const std::string& value) {
+    if (field.type() == Field::TYPE_BYTES) {
+      writer_.appendByteString(value.data(), qsizetype(value.size()));
+    } else {
+      text(value);
+    }
   }
-  QCborArray all;
-  // Lists of other things say nothing here.
-  if (field.cpp_type() != Field::CPPTYPE_MESSAGE) return all;
-  for (int i = 0; i < count; ++i) all.append(valueOf(of.GetRepeatedMessage(message, &field, i), depth + 1));
-  return all;
-}
 
-QCborMap valueOf(const pb::Message& message, int depth) {
-  QCborMap value;
-  if (depth > kDeepest) return value;
-  std::vector<const Field*> set;
-  message.GetReflection()->ListFields(message, &set);
-  for (const Field* const field : set)
-    value.insert(nameOf(*field),
-                 field->is_repeated() ? repeated(message, *field, depth) : single(message, *field, depth));
-  return value;
-}
+  void value(const pb::Message& message, const Field& field) {
+    if (field.is_map()) {
+      mapOf(message, field);
+    } else if (field.is_repeated()) {
+      list(message, field);
+    } else {
+      single(message, field);
+    }
+  }
+
+  void single(const pb::Message& message, const Field& field) {
+    const pb::Reflection& of = *message.GetReflection();
+    switch (field.cpp_type()) {
+      case Field::CPPTYPE_INT32:
+        return writer_.append(qint64(of.GetInt32(message, &field)));
+      case Field::CPPTYPE_INT64:
+        return writer_.append(qint64(of.GetInt64(message, &field)));
+      case Field::CPPTYPE_UINT32:
+        return writer_.append(quint64(of.GetUInt32(message, &field)));
+      case Field::CPPTYPE_UINT64:
+        return writer_.append(quint64(of.GetUInt64(message, &field)));
+      case Field::CPPTYPE_DOUBLE:
+        return writer_.append(of.GetDouble(message, &field));
+      case Field::CPPTYPE_FLOAT:
+        return writer_.append(double(of.GetFloat(message, &field)));
+      case Field::CPPTYPE_BOOL:
+        return writer_.append(of.GetBool(message, &field));
+      case Field::CPPTYPE_ENUM:
+        return writer_.append(qint64(of.GetEnumValue(message, &field)));
+      case Field::CPPTYPE_STRING: {
+        std::string held;
+        return textOrBytes(field, of.GetStringReference(message, &field, &held));
+      }
+      case Field::CPPTYPE_MESSAGE:
+        return this->message(of.GetMessage(message, &field));
+    }
+  }
+
+  void list(const pb::Message& message, const Field& field) {
+    const pb::Reflection& of = *message.GetReflection();
+    const int count = of.FieldSize(message, &field);
+    switch (field.cpp_type()) {
+      case Field::CPPTYPE_INT32:
+        return numbers<std::int32_t>(kInt32, message, field);
+      case Field::CPPTYPE_INT64:
+        return numbers<std::int64_t>(kInt64, message, field);
+      case Field::CPPTYPE_UINT32:
+        return numbers<std::uint32_t>(kUint32, message, field);
+      case Field::CPPTYPE_UINT64:
+        return numbers<std::uint64_t>(kUint64, message, field);
+      case Field::CPPTYPE_DOUBLE:
+        return numbers<double>(kFloat64, message, field);
+      case Field::CPPTYPE_FLOAT:
+        return numbers<float>(kFloat32, message, field);
+      default:
+        break;
+    }
+    writer_.startArray(quint64(count));
+    for (int i = 0; i < count; ++i) {
+      if (field.cpp_type() == Field::CPPTYPE_BOOL) {
+        writer_.append(of.GetRepeatedBool(message, &field, i));
+      } else if (field.cpp_type() == Field::CPPTYPE_ENUM) {
+        writer_.append(qint64(of.GetRepeatedEnumValue(message, &field, i)));
+      } else if (field.cpp_type() == Field::CPPTYPE_STRING) {
+        std::string held;
+        textOrBytes(field, of.GetRepeatedStringReference(message, &field, i, &held));
+      } else {
+        this->message(of.GetRepeatedMessage(message, &field, i));
+      }
+    }
+    writer_.endArray();
+  }
+
+  template <typename Number>
+  void numbers(NumberList tag, const pb::Message& message, const Field& field) {
+    const auto all = message.GetReflection()->GetRepeatedFieldRef<Number>(message, &field);
+    std::vector<Number> values;
+    values.reserve(std::size_t(all.size()));
+    for (const Number value : all) values.push_back(value);
+    writer_.append(QCborTag(tag));
+    writer_.appendByteString(reinterpret_cast<const char*>(values.data()),
+                             qsizetype(values.size() * sizeof(Number)));
+  }
+
+  /// By its keys in their order: protobuf has none.
+  void mapOf(const pb::Message& message, const Field& field) {
+    const pb::Reflection& of = *message.GetReflection();
+    const Field& key = *field.message_type()->map_key();
+    const Field& value = *field.message_type()->map_value();
+    std::map<std::string, const pb::Message*> entries;  // of one key twice the last one counts
+    for (int i = 0; i < of.FieldSize(message, &field); ++i) {
+      const pb::Message& entry = of.GetRepeatedMessage(message, &field, i);
+      entries[keyOf(entry, key)] = &entry;
+    }
+    writer_.startMap(entries.size());
+    for (const auto& [name, entry] : entries) {
+      text(name);
+      single(*entry, value);
+    }
+    writer_.endMap();
+  }
+
+  static std::string keyOf(const pb::Message& entry, const Field& key) {
+    const pb::Reflection& of = *entry.GetReflection();
+    switch (key.cpp_type()) {
+      case Field::CPPTYPE_INT32:
+        return std::to_string(of.GetInt32(entry, &key));
+      case Field::CPPTYPE_INT64:
+        return std::to_string(of.GetInt64(entry, &key));
+      case Field::CPPTYPE_UINT32:
+        return std::to_string(of.GetUInt32(entry, &key));
+      case Field::CPPTYPE_UINT64:
+        return std::to_string(of.GetUInt64(entry, &key));
+      case Field::CPPTYPE_BOOL:
+        return of.GetBool(entry, &key) ? "true" : "false";
+      default:
+        return of.GetString(entry, &key);
+    }
+  }
+
+  QCborStreamWriter writer_;
+  int depth_ = 0;
+  bool too_deep_ = false;
+};
 
 }  // namespace
 
@@ -149,7 +248,11 @@ tl::expected<QByteArray, map::Reason> ProtobufSchema::toCbor(std::span<const std
   // What is required and not there is not needed here.
   if (!fits || !message->ParsePartialFromArray(bytes.data(), int(bytes.size())))
     return tl::unexpected(map::Reason(map::ReasonCode::MessageNotUnderstood));
-  return valueOf(*message, 0).toCborValue().toCbor();
+  QByteArray cbor;
+  CborOut out(cbor);
+  out.message(*message);
+  if (out.tooDeep()) return tl::unexpected(map::Reason(map::ReasonCode::MessageNotUnderstood));
+  return cbor;
 }
 
 }  // namespace mapwright::robot::recorded

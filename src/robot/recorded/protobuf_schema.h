@@ -22,8 +22,9 @@ class ProtobufSchema {
   ProtobufSchema& operator=(ProtobufSchema&&) noexcept;
   ~ProtobufSchema();
 
-  /// As CBOR: members by their names, those that are not set left out; bytes as a byte string, enumerations
-  /// as numbers, lists of numbers as typed arrays.
+  /// As CBOR: members by their names, in the order of the definition. What has no presence is there with its
+  /// zero or empty, all else where it was set. Bytes are a byte string, enumerations numbers, lists of
+  /// numbers typed arrays, maps objects.
   tl::expected<QByteArray, map::Reason> toCbor(std::span<const std::uint8_t> bytes) const;
 
  private:
