@@ -3,6 +3,8 @@
 #include <tuple>
 #include <variant>
 
+#include "replay/recorded_message.h"
+
 namespace mapwright::replay {
 namespace {
 
@@ -113,19 +115,21 @@ Digest digestOf(const Chunk& chunk) {
   Digest digest;
   digest.from_s = chunk.from_s;
   digest.until_s = chunk.until_s;
-  digest.messages = chunk.order.size();
   std::map<std::size_t, std::size_t> kept_last;  // by kind: its place in the history
   std::map<Slot, std::uint32_t> last;
   for (std::uint32_t place = 0; place < chunk.order.size(); ++place) {
     const robot::BagMessage& each = chunk.at(place);
     const double stamp_s = each.message.received_s;
-    if (place == 0) digest.first_s = stamp_s;
-    if (place > 0 && stamp_s - digest.last_s >= kSilenceS)
-      digest.silences.emplace_back(digest.last_s, stamp_s);
-    digest.last_s = stamp_s;
-    TopicSpan& span = digest.topics[each.message.topic];
-    if (span.count++ == 0) span.first_s = stamp_s;
-    span.last_s = stamp_s;
+    if (isRecorded(each)) {
+      if (digest.messages == 0) digest.first_s = stamp_s;
+      if (digest.messages > 0 && stamp_s - digest.last_s >= kSilenceS)
+        digest.silences.emplace_back(digest.last_s, stamp_s);
+      ++digest.messages;
+      digest.last_s = stamp_s;
+      TopicSpan& span = digest.topics[each.message.topic];
+      if (span.count++ == 0) span.first_s = stamp_s;
+      span.last_s = stamp_s;
+    }
     if (!each.known) continue;
     ++digest.known;
     digest.last_known_s = stamp_s;

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "map/way.h"
+#include "replay/recorded_message.h"
 
 namespace mapwright::replay {
 namespace {
@@ -56,13 +57,14 @@ std::optional<geometry::Pose2> poseBetween(const PrefixIndex& index, double at_s
 }
 
 std::optional<double> stampAfter(const Chunk& chunk, double at_s) {
-  const std::size_t place = chunk.countUntil(at_s);
+  std::size_t place = chunk.countUntil(at_s);
+  while (place < chunk.order.size() && !isRecorded(chunk.at(place))) ++place;
   return place < chunk.order.size() ? std::optional(chunk.stampAt(place)) : std::nullopt;
 }
 
 std::optional<double> stampBefore(const Chunk& chunk, double at_s) {
   std::size_t place = chunk.countUntil(at_s);
-  while (place > 0 && chunk.stampAt(place - 1) >= at_s) --place;
+  while (place > 0 && (chunk.stampAt(place - 1) >= at_s || !isRecorded(chunk.at(place - 1)))) --place;
   return place > 0 ? std::optional(chunk.stampAt(place - 1)) : std::nullopt;
 }
 

@@ -175,8 +175,8 @@ void Reading::hold(Tick from, Made made) {
   // What a range makes of the world does not change when it is read again, but for the end of a file that
   // grows.
   const bool again = index_.digests().contains(from), grown = again && chunks_->isStale(from);
+  chunks_->read(from, made.chunk->bytes(), made.digest.messages);
   if (!again || grown) index_.add(from, std::move(made.digest));
-  chunks_->read(from, made.chunk->bytes(), made.chunk->order.size());
   const ChunkPtr chunk = held_.insert_or_assign(from, std::move(made.chunk)).first->second;
   const std::shared_ptr<bool> alive = alive_;
   Q_EMIT chunkRead(chunk);

@@ -5,6 +5,8 @@
 
 #include <QPointer>
 
+#include "replay/recorded_message.h"
+
 namespace mapwright::replay {
 
 using robot::ConnectionPhase;
@@ -269,8 +271,8 @@ bool ReplayRobot::playTo(double at_s) {
     const std::size_t end = chunk->countUntil(at_s);
     for (std::size_t place = chunk->countUntil(from_s); place < end; ++place) {
       const robot::BagMessage& message = chunk->at(place);
-      topics_[message.message.topic] = message.message.received_s;
-      if (watching_) Q_EMIT rawReceived(rawOf(*chunk, message));
+      if (isRecorded(message)) topics_[message.message.topic] = message.message.received_s;
+      if (watching_ && isRecorded(message)) Q_EMIT rawReceived(rawOf(*chunk, message));
       if (!alive || at_s_ != at_s) return true;
       if (!message.known) continue;
       const auto* grid = std::get_if<map::GridMessage>(&message.message.message);
@@ -318,10 +320,11 @@ void ReplayRobot::tellLastRaw() {
   std::map<std::string, const robot::BagMessage*> last;
   for (const std::uint32_t place : chunk->back_filled) {
     const robot::BagMessage& message = chunk->source->messages[place];
-    last[message.message.topic] = &message;
+    if (isRecorded(message)) last[message.message.topic] = &message;
   }
-  for (std::size_t place = 0; place < chunk->countUntil(*at_s_); ++place)
-    last[chunk->at(place).message.topic] = &chunk->at(place);
+  for (std::size_t place = 0; place < chunk->countUntil(*at_s_); ++place) {
+    if (isRecorded(chunk->at(place))) last[chunk->at(place).message.topic] = &chunk->at(place);
+  }
   const QPointer<ReplayRobot> alive(this);
   for (const auto& [topic, message] : last) {
     Q_EMIT rawReceived(rawOf(*chunk, *message));

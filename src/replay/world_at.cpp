@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "map/fold.h"
+#include "replay/recorded_message.h"
 
 namespace mapwright::replay {
 namespace {
@@ -223,14 +224,15 @@ std::map<std::string, double> topicsAt(const PrefixIndex& index, Tick from, cons
   std::map<std::string, double> last_s;
   if (!complete) {
     for (const std::uint32_t which : chunk.back_filled) {
-      const map::StampedMessage& message = chunk.source->messages[which].message;
-      last_s[message.topic] = message.received_s;
+      const robot::BagMessage& each = chunk.source->messages[which];
+      if (isRecorded(each)) last_s[each.message.topic] = each.message.received_s;
     }
   }
   index.addTopicsBefore(from, last_s);
   const std::size_t count = chunk.countUntil(at_s);
-  for (std::size_t place = 0; place < count; ++place)
-    last_s[chunk.at(place).message.topic] = chunk.stampAt(place);
+  for (std::size_t place = 0; place < count; ++place) {
+    if (isRecorded(chunk.at(place))) last_s[chunk.at(place).message.topic] = chunk.stampAt(place);
+  }
   return last_s;
 }
 

@@ -96,7 +96,7 @@ struct BagMessage {
   map::StampedMessage message;   // of a topic that nobody here knows: UnreadableMessage without a reason
   bool known = false;            // `message` says something of the world
   bool latched = false;          // the robot says that it is of a latched topic
-  std::size_t at = 0, size = 0;  // its JSON in BagChunk::text
+  std::size_t at = 0, size = 0;  // its JSON in BagChunk::text; of size 0 it was made of others, not recorded
   std::string picture_url = {};  // where the picture of a GridMessage without one lies on the robot
 };
 

@@ -20,6 +20,16 @@ class RosOut {
   RosOut& f64(const char* name, double value) { return number(name, value, value); }
   RosOut& f32(const char* name, double value) { return number(name, value, float(value)); }
   RosOut& u32(const char* name, std::uint32_t value) { return number(name, value, value); }
+  RosOut& u64(const char* name, std::uint64_t value) {
+    member(name, std::to_string(value));
+    put(value);
+    return *this;
+  }
+  /// In the place of members.
+  RosOut& nothing() {
+    if (cdr()) bytes_ += '\0';
+    return *this;
+  }
   RosOut& i32(const char* name, std::int32_t value) { return number(name, value, value); }
   RosOut& u8(const char* name, std::uint8_t value) { return number(name, value, value); }
   RosOut& text(const char* name, const std::string& value) {
@@ -123,6 +133,8 @@ class RosOut {
 /// The definitions that a recording holds of a type.
 inline std::string definitionOf(const std::string& type, bool ros2) {
   if (type == "std_msgs/String") return "string data\n";
+  if (type == "std_msgs/Empty") return "";
+  if (type == "std_msgs/UInt64MultiArray") return "uint64 one\nuint64[] data\n";
   const std::string rule = "\n" + std::string(80, '=') + "\nMSG: ";
   const std::string header = rule + "std_msgs/Header\n" + (ros2 ? "" : "uint32 seq\n") +
                              (ros2 ? "builtin_interfaces/Time stamp\n" : "time stamp\n") +
@@ -146,6 +158,9 @@ inline std::string definitionOf(const std::string& type, bool ros2) {
            header + pose;
   if (type == "map_msgs/OccupancyGridUpdate")
     return "std_msgs/Header header\nint32 x\nint32 y\nuint32 width\nuint32 height\nint8[] data\n" + header;
+  if (type == "nav_msgs/Odometry")
+    return "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n" + rule +
+           "geometry_msgs/PoseWithCovariance\ngeometry_msgs/Pose pose\n" + header + pose;
   if (type == "sensor_msgs/LaserScan")
     return "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\n"
            "float32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\n"

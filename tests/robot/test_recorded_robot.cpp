@@ -13,8 +13,11 @@
 
 #include "foxglove_recordings.h"
 #include "map/world.h"
+#include "recording/seconds.h"
 #include "replay/reading.h"
+#include "replay/recorded_message.h"
 #include "replay/replay_robot.h"
+#include "replay/track.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/recorded/recorded_robot.h"
 #include "ros_messages/slam.pb.h"
@@ -25,6 +28,7 @@ using namespace mapwright;
 using namespace mapwright::robot;
 using recordings::Drive;
 using recordings::Encoding;
+using recordings::RosOut;
 
 Q_DECLARE_METATYPE(recordings::Encoding)
 
@@ -106,7 +110,7 @@ std::string recordingOf(const std::vector<Said>& said, recording::WriterOptions 
 map::World foldedUntil(const std::vector<Said>& said, double at_s) {
   map::World world;
   for (const Said& one : said) {
-    const double stamp_s = double(recordings::nanoseconds(one.at_s)) / 1e9;
+    const double stamp_s = recording::secondsOf(recordings::nanoseconds(one.at_s));
     if (stamp_s > at_s) break;
     const axbot::TextFrame frame = axbot::parseTextFrame(one.text);
     if (frame.message) world = map::reduce(std::move(world), {*frame.message, stamp_s, {}, one.topic});
@@ -127,6 +131,156 @@ map::World foldedUntil(const BagChunk& chunk, double at_s) {
   }
   return world;
 }
+
+/// A robot on a curve, with everything at odd rates and in no order among equal times; and what all of it
+/// says of a time, by nothing that plays files.
+class Curve {
+ public:
+  static constexpr double kStartS = 1'700'000'003.125;
+  struct World {
+    std::optional<geometry::Pose2> pose;
+    int path = -1, markers = 0;
+  };
+
+  explicit Curve(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto stamp = [](double after_s) {
+      return recording::secondsOf(recordings::nanoseconds(kStartS) + std::llround(after_s * 1e9));
+    };
+    for (int step = 0; step < 40 * 37; ++step) {
+      const double at_s = stamp(step / 37.0), of_s = at_s - 0.004;
+      const double part = step / 37.0, x_m = 3 * std::sin(part / 4), y_m = part * 0.9, yaw = part / 7;
+      std::vector<Drive::Said> now{tf("/tf", at_s, of_s, "odom", "base_link", x_m, y_m, yaw)};
+      moves_.push_back({at_s, of_s, {x_m, y_m, yaw}});
+      if (step % 4 == 0) {
+        // Where the map lies drifts; it is told ahead of its time, as localisations do.
+        now.push_back(tf("/tf", at_s, at_s + 0.1, "map", "odom", 10 + part / 10, -3, 0.25));
+        drifts_.push_back({at_s, at_s + 0.1, {10 + part / 10, -3, 0.25}});
+      }
+      // It says nothing of where the robot is on the map, once transforms do.
+      now.push_back({"/odom", "nav_msgs/Odometry", at_s, [=](RosOut& out) {
+                       out.header(of_s, "odom").text("child_frame_id", "base_link");
+                       const geometry::Pose2 wheels = wheelsOf({x_m, y_m, yaw});
+                       out.object("pose", [&] { out.pose("pose", wheels.x_m, wheels.y_m, wheels.yaw_rad); });
+                     }});
+      if (step % 61 == 7) {
+        const int path = int(paths_.size());
+        paths_.push_back(at_s);
+        now.push_back({"/plan", "nav_msgs/Path", at_s, [=](RosOut& out) {
+                         out.header(of_s, "map").list("poses", 2, [&](std::size_t i) {
+                           out.header(of_s, "map").pose("pose", path + double(i) / 8, 0, 0);
+                         });
+                       }});
+      }
+      if (step % 113 == 50) {
+        const int id = int(random() % 3);
+        const double lives_s = double(random() % 6'000) / 1000 + 0.001;
+        put_.push_back({at_s, id, lives_s});
+        now.push_back({"/markers", "visualization_msgs/MarkerArray", at_s, [=](RosOut& out) {
+                         out.list("markers", 1, [&](std::size_t) {
+                           out.header(of_s, "map").text("ns", "box").i32("id", id);
+                           out.i32("type", 1).i32("action", 0).pose("pose", 1, 1, 0);
+                           out.object("scale", [&] { out.f64("x", 1).f64("y", 1).f64("z", 1); });
+                           out.time("lifetime", lives_s);
+                         });
+                       }});
+      }
+      std::shuffle(now.begin(), now.end(), random);
+      said_.insert(said_.end(), now.begin(), now.end());
+    }
+  }
+
+  const std::vector<Drive::Said>& said() const { return said_; }
+  World foldedUntil(double at_s) const {
+    World world;
+    const Place *move = last(moves_, at_s), *drift = last(drifts_, at_s);
+    if (move && drift) {
+      // By the transforms, where they have a time in common; else where its wheels say that it is.
+      const auto of_s = commonOf(at_s);
+      const geometry::Pose2 from = of_s ? at(drifts_, *of_s) : drift->pose;
+      const geometry::Pose2 robot = of_s ? at(moves_, *of_s) : wheelsOf(move->pose);
+      const double c = std::cos(from.yaw_rad), s = std::sin(from.yaw_rad);
+      world.pose = {from.x_m + c * robot.x_m - s * robot.y_m, from.y_m + s * robot.x_m + c * robot.y_m,
+                    geometry::normalizeAngle(from.yaw_rad + robot.yaw_rad)};
+    }
+    for (std::size_t i = 0; i < paths_.size() && paths_[i] <= at_s; ++i) world.path = int(i);
+    std::map<int, double> until;
+    for (const Put& put : put_) {
+      if (put.at_s <= at_s) until[put.id] = put.at_s + put.lives_s;
+    }
+    for (const auto& [id, until_s] : until) world.markers += until_s > at_s ? 1 : 0;
+    return world;
+  }
+  /// The times at which another place of the robot was known.
+  std::vector<double> posed() const {
+    std::vector<double> times;
+    std::optional<double> of_s;
+    for (const Place& move : moves_) {
+      const auto now_s = commonOf(move.at_s);
+      if (!now_s || now_s != of_s) times.push_back(move.at_s);
+      of_s = now_s;
+    }
+    return times;
+  }
+
+ private:
+  struct Place {
+    double at_s = 0, of_s = 0;  // when it was said, and of which time
+    geometry::Pose2 pose;
+  };
+  struct Put {
+    double at_s = 0;
+    int id = 0;
+    double lives_s = 0;
+  };
+  static geometry::Pose2 wheelsOf(const geometry::Pose2& robot) {
+    return {robot.x_m - 0.1, robot.y_m, robot.yaw_rad};
+  }
+  static Drive::Said tf(const char* topic, double at_s, double of_s, std::string parent, std::string child,
+                        double x_m, double y_m, double yaw) {
+    return {topic, "tf2_msgs/TFMessage", at_s, [=](RosOut& out) {
+              out.list("transforms", 1, [&](std::size_t) {
+                out.header(of_s, parent).text("child_frame_id", child);
+                out.object("transform", [&] {
+                  out.object("translation", [&] { out.f64("x", x_m).f64("y", y_m).f64("z", 0); });
+                  out.turn("rotation", yaw);
+                });
+              });
+            }};
+  }
+  /// The latest time of which both parts of the chain tell (tf2).
+  std::optional<double> commonOf(double at_s) const {
+    const Place* const move = last(moves_, at_s);
+    const Place* const drift = last(drifts_, at_s);
+    if (!move || !drift) return std::nullopt;
+    const double of_s = std::min(move->of_s, drift->of_s);
+    const bool known = of_s >= moves_.front().of_s && of_s >= drifts_.front().of_s;
+    return known ? std::optional(of_s) : std::nullopt;
+  }
+  static const Place* last(const std::vector<Place>& places, double at_s) {
+    const Place* found = nullptr;
+    for (const Place& place : places) {
+      if (place.at_s <= at_s) found = &place;
+    }
+    return found;
+  }
+  static geometry::Pose2 at(const std::vector<Place>& places, double of_s) {
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      const Place &before = places[i - 1], &after = places[i];
+      if (of_s < before.of_s || of_s > after.of_s) continue;
+      const double share = (of_s - before.of_s) / (after.of_s - before.of_s);
+      return {before.pose.x_m + share * (after.pose.x_m - before.pose.x_m),
+              before.pose.y_m + share * (after.pose.y_m - before.pose.y_m),
+              before.pose.yaw_rad + share * (after.pose.yaw_rad - before.pose.yaw_rad)};
+    }
+    return places.front().pose;
+  }
+
+  std::vector<Drive::Said> said_;
+  std::vector<Place> moves_, drifts_;
+  std::vector<double> paths_;
+  std::vector<Put> put_;
+};
 
 }  // namespace
 
@@ -433,8 +587,7 @@ class RecordedRobotTest : public QObject {
     std::map<std::string, double> last_s;
     for (const BagMessage& message : (*whole)->messages) {
       // What is to be seen of markers changes without anybody saying so.
-      const bool said = (*whole)->textOf(message).find("\"placed\":") == std::string_view::npos;
-      if (said && message.message.received_s < from_s)
+      if (replay::isRecorded(message) && message.message.received_s < from_s)
         last_s[message.message.topic] = message.message.received_s;
     }
     for (std::size_t i = 0; i < added; ++i) {
@@ -576,6 +729,69 @@ class RecordedRobotTest : public QObject {
     const auto whole = range(*robot, keyOf(path), 0, 4e9);
     QVERIFY(whole);
     compareSeeks(*robot, keyOf(path), 30, [&](double at_s) { return foldedUntil(**whole, at_s); });
+  }
+
+  void theWorldOfAnyTimeIsWhatAllMessagesUntilThenSay_data() {
+    QTest::addColumn<Encoding>("encoding");
+    QTest::newRow("JSON") << Encoding::Json;
+    QTest::newRow("CDR") << Encoding::Cdr;
+    QTest::newRow("ROS 1") << Encoding::Ros1;
+    QTest::newRow("a bag") << Encoding::Bag;
+  }
+  void theWorldOfAnyTimeIsWhatAllMessagesUntilThenSay() {
+    QFETCH(Encoding, encoding);
+    const Curve curve(unsigned(11 + int(encoding)));
+    const QString path = written(recordings::recordingOf(curve.said(), encoding),
+                                 encoding == Encoding::Bag ? QStringLiteral("bag") : QStringLiteral("mcap"));
+    const auto robot = opened(path);
+    replay::Reading::Options options;
+    options.chunks.messages_per_cell = 300;
+    replay::Reading reading(*robot->bagLibrary(), keyOf(path), options);
+    bool open = false;
+    connect(&reading, &replay::Reading::opened, &reading, [&] { open = true; });
+    reading.open();
+    QVERIFY(waitFor([&] { return open; }));
+    std::mt19937 random(5);
+    const std::vector<Drive::Said> said = curve.said();
+    for (int seek = 0; seek < 150; ++seek) {
+      // Every second time is that of a message.
+      const double at_s = seek % 2 ? said[random() % said.size()].at_s
+                                   : Curve::kStartS + 40.0 * double(random() % 1'000'000) / 1e6;
+      const map::World world = worldAt(reading, at_s);
+      const Curve::World wanted = curve.foldedUntil(at_s);
+      const QByteArray when = QByteArray::number(at_s - Curve::kStartS, 'f', 6);
+      QVERIFY2(world.live.robot_pose.has_value() == wanted.pose.has_value(), when);
+      if (wanted.pose) {
+        QVERIFY2(std::abs(world.live.robot_pose->x_m - wanted.pose->x_m) < 1e-6, when);
+        QVERIFY2(std::abs(world.live.robot_pose->y_m - wanted.pose->y_m) < 1e-6, when);
+        QVERIFY2(std::abs(world.live.robot_pose->yaw_rad - wanted.pose->yaw_rad) < 1e-6, when);
+      }
+      QVERIFY2((world.live.path.empty() ? -1 : int(std::lround(world.live.path.front().x()))) == wanted.path,
+               when);
+      QVERIFY2(int(world.live.seen_objects.size()) == wanted.markers, when);
+      // Each topic with the stamp of its last message, and no other.
+      std::map<std::string, double> topics;
+      for (const Drive::Said& one : said) {
+        if (one.at_s <= at_s) topics[one.topic] = one.at_s;
+      }
+      const replay::Moment moment = reading.moment();
+      QVERIFY2(moment.topics.size() == topics.size(), when);
+      for (const auto& [topic, stamp_s] : topics) {
+        const auto told = moment.topics.find(topic);
+        QVERIFY2(told != moment.topics.end() && told->second == stamp_s, (when + ' ' + topic.c_str()).data());
+      }
+    }
+    // The way has a place for every time at which one was told, each once, and each as it was then.
+    reading.setWhole(true);
+    QVERIFY(waitFor([&] { return reading.chunks().wholeRead(); }));
+    const std::vector<replay::TrackPoint> track = replay::trackOf(reading.index().digests());
+    const std::vector<double> told = curve.posed();
+    QCOMPARE(track.size(), told.size());
+    for (std::size_t i = 0; i < track.size(); ++i) {
+      QCOMPARE(track[i].stamp_s, told[i]);
+      const Curve::World wanted = curve.foldedUntil(told[i]);
+      QVERIFY(std::hypot(track[i].pose.x_m - wanted.pose->x_m, track[i].pose.y_m - wanted.pose->y_m) < 1e-6);
+    }
   }
 
   void patchesAreInTheGridWhereverOneBegins() {
@@ -918,6 +1134,84 @@ class RecordedRobotTest : public QObject {
                qPrintable(QString::number(cloud->second->front().x_m)));
     }
     QCOMPARE(world.live.path.size(), std::size_t(2));
+  }
+
+  void everythingInAMessageOfProtobufIsTold() {
+    foxglove::Everything all;
+    const QString path = written(all.recording());
+    const auto robot = opened(path);
+    const auto chunk = forPrograms(*robot, keyOf(path));
+    QVERIFY(chunk);
+    QCOMPARE((*chunk)->messages.size(), std::size_t(2));
+    const auto textOf = [&](std::size_t which) {
+      const std::string_view text = (*chunk)->textOf((*chunk)->messages[which]);
+      const std::size_t from = text.find("\"msg\":");
+      return QByteArray(text.data() + from + 6, qsizetype(text.size() - from - 7));
+    };
+    QCOMPARE(textOf(0),
+             QByteArray(R"({"small":-3,"large":18446744073709551615,"real":0.5,"yes":true,"name":"q",)"
+                        R"("kind":2,"inner":{"small":7,"large":0,"real":0,"yes":false,"name":"",)"
+                        R"("kind":0,"smalls":[],"larges":[],"reals":[],"yeses":[],"names":[],)"
+                        R"("kinds":[],"inners":[],"by_name":{}},"smalls":[1,0,-1],)"
+                        R"("larges":[9223372036854775808,1],"reals":[0.25,0],)"
+                        R"("yeses":[true,false],"names":["a",""],"kinds":[0,2],)"
+                        R"("inners":[],"by_name":{"left":1,"right":0}})"));
+    // Zeros are values; only what can be absent is.
+    QCOMPARE(textOf(1), QByteArray(R"({"small":0,"large":0,"real":0,"yes":false,"name":"","kind":0,)"
+                                   R"("smalls":[],"larges":[],"reals":[],"yeses":[],"names":[],"kinds":[],)"
+                                   R"("inners":[],"by_name":{}})"));
+  }
+
+  void wholeNumbersOfAnySizeAreTold_data() { theWorldOfAnyTimeIsWhatAllMessagesUntilThenSay_data(); }
+  void wholeNumbersOfAnySizeAreTold() {
+    QFETCH(Encoding, encoding);
+    if (encoding == Encoding::Json) return;  // as it was recorded
+    const std::vector<std::uint64_t> numbers{0, 9'007'199'254'740'993, 18'446'744'073'709'551'615U};
+    const std::vector<Drive::Said> said{
+        {"/numbers", "std_msgs/UInt64MultiArray", Drive::kStartS,
+         [&](RosOut& out) { out.u64("one", numbers.back()).numbers("data", numbers); }},
+        {"/go", "std_msgs/Empty", Drive::kStartS + 1, [](RosOut& out) { out.nothing(); }}};
+    const QString path = written(recordings::recordingOf(said, encoding),
+                                 encoding == Encoding::Bag ? QStringLiteral("bag") : QStringLiteral("mcap"));
+    const auto robot = opened(path);
+    std::vector<std::string> problems;
+    connect(robot.get(), &Robot::problemFound, this, [&](const map::Problem& one) {
+      if (one.subject.kind == map::SubjectKind::Topic) problems.push_back(map::patternOf(one));
+    });
+    const auto chunk = forPrograms(*robot, keyOf(path));
+    QVERIFY(chunk && (*chunk)->messages.size() == 2);
+    const std::string text((*chunk)->textOf((*chunk)->messages[0]));
+    QVERIFY2(text.ends_with(R"("msg":{"one":18446744073709551615,)"
+                            R"("data":[0,9007199254740993,18446744073709551615]}})"),
+             text.c_str());
+    // A type without members has an empty definition, and is described.
+    const std::string nothing((*chunk)->textOf((*chunk)->messages[1]));
+    QVERIFY2(nothing.ends_with(R"("msg":{}})"), nothing.c_str());
+    QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().c_str());
+  }
+
+  void messagesThatSayTheSameAtOneTimeAreAsManyAsTheyWere() {
+    std::vector<Said> said;
+    for (int second = 0; second < 12; ++second) {
+      for (int times = 0; times < 200; ++times)
+        said.push_back({1'717'405'200.0 + second, "/tracked_pose",
+                        R"({"topic":"/tracked_pose","pos":[1,2],"ori":0.5})"});
+    }
+    const QString path = written(recordingOf(said));
+    const auto robot = opened(path);
+    for (const double each : {50.0, 400.0, 1e6}) {
+      replay::Reading::Options options;
+      options.chunks.messages_per_cell = each;
+      replay::Reading reading(*robot->bagLibrary(), keyOf(path), options);
+      bool open = false;
+      connect(&reading, &replay::Reading::opened, &reading, [&] { open = true; });
+      reading.open();
+      QVERIFY(waitFor([&] { return open; }));
+      reading.setWhole(true);
+      reading.want(0);
+      QVERIFY(waitFor([&] { return reading.chunks().wholeRead(); }));
+      QCOMPARE(reading.chunks().messagesRead(), said.size());
+    }
   }
 
   void whatLiesInMessagesOfFoxgloveIsNoHarm() {

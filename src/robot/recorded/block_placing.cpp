@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "recording/seconds.h"
+
 namespace mapwright::robot::recorded {
 namespace {
 
 constexpr std::int64_t kFirstNs = 60'000'000'000;  // of a file: when what never changes is said
 constexpr int kMostOfFirst = 2000, kMostOfLast = 16;
 constexpr double kPoseMissingNs = 2e9;  // before it is told that there is none
-
-double secondsOf(std::int64_t ns) { return double(ns) / 1e9; }
+using recording::secondsOf;
 
 }  // namespace
 
@@ -129,6 +130,7 @@ ros::WorldResults BlockPlacing::before(std::int64_t at_ns) {
   ros::WorldResults all;
   if (parts_.shape.markers.empty()) return all;
   for (; next_look_ns_ <= at_ns; next_look_ns_ += kMarkersEveryNs) {
+    endMarkers(next_look_ns_, all);
     for (ros::WorldResult& result : now_.overdue(secondsOf(next_look_ns_))) all.push_back(std::move(result));
     if (next_look_ns_ < block_ns_ || std::exchange(told_beginning_, true) || !any_markers_) continue;
     ros::WorldResult result;
@@ -137,7 +139,14 @@ ros::WorldResults BlockPlacing::before(std::int64_t at_ns) {
     result.message = now_.seenObjects();
     all.push_back(std::move(result));
   }
+  endMarkers(at_ns, all);
   return all;
+}
+
+void BlockPlacing::endMarkers(std::int64_t until_ns, ros::WorldResults& results) {
+  while (now_.nextMarkerEnd() <= secondsOf(until_ns)) {
+    for (ros::WorldResult& result : now_.overdue(now_.nextMarkerEnd())) results.push_back(std::move(result));
+  }
 }
 
 ros::WorldResults BlockPlacing::takeNow(const recording::Message& message, const FramePtr& frame) {
@@ -236,17 +245,19 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
 }
 
 void BlockPlacing::addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns) {
-  if (pose_slot_ == at_ns / kPoseEveryNs) return;
-  const auto pose = now_.pose();
-  if (!pose) return;
+  const auto now = now_.located();
+  if (!now) return;
   ros::WorldResult result;
   result.topic = topic;
   result.received_s = secondsOf(at_ns);
-  if (*pose) {
-    pose_slot_ = at_ns / kPoseEveryNs;
-    result.message = map::TrackedPose{**pose};
+  if (now->pose) {
+    // A message that does not bear on it tells nothing: what others said before is not news at its time.
+    const bool brought = !located_ || !(*located_ == *now) || (!now->topic.empty() && now->topic == topic);
+    if (!brought) return;
+    located_ = *now;
+    result.message = map::TrackedPose{*now->pose};
   } else if (double(at_ns - block_ns_) > kPoseMissingNs) {
-    result.unplaced = pose->error();
+    result.unplaced = now->pose.error();
   }
   results.push_back(std::move(result));
 }

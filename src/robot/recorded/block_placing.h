@@ -52,7 +52,7 @@ class BlockPlacing {
  public:
   static constexpr std::int64_t kBlockNs = 8'000'000'000, kBeforeNs = 10'000'000'000,
                                 kAheadNs = 1'000'000'000;
-  static constexpr std::int64_t kPoseEveryNs = 50'000'000, kMarkersEveryNs = 250'000'000;
+  static constexpr std::int64_t kMarkersEveryNs = 250'000'000;
   static std::int64_t blockOf(std::int64_t at_ns);  // where it begins
 
   struct Parts {
@@ -68,14 +68,16 @@ class BlockPlacing {
   /// What the message became; it is of one of the topics of the shape, and each is handed in in its order.
   /// `frame`: it was read already. Results of other topics (markers) may be among them.
   ros::WorldResults take(const recording::Message& message, const FramePtr& frame);
-  /// What was to be seen of markers when the block began, and what has changed by then without any message:
-  /// to be asked before each message, and for the end of the range.
+  /// What was to be seen of markers when the block began, and what has changed of them by then without any
+  /// message: to be asked before each message, and for the end of the range.
   ros::WorldResults before(std::int64_t at_ns);
 
  private:
   void readStatics();
   void readBefore(std::int64_t from_ns);
   void advance(std::int64_t until_ns);
+  /// Takes away the markers that have lived their time, each at the time when it has.
+  void endMarkers(std::int64_t until_ns, ros::WorldResults& results);
   ros::WorldResults takeNow(const recording::Message& message, const FramePtr& frame);
   ros::WorldResult takeGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
   ros::WorldResult takePatch(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
@@ -89,8 +91,8 @@ class BlockPlacing {
   std::optional<recording::Message> lead_;  // the next transform of ahead_
   std::int64_t next_look_ns_;               // at markers
   bool told_beginning_ = false, any_markers_ = false;
-  std::int64_t pose_slot_ = -1;
-  std::set<std::string> folded_;  // grids that GridFolds has as they are now
+  std::optional<ros::RosWorld::Located> located_;  // as it was told last
+  std::set<std::string> folded_;                   // grids that GridFolds has as they are now
 };
 
 }  // namespace mapwright::robot::recorded

@@ -6,14 +6,13 @@
 #include <utility>
 #include <variant>
 
+#include "recording/seconds.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/recorded/message_text.h"
 
 namespace mapwright::robot::recorded {
 namespace {
 
-constexpr std::int64_t kSecondNs = 1'000'000'000;
-constexpr double kMostS = 9.2e9;             // that nanoseconds in 63 bits can hold
 constexpr std::int64_t kRoundingNs = 2'000;  // a double of seconds since 1970 is as exact as that
 constexpr double kShortestS = 1.0 / 64;      // of ranges that can be made shorter (replay::Tick)
 constexpr std::size_t kMostAtAll = std::size_t(1) << 30;
@@ -46,17 +45,11 @@ std::size_t weightOf(const map::TopicMessage& message) { return std::visit(Weigh
 
 }  // namespace
 
-std::int64_t nanosecondsOf(double epoch_s) {
-  const double within = std::clamp(std::isnan(epoch_s) ? 0 : epoch_s, -kMostS, kMostS);
-  const double whole = std::floor(within);
-  return std::int64_t(whole) * kSecondNs + std::llround((within - whole) * double(kSecondNs));
-}
-
 RangeJob::RangeJob(BagKey key, BagRange range)
     : key_(std::move(key)),
       range_(range),
-      next_ns_(nanosecondsOf(range.from_s) - kRoundingNs),
-      last_ns_(nanosecondsOf(range.until_s) + kRoundingNs) {
+      next_ns_(recording::nanosecondsOf(range.from_s) - kRoundingNs),
+      last_ns_(recording::nanosecondsOf(range.until_s) + kRoundingNs) {
   chunk_->from_s = range_.from_s;
   chunk_->until_s = range_.until_s;
   chunk_->from_cache = true;
@@ -85,7 +78,7 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
                     block_ns, from_ns, last_ns_);
   }
   while (const auto message = cursor->next()) {
-    if (placing) addResults(placing->before(message->log_time_ns), nullptr, {});
+    if (placing) addResults(placing->before(message->log_time_ns), nullptr);
     take(parts, *message, placing ? &*placing : nullptr);
     const bool too_long = bytes_ > std::size_t(std::max<std::int64_t>(range_.max_bytes, 0));
     if (too_long && range_.until_s - range_.from_s > kShortestS) return Step::TooLong;
@@ -96,7 +89,7 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
   }
   if (placing) {
     const std::int64_t last_ns = parts.file.summary().end_ns.value_or(end_ns);
-    addResults(placing->before(std::min({end_ns - 1, last_ns_, last_ns})), nullptr, {});
+    addResults(placing->before(std::min({end_ns - 1, last_ns_, last_ns})), nullptr);
   }
   next_ns_ = end_ns;
   return end_ns > last_ns_ ? Step::Done : Step::More;
@@ -164,6 +157,18 @@ void RangeJob::add(BagMessage told, std::string_view text) {
   chunk_->messages.push_back(std::move(told));
 }
 
+void RangeJob::keepLastPose() {
+  BagMessage& now = chunk_->messages.back();
+  if (!std::holds_alternative<map::TrackedPose>(now.message.message)) return;
+  const std::size_t place = chunk_->messages.size() - 1;
+  if (const auto last = std::exchange(last_pose_, place)) {
+    BagMessage& before = chunk_->messages[*last];
+    if (before.message.received_s != now.message.received_s) return;
+    before.known = false;
+    before.message.message = map::UnreadableMessage{before.message.topic, {}};
+  }
+}
+
 void RangeJob::note(const std::string& topic, map::ProblemCode code, map::Reason reason) {
   if (problems_.size() >= kMostProblems) return;
   map::Problem problem{map::Severity::Warning, map::Subject(map::SubjectKind::Topic, topic),
@@ -175,7 +180,7 @@ void RangeJob::note(const std::string& topic, map::ProblemCode code, map::Reason
   if (!known) problems_.push_back(std::move(problem));
 }
 
-void RangeJob::addResults(ros::WorldResults results, BagMessage* told, std::string_view text) {
+void RangeJob::addResults(ros::WorldResults results, BagMessage* told) {
   for (ros::WorldResult& result : results) {
     const bool within = takes(result.received_s);
     if (within && result.unplaced) note(result.topic, map::ProblemCode::Unplaced, *result.unplaced);
@@ -197,9 +202,7 @@ void RangeJob::addResults(ros::WorldResults results, BagMessage* told, std::stri
     BagMessage more;
     more.known = true;
     more.message = {std::move(*result.message), result.received_s, result.recorded_s, result.topic};
-    const std::string number = std::to_string(chunk_->messages.size());
-    add(std::move(more), text.empty() ? "{\"topic\":" + jsonText(result.topic) + ",\"placed\":" + number + "}"
-                                      : std::string(text));
+    add(std::move(more), {});
   }
 }
 
@@ -218,7 +221,7 @@ void RangeJob::takeFrame(const Parts& parts, const wire::Json& root, const recor
 
 void RangeJob::take(const Parts& parts, const recording::Message& message, BlockPlacing* placing) {
   const recording::Channel& channel = *message.channel;
-  const double stamp_s = double(message.log_time_ns) / 1e9;
+  const double stamp_s = recording::secondsOf(message.log_time_ns);
   BagMessage told;
   told.message.received_s = stamp_s;
   told.message.topic = channel.topic;
@@ -236,7 +239,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
     const auto frame = read ? parts.fields.read(message) : tl::unexpected(map::Reason());
     text = texts.ofRos(frame, parts.fields);
     if (frame) {
-      if (placed) addResults(placing->take(message, *frame), &told, {});
+      if (placed) addResults(placing->take(message, *frame), &told);
     } else if (placed && frame.error().any()) {
       told.known = true;
       told.message.message = map::UnreadableMessage{channel.topic, frame.error()};
@@ -286,7 +289,9 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
     }
     text = texts.ofOther(parts.fields);
   }
+  const std::size_t before = chunk_->messages.size();
   add(std::move(told), text);
+  if (placed && chunk_->messages.size() > before) keepLastPose();
 }
 
 }  // namespace mapwright::robot::recorded

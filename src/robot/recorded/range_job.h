@@ -18,10 +18,6 @@
 
 namespace mapwright::robot::recorded {
 
-/// Nanoseconds since the epoch of seconds that a double holds, to the next one; within what recordings can
-/// have.
-std::int64_t nanosecondsOf(double epoch_s);
-
 /// One thread, that of the file. Stamps are log times. The text of a message is one JSON object
 /// (MessageText).
 class RangeJob {
@@ -59,7 +55,9 @@ class RangeJob {
   void takeFrame(const Parts& parts, const wire::Json& root, const recording::Message& message,
                  BagMessage& told);
   void add(BagMessage told, std::string_view text);
-  void addResults(ros::WorldResults results, BagMessage* told, std::string_view text);
+  /// Messages of one time come in any order: where the robot was then is what they come to together.
+  void keepLastPose();
+  void addResults(ros::WorldResults results, BagMessage* told);
   void note(const std::string& topic, map::ProblemCode code, map::Reason reason);
 
   BagKey key_;
@@ -71,6 +69,7 @@ class RangeJob {
   std::optional<std::vector<recording::Message>>
       last_;  // to be added yet, the latest first; nullopt: not found
   bool adding_last_ = false;
+  std::optional<std::size_t> last_pose_;  // in the chunk: the last one that tells where the robot is
   std::vector<map::Problem> problems_;
   wire::JsonReader json_;
 };

@@ -1,5 +1,6 @@
 #include "robot/ros/marker_board.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace mapwright::robot::ros {
@@ -36,6 +37,12 @@ void MarkerBoard::take(const std::vector<Marker>& markers, double now_s) {
 
 bool MarkerBoard::expire(double now_s) {
   return std::erase_if(rows_, [now_s](const auto& row) { return row.second.until_s <= now_s; }) > 0;
+}
+
+double MarkerBoard::nextEnd() const {
+  double end_s = std::numeric_limits<double>::infinity();
+  for (const auto& [key, row] : rows_) end_s = std::min(end_s, row.until_s);
+  return end_s;
 }
 
 std::vector<Marker> MarkerBoard::markers() const {

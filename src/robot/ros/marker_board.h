@@ -21,6 +21,8 @@ class MarkerBoard {
   void take(const std::vector<Marker>& markers, double now_s);
   /// Takes away what has lived its time; true when anything has.
   bool expire(double now_s);
+  /// When the next one has lived its time; infinity: none will.
+  double nextEnd() const;
   /// By namespace and number.
   std::vector<Marker> markers() const;
 

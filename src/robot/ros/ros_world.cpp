@@ -159,11 +159,17 @@ tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const Placed& plac
 }
 
 std::optional<tl::expected<geometry::Pose2, map::Reason>> RosWorld::pose() const {
-  using Pose = tl::expected<geometry::Pose2, map::Reason>;
+  std::optional<Located> found = located();
+  return found ? std::optional(std::move(found->pose)) : std::nullopt;
+}
+
+std::optional<RosWorld::Located> RosWorld::located() const {
   std::optional<map::Reason> why;
   if (const std::string robot = robotFrame(); !robot.empty()) {
-    const auto found = transforms_.find(fixedFrame(), robot, {});
-    if (found) return Pose(found->flat());
+    const std::string fixed = fixedFrame();
+    const auto found = transforms_.find(fixed, robot, {});
+    if (found)
+      return Located{found->flat(), {}, transforms_.latestCommon(fixed, robot).value_or(std::nullopt)};
     why = reasonOf(found.error());
   }
   // Where it is on the map goes before where its wheels say that it is.
@@ -171,12 +177,12 @@ std::optional<tl::expected<geometry::Pose2, map::Reason>> RosWorld::pose() const
     for (const auto& [topic, told] : told_poses_) {
       if (told.form != form) continue;
       const auto pose = inFixedFrame(told.placed);
-      if (pose) return Pose(*pose);
+      if (pose) return Located{*pose, topic, {}};
       if (!why) why = reasonOf(pose.error());
     }
   }
   if (!why) return std::nullopt;
-  return Pose(tl::make_unexpected(std::move(*why)));
+  return Located{tl::make_unexpected(std::move(*why)), {}, {}};
 }
 
 void RosWorld::takeTf(const Source& source, const Field& msg, WorldResult& result) {
@@ -249,8 +255,7 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
       takeTf(source, msg, result);
       leaveOwnFrame(received_s, results);
       for (WorldResult& placed : placeWaiting()) results.push_back(std::move(placed));
-      if (markers_.waits() && std::abs(received_s - markers_looked_s_) >= kMarkersEveryS)
-        lookAtMarkers(received_s, results);
+      if (looksAtMarkers(received_s)) lookAtMarkers(received_s, results);
       break;
     case Form::MapService:
     case Form::Grid:
@@ -418,6 +423,13 @@ WorldResults RosWorld::placeWaiting() {
   }
   std::erase_if(waiting_, [](const auto& topic) { return topic.second.messages.empty(); });
   return results;
+}
+
+bool RosWorld::looksAtMarkers(double now_s) const {
+  // A recording is looked at again and again, and tells the same each time: at every transform.
+  const bool exact = !given_frame_.empty() && !markers_.many();
+  if (exact) return markers_.waits() || markers_.moves();
+  return markers_.waits() && std::abs(now_s - markers_looked_s_) >= kMarkersEveryS;
 }
 
 void RosWorld::lookAtMarkers(double now_s, WorldResults& results) {

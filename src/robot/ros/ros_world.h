@@ -61,6 +61,8 @@ class RosWorld {
   WorldResult take(const Source& source, const Grid& grid, double received_s);
   /// As seen by the last message of markers, or by overdue().
   const map::SeenObjectsMessage& seenObjects() const { return markers_.seen(); }
+  /// When the next marker has lived its time; infinity: none will.
+  double nextMarkerEnd() const { return markers_.nextEnd(); }
   /// What has waited for its transform for too long, at `now_s`; and the markers, where time or transforms
   /// have changed what is to be seen of them.
   WorldResults overdue(double now_s);
@@ -81,6 +83,14 @@ class RosWorld {
   /// Where the robot is in the fixed frame, now: by transforms, else by the best topic that tells. nullopt:
   /// nothing was told so far.
   std::optional<tl::expected<geometry::Pose2, map::Reason>> pose() const;
+  struct Located {
+    tl::expected<geometry::Pose2, map::Reason> pose;
+    std::string topic;           // that tells it; empty: transforms do
+    std::optional<double> at_s;  // the stamp for which the transforms tell it; nullopt: they never change
+    bool operator==(const Located&) const = default;
+  };
+  /// The same, and what it rests on.
+  std::optional<Located> located() const;
   const Transforms& transforms() const { return transforms_; }
   /// Where scans are shown whose frame is `frame`, as long as nothing says how it lies to others: what it
   /// hangs on.
@@ -117,6 +127,7 @@ class RosWorld {
   Placing place(const Source& source, const Content& content, Sweep sweep) const;
   Placing placeScan(const Points& points, const std::string& topic, const std::string& into,
                     const Transform3& beginning, Sweep sweep) const;
+  bool looksAtMarkers(double now_s) const;
   void lookAtMarkers(double now_s, WorldResults& results);
   WorldResults placeWaiting();
   tl::expected<geometry::Pose2, Transforms::Missing> inFixedFrame(const Placed& placed) const;

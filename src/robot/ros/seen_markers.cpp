@@ -1,5 +1,6 @@
 #include "robot/ros/seen_markers.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -7,6 +8,8 @@
 
 namespace mapwright::robot::ros {
 namespace {
+
+constexpr std::size_t kMany = 300;
 
 /// Why the newest of it has no place; nullopt: it has one.
 std::optional<map::Reason> place(MarkerBoard::Row& row, const Transforms& transforms,
@@ -39,10 +42,15 @@ SeenMarkers::Look SeenMarkers::look(const Transforms& transforms, const std::str
                                     double now_s) {
   Look look;
   map::SeenObjectsMessage seen;
-  waits_ = false;
+  waits_ = moves_ = false;
+  next_end_s_ = std::numeric_limits<double>::infinity();
+  std::size_t rows = 0;
   for (auto& [topic, board] : boards_) {
     board.expire(now_s);
+    next_end_s_ = std::min(next_end_s_, board.nextEnd());
     board.each([&, of = topic](MarkerBoard::Row& row) {
+      ++rows;
+      moves_ |= row.marker.frame_locked;
       if (auto why = place(row, transforms, fixed_frame)) {
         waits_ = true;
         if (now_s - row.since_s > kPatienceS) look.unplaced.try_emplace(of, std::move(*why));
@@ -55,6 +63,8 @@ SeenMarkers::Look SeenMarkers::look(const Transforms& transforms, const std::str
       }
     });
   }
+  many_ = rows > kMany;
+  if (many_) next_end_s_ = std::numeric_limits<double>::infinity();
   look.changed = !(seen == seen_);
   seen_ = std::move(seen);
   return look;

@@ -2,6 +2,7 @@
 // lifetime, frame_locked).
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,13 +31,20 @@ class SeenMarkers {
   Look look(const Transforms& transforms, const std::string& fixed_frame, double now_s);
   /// The last look() has found some without a place.
   bool waits() const { return waits_; }
+  /// Some of them go with their frames.
+  bool moves() const { return moves_; }
+  /// So many that looking at them at every transform, and at the end of each, would be too much.
+  bool many() const { return many_; }
+  /// When the next one has lived its time, as of the last look(); infinity: none will, or they are many().
+  double nextEnd() const { return next_end_s_; }
   /// As they were seen by the last look().
   const map::SeenObjectsMessage& seen() const { return seen_; }
 
  private:
   std::map<std::string, MarkerBoard> boards_;  // by topic
   map::SeenObjectsMessage seen_;
-  bool waits_ = false;
+  bool waits_ = false, moves_ = false, many_ = false;
+  double next_end_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace mapwright::robot::ros

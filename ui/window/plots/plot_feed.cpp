@@ -6,6 +6,7 @@
 
 #include <QDateTime>
 
+#include "replay/recorded_message.h"
 #include "series/read_fields.h"
 #include "series/speed.h"
 
@@ -167,7 +168,7 @@ void PlotFeed::takeMessages(const replay::ChunkPtr& chunk) {
                      if (const auto value = series::valueOf(*quantity, message.message.message))
                        read.samples.push_back({at_s, *value});
                    }
-                   if (!reader.wants(message.message.topic)) continue;
+                   if (!replay::isRecorded(message) || !reader.wants(message.message.topic)) continue;
                    const auto& values = reader.read(message.message.topic, chunk->source->textOf(message));
                    for (std::size_t i = 0; i < values.size(); ++i) {
                      if (values[i]) all[of_path[i]].samples.push_back({at_s, *values[i]});
@@ -207,7 +208,7 @@ QStringList PlotFeed::fields() const {
       if (!chunk) continue;
       held.push_back(chunk);
       const auto look = [&](const robot::BagMessage& message) {
-        by_topic[message.message.topic] = chunk->source->textOf(message);
+        if (replay::isRecorded(message)) by_topic[message.message.topic] = chunk->source->textOf(message);
       };
       for (const std::uint32_t place : chunk->back_filled) look(chunk->source->messages[place]);
       for (std::size_t place = 0; place < chunk->order.size(); ++place) look(chunk->at(place));
