@@ -42,7 +42,7 @@ struct CborItem {
   Type type = Type::Null;
   std::int64_t whole = 0;
   std::uint64_t natural = 0;  // beyond `whole`
-  double real = 0;  // of Null, too: a number that is not finite, else 0
+  double real = 0;            // of Null, too: a number that is not finite, else 0
   bool flag = false;
   std::string_view text;  // as it came, maybe no UTF-8
   CborNumbers numbers;
