@@ -8,6 +8,8 @@
 //     static constexpr std::tuple all{&Thing::name, &Thing::position};
 //     /// What is no field, but belongs to the store that `theirs` came from.
 //     static void carry(Thing& into, const Thing& theirs);
+//     /// Whether two values of a field are the same although they are not equal. May be left out.
+//     static bool alike(const Distance& a, const Distance& b);
 //   };
 #pragma once
 
@@ -47,7 +49,10 @@ template <typename Item>
 FieldMask difference(const Item& a, const Item& b) {
   FieldMask mask = 0;
   eachField<Item>([&](auto member, FieldMask bit) {
-    if (!(a.*member == b.*member)) mask |= bit;
+    bool is_same = a.*member == b.*member;
+    if constexpr (requires { Fields<Item>::alike(a.*member, b.*member); })
+      is_same = is_same || Fields<Item>::alike(a.*member, b.*member);
+    if (!is_same) mask |= bit;
   });
   return mask;
 }

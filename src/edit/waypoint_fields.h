@@ -11,6 +11,7 @@
 #include "edit/document.h"
 #include "edit/draft.h"
 #include "map/waypoint.h"
+#include "map/waypoint_likeness.h"
 #include "robot/waypoint_store.h"
 
 namespace mapwright::edit {
@@ -22,6 +23,10 @@ struct Fields<map::Waypoint> {
   static void carry(map::Waypoint& into, const map::Waypoint& theirs) {
     into.id = theirs.id;
     into.source = theirs.source;
+  }
+  static bool alike(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return map::samePlace(a, b); }
+  static bool alike(const std::optional<double>& a, const std::optional<double>& b) {
+    return map::sameHeading(a, b);
   }
 };
 namespace waypoint_field {

@@ -7,6 +7,7 @@
 
 #include "exchange/waypoint_json.h"
 #include "geometry/pose.h"
+#include "map/waypoint_likeness.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::exchange {
@@ -16,15 +17,13 @@ class Words {
   Q_DECLARE_TR_FUNCTIONS(WaypointSteps)
 };
 
-constexpr double kSameM = 1e-4, kSameRad = 1e-4;
-
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept) {
-  if ((wanted.position_m - kept.position_m).norm() > kSameM) return false;
+  if (!map::samePlace(wanted.position_m, kept.position_m)) return false;
   // To some robots everything is turned somehow.
   if (!kept.yaw_rad) return !wanted.yaw_rad;
-  return std::abs(geometry::normalizeAngle(wanted.yaw_rad.value_or(0) - *kept.yaw_rad)) <= kSameRad;
+  return map::sameHeading(wanted.yaw_rad.value_or(0), *kept.yaw_rad);
 }
 
 QString figure(double value) { return QString::number(std::round(value * 1000) / 1000, 'g', 10); }

@@ -41,7 +41,8 @@ struct WaypointStep {
 std::vector<WaypointStep> stepsOf(const std::vector<WaypointEdit>& edits);
 
 /// Whether it is so; `kept` is null where there is no such waypoint. Places and turns may differ by what is
-/// lost in between (0.1 mm, 0.1 mrad), and what is asked for without a turn may be kept with one of zero.
+/// lost in between (map/waypoint_likeness.h), and what is asked for without a turn may be kept with one of
+/// zero.
 bool isDone(const WaypointStep& step, const map::Waypoint* kept);
 /// Alike in everything but the id, likewise.
 bool isAlike(const map::Waypoint& wanted, const map::Waypoint& kept);

@@ -1,4 +1,6 @@
 // Documents: undo and redo, gestures, states, and the three-way merge.
+#include <cmath>
+
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -335,6 +337,60 @@ class TestDocument : public QObject {
     QVERIFY(desk.document.unsaved().empty());
     QVERIFY(desk.document.conflicts().empty());
   }
+
+  // Numbers that went to a robot or into a file come back a little different.
+  void whatDiffersByRoundingIsTheSame() {
+    Waypoint sent = point("a", 1.5, -2);
+    sent.yaw_rad = 0.5;
+    Waypoint came = sent;
+    came.yaw_rad = 0.5000000000000001;
+    came.position_m.x() = std::nextafter(1.5, 2);
+    QCOMPARE(difference(sent, came), FieldMask(0));
+    Waypoint turned = sent;
+    turned.yaw_rad = 0.501;
+    QCOMPARE(difference(sent, turned), waypoint_field::kYaw);
+    Waypoint whole_turn = sent, none = sent;
+    sent.yaw_rad = std::acos(-1);
+    whole_turn.yaw_rad = -std::acos(-1);
+    QCOMPARE(difference(sent, whole_turn), FieldMask(0));
+    none.yaw_rad.reset();
+    QCOMPARE(difference(sent, none), waypoint_field::kYaw);
+  }
+
+  // Both made the same of it, and it was rounded on the way: nothing collides, whoever rounded it.
+  void whatWasRoundedOnTheWayIsNoConflict() {
+    Waypoint base = point("a", 1, 1), mine = base;
+    base.yaw_rad = 0;
+    mine.position_m = {2, 2};
+    mine.yaw_rad = 0.5;
+    Waypoint theirs = mine;
+    theirs.yaw_rad = 0.5000000000000001;
+    theirs.position_m.y() = std::nextafter(2, 3);
+    QVERIFY(!merge<Waypoint>(base, mine, theirs).conflict);
+    Waypoint named = theirs;
+    named.name = "theirs";
+    const auto merged = merge<Waypoint>(base, mine, named);
+    QVERIFY(!merged.conflict);
+    QCOMPARE(merged.item->name, std::string("theirs"));
+    Waypoint rounded = base;
+    rounded.yaw_rad = 1e-16;
+    const auto kept = merge<Waypoint>(base, mine, rounded);
+    QVERIFY(!kept.conflict);
+    QCOMPARE(*kept.item->yaw_rad, 0.5);
+  }
+
+  void whatIsSavedAndComesBackRoundedIsSaved() {
+    Desk desk;
+    Waypoint turned = point("a");
+    turned.yaw_rad = 0.5;
+    desk.set(turned);
+    desk.document.markSent(desk.document.changes());
+    turned.yaw_rad = 0.5000000000000001;
+    desk.document.take(items({turned, point("b", 5)}));
+    QVERIFY(desk.document.unsaved().empty() && desk.document.conflicts().empty());
+    QCOMPARE(desk.document.sent(), std::size_t(0));
+  }
+
 };
 
 QTEST_GUILESS_MAIN(TestDocument)

@@ -1,9 +1,13 @@
 // KABAM's map manager: what its messages say, what its codes mean, and in which order changes are asked for.
+#include <cmath>
+#include <random>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTest>
 
+#include "map/waypoint_likeness.h"
 #include "robot/ros/kabam_book.h"
 #include "robot/ros/kabam_plan.h"
 #include "robot/ros/kabam_results.h"
@@ -258,6 +262,34 @@ class KabamPartsTest : public QObject {
     QVERIFY(requests[0].changes[0].after->tags.empty());
     QCOMPARE(requests[0].changes[0].after->position_m.x(), 0.0);
     QVERIFY(*requests[1].changes[0].after == both);
+  }
+
+  void whatDiffersByRoundingTakesNoCall() {
+    map::Waypoint a = point("1", "a"), b = point("2", "b");
+    a.yaw_rad = b.yaw_rad = 0.5;
+    map::Waypoint rounded = a, renamed = called(b, "c");
+    rounded.yaw_rad = renamed.yaw_rad = 0.5000000000000001;
+    rounded.position_m.x() = std::nextafter(a.position_m.x(), 9);
+    QVERIFY(planWaypoints(list({a}), {change(a, rounded)}).empty());
+    QCOMPARE(told(planWaypoints(list({b}), {change(b, renamed)})),
+             QStringList{QStringLiteral("rename_waypoint b>c")});
+  }
+
+  // Yaw goes as a quaternion and comes back: never another heading.
+  void headingsComeBackAsTheyWent() {
+    std::mt19937 dice(1);
+    for (int i = 0; i < 2000; ++i) {
+      map::Waypoint sent = point("1", "a");
+      sent.yaw_rad = std::uniform_real_distribution<double>(-3.2, 3.2)(dice);
+      sent.position_m.x() = std::uniform_real_distribution<double>(-1e4, 1e4)(dice);
+      const Sent message = byJson("{\"waypoints\":[" + waypointJson(sent, "1", "m1", "map") + "]}");
+      const auto stored = readWaypoints(message.msg, "m1", "map");
+      QVERIFY(stored && stored->points.size() == 1);
+      const map::Waypoint& came = stored->points.front();
+      QVERIFY(map::samePlace(sent.position_m, came.position_m) &&
+              map::sameHeading(sent.yaw_rad, came.yaw_rad));
+      QVERIFY(planWaypoints(*stored, {change(came, sent)}).empty());
+    }
   }
 
   void namesThatAreExchangedGoByWayOfOneThatNobodyHas() {

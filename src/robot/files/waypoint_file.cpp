@@ -10,6 +10,8 @@
 
 #include <simdjson.h>
 
+#include "map/waypoint_likeness.h"
+
 namespace mapwright::robot::files {
 namespace {
 
@@ -330,7 +332,7 @@ std::string feature(std::string_view source, const std::optional<map::Waypoint>&
   if (source.empty()) whole.set("type", jsonText("Feature"));
   const std::string_view old_geometry = rawMember(source, "geometry"),
                          old_properties = rawMember(source, "properties");
-  if (fresh || from->position_m != to.position_m) {
+  if (fresh || !map::samePlace(from->position_m, to.position_m)) {
     Object geometry(old_geometry);
     if (source.empty()) geometry.set("type", jsonText("Point"));
     geometry.set("coordinates", coordinates(to.position_m, rawMember(old_geometry, "coordinates")));
@@ -339,7 +341,7 @@ std::string feature(std::string_view source, const std::optional<map::Waypoint>&
   Object properties(old_properties);
   if (!has_id) properties.set("id", jsonText(to.id));
   if (fresh || from->name != to.name) properties.set("name", jsonText(to.name));
-  if (fresh || from->yaw_rad != to.yaw_rad) {
+  if (fresh || !map::sameHeading(from->yaw_rad, to.yaw_rad)) {
     if (!fresh || to.yaw_rad)
       properties.set("yaw_rad", to.yaw_rad ? std::optional(number(*to.yaw_rad)) : std::nullopt);
   }

@@ -10,14 +10,13 @@
 #include <QJsonObject>
 
 #include "geometry/pose.h"
+#include "map/waypoint_likeness.h"
 #include "robot/ros/transforms.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::ros {
 namespace {
 
-constexpr double kSameM = 1e-4, kSameRad = 1e-4;
-constexpr double kUnturnedRad = 1e-9;  // a heading that came from here and went back
 constexpr int kMostNotes = 20;
 
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
@@ -82,10 +81,6 @@ double memberOf(const QJsonObject& object, const char* name) {
 
 Turn turnOf(const QJsonObject& q) {
   return turnOf(memberOf(q, "x"), memberOf(q, "y"), memberOf(q, "z"), memberOf(q, "w"));
-}
-
-bool sameAngle(double a, double b, double within) {
-  return std::abs(geometry::normalizeAngle(a - b)) <= within;
 }
 
 struct ReadWaypoint {
@@ -197,7 +192,7 @@ QByteArray waypointJson(const map::Waypoint& point, const std::string& id, const
   position[QStringLiteral("y")] = point.position_m.y();
   if (!position.contains(QLatin1String("z"))) position[QStringLiteral("z")] = 0;
   const double yaw = point.yaw_rad.value_or(0);
-  if (!came || !sameAngle(turnOf(orientation).yaw_rad, yaw, kUnturnedRad)) {
+  if (!came || !map::sameHeading(turnOf(orientation).yaw_rad, yaw)) {
     orientation = {{QStringLiteral("x"), 0.0},
                    {QStringLiteral("y"), 0.0},
                    {QStringLiteral("z"), std::sin(yaw / 2)},
@@ -271,8 +266,8 @@ QByteArray saveMapArgs(const std::string& name) {
 }
 
 bool sameBesidesTags(const map::Waypoint& a, const map::Waypoint& b) {
-  return a.name == b.name && (a.position_m - b.position_m).norm() <= kSameM &&
-         sameAngle(a.yaw_rad.value_or(0), b.yaw_rad.value_or(0), kSameRad);
+  return a.name == b.name && map::samePlace(a.position_m, b.position_m) &&
+         map::sameHeading(a.yaw_rad.value_or(0), b.yaw_rad.value_or(0));
 }
 
 }  // namespace mapwright::robot::ros

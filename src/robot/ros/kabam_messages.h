@@ -60,7 +60,7 @@ QByteArray updateImageHead(const KabamMap& map, int width, int height);
 QByteArray saveMapArgs(const std::string& name);
 
 /// Whether both are the same place with the same name, as far as that can be told of numbers that have
-/// travelled: 0.1 mm, 0.1 mrad.
+/// travelled.
 bool sameBesidesTags(const map::Waypoint& a, const map::Waypoint& b);
 
 }  // namespace mapwright::robot::ros

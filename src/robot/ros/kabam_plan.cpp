@@ -8,11 +8,14 @@
 #include <unordered_set>
 #include <utility>
 
+#include "map/waypoint_likeness.h"
+
 namespace mapwright::robot::ros {
 namespace {
 
 bool moves(const map::Waypoint& before, const map::Waypoint& after) {
-  return before.position_m != after.position_m || before.yaw_rad != after.yaw_rad;
+  return !map::samePlace(before.position_m, after.position_m) ||
+         !map::sameHeading(before.yaw_rad, after.yaw_rad);
 }
 
 map::Waypoint called(map::Waypoint point, const std::string& name) {

@@ -12,6 +12,7 @@
 #include <QPushButton>
 
 #include "geometry/pose.h"
+#include "map/waypoint_likeness.h"
 #include "window/waypoints/tag_completer.h"
 #include "window/waypoints/waypoint_text.h"
 #include "words/qt_plain.h"
@@ -58,7 +59,7 @@ GroupSummary summaryOf(const edit::WaypointDocument& document, const std::set<ed
       summary.yaw_rad = point->yaw_rad;
       summary.type = point->type;
     }
-    summary.same_yaw = summary.same_yaw && point->yaw_rad == summary.yaw_rad;
+    summary.same_yaw = summary.same_yaw && map::sameHeading(point->yaw_rad, summary.yaw_rad);
     summary.same_type = summary.same_type && point->type == summary.type;
   }
   return summary;

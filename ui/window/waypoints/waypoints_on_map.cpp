@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "map/waypoint_likeness.h"
 #include "window/waypoints/waypoint_warnings.h"
 
 namespace mapwright::window {
@@ -144,7 +145,7 @@ std::optional<scene::DrawnWaypoint> WaypointsOnMap::drawnOf(const edit::Key& key
   }
   drawn.selected = selected_.contains(key);
   drawn.warned = warnings_ && !warnings_->of(key).empty();
-  if (kept && kept->position_m != drawn.position_m) drawn.from_m = kept->position_m;
+  if (kept && !map::samePlace(kept->position_m, drawn.position_m)) drawn.from_m = kept->position_m;
   return drawn;
 }
 
