@@ -3,6 +3,7 @@
 // thread.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -163,13 +164,12 @@ class Submission : public SubmissionEvents {
   }
   void stop(map::Failure failure) {
     failure_ = std::move(failure);
-    leaveOut([](const Request&) { return true; });
+    leaveOutTheRest();
     enter(SubmissionPhase::Stopped);
   }
-  template <typename Which>
-  void leaveOut(Which which) {
+  void leaveOutTheRest() {
     for (Row& row : rows_) {
-      if (row.state == Row::State::Waiting && which(row.request)) row.state = Row::State::NotSent;
+      if (row.state == Row::State::Waiting) row.state = Row::State::NotSent;
     }
   }
   /// A request has failed.
@@ -177,12 +177,22 @@ class Submission : public SubmissionEvents {
     const map::Failure failure = *row.failure;
     if (!met_) met_ = failure;
     if (way_.at_failure == AtFailure::GoOn && !cancelled_ && concernsOneRequest(failure)) {
-      leaveOut([&](const Request& later) { return listener_.needs && listener_.needs(later, row.request); });
+      // What needs one that is left out is left out, too.
+      std::vector<const Request*> lacking{&row.request};
+      for (Row& later : rows_) {
+        const bool needed = later.state == Row::State::Waiting && listener_.needs &&
+                            std::any_of(lacking.begin(), lacking.end(), [&](const Request* one) {
+                              return listener_.needs(later.request, *one);
+                            });
+        if (!needed) continue;
+        later.state = Row::State::NotSent;
+        lacking.push_back(&later.request);
+      }
       Q_EMIT changed();
       return sendNext();
     }
     if (!way_.look_after_failure || failure.kind == map::FailureKind::Conflict) return stop(failure);
-    leaveOut([](const Request&) { return true; });
+    leaveOutTheRest();
     lookAgain();
   }
   /// Answers that come when nobody waits for them any more are dropped.
