@@ -11,6 +11,7 @@
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/table.h"
+#include "map/temporary_name.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 
@@ -48,6 +49,7 @@ class Sending {
       looked = send() || look();
     sent_.kept = open_.document().kept();
     if (looked) judge();
+    noteLeftNames(looked);
     return std::move(sent_);
   }
 
@@ -123,6 +125,10 @@ class Sending {
         for (const exchange::WaypointStep& step : exchange::stepsOf({{key, change.before, change.after}})) {
           SentStep* const sent = find(key, step.kind);
           if (!sent) continue;
+          // That it has got a temporary name is not what was wanted.
+          const bool aside = step.kind == exchange::StepKind::Rename && sent->step.after &&
+                             step.after->name != sent->step.after->name;
+          if (aside && now.state == StepState::Applied) continue;
           const auto [known, is_new] = told.try_emplace(sent, now);
           if (!is_new && known->second.state == StepState::Applied) known->second = now;
         }
@@ -172,6 +178,37 @@ class Sending {
     }
   }
 
+  void noteLeftNames(bool looked) {
+    for (const SentStep& sent : sent_.steps) {
+      if (sent.step.kind != exchange::StepKind::Rename) continue;
+      const map::Waypoint &before = *sent.step.before, &after = *sent.step.after;
+      const auto kept = sent_.kept.find(sent.step.key);
+      if (kept == sent_.kept.end() || kept->second.name == after.name) continue;
+      LeftName left{kept->second.id, before.name, kept->second.name, after.name, looked};
+      const bool has_it = map::isTemporaryFor(left.name, before.name);
+      const std::string had(left.name == before.name ? map::permanentName(before.name) : "");
+      // What was asked for, and may be done yet.
+      if (!has_it && sent.state == StepState::Unknown) {
+        left.certain = false;
+        left.name = askedAside(sent.step.key, before.name).value_or(left.name);
+      }
+      if (!had.empty()) left.before = had;
+      if (has_it || !had.empty() || left.name != kept->second.name)
+        sent_.left_names.push_back(std::move(left));
+    }
+  }
+  /// The temporary name that it was to have.
+  std::optional<std::string> askedAside(const edit::Key& key, const std::string& name) const {
+    for (const Row& row : open_.submission().rows()) {
+      for (const robot::WaypointChange& change : row.request.changes) {
+        if (open_.document().ourName(change.id) == key && change.after &&
+            map::isTemporaryFor(change.after->name, name))
+          return change.after->name;
+      }
+    }
+    return std::nullopt;
+  }
+
   MapReading& robot_;
   const ListedWaypoints& list_;
   AtFailure at_failure_;
@@ -210,6 +247,23 @@ const char* stableWordOf(StepState state) {
 
 QString shownName(const exchange::WaypointStep& step) { return words::plainName(step.name()); }
 
+QString sentenceOf(const LeftName& left) {
+  const QString sentence =
+      left.certain
+          ? Words::tr("\"%1\" has the temporary name \"%2\" now, until it can be called \"%3\".")
+          : Words::tr("\"%1\" may have the temporary name \"%2\" now, until it can be called \"%3\".");
+  return sentence.arg(words::plainName(left.before), words::plainName(left.name),
+                      words::plainName(left.wanted));
+}
+
+QString sentenceOf(const std::vector<LeftName>& left) {
+  if (left.empty()) return {};
+  QStringList lines;
+  for (const LeftName& one : left) lines << sentenceOf(one);
+  return QLatin1Char(' ') + lines.join(QLatin1Char(' ')) + QLatin1Char(' ') +
+         Words::tr("Do the same again to finish it.");
+}
+
 }  // namespace
 
 std::size_t SentWaypoints::count(StepState state) const {
@@ -223,7 +277,9 @@ int SentWaypoints::exitCode() const {
   return failure ? exitCodeOf(failure->kind) : kRobotError;
 }
 
-QString SentWaypoints::sentence() const {
+QString SentWaypoints::sentence() const { return whatBecame() + sentenceOf(left_names); }
+
+QString SentWaypoints::whatBecame() const {
   if (!conflicts.empty()) {
     const QStringList lines = exchange::conflictLines(conflicts);
     const QString first =
@@ -269,12 +325,21 @@ QJsonObject sentJson(const SentWaypoints& sent, const std::string& map) {
     }
     return rows;
   };
+  QJsonArray left_names;
+  for (const LeftName& left : sent.left_names) {
+    left_names << QJsonObject{{QStringLiteral("id"), QString::fromStdString(left.id)},
+                              {QStringLiteral("before"), QString::fromStdString(left.before)},
+                              {QStringLiteral("name"), QString::fromStdString(left.name)},
+                              {QStringLiteral("wanted"), QString::fromStdString(left.wanted)},
+                              {QStringLiteral("certain"), left.certain}};
+  }
   return {{QStringLiteral("applied"), int(sent.count(StepState::Applied))},
           {QStringLiteral("failed"), rowsOf(StepState::Failed)},
           {QStringLiteral("unknown"), rowsOf(StepState::Unknown)},
           {QStringLiteral("remaining"), int(sent.count(StepState::NotSent))},
           {QStringLiteral("complete"), sent.complete()},
-          {QStringLiteral("conflicts"), exchange::conflictsJson(sent.conflicts, map)}};
+          {QStringLiteral("conflicts"), exchange::conflictsJson(sent.conflicts, map)},
+          {QStringLiteral("temporary_names"), left_names}};
 }
 
 QJsonObject sentReport(const SentWaypoints& sent, const std::string& map) {
@@ -309,6 +374,9 @@ void printSent(const SentWaypoints& sent) {
   }
   for (const QString& line : exchange::conflictLines(sent.conflicts))
     table.push_back({Words::tr("conflict"), QString(), QString(), line});
+  for (const LeftName& left : sent.left_names)
+    table.push_back(
+        {Words::tr("temporary name"), QString(), words::plainName(left.id), oneLine(sentenceOf(left))});
   if (table.size() > 1) printTable(table);
 }
 

@@ -20,12 +20,19 @@ struct SentStep {
   exchange::SentOutcome outcome = {};
 };
 
+/// A swap of names that broke off has left a waypoint with a temporary name.
+struct LeftName {
+  std::string id, before, name, wanted;
+  bool certain = true;  // false: it may have it, nobody could look
+};
+
 struct SentWaypoints {
   std::vector<SentStep> steps;  // what was so already is none of them
   /// What others have changed meanwhile and does not go together: of that nothing was sent.
   exchange::WaypointConflicts conflicts = {};
   std::optional<map::Failure> failure = {};  // why it was stopped
   exchange::WaypointItems kept = {};         // under our keys, as far as is known
+  std::vector<LeftName> left_names = {};
 
   std::size_t count(StepState state) const;
   bool complete() const { return conflicts.empty() && count(StepState::Applied) == steps.size(); }
@@ -33,6 +40,9 @@ struct SentWaypoints {
   int exitCode() const;
   /// What is to be said when it is not complete.
   QString sentence() const;
+
+ private:
+  QString whatBecame() const;
 };
 
 using edit::AtFailure;
@@ -41,7 +51,8 @@ using edit::AtFailure;
 CommandResult<SentWaypoints> sendWaypoints(const ListedWaypoints& list,
                                            std::vector<exchange::WaypointEdit> edits, AtFailure at_failure);
 
-/// {"applied","failed":[{"id","name","kind","sentence"}],"unknown":[…],"remaining","complete","conflicts"}.
+/// {"applied","failed":[{"id","name","kind","sentence"}],"unknown":[…],"remaining","complete","conflicts",
+/// "temporary_names":[{"id","before","name","wanted","certain"}]}.
 QJsonObject sentJson(const SentWaypoints& sent, const std::string& map);
 /// The same for a report: the map, and of every change what became of it: `changes` are as in a plan, each
 /// with a "state" (applied, failed, unknown, not_sent) and, where it is not applied, the "sentence" that says

@@ -10,6 +10,8 @@
 //     static void carry(Thing& into, const Thing& theirs);
 //     /// Whether two values of a field are the same although they are not equal. May be left out.
 //     static bool alike(const Distance& a, const Distance& b);
+//     /// The fields in which theirs is what I made of it on the way from base to mine. May be left out.
+//     static FieldMask onTheWay(const Thing& base, const Thing& mine, const Thing& theirs);
 //   };
 #pragma once
 
@@ -107,7 +109,10 @@ Merged<Item> merge(const std::optional<Item>& base, const std::optional<Item>& m
   if (!theirs) return {mine, Conflict<Item>{ConflictKind::DeletedThere, base, mine, theirs}};
   const FieldMask between = difference(*mine, *theirs);
   const FieldMask by_me = base ? difference(*mine, *base) : between;
-  const FieldMask by_them = base ? difference(*theirs, *base) : between;
+  FieldMask by_them = base ? difference(*theirs, *base) : between;
+  if constexpr (requires { Fields<Item>::onTheWay(*base, *mine, *theirs); }) {
+    if (base) by_them &= ~Fields<Item>::onTheWay(*base, *mine, *theirs);
+  }
   const FieldMask collide = by_me & by_them & between;
   Merged<Item> merged{mine, std::nullopt};
   assign(*merged.item, *theirs, by_them & ~collide);

@@ -10,6 +10,7 @@
 
 #include "edit/document.h"
 #include "edit/draft.h"
+#include "map/temporary_name.h"
 #include "map/waypoint.h"
 #include "map/waypoint_likeness.h"
 #include "robot/waypoint_store.h"
@@ -27,6 +28,12 @@ struct Fields<map::Waypoint> {
   static bool alike(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return map::samePlace(a, b); }
   static bool alike(const std::optional<double>& a, const std::optional<double>& b) {
     return map::sameHeading(a, b);
+  }
+  /// Names that are exchanged go by way of a temporary name.
+  static FieldMask onTheWay(const map::Waypoint& base, const map::Waypoint& mine,
+                            const map::Waypoint& theirs) {
+    const bool renamed = base.name != mine.name;
+    return renamed && map::isTemporaryFor(theirs.name, base.name) ? FieldMask(1) : FieldMask(0);
   }
 };
 namespace waypoint_field {

@@ -391,6 +391,20 @@ class TestDocument : public QObject {
     QCOMPARE(desk.document.sent(), std::size_t(0));
   }
 
+  // Of a swap of names that broke off: what I put there is not theirs.
+  void aTemporaryNameOfMineIsNoConflict() {
+    const Waypoint base = point("a", 0, 0, "alfa"), mine = renamed(base, "bravo");
+    Waypoint theirs = moved(renamed(base, "alfa ~1"), 3);
+    const auto merged = merge<Waypoint>(base, mine, theirs);
+    QVERIFY(!merged.conflict);
+    QCOMPARE(merged.item->name, std::string("bravo"));
+    QCOMPARE(merged.item->position_m.x(), 3.0);
+    // Who does not rename it lets it be, and what others call it is still theirs.
+    QCOMPARE(merge<Waypoint>(base, moved(base, 5), renamed(base, "alfa ~1")).item->name,
+             std::string("alfa ~1"));
+    QVERIFY(merge<Waypoint>(base, mine, renamed(base, "golf")).conflict);
+    QVERIFY(merge<Waypoint>(base, mine, renamed(base, "bravo ~1")).conflict);
+  }
 };
 
 QTEST_GUILESS_MAIN(TestDocument)

@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "map/temporary_name.h"
 #include "map/waypoint_likeness.h"
 
 namespace mapwright::robot::ros {
@@ -43,7 +44,7 @@ class Names {
   /// "Dock ~1", such that nobody is, or will be, called so.
   std::string freeName(const std::string& like) const {
     std::string name;
-    for (int n = 1; name.empty() || taken_.contains(name); ++n) name = like + " ~" + std::to_string(n);
+    for (int n = 1; name.empty() || taken_.contains(name); ++n) name = map::temporaryName(like, n);
     return name;
   }
 
