@@ -7,6 +7,7 @@
 
 #include "app/exit_code.h"
 #include "app/output_paths.h"
+#include "exchange/temporary_names.h"
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
@@ -68,6 +69,19 @@ QString someIds(const std::vector<const map::Waypoint*>& points) {
   return ids.join(QStringLiteral(", "));
 }
 
+QString nameLeft(const exchange::TemporaryName& left) {
+  const QString name = words::plainName(left.name), permanent = words::plainName(left.permanent);
+  return left.is_free
+             ? Words::tr(
+                   "\"%1\" looks like a temporary name: a swap of names broke off. Before that it was "
+                   "called \"%2\". Apply the plan again, or rename it.")
+                   .arg(name, permanent)
+             : Words::tr(
+                   "\"%1\" looks like a temporary name: a swap of names broke off. Another waypoint is "
+                   "called \"%2\" now. Apply the plan again, or rename it.")
+                   .arg(name, permanent);
+}
+
 }  // namespace
 
 std::vector<exchange::WaypointEdit> fitted(const ListedWaypoints& list,
@@ -110,6 +124,10 @@ CommandResult<ListedWaypoints> listWaypoints(MapsCommand& command, const Waypoin
   for (const map::Reason& note : list.stored.notes)
     reading.note(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
                                               sentences::sentenceOf(note)));
+  if (use == Use::Reading) {
+    for (const auto& left : exchange::temporaryNamesIn(exchange::itemsOf(list.stored.points)))
+      reading.note(nameLeft(left));
+  }
   return list;
 }
 

@@ -62,6 +62,8 @@ QString stableWordOf(placing::WarningKind kind) {
       return QStringLiteral("on_unknown");
     case WarningKind::NameTwice:
       return QStringLiteral("name_twice");
+    case WarningKind::TemporaryName:
+      return QStringLiteral("temporary_name");
     case WarningKind::ZeroTurn:
       break;
   }
@@ -99,7 +101,7 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   DoubtfulWaypoints doubtful;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool zero_turn = points[i].yaw_rad == 0.0 && list.stored.zero_turns.contains(points[i].id);
-    doubtful.of.push_back(placing::together(found.of[i], names.twice(keys[i]), zero_turn));
+    doubtful.of.push_back(placing::together(found.of[i], points[i].name, names.twice(keys[i]), zero_turn));
   }
   doubtful.looked = found.state != placing::GroundState::None;
   if (!doubtful.looked) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "map/live_topics.h"
+#include "map/temporary_name.h"
 
 namespace mapwright::placing {
 namespace {
@@ -103,10 +104,11 @@ GroundWarnings groundWarnings(const std::vector<Eigen::Vector2d>& places_m, cons
   return found;
 }
 
-Warnings together(const Warnings& of_ground, bool name_twice, bool zero_turn) {
+Warnings together(const Warnings& of_ground, const std::string& name, bool name_twice, bool zero_turn) {
   Warnings all = of_ground;
   if (name_twice) all.push_back({WarningKind::NameTwice});
   if (zero_turn) all.push_back({WarningKind::ZeroTurn});
+  if (!map::permanentName(name).empty()) all.push_back({WarningKind::TemporaryName});
   return all;
 }
 

@@ -21,7 +21,8 @@ enum class WarningKind {
   NearWall,   // closer to a wall than the robot's radius
   OnUnknown,  // on ground that the map knows nothing of
   NameTwice,
-  ZeroTurn,  // it is kept with a quaternion of zero, which is no heading
+  ZeroTurn,       // it is kept with a quaternion of zero, which is no heading
+  TemporaryName,  // a swap of names that broke off has left it a temporary name
 };
 
 struct Warning {
@@ -61,6 +62,6 @@ inline constexpr double kUsualRadiusM = 0.3;
 inline constexpr double kMostRadiusM = 10;
 
 /// All that holds of one waypoint, the gravest first.
-Warnings together(const Warnings& of_ground, bool name_twice, bool zero_turn);
+Warnings together(const Warnings& of_ground, const std::string& name, bool name_twice, bool zero_turn);
 
 }  // namespace mapwright::placing

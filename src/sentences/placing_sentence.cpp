@@ -31,6 +31,8 @@ QString sentenceOf(const placing::Warning& warning) {
       return Words::tr("Another waypoint has the same name.");
     case WarningKind::ZeroTurn:
       return Words::tr("It is kept with an orientation of zero, which is no heading: turn it.");
+    case WarningKind::TemporaryName:
+      return Words::tr("Its name looks temporary: a swap of names broke off.");
   }
   return {};
 }

@@ -158,9 +158,10 @@ class TestPlacingGround : public QObject {
 
   void allComesTogetherTheGravestFirst() {
     const Warnings ground{{WarningKind::NearWall, 0.1, 0.3}};
-    QCOMPARE(kindsOf(together(ground, true, true)),
+    QCOMPARE(kindsOf(together(ground, "Dock", true, true)),
              (std::vector{WarningKind::NearWall, WarningKind::NameTwice, WarningKind::ZeroTurn}));
-    QVERIFY(together({}, false, false).empty());
+    QVERIFY(together({}, "Dock", false, false).empty());
+    QCOMPARE(kindsOf(together({}, "Dock ~1", false, false)), std::vector{WarningKind::TemporaryName});
   }
 
   void groupsTogetherSayTheSameAsAll() {

@@ -703,6 +703,43 @@ class TestWindowWaypoints : public QObject {
     nameless.id = "17";
     QCOMPARE(shortWaypointName(nameless), QStringLiteral("17"));
   }
+
+  // A swap of names that broke off has left one, and nobody knows of it any more.
+  void aTemporaryNameIsOfferedToBePutRight() {
+    Desk desk;
+    desk.store.points = {waypoint("a", 1, 1, "Dock ~1"), waypoint("b", 3, 2, "Kitchen")};
+    desk.start();
+    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("\"Dock ~1\" looks like a temporary name")));
+    desk.notice()->offerButton()->click();
+    QCOMPARE(desk.editing().find("a")->name, std::string("Dock"));
+    QVERIFY(desk.control().unsaved());
+    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("it is called \"Dock\"")));
+    desk.notice()->offerButton()->click();  // sends the rest
+    QTRY_VERIFY(desk.store.find("Dock"));
+    QTRY_VERIFY(desk.notice()->sentence().isEmpty());
+  }
+
+  void aTemporaryNameWhosePlaceIsTakenIsAskedFor() {
+    Desk desk;
+    desk.store.points = {waypoint("a", 1, 1, "Dock ~1"), waypoint("b", 3, 2, "Dock")};
+    desk.start();
+    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("Another waypoint is called \"Dock\"")));
+    desk.notice()->offerButton()->click();
+    QVERIFY(desk.control().nameEditor()->isVisible());
+    QCOMPARE(desk.editing().selected(), (std::set<edit::Key>{"a"}));
+    QCOMPARE(desk.editing().find("a")->name, std::string("Dock ~1"));
+  }
+
+  void aNameThatOnlyLooksTemporaryMayStay() {
+    Desk desk;
+    desk.store.points = {waypoint("a", 1, 1, "Dock ~1"), waypoint("b", 3, 2, "Gate ~2")};
+    desk.start();
+    desk.notice()->secondButton()->click();
+    QVERIFY(desk.notice()->sentence().contains(QStringLiteral("Gate ~2")));
+    desk.notice()->secondButton()->click();
+    QVERIFY(desk.notice()->sentence().isEmpty());
+    QVERIFY(!desk.control().unsaved());
+  }
 };
 
 QTEST_MAIN(TestWindowWaypoints)

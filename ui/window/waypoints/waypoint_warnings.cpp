@@ -223,7 +223,7 @@ bool WaypointWarnings::settle(const edit::Key& key) {
   if (point) {
     const auto ground = of_ground_.find(key);
     const bool zero_turn = point->yaw_rad == 0.0 && zero_turns_.contains(key);
-    now = placing::together(ground == of_ground_.end() ? placing::Warnings{} : ground->second,
+    now = placing::together(ground == of_ground_.end() ? placing::Warnings{} : ground->second, point->name,
                             names_.twice(key), zero_turn);
   }
   const auto before = all_.find(key);

@@ -77,12 +77,11 @@ WaypointsController::WaypointsController(WindowContext& context, QObject* parent
     decideConflict(editing_, key, mine ? ConflictChoice::Mine : ConflictChoice::Theirs);
   });
   NoticeBar* const notice = context_.overlay.editNotice();
-  connect(notice, &NoticeBar::offerTaken, this, [this] {
-    if (list_ && !list_->offered().empty()) return list_->takeUp(tr("take up the draft"));
-    context_.panels.open(dock_);
-  });
+  connect(notice, &NoticeBar::offerTaken, this, &WaypointsController::takeOffer);
   connect(notice, &NoticeBar::secondTaken, this, [this] {
-    if (list_) list_->turnDown();
+    if (list_ && !list_->offered().empty()) return list_->turnDown();
+    if (const auto left = nameLeft()) accepted_names_.insert(left->key);
+    refresh();
   });
   // A camera that moves takes the line along: what is typed on must not become commands of the map.
   connect(&context_.scene, &scene::MapScene::viewChanged, this, [this] {
@@ -244,6 +243,7 @@ void WaypointsController::closeList() {
     list_->disconnect(this);
     list_->document().disconnect(this);
     list_.reset();
+    accepted_names_.clear();
   }
 }
 
@@ -328,7 +328,32 @@ void WaypointsController::refreshNotice() {
                                  .arg(waypointsText(qsizetype(list_->document().conflicts().size()))),
                              tr("Show"));
   }
+  if (const auto left = nameLeft()) {
+    notice->setNotice(Mark::Warning, left->sentence, left->offer);
+    if (left->remedy != LeftName::Remedy::SendRest) notice->setSecondOffer(tr("Leave it so"));
+    return;
+  }
   notice->setNotice(Mark::None, {}, {});
+}
+
+std::optional<LeftName> WaypointsController::nameLeft() const {
+  const bool ready = list_ && list_->phase() == edit::OpenWaypoints::Phase::Ready && !list_->saving();
+  return ready ? leftName(list_->document(), accepted_names_) : std::nullopt;
+}
+
+void WaypointsController::takeOffer() {
+  if (list_ && !list_->draftTrouble().any()) {
+    if (!list_->offered().empty()) return list_->takeUp(tr("take up the draft"));
+    const auto left = list_->document().conflicts().empty() ? nameLeft() : std::nullopt;
+    if (left && left->remedy == LeftName::Remedy::SendRest) return save();
+    if (left && left->remedy == LeftName::Remedy::CallItSo)
+      return editing_.rename(left->key, QString::fromStdString(left->permanent));
+    if (left) {
+      editing_.select({left->key});
+      return askName(left->key, 0);
+    }
+  }
+  context_.panels.open(dock_);
 }
 
 void WaypointsController::save() {

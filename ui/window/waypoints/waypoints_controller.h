@@ -5,10 +5,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <QPointer>
 
 #include "window/controller.h"
+#include "window/waypoints/left_name.h"
 #include "window/waypoints/waypoint_editing.h"
 #include "window/waypoints/waypoint_questions.h"
 #include "window/window_context.h"
@@ -59,6 +61,8 @@ class WaypointsController : public Controller {
   void takeChange();
   void refresh();
   void refreshNotice();
+  void takeOffer();
+  std::optional<LeftName> nameLeft() const;
   void revertAll();
   void askName(const edit::Key& key, edit::Gesture gesture);
   void noteSaving();
@@ -84,7 +88,8 @@ class WaypointsController : public Controller {
   std::function<void()> when_saved_;
   std::optional<map::Failure> told_failure_;  // that of the last save
   bool was_unsaved_ = false, could_save_ = false, said_decide_ = false;
-  bool may_leave_ = false;  // the draft is to be kept as it is
+  std::set<edit::Key> accepted_names_;  // that look temporary and may stay
+  bool may_leave_ = false;              // the draft is to be kept as it is
 };
 
 }  // namespace mapwright::window
