@@ -150,6 +150,8 @@ void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
   flag("--ros-garbage", f.garbage, help(Words::tr("Frames that are no messages come between the others")));
   count("--other-operator", f.other_operator_every_s,
         help(Words::tr("Somebody else changes waypoints and maps every so many seconds")), 86'400);
+  count("--waypoints-lag", f.waypoints_lag_ms,
+        help(Words::tr("The topic of waypoints tells everything so many milliseconds later")), 600'000);
   count("--other-painter", f.other_painter_every_s,
         help(Words::tr("Somebody else paints on the current map every so many seconds")), 86'400);
   count("--ros-picture-code", f.picture_code,

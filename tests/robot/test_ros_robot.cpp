@@ -70,6 +70,7 @@ class RosRobotTest : public QObject {
   std::vector<map::StampedMessage> messages_;
   std::vector<map::Problem> problems_;
   std::vector<map::Recovery> recoveries_;
+  QByteArrayList held_;
 
   void makeRobot(const std::function<void(ros::LinkOptions&)>& change = {}) {
     ros::LinkOptions options;
@@ -78,6 +79,7 @@ class RosRobotTest : public QObject {
     options.look_patience = milliseconds(20'000);
     options.topics = {milliseconds(60), milliseconds(120), milliseconds(10)};
     options.kabam.confirm = milliseconds(400);
+    options.kabam.topic = milliseconds(100);
     options.kabam.look_again = milliseconds(10);
     options.client.link.backoff_first = milliseconds(5);
     options.client.link.backoff_limit = milliseconds(20);
@@ -133,18 +135,30 @@ class RosRobotTest : public QObject {
           json(R"({"maps":[{"map_id":"m1","map_name":"one","map_label":"One"},)"
                R"({"map_id":"m2","map_name":"two","map_label":"Two"}]})"));
     topic("archived_map_list", "MapList", json(R"({"maps":[]})"));
-    topic("current_map_waypoints", "MapWaypointList",
-          waypoints({waypoint("w1", "Dock", 1), waypoint("w2", "Desk", 2)}));
-    for (const char* name : {"load_map", "rename_map", "get_waypoint", "create_waypoint", "delete_waypoint",
+    hold({waypoint("w1", "Dock", 1), waypoint("w2", "Desk", 2)});
+    topic("current_map_waypoints", "MapWaypointList", waypoints(held_));
+    for (const char* name : {"load_map", "rename_map", "create_waypoint", "delete_waypoint",
                              "rename_waypoint", "reposition_waypoint"}) {
       server_->serve(text("/map_manager/") + QLatin1String(name),
                      [](const QJsonObject&) { return json(R"({"result":6})"); });
     }
+    serve("get_waypoint", [this](const QJsonObject& args) {
+      const QJsonObject all = waypoints(held_);
+      const QString id = args[text("waypoint_id")].toString();
+      QJsonArray asked;
+      for (const QJsonValue& row : all[text("waypoints")].toArray()) {
+        if (id.isEmpty() || row[text("id")].toString() == id) asked << row;
+      }
+      return QJsonObject{{text("waypoints"), QJsonObject{{text("waypoints"), asked}}}};
+    });
   }
+  /// What the manager answers; the topic has not shown it yet.
+  void hold(const QByteArrayList& rows) { held_ = rows; }
   void serve(const char* name, ScriptedBridge::Service service) {
     server_->serve(text("/map_manager/") + QLatin1String(name), std::move(service));
   }
   void showWaypoints(const QByteArrayList& rows) {
+    hold(rows);
     server_->latch(QStringLiteral("/map_manager/current_map_waypoints"), waypoints(rows));
   }
   Outcome<StoredWaypoints> read(const char* id = "m1") {
@@ -601,6 +615,67 @@ class RosRobotTest : public QObject {
     QVERIFY(!receipt);
     QCOMPARE(receipt.error().kind, map::FailureKind::Conflict);
     QCOMPARE(server_->timesCalled(QStringLiteral("/map_manager/reposition_waypoint")), 0);
+  }
+
+  // The topic may lag: what it tells is no proof of how a waypoint is kept.
+  void whatTheTopicDoesNotShowYetIsNotWrittenOver() {
+    manage();
+    QVERIFY(online());
+    const map::Waypoint before = kept("w1");
+    map::Waypoint moved = before, renamed = before;
+    moved.position_m.y() = 3;
+    renamed.name = "Berth";
+    hold({waypoint("w1", "Dock", 4), waypoint("w2", "Desk", 2)});
+    for (const WaypointChange& change :
+         {WaypointChange{"w1", before, moved}, WaypointChange{"w1", before, renamed},
+          WaypointChange{"w1", before, std::nullopt}}) {
+      const auto receipt = perform(change);
+      QVERIFY(!receipt);
+      QCOMPARE(receipt.error().kind, map::FailureKind::Conflict);
+      QCOMPARE(receipt.error().applied, map::Applied::No);
+    }
+    for (const char* service : {"reposition_waypoint", "rename_waypoint", "delete_waypoint"})
+      QCOMPARE(server_->timesCalled(text("/map_manager/") + QLatin1String(service)), 0);
+    // From now on the manager is asked how they are.
+    QCOMPARE(kept("w1").position_m.x(), 4.0);
+  }
+
+  void aChangeThatTheTopicDoesNotShowIsAskedFor() {
+    manage();
+    serve("rename_waypoint", [&](const QJsonObject& args) {
+      hold({QJsonDocument(args[text("waypoint_info")].toObject()).toJson(), waypoint("w2", "Desk", 2)});
+      return json(R"({"result":3})");
+    });
+    serve("delete_waypoint", [&](const QJsonObject&) {
+      hold({waypoint("w2", "Desk", 2)});
+      return json(R"({"result":5})");
+    });
+    QVERIFY(online());
+    const map::Waypoint before = kept("w1");
+    map::Waypoint after = before;
+    after.name = "Other";
+    const auto receipt = perform({"w1", before, after});
+    QVERIFY2(receipt, receipt ? "" : sentences::sentenceOf(receipt.error()).c_str());
+    QCOMPARE(kept("w1").name, std::string("Other"));
+    QVERIFY(perform({"w1", after, std::nullopt}));
+    QCOMPARE(kept("w1").name, std::string());
+  }
+
+  void whatIsNotUnderstoodOfAWaypointGoesBackAsItIsNow() {
+    manage();
+    serve("rename_waypoint", [&](const QJsonObject& args) {
+      showWaypoints(
+          {QJsonDocument(args[text("waypoint_info")].toObject()).toJson(), waypoint("w2", "Desk", 2)});
+      return json(R"({"result":3})");
+    });
+    QVERIFY(online());
+    const map::Waypoint before = kept("w1");
+    map::Waypoint after = before;
+    after.name = "Other";
+    hold({waypoint("w1", "Dock", 1).replace("\"z\":0},\"orientation", "\"z\":1.5},\"orientation")});
+    QVERIFY(perform({"w1", before, after}));
+    const QJsonObject args = server_->argumentsOf(QStringLiteral("/map_manager/rename_waypoint")).first();
+    QCOMPARE(args[text("waypoint_info")][text("pose")][text("position")][text("z")].toDouble(), 1.5);
   }
 
   void whatIsDoneAllTheSameIsNoFailure() {

@@ -60,6 +60,7 @@ void KabamBook::forget() {
   current_.reset();
   waypoints_frame_.reset();
   waypoints_ = {};
+  waypoints_lag_ = false;
 }
 
 std::vector<KabamMap> KabamBook::maps() const {
@@ -113,7 +114,7 @@ std::optional<map::CatalogueEntry> KabamBook::entry(const std::string& id) const
 }
 
 std::optional<StoredWaypoints> KabamBook::waypoints(const std::string& fixed_frame) const {
-  if (!waypoints_frame_ || !current_) return std::nullopt;
+  if (!waypoints_frame_ || !current_ || waypoints_lag_) return std::nullopt;
   auto stored = readWaypoints(waypoints_, current_->map.id, fixed_frame);
   // Of another map alone: the topic has not followed the change of maps yet.
   Field rows = waypoints_["waypoints"];

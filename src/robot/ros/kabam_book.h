@@ -44,8 +44,10 @@ class KabamBook {
   /// IDLE, MAPPING, ACTIVE, or whatever it says; empty while nothing is known.
   std::string state() const { return current_ ? current_->state : std::string(); }
   bool isCurrent(const std::string& id) const { return current_ && !id.empty() && current_->map.id == id; }
-  /// Those of the current map; nullopt while the topic has not told them.
+  /// Those of the current map; nullopt while the topic has not told them, or lags.
   std::optional<StoredWaypoints> waypoints(const std::string& fixed_frame) const;
+  /// The topic lags behind what the robot answers: what it tells is no longer taken for how they are.
+  void distrustWaypoints() { waypoints_lag_ = true; }
   /// The current map for the screen.
   map::MapInfo mapInfo() const;
 
@@ -55,6 +57,7 @@ class KabamBook {
   std::optional<KabamCurrent> current_;
   std::shared_ptr<const net::rosbridge::Frame> waypoints_frame_;
   Field waypoints_;
+  bool waypoints_lag_ = false;
 };
 
 }  // namespace mapwright::robot::ros

@@ -154,16 +154,15 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
     if (book_.isCurrent(key.id)) {
       if (auto stored = book_.waypoints(fixed_frame_())) return reply(std::move(*stored));
     }
-    call(errand, client_, request("get_waypoint", getWaypointArgs(key.id)),
-         [this, key, subject, reply](const CallAnswer& answer) {
-           if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
-           auto stored = readWaypoints(answer.values, key.id, fixed_frame_());
-           if (stored) return reply(std::move(*stored));
-           reply(fail({.kind = map::FailureKind::MalformedAnswer,
-                       .subject = subject,
-                       .reason = map::FailureReason::Unfit,
-                       .cause = {map::ReasonCode::PointsAreNoList}}));
-         });
+    call(errand, client_, request("get_waypoint", getWaypointArgs(key.id)), [this, key, subject, reply](const CallAnswer& answer) {
+      if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
+      auto stored = readWaypoints(answer.values, key.id, fixed_frame_());
+      if (stored) return reply(std::move(*stored));
+      reply(fail({.kind = map::FailureKind::MalformedAnswer,
+                  .subject = subject,
+                  .reason = map::FailureReason::Unfit,
+                  .cause = {map::ReasonCode::PointsAreNoList}}));
+    });
   });
 }
 
@@ -182,20 +181,13 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
                  failure->asked_for = map::AskedFor::Change;
                  return reply(fail(std::move(*failure)));
                }
-               // Somebody else may have been quicker.
-               const WaypointChange& change = request.changes.front();
-               if (!change.before) return send(errand, key, request, reply);
-               if (book_.isCurrent(key.id)) {
-                 if (const auto stored = book_.waypoints(fixed_frame_())) {
-                   if (auto conflict = conflictIn(*stored, change, subject)) return reply(fail(*conflict));
-                   return send(errand, key, request, reply);
-                 }
-               }
-               lookFirst(errand, key, request, reply);
+               request.changes.front().before ? lookFirst(errand, key, request, reply)
+                                              : send(errand, key, request, reply);
              });
 }
 
-// No topic tells of the waypoints of a map that the robot does not work with.
+// Somebody else may have been quicker. The topic does not tell: it may lag, and is about the current map
+// alone.
 void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& key,
                               const WaypointRequest& asked, OutcomeTo<WaypointReceipt> reply) {
   const std::string id = asked.changes.front().id;
@@ -212,9 +204,15 @@ void KabamRequests::lookFirst(const wire::ErrandPtr& errand, const map::MapKey& 
            failure.applied = map::Applied::No;
            return reply(fail(std::move(failure)));
          }
-         if (auto conflict = conflictIn(*stored, asked.changes.front(), subject))
+         if (auto conflict = conflictIn(*stored, asked.changes.front(), subject)) {
+           if (book_.isCurrent(key.id)) book_.distrustWaypoints();
            return reply(fail(*conflict));
-         send(errand, key, asked, reply);
+         }
+         // What is not understood of it goes back as it is now.
+         WaypointRequest fresh = asked;
+         if (fresh.changes.front().after)
+           fresh.changes.front().after->source = find(*stored, asked.changes.front().id)->source;
+         send(errand, key, fresh, reply);
        });
 }
 
@@ -267,38 +265,44 @@ KabamRequests::Shown KabamRequests::shownIn(const StoredWaypoints& stored, Chang
 
 void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& change,
                             std::optional<map::Failure> doubt) {
+  const auto shown = std::make_shared<Shown>(Shown::NotYet);
+  const bool told = book_.isCurrent(change->key.id) && book_.waypoints(fixed_frame_());
   const auto left =
       std::chrono::duration_cast<std::chrono::milliseconds>(change->until - steady_clock::now());
-  if (book_.isCurrent(change->key.id) && book_.waypoints(fixed_frame_())) {
-    const auto shown = std::make_shared<Shown>(Shown::NotYet);
-    await(
-        errand, std::max(left, std::chrono::milliseconds(0)),
-        [this, change, shown] {
-          const auto stored = book_.waypoints(fixed_frame_());
-          *shown = stored ? shownIn(*stored, *change) : Shown::NotYet;
-          return *shown == Shown::Done;
-        },
-        [this, change, shown, doubt = std::move(doubt)](Awaited how) {
-          endChange(change, *shown,
-                    how == Awaited::Cancelled ? cancelled(map::placesOf(change->key)) : doubt);
-        });
-    return;
-  }
-  call(errand, client_, request("get_waypoint", getWaypointArgs(change->key.id)),
+  await(
+      errand, std::clamp(left, std::chrono::milliseconds(0), told ? patience_.topic : change->pause),
+      [this, told, change, shown] {
+        const auto stored = told ? book_.waypoints(fixed_frame_()) : std::nullopt;
+        *shown = stored ? shownIn(*stored, *change) : Shown::NotYet;
+        return *shown == Shown::Done;
+      },
+      [this, errand, change, shown, doubt = std::move(doubt)](Awaited how) {
+        if (how == Awaited::Cancelled)
+          return endChange(change, *shown, cancelled(map::placesOf(change->key)));
+        if (how == Awaited::Held) return endChange(change, *shown, doubt);
+        askWhetherShown(errand, change, doubt);
+      });
+}
+
+// Of a map that no topic tells of, or sooner than the topic does.
+void KabamRequests::askWhetherShown(const wire::ErrandPtr& errand, const ChangePtr& change,
+                                    std::optional<map::Failure> doubt) {
+  // One that is gone is asked for among all: nobody knows what is answered for it alone.
+  const std::string id = !change->what.after   ? std::string()
+                         : change->what.before ? change->what.id
+                                               : change->id;
+  call(errand, client_, request("get_waypoint", getWaypointArgs(change->key.id, id)),
        [this, errand, change, doubt](const CallAnswer& answer) {
          const bool answered = answer.kind == CallAnswer::Kind::Answered;
          const auto stored =
              answered ? readWaypoints(answer.values, change->key.id, fixed_frame_()) : std::nullopt;
          const Shown shown = stored ? shownIn(*stored, *change) : Shown::NotYet;
-         const bool over = !answered || steady_clock::now() >= change->until;
+         if (shown == Shown::Done && book_.isCurrent(change->key.id)) book_.distrustWaypoints();
+         const bool over = answer.kind == CallAnswer::Kind::LinkLost ||
+                           answer.kind == CallAnswer::Kind::Cancelled || steady_clock::now() >= change->until;
          if (shown == Shown::Done || over) return endChange(change, shown, doubt);
-         await(
-             errand, patience_.look_again, [] { return false; },
-             [this, errand, change, shown, doubt](Awaited how) {
-               if (how == Awaited::Cancelled)
-                 return endChange(change, shown, cancelled(map::placesOf(change->key)));
-               confirm(errand, change, doubt);
-             });
+         change->pause = patience_.look_again;
+         confirm(errand, change, doubt);
        });
 }
 

@@ -24,7 +24,8 @@ struct KabamPatience {
   std::chrono::milliseconds call{10'000};     // for an answer
   std::chrono::milliseconds lists{5'000};     // for the first messages of the topics
   std::chrono::milliseconds confirm{5'000};   // for the topics to show a change
-  std::chrono::milliseconds look_again{500};  // at the waypoints of a map that no topic tells of
+  std::chrono::milliseconds topic{2'000};     // for the topic of waypoints to, before they are asked for
+  std::chrono::milliseconds look_again{500};  // at waypoints that are asked for
 };
 
 class KabamRequests : public QObject {
@@ -57,6 +58,7 @@ class KabamRequests : public QObject {
     std::string id;  // of a created one, as the robot said; empty = by its name
     OutcomeTo<WaypointReceipt> reply;
     std::chrono::steady_clock::time_point until;
+    std::chrono::milliseconds pause{0};  // before they are asked for
   };
   using ChangePtr = std::shared_ptr<Change>;
 
@@ -72,6 +74,8 @@ class KabamRequests : public QObject {
   void send(const wire::ErrandPtr& errand, const map::MapKey& key, const WaypointRequest& request,
             OutcomeTo<WaypointReceipt> reply);
   void confirm(const wire::ErrandPtr& errand, const ChangePtr& change, std::optional<map::Failure> doubt);
+  void askWhetherShown(const wire::ErrandPtr& errand, const ChangePtr& change,
+                       std::optional<map::Failure> doubt);
   static Shown shownIn(const StoredWaypoints& stored, Change& change);
   void endChange(const ChangePtr& change, Shown shown, std::optional<map::Failure> doubt) const;
   struct Ordered;

@@ -87,6 +87,7 @@ struct RosFaults {
   std::vector<std::string> cut_after;    // services that do their work, and then the link is cut
   bool garbage = false;                  // frames that are no messages come between the others
   int other_operator_every_s = 0;        // > 0: somebody else changes waypoints and maps this often
+  int waypoints_lag_ms = 0;              // > 0: the topic of waypoints tells everything so much later
   int other_painter_every_s = 0;         // > 0: somebody else paints on the current map this often
   int picture_code = 0;                  // > 0: update_map_image does nothing and answers this code
   bool picture_ignored = false;          // update_map_image does nothing and answers that it did

@@ -53,6 +53,10 @@ std::optional<std::string> RosServer::start(std::uint16_t port) {
            " on 127.0.0.1: " + error.message() + ". Choose another port, or 0 for a free one.";
   }
   published_ = kabam_.edits();
+  if (faults().waypoints_lag_ms > 0) {
+    const std::string topic(kWaypointsTopic);
+    if (auto message = publicationOf(topic, messageOf(topic))) last_[topic] = std::move(message);
+  }
   tick_at_ = restarted_at_ = edited_at_ = painted_at_ = garbage_at_ = steady_clock::now();
   for (const TopicRow& row : rows_) {
     if (row.period_s <= 0) continue;
@@ -107,6 +111,7 @@ void RosServer::tick() {
     keepFaultSchedule(now);
     publishChanges();
     publishDue(now);
+    publishLate(now);
     for (const auto& [address, session] : std::map(sessions_)) session->tick(now);
     tick();
   });
@@ -165,10 +170,27 @@ void RosServer::publishChanges() {
     publish(kArchivedListTopic);
   }
   if (edits.info != before.info) publish(kMapInfoTopic);
-  if (edits.waypoints != before.waypoints) publish(kWaypointsTopic);
+  if (edits.waypoints != before.waypoints) publishWaypoints();
   if (edits.picture != before.picture) {
     publish("/map");
     publish("/global_costmap/costmap");
+  }
+}
+
+void RosServer::publishWaypoints() {
+  const std::chrono::milliseconds lag(faults().waypoints_lag_ms);
+  if (lag.count() == 0) return publish(kWaypointsTopic);
+  const std::string topic(kWaypointsTopic);
+  late_.push_back({steady_clock::now() + lag, publicationOf(topic, messageOf(topic))});
+}
+
+void RosServer::publishLate(steady_clock::time_point now) {
+  while (!late_.empty() && late_.front().first <= now) {
+    const PublicationPtr message = std::move(late_.front().second);
+    late_.pop_front();
+    if (!message) continue;
+    last_[message->topic()] = message;
+    if (!isSilent(message->topic())) deliverAll(message);
   }
 }
 

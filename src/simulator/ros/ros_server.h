@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -76,6 +77,8 @@ class RosServer {
   void publishDue(std::chrono::steady_clock::time_point now);
   void keepFaultSchedule(std::chrono::steady_clock::time_point now);
   void publish(std::string_view topic);
+  void publishWaypoints();
+  void publishLate(std::chrono::steady_clock::time_point now);
   void make(const std::string& topic, std::weak_ptr<RosSession> only_for, bool for_all);
   void deliverAll(const PublicationPtr& message);
   const TopicRow* rowOf(std::string_view topic) const;
@@ -100,8 +103,9 @@ class RosServer {
   std::vector<Periodic> periodic_;
   std::map<std::string, std::string> advertised_;
   std::map<const RosSession*, std::shared_ptr<RosSession>> sessions_;
-  std::map<std::string, PublicationPtr, std::less<>> last_;  // of latched topics
-  std::map<std::string, bool> making_;                       // true: once more when it is done
+  std::map<std::string, PublicationPtr, std::less<>> last_;                            // of latched topics
+  std::deque<std::pair<std::chrono::steady_clock::time_point, PublicationPtr>> late_;  // of waypoints
+  std::map<std::string, bool> making_;  // true: once more when it is done
   KabamEdits published_;
   Dispatcher::Edits dispatched_;
   std::chrono::steady_clock::time_point tick_at_, restarted_at_, edited_at_, painted_at_, garbage_at_;

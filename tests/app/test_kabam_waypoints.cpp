@@ -1,0 +1,174 @@
+// `mapwright waypoints …` on a simulated KABAM robot, with another operator, links that break off and a topic
+// that lags.
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "simulator/simulator.h"
+
+using namespace mapwright;
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QString out, err;
+  QJsonObject object() const { return QJsonDocument::fromJson(out.toUtf8()).object(); }
+  QJsonArray array() const { return QJsonDocument::fromJson(out.toUtf8()).array(); }
+};
+
+QJsonValue at(const QJsonValue& row, const char* member) { return row[QLatin1String(member)]; }
+
+}  // namespace
+
+class KabamWaypointsTest : public QObject {
+  Q_OBJECT
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<simulator::Simulator> robot_;
+
+  void start(const std::function<void(simulator::Options&)>& change = {}) {
+    simulator::Options options;
+    options.paused = true;
+    if (change) change(options);
+    robot_ = std::make_unique<simulator::Simulator>(options);
+    QVERIFY(!robot_->start());
+  }
+  Outcome run(const QStringList& words) const {
+    QProcess process;
+    process.setWorkingDirectory(folder_->path());
+    process.start(QStringLiteral(MAPWRIGHT_PROGRAM),
+                  QStringList{QStringLiteral("waypoints")} + words +
+                      QStringList{QStringLiteral("--robot"), QString::fromStdString(robot_->kabamAddress())});
+    if (!process.waitForFinished(120'000)) process.kill();
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+  }
+  Outcome run(const char* words) const { return run(QString::fromLatin1(words).split(QLatin1Char(' '))); }
+  QJsonArray listed() const { return run("list --json").array(); }
+  void put(const char* name, const QByteArray& bytes) const {
+    QFile file(folder_->filePath(QLatin1String(name)));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+  }
+  /// A plan in which the first three go by each other's names.
+  void planRing(const QJsonArray& rows) const {
+    QByteArray csv = "id,name,x,y,yaw_rad\n";
+    for (int i = 0; i < rows.size(); ++i) {
+      const QJsonValue named = i < 3 ? rows[(i + 1) % 3] : rows[i];
+      csv += at(rows[i], "id").toString().toUtf8() + ',' + at(named, "name").toString().toUtf8() + ',' +
+             QByteArray::number(at(rows[i], "x").toDouble(), 'g', 17) + ',' +
+             QByteArray::number(at(rows[i], "y").toDouble(), 'g', 17) + ',' +
+             QByteArray::number(at(rows[i], "yaw_rad").toDouble(), 'g', 17) + '\n';
+    }
+    put("ring.csv", csv);
+    const Outcome plan = run("plan ring.csv -o plan.json");
+    QVERIFY2(plan.code == 0, qPrintable(plan.err));
+  }
+  static QStringList namesOf(const QJsonArray& rows) {
+    QStringList names;
+    for (const QJsonValue& row : rows) names << at(row, "name").toString();
+    return names;
+  }
+  int timesCalled(const std::string& services) const {
+    int times = 0;
+    for (const simulator::RequestRecord& one : robot_->requestLog())
+      times += one.method == "CALL" && one.target.ends_with(services) ? 1 : 0;
+    return times;
+  }
+
+ private Q_SLOTS:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+  void cleanup() { robot_.reset(); }
+
+  // Each call is the last one of its link.
+  void aSwapOfNamesThatBreaksOffIsToldAndGoneOnWith() {
+    start();
+    const QJsonArray before = listed();
+    planRing(before);
+    const QStringList old = namesOf(before);
+    simulator::Faults faults;
+    faults.ros.cut_after = {"/map_manager/rename_waypoint"};
+    robot_->setFaults(faults);
+    Outcome applied;
+    int attempts = 0;
+    for (; attempts < 6 && applied.code != 0; ++attempts) {
+      applied = run("apply plan.json --json");
+      QVERIFY2(applied.code == 0 || applied.code == 1, qPrintable(applied.err));
+      const QJsonArray told = applied.object()[QStringLiteral("temporary_names")].toArray();
+      QStringList temporary;
+      for (const QString& name : namesOf(listed()))
+        if (!old.contains(name)) temporary << name;
+      QCOMPARE(namesOf(told), temporary);
+      for (const QString& name : temporary) QVERIFY2(applied.err.contains(name), qPrintable(applied.err));
+      if (!temporary.isEmpty()) {
+        const Outcome list = run("list");
+        QVERIFY2(list.code == 0 && list.err.contains(temporary.first()), qPrintable(list.err));
+      }
+    }
+    QCOMPARE(attempts, 4);  // as many as there are calls
+    QStringList wanted = old;
+    wanted.move(0, 2);
+    QCOMPARE(namesOf(listed()), wanted);
+  }
+
+  void whatIsAppliedOrImportedTwiceIsNotSentAgain() {
+    start();
+    const QJsonArray before = listed();
+    QByteArray csv = "id,name,x,y,yaw_rad\n";
+    for (int i = 0; i < 8; ++i)
+      csv += at(before[i], "id").toString().toUtf8() + ",Point " + QByteArray::number(i) + "," +
+             QByteArray::number(0.1 * i) + "," + QByteArray::number(i / 3.0, 'g', 17) + "," +
+             QByteArray::number(0.3 + i * 0.4, 'g', 17) + "\n";
+    put("turned.csv", csv);
+    QCOMPARE(run("import turned.csv").code, 0);
+    robot_->clearRequestLog();
+    const Outcome again = run("import turned.csv");
+    QVERIFY2(again.code == 0 && again.out.contains(QStringLiteral("nothing to change")),
+             qPrintable(again.out));
+    QCOMPARE(timesCalled("rename_waypoint") + timesCalled("reposition_waypoint"), 0);
+
+    put("two.csv", "id,name,x,y,yaw_rad\n" + at(before[0], "id").toString().toUtf8() + ",One,1,1,0.7\n");
+    QVERIFY(run("plan two.csv -o plan.json").code == 0);
+    QCOMPARE(run("apply plan.json").code, 0);
+    const Outcome twice = run("apply plan.json");
+    QVERIFY2(twice.code == 0, qPrintable(twice.err));
+  }
+
+  // What others did and the topic has not told is there before anything is sent over it.
+  void whatOthersDidAndTheTopicDoesNotTellYetStays() {
+    start([](simulator::Options& options) { options.faults.ros.waypoints_lag_ms = 600'000; });
+    const QJsonArray before = listed();
+    const QString first = at(before.first(), "id").toString(), last = at(before.last(), "id").toString();
+    robot_->otherOperator();  // another name for the first
+    robot_->otherOperator();  // another place for the last
+    QCOMPARE(listed(), before);
+    const Outcome moved = run({QStringLiteral("move"), first, QStringLiteral("--at"),
+                               QStringLiteral("2,3,90"), QStringLiteral("--json")});
+    QVERIFY2(moved.code == 0, qPrintable(moved.err));
+    QCOMPARE(at(moved.object(), "name").toString(), QStringLiteral("Renamed by others 1"));
+    QCOMPARE(at(moved.object(), "x").toDouble(), 2.0);
+    const Outcome renamed =
+        run({QStringLiteral("rename"), last, QStringLiteral("Mine"), QStringLiteral("--json")});
+    QVERIFY2(renamed.code == 0, qPrintable(renamed.err));
+    QCOMPARE(at(renamed.object(), "name").toString(), QStringLiteral("Mine"));
+    QVERIFY(at(renamed.object(), "x") != at(before.last(), "x"));
+    QCOMPARE(at(renamed.object(), "tags"), at(before.last(), "tags"));
+  }
+
+  void whatBothChangedIsAConflictAlsoBehindATopicThatLags() {
+    start([](simulator::Options& options) { options.faults.ros.waypoints_lag_ms = 600'000; });
+    const QString first = at(listed().first(), "id").toString();
+    robot_->otherOperator();
+    const Outcome renamed = run({QStringLiteral("rename"), first, QStringLiteral("Mine")});
+    QCOMPARE(renamed.code, 4);
+    QVERIFY2(renamed.err.contains(QStringLiteral("Nothing has been sent")), qPrintable(renamed.err));
+    QCOMPARE(timesCalled("rename_waypoint"), 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(KabamWaypointsTest)
+#include "test_kabam_waypoints.moc"
