@@ -1,13 +1,14 @@
 // Exit codes of every subcommand (cli.md).
 #pragma once
 
+#include "map/failure.h"
 #include "map/problem.h"
 
 namespace mapwright::app {
 
 enum ExitCode : int {
   kDone = 0,
-  kIncomplete = 1,   // done, but not complete
+  kIncomplete = 1,   // done, but not complete, or it is not known
   kUsage = 2,        // wrong usage or bad input file
   kUnreachable = 3,  // the robot cannot be reached or refused
   kRobotError = 4,   // the robot answered with an error for this request
@@ -32,6 +33,12 @@ constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRo
       break;
   }
   return otherwise;
+}
+
+/// Of a change that may have been made it is said that it is not known.
+inline ExitCode exitCodeOf(const map::Failure& failure) {
+  const bool unknown = failure.asked_for == map::AskedFor::Change && failure.applied == map::Applied::Maybe;
+  return unknown ? kIncomplete : exitCodeOf(failure.kind);
 }
 
 }  // namespace mapwright::app

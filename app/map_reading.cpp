@@ -90,7 +90,7 @@ CommandFailure MapReading::failure(int exit_code, const QString& sentence) const
 }
 
 CommandFailure MapReading::failure(const map::Failure& failed) const {
-  return failure(exitCodeOf(failed.kind), QString::fromStdString(sentences::sentenceOf(failed)));
+  return failure(exitCodeOf(failed), QString::fromStdString(sentences::sentenceOf(failed)));
 }
 
 void MapReading::giveUp(const robot::Call& call, const std::function<bool()>& over) const {
@@ -118,7 +118,9 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
     return tl::make_unexpected(CommandFailure{
         kUsage, Words::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
   }
-  auto robot = makeRobot(address, access, DemoTime::Frozen);
+  Access timed = access;
+  timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
+  auto robot = makeRobot(address, timed, DemoTime::Frozen);
   if (!robot) return tl::make_unexpected(CommandFailure{kUsage, robot.error()});
   std::unique_ptr<MapReading> reading(
       new MapReading(std::move(*robot), address, time, purpose, std::move(workers)));

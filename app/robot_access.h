@@ -2,6 +2,8 @@
 // argument (cli.md, "Robot addresses").
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +37,8 @@ AccessWords withOuter(AccessWords words, const std::string& robot, const AccessW
 struct Access {
   QByteArray secret;
   net::Trust trust;
+  /// How long a long answer may take, where the user says (--timeout).
+  std::optional<std::chrono::milliseconds> timeout = {};
 };
 
 /// Which secret goes to which robot. One belongs to one origin (scheme, host, port): every other address gets

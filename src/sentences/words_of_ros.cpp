@@ -139,7 +139,8 @@ QString ofMapManagers(ReasonCode code) {
     case ReasonCode::ResultMapUnknown:
       return Words::tr("it has no such map");
     case ReasonCode::ResultNameTaken:
-      return Words::tr("another waypoint of this map is called \"%1\" already; choose another name");
+      return Words::tr(
+          "another waypoint of this map is called \"%1\", too; give one of the two another name");
     case ReasonCode::ResultWaypointUnknown:
       return Words::tr("it has no such waypoint any more");
     case ReasonCode::ResultUndefined:

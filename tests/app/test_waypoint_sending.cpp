@@ -212,6 +212,18 @@ class WaypointSendingTest : public QObject {
     QCOMPARE(sent->exitCode(), int(app::kUnreachable));
   }
 
+  // It was sent, and nobody can tell: that is neither a robot out of reach nor one that refused.
+  void whetherItWasMadeIsNotKnownHasACodeOfItsOwn() {
+    for (const auto kind : {map::FailureKind::TimedOut, map::FailureKind::Unreachable,
+                            map::FailureKind::RejectedByRobot, map::FailureKind::MalformedAnswer}) {
+      map::Failure change = failed(kind, map::Applied::Maybe);
+      change.asked_for = map::AskedFor::Change;
+      QCOMPARE(int(app::exitCodeOf(change)), int(app::kIncomplete));
+      change.applied = map::Applied::No;
+      QCOMPARE(int(app::exitCodeOf(change)), int(app::exitCodeOf(kind)));
+    }
+  }
+
   void whoIsOutOfReachBeforeAnythingIsSentIsNoErrorOfTheRobot() {
     FakeWaypointStore store(FakeWaypointStore::Way::OneByOne);
     fill(store);

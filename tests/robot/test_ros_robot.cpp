@@ -536,6 +536,17 @@ class RosRobotTest : public QObject {
     QVERIFY(!read("m7"));
   }
 
+  // There may be very many: how long that may take is a time of its own.
+  void whoAsksForAllWaypointsSaysHowLongThatMayTake() {
+    makeRobot([](ros::LinkOptions& options) { options.kabam.read = milliseconds(50); });
+    manage();
+    serve("get_waypoint", [](const QJsonObject&) { return std::optional<QJsonObject>(); });
+    QVERIFY(online());
+    const auto stored = read("m2");
+    QVERIFY(!stored);
+    QCOMPARE(stored.error().kind, map::FailureKind::TimedOut);
+  }
+
   void aChangeIsDoneWhenTheTopicShowsIt() {
     manage();
     serve("reposition_waypoint", [&](const QJsonObject& args) {

@@ -154,7 +154,9 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
     if (book_.isCurrent(key.id)) {
       if (auto stored = book_.waypoints(fixed_frame_())) return reply(std::move(*stored));
     }
-    call(errand, client_, request("get_waypoint", getWaypointArgs(key.id)), [this, key, subject, reply](const CallAnswer& answer) {
+    net::rosbridge::CallRequest all = request("get_waypoint", getWaypointArgs(key.id));
+    all.patience = patience_.read;
+    call(errand, client_, std::move(all), [this, key, subject, reply](const CallAnswer& answer) {
       if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
       auto stored = readWaypoints(answer.values, key.id, fixed_frame_());
       if (stored) return reply(std::move(*stored));

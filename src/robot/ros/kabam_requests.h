@@ -22,6 +22,7 @@ namespace mapwright::robot::ros {
 
 struct KabamPatience {
   std::chrono::milliseconds call{10'000};     // for an answer
+  std::chrono::milliseconds read{60'000};     // for all waypoints of a map: there may be very many
   std::chrono::milliseconds lists{5'000};     // for the first messages of the topics
   std::chrono::milliseconds confirm{5'000};   // for the topics to show a change
   std::chrono::milliseconds topic{2'000};     // for the topic of waypoints to, before they are asked for
