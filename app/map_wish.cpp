@@ -9,6 +9,7 @@
 #include "app/report.h"
 #include "regions/region_fetch.h"
 #include "robot/map_dispatch.h"
+#include "robot/sends_map.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/problem_sentence.h"
@@ -24,11 +25,6 @@ class Words {
 
 using Phase = session::MapSlot::Phase;
 using robot::DispatchService;
-
-bool givesRegions(robot::Robot& robot) {
-  const robot::MapDispatch* const dispatch = robot.mapDispatch();
-  return dispatch != nullptr && dispatch->offered(DispatchService::GridRegion);
-}
 
 QString byRegionsOnly() {
   return Words::tr("It gives its map by regions: ask for one with --region X,Y,LX,LY.");
@@ -61,7 +57,7 @@ MapWish::State MapWish::look(double online_for_s) {
   const session::MapSlot& slot = session_.wholeMap();
   if (key_->kind == map::MapKind::Live && slot.phase() == Phase::Fetching && !asked_for_whole_) {
     // Its dispatcher may come a moment later than the robot itself.
-    if (givesRegions(session_.robot()) && givesMapWhenAsked(session_.robot())) {
+    if (robot::givesByRegion(session_.robot())) {
       askForWhole();
     } else if (online_for_s > live_within_s_) {
       chooseInsteadOfLive();
@@ -105,6 +101,15 @@ void MapWish::askForWhole() {
     return;
   }
   asked_for_whole_ = true;
+  if (!session_.robot().mapDispatch()->offered(DispatchService::Grid)) {
+    session_.robot().wholeMapSource()->fetch(*key_, [this, here = std::weak_ptr(present_)](
+                                                        const robot::Outcome<map::WholeMap>& outcome) {
+      if (here.expired()) return;
+      if (outcome) return session_.wholeMap().show(*outcome);
+      fail(exitCodeOf(outcome.error().kind), QString::fromStdString(sentences::sentenceOf(outcome.error())));
+    });
+    return;
+  }
   session_.robot().mapDispatch()->grid(
       std::nullopt, [this, here = std::weak_ptr(present_)](const robot::Outcome<map::GridPart>& outcome) {
         if (!here.expired()) takeWhole(outcome);
@@ -182,7 +187,7 @@ void MapWish::failWithoutLive(const QString& sentence) {
 }
 
 QString MapWish::noMapNow() const {
-  return givesRegions(session_.robot()) ? byRegionsOnly() : Words::tr("It sends no map now.");
+  return robot::givesByRegion(session_.robot()) ? byRegionsOnly() : Words::tr("It sends no map now.");
 }
 
 void MapWish::chooseInsteadOfLive() {

@@ -85,6 +85,26 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_COMPARE(desk.store.asked.size(), 3u);
   }
 
+  void whatIsNotSavedStaysWhenItsStoreGoes() {
+    Desk desk;
+    desk.change();
+    desk.open();
+    desk.robot->waypoint_store = nullptr;
+    Q_EMIT desk.robot->capabilitiesChanged();
+    QVERIFY(desk.control().unsaved());
+    QVERIFY(desk.review().isVisible());
+    QVERIFY(desk.near("a", 1.25, 1));
+    QVERIFY(desk.undo().canUndo());
+    desk.robot->waypoint_store = &desk.store;
+    Q_EMIT desk.robot->capabilitiesChanged();
+    desk.send();
+    QTRY_VERIFY(!desk.control().unsaved());
+    // Of what is saved nothing is lost: it is as the robot says.
+    desk.robot->waypoint_store = nullptr;
+    Q_EMIT desk.robot->capabilitiesChanged();
+    QVERIFY(!desk.review().isVisible());
+  }
+
   void aFileIsSavedWithoutIt() {
     Desk desk;
     desk.store.is_called = false;

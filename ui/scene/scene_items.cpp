@@ -213,11 +213,13 @@ bool SceneItems::placeRobot(session::Session* session) {
 void SceneItems::takeWaypoints(const session::Session* session) {
   const auto take = [this, session](const session::MapSlot& slot, bool on_screen, MapFeatures& features) {
     features.waypoints.clear();
-    if (!on_screen || !(slot.cells() || session::lacksPicture(slot))) return;
+    if (!on_screen) return;
+    // Those that are edited need no picture below them.
     if (edited && edited->map == session->placesOf(slot)) {
       features.waypoints = edited->points;
       return;
     }
+    if (!slot.cells() && !session::lacksPicture(slot)) return;
     for (const map::Waypoint& point : slot.waypoints().points) {
       DrawnWaypoint drawn;
       drawn.name = point.name.empty() ? point.id : point.name;

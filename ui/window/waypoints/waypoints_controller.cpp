@@ -162,10 +162,13 @@ void WaypointsController::syncMap() {
   const session::MapSlot* const slot = session_ ? &session_->wholeMap() : nullptr;
   std::optional<map::MapKey> key;
   // On an empty ground, too: a robot may keep waypoints of maps that it sends no picture of.
-  const bool bare = slot && session::lacksPicture(*slot) && session_->robot().waypointStore();
+  const bool bare = slot && session_->robot().waypointStore() &&
+                    (session::lacksPicture(*slot) || session::isByRegion(session_->robot(), *slot));
   if (slot && (slot->cells() || bare)) key = session_->placesOf(*slot);
   if (slot && slot->cells()) editing_.setCell(slot->reference().resolution_m);
   const bool store_went = list_ && session_ && !session_->robot().waypointStore();
+  // What is not saved stays on screen; its store may come back.
+  if (store_went && (list_->unsaved() || list_->saving())) return refresh();
   const bool store_came = !list_ && key && session_->robot().waypointStore();
   if (key != open_map_ || store_went || store_came) {
     closeList();
