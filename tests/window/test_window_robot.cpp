@@ -150,6 +150,30 @@ class TestWindowRobot : public QObject {
     QCOMPARE(log.messagesPerSecond(QStringLiteral("/b"), 101), 1.0);  // not a thousand a second
   }
 
+  // Played at any speed they are those of the robot then, and stand still with the replay.
+  void ratesOfARecordingAreReckonedByItsOwnTime() {
+    TopicLog log;
+    log.setRecorded(true);
+    const QString topic = QStringLiteral("/a");
+    const auto at = [](qint64 ms) {
+      robot::RawMessage message = raw("/a", QByteArray(100, 'x'));
+      message.received = QDateTime::fromMSecsSinceEpoch(ms);
+      return message;
+    };
+    log.beginRatesAnew(1'000'000);
+    for (int i = 0; i < 20; ++i) log.note(at(970'000), 970'000, TopicLog::Telling::Again);
+    QCOMPARE(log.find(topic)->count, quint64(1));
+    QVERIFY(!log.ratesKnown(topic, 1'000'000));
+    for (int i = 1; i <= 20; ++i) log.note(at(1'000'000 + i * 100), 1'000'000 + i * 100);
+    QCOMPARE(log.find(topic)->count, quint64(21));
+    QCOMPARE(log.messagesPerSecond(topic, 1'002'000), 10.0);
+    QVERIFY(log.ratesKnown(topic, 1'002'000));
+    log.beginRatesAnew(500'000);  // a jump back
+    log.note(at(499'950), 499'950, TopicLog::Telling::Again);
+    QVERIFY(!log.ratesKnown(topic, 500'000));
+    QCOMPARE(log.messagesPerSecond(topic, 500'000), 0.0);
+  }
+
   void staysBoundedWhateverComes() {
     TopicLog log;
     for (int i = 0; i < 3'000; ++i) log.note(raw(qPrintable(QStringLiteral("/t%1").arg(i)), "x"), i);

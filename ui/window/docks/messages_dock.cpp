@@ -21,6 +21,7 @@
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
+#include "window/replay/replay_state.h"
 #include "window/status/status_text.h"
 
 namespace mapwright::window {
@@ -150,6 +151,7 @@ QWidget* MessagesDock::buildControls() {
   });
   connect(clear_, &QPushButton::clicked, this, [this] {
     log_.clear();
+    log_.beginRatesAnew(now());
     shown_count_ = 0;
     refresh();
     showMessage(true);
@@ -203,6 +205,7 @@ void MessagesDock::setSession(session::Session* session) {
   session_ = session;
   asked_.clear();
   log_ = {};
+  log_.setRecorded(replayOf(session) != nullptr);
   chosen_.clear();
   shown_count_ = 0;
   robot::LiveTopics* const live = session ? session->robot().liveTopics() : nullptr;
@@ -214,9 +217,17 @@ void MessagesDock::setSession(session::Session* session) {
       updateWatching();
       showMessage(true);
     });
+    if (const replay::ReplayRobot* const replayed = replayOf(session))
+      connect(replayed, &replay::ReplayRobot::jumped, this, [this] {
+        expectAgain();
+        if (now() == shown_ms_) return;  // it has only learnt more of the same time
+        shown_ms_ = now();
+        log_.beginRatesAnew(shown_ms_);
+      });
     connect(&session->robot(), &robot::Robot::rawReceived, this, [this](const robot::RawMessage& message) {
       if (!watching_) return;
-      log_.note(message, monotonic_());
+      log_.note(message, replayOf(session_) ? message.received.toMSecsSinceEpoch() : now(),
+                retelling_ ? TopicLog::Telling::Again : TopicLog::Telling::New);
       if (dirty_) return;
       dirty_ = true;
       refresh_timer_.start(kRefreshMs);
@@ -233,11 +244,13 @@ void MessagesDock::updateWatching() {
   for (QWidget* widget : {static_cast<QWidget*>(topic_), static_cast<QWidget*>(pause_)})
     widget->setEnabled(live != nullptr);
   add_->setEnabled(live && !topic_->text().trimmed().isEmpty());
+  if (wanted && !watching_) log_.beginRatesAnew(now());
   watching_ = wanted;
   const bool asks = wanted || (live && wanted_elsewhere_);
   if (asks == asks_) return;
   asks_ = asks;
   if (live) live->setWatching(asks);
+  if (asks) expectAgain();
 }
 
 void MessagesDock::setWantedElsewhere(bool wanted) {
@@ -247,11 +260,25 @@ void MessagesDock::setWantedElsewhere(bool wanted) {
 
 void MessagesDock::refresh() {
   dirty_ = false;
-  model_->sync(log_, monotonic_());
+  shown_ms_ = now();
+  model_->sync(log_, shown_ms_);
   clear_->setEnabled(model_->rowCount() > 0);
   showMessage(false);
-  // Rates fall although nothing comes: looked at again as long as there are rows.
-  if (watching_ && model_->rowCount() > 0) refresh_timer_.start(kIdleMs);
+  // Rates fall although nothing comes: looked at again as long as there are rows. Those of a recording stand
+  // still with it.
+  if (watching_ && model_->rowCount() > 0 && !replayOf(session_)) refresh_timer_.start(kIdleMs);
+}
+
+void MessagesDock::expectAgain() {
+  if (!replayOf(session_)) return;
+  retelling_ = true;
+  QMetaObject::invokeMethod(
+      this, [this] { retelling_ = false; }, Qt::QueuedConnection);
+}
+
+qint64 MessagesDock::now() const {
+  const replay::ReplayRobot* const replayed = replayOf(session_);
+  return replayed ? qint64(replayed->at().value_or(0) * 1000) : monotonic_();
 }
 
 void MessagesDock::showMessage(bool force) {

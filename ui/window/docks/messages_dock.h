@@ -60,6 +60,10 @@ class MessagesDock : public QDockWidget {
   void dropTopic(const QString& topic);
   void updateWatching();
   void showMessage(bool force);
+  /// What rates are reckoned by: of a replay the time in the recording, which stands still with it.
+  qint64 now() const;
+  /// A replay tells at once what was said last before its time.
+  void expectAgain();
   void showMenu(const QPoint& at);
 
   std::function<qint64()> monotonic_;
@@ -67,6 +71,8 @@ class MessagesDock : public QDockWidget {
   TopicLog log_;
   QStringList asked_;
   QString chosen_;
+  qint64 shown_ms_ = 0;     // of now(), when it was looked at last
+  bool retelling_ = false;  // what was said last before
   bool watching_ = false, on_screen_ = false, dirty_ = false, wanted_elsewhere_ = false, asks_ = false;
   quint64 shown_count_ = 0;
   QTimer refresh_timer_;

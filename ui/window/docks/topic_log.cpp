@@ -8,7 +8,7 @@ namespace {
 constexpr qint64 kShortestSpanMs = 1'000;  // one message just now is not a thousand a second
 }
 
-void TopicLog::note(const robot::RawMessage& message, qint64 now_ms) {
+void TopicLog::note(const robot::RawMessage& message, qint64 now_ms, Telling telling) {
   auto found = topics_.find(message.topic);
   if (found == topics_.end()) {
     if (topics_.size() >= std::size_t(kMaxTopics)) {
@@ -19,19 +19,20 @@ void TopicLog::note(const robot::RawMessage& message, qint64 now_ms) {
     found->second.topic = message.topic;
   }
   TopicTally& tally = found->second;
+  Arrivals& arrivals = arrivals_[message.topic];
+  const bool counted = telling == Telling::Again && tally.count > 0 && tally.last == message.received;
   tally.binary = message.binary;
-  ++tally.count;
+  if (!counted) ++tally.count;
   tally.last_bytes = message.bytes;
   tally.last = message.received;
   tally.cut = message.text.size() > kMaxText || message.text.size() >= robot::kMaxRawText;
   tally.text = tally.cut ? message.text.left(kMaxText) : message.text;
-  Arrivals& arrivals = arrivals_[message.topic];
   if (tally.count == 1) arrivals.first_ms = now_ms;
   while (!arrivals.recent.empty() &&
          (arrivals.recent.size() >= kMaxRecent || arrivals.recent.front().first <= now_ms - kRateSpanMs)) {
     arrivals.recent.pop_front();
   }
-  arrivals.recent.emplace_back(now_ms, message.bytes);
+  if (!counted) arrivals.recent.emplace_back(now_ms, message.bytes);
 }
 
 void TopicLog::setAskedFor(const QStringList& topics) {
@@ -68,14 +69,21 @@ double TopicLog::perSecond(const QString& topic, qint64 now_ms, Sum sum) const {
   const auto found = arrivals_.find(topic);
   if (found == arrivals_.end()) return 0;
   double total = 0;
+  qint64 since = recorded_ ? rates_from_ms_ : found->second.first_ms;
   for (const auto& [when, bytes] : found->second.recent) {
-    if (when > now_ms - kRateSpanMs) total += sum(bytes);
+    const bool within = when > now_ms - kRateSpanMs && (!recorded_ || (when > since && when <= now_ms));
+    if (within) total += sum(bytes);
   }
-  qint64 since = found->second.first_ms;
   // So many came that the oldest ones of the span are no longer held.
   if (found->second.recent.size() >= kMaxRecent) since = found->second.recent.front().first;
   const qint64 span = std::clamp(now_ms - since, kShortestSpanMs, kRateSpanMs);
   return total * 1000.0 / double(span);
+}
+
+bool TopicLog::ratesKnown(const QString& topic, qint64 now_ms) const {
+  const auto found = arrivals_.find(topic);
+  if (found == arrivals_.end() || found->second.recent.empty()) return false;
+  return !recorded_ || now_ms - rates_from_ms_ >= kShortestSpanMs;
 }
 
 double TopicLog::messagesPerSecond(const QString& topic, qint64 now_ms) const {

@@ -14,8 +14,9 @@ void TopicsModel::sync(const TopicLog& log, qint64 now_ms) {
   std::vector<Row> fresh;
   fresh.reserve(log.topics().size());
   for (const auto& [topic, tally] : log.topics()) {
-    fresh.push_back({topic, tally.binary, tally.asked_for, tally.count, log.messagesPerSecond(topic, now_ms),
-                     log.bytesPerSecond(topic, now_ms), tally.last_bytes, tally.last});
+    fresh.push_back({topic, tally.binary, tally.asked_for, tally.count, log.ratesKnown(topic, now_ms),
+                     log.messagesPerSecond(topic, now_ms), log.bytesPerSecond(topic, now_ms),
+                     tally.last_bytes, tally.last});
   }
   const bool same = fresh.size() == rows_.size() &&
                     std::equal(fresh.begin(), fresh.end(), rows_.begin(),
@@ -72,9 +73,9 @@ QString TopicsModel::text(const Row& row, int column) const {
     case CountColumn:
       return countText(qint64(row.count));
     case RateColumn:
-      return any ? QString::number(row.rate, 'f', row.rate < 9.95 ? 1 : 0) : QString();
+      return row.rate_known ? QString::number(row.rate, 'f', row.rate < 9.95 ? 1 : 0) : QString();
     case BytesRateColumn:
-      return any ? bytesText(qint64(std::lround(row.bytes_rate))) : QString();
+      return row.rate_known ? bytesText(qint64(std::lround(row.bytes_rate))) : QString();
     case SizeColumn:
       return any ? bytesText(row.size) : QString();
     case TimeColumn:

@@ -39,6 +39,7 @@ class TopicsModel : public QAbstractTableModel {
     QString topic;
     bool binary = false, asked_for = false;
     quint64 count = 0;
+    bool rate_known = false;
     double rate = 0, bytes_rate = 0;
     qint64 size = 0;
     QDateTime last;
