@@ -347,7 +347,14 @@ geometry::WorldRect MapScene::contentBounds() const {
       regions.map() && regions.extent() && layerVisible(Layer::Regions))
     bounds.extend(regions.extent()->bounds());
   if (layerVisible(Layer::DispatchedCloud)) bounds.extend(MapClouds::of(*this).bounds());
-  return bounds.empty() ? session_->contentBounds() : bounds;
+  if (bounds.empty()) bounds = session_->contentBounds();
+  if (!bounds.empty() || !layerVisible(Layer::Cloud)) return bounds;
+  // A robot without a map: what it scans is all that there is.
+  for (const auto& [topic, cloud] : session_->live().clouds) {
+    if (!cloud) continue;
+    for (const map::CloudPoint& point : *cloud) bounds.extend(Eigen::Vector2d(point.x_m, point.y_m));
+  }
+  return bounds;
 }
 
 std::vector<render::PlacedTexture> MapScene::placedTextures() const {

@@ -1,5 +1,7 @@
 #include "window/on_screen.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 
 #include "map/whereabouts.h"
@@ -44,15 +46,25 @@ QString submapsCalled(session::Session* session, const scene::MapScene& scene) {
 
 bool comparing(const scene::MapScene& scene) { return scene.compareMode() != scene::CompareMode::Off; }
 
+bool scansInView(const scene::MapScene& scene) {
+  if (!scene.session() || !scene.layerVisible(scene::Layer::Cloud)) return false;
+  const auto& clouds = scene.session()->live().clouds;
+  return std::any_of(clouds.begin(), clouds.end(),
+                     [](const auto& cloud) { return cloud.second && !cloud.second->empty(); });
+}
+
 MapsInView mapsInView(const scene::MapScene& scene) {
   const regions::RegionMap* const regions = scene::RegionsOnMap::of(scene).map();
   const bool by_region = regions && scene.layerVisible(scene::Layer::Regions);
   const bool submaps = comparing(scene) ? scene.compareMode() == scene::CompareMode::Swipe &&
                                               scene.halves().left == scene::HalfContent::Submaps
                                         : scene.layerVisible(scene::Layer::Submaps);
-  return {submaps, scene.layerVisible(scene::Layer::WholeMap) || comparing(scene), by_region,
+  return {submaps,
+          scene.layerVisible(scene::Layer::WholeMap) || comparing(scene),
+          by_region,
           by_region && regions->regions().bytes() > 0,
-          scene.layerVisible(scene::Layer::DispatchedCloud) && !scene::MapClouds::of(scene).empty()};
+          scene.layerVisible(scene::Layer::DispatchedCloud) && !scene::MapClouds::of(scene).empty(),
+          scansInView(scene)};
 }
 
 QString robotCalled(const robot::Robot& robot) {

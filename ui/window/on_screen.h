@@ -11,6 +11,8 @@
 namespace mapwright::window {
 
 bool comparing(const scene::MapScene& scene);
+/// Points that the robot scans, or did, are drawn.
+bool scansInView(const scene::MapScene& scene);
 MapsInView mapsInView(const scene::MapScene& scene);
 /// Its name, or what else tells it from others.
 QString robotCalled(const robot::Robot& robot);

@@ -1,5 +1,7 @@
 #include "window/map/empty_state.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -25,6 +27,12 @@ namespace mapwright::window {
 using robot::ConnectionPhase;
 
 namespace {
+
+/// Under *Maps* there is one to be opened.
+bool storesMaps(const session::Catalogue& catalogue) {
+  return std::any_of(catalogue.entries().begin(), catalogue.entries().end(),
+                     [](const map::CatalogueEntry& entry) { return entry.key.kind != map::MapKind::Live; });
+}
 
 /// Its map is had in space, and not in the plane.
 bool givesCloudsOnly(robot::Robot& robot) {
@@ -54,7 +62,7 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   const session::SubmapCounts counts = session->counts();
   const session::MapSlot& slot = session->wholeMap();
   if (in_view.whole && slot.cells()) return std::nullopt;
-  if (in_view.regions_held || in_view.clouds_held) return std::nullopt;
+  if (in_view.regions_held || in_view.clouds_held || in_view.scans) return std::nullopt;
   // What is not there yet is marked on the map.
   if (in_view.regions && session->connection().phase == ConnectionPhase::Online) return std::nullopt;
   // Its waypoints are to be seen: the notice says what is missing.
@@ -71,10 +79,10 @@ std::optional<EmptyState> emptyState(session::Session* session, const MapsInView
   }
   const bool none_chosen = slot.phase() == Phase::Empty || slot.key().kind == map::MapKind::Live;
   if (online && none_chosen && givesCloudsOnly(session->robot())) return cloudsInstead();
-  return wholeMapState(slot, session->catalogue().offered(), robot::sendsItsMap(session->robot()));
+  return wholeMapState(slot, storesMaps(session->catalogue()), robot::sendsItsMap(session->robot()));
 }
 
-std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offers_catalogue, bool live) {
+std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool stored, bool live) {
   using Phase = session::MapSlot::Phase;
   if (slot.cells()) return std::nullopt;
   EmptyState state;
@@ -103,17 +111,19 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offer
   if (live) {
     state.kind = EmptyState::Kind::LoadingMap;
     state.title = QCoreApplication::translate("window", "Waiting for the map of the robot");
-    state.text = QCoreApplication::translate(
-        "window", "It appears as soon as the robot sends it. Stored maps are under Maps.");
+    state.text = stored
+                     ? QCoreApplication::translate(
+                           "window", "It appears as soon as the robot sends it. Stored maps are under Maps.")
+                     : QCoreApplication::translate("window", "It appears as soon as the robot sends it.");
     state.busy = true;
     return state;
   }
   state.kind = EmptyState::Kind::NoMap;
   state.title = QCoreApplication::translate("window", "No map is open");
-  state.text = offers_catalogue
+  state.text = stored
                    ? QCoreApplication::translate(
                          "window", "Double click one under Maps. Nothing is loaded or changed on the robot.")
-                   : QCoreApplication::translate("window", "This robot shows none.");
+                   : QCoreApplication::translate("window", "None comes from here, and none is stored here.");
   return state;
 }
 

@@ -44,12 +44,14 @@ struct MapsInView {
   bool regions = false;       // a map by regions is there, and wanted
   bool regions_held = false;  // some of it has come
   bool clouds_held = false;   // clouds of points lie there
+  bool scans = false;         // what the robot scans, or did, is drawn
 };
 
 /// nullopt while there is something on the map. `session` may be null.
 std::optional<EmptyState> emptyState(session::Session* session, const MapsInView& in_view);
-/// How it stands with the whole map alone.
-std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool offers_catalogue, bool live);
+/// How it stands with the whole map alone. `stored`: there are others to choose from; `live`: the robot sends
+/// one.
+std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool stored, bool live);
 /// How it stands with the submaps alone; `counts` null = no robot.
 std::optional<EmptyState> emptyState(const QString& address, const robot::ConnectionState& connection,
                                      const session::SubmapCounts* counts);

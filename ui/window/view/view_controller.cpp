@@ -11,6 +11,7 @@
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
 #include "window/map/toast_stack.h"
+#include "window/on_screen.h"
 #include "window/status/window_status_bar.h"
 #include "window/viewpoint.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr int kCursorMs =
     40;  // what is under a resting cursor changes with the map: looked at again this often
 constexpr double kRoomAroundPosesM = 8;
+constexpr double kRoomAroundScansM = 2;
 
 }  // namespace
 
@@ -130,9 +132,12 @@ void ViewController::wireCursor() {
 void ViewController::setSession(session::Session* session) {
   if (!session) return context_.view.setFollowing(false);
   context_.viewpoint.forget();
-  fitted_poses_ = false;
+  fitted_poses_ = fitted_scans_ = false;
   connect(session, &session::Session::listChanged, this, &ViewController::fitAtFirst);
   connect(session, &session::Session::rowsChanged, this, &ViewController::fitAtFirst);
+  connect(session, &session::Session::liveChanged, this, [this](int what) {
+    if (what == map::topicIndex<map::PointCloudMessage>()) fitScansAtFirst();
+  });
 }
 
 void ViewController::recall(const QSettings& settings) {
@@ -185,6 +190,17 @@ void ViewController::fitAtFirst() {
     context_.viewpoint.choose();
     context_.viewpoint.fit(bounds);
   }
+}
+
+/// Of a robot that only scans: a map that comes later is looked at as if nothing had been there.
+void ViewController::fitScansAtFirst() {
+  const session::Session* const session = context_.current.session();
+  if (!session || fitted_scans_ || context_.viewpoint.chosen() || !scansInView(context_.scene)) return;
+  const bool map = session->wholeMap().cells() || session->counts().listed > 0;
+  const geometry::WorldRect bounds = map ? geometry::WorldRect() : context_.scene.contentBounds();
+  if (bounds.empty()) return;
+  fitted_scans_ = true;
+  context_.viewpoint.fit(bounds.grown(kRoomAroundScansM));
 }
 
 void ViewController::refresh() {

@@ -27,6 +27,7 @@ class ViewController : public Controller {
   void goTo();
   void showCursor();
   void fitAtFirst();
+  void fitScansAtFirst();
   void refresh();
   void copyCoordinates(const Eigen::Vector2d& world_m);
 
@@ -35,7 +36,7 @@ class ViewController : public Controller {
   QAction* robot_turn_ = nullptr;
   QAction* furniture_ = nullptr;
   QTimer cursor_timer_;
-  bool fitted_poses_ = false;
+  bool fitted_poses_ = false, fitted_scans_ = false;
 };
 
 }  // namespace mapwright::window
