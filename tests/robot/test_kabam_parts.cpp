@@ -142,6 +142,21 @@ class KabamPartsTest : public QObject {
     QCOMPARE(moved[QLatin1String("extra")].toInt(), 7);
   }
 
+  // Without a map nobody says which frame is its own. It is kept, or nothing could be done before a map
+  // comes.
+  void aFrameThatNoMapNamesIsTold() {
+    QByteArray row = kRow;
+    row.replace("\"frame_id\":\"map\"", "\"frame_id\":\"odom\"");
+    QVERIFY(row != kRow);
+    const QByteArray list = "{\"waypoints\":[" + row + "]}";
+    const auto stored = readWaypoints(byJson(list).msg, "m1", {});
+    QVERIFY(stored && stored->points.size() == 1);
+    QCOMPARE(stored->notes, std::vector<map::Reason>(
+                                {{ReasonCode::WaypointInOtherFrame, {stored->points.front().name, "odom"}}}));
+    QVERIFY(readWaypoints(byJson(list).msg, "m1", "odom")->notes.empty());
+    QVERIFY(readWaypoints(byJson(list).msg, "m1", "map")->points.empty());
+  }
+
   void aZeroOrientationIsShownUprightAndLeftAlone() {
     QByteArray row = kRow;
     row.replace("0.7071067811865475", "0").replace("0.7071067811865476", "0");

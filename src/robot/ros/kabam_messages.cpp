@@ -160,6 +160,9 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     } else if (!ids.insert(point->id).second) {
       note(map::ReasonCode::WaypointIdTwice, {point->id});
     } else {
+      // Without a map nobody says which frame is its own: it is usually called so.
+      if (!frame.empty() && fixed_frame.empty() && frame != "map")
+        note(map::ReasonCode::WaypointInOtherFrame, {point->name.empty() ? point->id : point->name, frame});
       if (read->zero_turn) stored.zero_turns.insert(point->id);
       stored.points.push_back(std::move(*point));
     }
