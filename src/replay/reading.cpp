@@ -82,6 +82,7 @@ void Reading::want(double at_s) {
 }
 
 void Reading::setWhole(bool whole) {
+  options_.chunks.whole = whole;
   if (!chunks_) return;
   chunks_->setWhole(whole);
   proceed();
@@ -91,6 +92,18 @@ void Reading::readAgain(const std::vector<Tick>& ranges) {
   if (!chunks_) return;
   chunks_->readAgain(ranges);
   proceed();
+}
+
+void Reading::readAnew() {
+  if (!chunks_) return;
+  for (const auto& [from, asked] : std::exchange(asked_, {})) asked.call.cancel();
+  held_.clear();
+  index_.clear();
+  const std::optional<double> wanted = chunks_->wanted();
+  chunks_.emplace(*info_, options_.chunks);
+  if (wanted) chunks_->want(*wanted);
+  proceed();
+  Q_EMIT changed();
 }
 
 void Reading::retryNow() {

@@ -65,6 +65,8 @@ class Reading : public QObject {
   /// that are held are in chunkAt().
   void readAgain(const std::vector<Tick>& ranges);
   void retryNow();
+  /// All that was read is not what its messages are read as any more.
+  void readAnew();
   /// Whether a file holds more by now: its axis is longer then, and what lies at its old end is read again. A
   /// bag of a robot is not asked.
   void lookAgain();

@@ -139,6 +139,31 @@ ReplayRobot::~ReplayRobot() {
   finding_.cancel();
 }
 
+std::optional<std::vector<robot::OfferedTopic>> ReplayRobot::offered() const {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(*origin_);
+  return of ? of->offered() : std::nullopt;
+}
+
+QStringList ReplayRobot::choicesFor(map::Stream stream) const {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(*origin_);
+  return of ? of->choicesFor(stream) : QStringList();
+}
+
+robot::TopicChoices ReplayRobot::chosen() const {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(*origin_);
+  return of ? of->chosen() : robot::TopicChoices();
+}
+
+void ReplayRobot::choose(const robot::TopicChoices& choices) {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(*origin_);
+  if (!of || of->chosen() == choices) return;
+  of->choose(choices);
+  if (!reading_) return;
+  // What is on screen stays until the time is known again.
+  setKnowledge(Knowledge::Buffering);
+  if (reading_) reading_->readAnew();
+}
+
 robot::LiveTopics* ReplayRobot::liveTopics() { return live_.get(); }
 
 robot::MapCatalogue* ReplayRobot::mapCatalogue() { return origin_->mapCatalogue() ? maps_.get() : nullptr; }

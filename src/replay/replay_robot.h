@@ -12,11 +12,12 @@
 #include <QTimer>
 
 #include "replay/reading.h"
+#include "robot/offers_topics.h"
 #include "robot/robot.h"
 
 namespace mapwright::replay {
 
-class ReplayRobot : public robot::Robot {
+class ReplayRobot : public robot::Robot, public robot::OffersTopics {
   Q_OBJECT
  public:
   /// `name`: a bag of `origin`, or else a recording. `origin` is not connected to: it is only asked for what
@@ -45,6 +46,11 @@ class ReplayRobot : public robot::Robot {
   robot::WaypointSource* waypointSource() override { return origin_->waypointSource(); }
   robot::LiveTopics* liveTopics() override;
   robot::BagLibrary* bagLibrary() override { return origin_->bagLibrary(); }
+  std::optional<std::vector<robot::OfferedTopic>> offered() const override;
+  QStringList choicesFor(map::Stream stream) const override;
+  /// The bag is read anew.
+  void choose(const robot::TopicChoices& choices) override;
+  robot::TopicChoices chosen() const override;
   /// What is changed would be changed on a robot that is elsewhere by now.
   robot::Absence whyNot(robot::Capability capability) const override;
 

@@ -705,6 +705,57 @@ class RecordedRobotTest : public QObject {
     QCOMPARE(problems.front().subject, map::Subject(map::SubjectKind::Topic, "/base_scan"));
   }
 
+  void aLayerOfARecordingIsTakenFromTheTopicThatPeopleChoose() {
+    Drive drive{20};
+    std::vector<Drive::Said> said = drive.all();
+    const std::size_t count = said.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (said[i].topic != "/plan" && said[i].topic != "/global_costmap/costmap") continue;
+      Drive::Said again = said[i];
+      again.topic = again.topic == "/plan" ? "/teb/way" : "/semantic";
+      again.at_s += 0.0005;
+      if (again.topic == "/teb/way")
+        again.fill = [at_s = again.at_s](RosOut& out) {
+          out.header(at_s, "map").list("poses", 1, [&](std::size_t) {
+            out.header(at_s, "map").pose("pose", 77, 7, 0);
+          });
+        };
+      said.push_back(again);
+    }
+    std::stable_sort(said.begin(), said.end(), [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+    const QString path = written(recordings::recordingOf(said, Encoding::Ros1));
+    replay::ReplayRobot robot(opened(path), keyOf(path));
+    map::World world;
+    bool exact = false;
+    connect(&robot, &replay::ReplayRobot::jumped, &robot,
+            [&](const map::World& now, replay::Knowledge known) {
+              world = now;
+              exact = known == replay::Knowledge::Exact;
+            });
+    robot.connectToRobot();
+    QVERIFY(waitFor([&] { return robot.connection().phase == ConnectionPhase::Online; }));
+    robot.goTo(Drive::kStartS + 12);
+    QVERIFY(waitFor([&] { return exact; }));
+    const map::World usual = world;
+    QVERIFY(usual.live.path.size() == 2);
+    QCOMPARE(robot.choicesFor(map::Stream::Path),
+             (QStringList{QStringLiteral("/plan"), QStringLiteral("/teb/way")}));
+    exact = false;
+    robot.choose({{map::Stream::Path, QStringLiteral("/teb/way")},
+                  {map::Stream::CostmapHigh, QStringLiteral("/semantic")}});
+    QVERIFY(waitFor([&] { return exact; }));
+    QVERIFY(world.live.path == map::Polyline{Eigen::Vector2d(77, 7)});
+    QCOMPARE(world.live.grids.at(map::GridKind::CostmapHigh).topic, std::string("/semantic"));
+    exact = false;
+    robot.choose({});
+    QVERIFY(waitFor([&] { return exact; }));
+    QVERIFY(world == usual);
+    const auto offered = robot.offered();
+    QVERIFY(offered);
+    const OfferedTopic chatter{QStringLiteral("/chatter"), QStringLiteral("std_msgs/String")};
+    QVERIFY(std::find(offered->begin(), offered->end(), chatter) != offered->end());
+  }
+
   void theEncodingsTellTheSame() {
     const Drive drive{12};
     std::optional<map::World> first;

@@ -186,6 +186,64 @@ class RosPartsTest : public QObject {
     QCOMPARE(names(sourcesFor(Stream::WholeMap, sourcesOf(found, "/r2"))).first(), QStringLiteral("/r2/map"));
   }
 
+  void whatPeopleChooseGoesBeforeTheUsualNames() {
+    const std::vector<FoundTopic> found{{"/map", "nav_msgs/OccupancyGrid"},
+                                        {"/map_updates", "map_msgs/OccupancyGridUpdate"},
+                                        {"/semantic/grid", "nav_msgs/msg/OccupancyGrid"},
+                                        {"/semantic/grid_updates", "map_msgs/OccupancyGridUpdate"},
+                                        {"/plan", "nav_msgs/Path"},
+                                        {"/teb/trajectory", "nav_msgs/Path"},
+                                        {"/particles", "geometry_msgs/PoseArray"},
+                                        {"/dock", "geometry_msgs/PoseStamped"},
+                                        {"/text", "std_msgs/String"}};
+    using Names = std::vector<std::string>;
+    QCOMPARE(choicesFor(Stream::CostmapLow, found), (Names{"/map", "/semantic/grid"}));
+    QCOMPARE(choicesFor(Stream::LocalPath, found), (Names{"/plan", "/teb/trajectory"}));
+    QCOMPARE(choicesFor(Stream::Planning, found), (Names{"/dock", "/particles"}));
+    QVERIFY(choicesFor(Stream::Cloud, found).empty());
+
+    auto all = sourcesOf(found, {});
+    QVERIFY(sourcesFor(Stream::Planning, all).empty() && sourcesFor(Stream::CostmapLow, all).empty());
+    choose(all,
+           {{Stream::CostmapLow, "/semantic/grid"},
+            {Stream::Path, "/teb/trajectory"},
+            {Stream::Planning, "/particles"},
+            {Stream::LocalPath, "/not/yet"}},
+           found);
+    QCOMPARE(names(sourcesFor(Stream::CostmapLow, all)),
+             (QStringList{QStringLiteral("/semantic/grid"), QStringLiteral("/semantic/grid_updates")}));
+    QCOMPARE(names(sourcesFor(Stream::Path, all)), QStringList{QStringLiteral("/teb/trajectory")});
+    QCOMPARE(sourcesFor(Stream::Planning, all).front().form, Form::PoseArray);
+    QCOMPARE(sourcesFor(Stream::LocalPath, all).front().form, Form::Path);
+    QVERIFY(!sourcesFor(Stream::LocalPath, all).front().found);
+    QCOMPARE(names(sourcesFor(Stream::WholeMap, all)).first(), QStringLiteral("/map"));
+  }
+
+  void aListOfPosesIsSeveralTargets() {
+    RosWorld world;
+    give(world, kStatic, tf("map", "odom", 10, 0, 0, 0));
+    const Source poses{Stream::Planning, Form::PoseArray, "/particles", {}, {}, true};
+    const auto planning =
+        messageOf<map::PlanningState>(give(world, poses,
+                                           "{" + header("odom", kNow) + R"(,"poses":[)" + pose(1, 2, 0.5) +
+                                               "," + R"({"position":{"x":null}},)" + pose(3, 4, 0) + "]}"));
+    QVERIFY(planning && planning->targets.size() == 2);
+    QCOMPARE(planning->targets[1], (geometry::Pose2{13, 4, 0}));
+    QVERIFY(std::abs(planning->targets[0].yaw_rad - 0.5) < 1e-9);
+  }
+
+  void howOldTransformsAreIsToldByTheClockOfTheRobot() {
+    RosWorld world;
+    give(world, kStatic, tf("base_link", "laser", 0, 0, 0, 0), kNow);
+    give(world, kTf, tf("map", "odom", 0, 0, 0, 100), kNow);  // its clock is elsewhere
+    give(world, kTf, tf("odom", "base_link", 0, 0, 0, 103), kNow + 0.5);
+    const auto ages = world.ages(kNow + 2.5);
+    QCOMPARE(ages.size(), std::size_t(2));
+    QCOMPARE(ages[0].first.child, std::string("odom"));
+    QCOMPARE(ages[0].second, 5.0);
+    QCOMPARE(ages[1].second, 2.0);
+  }
+
   void aServerThatDoesNotTellIsAskedByTheUsualNames() {
     const auto all = sourcesOf(std::nullopt, {});
     const QStringList path = names(sourcesFor(Stream::Path, all));

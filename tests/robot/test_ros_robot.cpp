@@ -307,6 +307,61 @@ class RosRobotTest : public QObject {
     QCOMPARE(robot_->liveTopics()->topicsOf(Stream::CostmapHigh), QStringList{topic});
   }
 
+  void aLayerIsTakenFromTheTopicThatPeopleChoose() {
+    const auto path = [](double x) {
+      const QByteArray header = R"("header":{"frame_id":"map","stamp":{"secs":5,"nsecs":0}})";
+      return json("{" + header + R"(,"poses":[{)" + header + R"(,"pose":{"position":{"x":)" +
+                  QByteArray::number(x) + R"(,"y":0,"z":0},"orientation":)" + kUpright + "}}]}");
+    };
+    for (const char* const name : {"/plan", "/other/way"})
+      server_->advertise(text(name), QStringLiteral("nav_msgs/Path"));
+    server_->latch(QStringLiteral("/plan"), path(1));
+    server_->latch(QStringLiteral("/other/way"), path(2));
+    server_->advertise(QStringLiteral("/semantic"), QStringLiteral("nav_msgs/OccupancyGrid"));
+    server_->latch(QStringLiteral("/semantic"), grid(42));
+    QVERIFY(online());
+    want({Stream::Path, Stream::CostmapLow});
+    QTRY_VERIFY(last<map::PathMessage>() && last<map::PathMessage>()->points.size() == 1);
+    QCOMPARE(robot_->choicesFor(Stream::Path), (QStringList{text("/other/way"), text("/plan")}));
+    QCOMPARE(robot_->choicesFor(Stream::CostmapLow), (QStringList{text("/map"), text("/semantic")}));
+    QVERIFY(robot_->choicesFor(Stream::Cloud).isEmpty());
+    robot_->choose({{Stream::Path, text("/other/way")}, {Stream::CostmapLow, text("/semantic")}});
+    QTRY_VERIFY(last<map::PathMessage>()->points == map::Polyline{Eigen::Vector2d(2, 0)});
+    QTRY_VERIFY(!server_->isAskedFor("/plan"));
+    QTRY_VERIFY(last<map::GridMessage>() && last<map::GridMessage>()->topic == "/semantic");
+    QCOMPARE(robot_->liveTopics()->topicsOf(Stream::Path), QStringList{text("/other/way")});
+    robot_->choose({});
+    QTRY_VERIFY(last<map::PathMessage>()->points == map::Polyline{Eigen::Vector2d(1, 0)});
+    // Chosen while it is away, it is waited for; the path of the topic before does not stay.
+    robot_->choose({{Stream::Path, text("/to/come")}});
+    QTRY_VERIFY(last<map::PathMessage>()->points.empty());
+    QTRY_VERIFY(server_->isAskedFor("/to/come"));
+    server_->send(QStringLiteral("/to/come"), path(3));
+    QTRY_VERIFY(last<map::PathMessage>()->points == map::Polyline{Eigen::Vector2d(3, 0)});
+  }
+
+  void howMessagesArriveIsCounted() {
+    server_->advertise(QStringLiteral("/odom"), QStringLiteral("nav_msgs/Odometry"));
+    QVERIFY(online());
+    QTRY_VERIFY(server_->isAskedFor("/odom"));
+    const double now_s = double(QDateTime::currentMSecsSinceEpoch()) / 1000;
+    const auto odometry = [](double stamp_s) {
+      const auto whole = qint64(stamp_s);
+      return json(
+          R"({"header":{"frame_id":"odom","stamp":{"secs":)" + QByteArray::number(whole) +
+          R"(,"nsecs":0}},"child_frame_id":"base_link","pose":{"pose":{"position":{"x":0,"y":0,"z":0},)"
+          R"("orientation":)" +
+          kUpright + "}}}");
+    };
+    server_->send(QStringLiteral("/odom"), odometry(now_s));
+    server_->send(QStringLiteral("/odom"), odometry(now_s - 60));
+    server_->send(QStringLiteral("/tf"), tf("map", "odom", 1));
+    QTRY_VERIFY(robot_->reception() && robot_->reception()->came >= 3);
+    QTRY_COMPARE(robot_->reception()->late, 1);
+    QTRY_COMPARE(robot_->reception()->transforms.size(), std::size_t(1));
+    QCOMPARE(robot_->reception()->transforms.front().child, text("odom"));
+  }
+
   void whereTheRobotIsIsTold() {
     QVERIFY(online());
     QTRY_VERIFY(server_->isAskedFor("/tf"));

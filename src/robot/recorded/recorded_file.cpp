@@ -57,9 +57,9 @@ struct RecordedFile::Job {
   bool stopped = false;
 };
 
-RecordedFile::Parts::Parts(std::unique_ptr<recording::Source> source)
+RecordedFile::Parts::Parts(std::unique_ptr<recording::Source> source, const ros::Choices& choices)
     : file(std::move(source)),
-      shape(shapeOf(*file, fields)),
+      shape(shapeOf(*file, fields, choices)),
       statics(*file, fields, shape),
       folds(*file, fields),
       kept(*file) {
@@ -81,10 +81,16 @@ bool RecordedFile::ready() {
     return false;
   }
   trouble_.reset();
-  parts_ = std::make_unique<Parts>(std::move(*source));
+  parts_ = std::make_unique<Parts>(std::move(*source), choices_);
   tellNotes();
   Q_EMIT opened(facts());
   return true;
+}
+
+void RecordedFile::choose(const ros::Choices& choices) {
+  if (std::exchange(choices_, choices) == choices || !parts_) return;
+  parts_->shape = shapeOf(*parts_->file, parts_->fields, choices_);
+  Q_EMIT opened(facts());
 }
 
 void RecordedFile::open() {
@@ -148,7 +154,7 @@ bool RecordedFile::refresh() {
   parts_->kept.look();
   // What was placed stays as it is: another frame would be another map.
   if (parts_->file->channels().size() == channels && parts_->shape.fixed_by_file) return true;
-  RosShape shape = shapeOf(*parts_->file, parts_->fields);
+  RosShape shape = shapeOf(*parts_->file, parts_->fields, choices_);
   if (parts_->shape.fixed_by_file) {
     shape.fixed_frame = parts_->shape.fixed_frame;
     shape.own_frame = parts_->shape.own_frame;
@@ -180,6 +186,16 @@ RecordingFacts RecordedFile::facts() const {
     const QString topic = QString::fromStdString(source.topic);
     if (!of.contains(topic)) of << topic;
     if (!facts.topics.contains(topic)) facts.topics << topic;
+  }
+  for (const recording::ChannelPtr& channel : parts_->file->channels()) {
+    const OfferedTopic topic{QString::fromStdString(channel->topic),
+                             QString::fromStdString(channel->schema_name)};
+    if (std::find(facts.offered.begin(), facts.offered.end(), topic) == facts.offered.end())
+      facts.offered.push_back(topic);
+  }
+  for (int stream = 0; stream <= int(kLastStream); ++stream) {
+    for (const std::string& name : ros::choicesFor(map::Stream(stream), parts_->shape.found))
+      facts.choices[map::Stream(stream)] << QString::fromStdString(name);
   }
   if (frames) {
     for (const QString& known : axbot::knownTopics()) {

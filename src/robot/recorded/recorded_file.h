@@ -13,6 +13,7 @@
 #include "map/stream.h"
 #include "recording/source.h"
 #include "robot/bag_library.h"
+#include "robot/offers_topics.h"
 #include "robot/recorded/kept_things.h"
 #include "robot/recorded/range_job.h"
 #include "robot/robot.h"
@@ -30,6 +31,8 @@ struct RecordingFacts {
   RobotIdentity identity;                      // as recorded, else of the file
   std::map<map::Stream, QStringList> streams;  // which topics bring them
   QStringList topics;                          // those that are understood
+  std::vector<OfferedTopic> offered;           // all of them
+  std::map<map::Stream, QStringList> choices;  // which could bring them
 };
 
 /// Opened by the first question. Everything ends early when its thread is asked to stop.
@@ -40,6 +43,8 @@ class RecordedFile : public QObject {
   ~RecordedFile() override;
 
   void open();  // says opened() or refused()
+  /// What is answered from now on is taken from these topics.
+  void choose(const ros::Choices& choices);
 
   Outcome<std::vector<BagEntry>> list();
   Outcome<BagInfo> info(const BagKey& key);
@@ -61,7 +66,7 @@ class RecordedFile : public QObject {
   struct Job;
   /// What is made of the file; gone and made anew together.
   struct Parts {
-    explicit Parts(std::unique_ptr<recording::Source> source);
+    Parts(std::unique_ptr<recording::Source> source, const ros::Choices& choices);
     std::unique_ptr<recording::Source> file;
     MessageFields fields;
     RosShape shape;
@@ -85,6 +90,7 @@ class RecordedFile : public QObject {
   void proceed(const std::shared_ptr<Job>& job);
 
   RecordedOptions options_;
+  ros::Choices choices_;
   std::unique_ptr<Parts> parts_;
   std::optional<map::Reason> trouble_;
   std::optional<BagInfo> told_info_;  // of the file as it was last

@@ -181,6 +181,7 @@ RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* 
   connect(file_, &RecordedFile::problemFound, this, &Robot::problemFound);
   connect(file_, &RecordedFile::recovered, this, &Robot::recovered);
   connect(file_, &RecordedFile::opened, this, [this](const RecordingFacts& facts) {
+    facts_ = facts;
     topics_.set(facts);
     RobotIdentity identity = facts.identity;
     if (identity.model.isEmpty()) identity.model = tr("Recording");
@@ -211,6 +212,18 @@ void RecordedRobot::connectToRobot() {
 void RecordedRobot::disconnectFromRobot() {
   wanted_ = false;
   enter(ConnectionPhase::Offline);
+}
+
+QStringList RecordedRobot::choicesFor(map::Stream stream) const {
+  const auto found = facts_.choices.find(stream);
+  return found == facts_.choices.end() ? QStringList() : found->second;
+}
+
+void RecordedRobot::choose(const TopicChoices& choices) {
+  chosen_ = choices;
+  ros::Choices names;
+  for (const auto& [stream, topic] : choices) names[stream] = topic.toStdString();
+  QMetaObject::invokeMethod(file_, [file = file_, names] { file->choose(names); });
 }
 
 void RecordedRobot::enter(ConnectionPhase phase, const map::Reason& reason) {

@@ -110,7 +110,7 @@ class Topics : public LiveTopics {
 };
 
 /// Nothing here touches the disk: RecordedFile does. It can be asked without being connected to.
-class RecordedRobot : public Robot {
+class RecordedRobot : public Robot, public OffersTopics {
   Q_OBJECT
  public:
   RecordedRobot(QString address, RecordedOptions options, QObject* parent = nullptr);
@@ -130,6 +130,10 @@ class RecordedRobot : public Robot {
   LiveTopics* liveTopics() override { return &topics_; }
   BagLibrary* bagLibrary() override { return &library_; }
   Absence whyNot(Capability) const override { return {}; }
+  std::optional<std::vector<OfferedTopic>> offered() const override { return facts_.offered; }
+  QStringList choicesFor(map::Stream stream) const override;
+  void choose(const TopicChoices& choices) override;
+  TopicChoices chosen() const override { return chosen_; }
 
  private:
   void enter(ConnectionPhase phase, const map::Reason& reason = {});
@@ -138,6 +142,8 @@ class RecordedRobot : public Robot {
   bool wanted_ = false;
   ConnectionState state_;
   RobotIdentity identity_;
+  RecordingFacts facts_;
+  TopicChoices chosen_;
   QThread thread_;
   RecordedFile* file_;  // lives on thread_, deleted when it ends
   Library library_;

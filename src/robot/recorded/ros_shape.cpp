@@ -147,7 +147,7 @@ std::string frameOfFirstScan(recording::Source& file, MessageFields& fields, con
 
 }  // namespace
 
-RosShape shapeOf(recording::Source& file, MessageFields& fields) {
+RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choices& choices) {
   RosShape shape;
   std::vector<ros::FoundTopic> found;
   std::vector<std::string> services;
@@ -168,7 +168,9 @@ RosShape shapeOf(recording::Source& file, MessageFields& fields) {
     if (std::find(untyped.begin(), untyped.end(), usual.topic) != untyped.end())
       shape.sources.push_back(std::move(usual));
   }
-  ros::addMapServices(shape.sources, services);
+  ros::choose(shape.sources, choices, found);
+  if (!choices.contains(map::Stream::WholeMap)) ros::addMapServices(shape.sources, services);
+  shape.found = std::move(found);
   for (const ros::Source& source : shape.sources) {
     shape.by_topic[source.topic].push_back(source);
     switch (source.form) {

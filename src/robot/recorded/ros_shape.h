@@ -32,9 +32,11 @@ struct RosShape {
   /// The robot speaks ROS: what has no type is taken by its usual name.
   bool untyped_ros = false;
 
+  std::vector<ros::FoundTopic> found;  // every topic of ROS
   bool any() const { return !sources.empty(); }
 };
 
-RosShape shapeOf(recording::Source& file, MessageFields& fields);
+/// `choices`: topics that people have chosen.
+RosShape shapeOf(recording::Source& file, MessageFields& fields, const ros::Choices& choices);
 
 }  // namespace mapwright::robot::recorded

@@ -52,6 +52,12 @@ geometry::Pose2 placedIn(const Placed& placed, const Transform3& in_map) {
   return in_map.flat() * placed.pose;
 }
 
+std::vector<geometry::Pose2> placedIn(const Poses& poses, const Transform3& in_map) {
+  std::vector<geometry::Pose2> placed;
+  for (const geometry::Pose2& pose : poses.poses) placed.push_back(in_map.flat() * pose);
+  return placed;
+}
+
 map::Polyline placedIn(const Outline& outline, const Transform3& in_map) {
   map::Polyline placed;
   placed.reserve(outline.points.size());

@@ -24,6 +24,7 @@ map::GridMessage gridMessage(const Grid& grid, const std::string& topic, map::Gr
 
 /// `in_map`: the pose of the frame of the message in the frame of the map.
 geometry::Pose2 placedIn(const Placed& placed, const Transform3& in_map);
+std::vector<geometry::Pose2> placedIn(const Poses& poses, const Transform3& in_map);
 map::Polyline placedIn(const Outline& outline, const Transform3& in_map);
 map::PointCloudMessage placedIn(const Points& points, const std::string& topic, const Transform3& in_map);
 /// Each point as the frame lay when it was taken: `along` are its poses during the sweep, evenly in time,

@@ -62,6 +62,13 @@ struct Placed {
   std::string child_frame;  // of nav_msgs/Odometry: what is there; else empty
 };
 
+/// Poses in the plane that have one header.
+struct Poses {
+  Header header;
+  std::vector<geometry::Pose2> poses;  // at most kMostPoses
+};
+inline constexpr std::size_t kMostPoses = 10'000;
+
 /// A cloud or a scan.
 struct Points {
   Header header;
@@ -137,6 +144,8 @@ Read<Outline> readPolygon(const Field& msg);
 Read<Placed> readPoseStamped(const Field& msg);
 Read<Placed> readPoseWithCovariance(const Field& msg);
 Read<Placed> readOdometry(const Field& msg);
+/// geometry_msgs/PoseArray. Of too many each n-th; one without numbers is left out.
+Read<Poses> readPoseArray(const Field& msg);
 
 /// sensor_msgs/LaserScan: the ends of its rays that hit something, z = 0. A range_max that is no number or
 /// not above range_min is no bound. With a time_increment the points know when they were (Points::when).

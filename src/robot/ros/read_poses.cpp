@@ -70,6 +70,21 @@ Read<Placed> readOdometry(const Field& msg) {
   });
 }
 
+Read<Poses> readPoseArray(const Field& msg) {
+  const Field list = msg["poses"];
+  if (!list.isList()) return fieldMissing("poses");
+  Poses all;
+  all.header = headerOf(msg);
+  const std::size_t stride = std::max<std::size_t>(1, strideFor(list.size(), kMostPoses));
+  std::size_t place = 0;
+  list.each([&](const Field& item) {
+    if (place++ % stride != 0) return;
+    const geometry::Pose2 pose = poseOf(item).pose.flat();
+    if (std::isfinite(pose.x_m) && std::isfinite(pose.y_m)) all.poses.push_back(pose);
+  });
+  return all;
+}
+
 std::vector<TfRow> readTf(const Field& msg) {
   std::vector<TfRow> rows;
   msg["transforms"].each([&rows](const Field& item) {

@@ -34,7 +34,8 @@ Call WholeMaps::fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
 
 QStringList Topics::known() const {
   QStringList names;
-  for (const std::string& name : known_.names) names << QString::fromStdString(name);
+  for (const FoundTopic& topic : known_.offered.value_or(std::vector<FoundTopic>()))
+    names << QString::fromStdString(topic.name);
   if (!names.isEmpty()) return names;
   for (const Source& source : known_.sources) names << QString::fromStdString(source.topic);
   names.removeDuplicates();

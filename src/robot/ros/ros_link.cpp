@@ -141,6 +141,7 @@ void RosLink::wireParts() {
   connect(pose_timer_.get(), &QTimer::timeout, this, &RosLink::tellPose);
   connect(overdue_timer_.get(), &QTimer::timeout, this, [this] {
     for (WorldResult& result : world_.overdue(wall())) tell(std::move(result));
+    tellReception();
   });
 }
 
@@ -182,6 +183,29 @@ void RosLink::setWanted(const map::Streams& streams, const QStringList& topics) 
   sync();
 }
 
+void RosLink::setEveryMessage(bool on) {
+  start();
+  wish_.every_message = on;
+  sync();
+}
+
+void RosLink::choose(const Choices& choices) {
+  start();
+  const Choices before = std::exchange(choices_, choices);
+  if (before == choices || !known_) return;
+  // What came of the topic before is not of this one.
+  const auto other = [&](map::Stream stream) {
+    const auto was = before.find(stream), is = choices.find(stream);
+    return (was == before.end()) != (is == choices.end()) ||
+           (was != before.end() && was->second != is->second);
+  };
+  if (other(map::Stream::Path)) emitTopic({}, map::PathMessage{}, wall(), {});
+  if (other(map::Stream::LocalPath)) emitTopic({}, map::LocalPathMessage{}, wall(), {});
+  if (other(map::Stream::Planning)) emitTopic({}, map::PlanningState{}, wall(), {});
+  findSources();
+  sync();
+}
+
 void RosLink::setBasics(const LiveTopics::Basics& basics) {
   start();
   wish_.basics = basics;
@@ -196,6 +220,9 @@ void RosLink::begin() {
   delivered_types_.clear();
   defined_types_.clear();
   defining_ = false;
+  reception_ = {};
+  least_late_s_.reset();
+  before_ = mailbox_->replaced() + world_.gaveWay();
   world_.forgetAll();
   kabam_->book().forget();
   live_map_->forget();
@@ -297,14 +324,7 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   if (!manager && options_.kabam_only && !was_known_) return awaitManager();
   awaits_manager_ = false;
   found_ = std::move(found);
-  sources_ = sourcesOf(found_.topics, options_.ns);
   dispatch_->take(dispatchIn(found_.dispatch_services, sentTopics(found_), options_.dispatch));
-  addMapServices(sources_, found_.map_services);
-  KnownTopics topics{sources_, {}};
-  if (found_.topics) {
-    for (const FoundTopic& topic : *found_.topics) topics.names.push_back(topic.name);
-  }
-  Q_EMIT topicsKnown(topics);
   wish_.managers_own.clear();
   if (manager) {
     kabam_->book().setPlace(*manager);
@@ -312,11 +332,7 @@ void RosLink::takeLook(Found found, std::optional<std::string> manager) {
   } else {
     kabam_->book().forget();
   }
-  std::set<std::string> patched;
-  for (const Source& source : sources_) {
-    if (source.form == Form::GridPatch) patched.insert(source.base);
-  }
-  world_.keepGrids(std::move(patched));
+  findSources();
   const bool takes_pictures =
       manager && (!found_.services || std::find(found_.services->begin(), found_.services->end(),
                                                 *manager + "/update_map_image") != found_.services->end());
@@ -341,6 +357,23 @@ void RosLink::awaitManager() {
   publishState();
 }
 
+void RosLink::findSources() {
+  sources_ = sourcesOf(found_.topics, options_.ns);
+  Choices choices = choices_;
+  // What is edited, or asked for by regions, is the map that the robot works with.
+  if (managesMaps()) choices.erase(map::Stream::WholeMap);
+  ros::choose(sources_, choices, found_.topics);
+  if (!choices.contains(map::Stream::WholeMap)) addMapServices(sources_, found_.map_services);
+  std::set<std::string> patched;
+  for (const Source& source : sources_) {
+    if (source.form == Form::GridPatch) patched.insert(source.base);
+  }
+  world_.keepGrids(std::move(patched));
+  Q_EMIT topicsKnown({sources_, found_.topics, managesMaps()});
+}
+
+bool RosLink::managesMaps() const { return !wish_.managers_own.empty() || dispatch_->found().any(); }
+
 void RosLink::sync() {
   // Before it is known what there is, nothing is asked for.
   if (!known_) return;
@@ -355,8 +388,9 @@ void RosLink::sync() {
       return source.stream == map::Stream::WholeMap && source.form == Form::Grid;
     });
   });
+  const bool chosen = choices_.contains(map::Stream::WholeMap) && !managesMaps();
   const bool map_wanted =
-      wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !wish_.map_by_region);
+      !chosen && (wish_.whole_map || (wish_.streams.contains(map::Stream::WholeMap) && !wish_.map_by_region));
   AskedMap::Services services{found_.map_services, found_.services.has_value()};
   if (!services.known) {
     services.names = usualMapServices(options_.ns);

@@ -16,6 +16,7 @@
 #include <QUrl>
 
 #include "net/rosbridge/client.h"
+#include "robot/offers_topics.h"
 #include "robot/picture_store.h"
 #include "robot/robot.h"
 #include "robot/ros/asked_map.h"
@@ -58,8 +59,9 @@ struct LinkOptions {
 
 /// What the robot sends, as far as that is known.
 struct KnownTopics {
-  std::vector<Source> sources;     // of the usual names where the robot does not tell
-  std::vector<std::string> names;  // all that the robot tells of
+  std::vector<Source> sources;                     // of the usual names where the robot does not tell
+  std::optional<std::vector<FoundTopic>> offered;  // all that the robot tells of
+  bool manages_maps = false;                       // its map is not to be taken for another one
   bool operator==(const KnownTopics&) const = default;
 };
 
@@ -80,6 +82,8 @@ class RosLink : public QObject {
   void setWatching(bool on) { watching_ = on; }
   /// Whoever sits in the deliveries now gets the definitions of all types that were delivered.
   void defineTypes();
+  void setEveryMessage(bool on);
+  void choose(const Choices& choices);
 
   void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
   void describe(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
@@ -108,6 +112,7 @@ class RosLink : public QObject {
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
   void topicsKnown(const mapwright::robot::ros::KnownTopics& known);
+  void receptionTold(const mapwright::robot::Reception& reception);
   void mapManagerKnown(bool there);
   void pictureServiceKnown(bool there);         // comes before mapManagerKnown()
   void pictureChanged(const QString& map_id);   // of the current map: it is another one, or may be
@@ -145,6 +150,10 @@ class RosLink : public QObject {
   void keepUnheard(Found& found) const;
   void takeLook(Found found, std::optional<std::string> manager);
   void awaitManager();
+  void findSources();
+  bool managesMaps() const;
+  void tellReception();
+  void noteDelay(const Source& source, const net::rosbridge::TopicMessage& message);
   void sync();
   void publishState();
   void take(const net::rosbridge::TopicMessage& message);
@@ -200,6 +209,11 @@ class RosLink : public QObject {
   // Types of messages that were delivered on this connection, and those whose definition is not known yet.
   std::set<std::string> delivered_types_, defined_types_;
   bool defining_ = false;
+  Choices choices_;
+  Reception reception_;                 // of this connection, but for the transforms
+  std::size_t before_ = 0;              // what made way on connections before
+  std::optional<double> least_late_s_;  // arrival less stamp, at best
+  QElapsedTimer reception_told_;
   bool wanted_ = false, watching_ = false;
   bool looking_ = false;
   bool look_again_ = false;  // when this look is over: it may tell of before

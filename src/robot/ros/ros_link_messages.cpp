@@ -16,6 +16,9 @@ constexpr qint64 kFramesMs = 2'000;       // for the frames of map and robot to 
 constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
 
 constexpr qint64 kTellAgainMs = 5'000;
+constexpr qint64 kReceptionEveryMs = 1'000;
+constexpr double kLateS = 1;
+constexpr std::size_t kMostAges = 100;
 
 constexpr const char* kAskedMap = "nav_msgs/GetMapResponse";
 
@@ -123,8 +126,10 @@ void RosLink::take(const TopicMessage& message) {
   if (std::any_of(wish_.dispatchers_own.begin(), wish_.dispatchers_own.end(),
                   [&](const FoundTopic& own) { return own.name == message.topic; }))
     note(message.topic, map::ProblemCode::Unreadable, dispatch_->hear(message.topic, message.msg));
+  ++reception_.came;
   bool of_pose = false;
   const std::vector<Source> sources = wanted->sources;
+  if (!sources.empty()) noteDelay(sources.front(), message);
   for (const Source& source : sources) {
     for (WorldResult& result : world_.take(source, message.msg, message.received_s)) tell(std::move(result));
     of_pose |= source.stream == map::Stream::Pose;
@@ -135,6 +140,30 @@ void RosLink::take(const TopicMessage& message) {
     pose_timer_->start(
         std::max(std::chrono::milliseconds(0), options_.pose_every - std::chrono::milliseconds(since)));
   }
+}
+
+// Clocks differ: what counts is how much later it comes than the quickest.
+void RosLink::noteDelay(const Source& source, const TopicMessage& message) {
+  const bool of_sensor =
+      source.form == Form::LaserScan || source.form == Form::PointCloud || source.form == Form::Odometry;
+  const auto stamp_s = of_sensor ? message.msg["header"]["stamp"].time() : std::nullopt;
+  if (!stamp_s || *stamp_s == 0) return;
+  const double delay_s = message.received_s - *stamp_s;
+  least_late_s_ = std::min(delay_s, least_late_s_.value_or(delay_s));
+  if (delay_s > *least_late_s_ + kLateS) ++reception_.late;
+}
+
+void RosLink::tellReception() {
+  if (reception_told_.isValid() && reception_told_.elapsed() < kReceptionEveryMs) return;
+  reception_told_.start();
+  Reception now = reception_;
+  now.dropped = qint64(mailbox_->replaced() + world_.gaveWay() - before_);
+  for (const auto& [pair, age_s] : world_.ages(wall())) {
+    if (now.transforms.size() == kMostAges) break;
+    now.transforms.push_back(
+        {QString::fromStdString(pair.parent), QString::fromStdString(pair.child), age_s});
+  }
+  Q_EMIT receptionTold(now);
 }
 
 void RosLink::takeAskedMap(const std::string& service, const net::rosbridge::CallAnswer& answer) {

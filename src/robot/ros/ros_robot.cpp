@@ -9,7 +9,7 @@ namespace mapwright::robot::ros {
 RosRobot::RosRobot(QString address, LinkOptions options, QObject* parent)
     : Robot(parent),
       address_(std::move(address)),
-      known_{sourcesOf(std::nullopt, options.ns), {}},
+      known_{sourcesOf(std::nullopt, options.ns), {}, false},
       mailbox_(std::make_shared<wire::TopicMailbox>()),
       tap_(std::make_shared<wire::TapPlace>()),
       deliveries_(std::make_shared<wire::DeliveryPlace>()),
@@ -28,6 +28,7 @@ RosRobot::RosRobot(QString address, LinkOptions options, QObject* parent)
   qRegisterMetaType<map::Recovery>();
   qRegisterMetaType<RawMessage>();
   qRegisterMetaType<KnownTopics>();
+  qRegisterMetaType<Reception>();
   qRegisterMetaType<FoundDispatch>();
   qRegisterMetaType<std::shared_ptr<const ProjectedPart>>();
   link_->moveToThread(&thread_);
@@ -62,10 +63,11 @@ void RosRobot::listen() {
   connect(link_, &RosLink::mapsChanged, this, &Robot::mapsChanged);
   connect(link_, &RosLink::topicsKnown, this, [this](const KnownTopics& known) {
     if (known == known_) return;
-    const bool other = known.sources != known_.sources;
     known_ = known;
-    if (other) Q_EMIT capabilitiesChanged();
+    Q_EMIT capabilitiesChanged();
   });
+  connect(link_, &RosLink::receptionTold, this,
+          [this](const Reception& reception) { reception_ = reception; });
   connect(link_, &RosLink::pictureServiceKnown, this, [this](bool there) {
     if (std::exchange(takes_pictures_, there) != there) Q_EMIT capabilitiesChanged();
   });
@@ -89,6 +91,33 @@ void RosRobot::listen() {
 void RosRobot::setDeliveryTap(DeliveryTap tap) {
   deliveries_->set(std::move(tap));
   QMetaObject::invokeMethod(link_, &RosLink::defineTypes);
+}
+
+std::optional<std::vector<OfferedTopic>> RosRobot::offered() const {
+  if (!known_.offered) return std::nullopt;
+  std::vector<OfferedTopic> topics;
+  for (const FoundTopic& topic : *known_.offered)
+    topics.push_back({QString::fromStdString(topic.name), QString::fromStdString(topic.type)});
+  return topics;
+}
+
+QStringList RosRobot::choicesFor(map::Stream stream) const {
+  QStringList names;
+  if (!known_.offered || (known_.manages_maps && stream == map::Stream::WholeMap)) return names;
+  for (const std::string& name : ros::choicesFor(stream, *known_.offered))
+    names << QString::fromStdString(name);
+  return names;
+}
+
+void RosRobot::choose(const TopicChoices& choices) {
+  chosen_ = choices;
+  Choices names;
+  for (const auto& [stream, topic] : choices) names[stream] = topic.toStdString();
+  QMetaObject::invokeMethod(link_, [link = link_, names] { link->choose(names); });
+}
+
+void RosRobot::setEveryMessage(bool on) {
+  QMetaObject::invokeMethod(link_, [link = link_, on] { link->setEveryMessage(on); });
 }
 
 RobotIdentity RosRobot::identity() const {

@@ -5,6 +5,7 @@
 #include <QThread>
 
 #include "robot/delivery.h"
+#include "robot/offers_topics.h"
 #include "robot/robot.h"
 #include "robot/ros/dispatch_capability.h"
 #include "robot/ros/kabam_capabilities.h"
@@ -14,7 +15,7 @@
 
 namespace mapwright::robot::ros {
 
-class RosRobot : public Robot, public Delivers {
+class RosRobot : public Robot, public Delivers, public OffersTopics {
   Q_OBJECT
  public:
   RosRobot(QString address, LinkOptions options, QObject* parent = nullptr);
@@ -36,6 +37,12 @@ class RosRobot : public Robot, public Delivers {
   MapDispatch* mapDispatch() override { return has_dispatch_ ? &dispatch_ : nullptr; }
   Absence whyNot(Capability capability) const override;
   void setDeliveryTap(DeliveryTap tap) override;
+  std::optional<std::vector<OfferedTopic>> offered() const override;
+  QStringList choicesFor(map::Stream stream) const override;
+  void choose(const TopicChoices& choices) override;
+  TopicChoices chosen() const override { return chosen_; }
+  void setEveryMessage(bool on) override;
+  std::optional<Reception> reception() const override { return reception_; }
 
  private:
   void listen();
@@ -43,6 +50,8 @@ class RosRobot : public Robot, public Delivers {
 
   QString address_;
   KnownTopics known_;
+  TopicChoices chosen_;
+  std::optional<Reception> reception_;
   std::shared_ptr<wire::TopicMailbox> mailbox_;
   std::shared_ptr<wire::TapPlace> tap_;
   std::shared_ptr<wire::DeliveryPlace> deliveries_;

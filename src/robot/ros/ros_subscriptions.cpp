@@ -43,6 +43,7 @@ Subscription subscriptionFor(const Source& source) {
       wanted.throttle_ms = 50;
       break;
     case Form::Path:
+    case Form::PoseArray:
     case Form::Polygon:
     case Form::Battery:
       wanted.throttle_ms = 200;
@@ -83,10 +84,11 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
     if (name.empty() || name.size() > kLongestName) return;
     WantedTopic& topic = wanted[name];
     topic.necessary = true;
+    if (wish.every_message) topic.subscription.throttle_ms = 0;
     if (!topic.subscription.topic.empty()) return;
     topic.subscription.topic = name;
     topic.subscription.type = typeOf(found, name);
-    topic.subscription.throttle_ms = 100;
+    topic.subscription.throttle_ms = wish.every_message ? 0 : 100;
   };
   for (const std::string& name : wish.names) add(name);
   for (const std::string& name : wish.managers_own) {

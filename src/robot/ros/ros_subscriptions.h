@@ -30,6 +30,7 @@ struct TopicWish {
   std::vector<std::string> managers_own;         // of a map manager
   bool whole_map = false;                        // for a request that is under way
   bool map_by_region = false;                    // the whole comes for such a request only
+  bool every_message = false;                    // of `names`
   std::vector<FoundTopic> dispatchers_own = {};  // of a map dispatcher
   std::string dispatchers_tried = {};            // one of these that may not be there
 };

@@ -165,6 +165,59 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& foun
   return sources;
 }
 
+std::optional<Form> formFor(Stream stream, const std::string& type) {
+  const std::string plain = plainType(type);
+  switch (stream) {
+    case Stream::WholeMap:
+    case Stream::CostmapLow:
+    case Stream::CostmapHigh:
+      if (plain == "nav_msgs/OccupancyGrid") return Form::Grid;
+      break;
+    case Stream::Path:
+    case Stream::LocalPath:
+      if (plain == "nav_msgs/Path") return Form::Path;
+      break;
+    case Stream::Planning:
+      if (plain == "geometry_msgs/PoseStamped") return Form::PoseStamped;
+      if (plain == "geometry_msgs/PoseArray") return Form::PoseArray;
+      if (plain == "geometry_msgs/PoseWithCovarianceStamped") return Form::PoseWithCovariance;
+      break;
+    default:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> choicesFor(Stream stream, const std::vector<FoundTopic>& found) {
+  std::vector<std::string> fitting;
+  for (const FoundTopic& topic : found) {
+    if (topic.name.size() <= kLongestName && formFor(stream, topic.type)) fitting.push_back(topic.name);
+  }
+  std::sort(fitting.begin(), fitting.end());
+  fitting.erase(std::unique(fitting.begin(), fitting.end()), fitting.end());
+  return fitting;
+}
+
+void choose(std::vector<Source>& sources, const Choices& choices,
+            const std::optional<std::vector<FoundTopic>>& found) {
+  for (const auto& [stream, topic] : choices) {
+    // The form that most topics of the kind have, as long as nobody tells another.
+    Source chosen{stream, Form::PoseStamped, topic, {}, {}, false};
+    for (const char* const usual : {"nav_msgs/OccupancyGrid", "nav_msgs/Path", "geometry_msgs/PoseStamped"}) {
+      if (const auto form = formFor(stream, usual)) chosen.form = *form;
+    }
+    for (const FoundTopic& one : found ? *found : std::vector<FoundTopic>()) {
+      const auto form = one.name == topic ? formFor(stream, one.type) : std::nullopt;
+      if (!form) continue;
+      chosen.form = *form;
+      chosen.type = one.type;
+      chosen.found = true;
+    }
+    std::erase_if(sources, [&](const Source& source) { return source.stream == stream; });
+    addGrids(sources, std::move(chosen), found);
+  }
+}
+
 std::vector<std::string> usualMapServices(const std::string& ns) {
   std::vector<std::string> names;
   for (const char* name : {"/static_map", "/map_server/map", "/dynamic_map"}) {

@@ -19,6 +19,7 @@ enum class Form {
   MapService,          // nav_msgs/GetMap: no topic, but a service that is asked
   Path,                // nav_msgs/Path
   PoseStamped,         // geometry_msgs/PoseStamped
+  PoseArray,           // geometry_msgs/PoseArray
   PoseWithCovariance,  // geometry_msgs/PoseWithCovarianceStamped
   Odometry,            // nav_msgs/Odometry
   LaserScan,           // sensor_msgs/LaserScan
@@ -50,6 +51,17 @@ struct Source {
 /// Every source that there is, the better ones of a stream first. Without a list of topics (nullopt: the
 /// server does not tell) the usual names. What lies below `ns` goes before all else.
 std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& found, const std::string& ns);
+
+/// How a topic of that type is read for `stream` where people choose it; nullopt: it cannot be.
+std::optional<Form> formFor(map::Stream stream, const std::string& type);
+/// Every topic of `found` that `stream` can be taken from; by name.
+std::vector<std::string> choicesFor(map::Stream stream, const std::vector<FoundTopic>& found);
+/// What people have chosen, by the kind of data.
+using Choices = std::map<map::Stream, std::string>;
+/// Takes each chosen kind of data from its topic and no other. One that is not there, or of no type that
+/// fits, is asked for all the same: it may come.
+void choose(std::vector<Source>& sources, const Choices& choices,
+            const std::optional<std::vector<FoundTopic>>& found);
 
 /// The services that are called like those that give a map (`names`), the better ones first.
 std::vector<std::string> likeMapServices(const std::vector<std::string>& names, const std::string& ns);

@@ -94,6 +94,15 @@ bool RosWorld::fixedByMap() const {
   return !map_frame_.empty() || std::binary_search(frames.begin(), frames.end(), kMap);
 }
 
+std::vector<std::pair<Transforms::Newest, double>> RosWorld::ages(double now_s) const {
+  std::vector<std::pair<Transforms::Newest, double>> ages;
+  const std::vector<Transforms::Newest> pairs = transforms_.newest();
+  // The clock of the robot is ahead of its newest stamp by what has passed here since a transform came.
+  for (const Transforms::Newest& pair : pairs)
+    ages.emplace_back(pair, pairs.back().stamp_s - pair.stamp_s + std::max(0.0, now_s - latest_s_));
+  return ages;
+}
+
 bool RosWorld::posedByTransforms() const {
   const std::string robot = robotFrame();
   return !robot.empty() && transforms_.find(fixedFrame(), robot, {}).has_value();
@@ -299,6 +308,9 @@ WorldResults RosWorld::take(const Source& source, const Field& msg, double recei
              }
            });
       break;
+    case Form::PoseArray:
+      with(readPoseArray(msg), taking);
+      break;
     case Form::Markers: {
       auto markers = readMarkers(msg);
       if (!markers) {
@@ -367,7 +379,11 @@ RosWorld::Placing RosWorld::place(const Source& source, const Content& content, 
   if (const auto* cloud = std::get_if<Points>(&content))
     return placeScan(*cloud, source.topic, into, *found, sweep);
   map::PlanningState planning;
-  planning.targets = {placedIn(std::get<Placed>(content), *found)};
+  if (const auto* poses = std::get_if<Poses>(&content)) {
+    planning.targets = placedIn(*poses, *found);
+  } else {
+    planning.targets = {placedIn(std::get<Placed>(content), *found)};
+  }
   return planning;
 }
 
@@ -399,7 +415,9 @@ void RosWorld::takeContent(const Source& source, Content content, WorldResult& r
   if (queue.messages.empty()) queue.since_s = result.received_s;
   queue.messages.push_back({source, std::move(content), result.received_s});
   // One that is known to have no place makes way for the next, and so does the oldest of too many.
-  if (queue.told || queue.messages.size() > kWaiting) queue.messages.pop_front();
+  if (!queue.told && queue.messages.size() <= kWaiting) return;
+  queue.messages.pop_front();
+  ++gave_way_;
 }
 
 WorldResults RosWorld::placeWaiting() {

@@ -92,12 +92,17 @@ class RosWorld {
   /// The same, and what it rests on.
   std::optional<Located> located() const;
   const Transforms& transforms() const { return transforms_; }
+  /// Messages that made way for newer ones while they waited for a transform.
+  std::size_t gaveWay() const { return gave_way_; }
+  /// How old the newest stamp of each pair is at `now_s` (as received), by the clock of the robot; the oldest
+  /// first.
+  std::vector<std::pair<Transforms::Newest, double>> ages(double now_s) const;
   /// Where scans are shown whose frame is `frame`, as long as nothing says how it lies to others: what it
   /// hangs on.
   std::string ownFrameOf(const std::string& frame) const { return transforms_.rootAbove(frame); }
 
  private:
-  using Content = std::variant<Grid, Outline, Points, Placed>;
+  using Content = std::variant<Grid, Outline, Points, Placed, Poses>;
   struct Waiting {
     Source source;
     Content content;
@@ -151,6 +156,7 @@ class RosWorld {
   std::map<std::string, Told> told_poses_;  // by topic
   SeenMarkers markers_;
   double markers_looked_s_ = 0;
+  std::size_t gave_way_ = 0;
 };
 
 }  // namespace mapwright::robot::ros

@@ -234,13 +234,13 @@ std::string Transforms::rootAbove(const std::string& frame) const {
   return frames_[at].name;
 }
 
-std::vector<Transforms::Age> Transforms::newest() const {
-  std::vector<Age> ages;
+std::vector<Transforms::Newest> Transforms::newest() const {
+  std::vector<Newest> ages;
   for (const Frame& frame : frames_) {
     if (frame.parent == kNone || frame.is_static || frame.history.empty()) continue;
     ages.push_back({frames_[frame.parent].name, frame.name, frame.history.back().at_s});
   }
-  std::sort(ages.begin(), ages.end(), [](const Age& a, const Age& b) {
+  std::sort(ages.begin(), ages.end(), [](const Newest& a, const Newest& b) {
     return std::tie(a.stamp_s, a.child) < std::tie(b.stamp_s, b.child);
   });
   return ages;

@@ -82,11 +82,11 @@ class Transforms {
   /// What the frame hangs on in the end; itself, where nothing is known of it.
   std::string rootAbove(const std::string& frame) const;
   /// A pair that changes, with its newest stamp.
-  struct Age {
+  struct Newest {
     std::string parent, child;
     double stamp_s = 0;
   };
-  std::vector<Age> newest() const;         // the oldest first
+  std::vector<Newest> newest() const;      // the oldest first
   std::vector<std::string> roots() const;  // those with children and no parent, by name
 
   /// The pairs that were refused because they would close a loop, and have not been taken since.

@@ -20,8 +20,13 @@ bool TopicMailbox::put(map::StampedMessage message) {
   const std::lock_guard lock(mutex_);
   if (latest_.size() >= kTopics && !latest_.contains(slot)) return false;
   const bool was_empty = latest_.empty();
-  latest_.insert_or_assign(std::move(slot), std::move(message));
+  if (!latest_.insert_or_assign(std::move(slot), std::move(message)).second) ++replaced_;
   return was_empty;
+}
+
+std::size_t TopicMailbox::replaced() const {
+  const std::lock_guard lock(mutex_);
+  return replaced_;
 }
 
 std::vector<map::StampedMessage> TopicMailbox::take() {

@@ -23,9 +23,12 @@ class TopicMailbox {
   bool put(map::StampedMessage message);
   /// Empties the box.
   std::vector<map::StampedMessage> take();
+  /// How many were replaced before they were taken.
+  std::size_t replaced() const;
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
+  std::size_t replaced_ = 0;
   std::map<std::string, map::StampedMessage> latest_;  // by topic
 };
 
