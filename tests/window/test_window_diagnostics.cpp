@@ -77,6 +77,22 @@ class WindowDiagnosticsTest : public QObject {
     QVERIFY(copied.startsWith(QLatin1String("Background work\tThreads\tBusy\tWaiting\nJobs\t3\t0\t0\n")));
   }
 
+  void howMessagesArriveStandsThere() {
+    Bench bench;
+    Diagnostics now;
+    DiagnosticsDialog dialog([&] { return now; }, bench.settings);
+    dialog.show();
+    QVERIFY(!dialog.text().contains(QLatin1String("Came")));
+    now.reception = robot::Reception{1'234, 5, 6, {{QStringLiteral("map"), QStringLiteral("odom"), 12.34}}};
+    QVERIFY(dialog.text().contains(QLatin1String("\nCame\t1,234\nDropped for newer ones\t5\n")));
+    QVERIFY(dialog.text().contains(QLatin1String("odom in map\t12.3")));
+    QTRY_VERIFY(shownIn(dialog).contains(QStringLiteral("12.3")));
+    now.reception->transforms.front().age_s = 0.5;
+    QTRY_VERIFY(shownIn(dialog).contains(QStringLiteral("0.5")));
+    now.reception.reset();
+    QTRY_VERIFY(!shownIn(dialog).contains(QStringLiteral("1,234")));
+  }
+
   void openedAgainItIsTheSameOne() {
     Bench bench;
     bench.open();

@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
@@ -11,6 +12,7 @@
 
 #include "window/help/work_settings.h"
 #include "window/look/plain_label.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 namespace {
@@ -54,7 +56,35 @@ Table memoryOf(const Diagnostics& now) {
        row(QCoreApplication::translate("window", "All"), held.all(), allowed.all())}};
 }
 
-QList<Table> tablesOf(const Diagnostics& now) { return {threadsOf(now), memoryOf(now)}; }
+Table messagesOf(const robot::Reception& now) {
+  const QLocale plain = QLocale::c();
+  return {{QCoreApplication::translate("window", "Messages of the robot"),
+           QCoreApplication::translate("window", "Count")},
+          {{QCoreApplication::translate("window", "Came"), plain.toString(now.came)},
+           {QCoreApplication::translate("window", "Dropped for newer ones"), plain.toString(now.dropped)},
+           {QCoreApplication::translate("window", "Late by more than a second"), plain.toString(now.late)}}};
+}
+
+Table transformsOf(const robot::Reception& now) {
+  constexpr int kMost = 8;
+  Table table{{QCoreApplication::translate("window", "Transforms, the oldest first"),
+               QCoreApplication::translate("window", "Age, s")},
+              {}};
+  for (const robot::Reception::TransformAge& one : now.transforms) {
+    if (table.rows.size() == kMost) break;
+    table.rows << Row{QCoreApplication::translate("window", "%1 in %2")
+                          .arg(words::plainName(one.child.left(60)), words::plainName(one.parent.left(60))),
+                      QString::number(one.age_s, 'f', 1)};
+  }
+  return table;
+}
+
+QList<Table> tablesOf(const Diagnostics& now) {
+  QList<Table> tables{threadsOf(now), memoryOf(now)};
+  if (now.reception) tables << messagesOf(*now.reception);
+  if (now.reception && !now.reception->transforms.empty()) tables << transformsOf(*now.reception);
+  return tables;
+}
 
 }  // namespace
 
@@ -77,30 +107,10 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
       copy_(new QPushButton(tr("&Copy"), this)) {
   setObjectName(QStringLiteral("diagnostics"));
   setWindowTitle(tr("Diagnostics"));
-  auto* const column = new QVBoxLayout(this);
+  auto* const column = column_ = new QVBoxLayout(this);
   column->setContentsMargins(20, 16, 20, 16);
   column->setSpacing(16);
-  for (const Table& table : tablesOf(look_())) {
-    auto* const grid = new QGridLayout;
-    grid->setHorizontalSpacing(24);
-    grid->setVerticalSpacing(0);
-    int row = 0;
-    for (const Row& cells : QList<Row>{table.head} + table.rows) {
-      for (int i = 0; i < cells.size(); ++i) {
-        auto* const cell = new PlainLabel(cells[i], this);
-        cell->setSecondary(row == 0);
-        if (i > 0) {
-          cell->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-          cell->setSample(QStringLiteral("1,048,576.0"));
-        }
-        grid->addWidget(cell, row, i);
-        cells_ << cell;
-      }
-      ++row;
-    }
-    grid->setColumnStretch(0, 1);
-    column->addLayout(grid);
-  }
+  layOut();
 
   const KeptWorkSettings kept = workSettingsIn(settings_);
   threads_->setRange(0, WorkSettings::kMostThreads);
@@ -156,9 +166,50 @@ DiagnosticsDialog::DiagnosticsDialog(std::function<Diagnostics()> look, QSetting
 
 QString DiagnosticsDialog::text() const { return textOf(look_()); }
 
-void DiagnosticsDialog::refresh() {
-  auto cell = cells_.begin();
+void DiagnosticsDialog::layOut() {
+  delete tables_;
+  tables_ = new QWidget(this);
+  column_->insertWidget(0, tables_);
+  cells_.clear();
+  rows_.clear();
+  auto* const below = new QVBoxLayout(tables_);
+  below->setContentsMargins(0, 0, 0, 0);
+  below->setSpacing(16);
   for (const Table& table : tablesOf(look_())) {
+    auto* const grid = new QGridLayout;
+    grid->setHorizontalSpacing(24);
+    grid->setVerticalSpacing(0);
+    int row = 0;
+    for (const Row& cells : QList<Row>{table.head} + table.rows) {
+      for (int i = 0; i < cells.size(); ++i) {
+        auto* const cell = new PlainLabel(cells[i], tables_);
+        cell->setSecondary(row == 0);
+        if (i > 0) {
+          cell->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+          cell->setSample(QStringLiteral("1,048,576.0"));
+        }
+        grid->addWidget(cell, row, i);
+        cells_ << cell;
+      }
+      ++row;
+    }
+    grid->setColumnStretch(0, 1);
+    below->addLayout(grid);
+    rows_ << table.rows.size();
+  }
+}
+
+void DiagnosticsDialog::refresh() {
+  const QList<Table> tables = tablesOf(look_());
+  QList<qsizetype> rows;
+  for (const Table& table : tables) rows << table.rows.size();
+  if (rows != rows_) {
+    layOut();
+    adjustSize();
+    return;
+  }
+  auto cell = cells_.begin();
+  for (const Table& table : tables) {
     for (const Row& cells : QList<Row>{table.head} + table.rows) {
       for (const QString& text : cells) (*cell++)->setText(text);
     }

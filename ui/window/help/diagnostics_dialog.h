@@ -8,10 +8,12 @@
 #include <QList>
 #include <QSettings>
 
+#include "robot/offers_topics.h"
 #include "work/budgets.h"
 
 class QPushButton;
 class QSpinBox;
+class QVBoxLayout;
 
 namespace mapwright::window {
 
@@ -20,9 +22,10 @@ class PlainLabel;
 struct Diagnostics {
   int threads = 0, running = 0, waiting = 0;  // of the crew; what runs beyond it counts, too
   work::Budgets held, allowed;
+  std::optional<robot::Reception> reception = {};  // of a robot that counts
 };
 
-/// Both tables as lines of words and figures between tabs.
+/// All tables as lines of words and figures between tabs.
 QString textOf(const Diagnostics& diagnostics);
 
 /// Looks again once a second as long as it is open.
@@ -43,11 +46,16 @@ class DiagnosticsDialog : public QDialog {
 
  private:
   void refresh();
+  /// Cells for tables of so many rows each, in place of those before.
+  void layOut();
   void keep();
 
   std::function<Diagnostics()> look_;
   QSettings& settings_;
+  QWidget* tables_ = nullptr;
+  QVBoxLayout* column_;
   QList<PlainLabel*> cells_;  // in the order of the tables' cells
+  QList<qsizetype> rows_;     // of each table
   QSpinBox *threads_, *memory_;
   QPushButton* copy_;
 };

@@ -37,7 +37,7 @@ HelpController::HelpController(WindowContext& context, QObject* parent)
   actions.add({.id = "diagnostics",
                .text = tr("&Diagnostics"),
                .icon = "settings",
-               .tip = tr("Threads and memory: what is taken now, and what may be"),
+               .tip = tr("Threads, memory and messages: what is taken, what may be, what comes"),
                .menu = {MenuGroup::About, 5}},
               this, &HelpController::showDiagnostics);
   actions.add({.id = "about",
@@ -56,8 +56,10 @@ void HelpController::showDiagnostics() {
     const auto look = [&context = context_] {
       Diagnostics now{context.workers->threads(), context.workers->running(), context.workers->waiting(),
                       context.scene.memory(), context.budgets};
-      if (const session::Session* const session = context.current.session()) {
+      if (session::Session* const session = context.current.session()) {
         now.held = now.held + session->memory();
+        if (const robot::OffersTopics* const of = robot::topicsOfferedBy(session->robot()))
+          now.reception = of->reception();
       }
       return now;
     };
