@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "robot/offers_topics.h"
 #include "window/docks/layer_row.h"
 #include "window/docks/layer_style_editor.h"
 #include "window/docks/layers_dock.h"
@@ -23,6 +24,22 @@ std::ptrdiff_t placeOf(const scene::MapScene& scene, Layer layer) {
   const std::vector<Layer>& order = scene.layerOrder();
   return std::find(order.begin(), order.end(), layer) - order.begin();
 }
+
+/// One whose topics are its own affair.
+class TopicsRobot : public test::FakeRobot, public robot::OffersTopics {
+ public:
+  using FakeRobot::FakeRobot;
+  std::optional<std::vector<robot::OfferedTopic>> offered() const override { return std::nullopt; }
+  QStringList choicesFor(map::Stream stream) const override {
+    return stream == map::Stream::Path || stream == map::Stream::CostmapLow ? choices : QStringList();
+  }
+  void choose(const robot::TopicChoices& topics) override { picked = topics; }
+  robot::TopicChoices chosen() const override { return picked; }
+  std::optional<robot::Reception> reception() const override { return std::nullopt; }
+
+  QStringList choices{QStringLiteral("/a"), QStringLiteral("/b")};
+  robot::TopicChoices picked;
+};
 
 }  // namespace
 
@@ -139,6 +156,56 @@ class TestWindowLayers : public QObject {
     QCOMPARE(window.mapScene()->layerOrder(), scene::allLayers());
     QCOMPARE(window.mapScene()->layerStyle(Layer::Cloud), scene::LayerStyle{});
     QCOMPARE(window.mapScene()->layerOpacity(Layer::Path), 0.0);
+  }
+
+  void aTopicIsChosenForALayerAndRememberedForItsRobot() {
+    QTemporaryDir folder;
+    QSettings settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+    TopicsRobot* robot = nullptr;
+    MainWindow::Dependencies wanted{
+        [&](const QString& address,
+            const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          auto made = std::make_unique<TopicsRobot>(address);
+          robot = made.get();
+          return std::unique_ptr<robot::Robot>(std::move(made));
+        },
+        settings};
+    wanted.addresses = test::knownAddresses();
+    MainWindow window(std::move(wanted));
+    window.resize(1366, 768);
+    window.show();
+    LayerRow* const path = window.layers()->row(Layer::Path);
+    LayerRow* const costmap = window.layers()->row(Layer::CostmapLow);
+    QVERIFY(!window.layers()->row(Layer::Grid)->settings());
+    QVERIFY(costmap->settings()->isHidden());  // without a robot there is nothing to choose
+    QVERIFY(!window.connectTo(kAddress));
+    QVERIFY(!costmap->settings()->isHidden());
+    costmap->settings()->click();
+    QComboBox* const topic = costmap->editor()->topicBox();
+    QVERIFY(topic && topic->isVisibleTo(costmap));
+    QCOMPARE(topic->count(), 3);
+    QCOMPARE(topic->currentIndex(), 0);
+    topic->setCurrentIndex(2);
+    Q_EMIT topic->activated(2);
+    QCOMPARE(robot->picked, (robot::TopicChoices{{map::Stream::CostmapLow, QStringLiteral("/b")}}));
+    QCOMPARE(topic->currentText(), QStringLiteral("/b"));
+    path->settings()->click();
+    Q_EMIT path->editor()->topicBox()->activated(1);
+    const robot::TopicChoices both{{map::Stream::CostmapLow, QStringLiteral("/b")},
+                                   {map::Stream::Path, QStringLiteral("/a")}};
+    QCOMPARE(robot->picked, both);
+    // Another robot has its own.
+    QVERIFY(!window.connectTo(QStringLiteral("axbot+http://192.0.2.8:8090")));
+    QVERIFY(robot->picked.empty());
+    QCOMPARE(topic->currentIndex(), 0);
+    QVERIFY(!window.connectTo(kAddress));
+    QCOMPARE(robot->picked, both);
+    QCOMPARE(topic->currentText(), QStringLiteral("/b"));
+    Q_EMIT topic->activated(0);
+    QCOMPARE(robot->picked.size(), std::size_t(1));
+    window.leaveRobot();
+    QVERIFY(costmap->settings()->isHidden());
+    QVERIFY(!path->settings()->isHidden());  // it has a colour
   }
 
   void greysWhatARobotCannotFillAndSaysWhy() {

@@ -5,6 +5,9 @@
 
 #include <QSettings>
 #include <QStringList>
+#include <QUrl>
+
+#include "scene/layer_topic.h"
 
 namespace mapwright::window {
 
@@ -16,6 +19,11 @@ const QString kOrderKey = QStringLiteral("layers/order");
 
 QString key(Layer layer, const char* what) {
   return QStringLiteral("layers/%1/%2").arg(scene::layerName(layer), QLatin1String(what));
+}
+
+/// Addresses hold slashes, which would make groups.
+QString topicsKey(const QString& address) {
+  return QStringLiteral("topics/") + QString::fromLatin1(QUrl::toPercentEncoding(address));
 }
 
 scene::LayerStyle readStyle(Layer layer, const QSettings& settings) {
@@ -76,6 +84,29 @@ void restoreLayers(scene::MapScene& scene, const QSettings& settings) {
     scene.setLayerVisible(layer,
                           settings.value(key(layer, "visible"), scene::shownByDefault(layer)).toBool());
   }
+}
+
+void saveTopics(const robot::TopicChoices& choices, const QString& address, QSettings& settings) {
+  QStringList rows;
+  for (const Layer layer : scene::allLayers()) {
+    const auto stream = scene::chosenStream(layer);
+    if (!stream) continue;
+    const auto chosen = choices.find(*stream);
+    if (chosen != choices.end()) rows << scene::layerName(layer) + QLatin1Char('=') + chosen->second;
+  }
+  rows.isEmpty() ? settings.remove(topicsKey(address)) : settings.setValue(topicsKey(address), rows);
+}
+
+robot::TopicChoices savedTopics(const QString& address, const QSettings& settings) {
+  robot::TopicChoices choices;
+  for (const QString& row : settings.value(topicsKey(address)).toStringList()) {
+    const QString name = row.section(QLatin1Char('='), 0, 0), topic = row.section(QLatin1Char('='), 1);
+    for (const Layer layer : scene::allLayers()) {
+      if (scene::layerName(layer) != name || !topic.startsWith(QLatin1Char('/'))) continue;
+      if (const auto stream = scene::chosenStream(layer)) choices.insert_or_assign(*stream, topic);
+    }
+  }
+  return choices;
 }
 
 void resetOrderAndStyles(scene::MapScene& scene) {

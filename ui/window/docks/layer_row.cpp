@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "scene/layer_topic.h"
 #include "window/docks/layer_style_editor.h"
 #include "window/docks/opacity_slider.h"
 #include "window/look/icons.h"
@@ -52,7 +53,7 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   head->addWidget(eye_);
   head->addWidget(name_, 1);
   head->addWidget(opacity_);
-  if (scene::layerTraits(layer).any()) {
+  if (scene::layerTraits(layer).any() || scene::chosenStream(layer)) {
     settings_ = new QToolButton(this);
     settings_->setObjectName(QStringLiteral("settings-") + scene::layerName(layer));
     settings_->setCheckable(true);
@@ -60,7 +61,12 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
     settings_->setIconSize({14, 14});
     settings_->setFixedSize(22, 22);
     settings_->setFocusPolicy(Qt::TabFocus);
-    settings_->setToolTip(tr("Colour, size and the like"));
+    settings_->setToolTip(scene::chosenStream(layer) ? tr("Colour, topic and the like")
+                                                     : tr("Colour, size and the like"));
+    QSizePolicy place = settings_->sizePolicy();
+    place.setRetainSizeWhenHidden(true);
+    settings_->setSizePolicy(place);
+    settings_->setVisible(scene::layerTraits(layer).any());
     settings_->setAccessibleName(tr("Settings of %1").arg(title));
     head->addWidget(settings_);
     connect(settings_, &QToolButton::toggled, this, &LayerRow::fold);
@@ -105,9 +111,22 @@ void LayerRow::setUnavailable(const QString& reason) {
   opacity_->setEnabled(fine && shown_.value_or(true));
 }
 
+void LayerRow::setTopics(const QStringList& choices, const QString& chosen, const QString& usual) {
+  if (topics_ == choices && topic_ == chosen && usual_topic_ == usual) return;
+  topics_ = choices;
+  topic_ = chosen;
+  usual_topic_ = usual;
+  const bool any = scene::layerTraits(layer_).any() || !choices.isEmpty() || !chosen.isEmpty();
+  if (!any) settings_->setChecked(false);
+  settings_->setVisible(any);
+  if (editor_) editor_->setTopics(choices, chosen, usual);
+}
+
 void LayerRow::fold(bool out) {
   if (out && !editor_) {
     editor_ = new LayerStyleEditor(scene_, layer_, this);
+    editor_->setTopics(topics_, topic_, usual_topic_);
+    connect(editor_, &LayerStyleEditor::topicChosen, this, &LayerRow::topicChosen);
     layout()->addWidget(editor_);
   }
   if (editor_) editor_->setVisible(out);

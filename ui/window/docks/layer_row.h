@@ -21,13 +21,15 @@ class LayerRow : public QFrame {
   scene::Layer layer() const { return layer_; }
   QToolButton* eye() const { return eye_; }
   QSlider* opacity() const { return opacity_; }
-  QToolButton* settings() const { return settings_; }   // null: there is nothing to set
+  QToolButton* settings() const { return settings_; }   // null: there is nothing to set, with any robot
   LayerStyleEditor* editor() const { return editor_; }  // null until folded out
   /// Shows what the scene says.
   void sync();
   /// A reason greys the row; empty = it can be filled.
   void setUnavailable(const QString& reason);
   QString unavailable() const { return reason_; }
+  /// See LayerStyleEditor.
+  void setTopics(const QStringList& choices, const QString& chosen, const QString& usual);
 
  Q_SIGNALS:
   /// The row is being dragged; `y` in the coordinates of the parent.
@@ -36,6 +38,7 @@ class LayerRow : public QFrame {
   /// Up (towards the top of the map) is negative.
   void moveWanted(int rows);
   void focusWanted(int rows);
+  void topicChosen(const QString& topic);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -55,6 +58,8 @@ class LayerRow : public QFrame {
   QToolButton* settings_ = nullptr;
   LayerStyleEditor* editor_ = nullptr;
   QString reason_;
+  QStringList topics_;
+  QString topic_, usual_topic_;
   std::optional<bool> shown_;
   std::optional<QPoint> press_;
   bool dragging_ = false;

@@ -1,5 +1,7 @@
 #include "window/docks/layer_style_editor.h"
 
+#include <algorithm>
+
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -9,8 +11,11 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "scene/layer_topic.h"
 #include "window/look/icons.h"
+#include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -78,7 +83,32 @@ LayerStyleEditor::LayerStyleEditor(scene::MapScene* scene, scene::Layer layer, Q
       scene_->setLayerStyle(layer_, style);
     });
   }
+  if (scene::chosenStream(layer)) {
+    topic_ = new QComboBox(this);
+    topic_->setMinimumContentsLength(8);
+    topic_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    topic_->setAccessibleName(tr("Topic of %1").arg(scene::layerTitle(layer)));
+    form->addRow(tr("Topic"), topic_);
+    connect(topic_, &QComboBox::activated, this,
+            [this](int index) { Q_EMIT topicChosen(topic_->itemData(index).toString()); });
+    setTopics({}, {}, {});
+  }
   sync();
+}
+
+void LayerStyleEditor::setTopics(const QStringList& choices, const QString& chosen, const QString& usual) {
+  if (!topic_) return;
+  topic_->clear();
+  const QString as_usual = tr("As usual");
+  topic_->addItem(
+      chosen.isEmpty() && !usual.isEmpty() ? tr("As usual (%1)").arg(words::plainName(usual)) : as_usual,
+      QString());
+  QStringList all = choices;
+  if (!chosen.isEmpty() && !all.contains(chosen)) all.prepend(chosen);  // it is waited for
+  for (const QString& topic : all) topic_->addItem(words::plainName(topic), topic);
+  topic_->setCurrentIndex(std::max(0, topic_->findData(chosen)));
+  topic_->setToolTip(plainToolTip(chosen.isEmpty() ? usual : chosen));
+  static_cast<QFormLayout*>(layout())->setRowVisible(topic_, !all.isEmpty());
 }
 
 void LayerStyleEditor::sync() {

@@ -22,7 +22,14 @@ class LayerStyleEditor : public QWidget {
   QToolButton* colorButton() const { return color_; }
   QDoubleSpinBox* sizeBox() const { return size_; }
   QComboBox* choiceBox() const { return choice_; }
+  QComboBox* topicBox() const { return topic_; }
+  /// From which topics the layer can be taken; none: there is nothing to choose. `chosen`, empty: the one
+  /// that is usual, which is called `usual` (empty: there is none).
+  void setTopics(const QStringList& choices, const QString& chosen, const QString& usual);
   void setColor(const QColor& color);  // invalid: the theme's
+
+ Q_SIGNALS:
+  void topicChosen(const QString& topic);  // empty: as usual
 
  private:
   void askForColor();
@@ -32,6 +39,7 @@ class LayerStyleEditor : public QWidget {
   QToolButton *color_ = nullptr, *color_reset_ = nullptr;
   QDoubleSpinBox* size_ = nullptr;
   QComboBox* choice_ = nullptr;
+  QComboBox* topic_ = nullptr;
   QPointer<QColorDialog> dialog_;
 };
 

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "scene/layer_topic.h"
 #include "window/docks/layer_availability.h"
 #include "window/docks/layer_memory.h"
 #include "window/docks/layer_row.h"
@@ -36,6 +37,9 @@ LayersDock::LayersDock(scene::MapScene* scene, QWidget* parent)
       dragging_ = false;
       commit();
     });
+    if (const auto stream = scene::chosenStream(*it))
+      connect(row, &LayerRow::topicChosen, this,
+              [this, stream = *stream](const QString& topic) { chooseTopic(stream, topic); });
     connect(row, &LayerRow::moveWanted, this, [this, row](int rows) { move(row, rows); });
     connect(row, &LayerRow::focusWanted, this, [this, row](int rows) { focusNext(row, rows); });
   }
@@ -59,7 +63,36 @@ void LayersDock::setSession(session::Session* session) {
 }
 
 void LayersDock::noteAvailability() {
-  for (LayerRow* row : rows_) row->setUnavailable(whyLayerStaysEmpty(row->layer(), session_));
+  for (LayerRow* row : rows_) {
+    row->setUnavailable(whyLayerStaysEmpty(row->layer(), session_));
+    noteTopics(row);
+  }
+}
+
+void LayersDock::noteTopics(LayerRow* row) {
+  const auto stream = scene::chosenStream(row->layer());
+  if (!stream) return;
+  robot::OffersTopics* const of = session_ ? robot::topicsOfferedBy(session_->robot()) : nullptr;
+  if (!of) return row->setTopics({}, {}, {});
+  const robot::TopicChoices chosen = of->chosen();
+  const auto own = chosen.find(*stream);
+  robot::LiveTopics* const live = session_->robot().liveTopics();
+  const QStringList usual = live && own == chosen.end() ? live->topicsOf(*stream) : QStringList();
+  row->setTopics(of->choicesFor(*stream), own == chosen.end() ? QString() : own->second, usual.value(0));
+}
+
+void LayersDock::chooseTopic(map::Stream stream, const QString& topic) {
+  robot::OffersTopics* const of = session_ ? robot::topicsOfferedBy(session_->robot()) : nullptr;
+  if (!of) return;
+  robot::TopicChoices choices = of->chosen();
+  if (topic.isEmpty()) {
+    choices.erase(stream);
+  } else {
+    choices[stream] = topic;
+  }
+  of->choose(choices);
+  noteAvailability();
+  Q_EMIT topicsChosen(choices);
 }
 
 void LayersDock::place() {

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QPointer>
 
+#include "robot/offers_topics.h"
 #include "scene/map_scene.h"
 
 class QScrollArea;
@@ -32,11 +33,17 @@ class LayersDock : public QDockWidget {
   QToolButton* eye(scene::Layer layer) const;
   QSlider* opacity(scene::Layer layer) const;
 
+ Q_SIGNALS:
+  /// People want other topics of this robot.
+  void topicsChosen(const mapwright::robot::TopicChoices& choices);
+
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   void noteAvailability();
+  void noteTopics(LayerRow* row);
+  void chooseTopic(map::Stream stream, const QString& topic);
   void place();
   void drag(LayerRow* row, int y);
   void commit();

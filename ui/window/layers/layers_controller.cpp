@@ -61,6 +61,10 @@ LayersController::LayersController(WindowContext& context, QObject* parent)
             scene::Layer::Outlines);
   addColors();
   connect(&context_.scene, &scene::MapScene::layersChanged, this, &LayersController::sync);
+  connect(dock_, &LayersDock::topicsChosen, this, [this](const robot::TopicChoices& choices) {
+    if (const session::Session* const session = context_.current.session())
+      saveTopics(choices, session->robot().address(), context_.settings);
+  });
   connect(&context_.current, &CurrentSession::stateChanged, this, [this] {
     if (!context_.current.session()) endMode();
     syncModes();
@@ -140,6 +144,8 @@ void LayersController::setColorMode(render::ColorMode mode) {
 }
 
 void LayersController::setSession(session::Session* session) {
+  if (robot::OffersTopics* const of = session ? robot::topicsOfferedBy(session->robot()) : nullptr)
+    of->choose(savedTopics(session->robot().address(), context_.settings));
   dock_->setSession(session);
   if (session) beginMode(*session);
 }
