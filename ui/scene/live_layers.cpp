@@ -166,10 +166,20 @@ void LocalPathLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
 void TargetLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const auto& planning = context_.live->planning;
   if (!planning) return;
+  constexpr std::size_t kFew = 50;
+  constexpr double kReachPx = 20;
   const QColor color = colorOr(context_.theme.target);
+  const QRectF near_view(-kReachPx, -kReachPx, context_.view.width_px + 2 * kReachPx,
+                         context_.view.height_px + 2 * kReachPx);
   for (const geometry::Pose2& target : planning->targets) {
     const QPointF at = toPoint(context_.view.pixelFromWorld({target.x_m, target.y_m}));
+    if (!near_view.contains(at)) continue;
     const double heading = target.yaw_rad + context_.view.rotation_rad;
+    if (planning->targets.size() > kFew) {  // a cloud of them
+      painter->setPen(QPen(color, 1.5));
+      painter->drawLine(at, at + QPointF(std::cos(heading), -std::sin(heading)) * 7);
+      continue;
+    }
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setBrush(Qt::NoBrush);
     for (const auto& [pen_color, width] : {std::pair{context_.theme.text_halo, 5.0}, std::pair{color, 2.0}}) {
