@@ -20,6 +20,7 @@
 #include "robot/axbot/axbot_robot.h"
 #include "scene/pose_between.h"
 #include "simulator/simulator.h"
+#include "window/docks/messages_dock.h"
 #include "window/look/plain_label.h"
 #include "window/main_window.h"
 #include "window/map/map_overlay.h"
@@ -371,6 +372,37 @@ class TestWindowReplay : public QObject {
     QTest::mouseClick(desk.window->view()->viewport(), Qt::LeftButton, {}, QPoint(300, 200));
     QTest::keyRelease(desk.window->view(), Qt::Key_Space);
     QVERIFY(desk.clock().playing());
+  }
+
+  // However often the same time is looked at again.
+  void standingStillNoMessageCountsTwice() {
+    Desk desk;
+    desk.replay(kWhole);
+    desk.clock().seek(desk.clock().start() + 30);
+    QTRY_VERIFY(desk.isThere());
+    MessagesDock& messages = *desk.window->messages();
+    messages.show();
+    messages.raise();
+    QTRY_VERIFY(messages.watching() && messages.log().topics().size() > 3);
+    const auto told = [&] {
+      quint64 count = 0;
+      for (const auto& [topic, tally] : messages.log().topics()) count += tally.count;
+      return count;
+    };
+    const quint64 before = told();
+    auto* const robot = qobject_cast<replay::ReplayRobot*>(&desk.window->session()->robot());
+    for (const char* const topic : {"/one", "/other"}) {
+      QSignalSpy jumped(robot, &replay::ReplayRobot::jumped);
+      desk.window->session()->want(QStringLiteral("test"), {}, {QLatin1String(topic)});
+      QTRY_VERIFY(!jumped.isEmpty());
+      QCoreApplication::processEvents();
+    }
+    QCOMPARE(told(), before);
+    QCOMPARE(messages.log().topics().size(), std::size_t(before));
+    // What is played counts.
+    desk.axis().setFocus();
+    desk.key(Qt::Key_Space);
+    QTRY_VERIFY(told() > before);
   }
 
   void playsBackwardsByTheSpeedBox() {
