@@ -186,11 +186,88 @@ class TestWindowAdministration : public QObject {
     ChangeDialog* const dialog = desk.ask("2", "Load");
     QVERIFY(dialog && dialog->places());
     QVERIFY(dialog->textShown().contains(QLatin1String("instead of Ground floor")));
-    QTRY_COMPARE(dialog->places()->count(), 3);
-    QCOMPARE(dialog->places()->currentText(), QStringLiteral("Dock"));
-    QCOMPARE(dialog->places()->itemText(1), QStringLiteral("Gate"));
+    QTRY_COMPARE(dialog->places()->count(), 4);
+    // Nobody has said where it stands.
+    QCOMPARE(dialog->places()->currentText(), QStringLiteral("not stated"));
+    QCOMPARE(dialog->places()->itemText(1), QStringLiteral("Dock"));
+    QCOMPARE(dialog->places()->itemText(2), QStringLiteral("Gate"));
+    dialog->places()->setCurrentIndex(1);
     dialog->acceptButton()->click();
     QCOMPARE(desk.maps.orders[0].place, std::string("Dock"));
+  }
+
+  void aPlaceThatNobodyHasStatedIsNotSent() {
+    Desk desk;
+    desk.maps.asks_place = true;
+    map::Waypoint point;
+    point.id = point.name = "not stated";  // a place may be called so
+    desk.points.points.push_back(point);
+    ChangeDialog* dialog = desk.ask("2", "Load");
+    QVERIFY(dialog);
+    QCOMPARE(dialog->places()->currentText(), QStringLiteral("not stated"));  // before they have come
+    QTRY_COMPARE(dialog->places()->count(), 2);
+    dialog->acceptButton()->click();
+    QCOMPARE(desk.maps.orders[0].place, std::string());
+    desk.maps.answer(test::catalogued("2", "Attic"));
+    QTRY_VERIFY(!desk.controller().dialog());
+    dialog = desk.ask("2", "Load");
+    QVERIFY(dialog);
+    QTRY_COMPARE(dialog->places()->count(), 2);
+    dialog->places()->setCurrentIndex(1);
+    dialog->acceptButton()->click();
+    QCOMPARE(desk.maps.orders[1].place, std::string("not stated"));
+  }
+
+  void whatIsTypedIsKeptWhenThePlacesCome() {
+    Desk desk;
+    desk.maps.asks_place = true;
+    map::Waypoint point;
+    point.id = point.name = "Dock";
+    desk.points.points.push_back(point);
+    ChangeDialog* const dialog = desk.ask("2", "Load");
+    QVERIFY(dialog);
+    dialog->places()->setEditText(QStringLiteral("Ramp"));
+    QTRY_COMPARE(dialog->places()->count(), 2);
+    QCOMPARE(dialog->places()->currentText(), QStringLiteral("Ramp"));
+    dialog->acceptButton()->click();
+    QCOMPARE(desk.maps.orders[0].place, std::string("Ramp"));
+  }
+
+  void enterDoesNothingThatCannotBeHadBack_data() {
+    QTest::addColumn<QString>("entry");
+    QTest::newRow("delete") << QStringLiteral("Delete");
+    QTest::newRow("load") << QStringLiteral("Load");
+    QTest::newRow("start mapping") << QStringLiteral("startMapping");
+    QTest::newRow("stop mapping") << QStringLiteral("stopMapping");
+  }
+  void enterDoesNothingThatCannotBeHadBack() {
+    QFETCH(QString, entry);
+    Desk desk;
+    desk.maps.asks_place = true;
+    QAction* const action = desk.bench.window->actionList().find(entry);
+    ChangeDialog* dialog = nullptr;
+    if (action) {
+      action->trigger();
+      dialog = desk.controller().dialog();
+    } else {
+      dialog = desk.ask("2", qPrintable(entry));  // which the robot does not work with
+    }
+    QVERIFY(dialog);
+    QVERIFY(!dialog->acceptButton()->isDefault());
+    QTest::keyClick(dialog->focusWidget() ? dialog->focusWidget() : dialog, Qt::Key_Return);
+    QVERIFY(desk.maps.orders.empty());
+    QTRY_VERIFY(!desk.controller().dialog());
+    // Nor when the button has the focus.
+    if (action) {
+      action->trigger();
+      dialog = desk.controller().dialog();
+    } else {
+      dialog = desk.ask("2", qPrintable(entry));
+    }
+    QVERIFY(dialog);
+    dialog->acceptButton()->setFocus();
+    QTest::keyClick(dialog->acceptButton(), Qt::Key_Return);
+    QVERIFY(desk.maps.orders.empty());
   }
 
   void whatCannotBeDoneNowIsGreyedAndSaysWhy() {

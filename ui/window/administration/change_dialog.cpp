@@ -51,7 +51,7 @@ ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
     places_->setEditable(true);
     places_->setInsertPolicy(QComboBox::NoInsert);
     places_->setMinimumContentsLength(24);
-    places_->lineEdit()->setPlaceholderText(tr("not said"));
+    setPlaces({});
     form->addRow(tr("The robot stands at &waypoint"), places_);
   }
   if (!question_.typed.isEmpty()) {
@@ -61,7 +61,11 @@ ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
     form->addRow(tr("&Type its name"), typed_);
     connect(typed_, &QLineEdit::textChanged, this, &ChangeDialog::check);
   }
-  giveRoles(*accept_, {cancel_});
+  if (question_.ends_something) {
+    giveCarefulRoles(*accept_, *cancel_);
+  } else {
+    giveRoles(*accept_, {cancel_});
+  }
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addStretch();
@@ -86,15 +90,20 @@ ChangeDialog::ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent)
 
 void ChangeDialog::setPlaces(const std::vector<std::string>& names) {
   if (!places_) return;
-  const QString typed = places_->currentText();
+  const QString typed = place().empty() ? QString() : places_->currentText();
   places_->clear();
+  places_->addItem(tr("not stated"), QString());
   for (const std::string& name : names)
     places_->addItem(words::plainName(name), QString::fromStdString(name));
-  if (typed.isEmpty()) {
-    places_->setCurrentIndex(names.empty() ? -1 : 0);
-  } else {
-    places_->setEditText(typed);
-  }
+  if (!typed.isEmpty()) places_->setEditText(typed);
+}
+
+/// Empty: nobody has said it.
+std::string ChangeDialog::place() const {
+  const QString text = places_->currentText();
+  const int chosen = places_->currentIndex();
+  const int at = chosen >= 0 && places_->itemText(chosen) == text ? chosen : places_->findText(text);
+  return (at >= 0 ? places_->itemData(at).toString() : text.trimmed()).toStdString();
 }
 
 QString ChangeDialog::textShown() const { return text_->text(); }
@@ -125,10 +134,7 @@ void ChangeDialog::send() {
   if (waiting() || !whyNot().isEmpty()) return;
   robot::MapOrder order = question_.order;
   if (name_) order.name = name_->text().toStdString();
-  if (places_) {
-    const int at = places_->findText(places_->currentText());
-    order.place = (at >= 0 ? places_->itemData(at).toString() : places_->currentText()).toStdString();
-  }
+  if (places_) order.place = place();
   for (QWidget* field :
        {static_cast<QWidget*>(name_), static_cast<QWidget*>(typed_), static_cast<QWidget*>(places_)})
     if (field) field->setEnabled(false);

@@ -25,7 +25,7 @@ class ChangeDialog : public QDialog {
   /// `ask` is called once for every time that the button is pressed, never while an answer is awaited.
   ChangeDialog(ChangeQuestion question, Ask ask, QWidget* parent = nullptr);
 
-  /// Where the robot may stand, the likeliest first.
+  /// Where the robot may stand, the likeliest first. None of them is chosen before somebody does.
   void setPlaces(const std::vector<std::string>& names);
 
   QLineEdit* nameEdit() const { return name_; }    // null: not asked for
@@ -44,6 +44,7 @@ class ChangeDialog : public QDialog {
  private:
   QString whyNot() const;
   void check();
+  std::string place() const;
   void send();
   void take(const Outcome& outcome);
 

@@ -23,6 +23,7 @@ QString called(const map::CatalogueEntry* map) {
 }
 
 void askToLoad(ChangeQuestion& question, const map::CatalogueEntry* map, const map::CatalogueEntry* current) {
+  question.ends_something = true;
   question.title = Words::tr("Load on the robot");
   question.accept = Words::tr("Load");
   question.done = Words::tr("The robot works with %1 now.");
@@ -34,6 +35,7 @@ void askToLoad(ChangeQuestion& question, const map::CatalogueEntry* map, const m
 }
 
 void askToDelete(ChangeQuestion& question, const map::CatalogueEntry* map) {
+  question.ends_something = true;
   question.title = Words::tr("Delete from the robot");
   question.accept = Words::tr("Delete");
   question.done = Words::tr("%1 is deleted.");
@@ -80,6 +82,7 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       askToDelete(question, map);
       break;
     case MapChange::StartMapping:
+      question.ends_something = true;
       question.title = Words::tr("Start mapping");
       question.text = current ? Words::tr("The robot will begin a new map and leave %1.").arg(called(current))
                               : Words::tr("The robot will begin a new map.");
@@ -87,6 +90,7 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       question.done = Words::tr("The robot is mapping.");
       break;
     case MapChange::StopMapping:
+      question.ends_something = true;
       question.title = Words::tr("Stop mapping");
       question.text = Words::tr("The robot will end mapping. Save the map afterwards, or it may be lost.");
       question.accept = Words::tr("Stop mapping");

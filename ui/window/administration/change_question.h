@@ -18,6 +18,7 @@ struct ChangeQuestion {
   std::optional<QString> name = {};  // it is asked for, and this stands there at first
   bool asks_place = false;           // where the robot stands
   QString typed = {};                // must be typed, so that nobody does it by mistake; empty = nothing
+  bool ends_something = false;       // that cannot be had back: Enter does not do it
   QString done = {};                 // what is said when it is done; %1 is the name of the map then
 };
 

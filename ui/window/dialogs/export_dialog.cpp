@@ -136,6 +136,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   connect(hidden_, &QCheckBox::toggled, this, &ExportDialog::sync);
   connect(path_, &QLineEdit::textEdited, this, [this] {
     confirmed_ = source_confirmed_ = false;
+    letEnterPress(*export_, true);
     error_->hide();
     export_->setEnabled(!path_->text().trimmed().isEmpty());
   });
@@ -205,6 +206,7 @@ void ExportDialog::sync() {
   }
   path_->setText(path + QLatin1Char('.') + exportSuffix(format()));
   confirmed_ = source_confirmed_ = false;
+  letEnterPress(*export_, true);
   error_->hide();
 }
 
@@ -224,6 +226,7 @@ void ExportDialog::start() {
   const bool with_world_file = world_file_->isChecked() && world_file_->isEnabled();
   const QStringList files = exportedFiles(path, format(), with_world_file);
   const auto askAgain = [this](const QString& sentence) {
+    letEnterPress(*export_, false);
     error_->setText(sentence);
     error_->show();
   };

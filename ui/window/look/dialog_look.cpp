@@ -14,6 +14,18 @@ void giveRoles(QPushButton& main, std::initializer_list<QPushButton*> others) {
   }
 }
 
+void giveCarefulRoles(QPushButton& main, QPushButton& safe) {
+  giveRoles(main, {&safe});
+  letEnterPress(main, false);
+  safe.setDefault(true);
+  safe.setFocus();
+}
+
+void letEnterPress(QPushButton& button, bool lets) {
+  button.setAutoDefault(lets);
+  button.setDefault(lets);
+}
+
 void makeLine(QProgressBar& progress) {
   progress.setRange(0, 1000);
   progress.setTextVisible(false);

@@ -174,6 +174,7 @@ QString RangeExportDialog::said() const { return said_->isHidden() ? QString() :
 
 void RangeExportDialog::say(const QString& sentence, bool bad) {
   asked_.clear();
+  letEnterPress(*export_, true);
   const UiColors colors = appColors();
   QPalette palette = said_->palette();
   palette.setColor(QPalette::WindowText, bad ? colors.error_text : colors.text);
@@ -253,6 +254,7 @@ void RangeExportDialog::start() {
   if (QFileInfo::exists(path) && asked_ != path) {
     say(tr("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(path)));
     asked_ = path;
+    letEnterPress(*export_, false);
     return;
   }
   excerpt::Order order;
