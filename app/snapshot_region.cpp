@@ -129,7 +129,8 @@ void SnapshotRun::takeRegion(SnapshotContent& content) {
   content.regions = &fetch_->map();
   content.whole = false;
   if (!options_.raw) return;
-  const regions::FetchedGrid fetched = regions::cutOut(fetch_->map().regions().sheets(), *options_.region);
+  const regions::FetchedGrid fetched =
+      regions::cutOut(fetch_->map().regions().sheets(), *options_.region, regions::CutEdge::Touched);
   content.whole = true;
   if (fetched.cells) content.grid = render::PlacedGrid{fetched.cells, fetched.reference};
   if (fetched.other_lattices > 0) {

@@ -24,16 +24,19 @@ struct CellBox {
   bool empty() const { return width() <= 0 || height() <= 0; }
 };
 
-/// The cells of a sheet whose middle may lie in `rect`.
-CellBox boxOf(const RegionSheet& sheet, const geometry::WorldRect& rect) {
+/// The cells of a sheet that may belong to `rect`.
+CellBox boxOf(const RegionSheet& sheet, const geometry::WorldRect& rect, CutEdge edge) {
   geometry::WorldRect box;
   for (const double x : {rect.min_x, rect.max_x}) {
     for (const double y : {rect.min_y, rect.max_y}) box.extend(sheet.reference().cellFromWorld({x, y}));
   }
   constexpr double kRounding = 1e-6;
-  const auto first = [](double at) { return std::max(0.0, std::ceil(at - 0.5 - kRounding)); };
-  const auto last = [](double at, int size) {
-    return std::min(size - 1.0, std::ceil(at - 0.5 - kRounding) - 1);
+  const bool middles = edge == CutEdge::Middles;
+  const auto first = [middles](double at) {
+    return std::max(0.0, middles ? std::ceil(at - 0.5 - kRounding) : std::floor(at + kRounding));
+  };
+  const auto last = [middles](double at, int size) {
+    return std::min(size - 1.0, std::ceil(at - (middles ? 0.5 : 0) - kRounding) - 1);
   };
   const double left = first(box.min_x), top = first(box.min_y), right = last(box.max_x, sheet.width()),
                bottom = last(box.max_y, sheet.height());
@@ -49,12 +52,15 @@ std::int64_t tilesIn(const RegionSheet& sheet, const CellBox& box) {
   return count;
 }
 
-/// The cells of `box`, taken from a sheet as it is now. Of one that is turned, those outside `rect` are
-/// unknown.
+/// The cells of `box`, taken from a sheet as it is now. Of one that is turned, those whose middles lie
+/// outside `rect` are unknown, where they do not belong to it.
 class CutGrid final : public grids::GridPyramid {
  public:
-  CutGrid(const RegionSheet& sheet, const CellBox& box, const geometry::WorldRect& rect)
-      : box_(box), rect_(rect), of_sheet_(sheet.reference()), turned_(of_sheet_.origin.yaw_rad != 0) {
+  CutGrid(const RegionSheet& sheet, const CellBox& box, const geometry::WorldRect& rect, CutEdge edge)
+      : box_(box),
+        rect_(rect),
+        of_sheet_(sheet.reference()),
+        trimmed_(of_sheet_.origin.yaw_rad != 0 && edge == CutEdge::Middles) {
     for (int y = box.top / kEdge; y <= box.bottom / kEdge; ++y) {
       for (int x = box.left / kEdge; x <= box.right / kEdge; ++x) {
         const auto tile = sheet.tile(0, x, y);
@@ -125,7 +131,7 @@ class CutGrid final : public grids::GridPyramid {
   }
   void take(const std::uint8_t* from, std::uint8_t* out, int count, int u, int v) const {
     for (int i = 0; i < count; ++i) out[i] = from[i] == kNotFetched ? grids::kUnknownOccupancy : from[i];
-    for (int i = 0; turned_ && i < count; ++i) {
+    for (int i = 0; trimmed_ && i < count; ++i) {
       if (!rect_.contains(of_sheet_.worldFromCell({u + i + 0.5, v + 0.5}))) out[i] = grids::kUnknownOccupancy;
     }
   }
@@ -152,7 +158,7 @@ class CutGrid final : public grids::GridPyramid {
   CellBox box_;
   geometry::WorldRect rect_;
   map::GridReference of_sheet_;
-  bool turned_;
+  bool trimmed_;
   grids::GridReducer reducer_{grids::CellCode::Occupancy, grids::Reduction::OccupiedWins};
   std::vector<Cells> from_;  // tiles of the sheet
   std::size_t held_ = 0;
@@ -163,13 +169,14 @@ class CutGrid final : public grids::GridPyramid {
 
 }  // namespace
 
-FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, const geometry::WorldRect& rect) {
+FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, const geometry::WorldRect& rect,
+                   CutEdge edge) {
   FetchedGrid fetched;
   const RegionSheet* best = nullptr;
   std::int64_t most = 0;
   int with_cells = 0;
   for (const auto& sheet : sheets) {
-    const std::int64_t tiles = tilesIn(*sheet, boxOf(*sheet, rect));
+    const std::int64_t tiles = tilesIn(*sheet, boxOf(*sheet, rect, edge));
     with_cells += tiles > 0;
     if (tiles > most) {
       most = tiles;
@@ -178,12 +185,12 @@ FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, cons
   }
   if (!best) return fetched;
   fetched.other_lattices = with_cells - 1;
-  const CellBox box = boxOf(*best, rect);
+  const CellBox box = boxOf(*best, rect, edge);
   const map::GridReference& of_sheet = best->reference();
   const Eigen::Vector2d corner = of_sheet.worldFromCell({double(box.left), double(box.bottom + 1)});
   fetched.reference = {
       box.width(), box.height(), of_sheet.resolution_m, {corner.x(), corner.y(), of_sheet.origin.yaw_rad}};
-  fetched.cells = std::make_shared<CutGrid>(*best, box, rect);
+  fetched.cells = std::make_shared<CutGrid>(*best, box, rect, edge);
   return fetched;
 }
 

@@ -17,9 +17,13 @@ struct FetchedGrid {
   map::GridReference reference;
   int other_lattices = 0;  // pieces on so many other lattices of cells are left out
 };
+/// Which cells belong to a rectangle: for a map of its own those whose middles lie in it, for a picture all
+/// that reach into it.
+enum class CutEdge { Middles, Touched };
 /// Cuts `rect` out of what came: of the sheet that has the most of it, turned as that is, and as it is now.
 /// Quick for large ones, too: tiles are made when they are looked at.
-FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, const geometry::WorldRect& rect);
+FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, const geometry::WorldRect& rect,
+                   CutEdge edge = CutEdge::Middles);
 
 /// The same cells as a picture (PGM) that is read back with kPgmReading: what is above 100 is unknown there.
 /// `part` has as many cells as it says, one at least.

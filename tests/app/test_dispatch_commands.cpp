@@ -184,6 +184,23 @@ class DispatchCommandsTest : public QObject {
     QCOMPARE(QImage(file("corner.png")), QImage(file("right.png")));
   }
 
+  void pixelsSmallerThanACellAreAllObserved() {
+    start();
+    const Ran ran = ask({text("snapshot"), text("--raw"), text("--region"), text("0.013,0.017,2.03,1.01"),
+                         text("--scale"), text("0.01"), text("-o"), file("fine.png")});
+    QVERIFY2(ran.exit_code == 0, ran.error.constData());
+    const QImage picture(file("fine.png"));
+    QCOMPARE(picture.size(), QSize(203, 101));
+    int blank = 0;
+    for (int x = 0; x < picture.width(); ++x) {
+      for (int y = 0; y < picture.height(); ++y) {
+        const bool edge = x == 0 || y == 0 || x + 1 == picture.width() || y + 1 == picture.height();
+        blank += edge && qAlpha(picture.pixel(x, y)) == 0;
+      }
+    }
+    QCOMPARE(blank, 0);
+  }
+
   void cellsThatMeanNothingAreCountedOnce() {
     start([](simulator::Options& options) { options.faults.ros.dispatcher.cloud.lie = "cells"; });
     const Ran ran = ask({text("snapshot"), text("--region"), text("0,0,60,40"), text("--layers"),

@@ -112,6 +112,44 @@ class TestRegionFetch : public QObject {
       }
     }
   }
+  /// A picture whose pixels are smaller than a cell has nothing blank at its edges.
+  void whatReachesIntoARectangleIsCutOutWhereThatIsWanted_data() {
+    QTest::addColumn<geometry::WorldRect>("rect");
+    QTest::addColumn<double>("yaw");
+    QTest::newRow("edges in cells") << geometry::WorldRect{-7.37, -3.16, 11.12, 2.24} << 0.0;
+    QTest::newRow("less than a cell") << geometry::WorldRect{0.005, 0.005, 0.015, 0.01} << 0.0;
+    QTest::newRow("whole cells") << geometry::WorldRect{-1, -1, 1, 1} << 0.0;
+    QTest::newRow("turned") << geometry::WorldRect{-7.37, -3.16, 11.12, 2.24} << 0.3;
+  }
+  void whatReachesIntoARectangleIsCutOutWhereThatIsWanted() {
+    QFETCH(geometry::WorldRect, rect);
+    QFETCH(double, yaw);
+    FakeGround ground;
+    ground.origin.yaw_rad = yaw;
+    RegionCells cells;
+    QVERIFY(cells.put(ground.part({{0, 0}, {40, 40}})));
+    const FetchedGrid fetched = cutOut(cells.sheets(), rect, CutEdge::Touched);
+    QVERIFY(fetched.cells);
+    const RegionSheet& sheet = *cells.sheets().front();
+    constexpr int kSteps = 97;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        constexpr double kInside = 1e-9;
+        const Eigen::Vector2d at(std::lerp(rect.min_x + kInside, rect.max_x - kInside, i / double(kSteps)),
+                                 std::lerp(rect.min_y + kInside, rect.max_y - kInside, j / double(kSteps)));
+        const Eigen::Vector2d wanted = sheet.reference().cellFromWorld(at),
+                              cell = fetched.reference.cellFromWorld(at);
+        const bool on_a_line = std::abs(wanted.x() - std::round(wanted.x())) < 1e-5 ||
+                               std::abs(wanted.y() - std::round(wanted.y())) < 1e-5;
+        if (on_a_line) continue;
+        QVERIFY(cell.x() >= 0 && cell.y() >= 0 && cell.x() < fetched.reference.width &&
+                cell.y() < fetched.reference.height);
+        QCOMPARE(int(fetched.cells->at(int(cell.x()), int(cell.y()))),
+                 int(sheet.at(int(wanted.x()), int(wanted.y()))));
+      }
+    }
+    if (yaw == 0 && rect.width() == 2) QCOMPARE(fetched.reference.width, 40);
+  }
   void whatIsCutOutIsTheSameAsAMapOfItsCells_data() {
     QTest::addColumn<geometry::WorldRect>("rect");
     QTest::addColumn<double>("yaw");
