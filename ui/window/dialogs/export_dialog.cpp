@@ -15,29 +15,13 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include "window/look/dialog_look.h"
 #include "window/look/ui_colors.h"
 #include "window/status/status_text.h"
-#include "words/qt_plain.h"
 
 namespace mapwright::window {
-
-namespace {
-
-QString fileNameFrom(const QString& name) {
-  QString plain = words::plainName(name);
-  static const QRegularExpression odd(QStringLiteral("[^\\w\\-. ]"),
-                                      QRegularExpression::UseUnicodePropertiesOption);
-  plain.replace(odd, QStringLiteral("_"));
-  plain = plain.left(60).trimmed();
-  while (plain.startsWith(QLatin1Char('.'))) plain.remove(0, 1);
-  return plain.isEmpty() ? QStringLiteral("map") : plain;
-}
-
-}  // namespace
 
 ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent)
     : QDialog(parent),

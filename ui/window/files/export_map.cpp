@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include "disk/read_file.h"
 #include "disk/written_file.h"
@@ -14,6 +15,7 @@
 #include "render/compose_grid.h"
 #include "scene/write_picture.h"
 #include "sentences/reason_sentence.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::window {
 
@@ -68,6 +70,16 @@ QString firstOwnSource(const QStringList& files, const std::vector<std::string>&
 
 QString exportSuffix(ExportFormat format) {
   return format == ExportFormat::MapServer ? QStringLiteral("yaml") : QStringLiteral("png");
+}
+
+QString fileNameFrom(const QString& name) {
+  QString plain = words::plainName(name);
+  static const QRegularExpression odd(QStringLiteral("[^\\w\\-. ]"),
+                                      QRegularExpression::UseUnicodePropertiesOption);
+  plain.replace(odd, QStringLiteral("_"));
+  plain = plain.left(60).trimmed();
+  while (plain.startsWith(QLatin1Char('.'))) plain.remove(0, 1);
+  return plain.isEmpty() ? QStringLiteral("map") : plain;
 }
 
 ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, const grids::Means& means) {

@@ -64,6 +64,8 @@ QStringList exportedFiles(const QString& path, ExportFormat format, bool with_wo
 QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources);
 /// The extension that the format takes: "png", "yaml".
 QString exportSuffix(ExportFormat format);
+/// A name that anybody may have given as the name of a file or a folder, without an ending.
+QString fileNameFrom(const QString& name);
 
 /// One export on a thread beyond the crew. GUI-thread object; deleting it cancels and waits.
 class ExportJob : public QObject {
