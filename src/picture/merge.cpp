@@ -108,28 +108,68 @@ Patch differenceTo(const EditedGrid& grid, const grids::GridPyramid& other,
   return canvas.take();
 }
 
-std::vector<CellRect> changedRuns(const EditedGrid& grid, const Patch& patch, std::size_t most) {
-  std::vector<CellRect> runs;
+Changes changesOf(const EditedGrid& grid, const Patch& patch, std::size_t most_runs) {
+  const auto kinds = kindsOf(grid.code());
+  Changes changes;
   for (const auto& [place, change] : patch.tiles) {
-    if (place.level != 0 || !change.after.cells) continue;
+    if (place.level != 0) continue;
     const auto before = grid.tile(0, place.x, place.y);
-    if (!before) continue;
-    const std::uint8_t *was = before->cells.get(), *is = change.after.cells.get();
+    const auto cells =
+        change.after.cells ? change.after.cells : grid.base()->tile(0, place.x, place.y)->cells;
+    const std::uint8_t *was = before->cells.get(), *is = cells.get();
     for (int v = 0; v < kEdge; ++v, was += kEdge, is += kEdge) {
       if (std::memcmp(was, is, kEdge) == 0) continue;
       for (int u = 0; u < kEdge; ++u) {
         if (was[u] == is[u]) continue;
         const int from = u;
-        while (u + 1 < kEdge && was[u + 1] != is[u + 1]) ++u;
-        if (runs.size() == most) return runs;
-        runs.push_back(CellRect{from, v, u + 1, v + 1}.moved(place.x * kEdge, place.y * kEdge));
+        const Kind becomes = kinds[is[u]];
+        while (u + 1 < kEdge && was[u + 1] != is[u + 1] && kinds[is[u + 1]] == becomes) ++u;
+        changes.become[std::size_t(becomes)] += u + 1 - from;
+        if (changes.runs.size() < most_runs)
+          changes.runs.push_back(
+              {CellRect{from, v, u + 1, v + 1}.moved(place.x * kEdge, place.y * kEdge), becomes});
       }
     }
   }
-  return runs;
+  return changes;
 }
 
-Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& base, bool take_theirs) {
+void CellSet::unite(const CellSet& other) {
+  for (const auto& [place, cells] : other.tiles) tiles[place] |= cells;
+}
+
+std::pair<std::int64_t, CellRect> CellSet::differing(const EditedGrid& one, const EditedGrid& other) const {
+  std::int64_t count = 0;
+  CellRect where;
+  for (const auto& [place, cells] : tiles) {
+    const auto a = one.tile(0, place.x, place.y), b = other.tile(0, place.x, place.y);
+    if (!a || !b || a->cells == b->cells) continue;
+    for (std::size_t at = 0; at < kTileCells; ++at) {
+      if (!cells[at] || a->cells.get()[at] == b->cells.get()[at]) continue;
+      ++count;
+      const int u = int(at % kEdge), v = int(at / kEdge);
+      where = where.united(CellRect{u, v, u + 1, v + 1}.moved(place.x * kEdge, place.y * kEdge));
+    }
+  }
+  return {count, where};
+}
+
+Patch copied(const EditedGrid& grid, const EditedGrid& source, const CellSet& cells) {
+  Canvas canvas(grid);
+  for (const auto& [place, of_tile] : cells.tiles) {
+    const auto from = source.tile(0, place.x, place.y);
+    if (!from) continue;
+    for (std::size_t at = 0; at < kTileCells; ++at) {
+      const std::uint8_t wanted = from->cells.get()[at];
+      if (!of_tile[at] || canvas.read(place.x, place.y)[at] == wanted) continue;
+      const int u = int(at % kEdge), v = int(at / kEdge);
+      canvas.write(place.x, place.y, {u, v, u + 1, v + 1})[at] = wanted;
+    }
+  }
+  return canvas.take();
+}
+
+Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& base) {
   Merge merge;
   Canvas canvas(mine);
   for (const auto& [place, change] : theirs.tiles) {
@@ -141,15 +181,12 @@ Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& 
     std::uint8_t* out = nullptr;
     for (std::size_t at = 0; at < kTileCells; ++at) {
       if (their[at] == was[at] || their[at] == my[at]) continue;
-      const int u = int(at % kEdge), v = int(at / kEdge);
-      const bool conflict = my[at] != was[at];
-      if (conflict) {
-        ++merge.conflicts;
-        merge.where =
-            merge.where.united(CellRect{u, v, u + 1, v + 1}.moved(place.x * kEdge, place.y * kEdge));
-        if (!take_theirs) continue;
+      if (my[at] != was[at]) {
+        merge.conflicts.tiles[place].set(at);
+        continue;
       }
       ++merge.taken;
+      const int u = int(at % kEdge), v = int(at / kEdge);
       out = canvas.write(place.x, place.y, {u, v, u + 1, v + 1});
       my = out;
       out[at] = their[at];
@@ -157,6 +194,86 @@ Merge mergeCells(const EditedGrid& mine, const Patch& theirs, const EditedGrid& 
   }
   merge.patch = canvas.take();
   return merge;
+}
+
+Rebase::Rebase(const Patch& theirs, std::shared_ptr<const EditedGrid> base) : base_(std::move(base)) {
+  for (const auto& [place, change] : theirs.tiles) {
+    if (place.level == 0 && change.after.cells) theirs_[place] = change.after;
+  }
+}
+
+void Rebase::know(const Merge& merge) {
+  for (const auto& [place, change] : merge.patch.tiles) {
+    if (place.level == 0) made_[{place, change.before.cells.get()}] = {change.before, change.after};
+  }
+}
+
+TileState Rebase::rebased(const TilePlace& place, const TileState& state) {
+  const auto their = theirs_.find(place);
+  if (their == theirs_.end()) return state;
+  Made& made = made_[{place, state.cells.get()}];
+  if (made.to.cells) return made.to;
+  made = {state, state};
+  const auto was = base_->tile(0, place.x, place.y);
+  const auto my = state.cells ? std::optional(grids::GridTile{state.cells, state.uniform, false})
+                              : base_->base()->tile(0, place.x, place.y);
+  if (!was || !my) return state;
+  if (my->cells == was->cells || std::memcmp(my->cells.get(), was->cells.get(), kTileCells) == 0)
+    return made.to = their->second;
+  std::shared_ptr<std::uint8_t[]> out;
+  for (std::size_t at = 0; at < kTileCells; ++at) {
+    const std::uint8_t now = my->cells.get()[at], before = was->cells.get()[at],
+                       theirs = their->second.cells.get()[at];
+    if (now != before || theirs == now) continue;
+    if (!out) {
+      out = std::make_shared_for_overwrite<std::uint8_t[]>(kTileCells);
+      std::memcpy(out.get(), my->cells.get(), kTileCells);
+    }
+    out[at] = theirs;
+  }
+  if (out) {
+    const bool uniform = std::memcmp(out.get(), out.get() + 1, kTileCells - 1) == 0;
+    made.to = {std::shared_ptr<const std::uint8_t>(out, out.get()), uniform};
+  }
+  return made.to;
+}
+
+void Rebase::apply(Patch& patch) {
+  std::map<TilePlace, TileChange> finest;
+  bool touched = false;
+  for (const auto& [place, change] : patch.tiles) {
+    if (place.level != 0) break;  // they are in order
+    finest[place] = {rebased(place, change.before), rebased(place, change.after)};
+  }
+  // A coarser tile tells of what lies around it, too.
+  for (const auto& [place, their] : theirs_) {
+    for (TilePlace under = place; !touched && under.level < base_->levels();
+         under = {under.level + 1, under.x / 2, under.y / 2})
+      touched = patch.tiles.contains(under);
+  }
+  if (!touched) return;
+  patch.tiles = std::move(finest);
+  patch.finest_only = true;
+}
+
+Patch withCoarserLevels(const EditedGrid& grid, const Patch& patch, bool done) {
+  Canvas canvas(grid);
+  for (const auto& [place, change] : patch.tiles) {
+    if (place.level != 0) continue;
+    const TileState& wanted = done ? change.before : change.after;
+    const auto cells = wanted.cells ? wanted.cells : grid.base()->tile(0, place.x, place.y)->cells;
+    const auto now = grid.tile(0, place.x, place.y);
+    if (std::memcmp(now->cells.get(), cells.get(), kTileCells) == 0) continue;
+    const CellRect rect = differingRect(now->cells.get(), cells.get());
+    std::memcpy(canvas.write(place.x, place.y, rect), cells.get(), kTileCells);
+  }
+  Patch made = canvas.take();
+  for (auto& [place, change] : made.tiles) {
+    // The tile that was there already, so that what steps share stays shared.
+    if (place.level == 0) change.after = done ? patch.tiles.at(place).before : patch.tiles.at(place).after;
+    if (done) std::swap(change.before, change.after);
+  }
+  return made;
 }
 
 }  // namespace mapwright::picture

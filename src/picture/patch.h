@@ -33,7 +33,8 @@ struct TileChange {
 /// Tiles of all levels, so that undoing and redoing exchange pointers and reckon nothing.
 struct Patch {
   std::map<TilePlace, TileChange> tiles;
-  CellRect cells;  // of level 0: nothing outside is changed
+  bool finest_only = false;  // coarser levels are to be made anew first (withCoarserLevels)
+  CellRect cells;            // of level 0: nothing outside is changed
 
   bool empty() const { return tiles.empty(); }
   /// What both do together, `later` after this one.

@@ -186,6 +186,7 @@ void PictureController::keepDraft() {
   const bool unsaved = editing_.unsaved();
   if (const auto trouble = drafts_->keep(); trouble && unsaved)
     context_.overlay.toasts()->add(
+  editing_.endStroke();  // it is kept with the rest
         Mark::Bad, tr("The changes of the map are lost. %1").arg(sentences::wordsOf(*trouble)));
   drafts_.reset();
 }
@@ -193,14 +194,14 @@ void PictureController::keepDraft() {
 /// The same map has come with another picture: what was saved here, or what somebody else has made of it.
 void PictureController::takeOther(const MapSlot& slot) {
   seen_ = slot.cells();
-  const bool touched = editing_.unsaved() || editing_.undoStack().count() > 0;
-  // What was saved here comes back, and may be overtaken by what was saved after it.
-  const std::string& revision = slot.shown().fingerprint;
-  const bool known = revision == revision_ || own_revisions_.contains(revision);
-  if (touched && known && slot.reference() == editing_.reference()) return;
-  if (touched && picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference()) {
-    coming_revision_ = revision;
-    editing_.takeIn(seen_);
+  const bool fits = picture::sameShape(*editing_.grid(), *seen_) && slot.reference() == editing_.reference();
+  if (fits && editing_.touched()) {
+    const std::string& revision = slot.shown().fingerprint;
+    // What was saved here comes back, and may be overtaken by what was saved after it.
+    const bool known = revision == revision_ || own_revisions_.contains(revision);
+    if (known && !editing_.merging()) return again_ ? noteMerged(0, revision_) : void();
+    own_revisions_.clear();  // what is like one of them from now on has been made so
+    editing_.takeIn(seen_, revision);
     return;
   }
   const std::int64_t lost = editing_.changedCells();
@@ -239,6 +240,7 @@ std::optional<map::MapKey> PictureController::mapInstead() const {
 bool PictureController::opening() const {
   if (!session_ || !wanted_map_ || editing_.isOpen()) return false;
   const MapSlot& slot = session_->wholeMap();
+  editing_.endStroke();
   const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
   return on_its_way && slot.key() == *wanted_map_;
 }

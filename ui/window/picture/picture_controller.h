@@ -60,7 +60,7 @@ class PictureController : public Controller {
   QString whyNot() const;
   void noteWritten(const std::shared_ptr<const picture::EditedGrid>& cells,
                    const robot::Outcome<robot::PictureReceipt>& outcome);
-  void noteMerged(qint64 taken);
+  void noteMerged(qint64 taken, const std::string& revision);
   void askToDecide();
   void askToSend();
   void send();
@@ -83,8 +83,8 @@ class PictureController : public Controller {
   robot::Call write_call_;
   bool forgetting_told_ = false;
   std::shared_ptr<const grids::GridPyramid> seen_;  // what came with the map last
-  std::string revision_, coming_revision_;          // of what is saved; of what is being merged
-  std::set<std::string> own_revisions_;             // that were saved from here
+  std::string revision_;                            // of what is saved
+  std::set<std::string> own_revisions_;             // that were saved from here since somebody else did
   bool shown_ = false;                              // the edited cells are what is drawn
   bool saving_ = false, again_ = false;             // again: saved once more when theirs has been taken in
   bool was_unsaved_ = false;

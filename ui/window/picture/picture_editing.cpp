@@ -43,6 +43,8 @@ void PictureEditing::reset() {
   stopLooking();
   if (merging_) merging_->store(true);
   merging_.reset();
+  coming_.reset();
+  taken_.reset();
   if (reckoning_) reckoning_->store(true);
   reckoning_.reset();
   waiting_.clear();
@@ -53,7 +55,8 @@ void PictureEditing::reset() {
   saved_.reset();
   selection_ = {};
   count_ = {};
-  conflict_.reset();
+  met_ = {};
+  recountConflicts();
   preview_.reset();
 }
 
@@ -93,6 +96,7 @@ void PictureEditing::startStroke(bool eraser, const picture::Brush& brush) {
   endStroke();
   dropPreview();
   erasing_ = eraser;
+  stroke_of_saved_ = saved_number_;
   stroke_.emplace(*grid_, picture::Brush{brush.across, eraser ? Ink{0, saved_} : brush.ink});
 }
 
@@ -111,11 +115,14 @@ void PictureEditing::endStroke() {
   PictureStep step;
   step.patch = stroke_->finish();
   stroke_.reset();
+  landMergeSoon();
   if (step.patch.empty()) return;
   step.before = count_.of(step.patch);
   step.after = picture::DifferenceCount::counted(*grid_, *saved_, step.patch);
-  step.of_saved = saved_number_;
+  // What was saved meanwhile holds a part of it: what came before is not known then.
+  step.of_saved = stroke_of_saved_ == saved_number_ ? saved_number_ : 0;
   count_.set(step.after);
+  recountConflicts();
   note(std::move(step), erasing_ ? tr("eraser") : tr("brush"));
   Q_EMIT stateChanged();
 }

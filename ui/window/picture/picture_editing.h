@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <QObject>
@@ -36,7 +37,9 @@ struct TidyPreview {
   picture::Tidied found;
   PictureStep step;
   std::shared_ptr<const picture::EditedGrid> cells;  // as they would be
-  std::vector<picture::CellRect> runs;               // what would change, as far as it can be marked
+  picture::Changes changes;                          // as far as they can be marked
+  /// What the step, which is complete, makes of the grid as it is now.
+  void show(const picture::EditedGrid& now);
 };
 
 class PictureEditing : public QObject {
@@ -109,10 +112,16 @@ class PictureEditing : public QObject {
   void noteSaved(const std::shared_ptr<const picture::EditedGrid>& saved);
   /// All as it is saved; can be undone.
   void revert();
-  /// Somebody else has made `theirs` of what is saved. Looked at on the crew; mergeDone() follows.
-  void takeIn(std::shared_ptr<const grids::GridPyramid> theirs);
+  /// Somebody else has made `theirs` of what is saved, which makes it that revision. Looked at on the crew,
+  /// and put together once the hand is up and nothing is being reckoned; mergeDone() follows. Of several that
+  /// come meanwhile the last one counts. It lies under all that was done here: undoing takes back nothing of
+  /// it.
+  void takeIn(std::shared_ptr<const grids::GridPyramid> theirs, std::string revision);
+  bool merging() const { return merging_ != nullptr; }
+  /// Something of it is from here, or under way: it cannot simply be opened anew.
+  bool touched() const;
   /// Cells that both have changed, differently, and nobody has decided about.
-  std::int64_t conflicts() const { return conflict_ ? conflict_->cells : 0; }
+  std::int64_t conflicts() const { return conflicts_; }
   geometry::WorldRect whereConflicts() const;
   void decide(bool take_theirs);
 
@@ -122,9 +131,9 @@ class PictureEditing : public QObject {
 
  Q_SIGNALS:
   void cellsChanged(const mapwright::geometry::WorldRect& where);
-  void stateChanged();           // choices, counts, selection, preview, conflicts
-  void previewChanged();         // another grid is to be shown
-  void mergeDone(qint64 taken);  // takeIn() has ended
+  void stateChanged();    // choices, counts, selection, preview, conflicts
+  void previewChanged();  // another grid is to be shown
+  void mergeDone(qint64 taken, const std::string& revision);  // takeIn() has ended
   void tooLarge();
   void stepsForgotten(int steps);  // they took more than setUndoBudget()
 
@@ -134,6 +143,10 @@ class PictureEditing : public QObject {
   /// On the crew: what it writes is one change. False: it would reach too far.
   using Make = std::function<bool(picture::Canvas& canvas, const std::atomic<bool>& stop)>;
   struct Taken;
+  struct Coming {
+    std::shared_ptr<const grids::GridPyramid> cells;
+    std::string revision;
+  };
   void reset();
   void change(const QString& text, std::int64_t most_cells, Make make, std::function<void()> then = {});
   void reckon(const QString& text, Make make, std::function<void()> then);
@@ -141,21 +154,18 @@ class PictureEditing : public QObject {
   bool waits(std::function<void()> operation);
   void startStroke(bool eraser, const picture::Brush& brush);
   void forgetOldest();
-  struct Conflict {
-    picture::Patch theirs;
-    std::shared_ptr<const picture::EditedGrid> base;
-    std::int64_t cells = 0;
-    picture::CellRect where;
-  };
   picture::Ink ink() const;
   picture::Ink groundInk() const;
   void push(PictureStep step, const QString& text);
   void note(PictureStep step, const QString& text);
   void exchange(PictureStep& step, bool forward);
   void setSaved(std::shared_ptr<const picture::EditedGrid> saved);
-  static Taken takenFrom(const picture::EditedGrid& mine, const picture::EditedGrid& base,
-                         picture::Patch theirs);
-  void take(Taken taken, const std::shared_ptr<const picture::EditedGrid>& base);
+  void mergeNext();
+  void landMerge();
+  void landMergeSoon();
+  void rebase(picture::Rebase& rebase);
+  std::vector<picture::Patch> stepsSoFar() const;
+  void recountConflicts();
   void stopLooking();
 
   std::shared_ptr<picture::EditedGrid> grid_;
@@ -166,12 +176,17 @@ class PictureEditing : public QObject {
   int across_ = 3;
   std::optional<picture::Stroke> stroke_;
   bool erasing_ = false, stroke_waits_ = false;
+  quint64 stroke_of_saved_ = 0;
   picture::CellRect selection_;
   std::shared_ptr<const picture::Clip> clip_;
   picture::DifferenceCount count_;
   std::optional<TidyPreview> preview_;
-  std::optional<Conflict> conflict_;
+  picture::CellSet met_;  // that both have changed; of these, those that are not as they are saved:
+  std::int64_t conflicts_ = 0;
+  picture::CellRect where_conflicts_;
   StopFlag looking_, merging_, reckoning_;  // set to stop it; null: nothing of the kind is under way
+  std::optional<Coming> coming_;            // theirs, to be looked at next
+  std::shared_ptr<Taken> taken_;            // looked at, and not on the map yet
   std::vector<std::function<void()>> waiting_;
   quint64 saved_number_ = 1;  // of states that were saved
   std::size_t undo_budget_ = std::size_t(256) << 20;

@@ -1,5 +1,7 @@
 // PictureEditing: tidying up beside the window, what is saved, and what others have changed.
 #include <atomic>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "window/picture/picture_editing.h"
@@ -29,9 +31,19 @@ picture::Tidied tidy(Canvas& canvas, const picture::CellRect& where, Tidying wha
 
 }  // namespace
 
+void TidyPreview::show(const EditedGrid& now) {
+  changes = picture::changesOf(now, step.patch, kMostMarked);
+  const auto then = now.snapshot();
+  then->apply(step.patch);
+  cells = then;
+  found.cells = std::accumulate(changes.become.begin(), changes.become.end(), std::int64_t(0));
+}
+
 void PictureEditing::stopLooking() {
-  if (looking_) looking_->store(true);
+  if (!looking_) return;
+  looking_->store(true);
   looking_.reset();
+  landMergeSoon();
 }
 
 void PictureEditing::lookFor(Tidying what, int cells) {
@@ -48,18 +60,16 @@ void PictureEditing::lookFor(Tidying what, int cells) {
     made.found = tidy(canvas, where, what, cells, stop.get());
     PictureStep& step = made.step;
     step.patch = canvas.take();
-    made.runs = picture::changedRuns(*now, step.patch, kMostMarked);
-    const auto then = now->snapshot();
-    then->apply(step.patch);
-    made.cells = then;
+    made.show(*now);
     step.before = picture::DifferenceCount::counted(*now, *saved, step.patch);
-    step.after = picture::DifferenceCount::counted(*then, *saved, step.patch);
+    step.after = picture::DifferenceCount::counted(*made.cells, *saved, step.patch);
     step.of_saved = number;
     QMetaObject::invokeMethod(
         this,
         [this, stop, made = std::move(made)]() mutable {
           if (stop != looking_) return;  // the cells are others now, or something else is looked for
           looking_.reset();
+          landMergeSoon();
           preview_ = std::move(made);
           Q_EMIT previewChanged();
           Q_EMIT stateChanged();
@@ -92,6 +102,8 @@ std::shared_ptr<const EditedGrid> PictureEditing::snapshot() const { return grid
 void PictureEditing::noteSaved(const std::shared_ptr<const EditedGrid>& saved) {
   if (!grid_ || saved->base() != grid_->base()) return;
   setSaved(saved);
+  met_ = {};  // what was not decided was not saved
+  recountConflicts();
   count_ = picture::DifferenceCount::between(*grid_, *saved_);
   Q_EMIT stateChanged();
 }
@@ -99,7 +111,6 @@ void PictureEditing::noteSaved(const std::shared_ptr<const EditedGrid>& saved) {
 void PictureEditing::revert() {
   if (!grid_ || waits([this] { revert(); })) return;
   endStroke();
-  conflict_.reset();
   constexpr int kEdge = Canvas::kEdge;
   std::vector<picture::TilePlace> places;
   for (const auto& [place, count] : count_.tiles) places.push_back(place);
@@ -115,81 +126,99 @@ void PictureEditing::revert() {
 
 /// What others have made of the saved picture, put together with what is here.
 struct PictureEditing::Taken {
+  std::shared_ptr<const EditedGrid> base, saved;  // what was saved before, and what is now
   Patch theirs;
   picture::Merge merge;
-  std::shared_ptr<const EditedGrid> saved;
-  picture::DifferenceCount count;
+  quint64 of_grid = 0;  // the revision of the grid that it was made for
+  picture::Rebase rebase;
+  std::string revision;
 };
 
-PictureEditing::Taken PictureEditing::takenFrom(const EditedGrid& mine, const EditedGrid& base,
-                                                Patch theirs) {
-  Taken taken;
-  taken.merge = picture::mergeCells(mine, theirs, base);
-  const auto saved = base.snapshot();
-  saved->apply(theirs);
-  taken.saved = saved;
-  const auto then = mine.snapshot();
-  then->apply(taken.merge.patch);
-  taken.count = picture::DifferenceCount::between(*then, *saved);
-  taken.theirs = std::move(theirs);
-  return taken;
+bool PictureEditing::touched() const {
+  return unsaved() || undo_.count() > 0 || stroking() || reckoning() || looking() || preview_ || merging() ||
+         !selection_.empty();
 }
 
-void PictureEditing::takeIn(std::shared_ptr<const grids::GridPyramid> theirs) {
+void PictureEditing::takeIn(std::shared_ptr<const grids::GridPyramid> theirs, std::string revision) {
   if (!grid_) return;
-  if (merging_) merging_->store(true);
+  coming_ = Coming{std::move(theirs), std::move(revision)};
+  if (!merging_) mergeNext();
+}
+
+void PictureEditing::mergeNext() {
+  if (!coming_) return;
   merging_ = std::make_shared<std::atomic<bool>>(false);
-  share_.startLong([this, theirs = std::move(theirs), base = saved_, mine = grid_->snapshot(),
-                    revision = grid_->revision(), stop = merging_] {
-    const auto taken =
-        std::make_shared<Taken>(takenFrom(*mine, *base, picture::differenceTo(*base, *theirs, stop.get())));
+  share_.startLong([this, coming = *std::exchange(coming_, std::nullopt), base = saved_,
+                    mine = grid_->snapshot(), of_grid = grid_->revision(), steps = stepsSoFar(),
+                    stop = merging_]() mutable {
+    Patch theirs = picture::differenceTo(*base, *coming.cells, stop.get());
+    picture::Rebase rebase(theirs, base);
+    picture::Merge merge = picture::mergeCells(*mine, theirs, *base);
+    rebase.know(merge);
+    for (Patch& patch : steps) rebase.apply(patch);  // it remembers what came of them
+    const auto saved = base->snapshot();
+    saved->apply(theirs);
+    const auto taken = std::make_shared<Taken>(Taken{base, saved, std::move(theirs), std::move(merge),
+                                                     of_grid, std::move(rebase), std::move(coming.revision)});
     QMetaObject::invokeMethod(
         this,
-        [this, stop, base, revision, taken] {
+        [this, stop, taken] {
           if (stop != merging_) return;
-          merging_.reset();
-          const auto land = [this, base, revision, taken] {
-            endStroke();
-            if (grid_->revision() != revision) *taken = takenFrom(*grid_, *base, std::move(taken->theirs));
-            take(std::move(*taken), base);
-          };
-          if (!waits(land)) land();
+          taken_ = taken;
+          landMerge();
         },
         Qt::QueuedConnection);
   });
 }
 
-void PictureEditing::take(Taken taken, const std::shared_ptr<const EditedGrid>& base) {
-  setSaved(taken.saved);
-  conflict_.reset();
-  if (taken.merge.conflicts > 0)
-    conflict_ = Conflict{std::move(taken.theirs), base, taken.merge.conflicts, taken.merge.where};
-  PictureStep step;
-  step.patch = std::move(taken.merge.patch);
-  step.of_saved = saved_number_;
-  for (const auto& [place, change] : step.patch.tiles) {
-    if (place.level != 0) continue;
-    const auto found = taken.count.tiles.find(place);
-    step.after.emplace_back(place, found == taken.count.tiles.end() ? 0 : found->second);
-  }
-  step.before = picture::DifferenceCount::counted(*grid_, *saved_, step.patch);
-  push(std::move(step), tr("changes from elsewhere"));
-  count_ = std::move(taken.count);
-  Q_EMIT stateChanged();
-  Q_EMIT mergeDone(taken.merge.taken);
+/// Not at once: whoever calls is in the middle of a change.
+void PictureEditing::landMergeSoon() {
+  if (taken_) QMetaObject::invokeMethod(this, &PictureEditing::landMerge, Qt::QueuedConnection);
 }
 
-geometry::WorldRect PictureEditing::whereConflicts() const {
-  return conflict_ ? worldOf(conflict_->where) : geometry::WorldRect{};
+void PictureEditing::landMerge() {
+  // A stroke goes on from where it is, and what is reckoned is made for the cells as they are.
+  if (!taken_ || stroking() || reckoning() || looking()) return;
+  Taken& taken = *taken_;
+  if (grid_->revision() != taken.of_grid) {
+    taken.merge = picture::mergeCells(*grid_, taken.theirs, *taken.base);
+    taken.rebase.know(taken.merge);
+  }
+  rebase(taken.rebase);
+  grid_->apply(taken.merge.patch);
+  setSaved(taken.saved);
+  if (preview_) {
+    PictureStep& step = preview_->step;
+    taken.rebase.apply(step.patch);
+    if (step.patch.finest_only) step.patch = picture::withCoarserLevels(*grid_, step.patch, false);
+    preview_->show(*grid_);
+    step.of_saved = 0;
+    Q_EMIT previewChanged();
+  }
+  count_.recount(*grid_, *saved_, taken.theirs);
+  met_.unite(taken.merge.conflicts);
+  recountConflicts();
+  const auto landed = std::exchange(taken_, nullptr);
+  merging_.reset();
+  Q_EMIT cellsChanged(worldOf(landed->merge.patch.cells));
+  Q_EMIT stateChanged();
+  Q_EMIT mergeDone(landed->merge.taken, landed->revision);
+  if (!merging_ && grid_) mergeNext();
 }
+
+void PictureEditing::recountConflicts() {
+  std::tie(conflicts_, where_conflicts_) =
+      met_.tiles.empty() ? std::pair<std::int64_t, picture::CellRect>{} : met_.differing(*grid_, *saved_);
+}
+
+geometry::WorldRect PictureEditing::whereConflicts() const { return worldOf(where_conflicts_); }
 
 void PictureEditing::decide(bool take_theirs) {
-  if (!conflict_ || waits([this, take_theirs] { decide(take_theirs); })) return;
+  if (conflicts_ == 0 || waits([this, take_theirs] { decide(take_theirs); })) return;
   endStroke();
-  const Conflict conflict = *std::exchange(conflict_, std::nullopt);
-  if (take_theirs)
-    push({picture::mergeCells(*grid_, conflict.theirs, *conflict.base, true).patch, {}, {}, 0},
-         tr("take theirs"));
+  const picture::CellSet met = std::exchange(met_, {});
+  if (take_theirs) push({picture::copied(*grid_, *saved_, met), {}, {}, 0}, tr("take theirs"));
+  recountConflicts();
   Q_EMIT stateChanged();
 }
 

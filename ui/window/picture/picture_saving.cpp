@@ -65,8 +65,11 @@ QMessageBox* PictureController::sendingQuestion() const { return sending_questio
 void PictureController::send() {
   if (saving_ || !editing_.unsaved() || !session_ || !open_map_) return;
   if (editing_.conflicts() > 0) return askToDecide();
-  robot::PictureStore* const store = session_->robot().pictureStore();
-  if (!store) return;
+  if (editing_.merging()) {
+    again_ = true;  // it would be refused: what is kept is another picture already
+    return;
+  }
+  if (!session_->robot().pictureStore()) return;
   saving_ = true;
   trouble_.clear();
   const auto cells = editing_.snapshot();
@@ -109,8 +112,8 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
   syncMap();
 }
 
-void PictureController::noteMerged(qint64 taken) {
-  revision_ = coming_revision_;
+void PictureController::noteMerged(qint64 taken, const std::string& revision) {
+  revision_ = revision;
   trouble_.clear();
   const bool again = std::exchange(again_, false);
   if (editing_.conflicts() > 0) {
@@ -122,8 +125,10 @@ void PictureController::noteMerged(qint64 taken) {
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
     }
   } else if (taken > 0) {
-    context_.overlay.toasts()->add(Mark::Warning,
-                                   tr("%1 has changed elsewhere. Both are put together.").arg(mapName()));
+    const QString told = tr("%1 has changed elsewhere. Both are put together.").arg(mapName());
+    // Somebody who paints there comes with every stroke.
+    if (!context_.overlay.toasts()->texts().contains(told))
+      context_.overlay.toasts()->add(Mark::Warning, told);
   }
   refresh();
 }

@@ -22,21 +22,44 @@ constexpr std::int64_t kMostAtOnce = std::int64_t(1) << 21;
 class PictureEditing::Command : public QUndoCommand {
  public:
   Command(PictureEditing& editing, PictureStep step, const QString& text)
-      : QUndoCommand(text), editing_(editing), step_(std::move(step)) {
-    editing_.held_.add(step_.patch);
+      : QUndoCommand(text), editing_(editing), step_(std::make_unique<PictureStep>(std::move(step))) {
+    editing_.held_.add(step_->patch);
   }
-  ~Command() override { editing_.held_.remove(step_.patch); }
-  void undo() override { editing_.exchange(step_, false); }
+  ~Command() override { editing_.held_.remove(step_->patch); }
+  void undo() override { exchange(false); }
   void redo() override {
-    if (!std::exchange(done_, false)) editing_.exchange(step_, true);
+    if (!std::exchange(done_, false)) exchange(true);
   }
-  const PictureStep& step() const { return step_; }
+  /// Which what comes from elsewhere changes, too, though the stack shows its commands as constants.
+  PictureStep& step() const { return *step_; }
 
  private:
+  void exchange(bool forward) {
+    editing_.held_.remove(step_->patch);
+    editing_.exchange(*step_, forward);
+    editing_.held_.add(step_->patch);
+  }
+
   PictureEditing& editing_;
-  PictureStep step_;
+  std::unique_ptr<PictureStep> step_;
   bool done_ = true;
 };
+
+void PictureEditing::rebase(picture::Rebase& rebase) {
+  for (int i = 0; i < undo_.count(); ++i) {
+    Patch& patch = static_cast<const Command*>(undo_.command(i))->step().patch;
+    held_.remove(patch);
+    rebase.apply(patch);
+    held_.add(patch);
+  }
+}
+
+std::vector<Patch> PictureEditing::stepsSoFar() const {
+  std::vector<Patch> patches;
+  for (int i = 0; i < undo_.count(); ++i)
+    patches.push_back(static_cast<const Command*>(undo_.command(i))->step().patch);
+  return patches;
+}
 
 void PictureEditing::setSaved(std::shared_ptr<const picture::EditedGrid> saved) {
   saved_ = std::move(saved);
@@ -45,6 +68,7 @@ void PictureEditing::setSaved(std::shared_ptr<const picture::EditedGrid> saved) 
 
 void PictureEditing::push(PictureStep step, const QString& text) {
   if (step.patch.empty()) return;
+  endStroke();  // what it has done is on the grid that this was made for
   exchange(step, true);
   note(std::move(step), text);
 }
@@ -64,8 +88,10 @@ void PictureEditing::exchange(PictureStep& step, bool forward) {
   // What is under way was made for the cells as they were: it never was.
   if (stroke_) grid_->revert(stroke_->finish());
   stroke_.reset();
+  landMergeSoon();
   stop();
   dropPreview();
+  if (step.patch.finest_only) step.patch = picture::withCoarserLevels(*grid_, step.patch, !forward);
   if (step.of_saved != saved_number_ && forward) step.before = count_.of(step.patch);
   if (forward) {
     grid_->apply(step.patch);
@@ -79,6 +105,7 @@ void PictureEditing::exchange(PictureStep& step, bool forward) {
     step.of_saved = forward ? saved_number_ : 0;
     if (forward) step.after = count_.of(step.patch);
   }
+  recountConflicts();
   Q_EMIT cellsChanged(worldOf(step.patch.cells));
   Q_EMIT stateChanged();
 }
@@ -152,6 +179,7 @@ void PictureEditing::reckon(const QString& text, Make make, std::function<void()
 void PictureEditing::land(std::optional<PictureStep> step, const QString& text,
                           const std::function<void()>& then) {
   reckoning_.reset();
+  landMergeSoon();
   stroke_waits_ = false;
   const auto waiting = std::exchange(waiting_, {});
   if (step) {
@@ -169,6 +197,7 @@ void PictureEditing::stop() {
   if (!reckoning_) return;
   reckoning_->store(true);
   reckoning_.reset();
+  landMergeSoon();
   Q_EMIT stateChanged();
 }
 
