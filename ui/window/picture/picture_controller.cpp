@@ -68,6 +68,12 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
   });
   connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
+  connect(dock_, &PictureDock::lookWanted, this, [this](Tidying what, int cells) {
+    // Its keys are those of the tool, on the map.
+    if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
+    editing_.lookFor(what, cells);
+    context_.view.setFocus();
+  });
   connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
   connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -39,6 +40,18 @@ QPushButton* compact(const QString& text, QWidget* parent) {
   auto* button = new QPushButton(text, parent);
   button->setObjectName(QStringLiteral("compact"));
   return button;
+}
+
+/// How a cell of this kind is marked on the map.
+QPixmap signOf(picture::Kind kind, double ratio) {
+  constexpr int kEdgePx = 14;
+  QPixmap sign(QSize(kEdgePx, kEdgePx) * ratio);
+  sign.setDevicePixelRatio(ratio);
+  const BecomesLook look = becomesLook(kind);
+  sign.fill(look.color);
+  QPainter painter(&sign);
+  painter.fillRect(QRect(0, 0, kEdgePx, kEdgePx), QBrush(QColor(0, 0, 0, 150), look.lines));
+  return sign;
 }
 
 void colour(QLabel* label, const QColor& color) {
@@ -192,7 +205,7 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
     look->setToolTip(tr("Shows how it would be; nothing is changed yet"));
     look->setAccessibleName(tr("Look: %1").arg(tidyName(what)));
     connect(look, &QPushButton::clicked, this,
-            [this, what, spin] { editing_->lookFor(what, spin->value()); });
+            [this, what, spin] { Q_EMIT lookWanted(what, spin->value()); });
     grid->addWidget(label, i, 0);
     grid->addWidget(spin, i, 1);
     grid->addWidget(look, i, 2);
@@ -216,6 +229,19 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
     editing_->dropPreview();
   });
   column->addWidget(preview_row_);
+  for (int i = 0; i < picture::kKinds; ++i) {
+    LegendRow& legend = legend_[std::size_t(i)];
+    legend.row = new QWidget(body_);
+    auto* parts = new QHBoxLayout(legend.row);
+    parts->setContentsMargins(0, 0, 0, 0);
+    parts->setSpacing(6);
+    auto* sign = new QLabel(legend.row);
+    sign->setPixmap(signOf(picture::Kind(i), devicePixelRatioF()));
+    legend.text = new QLabel(legend.row);
+    parts->addWidget(sign);
+    parts->addWidget(legend.text, 1);
+    column->addWidget(legend.row);
+  }
 }
 
 void PictureDock::buildDecision(QVBoxLayout* column) {
@@ -295,6 +321,14 @@ QString PictureDock::savingText() const {
   return tr("Sent. Waiting for the robot to show it …");
 }
 
+QStringList PictureDock::legend() const {
+  QStringList words;
+  for (const LegendRow& legend : legend_) {
+    if (!legend.row->isHidden()) words << legend.text->text();
+  }
+  return words;
+}
+
 QString PictureDock::status() const { return status_->text(); }
 
 void PictureDock::refresh() {
@@ -330,6 +364,12 @@ void PictureDock::refresh() {
   found_->setText(reckoning             ? tr("Being reckoned …")
                   : editing_->preview() ? previewText(*editing_->preview())
                                         : tr("Looking …"));
+  for (int i = 0; i < picture::kKinds; ++i) {
+    const auto& preview = editing_->preview();
+    const std::int64_t cells = preview ? preview->changes.become[std::size_t(i)] : 0;
+    legend_[std::size_t(i)].text->setText(becomesText(picture::Kind(i), cells));
+    legend_[std::size_t(i)].row->setVisible(cells > 0);
+  }
   apply_->setVisible(!reckoning);
   apply_->setEnabled(editing_->preview() && !editing_->preview()->step.patch.empty());
   decision_->setVisible(editing_->conflicts() > 0);

@@ -45,11 +45,14 @@ class PictureDock : public QDockWidget {
   QPushButton* restoreButton() const { return restore_; }
   QPushButton* stopButton() const { return stop_; }
   QString status() const;
+  /// What the colours of the preview mean, as far as it has them.
+  QStringList legend() const;
 
  Q_SIGNALS:
   void draftWanted();
   void draftNotWanted();
   void modeWanted(mapwright::window::PaintMode mode);
+  void lookWanted(mapwright::window::Tidying what, int cells);
   void saveWanted();
   void discardWanted();
   void compareWanted();
@@ -80,6 +83,11 @@ class PictureDock : public QDockWidget {
   std::array<QPushButton*, 3> tidy_buttons_{};
   QLabel* tidy_where_ = nullptr;
   QLabel* found_ = nullptr;
+  struct LegendRow {
+    QWidget* row = nullptr;
+    QLabel* text = nullptr;
+  };
+  std::array<LegendRow, picture::kKinds> legend_{};
   QPushButton *apply_ = nullptr, *drop_ = nullptr;
   QWidget *preview_row_ = nullptr, *decision_ = nullptr;
   QLabel *conflict_ = nullptr, *offer_ = nullptr;

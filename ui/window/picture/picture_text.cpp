@@ -135,6 +135,30 @@ QString previewText(const TidyPreview& preview) {
   return Words::tr("%1 of %2 would go.").arg(specks, cellsText(preview.found.cells));
 }
 
+QString becomesText(picture::Kind kind, std::int64_t cells) {
+  switch (kind) {
+    case picture::Kind::Free:
+      return Words::tr("becomes free: %1").arg(cellsText(cells));
+    case picture::Kind::Occupied:
+      return Words::tr("becomes occupied: %1").arg(cellsText(cells));
+    case picture::Kind::Unknown:
+      break;
+  }
+  return Words::tr("becomes unknown: %1").arg(cellsText(cells));
+}
+
+BecomesLook becomesLook(picture::Kind kind) {
+  switch (kind) {
+    case picture::Kind::Free:
+      return {QColor(86, 180, 233), Qt::NoBrush};
+    case picture::Kind::Occupied:
+      return {QColor(213, 94, 0), Qt::FDiagPattern};
+    case picture::Kind::Unknown:
+      break;
+  }
+  return {QColor(170, 51, 119), Qt::DiagCrossPattern};
+}
+
 QString changedText(std::int64_t cells) {
   if (cells == 0) return Words::tr("Nothing is changed.");
   return Words::tr("Changed: %1.").arg(cellsText(cells));

@@ -1,6 +1,7 @@
 // What the window says about editing pictures of maps.
 #pragma once
 
+#include <QColor>
 #include <QDateTime>
 #include <QString>
 
@@ -18,6 +19,15 @@ QString tidyName(Tidying what);
 QString tidyTip(Tidying what);
 /// "12 specks, 48 cells would change."
 QString previewText(const TidyPreview& preview);
+/// "becomes free: 12 cells"
+QString becomesText(picture::Kind kind, std::int64_t cells);
+/// How a cell that would become of this kind is marked: told apart by lightness and by lines, too, not by the
+/// colour alone.
+struct BecomesLook {
+  QColor color;
+  Qt::BrushStyle lines;  // over the colour, where there is room
+};
+BecomesLook becomesLook(picture::Kind kind);
 /// "1,204 cells are changed." "Nothing is changed."
 QString changedText(std::int64_t cells);
 QString cellsText(std::int64_t cells);

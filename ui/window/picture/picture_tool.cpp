@@ -1,5 +1,6 @@
 #include "window/picture/picture_tool.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -7,12 +8,14 @@
 
 #include "scene/layer_item.h"
 #include "window/look/ui_colors.h"
+#include "window/picture/picture_text.h"
 
 namespace mapwright::window {
 
 namespace {
 
 constexpr double kLeastMarkPx = 3;
+constexpr double kLinesFromPx = 6;     // a cell this wide has room for lines
 constexpr double kLeastCornersPx = 9;  // a click this near to the first corner closes a polygon
 
 /// A line that is seen on any ground.
@@ -271,17 +274,28 @@ void PictureTool::paintPreview(QPainter& painter) const {
     for (const double y : {visible.min_y, visible.max_y})
       seen = seen.united(picture::rectangleOf(editing_->cellAt({x, y}), editing_->cellAt({x, y})));
   }
-  QList<QRectF> marks;
-  for (const picture::CellRect& run : editing_->preview()->runs) {
-    if (run.intersected(seen).empty()) continue;
-    marks << QRectF(run.left, run.top, run.width(), run.height()).adjusted(-wider, -wider, wider, wider);
+  std::array<QList<QRectF>, picture::kKinds> marks;
+  for (const picture::ChangedRun& run : editing_->preview()->changes.runs) {
+    if (run.cells.intersected(seen).empty()) continue;
+    marks[std::size_t(run.becomes)] << QRectF(run.cells.left, run.cells.top, run.cells.width(),
+                                              run.cells.height())
+                                           .adjusted(-wider, -wider, wider, wider);
   }
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
-  painter.setTransform(QTransform(across.x(), across.y(), down.x(), down.y(), corner.x(), corner.y()), true);
+  const QTransform of_cells(across.x(), across.y(), down.x(), down.y(), corner.x(), corner.y());
+  painter.setTransform(of_cells, true);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(appColors().error);
-  painter.drawRects(marks);
+  for (int i = 0; i < picture::kKinds; ++i) {
+    const BecomesLook look = becomesLook(picture::Kind(i));
+    painter.setBrush(look.color);
+    painter.drawRects(marks[std::size_t(i)]);
+    if (cell_px < kLinesFromPx) continue;
+    QBrush lines(QColor(0, 0, 0, 150), look.lines);
+    lines.setTransform(of_cells.inverted());  // in pixels, however large the cells are
+    painter.setBrush(lines);
+    painter.drawRects(marks[std::size_t(i)]);
+  }
   painter.restore();
 }
 
