@@ -1,5 +1,7 @@
 #include "picture/paint.h"
 
+#include <algorithm>
+
 namespace mapwright::picture {
 
 namespace {
@@ -29,6 +31,26 @@ std::optional<std::uint8_t> byteOf(Kind kind, grids::CellCode code) {
   }
   if (code == grids::CellCode::FullGray) return std::nullopt;
   return grids::unknownByte(code);
+}
+
+std::optional<std::uint8_t> firstOther(const grids::GridPyramid& cells, const std::array<bool, 256>& held,
+                                       const std::atomic<bool>& cancelled) {
+  constexpr int kTile = grids::GridPyramid::kTileEdge;
+  for (int y = 0; y * kTile < cells.height() && !cancelled; ++y) {
+    for (int x = 0; x * kTile < cells.width(); ++x) {
+      const auto tile = cells.tile(0, x, y);
+      if (!tile) continue;
+      const int right = std::min(kTile, cells.width() - x * kTile),
+                bottom = std::min(kTile, cells.height() - y * kTile);
+      for (int v = 0; v < (tile->uniform ? 1 : bottom); ++v) {
+        const std::uint8_t* const row = tile->cells.get() + std::size_t(v) * kTile;
+        const std::uint8_t* const other =
+            std::find_if(row, row + right, [&held](std::uint8_t byte) { return !held[byte]; });
+        if (other != row + right) return *other;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace mapwright::picture

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,10 @@ std::array<Kind, 256> kindsOf(grids::CellCode code);
 /// The byte that is painted for a kind; nullopt: the code has none (unknown ground in a picture whose every
 /// gray is a gray).
 std::optional<std::uint8_t> byteOf(Kind kind, grids::CellCode code);
+
+/// The first byte among the cells of a grid that is not one of `held`; nullopt: all are, or it was cancelled.
+std::optional<std::uint8_t> firstOther(const grids::GridPyramid& cells, const std::array<bool, 256>& held,
+                                       const std::atomic<bool>& cancelled);
 
 /// A byte, or the cells of another grid of the same size and code at the same places (which takes changes
 /// back).

@@ -2,6 +2,7 @@
 // (update_map_image).
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ class PictureStore : public QObject {
   virtual std::optional<PictureObstacle> obstacle(const map::WholeMap& map) const = 0;
   /// Unknown ground can be written into the picture of this map. Asks nobody.
   virtual bool holdsUnknown(const map::WholeMap& map) const = 0;
+  /// A cell with this byte, of the code that the map has, can be written. Asks nobody.
+  virtual bool holdsCell(const map::WholeMap& /*map*/, std::uint8_t /*cell*/) const { return true; }
   /// Writes it whole or not at all, reads it back and compares. FailureKind::Conflict: what is kept is no
   /// longer of that revision; nothing is written then.
   virtual Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) = 0;

@@ -147,6 +147,7 @@ class FakeRobot : public robot::Robot,
   robot::MapCatalogue* mapCatalogue() override { return has_catalogue ? &maps : nullptr; }
   robot::WholeMapSource* wholeMapSource() override { return has_catalogue ? &maps : nullptr; }
   robot::LiveTopics* liveTopics() override { return has_live ? this : nullptr; }
+  robot::PictureStore* pictureStore() override { return picture_store; }
   robot::Absence whyNot(robot::Capability capability) const override {
     const bool limited = capability == robot::Capability::Administration && !read_only_maker.isEmpty();
     if (!limited) return {};
@@ -260,6 +261,7 @@ class FakeRobot : public robot::Robot,
   QString read_only_maker;
   robot::MapAdministration* administration = nullptr;  // not owned
   robot::WaypointStore* waypoint_store = nullptr;      // not owned
+  robot::PictureStore* picture_store = nullptr;        // not owned
   const map::WaypointList* told_waypoints = nullptr;   // those that can only be read; not owned
   FakeMaps maps;
   QStringList wanted, trusted, trusted_beside;

@@ -1,14 +1,18 @@
 // Editing the picture of a map in the window: painting by hand, undoing, saving, what others write meanwhile,
 // leaving.
+#include <random>
+
 #include <QAction>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTimer>
 #include <QToolButton>
 #include <QtTest>
 
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
+#include "window/look/ui_colors.h"
 #include "window/main_window.h"
 #include "window/map/compare_control.h"
 #include "window/map/map_overlay.h"
@@ -17,7 +21,9 @@
 #include "window/picture/picture_controller.h"
 #include "window/picture/picture_dock.h"
 #include "window/picture/picture_drafts.h"
+#include "window/picture/picture_text.h"
 #include "window/picture/picture_tool.h"
+#include "window_bench.h"
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -54,10 +60,12 @@ struct Desk {
     }
     writeFile(pgm(), bytes);
   }
-  int shadeOnDisk(int x, int y) const {
+  QByteArray cellsOnDisk() const {
     QFile file(pgm());
-    if (!file.open(QIODevice::ReadOnly)) return -1;
-    const QByteArray cells = file.readAll().right(kWidth * kHeight);
+    return file.open(QIODevice::ReadOnly) ? file.readAll().right(kWidth * kHeight) : QByteArray();
+  }
+  int shadeOnDisk(int x, int y) const {
+    const QByteArray cells = cellsOnDisk();
     return cells.size() == kWidth * kHeight ? int(std::uint8_t(cells[y * kWidth + x])) : -1;
   }
 
@@ -245,6 +253,45 @@ class TestWindowPicture : public QObject {
     QCOMPARE(int(desk.cells().at(20, 20)), 100);
   }
 
+  void whatIsShownBeforeItIsTidiedUpHasKeysAndALegend() {
+    Desk desk;
+    // A speck in free ground, one in unknown ground, and a gap in a wall.
+    desk.writeCells([](int x, int y) {
+      if ((x == 20 && y == 20) || (x == 320 && y == 20) || (x == 321 && y == 20)) return char(0);
+      if (y == 200 && x > 50 && x < 350 && x != 200) return char(0);
+      return x > 300 && y < 100 ? char(205) : char(254);
+    });
+    desk.open();
+    desk.action("pictureTool")->trigger();  // nothing in the hand
+    QVERIFY(desk.window->view()->tool() != &*desk.control().tool());
+    desk.dock().tidySize(Tidying::Specks)->setValue(3);
+    QTest::mouseClick(desk.dock().tidyButton(Tidying::Specks), Qt::LeftButton);
+    QTRY_VERIFY(desk.editing().preview());
+    QCOMPARE(desk.dock().legend(), (QStringList{QStringLiteral("becomes free: 1 cell"),
+                                                QStringLiteral("becomes unknown: 2 cells")}));
+    // The keyboard is where the hint says.
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QVERIFY(!desk.editing().preview() && !desk.editing().unsaved());
+    QVERIFY(desk.dock().legend().isEmpty());
+    desk.dock().tidyButton(Tidying::Gaps)->setFocus();
+    QTest::keyClick(desk.dock().tidyButton(Tidying::Gaps), Qt::Key_Space);
+    QTRY_VERIFY(desk.editing().preview());
+    QCOMPARE(desk.dock().legend(), QStringList{QStringLiteral("becomes occupied: 1 cell")});
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QCOMPARE(int(desk.cells().at(200, 200)), 100);
+    QCOMPARE(int(desk.editing().changedCells()), 1);
+  }
+
+  void theMarksAreToldApartWithoutColours() {
+    for (int one = 0; one < picture::kKinds; ++one) {
+      for (int other = 0; other < one; ++other) {
+        const BecomesLook a = becomesLook(Kind(one)), b = becomesLook(Kind(other));
+        QVERIFY2(contrastRatio(a.color, b.color) > 1.3 && a.lines != b.lines,
+                 qPrintable(QString::number(contrastRatio(a.color, b.color))));
+      }
+    }
+  }
+
   void savingWritesThePictureAndLeavesItsYaml() {
     Desk desk;
     desk.open();
@@ -280,6 +327,67 @@ class TestWindowPicture : public QObject {
     desk.save();
     QTRY_COMPARE(desk.shadeOnDisk(15, 15), 0);
     QCOMPARE(desk.shadeOnDisk(395, 100), 0);
+  }
+
+  /// Somebody else writes the file ten times a second: on rows of his own, so that both must be there.
+  void everyStrokeIsWholeWhileSomebodyElsePaints() {
+    Desk desk;
+    desk.open();
+    desk.editing().setAcross(1);
+    std::mt19937 random(7);
+    const auto upTo = [&random](int most) { return int(random() % unsigned(most)); };
+    std::vector<int> mine(std::size_t(kWidth) * kHeight), theirs(mine);
+    int painted = 0;
+    QTimer painter;
+    QObject::connect(&painter, &QTimer::timeout, &painter, [&] {
+      if (desk.control().saving()) return;  // who writes without looking would undo it
+      const int left = upTo(kWidth - 40), row = 2 * upTo(kHeight / 2) + 1;
+      const QByteArray kept = desk.cellsOnDisk();
+      if (kept.size() != kWidth * kHeight) return;
+      for (int x = left; x < left + 40; ++x) theirs[std::size_t(row * kWidth + x)] = 1;
+      desk.writeCells([&](int x, int y) {
+        const auto at = std::size_t(y * kWidth + x);
+        return theirs[at] ? char(205) : kept[qsizetype(at)];
+      });
+      ++painted;
+    });
+    painter.start(100);
+    for (int stroke = 0; stroke < 12; ++stroke) {
+      const int left = 20 + upTo(200), right = left + 100 + upTo(60), row = 20 + 2 * upTo(120);
+      const int begun = painted;
+      desk.press(desk.px(left, row));
+      for (int x = left + 1; x <= right; ++x) {
+        desk.moveTo(desk.px(x, row));
+        if (x == left + 50) QTRY_VERIFY(painted > begun);  // and it comes in the middle of it
+        if (x % 20 == 0) QTest::qWait(1);
+      }
+      desk.release(desk.px(right, row));
+      for (int x = left; x <= right; ++x) mine[std::size_t(row * kWidth + x)] = 1;
+      if (stroke == 5) desk.action("save")->trigger();
+    }
+    painter.stop();
+    const auto asWanted = [&](bool of_mine) {
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          const auto at = std::size_t(y * kWidth + x);
+          const int wanted = of_mine && mine[at] ? 100 : theirs[at] ? 255 : 0;
+          if (int(desk.cells().at(x, y)) != wanted) return false;
+        }
+      }
+      return true;
+    };
+    QTRY_VERIFY(asWanted(true));
+    QCOMPARE(desk.editing().undoStack().count(), 12);
+    QTRY_VERIFY(!desk.control().saving() && !desk.editing().merging());
+    while (desk.editing().undoStack().canUndo()) desk.editing().undoStack().undo();
+    QVERIFY(asWanted(false));
+    while (desk.editing().undoStack().canRedo()) desk.editing().undoStack().redo();
+    QVERIFY(asWanted(true));
+    desk.save();
+    QTRY_VERIFY(!desk.editing().unsaved());
+    const QByteArray kept = desk.cellsOnDisk();
+    for (std::size_t at = 0; at < mine.size(); ++at)
+      QCOMPARE(int(std::uint8_t(kept[qsizetype(at)])), mine[at] ? 0 : theirs[at] ? 205 : 254);
   }
 
   void whatMeetsIsDecidedBeforeItIsSaved() {
@@ -387,6 +495,39 @@ class TestWindowPicture : public QObject {
     QCOMPARE(desk.window->mapScene()->compareMode(), scene::CompareMode::Swipe);
     QTRY_COMPARE(int(desk.window->session()->comparedMap().cells()->at(15, 15)), 0);
     QCOMPARE(int(desk.cells().at(15, 15)), 100);
+  }
+
+  void whatCouldNotBeSentBackIsNotPaintedOn() {
+    /// Keeps black and white, and grays only where they are asked for.
+    class FewShades : public robot::PictureStore {
+     public:
+      std::optional<robot::PictureObstacle> obstacle(const map::WholeMap&) const override { return {}; }
+      bool holdsUnknown(const map::WholeMap&) const override { return true; }
+      bool holdsCell(const map::WholeMap&, std::uint8_t cell) const override { return cell != not_held; }
+      robot::Call write(const robot::PictureChange&, robot::OutcomeTo<robot::PictureReceipt>) override {
+        return {};
+      }
+      std::uint8_t not_held = 254;
+    };
+    FewShades shades;
+    test::Bench bench;
+    bench.offerMaps();
+    bench.prepare = [&shades, offer = bench.prepare](test::FakeRobot& robot) {
+      offer(robot);
+      robot.picture_store = &shades;
+    };
+    bench.open();
+    QVERIFY(!bench.window->connectTo(test::kAddress));
+    bench.window->session()->openMap({map::MapKind::Stored, "2"});
+    QAction* const tool = bench.action("pictureTool");
+    QTRY_VERIFY2(tool->toolTip().contains(QLatin1String("in between (254 of 100)")),
+                 qPrintable(tool->toolTip()));
+    QVERIFY(!tool->isEnabled() && !bench.window->pictureEditor()->editing()->isOpen());
+    // One without such cells.
+    shades.not_held = 100;
+    bench.window->session()->openMap({map::MapKind::Stored, "1"});
+    QTRY_VERIFY(bench.window->pictureEditor()->editing()->isOpen());
+    QVERIFY(tool->isEnabled());
   }
 
   void theToolSaysWhyNot() {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "robot/ros/kabam_picture.h"
+
 namespace mapwright::robot::ros {
 
 KabamPictureStore::KabamPictureStore(RosLink* link, QObject* parent) : PictureStore(parent), link_(link) {
@@ -13,6 +15,10 @@ KabamPictureStore::KabamPictureStore(RosLink* link, QObject* parent) : PictureSt
 std::optional<PictureObstacle> KabamPictureStore::obstacle(const map::WholeMap& map) const {
   if (map.key.kind != map::MapKind::Stored) return PictureObstacle::NotStored;
   return std::nullopt;
+}
+
+bool KabamPictureStore::holdsCell(const map::WholeMap&, std::uint8_t cell) const {
+  return shadeOf(cell).has_value();
 }
 
 Call KabamPictureStore::write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) {

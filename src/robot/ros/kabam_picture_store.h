@@ -15,6 +15,7 @@ class KabamPictureStore : public PictureStore {
 
   std::optional<PictureObstacle> obstacle(const map::WholeMap& map) const override;
   bool holdsUnknown(const map::WholeMap&) const override { return true; }
+  bool holdsCell(const map::WholeMap& map, std::uint8_t cell) const override;
   /// Cancelled while it travels, it has not been applied: no part of it counts.
   Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) override;
 

@@ -33,7 +33,8 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
       context_(context),
       editing_(context.workers),
       tool_(new PictureTool(&editing_, &context.scene, this)),
-      dock_(new PictureDock(&editing_, tool_, &context.window)) {
+      dock_(new PictureDock(&editing_, tool_, &context.window)),
+      share_(context.workers) {
   context_.panels.add(dock_, {.side = PanelPlace::Side::Right, .tab = 16, .menu_rank = 46, .open = false});
   joinUndo(context_.undo, editing_.undoStack());
   addActions();
@@ -118,6 +119,8 @@ void PictureController::setSession(session::Session* session) {
   closeMap();
   session_ = session;
   wanted_map_.reset();
+  if (looked_.stop) looked_.stop->store(true);
+  looked_ = {};
   if (session_) {
     dock_->setLocal(session_->robot().isLocal());
     connect(&session_->catalogue(), &session::Catalogue::changed, this, &PictureController::refresh);
@@ -144,7 +147,33 @@ void PictureController::syncMap() {
   refresh();
 }
 
+void PictureController::openOnceLookedAt(const MapSlot& slot) {
+  if (looked_.cells == slot.cells()) {
+    if (looked_.done && !looked_.between) openMap(slot);
+    return;
+  }
+  std::array<bool, 256> held{};
+  for (std::size_t cell = 0; cell < held.size(); ++cell)
+    held[cell] = session_->robot().pictureStore()->holdsCell(slot.shown(), std::uint8_t(cell));
+  if (std::all_of(held.begin(), held.end(), [](bool is_held) { return is_held; })) return openMap(slot);
+  if (looked_.stop) looked_.stop->store(true);
+  looked_ = {slot.cells(), std::make_shared<std::atomic<bool>>(false), false, std::nullopt};
+  share_.startLong([this, held, cells = looked_.cells, stop = looked_.stop] {
+    const auto between = picture::firstOther(*cells, held, *stop);
+    QMetaObject::invokeMethod(
+        this,
+        [this, stop, between] {
+          if (stop != looked_.stop) return;
+          looked_.done = true;
+          looked_.between = between;
+          syncMap();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
 void PictureController::openMap(const MapSlot& slot) {
+  looked_ = {};
   open_map_ = slot.shown().key;
   seen_ = slot.cells();
   revision_ = slot.shown().fingerprint;
@@ -274,6 +303,7 @@ QString PictureController::whyNot() const {
   if (!slot.cells()) return tr("Pictures belong to a whole map. Open one in the panel Maps.");
   if (const auto obstacle = store->obstacle(slot.shown())) return obstacleText(*obstacle);
   if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved again.");
+  if (looked_.between && looked_.cells == slot.cells()) return cellBetweenText(*looked_.between);
   return tr("The map is being read.");
 }
 

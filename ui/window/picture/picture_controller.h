@@ -2,6 +2,7 @@
 // meanwhile, and what is asked before the map is left.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -54,6 +55,7 @@ class PictureController : public Controller {
   void noteForgotten();
   void openMap(const session::MapSlot& slot);
   void closeMap();
+  void openOnceLookedAt(const session::MapSlot& slot);
   void takeOther(const session::MapSlot& slot);
   void showCells();
   void refresh();
@@ -97,3 +99,12 @@ class PictureController : public Controller {
 };
 
 }  // namespace mapwright::window
+  /// Whether the cells of a map can all be written again is known before anything is painted.
+  struct Looked {
+    std::shared_ptr<const grids::GridPyramid> cells;
+    std::shared_ptr<std::atomic<bool>> stop;
+    bool done = false;
+    std::optional<std::uint8_t> between;  // a cell that cannot be
+  };
+  Looked looked_;
+  work::Share share_;  // last

@@ -186,4 +186,12 @@ QString obstacleText(robot::PictureObstacle obstacle) {
   return Words::tr("Pictures of this format are only read. Export the map as PGM and YAML, and edit that.");
 }
 
+QString cellBetweenText(int percent) {
+  return Words::tr(
+             "Some cells of this map are neither free, occupied nor unknown but in between (%1 of 100), and "
+             "for these the robot's map manager names no shade: it could not be sent back. Export the map to "
+             "edit it as files.")
+      .arg(percent);
+}
+
 }  // namespace mapwright::window

@@ -34,5 +34,6 @@ QString cellsText(std::int64_t cells);
 QString draftText(const QDateTime& made, const QDateTime& now, std::int64_t cells);
 QString conflictText(std::int64_t cells);
 QString obstacleText(robot::PictureObstacle obstacle);
+QString cellBetweenText(int percent);
 
 }  // namespace mapwright::window
