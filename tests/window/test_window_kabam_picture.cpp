@@ -1,5 +1,6 @@
 // The picture of a KABAM robot's map, edited in the window on its simulator.
 #include <QAction>
+#include <QDirIterator>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QtTest>
@@ -12,6 +13,7 @@
 #include "window/map/map_view.h"
 #include "window/map/toast_stack.h"
 #include "window/picture/picture_controller.h"
+#include "window/picture/picture_copies.h"
 #include "window/picture/picture_dock.h"
 #include "window/picture/picture_tool.h"
 
@@ -50,6 +52,7 @@ struct Hall {
         },
         settings};
     wanted.addresses = robot::Addresses({robot::ros::kabamAddressScheme()});
+    if (keeps_copies) wanted.edit.drafts_folder = folder.filePath(QStringLiteral("mapwright/drafts"));
     window = std::make_unique<MainWindow>(std::move(wanted));
     window->resize(1366, 768);
     window->show();
@@ -85,6 +88,17 @@ struct Hall {
   QString status() { return control().dock()->status(); }
   QStringList toasts() { return window->overlay()->toasts()->texts(); }
 
+  /// The copies that are kept, oldest first.
+  QStringList copies() {
+    QStringList found;
+    QDirIterator files(folder.filePath(QStringLiteral("mapwright/overwritten")), {QStringLiteral("*.yaml")},
+                       QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) found << files.next();
+    found.sort();
+    return found;
+  }
+
+  bool keeps_copies = false;
   std::chrono::milliseconds confirm{5'000};
   QTemporaryDir folder;
   QSettings settings;
@@ -135,6 +149,82 @@ class TestWindowKabamPicture : public QObject {
     QTRY_COMPARE(hall.window->findChildren<QMessageBox*>().size(), 1);  // the first one goes with its event
     hall.control().sendingQuestion()->findChild<QPushButton*>(QStringLiteral("sendPicture"))->click();
     QVERIFY(hall.control().saving());
+    QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
+  }
+
+  void whatTheRobotHasIsKeptBeforeItIsOverwritten() {
+    Hall hall;
+    hall.keeps_copies = true;
+    hall.open();
+    const auto before = hall.editing().saved();
+    hall.paint(kSpot);
+    hall.action("save")->trigger();
+    const QString told = hall.control().sendingQuestion()->informativeText();
+    QVERIFY2(told.contains(hall.folder.filePath(QStringLiteral("mapwright/overwritten"))), qPrintable(told));
+    QVERIFY(hall.copies().isEmpty());  // nothing is overwritten yet
+    hall.control().sendingQuestion()->findChild<QPushButton*>(QStringLiteral("sendPicture"))->click();
+    QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
+    QCOMPARE(hall.copies().size(), 1);
+    QVERIFY2(hall.toasts().join(QLatin1Char('|')).contains(hall.copies().first()),
+             qPrintable(hall.toasts().join(QLatin1Char('|'))));
+    // It can be opened like any local map, and has the cells of before.
+    QString pgm = hall.copies().first();
+    pgm.replace(QLatin1String(".yaml"), QLatin1String(".pgm"));
+    QFile file(pgm);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    const qsizetype cells = qsizetype(before->width()) * before->height();
+    QVERIFY(bytes.size() > cells);
+    const auto shade = [&](int x, int y) {
+      return int(std::uint8_t(bytes[bytes.size() - cells + qsizetype(y) * before->width() + x]));
+    };
+    for (int y = 0; y < before->height(); ++y) {
+      for (int x = 0; x < before->width(); ++x) {
+        const int cell = before->at(x, y);
+        QCOMPARE(shade(x, y), cell == 0 ? 254 : cell == 100 ? 0 : 205);
+      }
+    }
+  }
+
+  void asManyCopiesAreKeptAsIsSaid() {
+    Hall hall;
+    const QString folder = copiesFolder(hall.folder.filePath(QStringLiteral("mapwright/drafts")),
+                                        QStringLiteral("ws://a/../b"), QStringLiteral("../../<Hall>"));
+    QVERIFY2(folder.startsWith(hall.folder.filePath(QStringLiteral("mapwright/overwritten/"))) &&
+                 !folder.contains(QLatin1String("/../")),
+             qPrintable(folder));
+    const auto builder = grids::buildGrid(3, 2, grids::CellCode::Occupancy, grids::Reduction::OccupiedWins);
+    builder->finish();
+    map::GridReference place;
+    place.width = 3;
+    place.height = 2;
+    place.resolution_m = 1;
+    const QDateTime first(QDate(2026, 1, 2), QTime(3, 4, 5));
+    for (int i = 0; i < kMostCopies + 3; ++i)
+      QVERIFY(!keepCopy(*builder->pyramid(), place, copyPath(folder, first.addSecs(i))));
+    QCOMPARE(hall.copies().size(), kMostCopies);
+    QCOMPARE(hall.copies().first(), copyPath(folder, first.addSecs(3)));
+    QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 2 * kMostCopies);
+  }
+
+  void withoutACopyNothingIsOverwritten() {
+    Hall hall;
+    hall.keeps_copies = true;
+    hall.open();
+    QFile in_the_way(hall.folder.filePath(QStringLiteral("mapwright/overwritten")));
+    QVERIFY(QDir().mkpath(hall.folder.filePath(QStringLiteral("mapwright"))));
+    QVERIFY(in_the_way.open(QIODevice::WriteOnly));
+    hall.paint(kSpot);
+    hall.save();
+    QTRY_VERIFY(!hall.control().saving());
+    QVERIFY(hall.editing().unsaved());
+    QVERIFY2(hall.status().contains(QLatin1String("Nothing was sent")), qPrintable(hall.status()));
+    Hall other(hall.robot);
+    other.open();
+    QVERIFY(other.cell(31, 41) != 100);
+    // Once it can be kept, it is sent.
+    QVERIFY(in_the_way.remove());
+    hall.save();
     QTRY_VERIFY(!hall.control().saving() && !hall.editing().unsaved());
   }
 

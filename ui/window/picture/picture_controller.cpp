@@ -68,13 +68,13 @@ PictureController::PictureController(WindowContext& context, QObject* parent)
     tool_->setMode(mode);
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
   });
-  connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
   connect(dock_, &PictureDock::lookWanted, this, [this](Tidying what, int cells) {
     // Its keys are those of the tool, on the map.
     if (context_.tools.chosen() != tool_) context_.tools.choose(tool_);
     editing_.lookFor(what, cells);
     context_.view.setFocus();
   });
+  connect(dock_, &PictureDock::saveWanted, this, &PictureController::save);
   connect(dock_, &PictureDock::stopSavingWanted, this, [this] { write_call_.cancel(); });
   connect(dock_, &PictureDock::discardWanted, &editing_, &PictureEditing::revert);
   connect(dock_, &PictureDock::compareWanted, this, &PictureController::compareWanted);
@@ -139,7 +139,7 @@ void PictureController::syncMap() {
                      !slot->broken() && slot->key() == *key;
   if (whole && !session_->robot().pictureStore()->obstacle(slot->shown())) {
     if (!open_map_) {
-      openMap(*slot);
+      openOnceLookedAt(*slot);
     } else if (slot->cells() != seen_ && !saving_) {
       takeOther(*slot);
     }
@@ -186,10 +186,12 @@ void PictureController::openMap(const MapSlot& slot) {
 
 void PictureController::closeMap() {
   if (!open_map_) return;
+  editing_.endStroke();  // it is kept with the rest
   if (shown_) context_.scene.setEditedCells(*open_map_, nullptr);
   shown_ = saving_ = again_ = false;
   dock_->setTravelled(std::nullopt);
   trouble_.clear();
+  copy_.clear();
   seen_.reset();
   open_map_.reset();
   ++opened_;
@@ -221,7 +223,6 @@ void PictureController::keepDraft() {
   const bool unsaved = editing_.unsaved();
   if (const auto trouble = drafts_->keep(); trouble && unsaved)
     context_.overlay.toasts()->add(
-  editing_.endStroke();  // it is kept with the rest
         Mark::Bad, tr("The changes of the map are lost. %1").arg(sentences::wordsOf(*trouble)));
   drafts_.reset();
 }
@@ -239,6 +240,7 @@ void PictureController::takeOther(const MapSlot& slot) {
     editing_.takeIn(seen_, revision);
     return;
   }
+  editing_.endStroke();
   const std::int64_t lost = editing_.changedCells();
   if (std::exchange(shown_, false)) context_.scene.setEditedCells(*open_map_, nullptr);
   saving_ = again_ = false;
@@ -275,7 +277,6 @@ std::optional<map::MapKey> PictureController::mapInstead() const {
 bool PictureController::opening() const {
   if (!session_ || !wanted_map_ || editing_.isOpen()) return false;
   const MapSlot& slot = session_->wholeMap();
-  editing_.endStroke();
   const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
   return on_its_way && slot.key() == *wanted_map_;
 }
@@ -302,8 +303,8 @@ QString PictureController::whyNot() const {
   const MapSlot& slot = session_->wholeMap();
   if (!slot.cells()) return tr("Pictures belong to a whole map. Open one in the panel Maps.");
   if (const auto obstacle = store->obstacle(slot.shown())) return obstacleText(*obstacle);
-  if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved again.");
   if (looked_.between && looked_.cells == slot.cells()) return cellBetweenText(*looked_.between);
+  if (slot.broken()) return tr("Parts of this map could not be read, so it cannot be saved again.");
   return tr("The map is being read.");
 }
 

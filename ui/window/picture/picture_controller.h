@@ -48,14 +48,16 @@ class PictureController : public Controller {
   void compareWanted();
   /// The picture has been written from here.
   void written();
+  /// A local map is to be opened.
+  void fileWanted(const QString& path);
 
  private:
   void addActions();
   void syncMap();
   void noteForgotten();
+  void openOnceLookedAt(const session::MapSlot& slot);
   void openMap(const session::MapSlot& slot);
   void closeMap();
-  void openOnceLookedAt(const session::MapSlot& slot);
   void takeOther(const session::MapSlot& slot);
   void showCells();
   void refresh();
@@ -66,6 +68,10 @@ class PictureController : public Controller {
   void askToDecide();
   void askToSend();
   void send();
+  void write();
+  void noteCopied(const std::optional<map::Reason>& trouble);
+  void noteNotWritten(const QString& sentence);
+  QString copiesHere() const;
   void watchDrafts();
   void keepDraft();
   void answer(int button);
@@ -94,11 +100,9 @@ class PictureController : public Controller {
   bool may_leave_ = false;  // the draft is to be kept as it is
   quint64 opened_ = 0;      // counts maps: answers about earlier ones are of no use
   QString trouble_;         // of saving
+  QString copy_;            // of what the robot has; empty: none is kept
   QPointer<QMessageBox> question_, sending_question_;
   std::function<void()> when_left_, when_saved_, when_reverted_;
-};
-
-}  // namespace mapwright::window
   /// Whether the cells of a map can all be written again is known before anything is painted.
   struct Looked {
     std::shared_ptr<const grids::GridPyramid> cells;
@@ -108,3 +112,6 @@ class PictureController : public Controller {
   };
   Looked looked_;
   work::Share share_;  // last
+};
+
+}  // namespace mapwright::window

@@ -1,6 +1,7 @@
 // PictureController: saving, what comes of it, and leaving.
 #include <utility>
 
+#include <QDir>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -11,6 +12,7 @@
 #include "window/on_screen.h"
 #include "window/panels.h"
 #include "window/picture/picture_controller.h"
+#include "window/picture/picture_copies.h"
 #include "window/picture/picture_dock.h"
 #include "window/picture/picture_drafts.h"
 #include "window/picture/picture_text.h"
@@ -44,9 +46,17 @@ void PictureController::askToSend() {
                       tr("Overwrite %1 on the robot %2?").arg(mapName(), robotCalled(session_->robot())),
                       QMessageBox::Cancel, &context_.window);
   sending_question_->setTextFormat(Qt::PlainText);
-  sending_question_->setInformativeText(tr("%1 changed. The robot goes on with the new picture, and the one "
-                                           "of before cannot be had back from it.")
-                                            .arg(cellsText(editing_.changedCells())));
+  const QString copies = copiesHere();
+  QString about = tr("%1 changed. The robot goes on with the new picture, and the one of before cannot be "
+                     "had back from it.")
+                      .arg(cellsText(editing_.changedCells()));
+  if (!copies.isEmpty())
+    about +=
+        QLatin1Char('\n') + tr("A copy of the one of before is kept in %1, as a local map. The newest %2 "
+                               "of each map stay there.")
+                                .arg(QDir::toNativeSeparators(copies))
+                                .arg(kMostCopies);
+  sending_question_->setInformativeText(about);
   sending_question_->setAttribute(Qt::WA_DeleteOnClose);
   QPushButton* const send_button = sending_question_->addButton(tr("Send"), QMessageBox::AcceptRole);
   send_button->setObjectName(QStringLiteral("sendPicture"));
@@ -54,7 +64,11 @@ void PictureController::askToSend() {
   sending_question_->setEscapeButton(QMessageBox::Cancel);
   connect(sending_question_, &QMessageBox::finished, this, [this, send_button, opened = opened_] {
     QMessageBox* const asked = std::exchange(sending_question_, nullptr);
-    if (asked->clickedButton() == send_button && opened == opened_) return send();
+    if (asked->clickedButton() == send_button && opened == opened_) {
+      const QString folder = copiesHere();
+      copy_ = folder.isEmpty() ? QString() : copyPath(folder, context_.edit.now());
+      return send();
+    }
     when_saved_ = nullptr;
   });
   sending_question_->open();
@@ -72,6 +86,46 @@ void PictureController::send() {
   if (!session_->robot().pictureStore()) return;
   saving_ = true;
   trouble_.clear();
+  refresh();
+  if (copy_.isEmpty()) return write();
+  share_.startLong(
+      [this, path = copy_, cells = editing_.saved(), place = editing_.reference(), opened = opened_] {
+        const auto trouble = keepCopy(*cells, place, path);
+        QMetaObject::invokeMethod(
+            this,
+            [this, trouble, opened] {
+              if (opened == opened_) noteCopied(trouble);
+            },
+            Qt::QueuedConnection);
+      });
+}
+
+QString PictureController::copiesHere() const {
+  return copiesFolder(context_.edit.drafts_folder, session_->robot().address(), mapName());
+}
+
+/// Without it nothing is overwritten.
+void PictureController::noteCopied(const std::optional<map::Reason>& trouble) {
+  if (!saving_) return;
+  if (!trouble) return write();
+  saving_ = false;
+  noteNotWritten(tr("Nothing was sent, because no copy of the robot's map could be kept: %1")
+                     .arg(sentences::wordsOf(*trouble)));
+  syncMap();
+}
+
+void PictureController::noteNotWritten(const QString& sentence) {
+  when_saved_ = nullptr;
+  trouble_ = sentence;
+  context_.overlay.toasts()->add(Mark::Bad, tr("The map is not saved. %1").arg(trouble_));
+}
+
+void PictureController::write() {
+  robot::PictureStore* const store = session_->robot().pictureStore();
+  if (!store) {
+    saving_ = false;
+    return refresh();
+  }
   const auto cells = editing_.snapshot();
   write_call_ = store->write({*open_map_, cells, revision_},
                              [this, cells, opened = opened_](robot::Outcome<robot::PictureReceipt> outcome) {
@@ -93,7 +147,13 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
     own_revisions_.insert(revision_);
     Q_EMIT written();
     editing_.noteSaved(cells);
-    context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()));
+    if (copy_.isEmpty()) {
+      context_.overlay.toasts()->add(Mark::Good, tr("%1 saved").arg(mapName()));
+    } else {
+      context_.overlay.toasts()->add(
+          Mark::Good, tr("%1 saved. What it was before: %2").arg(mapName(), QDir::toNativeSeparators(copy_)),
+          {tr("Open it"), [this, copy = copy_] { Q_EMIT fileWanted(copy); }});
+    }
     // Leaving ends the session, and it is its robot that is speaking.
     if (const auto then = std::exchange(when_saved_, nullptr))
       QMetaObject::invokeMethod(this, then, Qt::QueuedConnection);
@@ -104,9 +164,7 @@ void PictureController::noteWritten(const std::shared_ptr<const picture::EditedG
              outcome.error().applied == map::Applied::No) {
     when_saved_ = nullptr;
   } else {
-    when_saved_ = nullptr;
-    trouble_ = QString::fromStdString(sentences::sentenceOf(outcome.error()));
-    context_.overlay.toasts()->add(Mark::Bad, tr("The map is not saved. %1").arg(trouble_));
+    noteNotWritten(QString::fromStdString(sentences::sentenceOf(outcome.error())));
   }
   // What came while it was being written was not looked at.
   syncMap();
