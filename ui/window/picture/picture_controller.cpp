@@ -275,8 +275,10 @@ std::optional<map::MapKey> PictureController::mapInstead() const {
 
 /// It is on its way.
 bool PictureController::opening() const {
-  if (!session_ || !wanted_map_ || editing_.isOpen()) return false;
+  if (!session_ || editing_.isOpen()) return false;
   const MapSlot& slot = session_->wholeMap();
+  if (looked_.cells && looked_.cells == slot.cells() && !looked_.done) return true;
+  if (!wanted_map_) return false;
   const bool on_its_way = slot.phase() == MapSlot::Phase::Fetching || slot.phase() == MapSlot::Phase::Reading;
   return on_its_way && slot.key() == *wanted_map_;
 }
