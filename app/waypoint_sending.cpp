@@ -188,7 +188,7 @@ class Sending {
       const bool has_it = map::isTemporaryFor(left.name, before.name);
       const std::string had(left.name == before.name ? map::permanentName(before.name) : "");
       // What was asked for, and may be done yet.
-      if (!has_it && sent.state == StepState::Unknown) {
+      if (!has_it && sent.outcome.state == StepState::Unknown) {
         left.certain = false;
         left.name = askedAside(sent.step.key, before.name).value_or(left.name);
       }
