@@ -83,6 +83,13 @@ QJsonObject bagJson(const robot::BagEntry& entry) {
           {QStringLiteral("end"), orNull(entry.end_s)}};
 }
 
+namespace {
+
+// A file that was cut before its first messages has no times.
+bool hasTimes(const robot::BagInfo& info) { return info.messages > 0 || info.end_s > 0; }
+
+}  // namespace
+
 QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
   QJsonArray away;
   for (const robot::BagAway& one : info.away)
@@ -90,8 +97,8 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
         QJsonObject{{QStringLiteral("from"), one.from_s}, {QStringLiteral("to"), orNull(one.until_s)}});
   QJsonObject all{{QStringLiteral("name"), text(name)},
                   {QStringLiteral("messages"), qint64(info.messages)},
-                  {QStringLiteral("start"), info.start_s},
-                  {QStringLiteral("end"), info.end_s},
+                  {QStringLiteral("start"), hasTimes(info) ? QJsonValue(info.start_s) : QJsonValue::Null},
+                  {QStringLiteral("end"), hasTimes(info) ? QJsonValue(info.end_s) : QJsonValue::Null},
                   {QStringLiteral("interrupted"), info.interrupted},
                   {QStringLiteral("away"), away}};
   if (info.format.empty()) return all;  // a robot tells no more
@@ -132,10 +139,11 @@ std::vector<QStringList> topicRows(const robot::BagInfo& info) {
 }
 
 std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info) {
+  const bool times = hasTimes(info);
   std::vector<QStringList> rows{{Words::tr("name"), words::plainName(name)},
                                 {Words::tr("messages"), QString::number(info.messages)},
-                                {Words::tr("start"), timeText(info.start_s)},
-                                {Words::tr("end"), timeText(info.end_s)}};
+                                {Words::tr("start"), times ? timeText(info.start_s) : QStringLiteral("-")},
+                                {Words::tr("end"), times ? timeText(info.end_s) : QStringLiteral("-")}};
   if (!info.format.empty()) {
     rows.push_back({Words::tr("length"), Words::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
     rows.push_back({Words::tr("format"), text(info.format)});
@@ -148,7 +156,9 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
                              QString::number(one.parts), window::bytesText(one.stored_bytes),
                              window::bytesText(one.unpacked_bytes))});
   if (info.attachments > 0) rows.push_back({Words::tr("files in it"), QString::number(info.attachments)});
-  if (info.interrupted) rows.push_back({Words::tr("interrupted"), timeText(info.end_s)});
+  if (info.interrupted)
+    rows.push_back({Words::tr("interrupted"),
+                    times ? timeText(info.end_s) : Words::tr("before its first messages were written")});
   for (const robot::BagAway& one : info.away)
     rows.push_back(
         {Words::tr("no connection"),

@@ -208,6 +208,18 @@ class BagsCommandTest : public QObject {
     QVERIFY2(told.err.contains("interrupted after 2024-06-03 09:00:"), told.err.constData());
     QVERIFY(!told.out.isEmpty());
   }
+  void aRecordingThatWasCutBeforeItsFirstMessagesHasNoTimes() {
+    QFile whole(withoutEndMark()), cut(withoutEndMark() + QStringLiteral(".cut.mcap"));
+    QVERIFY(whole.open(QIODevice::ReadOnly) && cut.open(QIODevice::WriteOnly));
+    cut.write(whole.read(60));
+    cut.close();
+    const Outcome told = run(QStringLiteral("info ") + cut.fileName());
+    QCOMPARE(told.code, 1);
+    QVERIFY2(!told.out.contains("1970"), told.out.constData());
+    const QJsonObject facts = run(QStringLiteral("info --json ") + cut.fileName()).object();
+    QCOMPARE(facts[QStringLiteral("messages")].toInt(-1), 0);
+    QVERIFY(facts[QStringLiteral("start")].isNull() && facts[QStringLiteral("end")].isNull());
+  }
   void whenItWasInterruptedAndWhereTheLinkWasAwayStandsInItsFacts() {
     QVERIFY(
         !run(QStringLiteral("info --json ") + recording()).object()[QStringLiteral("interrupted")].toBool());

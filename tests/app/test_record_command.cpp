@@ -95,11 +95,13 @@ class RecordCommandTest : public QObject {
   }
 
   void aTopicThatSaysNothingIsNamed() {
-    const Ended done = run(words(path("silent.mcap"), {QStringLiteral("--duration"), QStringLiteral("2"),
-                                                       QStringLiteral("--submaps"), QStringLiteral("none"),
-                                                       QStringLiteral("--topics"), QStringLiteral("/nope,/tracked_pose")}));
+    const Ended done =
+        run(words(path("silent.mcap"), {QStringLiteral("--duration"), QStringLiteral("2"),
+                                        QStringLiteral("--submaps"), QStringLiteral("none"),
+                                        QStringLiteral("--topics"), QStringLiteral("/nope,/tracked_pose")}));
     QCOMPARE(done.code, 1);
-    QVERIFY2(done.errors.contains("/nope") && !done.errors.contains("/tracked_pose"), done.errors.constData());
+    QVERIFY2(done.errors.contains("/nope") && !done.errors.contains("/tracked_pose"),
+             done.errors.constData());
     const QJsonArray silent = QJsonDocument::fromJson(done.out)[QStringLiteral("silent_topics")].toArray();
     QCOMPARE(silent, QJsonArray{QStringLiteral("/nope")});
   }
