@@ -265,6 +265,27 @@ class AxbotRobotTest : public QObject {
         server_->topicsSent("disable_topic").contains(QStringLiteral("/incremental_map")), kPatienceMs);
   }
 
+  void whatIsSaidOnceIsAskedForAgainAfterAFrameThatNobodyCouldRead() {
+    axbot::LinkOptions options;
+    options.base = server_->url();
+    options.ask_again_after = std::chrono::milliseconds(20);
+    options.socket.backoff_first = std::chrono::milliseconds(5);
+    options.wall_s = [this] { return wall_s_.load(); };
+    robot_ = std::make_unique<AxbotRobot>(QStringLiteral("axbot+test"), options);
+    robot_->liveTopics()->setWanted({}, {QStringLiteral("/map/info"), QStringLiteral("/battery_state")});
+    connectRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/map/info")),
+                             kPatienceMs);
+    for (int i = 0; i < 3; ++i) server_->send(R"({"topic":"/battery_state","percentage":0.5})");
+    server_->texts.clear();
+    server_->send(R"({"topic":"/map/in#o","overl)");  // it was the map's, and nobody can know that
+    QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/map/info")),
+                             kPatienceMs);
+    QVERIFY(server_->topicsSent("disable_topic").contains(QStringLiteral("/map/info")));
+    // What comes all the time comes by itself.
+    QVERIFY(!server_->topicsSent("enable_topic").contains(QStringLiteral("/battery_state")));
+  }
+
   void everyStreamHasATopicThatIsUnderstood() {
     for (int stream = 0; stream <= int(map::Stream::GlobalPositioning); ++stream) {
       const QStringList topics = robot_->liveTopics()->topicsOf(map::Stream(stream));

@@ -199,6 +199,24 @@ class AxbotTopicsTest : public QObject {
     QCOMPARE(read<map::MapInfo>(of("/map/info", quoted)).overlays.size(), std::size_t(1));
   }
 
+  void overlaysThatNobodyCanReadAreNotTakenForNone_data() {
+    QTest::addColumn<QByteArray>("overlays");
+    QTest::addColumn<bool>("readable");
+    QTest::newRow("none") << QByteArray("null") << true;
+    QTest::newRow("empty") << QByteArray("\"\"") << true;
+    QTest::newRow("no features") << QByteArray("{\"features\":[]}") << true;
+    QTest::newRow("cut off") << QByteArray("\"{\\\"features\\\":[{\"") << false;
+    QTest::newRow("garbage") << QByteArray("\"#%\"") << false;
+    QTest::newRow("a number") << QByteArray("7") << false;
+  }
+  void overlaysThatNobodyCanReadAreNotTakenForNone() {
+    QFETCH(QByteArray, overlays);
+    const TextFrame frame =
+        parseTextFrame(of("/map/info", "\"name\":\"a\",\"overlays\":" + overlays.toStdString()));
+    QVERIFY(frame.message && std::holds_alternative<map::MapInfo>(*frame.message));
+    QTEST(!frame.left_out, "readable");
+  }
+
   void picturesComeAsBase64() {
     const auto grid = read<map::GridMessage>(
         "{\"topic\":\"/maps/1cm/"

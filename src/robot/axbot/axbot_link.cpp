@@ -20,6 +20,7 @@ namespace mapwright::robot::axbot {
 namespace {
 
 constexpr int kSubscribeAnswerMs = 3'000;
+constexpr std::chrono::milliseconds kLongestAskAgain{60'000};
 constexpr int kSubmapsAtOnce = 4;  // on the network, however many are asked for; those on disk come besides
 
 std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
@@ -124,12 +125,14 @@ void AxbotLink::start() {
   list_timer_ = std::make_unique<QTimer>();
   subscribe_timer_ = std::make_unique<QTimer>();
   older_timer_ = std::make_unique<QTimer>();
-  for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get(), older_timer_.get()})
+  again_timer_ = std::make_unique<QTimer>();
+  for (QTimer* timer : {list_timer_.get(), subscribe_timer_.get(), older_timer_.get(), again_timer_.get()})
     timer->setSingleShot(true);
   connect(older_timer_.get(), &QTimer::timeout, this, [this] {
     older_.merge(silentStreams());
     askForWanted();
   });
+  connect(again_timer_.get(), &QTimer::timeout, this, &AxbotLink::askAgainForOnceSaid);
   connect(list_timer_.get(), &QTimer::timeout, this, [this] {
     Q_EMIT problemFound({map::Severity::Warning,
                          map::SubjectKind::SubmapList,
@@ -149,6 +152,8 @@ void AxbotLink::start() {
     subscribed_ = false;
     // It may have got another firmware.
     heard_topics_.clear();
+    again_timer_->stop();
+    again_timer_->setInterval(options_.ask_again_after);
     older_.clear();
     older_timer_->stop();
     askForWanted();
@@ -272,6 +277,19 @@ map::Streams AxbotLink::silentStreams() const {
   return silent;
 }
 
+void AxbotLink::askAgainForOnceSaid() {
+  // What comes again and again needs no question.
+  QStringList topics;
+  const QStringList names = subscriptions_.names();
+  for (const QString& topic : names) {
+    const auto heard = heard_topics_.find(topic.toStdString());
+    if (heard == heard_topics_.end() || heard->second < 2) topics << topic;
+  }
+  send(subscriptions_.anew(topics));
+  // A robot that goes on like this is asked ever more seldom.
+  again_timer_->setInterval(std::min(again_timer_->intervalAsDuration() * 2, kLongestAskAgain));
+}
+
 void AxbotLink::send(const QStringList& requests) {
   for (const QString& request : requests) socket_->sendText(request);
 }
@@ -316,6 +334,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   }
   if (frame.message) {
     emitTopic(frame.topic, std::move(*frame.message));
+    if (frame.left_out) emitTopic(frame.topic, std::move(*frame.left_out));
   } else if (frame.grid_to_fetch) {
     grids_->fetch(std::move(*frame.grid_to_fetch));
   } else if (frame.enabled_topics) {
@@ -357,8 +376,9 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
   };
   if (const auto* unreadable = std::get_if<map::UnreadableMessage>(&message)) {
     unreadable_topics_.insert(unreadable->topic);
+    if (unreadable->topic == kUnknownTopic && !again_timer_->isActive()) again_timer_->start();
   } else {
-    heard_topics_.insert(topic);
+    ++heard_topics_[topic];
     if (!unreadable_topics_.empty()) {
       recover(topic);
       recover(kUnknownTopic);  // whatever it was, messages can be read again

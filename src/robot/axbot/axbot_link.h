@@ -49,6 +49,7 @@ struct LinkOptions {
   std::chrono::milliseconds fetch_timeout{30'000};         // of submaps
   std::chrono::milliseconds patience{30'000};              // of questions about maps: without a byte
   std::chrono::milliseconds list_expected_within{10'000};  // after subscribing, before it is remarked upon
+  std::chrono::milliseconds ask_again_after{1'000};        // after a message that nobody could read, at first
   std::chrono::milliseconds older_names_after{2'500};      // of silence of a stream that was asked for
   /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
   std::function<double()> wall_s = secondsOfDay;
@@ -99,6 +100,9 @@ class AxbotLink : public QObject {
   void subscribe();
   void send(const QStringList& requests);
   void askForWanted();
+  /// What is said once is said again to whoever asks anew: after a message that could not even be told whose
+  /// it was, for the topics that it may have been.
+  void askAgainForOnceSaid();
   /// Streams of which nothing has come, and that older firmware calls otherwise.
   map::Streams silentStreams() const;
   void deliver(std::shared_ptr<const std::string> bytes, const std::string& topic, const char* encoding,
@@ -130,12 +134,12 @@ class AxbotLink : public QObject {
   std::unique_ptr<BagRequests> bags_;
   std::unique_ptr<GridFetcher> grids_;
   std::unique_ptr<net::WebSocketLink> socket_;
-  std::unique_ptr<QTimer> list_timer_, subscribe_timer_, older_timer_;
-  map::Streams streams_;                // that are wanted
-  QStringList topics_;                  // that are wanted by name
-  map::Streams older_;                  // streams whose older names are asked for too, on this connection
-  std::set<std::string> heard_topics_;  // on this connection
-  bool delivered_definition_ = false;   // likewise: of what binary frames hold
+  std::unique_ptr<QTimer> list_timer_, subscribe_timer_, older_timer_, again_timer_;
+  map::Streams streams_;  // that are wanted
+  QStringList topics_;    // that are wanted by name
+  map::Streams older_;    // streams whose older names are asked for too, on this connection
+  std::map<std::string, int> heard_topics_;  // how often, on this connection
+  bool delivered_definition_ = false;        // likewise: of what binary frames hold
   bool wanted_ = false;
   bool device_info_answered_ = false;
   bool device_info_asked_ = false;

@@ -276,6 +276,12 @@ void MapRequests::fetchParts(const std::shared_ptr<Fetch>& fetch, const MapDetai
   fetch->map.name = detail.entry.name;
   fetch->map.grid = detail.grid;
   fetch->map.overlays = detail.overlays;
+  if (!detail.overlays_readable) {
+    fetch->map.notes.push_back({map::Severity::Warning,
+                                map::subjectOf(fetch->map.key),
+                                {map::ReasonCode::MemberIsNoList, {"overlays"}},
+                                map::ProblemCode::Odd});
+  }
   fetch->usual_picture = urlOnRobot(base_, pathOf(key) + QStringLiteral(".png"));
   const bool mapping = key.kind == map::MapKind::Mapping;
   fetch->open = mapping ? 3 : 1;

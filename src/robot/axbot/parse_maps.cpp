@@ -75,7 +75,10 @@ tl::expected<MapDetail, map::Reason> parseMapDetail(std::string_view body, const
   detail.thumbnail_url = wire::text(*root, {"thumbnail_url"});
   detail.trajectories_url = wire::text(*root, {"trajectories_url", "trajectory_url"});
   detail.landmarks_url = wire::text(*root, {"landmark_url", "landmarks_url"});
-  if (const auto overlays = wire::member(*root, {"overlays"})) detail.overlays = parseOverlays(*overlays);
+  if (const auto overlays = wire::member(*root, {"overlays"})) {
+    detail.overlays = parseOverlays(*overlays);
+    detail.overlays_readable = readableOverlays(*overlays);
+  }
   return detail;
 }
 

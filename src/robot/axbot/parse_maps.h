@@ -26,6 +26,7 @@ struct MapDetail {
   map::GridReference grid;  // whatever it says: NaN where it says nothing
   std::string image_url, thumbnail_url, trajectories_url, landmarks_url;
   std::vector<map::OverlayFeature> overlays;
+  bool overlays_readable = true;
 };
 tl::expected<MapDetail, map::Reason> parseMapDetail(std::string_view body, const map::MapKey& key);
 

@@ -119,4 +119,13 @@ std::vector<OverlayFeature> parseOverlays(std::string_view geo_json) {
   return root && !root->is_string() ? parseOverlays(*root) : std::vector<OverlayFeature>();
 }
 
+bool readableOverlays(const Json& overlays) {
+  std::string_view text;
+  if (overlays.get(text)) return overlays.is_object() || overlays.is_array() || overlays.is_null();
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return true;
+  wire::JsonReader reader;
+  const auto root = reader.read(text);
+  return root && (root->is_object() || root->is_array() || root->is_null());
+}
+
 }  // namespace mapwright::robot::axbot

@@ -15,4 +15,7 @@ namespace mapwright::robot::axbot {
 std::vector<map::OverlayFeature> parseOverlays(const wire::Json& overlays);
 std::vector<map::OverlayFeature> parseOverlays(std::string_view geo_json);
 
+/// False for a text, or something else, that says anything but is no GeoJSON at all.
+bool readableOverlays(const wire::Json& overlays);
+
 }  // namespace mapwright::robot::axbot

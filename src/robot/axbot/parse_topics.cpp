@@ -1,5 +1,6 @@
 #include "robot/axbot/parse_topics.h"
 
+#include "robot/axbot/parse_overlays.h"
 #include "robot/axbot/topic_subjects.h"
 
 namespace mapwright::robot::axbot {
@@ -28,6 +29,10 @@ TextFrame readFrame(const wire::Json& root, const std::string& of_topic) {
          {readSubmapTopic, readMotionTopic, readStateTopic, readWorldTopic, readCloudTopic}) {
       if (!frame.message) frame.message = read(frame.topic, root);
     }
+    const bool of_the_map = frame.message && std::holds_alternative<map::MapInfo>(*frame.message);
+    const auto overlays = of_the_map ? wire::member(root, {"overlays"}) : std::nullopt;
+    if (overlays && !readableOverlays(*overlays))
+      frame.left_out = map::UnreadableMessage{frame.topic, {map::ReasonCode::MemberIsNoList, {"overlays"}}};
     return frame;
   }
   if (const auto topics = wire::list(root, {"enabled_topics"})) {

@@ -26,8 +26,9 @@ inline constexpr const char* kUnknownTopic = "(unknown)";
 
 /// What a text frame was.
 struct TextFrame {
-  std::string topic;                         // empty for answers
-  std::optional<map::TopicMessage> message;  // a topic that mapwright knows, or UnreadableMessage
+  std::string topic;                               // empty for answers
+  std::optional<map::TopicMessage> message;        // a topic that mapwright knows, or UnreadableMessage
+  std::optional<map::UnreadableMessage> left_out;  // what of `message` could not be read
   std::optional<GridToFetch> grid_to_fetch;
   std::optional<std::vector<std::string>> enabled_topics;  // the answer to enable_topic
   std::string error;                                       // the robot's own error text

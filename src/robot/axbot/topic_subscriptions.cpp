@@ -38,6 +38,10 @@ QStringList TopicSubscriptions::setWanted(const QStringList& topics) {
 
 QStringList TopicSubscriptions::all() const { return requests("enable_topic", names()); }
 
+QStringList TopicSubscriptions::anew(const QStringList& topics) const {
+  return requests("disable_topic", topics) + requests("enable_topic", topics);
+}
+
 QStringList TopicSubscriptions::requests(const char* verb, const QStringList& topics) const {
   QStringList texts;
   const auto add = [&](const QJsonValue& value) {

@@ -18,6 +18,8 @@ class TopicSubscriptions {
   QStringList setWanted(const QStringList& topics);
   /// A new connection: the texts that switch on everything.
   QStringList all() const;
+  /// The texts that switch these off and on again.
+  QStringList anew(const QStringList& topics) const;
   /// The names that all() switches on.
   QStringList names() const { return always() + wanted_; }
   /// Whether the robot takes lists of topics.
