@@ -140,6 +140,7 @@ void MapScene::setSession(session::Session* session) {
   MapClouds::of(*this).clear();
   impl_->highlighted.clear();
   impl_->context.live = session_ ? &session_->live() : &impl_->nothing_live;
+  impl_->robot_pose = impl_->context.live->robot_pose;
   impl_->raster.setSession(session_);
   renderer_->clear();
   impl_->outlines.clear();
@@ -269,11 +270,14 @@ void MapScene::takeLive(int what) {
   const auto touch = [&](Layer layer) {
     for (LayerItem* item : impl.itemsOf(layer)) item->update();
   };
-  if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::RobotModel>()) {
+  if (what == topicIndex<map::TrackedPose>() && impl.context.live->robot_pose == impl.robot_pose) {
+    // It is told again and again where a robot stands.
+  } else if (what == topicIndex<map::TrackedPose>() || what == topicIndex<map::RobotModel>()) {
     const std::array<LayerItem*, 3> moved{impl.robot, impl.items.at(Layer::Footprint),
                                           impl.items.at(Layer::ExpandedFootprint)};
     for (LayerItem* item : moved) item->update(impl.robot_rect);
     impl.robot_rect = impl.robot->robotRect();
+    impl.robot_pose = impl.context.live->robot_pose;
     for (LayerItem* item : moved) item->update(impl.robot_rect);
     const std::size_t length = impl.context.live->trail.size();
     if (length != std::exchange(impl.trail_length, length))
@@ -307,6 +311,7 @@ void MapScene::takeFrame() {
   impl_->trail_length = 0;
   impl_->cloud->pointsArrived();
   impl_->robot_rect = impl_->robot->robotRect();
+  impl_->robot_pose = impl_->context.live->robot_pose;
   syncFeatures();
   update();
 }

@@ -61,6 +61,7 @@ class SceneItems {
   std::optional<bool> robot_wanted;      // the user's choice for the map on screen
   std::optional<map::MapKey> wanted_on;
   QRectF robot_rect;
+  std::optional<geometry::Pose2> robot_pose;  // of the robot as it is drawn
   std::size_t trail_length = 0;
   std::map<Layer, bool> shown;
   std::vector<Layer> order;
