@@ -115,7 +115,6 @@ std::optional<EmptyState> wholeMapState(const session::MapSlot& slot, bool store
                      ? QCoreApplication::translate(
                            "window", "It appears as soon as the robot sends it. Stored maps are under Maps.")
                      : QCoreApplication::translate("window", "It appears as soon as the robot sends it.");
-    state.busy = true;
     return state;
   }
   state.kind = EmptyState::Kind::NoMap;
@@ -190,7 +189,6 @@ std::optional<EmptyState> emptyState(const QString& address, const robot::Connec
     state.title = QCoreApplication::translate("window", "Waiting for the list of submaps");
     state.text =
         QCoreApplication::translate("window", "Connected to %1. It has not sent its list yet.").arg(address);
-    state.busy = true;
     return state;
   }
   if (counts->listed == 0) {

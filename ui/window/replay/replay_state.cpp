@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "robot/sends_map.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -25,7 +26,10 @@ bool hasToldNoMap(session::Session* session, const MapsInView& in_view) {
   const session::MapSlot& slot = session->wholeMap();
   if (in_view.whole && slot.cells()) return false;
   if (in_view.submaps && session->robot().submapSource()) return !session->world().submaps;
-  const bool live = slot.key().kind == map::MapKind::Live && slot.phase() != session::MapSlot::Phase::Failed;
+  using Phase = session::MapSlot::Phase;
+  const bool live = slot.phase() == Phase::Empty
+                        ? robot::sendsItsMap(session->robot())
+                        : slot.key().kind == map::MapKind::Live && slot.phase() != Phase::Failed;
   return in_view.whole && live && !session->live().grids.contains(map::GridKind::WholeMap);
 }
 
