@@ -1,0 +1,250 @@
+// A window that stands still costs nothing, whatever it shows: counted are timers, calls from elsewhere,
+// jumps and frames.
+#include <array>
+#include <map>
+
+#include <QFile>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "../robot/foxglove_recordings.h"
+#include "../robot/ros_recordings.h"
+#include "app/robot_factory.h"
+#include "replay/replay_robot.h"
+#include "robot/address.h"
+#include "robot/recorded/recorded_robot.h"
+#include "simulator/simulator.h"
+#include "window/main_window.h"
+#include "window/map/map_view.h"
+#include "window/replay/replay_clock.h"
+#include "window/replay/replay_controller.h"
+#include "window/replay/replay_state.h"
+
+using namespace mapwright;
+using recordings::Drive;
+using recordings::Encoding;
+
+namespace {
+
+constexpr int kWatchedMs = 2'000;
+
+/// What happens on the thread of the window.
+class Counter : public QObject {
+ public:
+  Counter() { QCoreApplication::instance()->installEventFilter(this); }
+  bool eventFilter(QObject* receiver, QEvent* event) override {
+    const QString who = QLatin1String(receiver->metaObject()->className());
+    if (event->type() == QEvent::Timer) note(timers, QStringLiteral("timer of ") + who);
+    if (event->type() == QEvent::MetaCall) note(calls, QStringLiteral("call of ") + who);
+    if (event->type() == QEvent::UpdateRequest) note(frames, QStringLiteral("frame of ") + who);
+    return false;
+  }
+  QByteArray words() const {
+    QStringList words;
+    for (const auto& [who, count] : by_who_) words << QStringLiteral("%1 x %2").arg(count).arg(who);
+    return words.join(QStringLiteral(", ")).toUtf8();
+  }
+  int timers = 0, calls = 0, frames = 0;
+
+ private:
+  void note(int& count, const QString& who) {
+    ++count;
+    ++by_who_[who];
+  }
+  std::map<QString, int> by_who_;
+};
+
+class Desk {
+ public:
+  Desk() : settings_(folder_.filePath(QStringLiteral("s.ini")), QSettings::IniFormat) {
+    const robot::Addresses addresses = app::knownAddresses();
+    window::MainWindow::Dependencies wanted{
+        [addresses](const QString& to,
+                    const QByteArray&) -> tl::expected<std::unique_ptr<robot::Robot>, QString> {
+          auto made = app::makeRobot(to, {}, app::DemoTime::Running);
+          const auto parsed = addresses.parse(to);
+          if (made && parsed && !parsed->path.isEmpty() && robot::recorded::isRecording(parsed->path))
+            *made = std::make_unique<replay::ReplayRobot>(
+                std::move(*made), robot::recorded::bagNameOf(parsed->path), window::followedReading());
+          return made;
+        },
+        settings_};
+    wanted.addresses = addresses;
+    window_ = std::make_unique<window::MainWindow>(std::move(wanted));
+    window_->resize(1366, 768);
+    window_->show();
+    window_->view()->setAnimationMs(0);
+    (void)QTest::qWaitForWindowActive(window_.get());
+  }
+  ~Desk() { window_.reset(); }
+
+  QString written(const QString& name, const std::string& bytes) {
+    QFile file(folder_.filePath(name));
+    if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
+    file.write(bytes.data(), qint64(bytes.size()));
+    return QStringLiteral("file:") + file.fileName();
+  }
+  window::MainWindow& window() { return *window_; }
+  bool connectTo(const QString& address) { return !window_->connectTo(address); }
+  session::Session* session() { return window_->session(); }
+  replay::ReplayRobot* replay() {
+    return session() ? qobject_cast<replay::ReplayRobot*>(&session()->robot()) : nullptr;
+  }
+  /// All that was on its way is there, and has been drawn.
+  bool settles() {
+    const auto there = [this] {
+      if (!session()) return true;
+      if (session()->robot().connection().phase != robot::ConnectionPhase::Online) return false;
+      const bool known = !replay() || (replay()->knowledge() == replay::Knowledge::Exact &&
+                                       replay()->picturesUnderWay() == 0);
+      return known && session()->counts().pending == 0 && session()->wholeMap().settled();
+    };
+    constexpr int kLongMs = 60'000, kQuietMs = 700;
+    if (!QTest::qWaitFor(there, kLongMs)) return false;
+    // Tiles, toasts and the like come after what they show.
+    for (int tries = 0; tries < 40; ++tries) {
+      Counter counter;
+      QTest::qWait(kQuietMs);
+      if (counter.frames <= most_frames_at_rest_ && there()) return true;
+    }
+    return true;
+  }
+  /// A robot that is live may say something so often while it is waited.
+  void expectFrames(int each) { most_frames_at_rest_ = each; }
+
+ private:
+  QTemporaryDir folder_;
+  QSettings settings_;
+  int most_frames_at_rest_ = 0;
+  std::unique_ptr<window::MainWindow> window_;
+};
+
+struct Seen {
+  int timers = 0, calls = 0, frames = 0, jumps = 0;
+  std::size_t bytes = 0;
+  QByteArray words;
+};
+
+Seen watched(Desk& desk) {
+  Seen seen;
+  QObject here;
+  if (auto* const replay = desk.replay())
+    QObject::connect(replay, &replay::ReplayRobot::jumped, &here, [&] { ++seen.jumps; });
+  const std::size_t before = desk.session() ? desk.session()->counts().bytes_fetched : 0;
+  Counter counter;
+  QTest::qWait(kWatchedMs);
+  seen.timers = counter.timers;
+  seen.calls = counter.calls;
+  seen.frames = counter.frames;
+  seen.words = counter.words();
+  if (desk.session()) seen.bytes = desk.session()->counts().bytes_fetched - before;
+  return seen;
+}
+
+}  // namespace
+
+class IdleWindowTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void withNothingConnectedNothingHappens() {
+    Desk desk;
+    QVERIFY(desk.settles());
+    const Seen seen = watched(desk);
+    QVERIFY2(seen.timers + seen.calls + seen.frames == 0, seen.words);
+  }
+
+  void aMapOnThisComputerCostsNothing() {
+    Desk desk;
+    std::string picture = "P5\n40 30\n255\n";
+    picture.append(40 * 30, char(254));
+    desk.written(QStringLiteral("m.pgm"), picture);
+    QVERIFY(desk.connectTo(desk.written(QStringLiteral("m.yaml"),
+                                        "image: m.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                                        "occupied_thresh: 0.65\nfree_thresh: 0.196\n")));
+    QVERIFY(desk.settles());
+    const Seen seen = watched(desk);
+    QVERIFY2(seen.timers + seen.calls + seen.frames == 0, seen.words);
+  }
+
+  void aReplayThatStandsStillCostsNothing_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("bytes");
+    const auto row = [](const char* name, const std::string& bytes) {
+      QTest::newRow(name) << QString::fromLatin1(name) << QByteArray::fromStdString(bytes);
+    };
+    const auto said = Drive{12}.all();
+    row("cdr.mcap", recordings::recordingOf(said, Encoding::Cdr));
+    row("ros1.mcap", recordings::recordingOf(said, Encoding::Ros1));
+    row("json.mcap", recordings::recordingOf(said, Encoding::Json));
+    row("ros.bag", recordings::recordingOf(said, Encoding::Bag));
+    row("foxglove.mcap", foxglove::drive(true));
+    row("axbot.mcap", autoxing());
+  }
+  void aReplayThatStandsStillCostsNothing() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, bytes);
+    Desk desk;
+    QVERIFY(desk.connectTo(desk.written(name, bytes.toStdString())));
+    QTRY_VERIFY(desk.replay() && desk.replay()->at());
+    // At its beginning, and in its middle, where all is known.
+    for (const double share : {0.0, 0.5}) {
+      const replay::Chunks& chunks = desk.replay()->reading()->chunks();
+      if (share > 0) {
+        desk.window().replay()->clock().seek(chunks.start_s() + share * (chunks.end_s() - chunks.start_s()));
+      }
+      QVERIFY(desk.settles());
+      const Seen seen = watched(desk);
+      QCOMPARE(seen.jumps, 0);
+      QCOMPARE(seen.bytes, std::size_t(0));
+      QVERIFY2(seen.frames == 0, seen.words);
+      // A file may be written while it is played: it is looked at every other second.
+      QVERIFY2(seen.timers <= 2 && seen.calls <= 4, seen.words);
+    }
+  }
+
+  void aRobotThatStandsStillIsDrawnOnlyForItsPoints_data() {
+    QTest::addColumn<int>("which");
+    for (int which = 0; which < 4; ++which)
+      QTest::newRow(std::array{"Autoxing", "ROS", "KABAM", "REP 130"}[std::size_t(which)]) << which;
+  }
+  void aRobotThatStandsStillIsDrawnOnlyForItsPoints() {
+    QFETCH(int, which);
+    simulator::Options options;
+    options.paused = true;
+    options.start_at_s = 700;
+    options.scan_hz = 1;
+    simulator::Simulator robot(options);
+    QVERIFY(!robot.start());
+    const std::array addresses{robot.address(), robot.rosAddress(), robot.kabamAddress(),
+                               robot.rep130Address()};
+    Desk desk;
+    desk.expectFrames(5);
+    QVERIFY(desk.connectTo(QString::fromStdString(addresses[std::size_t(which)])));
+    QVERIFY(desk.settles());
+    const Seen seen = watched(desk);
+    // Its points come once a second; where it is comes ten times as often, and says the same.
+    QVERIFY2(seen.frames <= 14, seen.words);
+  }
+
+ private:
+  static std::string autoxing() {
+    const auto bytes = std::make_shared<std::string>();
+    const auto writer = recordings::writerInto(bytes);
+    for (int i = 0; i < 200; ++i) {
+      recording::Channel channel;
+      channel.topic = i % 4 ? "/tracked_pose" : "/alerts";
+      channel.message_encoding = "json";
+      const std::string text =
+          i % 4 ? R"({"topic":"/tracked_pose","pos":[)" + std::to_string(i) + R"(,2],"ori":0.5})"
+                : R"({"topic":"/alerts","alerts":[]})";
+      const std::int64_t at_ns = 1'717'405'200'000'000'000 + std::int64_t(i) * 50'000'000;
+      writer->write(*writer->addChannel(channel), {at_ns, at_ns, 0}, recordings::bytesOf(text));
+    }
+    writer->close();
+    return *bytes;
+  }
+};
+
+QTEST_MAIN(IdleWindowTest)
+#include "test_idle_window.moc"
