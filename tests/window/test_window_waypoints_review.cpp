@@ -247,7 +247,7 @@ class TestWindowWaypointsReview : public QObject {
     QTRY_VERIFY2(desk.review().comparedShown().contains(arrives ? QLatin1String("2 as wanted, 1 differ")
                                                                 : QLatin1String("1 as wanted, 2 differ")),
                  qPrintable(desk.review().comparedShown()));
-    QCOMPARE(desk.outcome(1), arrives ? QStringLiteral("done, but its answer was lost")
+    QCOMPARE(desk.outcome(1), arrives ? QStringLiteral("done, answer lost")
                                       : QStringLiteral("not known. The connection is gone."));
     // The link is back: what it did to the others is over.
     QVERIFY2(desk.review().statusShown().startsWith(QLatin1String("Of 3 calls")),

@@ -88,7 +88,7 @@ ReviewModel::Outcome ReviewModel::outcome(int row) const {
   const exchange::SentOutcome outcome = outcomeOf(*list_, sent);
   switch (outcome.state) {
     case exchange::SentState::Applied:
-      return {Mark::Good, sent.state == State::Done ? tr("done") : tr("done, but its answer was lost")};
+      return {Mark::Good, sent.state == State::Done ? tr("done") : tr("done, answer lost")};
     case exchange::SentState::NotSent:
       return {Mark::Neutral, tr("not sent")};
     case exchange::SentState::Unknown:

@@ -214,9 +214,8 @@ QString WaypointReview::statusText() const {
   using edit::SubmissionPhase;
   const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
   if (!list_->document().conflicts().empty() && !list_->saving())
-    return tr("%1 changed here and elsewhere. Choose which is right in the panel Waypoints; what is in "
-              "conflict is not "
-              "sent.")
+    return tr("%1 changed here and elsewhere. Choose which is right in the panel Waypoints: nothing is sent "
+              "before that.")
         .arg(waypointsText(qsizetype(list_->document().conflicts().size())));
   if (!sent_) {
     if (const auto why = list_->stoppedBy(); unreached_ && why)
