@@ -151,7 +151,7 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
   if (!info.written_by.empty()) rows.push_back({Words::tr("written by"), words::plainName(info.written_by)});
   for (const robot::BagPacking& one : info.packing)
     rows.push_back({Words::tr("compression"),
-                    Words::tr("%1: %2 chunks, %3 of %4")
+                    Words::tr("%1, chunks: %2, %3 of %4")
                         .arg(one.compression.empty() ? Words::tr("none") : words::plainName(one.compression),
                              QString::number(one.parts), window::bytesText(one.stored_bytes),
                              window::bytesText(one.unpacked_bytes))});

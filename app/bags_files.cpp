@@ -82,7 +82,7 @@ void tell(const BagsWords& words, const QStringList& files, const excerpt::Writt
   for (const QString& file : files) std::printf("%s\n", qUtf8Printable(oneLine(file)));
   std::printf(
       "%s\n",
-      qUtf8Printable(Words::tr("%1 messages, files in it: %2").arg(done.messages).arg(done.attachments)));
+      qUtf8Printable(Words::tr("messages: %1, files in it: %2").arg(done.messages).arg(done.attachments)));
 }
 
 int run(const BagsWords& words, int& argc, char** argv,

@@ -352,7 +352,7 @@ class BagsCommandTest : public QObject {
                              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     QVERIFY(!(*writer)->close());
     for (const char* command : {"frames", "state --at 1717405201", "events", "track -o odd.csv --force"})
-      QCOMPARE(run(QLatin1String(command) + QLatin1Char(' ') + path).code, 1);
+      QCOMPARE(run(QStringLiteral("%1 %2").arg(QLatin1String(command), path)).code, 1);
   }
 
   void aDownloadThatIsRefusedLeavesNothing() {
