@@ -83,6 +83,7 @@ void Session::wireMaps() {
     if (!map_chosen_ && maps_by_itself_) live_wanted_ = true;
     const bool may_come =
         whole_map_.phase() == MapSlot::Phase::Failed && whole_map_.failure() == map::FailureKind::Unsupported;
+    if (may_come && whole_map_.remark()) recover({whole_map_.remark()->subject});
     if (may_come && !live_wanted_) openInto(whole_map_, map::MapKey(whole_map_.key()));
   };
   connect(robot_.get(), &robot::Robot::capabilitiesChanged, this, [this, hearStores, followLiveMap] {

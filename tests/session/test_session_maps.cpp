@@ -640,10 +640,12 @@ class SessionMapsTest : public QObject {
     robot_->map_fetches[0].second(
         tl::make_unexpected(test::failed("no picture of it", map::FailureKind::Unsupported)));
     QCOMPARE(session_->wholeMap().phase(), Phase::Failed);
+    QCOMPARE(session_->problems().unresolved(), 1);
     robot_->sends_no_map = false;
     Q_EMIT robot_->capabilitiesChanged();
     robot_->say(liveGrid(254));
     QTRY_COMPARE(shownGray(), 254);
+    QCOMPARE(session_->problems().unresolved(), 0);
   }
 
   void aMapThatTheUserOpenedIsTriedAgainOnceTheRobotSendsOne() {
