@@ -398,6 +398,15 @@ class TestWindowPicture : public QObject {
     QTRY_COMPARE(int(desk.editing().conflicts()), 25);
     QCOMPARE(int(desk.cells().at(5, 5)), 255);
     QCOMPARE(int(desk.cells().at(12, 12)), 100);  // mine, until it is decided
+    // It is said once, and again to whoever saves.
+    const auto told = [&desk] {
+      return desk.toasts().filter(QLatin1String("Choose which are right")).size();
+    };
+    QTRY_COMPARE(told(), 1);
+    desk.writeCells([](int x, int y) { return char((x < 15 && y < 15) || x > 390 ? 205 : 254); });
+    QTRY_COMPARE(int(desk.cells().at(395, 5)), 255);
+    QCOMPARE(int(desk.editing().conflicts()), 25);  // nobody has decided about them
+    QCOMPARE(told(), 1);
     desk.action("save")->trigger();
     QVERIFY(!desk.control().saving());
     QVERIFY(desk.toasts().last().contains(QLatin1String("Choose which are right")));

@@ -192,6 +192,7 @@ void PictureController::closeMap() {
   dock_->setTravelled(std::nullopt);
   trouble_.clear();
   copy_.clear();
+  conflicts_told_ = false;
   seen_.reset();
   open_map_.reset();
   ++opened_;

@@ -96,6 +96,7 @@ class PictureController : public Controller {
   bool shown_ = false;                              // the edited cells are what is drawn
   bool saving_ = false, again_ = false;             // again: saved once more when theirs has been taken in
   bool was_unsaved_ = false;
+  bool conflicts_told_ = false;  // once, however often others paint there
   std::unique_ptr<PictureDrafts> drafts_;
   bool may_leave_ = false;  // the draft is to be kept as it is
   quint64 opened_ = 0;      // counts maps: answers about earlier ones are of no use

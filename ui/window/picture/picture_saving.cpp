@@ -174,8 +174,9 @@ void PictureController::noteMerged(qint64 taken, const std::string& revision) {
   revision_ = revision;
   trouble_.clear();
   const bool again = std::exchange(again_, false);
+  if (editing_.conflicts() == 0) conflicts_told_ = false;
   if (editing_.conflicts() > 0) {
-    askToDecide();
+    if (!std::exchange(conflicts_told_, true) || again) askToDecide();
   } else if (again) {
     if (editing_.unsaved()) {
       send();
