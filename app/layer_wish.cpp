@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "robot/offers_topics.h"
+
 namespace mapwright::app {
 namespace {
 
@@ -39,6 +41,7 @@ robot::LiveTopics::Basics LayerWish::basics(const std::set<Layer>& layers, bool 
 void LayerWish::ask(const std::set<Layer>& layers, bool live_map) {
   robot::LiveTopics* const live = session_.robot().liveTopics();
   if (!live) return;
+  layers_ = layers;
   map::Streams all;
   for (const Layer layer : layers) {
     if (layer == Layer::WholeMap) continue;
@@ -65,20 +68,40 @@ QStringList LayerWish::topicsOf(map::Stream stream) const {
   return live ? live->topicsOf(stream) : QStringList();
 }
 
+/// Several scanners are seen together: none that the robot says it has may be missing.
+QStringList LayerWish::silentOf(map::Stream stream) const {
+  const QStringList topics = topicsOf(stream);
+  QStringList silent, missing;
+  std::copy_if(topics.begin(), topics.end(), std::back_inserter(silent),
+               [this](const QString& topic) { return !heard_.contains(topic.toStdString()); });
+  robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
+  const auto offered = of && stream == map::Stream::Cloud ? of->offered() : std::nullopt;
+  if (!offered) return silent.size() < topics.size() ? QStringList() : topics.mid(0, 1);
+  for (const robot::OfferedTopic& topic : *offered) {
+    if (silent.contains(topic.name)) missing << topic.name;
+  }
+  return missing;
+}
+
+std::vector<Layer> LayerWish::unfillable() const {
+  std::vector<Layer> empty;
+  std::copy_if(layers_.begin(), layers_.end(), std::back_inserter(empty), [this](Layer layer) {
+    const map::Streams streams = scene::layerStreams(layer);
+    return layer != Layer::WholeMap && !streams.empty() &&
+           std::all_of(streams.begin(), streams.end(),
+                       [this](map::Stream stream) { return topicsOf(stream).isEmpty(); });
+  });
+  return empty;
+}
+
 bool LayerWish::in() const { return silent().isEmpty() && !session_.layerGrids().busy(); }
 
 QStringList LayerWish::silent() const {
-  map::Streams none;
-  std::copy_if(waiting_.begin(), waiting_.end(), std::inserter(none, none.end()), [this](map::Stream stream) {
-    const QStringList topics = topicsOf(stream);
-    return std::none_of(topics.begin(), topics.end(),
-                        [this](const QString& topic) { return heard_.contains(topic.toStdString()); });
-  });
-  for (const auto& [kind, stream] : pictures_) {
-    if (!session_.live().grids.contains(kind)) none.insert(stream);
-  }
   QStringList silent;
-  for (const map::Stream stream : none) silent += topicsOf(stream).mid(0, 1);
+  for (const map::Stream stream : waiting_) silent += silentOf(stream);
+  for (const auto& [kind, stream] : pictures_) {
+    if (!session_.live().grids.contains(kind)) silent += topicsOf(stream).mid(0, 1);
+  }
   silent.sort();
   return silent;
 }

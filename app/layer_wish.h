@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <QObject>
 #include <QStringList>
@@ -30,11 +31,15 @@ class LayerWish : public QObject {
   bool in() const;
   /// What gave nothing, as the robot calls it.
   QStringList silent() const;
+  /// Layers that were asked for and that no topic of the robot can fill.
+  std::vector<scene::Layer> unfillable() const;
 
  private:
   QStringList topicsOf(map::Stream stream) const;
+  QStringList silentOf(map::Stream stream) const;
 
   session::Session& session_;
+  std::set<scene::Layer> layers_;                  // asked for
   std::set<std::string> heard_;                    // topics that a message of has been taken into the world
   map::Streams waiting_;                           // that something is to come of
   std::map<map::GridKind, map::Stream> pictures_;  // streams that are pictures

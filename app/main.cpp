@@ -22,6 +22,7 @@
 #include "app/simulate.h"
 #include "app/simulate_options.h"
 #include "app/snapshot.h"
+#include "app/topics.h"
 #include "app/waypoint_words.h"
 #include "app/window.h"
 #include "app/xdg.h"
@@ -51,6 +52,7 @@ struct CommandLine {
   app::RecordWords record;
   app::WaypointsWords waypoints;
   app::CloudsWords clouds;
+  app::TopicsWords topics;
   app::SimulateWords simulate;
   std::vector<std::string> bench_arguments;
 };
@@ -59,7 +61,8 @@ std::string layersHelp() {
   QStringList names;
   for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
   return help(Words::tr("Comma-separated: %1; or all (but track, for which a whole bag is read, and "
-                        "dispatched-cloud, which may be large); or none (the map alone)")
+                        "dispatched-cloud, which may be large); or none (the map alone). NAME=TOPIC takes a "
+                        "grid, a path or a target of a ROS robot from another topic")
                   .arg(names.join(QLatin1Char(','))));
 }
 
@@ -183,6 +186,7 @@ int run(int argc, char** argv) {
   app::addBags(cli, line.bags);
   app::addRecord(cli, line.record);
   app::addClouds(cli, line.clouds);
+  app::addTopics(cli, line.topics);
   addBagSnapshot(*cli.get_subcommand("bags"), line);
   addBagFilm(*cli.get_subcommand("bags"), line);
   CLI::App* bench = cli.add_subcommand(
@@ -245,6 +249,11 @@ int run(int argc, char** argv) {
     if (line.clouds.robot.empty()) line.clouds.robot = line.robot;
     line.clouds.access = app::withOuter(line.clouds.access, line.clouds.robot, line.access, line.robot);
     return app::runClouds(line.clouds, argc, argv);
+  }
+  if (cli.got_subcommand("topics")) {
+    if (line.topics.robot.empty()) line.topics.robot = line.robot;
+    line.topics.access = app::withOuter(line.topics.access, line.topics.robot, line.access, line.robot);
+    return app::runTopics(cli, line.topics, argc, argv);
   }
   if (cli.got_subcommand("bench")) return app::bench(bench->remaining());
   if (cli.got_subcommand("demo")) return app::demo(QString::fromStdString(line.demo_query), argc, argv);

@@ -15,6 +15,7 @@
 
 #include "app/access_words.h"
 #include "app/command_failure.h"
+#include "app/connecting.h"
 #include "app/exit_code.h"
 #include "app/one_line.h"
 #include "app/output_paths.h"
@@ -133,22 +134,7 @@ class Run {
       topics->setBasics({});
       topics->setWanted(order_.streams, order_.topics);
     }
-    const auto phase = [this] { return robot_->connection().phase; };
-    const auto settled = [&] {
-      return phase() == robot::ConnectionPhase::Online || phase() == robot::ConnectionPhase::Refused;
-    };
-    QObject waiting;
-    QObject::connect(robot_.get(), &robot::Robot::connectionChanged, &waiting, [&] {
-      if (settled()) loop_.quit();
-    });
-    QTimer::singleShot(int(words_.timeout_s * 1000), &waiting, [this] { loop_.quit(); });
-    robot_->connectToRobot();
-    if (!settled()) loop_.exec();
-    if (phase() == robot::ConnectionPhase::Online || stopped_) return std::nullopt;
-    const robot::ConnectionState state = robot_->connection();
-    if (state.reason.any()) return CommandFailure{kUnreachable, whyNotConnected(state)};
-    return CommandFailure{kUnreachable,
-                          Words::tr("No connection within %1 s (--timeout).").arg(words_.timeout_s)};
+    return connectWithin(*robot_, words_.timeout_s, loop_);
   }
 
   /// Until it is to end.

@@ -57,6 +57,12 @@ geometry::ViewTransform viewOf(const SnapshotOptions& options, const session::Se
     if (wantsSubmaps(options)) bounds.extend(session.contentBounds());
     const auto grid = wantsWhole(options) ? map.grid() : std::nullopt;
     if (grid) bounds.extend(grid->reference.bounds());
+    if (bounds.empty() && options.layers.contains(scene::Layer::Cloud)) {
+      for (const auto& [topic, cloud] : session.live().clouds) {
+        if (!cloud) continue;
+        for (const map::CloudPoint& point : *cloud) bounds.extend(Eigen::Vector2d(point.x_m, point.y_m));
+      }
+    }
     return view.fitted(bounds, kFitMarginPx);
   }
   view.center_m = *options.center_m;

@@ -13,6 +13,7 @@
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
 #include "geometry/view_transform.h"
+#include "scene/layer_topic.h"
 #include "submap/submap_book.h"
 
 namespace mapwright::app {
@@ -66,7 +67,32 @@ std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const Snapsh
   return std::nullopt;
 }
 
-tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) {
+/// Of "path=/my_plan" the topic; what stays is the name.
+tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics) {
+  const auto split = word.indexOf(QLatin1Char('='));
+  if (split < 0) return {};
+  const QString topic = word.mid(split + 1).trimmed(), name = word.left(split).trimmed();
+  const auto every = scene::allLayers();
+  const auto layer = std::find_if(every.begin(), every.end(),
+                                  [&](scene::Layer one) { return scene::layerName(one) == name; });
+  word = name;
+  if (layer == every.end()) return {};  // said of it below
+  const std::optional<map::Stream> stream = scene::chosenStream(*layer);
+  if (!stream) {
+    QStringList choosable;
+    for (const scene::Layer one : every) {
+      if (scene::chosenStream(one)) choosable << scene::layerName(one);
+    }
+    return tl::make_unexpected(Words::tr("--layers: for \"%1\" no topic can be chosen, only for %2.")
+                                   .arg(name, choosable.join(QLatin1String(", "))));
+  }
+  if (topic.isEmpty())
+    return tl::make_unexpected(Words::tr("--layers %1=: name the topic, for example %1=/topic.").arg(name));
+  topics.insert_or_assign(*stream, topic.startsWith(QLatin1Char('/')) ? topic : QLatin1Char('/') + topic);
+  return {};
+}
+
+tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, robot::TopicChoices& topics) {
   using scene::Layer;
   // What does not change from run to run by itself.
   if (words.isEmpty())
@@ -85,7 +111,8 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words) 
   if (words == QLatin1String("none")) return chosen;
   QStringList known;
   for (const Layer layer : every) known << scene::layerName(layer);
-  for (const QString& word : words.split(QLatin1Char(','))) {
+  for (QString word : words.split(QLatin1Char(','))) {
+    if (const auto taken = takeTopic(word, topics); !taken) return tl::make_unexpected(taken.error());
     const auto position = known.indexOf(word.trimmed());
     if (position < 0) {
       return tl::make_unexpected(Words::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
@@ -219,9 +246,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   }
   if (!std::isfinite(words.rotate_deg)) return wrong(Words::tr("--rotate must be a number of degrees."));
   options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(words.rotate_deg));
-  const auto layers = parseLayers(text(words.layers));
+  const auto layers = parseLayers(text(words.layers), options.topics);
   if (!layers) return wrong(layers.error());
   options.layers = *layers;
+  if (!words.layers.empty() && words.layers != "all") options.named = *layers;
   options.without_submaps = !words.layers.empty() && words.layers != "all" && words.layers != "none" &&
                             !layers->contains(scene::Layer::Submaps);
   if (words.slice < 0) return wrong(Words::tr("--slice must be 0 or more."));

@@ -14,6 +14,7 @@
 #include "geometry/rect.h"
 #include "map/catalogue.h"
 #include "render/tile_renderer.h"
+#include "robot/offers_topics.h"
 #include "scene/map_scene.h"
 
 namespace mapwright::app {
@@ -50,6 +51,8 @@ struct SnapshotOptions {
   double rotation_rad = 0;
   std::set<scene::Layer> layers;  // without Submaps and WholeMap: the mode says which, unless both are named
   bool without_submaps = false;   // layers were named, and the submaps are not among them
+  std::set<scene::Layer> named;   // by themselves: a word is said of those that stay empty
+  robot::TopicChoices topics;     // --layers NAME=TOPIC
   bool robot_anyway = false;      // draw the robot also on a map that it is not in
   int slice = 0;
   render::ColorMode colors = render::ColorMode::Normal;

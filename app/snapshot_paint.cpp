@@ -65,7 +65,7 @@ void SnapshotRun::paint(bool settled) {
     chosen_->map = mapJson(*map_.key(), session_.wholeMap().name(), grid->reference);
   }
   complete_ = settled && (!wantsSubmaps(options_) || submapsComplete(chosen_->counts)) &&
-              (!wantsWhole(options_) || map_.complete()) && !waypointsLost() &&
+              (!wantsWhole(options_) || scans_alone_ || map_.complete()) && !waypointsLost() &&
               (!options_.region || fetch_->complete()) && (!wantsCloud() || cloud_.came()) &&
               bagLosses(session_.problems()).isEmpty();
   if (wantsCloud() && !cloud_.problem().isEmpty()) notes_ << cloud_.problem();
@@ -86,6 +86,13 @@ void SnapshotRun::paint(bool settled) {
     notes_ << Words::tr("Topic %1 gave nothing within %2 s.")
                   .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
   }
+  for (const scene::Layer layer : live_layers_.unfillable()) {
+    if (!options_.named.contains(layer)) continue;
+    notes_ << (replayed_ ? Words::tr("Layer %1 is empty: the bag has no topic for it.")
+                         : Words::tr("Layer %1 is empty: the robot has no topic for it."))
+                  .arg(scene::layerName(layer));
+  }
+  noteChosenTopics();
   const session::SubmapCounts& counts = chosen_->counts;
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
     notes_ << Words::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
@@ -102,6 +109,19 @@ void SnapshotRun::paint(bool settled) {
   connect(picture_.get(), &SnapshotPicture::finished, this, &SnapshotRun::write);
   picture_->start();
   notes_ += picture_->notes();
+}
+
+void SnapshotRun::noteChosenTopics() {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
+  if (!of || !of->offered()) return;
+  for (const auto& [stream, topic] : options_.topics) {
+    if (of->choicesFor(stream).contains(topic)) continue;
+    QString fitting = of->choicesFor(stream).join(QLatin1String(", "));
+    if (fitting.isEmpty()) fitting = Words::tr("none");
+    notes_ << Words::tr("Topic %1 is not there, or of no type that fits its layer. Those that fit: %2.")
+                  .arg(topic, fitting);
+    complete_ = false;
+  }
 }
 
 void SnapshotRun::write() {

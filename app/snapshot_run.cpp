@@ -59,6 +59,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
               for (const auto& [topic, stamp_s] : replayed_->topics()) live_layers_.hear(topic);
             });
   }
+  if (robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot())) of->choose(options_.topics);
   map_.setPatience(replayed_ ? kBagMapWithinS : options_.timeout_s / 2);
   if (!automatic_) map_.agreeToWhole();
   for (QTimer* timer : {&timeout_, &cut_off_, &settle_}) {
@@ -148,6 +149,7 @@ bool SnapshotRun::connected() {
     fail(isLocal() ? kUsage : kRobotError, QStringLiteral("%1: %2").arg(options_.robot, why));
     return false;
   }
+  if (!topicsChoosable()) return false;
   connected_s_ = seconds();
   live_layers_.ask(options_.layers,
                    wantsWhole(options_) && (!options_.map || options_.map->kind == map::MapKind::Live));
@@ -159,6 +161,22 @@ bool SnapshotRun::connected() {
   if (options_.center_m && !options_.region && wantsCloud()) cloud_.ask(view_.visibleWorld());
   if (options_.settle_s) settle_.start(milliseconds(*options_.settle_s));
   return true;
+}
+
+bool SnapshotRun::topicsChoosable() {
+  robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
+  if (options_.topics.empty() || (of && of->chosen() == options_.topics)) return true;
+  fail(kUsage, Words::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): that is for ROS robots and "
+                         "their recordings.")
+                   .arg(options_.robot));
+  return false;
+}
+
+bool SnapshotRun::drawsScansAlone() const {
+  const auto& clouds = session_.live().clouds;
+  return automatic_ && !options_.map && !options_.raw && options_.layers.contains(scene::Layer::Cloud) &&
+         std::any_of(clouds.begin(), clouds.end(),
+                     [](const auto& cloud) { return cloud.second && !cloud.second->empty(); });
 }
 
 bool SnapshotRun::recalled() {
@@ -213,9 +231,13 @@ void SnapshotRun::look() {
   // A picture that a bag names and the robot sends is not waited for in vain.
   const bool coming = replayed_ && replayed_->picturesUnderWay() > 0;
   const double waited_s = coming ? 0 : seconds() - connected_s_ - whole_asked_s_;
-  if (wantsWhole(options_) && map_.look(waited_s) == MapWish::State::Failed) {
-    fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
-    return;
+  if (wantsWhole(options_) && !scans_alone_ && map_.look(waited_s) == MapWish::State::Failed) {
+    if (!drawsScansAlone()) {
+      fail(map_.failure().exit_code, QStringLiteral("%1: %2").arg(options_.robot, map_.failure().sentence));
+      return;
+    }
+    scans_alone_ = true;
+    notes_ << Words::tr("%1 What is scanned is drawn without a map.").arg(map_.failure().sentence);
   }
   if (!options_.settle_s && everythingIn() && topicsIn() && cloudIn()) {
     paint(true);
@@ -285,7 +307,7 @@ bool SnapshotRun::everythingIn() const {
   if (wantsSubmaps(options_) && !lacksSubmaps() && !session_.settled(kTries)) return false;
   if (asks_where_ && session_.catalogue().loading() && seconds() - connected_s_ < kTopicsWithinS)
     return false;
-  if (!wantsWhole(options_)) return true;
+  if (!wantsWhole(options_) || scans_alone_) return true;
   const bool points_in =
       !options_.layers.contains(scene::Layer::Waypoints) || !session_.wholeMap().waypointsAwaited();
   return map_.grid() && session_.wholeMap().settled() && points_in;

@@ -68,6 +68,10 @@ class SnapshotRun : public QObject {
   bool connected();
   /// Of a bag: the world of its time has been taken over.
   bool recalled();
+  bool topicsChoosable();
+  void noteChosenTopics();
+  /// There is no map, and something to be seen all the same.
+  bool drawsScansAlone() const;
   /// The mode was not chosen by anybody, no list of submaps comes, and a whole map can be had.
   bool wantsWholeInstead();
   void takeWholeInstead();
@@ -112,6 +116,7 @@ class SnapshotRun : public QObject {
   session::Session session_;
   MapWish map_;
   LayerWish live_layers_;
+  bool scans_alone_ = false;
   CloudWish cloud_;
   replay::ReplayRobot* replayed_ = nullptr;  // null = a robot as it is
   bool recalled_ = false;

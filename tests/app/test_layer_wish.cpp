@@ -3,15 +3,36 @@
 
 #include "../session/fake_robot.h"
 #include "app/layer_wish.h"
+#include "robot/offers_topics.h"
 
 using namespace mapwright;
 using scene::Layer;
 using test::FakeRobot;
 
+namespace {
+
+/// One that says which topics it has.
+class TellingRobot : public FakeRobot, public robot::OffersTopics {
+ public:
+  QStringList topicsOf(map::Stream stream) const override {
+    if (stream == map::Stream::Planning) return {};
+    return stream == map::Stream::Cloud ? QStringList{QStringLiteral("/scan"), QStringLiteral("/points")}
+                                        : FakeRobot::topicsOf(stream);
+  }
+  std::optional<std::vector<robot::OfferedTopic>> offered() const override { return told; }
+  QStringList choicesFor(map::Stream) const override { return {}; }
+  void choose(const robot::TopicChoices&) override {}
+  robot::TopicChoices chosen() const override { return {}; }
+
+  std::optional<std::vector<robot::OfferedTopic>> told;
+};
+
+}  // namespace
+
 class LayerWishTest : public QObject {
   Q_OBJECT
  private:
-  FakeRobot* robot_ = nullptr;
+  TellingRobot* robot_ = nullptr;
   std::unique_ptr<session::Session> session_;
   std::unique_ptr<app::LayerWish> wish_;
 
@@ -20,7 +41,7 @@ class LayerWishTest : public QObject {
  private Q_SLOTS:
   void init() {
     wish_.reset();
-    auto robot = std::make_unique<FakeRobot>();
+    auto robot = std::make_unique<TellingRobot>();
     robot_ = robot.get();
     robot_->has_topics = true;
     session_ = std::make_unique<session::Session>(std::move(robot), session::Session::Options{});
@@ -58,6 +79,29 @@ class LayerWishTest : public QObject {
       robot_->say(map::RobotModel{}, topicOf(map::Stream::Model));
       QVERIFY(wish_->in());
     }
+  }
+
+  // Which of them comes first is chance: the picture is of both.
+  void everyScannerThatTheRobotSaysItHasIsWaitedFor() {
+    for (const char* const first : {"/scan", "/points"}) {
+      const std::string second = first == std::string("/scan") ? "/points" : "/scan";
+      init();
+      wish_->ask({Layer::Cloud}, false);
+      robot_->say(map::PointCloudMessage{}, first);
+      QVERIFY(wish_->in());  // it does not say which it has
+      init();
+      robot_->told = {{QStringLiteral("/scan"), {}}, {QStringLiteral("/points"), {}}};
+      wish_->ask({Layer::Cloud}, false);
+      robot_->say(map::PointCloudMessage{}, first);
+      QCOMPARE(wish_->silent(), QStringList{QString::fromStdString(second)});
+      robot_->say(map::PointCloudMessage{}, second);
+      QVERIFY(wish_->in());
+    }
+  }
+
+  void aLayerThatNoTopicFillsIsKnown() {
+    wish_->ask({Layer::Target, Layer::Path, Layer::Grid}, false);
+    QCOMPARE(wish_->unfillable(), std::vector{Layer::Target});
   }
 
   void whatCameBeforeItWasAskedForHasCome() {

@@ -133,6 +133,82 @@ class RosCommandsTest : public QObject {
     QCOMPARE(QJsonDocument::fromJson(now.out)[QLatin1String("name")].toString(), QStringLiteral("Attic"));
   }
 
+  void topicsAreListedEchoedAndCounted() {
+    simulator::Options options;
+    robot_ = std::make_unique<simulator::Simulator>(options);
+    QVERIFY(!robot_->start());
+    const auto topics = [this](const QStringList& words) {
+      return run(QStringList{QStringLiteral("topics")} + words +
+                 QStringList{QStringLiteral("--robot"), ros()});
+    };
+    const Ran listed = topics({QStringLiteral("list"), QStringLiteral("--json")});
+    QVERIFY2(listed.exit_code == 0, listed.error.constData());
+    const QJsonArray rows = QJsonDocument::fromJson(listed.out).array();
+    const QJsonObject map{{QStringLiteral("topic"), QStringLiteral("/map")},
+                          {QStringLiteral("type"), QStringLiteral("nav_msgs/msg/OccupancyGrid")}};
+    const QJsonObject ros1_map{{QStringLiteral("topic"), QStringLiteral("/map")},
+                               {QStringLiteral("type"), QStringLiteral("nav_msgs/OccupancyGrid")}};
+    QVERIFY2(rows.contains(map) || rows.contains(ros1_map), listed.out.constData());
+
+    const Ran echoed = topics(
+        {QStringLiteral("echo"), QStringLiteral("/odom"), QStringLiteral("--count"), QStringLiteral("3")});
+    QVERIFY2(echoed.exit_code == 0, echoed.error.constData());
+    const QList<QByteArray> lines = echoed.out.trimmed().split('\n');
+    QCOMPARE(lines.size(), 3);
+    for (const QByteArray& line : lines)
+      QVERIFY2(QJsonDocument::fromJson(line)[QLatin1String("pose")].isObject(), line.constData());
+    const Ran silent = topics({QStringLiteral("echo"), QStringLiteral("/cmd_vel"), QStringLiteral("--count"),
+                               QStringLiteral("1"), QStringLiteral("--timeout"), QStringLiteral("2")});
+    QCOMPARE(silent.exit_code, 1);
+    QVERIFY2(silent.error.contains("/cmd_vel"), silent.error.constData());
+
+    // What is counted is not held back to spare the network: /tf comes fifty times a second.
+    const Ran counted = topics({QStringLiteral("hz"), QStringLiteral("/tf"), QStringLiteral("/cmd_vel"),
+                                QStringLiteral("--seconds"), QStringLiteral("3"), QStringLiteral("--json")});
+    QCOMPARE(counted.exit_code, 1);
+    const QJsonArray rates = QJsonDocument::fromJson(counted.out).array();
+    QCOMPARE(rates.size(), 2);
+    QVERIFY2(rates[0][QLatin1String("hz")].toDouble() > 15, counted.out.constData());
+    QVERIFY(rates[0][QLatin1String("max_s")].toDouble() >= rates[0][QLatin1String("min_s")].toDouble());
+    QVERIFY(rates[1][QLatin1String("hz")].isNull() && rates[1][QLatin1String("messages")].toInt() == 0);
+  }
+
+  void withoutRosapiTheListOfTopicsSaysWhatItIs() {
+    start(false, false);
+    const Ran listed =
+        run({QStringLiteral("topics"), QStringLiteral("list"), QStringLiteral("--robot"), ros()});
+    QCOMPARE(listed.exit_code, 1);
+    QVERIFY(listed.out.contains("/map"));
+    QVERIFY2(listed.error.contains("rosapi"), listed.error.constData());
+  }
+
+  void aLayerIsTakenFromTheTopicThatIsNamed() {
+    start(false);
+    QTemporaryDir folder;
+    const auto picture = [&](const QString& layers) {
+      const QString path = folder.filePath(QStringLiteral("a.png"));
+      const Ran ran = run({QStringLiteral("snapshot"), QStringLiteral("--mode"), QStringLiteral("whole"),
+                           QStringLiteral("--robot"), ros(), QStringLiteral("-o"), path,
+                           QStringLiteral("--layers"), layers});
+      return std::pair(ran, bytesOf(path));
+    };
+    const auto [usual, usual_bytes] = picture(QStringLiteral("costmap"));
+    QVERIFY2(usual.exit_code == 0, usual.error.constData());
+    const auto [chosen, chosen_bytes] = picture(QStringLiteral("costmap=/local_costmap/costmap"));
+    QVERIFY2(chosen.exit_code == 0, chosen.error.constData());
+    QVERIFY(chosen_bytes != usual_bytes);
+    const auto [absent, absent_bytes] = picture(QStringLiteral("costmap=/nowhere"));
+    QCOMPARE(absent.exit_code, 1);
+    QVERIFY2(absent.error.contains("/local_costmap/costmap"), absent.error.constData());
+    const auto [wrong, wrong_bytes] = picture(QStringLiteral("grid=/map"));
+    QCOMPARE(wrong.exit_code, 2);
+    QVERIFY2(wrong.error.contains("costmap"), wrong.error.constData());
+    // A layer that no topic fills says so.
+    const auto [empty, empty_bytes] = picture(QStringLiteral("trajectory"));
+    QCOMPARE(empty.exit_code, 0);
+    QVERIFY2(empty.error.contains("trajectory"), empty.error.constData());
+  }
+
   // Transforms come in any order: none of it makes another frame of the map.
   void noWaypointIsLeftOutOfAPictureOfAllLayers() {
     start();
