@@ -11,7 +11,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class ConnectingTexts {
   Q_DECLARE_TR_FUNCTIONS(Connecting)
 };
 
@@ -36,7 +36,8 @@ std::optional<CommandFailure> connectWithin(robot::Robot& robot, double timeout_
   if (phase() == robot::ConnectionPhase::Online || (!settled() && !too_late)) return std::nullopt;
   const robot::ConnectionState state = robot.connection();
   if (state.reason.any()) return CommandFailure{kUnreachable, whyNotConnected(state)};
-  return CommandFailure{kUnreachable, Words::tr("No connection within %1 s (--timeout).").arg(timeout_s)};
+  return CommandFailure{kUnreachable,
+                        ConnectingTexts::tr("No connection within %1 s (--timeout).").arg(timeout_s)};
 }
 
 }  // namespace mapwright::app
