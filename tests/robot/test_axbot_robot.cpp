@@ -278,7 +278,7 @@ class AxbotRobotTest : public QObject {
                              kPatienceMs);
     for (int i = 0; i < 3; ++i) server_->send(R"({"topic":"/battery_state","percentage":0.5})");
     server_->texts.clear();
-    server_->send(R"({"topic":"/map/in#o","overl)");  // it was the map's, and nobody can know that
+    server_->send("{\"topic\":\"/map/in#o\",\"overl");  // it was the map's, and nobody can know that
     QTRY_VERIFY_WITH_TIMEOUT(server_->topicsSent("enable_topic").contains(QStringLiteral("/map/info")),
                              kPatienceMs);
     QVERIFY(server_->topicsSent("disable_topic").contains(QStringLiteral("/map/info")));
