@@ -214,8 +214,11 @@ class SessionTest : public QObject {
     QVERIFY(session_->staleSince().has_value());
     robot_->answer(Outcome::Failed);
     now_ += submap::Millis(100'000);
+    QCOMPARE(session_->counts().shown, 1);
     session_->setVisible({{0, 0}}, false);
     QCOMPARE(robot_->asked.size(), std::size_t(2));
+    QCOMPARE(session_->counts().shown, 0);
+    session_->setVisible({{0, 0}}, true);
     QCOMPARE(session_->counts().shown, 1);
     robot_->setPhase(robot::ConnectionPhase::Online);
     QVERIFY(!session_->staleSince());
