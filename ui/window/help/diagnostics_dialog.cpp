@@ -4,7 +4,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
@@ -12,6 +11,7 @@
 
 #include "window/help/work_settings.h"
 #include "window/look/plain_label.h"
+#include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -57,12 +57,11 @@ Table memoryOf(const Diagnostics& now) {
 }
 
 Table messagesOf(const robot::Reception& now) {
-  const QLocale plain = QLocale::c();
   return {{QCoreApplication::translate("window", "Messages of the robot"),
            QCoreApplication::translate("window", "Count")},
-          {{QCoreApplication::translate("window", "Came"), plain.toString(now.came)},
-           {QCoreApplication::translate("window", "Dropped for newer ones"), plain.toString(now.dropped)},
-           {QCoreApplication::translate("window", "Late by more than a second"), plain.toString(now.late)}}};
+          {{QCoreApplication::translate("window", "Came"), countText(now.came)},
+           {QCoreApplication::translate("window", "Dropped for newer ones"), countText(now.dropped)},
+           {QCoreApplication::translate("window", "Late by more than a second"), countText(now.late)}}};
 }
 
 Table transformsOf(const robot::Reception& now) {
