@@ -92,11 +92,10 @@ class WebSocketLink::Impl {
                      [this] { fail(Fault::TimedOut, noAnswer(options_.connect_timeout)); });
     QObject::connect(&look_, &QTimer::timeout, owner_, [this] { look(); });
     QObject::connect(&retry_, &QTimer::timeout, owner_, [this] { startAttempt(); });
-    QObject::connect(&ping_, &QTimer::timeout, owner_, [this] {
-      if (socket_ != nullptr) {
-        socket_->ping();
-      }
-    });
+    if (!options_.wall) {
+      options_.wall = [] { return QDateTime::currentDateTime(); };
+    }
+    QObject::connect(&ping_, &QTimer::timeout, owner_, [this] { ping(); });
   }
 
   ~Impl() { dropSocket(); }
@@ -122,6 +121,7 @@ class WebSocketLink::Impl {
       return;
     }
     sayFarewell();
+    silent_since_.reset();
     reason_ = {};
     fault_ = Fault::None;
     certificate_.reset();
@@ -153,6 +153,7 @@ class WebSocketLink::Impl {
     return state_ == State::Open && transport_ != nullptr ? frames_bytes_ + transport_->bytesAvailable() : 0;
   }
   std::chrono::milliseconds silence() const { return options_.now() - heard_at_; }
+  const std::optional<QDateTime>& silentSince() const { return silent_since_; }
 
  private:
   static Reason noAnswer(std::chrono::milliseconds time) {
@@ -241,17 +242,61 @@ class WebSocketLink::Impl {
     reason_ = {};
     fault_ = Fault::None;
     opened_at_ = heard_at_ = options_.now();
+    silent_since_.reset();
+    asked_at_.reset();
     look_.start(options_.look_every);
     ping_.start(options_.ping_every);
-    socket_->ping();
     state_ = State::Open;
+    ping();
     Q_EMIT owner_->changed();
     if (state_ == State::Open) {
       Q_EMIT owner_->opened();
     }
   }
 
-  void hear() { heard_at_ = options_.now(); }
+  void ping() {
+    if (state_ != State::Open) {
+      return;
+    }
+    if (!asked_at_) {
+      asked_at_ = options_.now();
+    }
+    socket_->ping();
+  }
+
+  void hear() {
+    heard_at_ = options_.now();
+    talks_ = !asked_at_;
+    if (asked_at_) {
+      // How long it takes is forgotten again, within some pings.
+      slowest_ = std::max(heard_at_ - *asked_at_, slowest_ * 7 / 8);
+      asked_at_.reset();
+    }
+    if (silent_since_ && state_ == State::Open) {
+      silent_since_.reset();
+      Q_EMIT owner_->changed();
+    }
+  }
+
+  void noteSilence(std::chrono::milliseconds now) {
+    const auto silent = now - heard_at_;
+    if (talks_ && !asked_at_ && silent >= options_.ask_after) {
+      ping();
+    }
+    // Of one that was asked this moment nothing is known yet.
+    const auto bears = std::max(options_.quiet_after - options_.ask_after, 2 * slowest_);
+    if (silent_since_ || !asked_at_ || silent < options_.quiet_after || now - *asked_at_ < bears) {
+      return;
+    }
+    noteLastByte();
+    Q_EMIT owner_->changed();
+  }
+
+  void noteLastByte() {
+    if (!silent_since_) {
+      silent_since_ = options_.wall().addMSecs(-qint64(silence().count()));
+    }
+  }
 
   void look() {
     const auto now = options_.now();
@@ -262,6 +307,8 @@ class WebSocketLink::Impl {
     }
     if (now - heard_at_ > options_.silent_after) {
       fail(Fault::TimedOut, noAnswer(options_.silent_after));
+    } else {
+      noteSilence(now);
     }
   }
 
@@ -327,6 +374,9 @@ class WebSocketLink::Impl {
   void fail(Fault fault, const Reason& reason) {
     fault_ = fault;
     reason_ = reason;
+    if (state_ == State::Open) {
+      noteLastByte();
+    }
     dropSocket();
     retry_.start(backoff_.next());
     enter(State::Waiting);
@@ -379,6 +429,10 @@ class WebSocketLink::Impl {
   Backoff backoff_;
   QTimer connect_limit_, look_, ping_, retry_;
   std::chrono::milliseconds opened_at_{0}, heard_at_{0};
+  std::optional<std::chrono::milliseconds> asked_at_;  // by a ping, and no byte has come since
+  std::chrono::milliseconds slowest_{0};               // of its answers, lately
+  bool talks_ = false;                                 // the last byte came without being asked for
+  std::optional<QDateTime> silent_since_;
   QPointer<QTcpSocket> transport_;  // goes with its socket
   qint64 frames_bytes_ = 0;         // of a message whose last frame has not come; of text: characters
   QWebSocket* socket_ = nullptr;    // a child of the owner
@@ -409,6 +463,7 @@ void WebSocketLink::setTrust(const Trust& trust) { impl_->setTrust(trust); }
 Reason WebSocketLink::reason() const { return impl_->reason(); }
 WebSocketLink::Fault WebSocketLink::fault() const { return impl_->fault(); }
 std::optional<CertificateFault> WebSocketLink::certificate() const { return impl_->certificate(); }
+std::optional<QDateTime> WebSocketLink::silentSince() const { return impl_->silentSince(); }
 int WebSocketLink::handshakeStatus() const { return impl_->status(); }
 int WebSocketLink::attempt() const { return impl_->attempt(); }
 std::optional<int> WebSocketLink::retryInMs() const { return impl_->retryInMs(); }

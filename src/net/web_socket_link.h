@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <QByteArray>
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QUrl>
@@ -18,6 +19,8 @@ namespace mapwright::net {
 
 struct WebSocketLinkOptions {
   std::chrono::milliseconds ping_every{5'000};
+  std::chrono::milliseconds ask_after{1'000};       // one that has just been talking is asked sooner
+  std::chrono::milliseconds quiet_after{3'000};     // asked, and no byte for so long = silentSince()
   std::chrono::milliseconds silent_after{15'000};   // not a byte for this long = the link is dead
   std::chrono::milliseconds healthy_after{30'000};  // open for so long = the next loss is a first one
   std::chrono::milliseconds look_every{1'000};      // for silence and health
@@ -27,7 +30,8 @@ struct WebSocketLinkOptions {
   quint64 max_message_bytes = quint64(256) << 20;
   quint32 jitter_seed = 0;  // 0 = random; tests fix it
   std::function<std::chrono::milliseconds()> now =
-      {};  // a clock that only goes forward; empty = the usual one
+      {};                                // a clock that only goes forward; empty = the usual one
+  std::function<QDateTime()> wall = {};  // the time of day; empty = the usual one
 };
 
 /// Lives on the thread that made it. States are told by changed(); text and binary frames by signals.
@@ -68,9 +72,13 @@ class WebSocketLink : public QObject {
   std::optional<int> retryInMs() const;       // while Waiting
   std::optional<int> roundTripMs() const;     // last ping
   std::chrono::milliseconds silence() const;  // since the last byte, be it within a message; while Open
+  /// When the last byte came, once that is too long ago: an open link does not answer, and has been quicker
+  /// before (one that needs long for its answers gets as long again), or it is lost. nullopt: all is well, or
+  /// it has never been open.
+  std::optional<QDateTime> silentSince() const;
 
  Q_SIGNALS:
-  void changed();
+  void changed();  // of silentSince(), too
   void opened();
   void written();  // some of unsentBytes() has left
   void textReceived(const QByteArray& utf8);

@@ -1,28 +1,17 @@
 #include "session/session.h"
 
-#include <cmath>
 #include <utility>
 
 #include <QFile>
 
 #include "grids/tile_cache.h"
+#include "robot/silence.h"
 
 namespace mapwright::session {
 namespace {
 
 constexpr int kProblemsEveryMs = 100;
 constexpr submap::Millis kListsStayFor{60'000};
-
-/// Of a robot that went silent nothing on screen is newer than its last message, be the link given up later.
-/// One that says nothing by itself was there until now.
-QDateTime lastHeard(const robot::ConnectionState& link, double last_message_s, const QDateTime& now) {
-  constexpr qint64 kGivenUpWithinMs = 60'000;
-  const QDateTime last =
-      QDateTime::fromMSecsSinceEpoch(std::llround(last_message_s * 1000)).toTimeSpec(now.timeSpec());
-  const qint64 ago_ms = last.msecsTo(now);
-  const bool silent = link.failure == map::FailureKind::TimedOut && ago_ms >= 0 && ago_ms < kGivenUpWithinMs;
-  return silent ? last : now;
-}
 
 std::function<submap::Millis()> orOwnClock(std::function<submap::Millis()> monotonic) {
   if (monotonic) return monotonic;
@@ -155,7 +144,7 @@ void Session::noteConnection() {
   const bool online = robot_->connection().phase == robot::ConnectionPhase::Online;
   submaps_.setOnline(online);
   if (online != was_online_) {
-    if (!online) stale_since_ = lastHeard(robot_->connection(), world_.at_s, wall_());
+    if (!online) stale_since_ = robot::silentSince(*robot_).value_or(wall_());
     if (online) stale_since_.reset();
     was_online_ = online;
     if (online) {

@@ -226,6 +226,74 @@ class TestWebSocketLink : public QObject {
     QVERIFY(mute.handshakes >= 2);
   }
 
+  void whoDoesNotAnswerIsToldSoonWithTheTimeOfItsLastByte() {
+    RawWebSocketServer server;
+    StandingClock clock;
+    const QDateTime began(QDate(2026, 5, 1), QTime(12, 0, 0));
+    WebSocketLinkOptions options = quick();
+    options.now = clock.reader();
+    options.wall = [&] { return began.addMSecs((clock.time - milliseconds(1'000'000)).count()); };
+    options.quiet_after = milliseconds(3'000);
+    options.silent_after = milliseconds(15'000);
+    options.backoff_first = options.backoff_limit = milliseconds(1'000);
+    WebSocketLink link({server.url()}, {}, options);
+    QSignalSpy changed(&link, &WebSocketLink::changed);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    const auto hear = [&] {
+      const QByteArray text("\x81\x01x", 3);
+      QSignalSpy came(&link, &WebSocketLink::textReceived);
+      server.peer->write(text);
+      QTRY_COMPARE(came.size(), 1);
+    };
+    const auto pass = [&](int ms) {
+      clock.time += milliseconds(ms);
+      const int looks = clock.looks;
+      QTRY_VERIFY(clock.looks > looks + 4);
+    };
+    hear();
+    pass(2'000);  // asked by now
+    QVERIFY(!link.silentSince());
+    pass(1'900);
+    QVERIFY(!link.silentSince());
+    changed.clear();
+    pass(200);
+    QCOMPARE(link.state(), State::Open);
+    QCOMPARE(link.silentSince(), std::optional(began));
+    QCOMPARE(changed.size(), 1);
+    pass(5'000);
+    QCOMPARE(link.silentSince(), std::optional(began));
+    hear();
+    QVERIFY(!link.silentSince());
+    QCOMPARE(changed.size(), 2);
+    // It has taken 7.1 s to answer: as long is nothing remarkable now.
+    pass(2'000);
+    pass(10'000);
+    QVERIFY(!link.silentSince());
+    const QDateTime heard = began.addMSecs(9'100);
+    pass(3'500);
+    QTRY_COMPARE(link.state(), State::Waiting);
+    QCOMPARE(link.silentSince(), std::optional(heard));
+    QTRY_COMPARE(link.state(), State::Open);
+    QVERIFY(!link.silentSince());
+  }
+
+  void aQuietServerThatAnswersIsNotSilent() {
+    EchoServer server;
+    WebSocketLinkOptions options = quick();
+    options.ask_after = milliseconds(10);
+    options.quiet_after = milliseconds(2'000);
+    WebSocketLink link({server.url()}, {}, options);
+    link.open();
+    QTRY_COMPARE(link.state(), State::Open);
+    bool told = false;
+    connect(&link, &WebSocketLink::changed, this, [&] { told |= link.silentSince().has_value(); });
+    int pongs = 0;
+    connect(&link, &WebSocketLink::changed, this, [&] { ++pongs; });
+    QTRY_VERIFY(pongs > 10);
+    QVERIFY(!told);
+  }
+
   void everyByteIsASignOfLife() {
     RawWebSocketServer server;
     StandingClock clock;
@@ -286,7 +354,8 @@ class TestWebSocketLink : public QObject {
     testing::SecureServer server(QStringLiteral("self_signed"));
     StandingClock clock;
     WebSocketLinkOptions options = quick();
-    options.ping_every = std::chrono::hours(1);  // no pongs: bytes of the frame alone count here
+    // No pongs: bytes of the frame alone count here.
+    options.ping_every = options.ask_after = std::chrono::hours(1);
     options.now = clock.reader();
     WebSocketLink link({server.url(QStringLiteral("wss"))}, {}, options);
     Trust trust;

@@ -10,6 +10,7 @@
 #include <QJsonObject>
 #include <QList>
 #include <QMap>
+#include <QSet>
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QUrl>
@@ -83,6 +84,7 @@ class ScriptedRobot {
   }
 
   QMap<QByteArray, QByteArray> answers;  // whole HTTP answers by path; others are 404
+  QSet<QByteArray> held;                 // paths that are never answered
   QList<Asked> asked;
   QList<QWebSocket*> peers;
   QList<QByteArray> texts;  // what came over WebSockets
@@ -115,6 +117,7 @@ class ScriptedRobot {
     socket->skip(end + 4 + length);
     asked.append(one);
     const QByteArray path = one.path.split('?').first();
+    if (held.contains(path)) return;
     socket->write(
         answers.value(path, reply(404, R"({"detail":"Not found"})", "Content-Type: application/json\r\n")));
     socket->disconnectFromHost();

@@ -55,8 +55,7 @@ class AimdkRobotTest : public QObject {
                    "{\"data\":{\"points\":[{\"point_id\":1,\"name\":\"A\",\"pixel_pose\":{\"position\":{"
                    "\"u\":9,\"v\":9},\"angle\":0},\"pose\":{\"position\":{\"x\":1,\"y\":1,\"z\":0}}}]}}");
   }
-  void makeRobot() {
-    aimdk::LinkOptions options;
+  void makeRobot(aimdk::LinkOptions options = {}) {
     options.base = server_->url();
     options.poll_every = std::chrono::milliseconds(5);
     options.backoff_first = std::chrono::milliseconds(5);
@@ -83,6 +82,27 @@ class AimdkRobotTest : public QObject {
     QCOMPARE(server_->asked.first().body, QByteArray("{\"command\":\"MappingCommand_GET_STORED_MAP_NAME\"}"));
     robot_->disconnectFromRobot();
     QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Offline), kPatienceMs);
+  }
+
+  void oneThatDoesNotAnswerIsSilentBeforeItIsLost() {
+    aimdk::LinkOptions options;
+    options.quiet_after = std::chrono::milliseconds(300);
+    options.patience = std::chrono::milliseconds(3'000);
+    makeRobot(options);
+    robot_->connectToRobot();
+    QTRY_VERIFY_WITH_TIMEOUT(server_->timesAsked(kCurrent) > 3, kPatienceMs);
+    QVERIFY(isIn(ConnectionPhase::Online) && !silentSince(*robot_));
+    server_->held << kCurrent << kNames;
+    const QDateTime before = QDateTime::currentDateTime();
+    QTRY_VERIFY_WITH_TIMEOUT(silentSince(*robot_), kPatienceMs);
+    QVERIFY(isIn(ConnectionPhase::Online));
+    const QDateTime heard = *silentSince(*robot_);
+    QVERIFY(heard.msecsTo(before) > -250);  // what was on its way
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Interrupted), kPatienceMs);
+    QCOMPARE(silentSince(*robot_), std::optional(heard));
+    server_->held.clear();
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(ConnectionPhase::Online), kPatienceMs);
+    QVERIFY(!silentSince(*robot_));
   }
 
   void aLossIsNoticedAndMended() {

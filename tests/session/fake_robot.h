@@ -12,6 +12,7 @@
 #include <QDateTime>
 
 #include "robot/robot.h"
+#include "robot/silence.h"
 #include "topic_names.h"
 
 namespace mapwright::test {
@@ -30,6 +31,7 @@ inline map::Failure failed(const std::string& detail,
 }
 
 class FakeRobot : public robot::Robot,
+                  public robot::MeasuresSilence,
                   public robot::SubmapSource,
                   public robot::MapCatalogue,
                   public robot::WholeMapSource,
@@ -107,7 +109,7 @@ class FakeRobot : public robot::Robot,
 
   bool has_maps = false, has_topics = false, has_submaps = true, offers_overview = false;
   bool sends_no_map = false;
-  map::FailureKind failure = map::FailureKind::None;  // of the connection, from the next setPhase() on
+  QDateTime silent_since;
   robot::MapDispatch* dispatch = nullptr;
   std::vector<robot::OutcomeTo<std::vector<map::CatalogueEntry>>> lists;
   std::vector<std::pair<map::MapKey, robot::OutcomeTo<map::CatalogueEntry>>> descriptions;
@@ -124,6 +126,7 @@ class FakeRobot : public robot::Robot,
   void connectToRobot() override { ++connects; }
   void disconnectFromRobot() override { setPhase(robot::ConnectionPhase::Offline); }
   robot::ConnectionState connection() const override { return state_; }
+  QDateTime silentSince() const override { return silent_since; }
   robot::RobotIdentity identity() const override { return {}; }
   robot::SubmapSource* submapSource() override { return has_submaps ? this : nullptr; }
 
@@ -151,7 +154,6 @@ class FakeRobot : public robot::Robot,
 
   void setPhase(robot::ConnectionPhase phase) {
     state_.phase = phase;
-    state_.failure = failure;
     Q_EMIT connectionChanged();
   }
   /// Stamped with its clock.

@@ -14,6 +14,7 @@
 #include "window/map/empty_state.h"
 #include "window/map/measure_tool.h"
 #include "window/map/notice_bar.h"
+#include "window/status/link_text.h"
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
 
@@ -39,6 +40,13 @@ class TestWindowText : public QObject {
     auto online = link(robot::ConnectionPhase::Online);
     online.round_trip_ms = 12;
     QCOMPARE(connectionText(online).text, QStringLiteral("connected 12 ms"));
+    const QDateTime heard(QDate(2026, 5, 1), QTime(12, 3, 34));
+    const StateText nothing = linkText(online, heard, 0, heard.addMSecs(3'200));
+    QCOMPARE(nothing.text, QStringLiteral("nothing for 3 s"));
+    QVERIFY(nothing.mark == Mark::Warning);
+    QCOMPARE(linkText(online, std::nullopt).text, QStringLiteral("connected 12 ms"));
+    QCOMPARE(linkWord(online, heard), QStringLiteral("silent"));
+    QCOMPARE(linkWord(online, std::nullopt), QStringLiteral("connected"));
     auto away = link(robot::ConnectionPhase::Interrupted);
     away.attempt = 2;
     away.retry_in_ms = 3000;

@@ -1,8 +1,7 @@
 #include "robot/aimdk/aimdk_link.h"
 
+#include <algorithm>
 #include <utility>
-
-#include <QDateTime>
 
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
@@ -68,7 +67,9 @@ void AimdkLink::start() {
   http_->setTrust(options_.trust);
   timer_ = std::make_unique<QTimer>();
   healthy_ = std::make_unique<QTimer>();
-  for (QTimer* timer : {timer_.get(), healthy_.get()}) timer->setSingleShot(true);
+  quiet_ = std::make_unique<QTimer>();
+  for (QTimer* timer : {timer_.get(), healthy_.get(), quiet_.get()}) timer->setSingleShot(true);
+  connect(quiet_.get(), &QTimer::timeout, this, &AimdkLink::noteSilence);
   connect(healthy_.get(), &QTimer::timeout, this, [this] { backoff_.reset(); });
   connect(timer_.get(), &QTimer::timeout, this, [this] {
     if (phase_ == ConnectionPhase::Online) {
@@ -131,12 +132,26 @@ void AimdkLink::close() {
   if (http_) {
     timer_->stop();
     healthy_->stop();
+    quiet_->stop();
     http_->cancelAll();
   }
   asking_ = 0;
   attempt_ = 0;
   backoff_.reset();
+  silent_since_.reset();
+  heard_at_ = {};
   enter(ConnectionPhase::Offline);
+}
+
+void AimdkLink::hear() {
+  heard_at_ = QDateTime::currentDateTime();
+  silent_since_.reset();
+}
+
+void AimdkLink::noteSilence() {
+  if (phase_ != ConnectionPhase::Online || asking_ == 0 || !heard_at_.isValid()) return;
+  silent_since_ = heard_at_;
+  enter(phase_);
 }
 
 void AimdkLink::attempt() {
@@ -149,6 +164,7 @@ void AimdkLink::attempt() {
     deliver(kMapNames, answer);
     const auto maps = parseMapNames(view(answer.body));
     if (answer.ok() && maps) {
+      hear();
       goOnline();
     } else if (answer.ok()) {
       // Something answers every question with success. JSON may come from a robot that has a trouble of its
@@ -175,15 +191,23 @@ void AimdkLink::goOnline() {
 }
 
 void AimdkLink::poll() {
+  polled_.start();
+  // One that needs long for its answers gets as long again.
+  quiet_->start(std::max(options_.quiet_after, 2 * slowest_));
   ask(kCurrentMap, currentMapRequest(), [this](const net::HttpAnswer& answer) {
     if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
     asking_ = 0;
+    quiet_->stop();
     deliver(kCurrentMap, answer);
     // An answer with an error is a sign of life: the robot may have no map in use.
     if (answer.kind != net::HttpAnswer::Kind::Answered) {
       interrupt(answer);
       return;
     }
+    slowest_ = std::max(std::chrono::milliseconds(polled_.elapsed()), slowest_ * 7 / 8);
+    const bool was_silent = silent_since_.has_value();
+    hear();
+    if (was_silent) enter(phase_);
     if (answer.ok()) noteCurrent(parseCurrentMap(view(answer.body)).value_or(std::string()));
     timer_->start(options_.poll_every);
   });
@@ -203,6 +227,8 @@ void AimdkLink::interrupt(const net::HttpAnswer& answer) {
 void AimdkLink::interrupt(const map::Reason& reason, map::FailureKind failure) {
   if (!wanted_) return;
   healthy_->stop();
+  quiet_->stop();
+  if (heard_at_.isValid()) silent_since_ = heard_at_;
   if (failure != map::FailureKind::Certificate) certificate_.reset();
   reason_ = reason;
   failure_ = failure;
@@ -231,6 +257,7 @@ void AimdkLink::enter(ConnectionPhase phase, std::optional<int> retry_in_ms) {
   state.certificate = certificate_;
   state.attempt = attempt_;
   state.retry_in_ms = retry_in_ms;
+  Q_EMIT silenceChanged(silent_since_.value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }
 

@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include <QDateTime>
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <QUrl>
@@ -25,7 +27,8 @@ namespace mapwright::robot::aimdk {
 struct LinkOptions {
   QUrl base;  // http(s)://host:port[/prefix]
   net::Trust trust;
-  std::chrono::milliseconds poll_every{10'000};  // while online, so that a loss is noticed
+  std::chrono::milliseconds poll_every{5'000};   // while online, so that a loss is noticed
+  std::chrono::milliseconds quiet_after{3'000};  // a poll without an answer for so long is told
   std::chrono::milliseconds patience{10'000};    // for the small questions
   std::chrono::milliseconds map_patience{60'000};
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
@@ -50,6 +53,7 @@ class AimdkLink : public QObject {
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
+  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
   void currentMapChanged();
@@ -65,6 +69,8 @@ class AimdkLink : public QObject {
   void attempt();
   void poll();
   void goOnline();
+  void hear();
+  void noteSilence();
   void interrupt(const net::HttpAnswer& answer);
   void interrupt(const map::Reason& reason, map::FailureKind failure);
   void noteCurrent(const std::string& id);
@@ -78,10 +84,15 @@ class AimdkLink : public QObject {
   std::unique_ptr<net::HttpClient> http_;
   std::unique_ptr<QTimer> timer_;    // until the next try, or the next poll
   std::unique_ptr<QTimer> healthy_;  // while online, until it counts as healthy
+  std::unique_ptr<QTimer> quiet_;    // while a poll is under way, until it takes longer than is usual here
   net::Backoff backoff_;
   bool wanted_ = false;
   net::HttpClient::RequestId asking_ = 0;  // the connection's own question under way
   int attempt_ = 0;
+  QElapsedTimer polled_;                  // when the poll under way was sent
+  std::chrono::milliseconds slowest_{0};  // of the answers to polls, lately
+  QDateTime heard_at_;                    // the last answer; invalid before the first
+  std::optional<QDateTime> silent_since_;
   ConnectionPhase phase_ = ConnectionPhase::Offline;
   map::Reason reason_;  // why it is not online
   std::optional<UntrustedCertificate> certificate_;

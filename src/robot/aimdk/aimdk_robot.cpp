@@ -22,6 +22,9 @@ AimdkRobot::AimdkRobot(QString address, LinkOptions options, std::unique_ptr<Liv
   link_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("aimdk link"));
   connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
+  connect(link_, &AimdkLink::silenceChanged, this, [this](const QDateTime& since) {
+    if (std::exchange(silent_since_, since) != since) Q_EMIT connectionChanged();
+  });
   connect(link_, &AimdkLink::stateChanged, this, [this](const ConnectionState& state) {
     if (state == state_) return;
     state_ = state;
@@ -37,6 +40,7 @@ AimdkRobot::AimdkRobot(QString address, LinkOptions options, std::unique_ptr<Liv
     connect(live_.get(), &LiveBeside::recovered, this, &Robot::recovered);
     connect(live_.get(), &LiveBeside::topicsChanged, this, &Robot::capabilitiesChanged);
     connect(live_.get(), &LiveBeside::certificateChanged, this, &Robot::connectionChanged);
+    connect(live_.get(), &LiveBeside::silenceChanged, this, &Robot::connectionChanged);
   }
   thread_.start();
 }
@@ -46,6 +50,12 @@ AimdkRobot::~AimdkRobot() {
   link_->disconnect(this);
   thread_.quit();
   thread_.wait();
+}
+
+QDateTime AimdkRobot::silentSince() const {
+  // Where it is comes by the other server alone.
+  const bool by_other = live_ && state_.phase == ConnectionPhase::Online && !silent_since_.isValid();
+  return by_other ? live_->silentSince() : silent_since_;
 }
 
 void AimdkRobot::connectToRobot() {

@@ -9,6 +9,7 @@
 #include "robot/delivery.h"
 #include "robot/robot.h"
 #include "robot/second_server.h"
+#include "robot/silence.h"
 #include "robot/wire/pending_calls.h"
 
 namespace mapwright::robot::aimdk {
@@ -52,7 +53,7 @@ class Points : public WaypointSource {
   wire::PendingCalls<map::WaypointList> lists_;
 };
 
-class AimdkRobot : public Robot, public SecondServer, public Delivers {
+class AimdkRobot : public Robot, public SecondServer, public Delivers, public MeasuresSilence {
   Q_OBJECT
  public:
   /// `live`: what is beside the interface and tells where the robot is; null = nothing.
@@ -68,6 +69,7 @@ class AimdkRobot : public Robot, public SecondServer, public Delivers {
   std::optional<UntrustedCertificate> certificateBeside() const override;
   void trustBeside(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
+  QDateTime silentSince() const override;
   RobotIdentity identity() const override { return identity_; }
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
@@ -87,6 +89,7 @@ class AimdkRobot : public Robot, public SecondServer, public Delivers {
   WholeMaps whole_maps_;
   Points points_;
   ConnectionState state_;
+  QDateTime silent_since_;
   RobotIdentity identity_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "robot/silence.h"
+
 namespace mapwright::robot::aimdk {
 namespace {
 
@@ -67,6 +69,8 @@ void LiveBeside::setDeliveryTap(DeliveryTap tap) {
 void LiveBeside::noteLink() {
   const ConnectionState state = source_->connection();
   if (std::exchange(certificate_, state.certificate) != state.certificate) Q_EMIT certificateChanged();
+  const QDateTime since = robot::silentSince(*source_).value_or(QDateTime());
+  if (std::exchange(silent_since_, since) != since) Q_EMIT silenceChanged();
   if (state.phase == ConnectionPhase::Online || !wanted_) return tellOff();
   const bool away = state.phase == ConnectionPhase::Interrupted || state.phase == ConnectionPhase::Refused;
   // Each try that fails is no news, unless it fails otherwise.

@@ -22,6 +22,7 @@ class LiveBeside : public QObject, public LiveTopics, public Delivers {
   void connectToRobot();
   void disconnectFromRobot();
   ConnectionState connection() const { return source_->connection(); }
+  QDateTime silentSince() const { return silent_since_; }
   QString host() const { return QString::fromStdString(subject_.id); }
   /// As SecondServer says.
   void trustCertificate(const QString& sha256);
@@ -41,6 +42,7 @@ class LiveBeside : public QObject, public LiveTopics, public Delivers {
   void recovered(const mapwright::map::Recovery& recovery);
   void topicsChanged();
   void certificateChanged();  // connection().certificate
+  void silenceChanged();      // silentSince()
 
  private:
   LiveTopics& topics() const { return *source_->liveTopics(); }
@@ -53,6 +55,7 @@ class LiveBeside : public QObject, public LiveTopics, public Delivers {
   QString trusted_;                  // SHA-256 that is still to be told; empty = none
   std::optional<map::Reason> told_;  // why it is away
   std::optional<UntrustedCertificate> certificate_;
+  QDateTime silent_since_;
 };
 
 }  // namespace mapwright::robot::aimdk

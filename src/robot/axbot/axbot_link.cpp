@@ -531,6 +531,7 @@ void AxbotLink::trust(const QByteArray& pinned_sha256) {
 void AxbotLink::publishState() {
   ConnectionState state = wire::stateOf(*socket_, wanted_);
   if (state.reason.any()) state.reason = whyNot();
+  Q_EMIT silenceChanged(socket_->silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
 }
 

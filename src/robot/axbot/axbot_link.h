@@ -83,6 +83,7 @@ class AxbotLink : public QObject {
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
+  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
   void identityChanged(const mapwright::robot::RobotIdentity& identity);
   void topicReceived(const mapwright::map::StampedMessage& message);
   void mailArrived();  // the mailbox was empty and is no more

@@ -31,6 +31,9 @@ AxbotRobot::AxbotRobot(QString address, LinkOptions options, QObject* parent)
   link_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("axbot link"));
   connect(&thread_, &QThread::finished, link_, &QObject::deleteLater);
+  connect(link_, &AxbotLink::silenceChanged, this, [this](const QDateTime& since) {
+    if (std::exchange(silent_since_, since) != since) Q_EMIT connectionChanged();
+  });
   connect(link_, &AxbotLink::stateChanged, this, [this](const ConnectionState& state) {
     if (state == state_) return;
     const bool again = state.phase == ConnectionPhase::Online && state_.phase != ConnectionPhase::Online;

@@ -10,10 +10,11 @@
 #include "robot/axbot/axbot_link.h"
 #include "robot/delivery.h"
 #include "robot/robot.h"
+#include "robot/silence.h"
 
 namespace mapwright::robot::axbot {
 
-class AxbotRobot : public Robot, public Delivers {
+class AxbotRobot : public Robot, public Delivers, public MeasuresSilence {
   Q_OBJECT
  public:
   AxbotRobot(QString address, LinkOptions options, QObject* parent = nullptr);
@@ -24,6 +25,7 @@ class AxbotRobot : public Robot, public Delivers {
   void disconnectFromRobot() override;
   void trustCertificate(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
+  QDateTime silentSince() const override { return silent_since_; }
   RobotIdentity identity() const override { return identity_; }
   SubmapSource* submapSource() override { return &submaps_; }
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
@@ -53,6 +55,7 @@ class AxbotRobot : public Robot, public Delivers {
   Administration administration_;
   Bags bags_;
   ConnectionState state_;
+  QDateTime silent_since_;
   RobotIdentity identity_;
   std::optional<QString> overview_unknown_;    // what it answered when it was asked for one
   std::optional<map::MapInfo> last_map_info_;  // without overlays

@@ -268,6 +268,7 @@ void RosLink::publishState() {
     state.reason = {map::ReasonCode::NoMapManagerThere, {host}};
     state.retry_in_ms = std::max(0, look_timer_->remainingTime());
   }
+  Q_EMIT silenceChanged(client_ ? client_->link().silentSince().value_or(QDateTime()) : QDateTime());
   Q_EMIT stateChanged(state);
 }
 

@@ -106,6 +106,7 @@ class RosLink : public QObject {
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
+  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
   void topicReceived(const mapwright::map::StampedMessage& message);
   void mailArrived();  // the mailbox was empty and is no more
   void rawReceived(const mapwright::robot::RawMessage& message);

@@ -48,6 +48,9 @@ RosRobot::~RosRobot() {
 }
 
 void RosRobot::listen() {
+  connect(link_, &RosLink::silenceChanged, this, [this](const QDateTime& since) {
+    if (std::exchange(silent_since_, since) != since) Q_EMIT connectionChanged();
+  });
   connect(link_, &RosLink::stateChanged, this, [this](const ConnectionState& state) {
     if (state == state_) return;
     state_ = state;

@@ -12,10 +12,11 @@
 #include "robot/ros/kabam_picture_store.h"
 #include "robot/ros/ros_capabilities.h"
 #include "robot/ros/ros_link.h"
+#include "robot/silence.h"
 
 namespace mapwright::robot::ros {
 
-class RosRobot : public Robot, public Delivers, public OffersTopics {
+class RosRobot : public Robot, public Delivers, public OffersTopics, public MeasuresSilence {
   Q_OBJECT
  public:
   RosRobot(QString address, LinkOptions options, QObject* parent = nullptr);
@@ -26,6 +27,7 @@ class RosRobot : public Robot, public Delivers, public OffersTopics {
   void disconnectFromRobot() override;
   void trustCertificate(const QString& sha256) override;
   ConnectionState connection() const override { return state_; }
+  QDateTime silentSince() const override { return silent_since_; }
   RobotIdentity identity() const override;
   MapCatalogue* mapCatalogue() override { return &catalogue_; }
   WholeMapSource* wholeMapSource() override { return &whole_maps_; }
@@ -66,6 +68,7 @@ class RosRobot : public Robot, public Delivers, public OffersTopics {
   KabamAdministration administration_;
   RosDispatch dispatch_;
   ConnectionState state_;
+  QDateTime silent_since_;
   bool has_manager_ = false, takes_pictures_ = false, has_dispatch_ = false;
 };
 

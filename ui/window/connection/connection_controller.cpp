@@ -21,6 +21,7 @@
 #include "window/on_screen.h"
 #include "window/replay/replay_state.h"
 #include "window/status/connection_chip.h"
+#include "window/status/link_text.h"
 #include "window/unsaved_changes.h"
 #include "words/qt_plain.h"
 
@@ -249,8 +250,9 @@ void ConnectionController::refresh() {
   const bool stale = session && session->staleSince().has_value();
   context_.scene.setStale(stale);
   // How long it lasts goes on by itself.
-  if (stale && !stale_tick_.isActive()) stale_tick_.start();
-  if (!stale) stale_tick_.stop();
+  const bool counts = session && valuesAsOf(*session).has_value();
+  if (counts && !stale_tick_.isActive()) stale_tick_.start();
+  if (!counts) stale_tick_.stop();
   if (chip_) refreshChip();
   refreshNotices();
 }
@@ -267,7 +269,7 @@ void ConnectionController::refreshChip() {
   if (!identity.model.isEmpty()) detail << tr("Model %1").arg(identity.model);
   if (!identity.serial.isEmpty()) detail << tr("Serial number %1").arg(identity.serial);
   if (!identity.version.isEmpty()) detail << tr("Version %1").arg(identity.version);
-  const StateText state = replayText(session).value_or(connectionText(connection));
+  const StateText state = replayText(session).value_or(linkText(connection, silentOnline(*session)));
   detail << state.text;
   if (replayText(session)) {
     chip_->setRobot(bagCalled(*replayOf(session)), state.mark, tr("replay"), detail.join(QLatin1Char('\n')));
@@ -277,7 +279,7 @@ void ConnectionController::refreshChip() {
     detail << tr("No connection since %1, %2")
                   .arg(QLocale::c().toString(*since, QStringLiteral("HH:mm:ss")),
                        lengthText(since->secsTo(QDateTime::currentDateTime())));
-  chip_->setRobot(robotCalled(session->robot()), state.mark, connectionWord(connection.phase),
+  chip_->setRobot(robotCalled(session->robot()), state.mark, linkWord(connection, silentOnline(*session)),
                   detail.join(QLatin1Char('\n')));
 }
 

@@ -8,6 +8,7 @@
 #include "sentences/plural.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
+#include "window/status/link_text.h"
 #include "window/status/status_text.h"
 
 namespace mapwright::window {
@@ -87,7 +88,7 @@ void InspectorSummary::refresh(const session::Session* session) {
   const session::SubmapCounts counts = session->counts();
   state_->setText(slamStateText(*session));
   // What the robot said last is not what it says now.
-  const auto stale = session->staleSince();
+  const auto stale = valuesAsOf(*session);
   if (stale) {
     state_->setText(
         tr("%1 (as of %2)").arg(state_->text(), QLocale::c().toString(*stale, QStringLiteral("HH:mm:ss"))));

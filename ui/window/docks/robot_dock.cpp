@@ -13,6 +13,7 @@
 #include "sentences/plural.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
+#include "window/status/link_text.h"
 #include "window/status/state_mark.h"
 #include "window/status/window_status_bar.h"
 #include "words/qt_plain.h"
@@ -21,7 +22,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kRefreshMs = 200;
+constexpr int kRefreshMs = 200, kTickMs = 1000;
 constexpr std::size_t kMostAlerts = 100;
 
 map::Streams statusStreams() {
@@ -97,6 +98,8 @@ RobotDock::RobotDock(QWidget* parent)
   refresh_timer_.setSingleShot(true);
   refresh_timer_.setInterval(kRefreshMs);
   connect(&refresh_timer_, &QTimer::timeout, this, &RobotDock::refresh);
+  tick_.setInterval(kTickMs);
+  connect(&tick_, &QTimer::timeout, this, &RobotDock::refresh);
   refresh();
 }
 
@@ -127,9 +130,12 @@ void RobotDock::showEvent(QShowEvent* event) {
 }
 
 void RobotDock::refresh() {
-  link_->setState(session_ ? connectionText(session_->connection())
+  const auto silent = session_ ? silentOnline(*session_) : std::nullopt;
+  if (silent && !tick_.isActive()) tick_.start();
+  if (!silent) tick_.stop();
+  link_->setState(session_ ? linkText(session_->connection(), silent)
                            : StateText{Mark::Neutral, tr("No robot connected")});
-  const auto since = session_ ? session_->staleSince() : std::nullopt;
+  const auto since = session_ ? valuesAsOf(*session_) : std::nullopt;
   greyed_ = since.has_value();
   stale_->setVisible(greyed_);
   if (since) {

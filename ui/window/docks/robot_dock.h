@@ -42,6 +42,7 @@ class RobotDock : public QDockWidget {
 
   QPointer<session::Session> session_;
   QTimer refresh_timer_;
+  QTimer tick_;  // how long nothing has come goes on by itself
   bool greyed_ = false;
   bool alerts_known_ = false;
   std::optional<bool> drawn_alerts_known_;

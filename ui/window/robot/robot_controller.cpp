@@ -6,6 +6,7 @@
 #include "window/map/map_overlay.h"
 #include "window/map/notice_bar.h"
 #include "window/panels.h"
+#include "window/status/link_text.h"
 #include "window/status/safety_badge.h"
 #include "window/status/window_status_bar.h"
 
@@ -46,7 +47,7 @@ void RobotController::setSession(session::Session* session) {
 void RobotController::refreshSafety() {
   SafetyState state;
   if (session::Session* const session = context_.current.session())
-    state = {session->safety().conditions(), session->staleSince()};
+    state = {session->safety().conditions(), valuesAsOf(*session)};
   const SafetyText text = safetyText(state, QDateTime::currentDateTime());
   context_.bar.safety()->setSafety(text);
   const std::size_t count = state.conditions.size();

@@ -9,6 +9,7 @@
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
 #include "window/replay/replay_state.h"
+#include "window/status/link_text.h"
 #include "window/status/safety_badge.h"
 #include "window/status/state_mark.h"
 
@@ -192,8 +193,10 @@ void WindowStatusBar::refreshConnection() {
 }
 
 void WindowStatusBar::refreshCountdown() {
-  connection_->setState(replayText(session_).value_or(connectionText(read_, read_clock_.elapsed())));
-  const bool counts = read_.phase == robot::ConnectionPhase::Interrupted && read_.retry_in_ms;
+  connection_->setState(
+      replayText(session_).value_or(linkText(read_, silentOnline(*session_), read_clock_.elapsed())));
+  const bool counts =
+      (read_.phase == robot::ConnectionPhase::Interrupted && read_.retry_in_ms) || silentOnline(*session_);
   if (counts && !countdown_.isActive()) countdown_.start();
   if (!counts) countdown_.stop();
 }
