@@ -166,9 +166,10 @@ bool MapView::fitAgain() {
 }
 
 void MapView::setCoveredTop(int px) {
-  if (px == scene_->coveredTop()) return;
+  const bool covers_more = px > scene_->coveredTop();
   scene_->setCoveredTop(px);
-  fitAgain();
+  // What a strip that goes leaves free is no reason to move the map.
+  if (covers_more) fitAgain();
 }
 
 void MapView::panBy(const QPointF& pixels) {
