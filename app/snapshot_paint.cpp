@@ -80,6 +80,7 @@ void SnapshotRun::paint(bool settled) {
   }
   if (lacksSubmaps())
     notes_ << Words::tr("The bag holds no submap list until then: there are no submaps to draw.");
+  noteChosenTopics();
   for (const QString& topic : live_layers_.silent()) {
     // A bag is not asked for anything: what is not in it is not missing.
     if (replayed_) break;
@@ -92,7 +93,6 @@ void SnapshotRun::paint(bool settled) {
                          : Words::tr("Layer %1 is empty: the robot has no topic for it."))
                   .arg(scene::layerName(layer));
   }
-  noteChosenTopics();
   const session::SubmapCounts& counts = chosen_->counts;
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
     notes_ << Words::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
