@@ -68,15 +68,17 @@ void SnapshotRun::paint(bool settled) {
               (!wantsWhole(options_) || scans_alone_ || map_.complete()) && !waypointsLost() &&
               (!options_.region || fetch_->complete()) && (!wantsCloud() || cloud_.came()) &&
               bagLosses(session_.problems()).isEmpty();
+  // Said on standard error, too, although nothing is missing.
+  const auto say = [this](const QString& note) {
+    notes_ << note;
+    shown_instead_ += (shown_instead_.isEmpty() ? QString() : QStringLiteral(" ")) + note;
+  };
   if (wantsCloud() && !cloud_.problem().isEmpty()) notes_ << cloud_.problem();
   // Nothing may look as if it had been recorded.
   if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&
       map_.key()->kind != map::MapKind::Live) {
-    notes_ << (isLocal()
-                   ? Words::tr("The bag holds no map until then: the one that was recorded with it is drawn.")
-                   : Words::tr(
-                         "The bag holds no map until then: the one that the robot keeps now is drawn."));
-    shown_instead_ += (shown_instead_.isEmpty() ? QString() : QStringLiteral(" ")) + notes_.back();
+    say(isLocal() ? Words::tr("The bag holds no map until then: the one that was recorded with it is drawn.")
+                  : Words::tr("The bag holds no map until then: the one that the robot keeps now is drawn."));
   }
   if (lacksSubmaps())
     notes_ << Words::tr("The bag holds no submap list until then: there are no submaps to draw.");
@@ -89,9 +91,9 @@ void SnapshotRun::paint(bool settled) {
   }
   for (const scene::Layer layer : live_layers_.unfillable()) {
     if (!options_.named.contains(layer)) continue;
-    notes_ << (replayed_ ? Words::tr("Layer %1 is empty: the bag has no topic for it.")
-                         : Words::tr("Layer %1 is empty: the robot has no topic for it."))
-                  .arg(scene::layerName(layer));
+    say((replayed_ ? Words::tr("Layer %1 is empty: the bag has no topic for it.")
+                   : Words::tr("Layer %1 is empty: the robot has no topic for it."))
+            .arg(scene::layerName(layer)));
   }
   const session::SubmapCounts& counts = chosen_->counts;
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {

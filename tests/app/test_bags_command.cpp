@@ -233,7 +233,8 @@ class BagsCommandTest : public QObject {
     QVERIFY(away[1][QStringLiteral("to")].isNull());
     const auto since = [&](double s) {
       return run(QStringLiteral("state --json --at %1 %2").arg(at(s), withoutEndMark()))
-          .object()[QStringLiteral("away_since")];
+          .object()
+          .value(QStringLiteral("away_since"));
     };
     QVERIFY(since(10).isNull());
     QCOMPARE(since(22).toDouble(), at(20).toDouble());

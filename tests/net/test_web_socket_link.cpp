@@ -271,7 +271,7 @@ class TestWebSocketLink : public QObject {
     pass(10'000);
     QVERIFY(!link.silentSince());
     const QDateTime heard = began.addMSecs(9'100);
-    pass(3'500);
+    clock.time += milliseconds(3'500);
     QTRY_COMPARE(link.state(), State::Waiting);
     QCOMPARE(link.silentSince(), std::optional(heard));
     QTRY_COMPARE(link.state(), State::Open);

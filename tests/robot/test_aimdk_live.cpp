@@ -22,7 +22,6 @@ class AimdkLiveTest : public QObject {
   std::vector<map::StampedMessage> messages_;
   std::vector<map::Problem> problems_;
   std::vector<map::Recovery> recoveries_;
-  milliseconds quiet_after{3'000};
 
   /// `bridge_port`: where its rosbridge should be.
   void makeRobot(quint16 bridge_port) {
@@ -30,9 +29,6 @@ class AimdkLiveTest : public QObject {
     options.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(simulator_->aimdkPort()));
     ros::LinkOptions beside;
     beside.url = QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(bridge_port));
-    beside.client.link.ask_after = milliseconds(20);
-    beside.client.link.look_every = milliseconds(10);
-    beside.client.link.quiet_after = quiet_after;
     beside.client.link.backoff_first = milliseconds(5);
     beside.client.link.backoff_limit = milliseconds(20);
     auto live = std::make_unique<aimdk::LiveBeside>(
@@ -118,18 +114,6 @@ class AimdkLiveTest : public QObject {
     QVERIFY(!late.start());
     QTRY_VERIFY(!recoveries_.empty());
     QTRY_VERIFY(has<map::TrackedPose>());
-  }
-
-  void aRosbridgeThatStallsIsTold() {
-    quiet_after = milliseconds(300);
-    makeRobot(simulator_->rosPort());
-    robot_->liveTopics()->setWanted({Stream::Pose}, {});
-    QTRY_VERIFY(has<map::TrackedPose>());
-    simulator_->stallRos();
-    QTRY_VERIFY(silentSince(*robot_));
-    QCOMPARE(robot_->connection().phase, ConnectionPhase::Online);
-    simulator_->unstallRos();
-    QTRY_VERIFY(!silentSince(*robot_));
   }
 
   void aRosbridgeThatIsLostComesBack() {
