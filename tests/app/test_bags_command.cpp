@@ -607,7 +607,7 @@ class BagsCommandTest : public QObject {
   }
 
   void aPartOfARecordingShowsTheSameWorldAndIsThereAlone() {
-    QVERIFY(run(QStringLiteral("export %1 -o whole.mcap --to %2").arg(bag(), at(200))).code == 0);
+    QVERIFY(run(QStringLiteral("export %1 -o whole.mcap --force --to %2").arg(bag(), at(200))).code == 0);
     const Outcome made =
         run(QStringLiteral("export whole.mcap -o slice.mcap --from %1 --to %2 --json").arg(at(100), at(110)));
     QVERIFY2(made.code == 0, made.err.constData());

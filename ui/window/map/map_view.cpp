@@ -155,7 +155,7 @@ geometry::ViewTransform MapView::fittedTo(const geometry::WorldRect& world, doub
 void MapView::keepFitted(const geometry::WorldRect& world, double closest_m_per_px) {
   if (world.empty()) return;
   fit(world, false, closest_m_per_px);
-  kept_fit_ = {world, closest_m_per_px};
+  kept_fit_ = {world, closest_m_per_px, scene_->coveredTop()};
 }
 
 bool MapView::fitAgain() {
@@ -166,10 +166,9 @@ bool MapView::fitAgain() {
 }
 
 void MapView::setCoveredTop(int px) {
-  const bool covers_more = px > scene_->coveredTop();
   scene_->setCoveredTop(px);
   // What a strip that goes leaves free is no reason to move the map.
-  if (covers_more) fitAgain();
+  if (kept_fit_ && px > kept_fit_->covered_px) fitAgain();
 }
 
 void MapView::panBy(const QPointF& pixels) {

@@ -106,6 +106,7 @@ class MapView : public QGraphicsView {
   struct Fit {
     geometry::WorldRect world;
     double closest_m_per_px = 0;
+    double covered_px;  // by the strips, then
   };
   std::optional<Fit> kept_fit_;
   QSize window_size_;  // at the last resize
