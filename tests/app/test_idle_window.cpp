@@ -34,7 +34,9 @@ class Counter : public QObject {
  public:
   Counter() { QCoreApplication::instance()->installEventFilter(this); }
   bool eventFilter(QObject* receiver, QEvent* event) override {
-    const QString who = QLatin1String(receiver->metaObject()->className());
+    QString who = QLatin1String(receiver->metaObject()->className());
+    if (const QObject* const owner = receiver->parent())
+      who += QStringLiteral(" of ") + QLatin1String(owner->metaObject()->className());
     if (event->type() == QEvent::Timer) note(timers, QStringLiteral("timer of ") + who);
     if (event->type() == QEvent::MetaCall) note(calls, QStringLiteral("call of ") + who);
     if (event->type() == QEvent::UpdateRequest) note(frames, QStringLiteral("frame of ") + who);

@@ -17,6 +17,8 @@ Viewpoint::Viewpoint(MapView& view, QObject* parent) : QObject(parent), view_(vi
 
 void Viewpoint::fit(const geometry::WorldRect& world) { view_.keepFitted(world, kClosestFitMPerPx); }
 
+void Viewpoint::fitOnce(const geometry::WorldRect& world) { view_.fit(world, false, kClosestFitMPerPx); }
+
 void Viewpoint::lookAt(const geometry::WorldRect& world) {
   geometry::ViewTransform to = view_.destination();
   to.center_m = world.center();

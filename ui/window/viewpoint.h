@@ -23,6 +23,8 @@ class Viewpoint : public QObject {
 
   /// Fits what has arrived into the view.
   void fit(const geometry::WorldRect& world);
+  /// The same, and strips and panels that come later move nothing.
+  void fitOnce(const geometry::WorldRect& world);
   /// Goes where the user wants to look: nearer when it would be a speck, farther when it would not fit; else
   /// the scale stays.
   void lookAt(const geometry::WorldRect& world);

@@ -259,7 +259,7 @@ void ReplayController::fitAtFirst() {
   if (bounds.empty()) return;
   // The map comes while it plays: it must not move what somebody looks at.
   context_.viewpoint.choose();
-  context_.viewpoint.fit(bounds.grown(kRoomAroundTrackM));
+  context_.viewpoint.fitOnce(bounds.grown(kRoomAroundTrackM));
 }
 
 void ReplayController::chooseMode() {
