@@ -26,7 +26,8 @@ void PlotFeed::setSession(session::Session* session) {
   tick_.stop();
   session_ = session;
   if (!replays()) clear();
-  if (session && !qobject_cast<replay::ReplayRobot*>(&session->robot())) {
+  const bool speaks = session && session->robot().liveTopics() != nullptr;
+  if (speaks && !qobject_cast<replay::ReplayRobot*>(&session->robot())) {
     live_ = &session->robot();
     connect(live_, &QObject::destroyed, this, [this] { live_ = nullptr; });
     connect(live_, &robot::Robot::topicReceived, this, &PlotFeed::heard);
