@@ -35,10 +35,12 @@ constexpr ExitCode exitCodeOf(map::FailureKind failure, ExitCode otherwise = kRo
   return otherwise;
 }
 
-/// Of a change that may have been made it is said that it is not known.
+/// Of a change that was not answered and may have been made it is said that it is not known.
 inline ExitCode exitCodeOf(const map::Failure& failure) {
-  const bool unknown = failure.asked_for == map::AskedFor::Change && failure.applied == map::Applied::Maybe;
-  return unknown ? kIncomplete : exitCodeOf(failure.kind);
+  const ExitCode code = exitCodeOf(failure.kind);
+  const bool unknown = code == kUnreachable && failure.asked_for == map::AskedFor::Change &&
+                       failure.applied == map::Applied::Maybe;
+  return unknown ? kIncomplete : code;
 }
 
 }  // namespace mapwright::app
