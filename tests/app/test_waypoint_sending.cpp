@@ -212,13 +212,15 @@ class WaypointSendingTest : public QObject {
     QCOMPARE(sent->exitCode(), int(app::kUnreachable));
   }
 
-  // It was sent, and nobody can tell: that is neither a robot out of reach nor one that refused.
+  // It was sent, and nobody answers: that is neither a robot out of reach nor one that refused.
   void whetherItWasMadeIsNotKnownHasACodeOfItsOwn() {
     for (const auto kind : {map::FailureKind::TimedOut, map::FailureKind::Unreachable,
                             map::FailureKind::RejectedByRobot, map::FailureKind::MalformedAnswer}) {
+      const bool answered =
+          kind == map::FailureKind::RejectedByRobot || kind == map::FailureKind::MalformedAnswer;
       map::Failure change = failed(kind, map::Applied::Maybe);
       change.asked_for = map::AskedFor::Change;
-      QCOMPARE(int(app::exitCodeOf(change)), int(app::kIncomplete));
+      QCOMPARE(int(app::exitCodeOf(change)), int(answered ? app::kRobotError : app::kIncomplete));
       change.applied = map::Applied::No;
       QCOMPARE(int(app::exitCodeOf(change)), int(app::exitCodeOf(kind)));
     }
