@@ -99,6 +99,14 @@ class RosMessagesTest : public QObject {
     QVERIFY(grid->notes.empty());
   }
 
+  void theGridOfAProjectedMapIsReadLikeAnyOther() {
+    const auto grid = readGrid(
+        byJson(R"({"map":)" + gridText(infoOf(2, 1), "[0,100]") + R"(,"min_z":0.1,"max_z":1.8})").msg);
+    QVERIFY(grid);
+    QCOMPARE(grid->cells, (Cells{0, 100}));
+    QCOMPARE(QByteArray::fromStdString(grid->header.frame), QByteArray("map"));
+  }
+
   void aStampOfZeroIsNone() {
     const auto grid =
         readGrid(byJson(R"({"header":{"frame_id":"map","stamp":{"sec":0,"nanosec":0}},"info":{)" +

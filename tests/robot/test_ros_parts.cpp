@@ -195,9 +195,10 @@ class RosPartsTest : public QObject {
                                         {"/teb/trajectory", "nav_msgs/Path"},
                                         {"/particles", "geometry_msgs/PoseArray"},
                                         {"/dock", "geometry_msgs/PoseStamped"},
+                                        {"/floor", "map_msgs/ProjectedMap"},
                                         {"/text", "std_msgs/String"}};
     using Names = std::vector<std::string>;
-    QCOMPARE(choicesFor(Stream::CostmapLow, found), (Names{"/map", "/semantic/grid"}));
+    QCOMPARE(choicesFor(Stream::CostmapLow, found), (Names{"/floor", "/map", "/semantic/grid"}));
     QCOMPARE(choicesFor(Stream::LocalPath, found), (Names{"/plan", "/teb/trajectory"}));
     QCOMPARE(choicesFor(Stream::Planning, found), (Names{"/dock", "/particles"}));
     QVERIFY(choicesFor(Stream::Cloud, found).empty());

@@ -13,7 +13,8 @@ constexpr std::int64_t kMostCells = std::int64_t(1) << 28;  // a frame of rosbri
 
 }  // namespace
 
-Read<Grid> readGrid(const Field& msg) {
+Read<Grid> readGrid(const Field& whole) {
+  const Field msg = whole["info"].isObject() || !whole["map"].isObject() ? whole : whole["map"];
   const Field info = msg["info"];
   if (!info.isObject()) return fieldMissing("info");
   const auto size = readGridSize(info, "info.", kMostCells, EmptyGrids::Refused);

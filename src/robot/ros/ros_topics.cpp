@@ -171,7 +171,7 @@ std::optional<Form> formFor(Stream stream, const std::string& type) {
     case Stream::WholeMap:
     case Stream::CostmapLow:
     case Stream::CostmapHigh:
-      if (plain == "nav_msgs/OccupancyGrid") return Form::Grid;
+      if (plain == "nav_msgs/OccupancyGrid" || plain == "map_msgs/ProjectedMap") return Form::Grid;
       break;
     case Stream::Path:
     case Stream::LocalPath:

@@ -14,7 +14,7 @@ namespace mapwright::robot::ros {
 
 /// What a message of a topic is read as.
 enum class Form {
-  Grid,                // nav_msgs/OccupancyGrid
+  Grid,                // nav_msgs/OccupancyGrid; chosen: also that of a map_msgs/ProjectedMap
   GridPatch,           // map_msgs/OccupancyGridUpdate
   MapService,          // nav_msgs/GetMap: no topic, but a service that is asked
   Path,                // nav_msgs/Path
