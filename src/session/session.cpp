@@ -5,6 +5,7 @@
 #include <QFile>
 
 #include "grids/tile_cache.h"
+#include "map/repeats.h"
 #include "robot/silence.h"
 
 namespace mapwright::session {
@@ -127,7 +128,7 @@ void Session::wireSubmaps() {
 }
 
 void Session::wireSafety(bool log) {
-  connect(this, &Session::liveChanged, &safety_, [this](int what) {
+  connect(this, &Session::liveHeard, &safety_, [this](int what) {
     using map::topicIndex;
     if (what == topicIndex<map::AlertsMessage>() || what == topicIndex<map::WheelState>() ||
         what == topicIndex<map::SlamStatus>())
@@ -174,6 +175,7 @@ void Session::takeTopic(const map::StampedMessage& stamped) {
 void Session::take(const map::StampedMessage& stamped) {
   const map::TopicMessage& message = stamped.message;
   const int frame = live_.frame;
+  const bool known = !heard_.insert(message.index()).second && map::repeats(live_, message);
   world_ = map::reduce(std::move(world_), stamped);
   if (live_.frame != frame) {
     // What the robot says once and not again (landmarks, doors, the map) may have come before it told of the
@@ -192,9 +194,10 @@ void Session::take(const map::StampedMessage& stamped) {
   }
   if (const auto* grid = std::get_if<map::GridMessage>(&message)) {
     if (grid->body_bytes > 0) countFetch(grid->body_bytes, grid->from_cache);
-    takeGrid(*grid);
+    takeGrid(*grid, known);
   }
-  Q_EMIT liveChanged(int(message.index()));
+  if (!known) Q_EMIT liveChanged(int(message.index()));
+  Q_EMIT liveHeard(int(message.index()));
 }
 
 void Session::reset(map::World world, bool whole) {
@@ -205,8 +208,10 @@ void Session::reset(map::World world, bool whole) {
   if (list && submaps_wanted_) submaps_.takeList(*list);
   if (!list && whole) submaps_.forgetList();
   for (const auto& [kind, grid] : std::map(live_.grids)) takeGrid(grid);
-  for (std::size_t what = 0; what < std::variant_size_v<map::TopicMessage>; ++what)
+  for (std::size_t what = 0; what < std::variant_size_v<map::TopicMessage>; ++what) {
     Q_EMIT liveChanged(int(what));
+    Q_EMIT liveHeard(int(what));
+  }
 }
 
 void Session::report(const map::Problem& problem, const QDateTime& at) {

@@ -136,8 +136,11 @@ class Session : public QObject {
  Q_SIGNALS:
   void connectionChanged();
   void identityChanged();
-  /// Something of live(); `what` is the TopicMessage alternative that came (map::topicIndex).
+  /// Something of live(); `what` is the TopicMessage alternative that came (map::topicIndex). What the robot
+  /// says again as it was is no change, but for the first message of its kind.
   void liveChanged(int what);
+  /// The same for every message, after liveChanged(): for whoever waits for more than its content.
+  void liveHeard(int what);
   void listChanged();  // submaps were added or removed, or the session is new
   /// The world's coordinates begin anew (see map::LiveState): much of live() is gone.
   void frameChanged();
@@ -160,7 +163,8 @@ class Session : public QObject {
   void wireSubmaps();
   void wireSafety(bool log);
   void discardPicture(const std::string& fingerprint);
-  void takeGrid(const map::GridMessage& message);
+  /// `repeated`: the picture is the one of before.
+  void takeGrid(const map::GridMessage& message, bool repeated = false);
   bool listensTo(const std::string& topic) const;
   void takeFrame();
   void forgetUnwanted();
@@ -192,6 +196,7 @@ class Session : public QObject {
   quint64 fetches_ = 0, cache_hits_ = 0, bytes_fetched_ = 0;
   bool overview_wanted_, submaps_wanted_, maps_by_itself_;
   bool still_ = false;
+  std::set<std::size_t> heard_;                  // kinds of messages
   bool live_wanted_ = true;                      // the whole map on screen is the one that the robot sends
   bool map_chosen_ = false;                      // by the user
   std::optional<map::WholeMap> compared_aside_;  // the robot is not asked for it

@@ -100,7 +100,7 @@ void Session::wireMaps() {
     openFirstMap();
     followLivePlaces();
   });
-  connect(this, &Session::liveChanged, this, [this](int what) {
+  connect(this, &Session::liveHeard, this, [this](int what) {
     // What the live map is called may come later than the map itself: with the name it is shown once more.
     const auto grid = live_.grids.find(map::GridKind::WholeMap);
     if (what != map::topicIndex<map::MapInfo>() || still_ || !live_.map_info || grid == live_.grids.end())
@@ -292,17 +292,20 @@ void Session::retryMaps() {
   }
 }
 
-void Session::takeGrid(const map::GridMessage& message) {
+void Session::takeGrid(const map::GridMessage& message, bool repeated) {
   if (message.kind != map::GridKind::WholeMap) {
-    layer_grids_.take(message);
+    const bool shown = layer_grids_.find(message.kind) && !layer_grids_.busy();
+    if (!repeated || !shown) layer_grids_.take(message);
     return;
   }
   const map::MapKey live{map::MapKind::Live, {}};
-  if (live_wanted_) whole_map_.show(liveMap(message, live_));
+  const auto showIn = [&](MapSlot& slot) {
+    const bool shown = slot.key() == live && slot.phase() == MapSlot::Phase::Ready && !slot.broken();
+    if (!repeated || !shown) slot.show(liveMap(message, live_));
+  };
+  if (live_wanted_) showIn(whole_map_);
   followLivePlaces();
-  if (compared_map_.key() == live && compared_map_.phase() != MapSlot::Phase::Empty) {
-    compared_map_.show(liveMap(message, live_));
-  }
+  if (compared_map_.key() == live && compared_map_.phase() != MapSlot::Phase::Empty) showIn(compared_map_);
 }
 
 void Session::askForOverview() {

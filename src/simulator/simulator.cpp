@@ -168,6 +168,16 @@ void Simulator::dropWebSockets() {
   if (impl_->ros_server) impl_->ros_server->dropLinks();
 }
 
+void Simulator::stallRos() {
+  const std::lock_guard lock(impl_->server_mutex);
+  if (impl_->ros_server) impl_->ros_server->stall(true);
+}
+
+void Simulator::unstallRos() {
+  const std::lock_guard lock(impl_->server_mutex);
+  if (impl_->ros_server) impl_->ros_server->stall(false);
+}
+
 void Simulator::removeSubmap(int trajectory, int index) {
   impl_->state.remove({trajectory, index});
   impl_->publish();

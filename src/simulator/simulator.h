@@ -123,6 +123,10 @@ class Simulator {
   void closeLoop();                  // every pose moves, no version changes
   void restartSlam();                // a new uuid
   void dropWebSockets();             // of the Autoxing robot and of the ROS robot
+  // The rosbridge server stalls, as a process that is stopped does: its sockets stay open, and it reads,
+  // answers, sends and accepts nothing, not even pongs. What other members do to it is done afterwards.
+  void stallRos();
+  void unstallRos();
   void removeSubmap(int trajectory, int index);
   void bumpVersion(int trajectory, int index);  // new version, new cells
   void publishMapChange();                      // the current map gets a new picture and a new version

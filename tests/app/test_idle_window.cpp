@@ -13,6 +13,7 @@
 #include "replay/replay_robot.h"
 #include "robot/address.h"
 #include "robot/recorded/recorded_robot.h"
+#include "simulator/simulator.h"
 #include "window/main_window.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -40,6 +41,10 @@ class Counter : public QObject {
     if (event->type() == QEvent::Timer) note(timers, QStringLiteral("timer of ") + who);
     if (event->type() == QEvent::MetaCall) note(calls, QStringLiteral("call of ") + who);
     if (event->type() == QEvent::UpdateRequest) note(frames, QStringLiteral("frame of ") + who);
+    if (event->type() == QEvent::Paint && receiver->isWidgetType()) {
+      const bool of_map = qobject_cast<window::MapView*>(receiver->parent()) != nullptr;
+      note(of_map ? map_paints : paints, QStringLiteral("paint of ") + who);
+    }
     return false;
   }
   QByteArray words() const {
@@ -47,7 +52,7 @@ class Counter : public QObject {
     for (const auto& [who, count] : by_who_) words << QStringLiteral("%1 x %2").arg(count).arg(who);
     return words.join(QStringLiteral(", ")).toUtf8();
   }
-  int timers = 0, calls = 0, frames = 0;
+  int timers = 0, calls = 0, frames = 0, paints = 0, map_paints = 0;
 
  private:
   void note(int& count, const QString& who) {
@@ -122,22 +127,23 @@ class Desk {
 };
 
 struct Seen {
-  int timers = 0, calls = 0, frames = 0, jumps = 0;
+  int timers = 0, calls = 0, frames = 0, map_paints = 0, jumps = 0;
   std::size_t bytes = 0;
   QByteArray words;
 };
 
-Seen watched(Desk& desk) {
+Seen watched(Desk& desk, int for_ms = kWatchedMs) {
   Seen seen;
   QObject here;
   if (auto* const replay = desk.replay())
     QObject::connect(replay, &replay::ReplayRobot::jumped, &here, [&] { ++seen.jumps; });
   const std::size_t before = desk.session() ? desk.session()->counts().bytes_fetched : 0;
   Counter counter;
-  QTest::qWait(kWatchedMs);
+  QTest::qWait(for_ms);
   seen.timers = counter.timers;
   seen.calls = counter.calls;
   seen.frames = counter.frames;
+  seen.map_paints = counter.map_paints;
   seen.words = counter.words();
   if (desk.session()) seen.bytes = desk.session()->counts().bytes_fetched - before;
   return seen;
@@ -202,6 +208,39 @@ class IdleWindowTest : public QObject {
       // A file may be written while it is played: it is looked at every other second.
       QVERIFY2(seen.timers <= 4 && seen.calls <= 6, seen.words);
     }
+  }
+
+  void aRobotThatStandsCostsNothing_data() {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("Autoxing") << 0;
+    QTest::newRow("KABAM") << 1;
+    QTest::newRow("ROS") << 2;
+    QTest::newRow("REP 130") << 3;
+  }
+  // It says many times a second what it has said before.
+  void aRobotThatStandsCostsNothing() {
+    QFETCH(int, kind);
+    simulator::Options options;
+    options.paused = true;
+    options.ros.kabam = kind == 1;
+    options.ros.dispatcher.there = kind == 3;
+    options.ros.dispatcher.edge_m = 50;
+    simulator::Simulator robot(options);
+    QVERIFY(!robot.start());
+    Desk desk;
+    const std::string address = kind == 0   ? robot.address()
+                                : kind == 1 ? robot.kabamAddress()
+                                : kind == 2 ? robot.rosAddress()
+                                            : robot.rep130Address();
+    QVERIFY(desk.connectTo(QString::fromStdString(address)));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.session() && desk.session()->live().robot_pose, 60'000);
+    QVERIFY(desk.settles());
+    constexpr int kSeconds = 6;
+    const Seen seen = watched(desk, kSeconds * 1000);
+    QVERIFY(seen.calls > 0);  // it does speak
+    QVERIFY2(seen.map_paints == 0, seen.words);
+    QVERIFY2(seen.frames <= kSeconds, seen.words);  // ages are told
+    QVERIFY2(seen.timers <= kSeconds, seen.words);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/ros/ros_robot.h"
 #include "robot/sends_map.h"
+#include "robot/silence.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/reason_sentence.h"
 #include "simulator/simulator.h"
@@ -22,6 +23,7 @@ class AimdkLiveTest : public QObject {
   std::vector<map::StampedMessage> messages_;
   std::vector<map::Problem> problems_;
   std::vector<map::Recovery> recoveries_;
+  milliseconds quiet_after_{3'000};
 
   /// `bridge_port`: where its rosbridge should be.
   void makeRobot(quint16 bridge_port) {
@@ -29,6 +31,9 @@ class AimdkLiveTest : public QObject {
     options.base = QUrl(QStringLiteral("http://127.0.0.1:%1").arg(simulator_->aimdkPort()));
     ros::LinkOptions beside;
     beside.url = QUrl(QStringLiteral("ws://127.0.0.1:%1").arg(bridge_port));
+    beside.client.link.ask_after = quiet_after_ / 4;
+    beside.client.link.look_every = quiet_after_ / 10;
+    beside.client.link.quiet_after = quiet_after_;
     beside.client.link.backoff_first = milliseconds(5);
     beside.client.link.backoff_limit = milliseconds(20);
     auto live = std::make_unique<aimdk::LiveBeside>(
@@ -63,6 +68,7 @@ class AimdkLiveTest : public QObject {
     messages_.clear();
     problems_.clear();
     recoveries_.clear();
+    quiet_after_ = milliseconds(3'000);
   }
   void cleanup() {
     robot_.reset();
@@ -114,6 +120,22 @@ class AimdkLiveTest : public QObject {
     QVERIFY(!late.start());
     QTRY_VERIFY(!recoveries_.empty());
     QTRY_VERIFY(has<map::TrackedPose>());
+  }
+
+  void aRosbridgeThatStallsIsTold() {
+    quiet_after_ = milliseconds(300);
+    makeRobot(simulator_->rosPort());
+    QTRY_COMPARE(robot_->connection().phase, ConnectionPhase::Online);
+    robot_->liveTopics()->setWanted({Stream::Pose}, {});
+    QTRY_VERIFY(has<map::TrackedPose>());
+    QVERIFY(!silentSince(*robot_));
+    const QDateTime before = QDateTime::currentDateTime();
+    simulator_->stallRos();
+    QTRY_VERIFY(silentSince(*robot_));
+    QVERIFY(*silentSince(*robot_) >= before.addSecs(-2));
+    QCOMPARE(robot_->connection().phase, ConnectionPhase::Online);  // the interface answers
+    simulator_->unstallRos();
+    QTRY_VERIFY(!silentSince(*robot_));
   }
 
   void aRosbridgeThatIsLostComesBack() {

@@ -51,6 +51,44 @@ class SessionTest : public QObject {
   }
   void cleanup() { session_.reset(); }
 
+  void whatIsSaidAgainIsNoChange() {
+    QSignalSpy changed(session_.get(), &Session::liveChanged), heard(session_.get(), &Session::liveHeard);
+    map::LandmarksMessage landmarks{{{"a", {1, 2}, true}}};
+    map::WheelState wheels{"auto", false, false};
+    const auto points = [] {
+      return std::make_shared<const std::vector<map::CloudPoint>>(std::vector<map::CloudPoint>{{1, 2, 0, 9}});
+    };
+    const std::vector<map::TopicMessage> all{map::TrackedPose{{1, 2, 0.5}},
+                                             map::PointCloudMessage{"/a", points()},
+                                             map::PointCloudMessage{"/b", points()},
+                                             map::PathMessage{{{1, 1}, {2, 2}}},
+                                             map::AlertsMessage{},
+                                             landmarks,
+                                             wheels,
+                                             map::RackMessage{},
+                                             map::MapInfo{"Hall", "u", 1, {}, {}},
+                                             map::AlertsMessage{{{1, map::AlertLevel::Error, "one", 0}}}};
+    // The first of its kind is told, also when it says nothing.
+    for (const map::TopicMessage& message : all) robot_->say(message);
+    QCOMPARE(changed.size(), int(all.size()));
+    changed.clear();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i == 1) continue;
+      if (const auto* const alerts = std::get_if<map::AlertsMessage>(&all[i]);
+          alerts && alerts->alerts.empty())
+        continue;  // others have come since
+      robot_->say(all[i]);
+    }
+    robot_->say(map::PointCloudMessage{"/a", points()});  // another one with the same points
+    QVERIFY2(changed.empty(), qPrintable(QString::number(changed.size())));
+    QCOMPARE(heard.size(), int(2 * all.size() - 1));
+    landmarks.landmarks[0].in_use = false;
+    robot_->say(landmarks);
+    robot_->say(map::AlertsMessage{});
+    robot_->say(map::PathMessage{});
+    QCOMPARE(changed.size(), 3);
+  }
+
   void aListIsFetchedDecodedAndPlaced() {
     std::vector<map::SubmapId> placed;  // one by one, or several at a time
     connect(session_.get(), &Session::submapsPlaced, this, [&](const std::vector<map::SubmapId>& ids) {

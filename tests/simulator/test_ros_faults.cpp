@@ -120,6 +120,30 @@ class TestRosFaults : public QObject {
     QTRY_VERIFY(!robot->isOpen());
   }
 
+  void aServerThatStallsKeepsItsSocketsAndSaysNothing() {
+    RosRobot robot;
+    robot->subscribe("/tf");
+    QTRY_VERIFY(robot->count("/tf") > 2);
+    int pongs = 0;
+    connect(&robot->socket, &QWebSocket::pong, this, [&] { ++pongs; });
+    robot.robot.stallRos();
+    robot.robot.stallRos();  // once is enough
+    QTest::qWait(100);       // what it had said before has come
+    const qsizetype heard = robot->count("/tf");
+    robot->socket.ping();
+    robot->send(R"({"op":"call_service","id":"late","service":"/rosapi/topics"})");
+    robot.robot.advance(1);  // nobody waits for it
+    QTest::qWait(500);
+    QVERIFY(robot->isOpen());
+    QCOMPARE(robot->count("/tf"), heard);
+    QCOMPARE(pongs, 0);
+    QCOMPARE(robot->answers.size(), 0);
+    robot.robot.unstallRos();
+    QVERIFY(!robot->answerTo(QStringLiteral("late")).isEmpty());
+    QTRY_VERIFY(robot->count("/tf") > heard && pongs > 0);
+    robot.robot.stallRos();  // and may be stopped as it is
+  }
+
   void aServiceMayRefuse() {
     RosFaults faults;
     faults.refuse = {"/map_manager/rename_map"};

@@ -3,8 +3,11 @@
 #include <QDockWidget>
 #include <QHelpEvent>
 #include <QLineEdit>
+#include <QListView>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QToolTip>
@@ -15,6 +18,7 @@
 #include "fake_robot.h"
 #include "known_addresses.h"
 #include "scene/regions_on_map.h"
+#include "window/docks/maps_dock.h"
 #include "window/main_window.h"
 #include "window/map/empty_state.h"
 #include "window/map/map_overlay.h"
@@ -270,6 +274,25 @@ class TestWindowRegions : public QObject {
     Q_EMIT robot_->dispatch.mapChanged();
     QTRY_VERIFY(robot_->dispatch.asked.size() > again);
   }
+  void howLongAnAnswerTakesIsNoReasonToAskAgain() {
+    prepare_ = [](DispatchRobot& robot) {
+      robot.dispatch.answer = [](const map::GridRegion&) -> robot::Outcome<map::GridPart> {
+        return tl::unexpected(map::Failure{.kind = map::FailureKind::RejectedByRobot});
+      };
+    };
+    open();
+    connectRobot();
+    look(0.05);
+    QTRY_VERIFY(!robot_->dispatch.asked.empty() && robot_->dispatch.waiting.empty());
+    // What failed waits by itself; each time it is asked for would be one more.
+    const std::size_t before = robot_->dispatch.asked.size();
+    for (int i = 0; i < 20; ++i) {
+      Q_EMIT robot_->connectionChanged();
+      QCoreApplication::processEvents();
+    }
+    QVERIFY2(robot_->dispatch.asked.size() < before + 5,
+             qPrintable(QString::number(robot_->dispatch.asked.size())));
+  }
   void failuresAreToldAndTriedAgain() {
     prepare_ = [](DispatchRobot& robot) {
       robot.dispatch.answer = [&robot](const map::GridRegion& region) -> robot::Outcome<map::GridPart> {
@@ -415,6 +438,65 @@ class TestWindowRegions : public QObject {
     QTRY_VERIFY(leaving());
     leaving()->button(QMessageBox::Discard)->click();
     QTRY_VERIFY(!window_->session());
+  }
+  void whatIsKeptIsARowOfTheMaps() {
+    open();
+    connectRobot();
+    look(0.05);
+    waitUntilFetched();
+    QListView* const list = window_->maps()->list();
+    const auto row = [&] {
+      for (int at = 0; at < list->model()->rowCount(); ++at) {
+        const QModelIndex index = list->model()->index(at, 0);
+        if (window_->maps()->model()->isFetched(index)) return index;
+      }
+      return QModelIndex();
+    };
+    QVERIFY(!row().isValid());
+    controller()->errand().keepRectangle({-10, -5, 10, 5});
+    QTRY_VERIFY(row().isValid());
+    QTRY_VERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    QCOMPARE(row().data().toString(), QStringLiteral("Region 20.0 × 10.0 m"));
+    const QString detail = row().data(window::MapsModel::DetailRole).toString();
+    const QRegularExpression told(QStringLiteral("^fetched \\d\\d:\\d\\d:\\d\\d, 400 x 200 cells$"));
+    QVERIFY2(told.match(detail).hasMatch(), qPrintable(detail));
+    window_->maps()->show();
+    window_->maps()->raise();
+    QTRY_VERIFY(list->isVisible());
+    // It is looked at by mouse and by keyboard, and nobody is asked for it.
+    const auto seen = [&] {
+      const geometry::WorldRect view = window_->mapScene()->view().visibleWorld();
+      return view.width() < 60 && std::abs(view.center().x()) < 1 && std::abs(view.center().y()) < 1;
+    };
+    const auto lookAway = [&] {
+      geometry::ViewTransform away = window_->mapScene()->view();
+      away.center_m = {500, 500};
+      window_->mapScene()->setView(away);
+      QVERIFY(!seen());
+    };
+    const QPoint at = list->visualRect(row()).center();
+    lookAway();
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, at);
+    QTRY_VERIFY(seen());
+    lookAway();
+    list->setCurrentIndex(row());
+    QTest::keyClick(list, Qt::Key_Return);
+    QTRY_VERIFY(seen());
+    QVERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Ready);
+    // It is gone from the list when it is gone from the screen.
+    QTimer::singleShot(0, this, [&] {
+      auto* const menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+      QVERIFY(menu);
+      QAction* const forget = menu->findChild<QAction*>(QStringLiteral("forgetFetched"));
+      QVERIFY(forget);
+      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(forget).center());
+    });
+    QContextMenuEvent asked(QContextMenuEvent::Mouse, at, list->viewport()->mapToGlobal(at));
+    QApplication::sendEvent(list->viewport(), &asked);
+    QTRY_VERIFY(!row().isValid());
+    QVERIFY(window_->session()->wholeMap().phase() == session::MapSlot::Phase::Empty);
+    QVERIFY(window_->mapScene()->layerVisible(Layer::Regions));
   }
   void whatIsTooLargeIsRefused() {
     open();

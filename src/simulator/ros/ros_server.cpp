@@ -33,6 +33,7 @@ RosServer::RosServer(const Options& options, const RobotState& robot, const Faul
       rows_(topicTable(options, {})) {}
 
 RosServer::~RosServer() {
+  stall(false);
   io_.stop();
   if (thread_.joinable()) thread_.join();
   workers_.stop();
@@ -297,7 +298,23 @@ void RosServer::runAndWait(const std::function<void()>& action) {
     action();
     promise->set_value();
   });
-  done.wait();
+  if (!stalled_) done.wait();
+}
+
+void RosServer::stall(bool on) {
+  if (!thread_.joinable() || stalled_ == on) return;
+  if (on) {
+    const auto standing = std::make_shared<std::promise<void>>();
+    boost::asio::post(io_, [this, standing] {
+      stalled_ = true;
+      standing->set_value();
+      stalled_.wait(true);
+    });
+    return standing->get_future().wait();
+  }
+  stalled_ = false;
+  stalled_.notify_all();
+  runAndWait([] {});  // it stands no more
 }
 
 void RosServer::dropLinks() {

@@ -45,6 +45,9 @@ class RosServer {
 
   // From any thread; they return when it is done.
   void dropLinks();
+  /// While it is on nothing is read, written or accepted; what is asked of this server meanwhile is done
+  /// afterwards, and nobody waits for it.
+  void stall(bool on);
   void refresh();  // every topic says how things are
   void otherOperator();
   void otherPainter();
@@ -111,6 +114,7 @@ class RosServer {
   std::chrono::steady_clock::time_point tick_at_, restarted_at_, edited_at_, painted_at_, garbage_at_;
   std::size_t garbage_ = 0;
   std::atomic<int> open_ = 0;
+  std::atomic<bool> stalled_ = false;
   std::thread thread_;
 };
 

@@ -27,6 +27,7 @@ QSize MapRowDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& i
     case MapsModel::RowKind::Section:
       return {100, kSectionPx};
     case MapsModel::RowKind::Live:
+    case MapsModel::RowKind::Fetched:
       return {100, 40};
     case MapsModel::RowKind::Map:
       break;
@@ -114,6 +115,11 @@ void MapRowDelegate::paintThumbnail(QPainter* painter, const QRect& box, const Q
   const UiColors colors = appColors();
   if (kindOf(index) == MapsModel::RowKind::Live) {
     paintIcon(painter, QRectF(box).adjusted(12, 12, -12, -12), QStringLiteral("robot"),
+              colors.secondary_text);
+    return;
+  }
+  if (kindOf(index) == MapsModel::RowKind::Fetched) {
+    paintIcon(painter, QRectF(box).adjusted(12, 12, -12, -12), QStringLiteral("rectangle"),
               colors.secondary_text);
     return;
   }

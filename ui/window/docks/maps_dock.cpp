@@ -172,6 +172,19 @@ void MapsDock::showMenu(const QPoint& at) {
   if (!key || !session_) return;
   QMenu menu(this);
   menu.setToolTipsVisible(true);
+  if (model_->isFetched(list_->indexAt(at))) {
+    menu.addAction(themedIcon(QStringLiteral("map")), tr("Look at it"), this,
+                   [this, key] { Q_EMIT openWanted(*key); });
+    menu.addAction(themedIcon(QStringLiteral("export")), tr("Export…"), this,
+                   [this, key] { Q_EMIT exportWanted(*key); });
+    menu.addSeparator();
+    QAction* const forget = menu.addAction(themedIcon(QStringLiteral("remove")), tr("Remove"), this,
+                                           [this, key] { Q_EMIT forgetWanted(*key); });
+    forget->setObjectName(QStringLiteral("forgetFetched"));
+    forget->setToolTip(tr("Shows the map by regions again. Nothing changes on the robot."));
+    menu.exec(list_->viewport()->mapToGlobal(at));
+    return;
+  }
   QAction* open = menu.addAction(themedIcon(QStringLiteral("map")), tr("Open"), this,
                                  [this, key] { Q_EMIT openWanted(*key); });
   open->setToolTip(tr("Shows it here. Nothing is loaded or changed on the robot."));

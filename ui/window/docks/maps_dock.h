@@ -39,6 +39,8 @@ class MapsDock : public QDockWidget {
   void openWanted(const mapwright::map::MapKey& key);
   void compareWanted(const mapwright::map::MapKey& key);
   void exportWanted(const mapwright::map::MapKey& key);
+  /// What was fetched is not needed any more.
+  void forgetWanted(const mapwright::map::MapKey& key);
   void copyWanted(const QString& text, const QString& what);
   /// The menu of this map is about to be shown: others put entries into it.
   void menuOpening(QMenu* menu, const mapwright::map::MapKey& key);

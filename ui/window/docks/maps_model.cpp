@@ -111,6 +111,17 @@ std::vector<MapsModel::Row> MapsModel::build() {
     row.open = open(row.key);
     if (passes(row.title)) rows.push_back(row);
   }
+  // What was fetched of a map by regions is in no list of the robot's; it is here for as long as it is shown.
+  if (slot.cells() && slot.shown().state_of) {
+    Row row;
+    row.kind = RowKind::Fetched;
+    row.key = slot.shown().key;
+    row.title = mapTitle(slot.shown().name);
+    row.detail = tr("%1, %2 x %3 cells")
+                     .arg(words::plainName(row.key.id), countText(slot.reference().width),
+                          countText(slot.reference().height));
+    if (passes(row.title + QLatin1Char(' ') + row.detail)) rows.push_back(row);
+  }
   using Section = std::pair<map::MapKind, bool>;
   std::optional<Section> section;
   for (const map::CatalogueEntry& entry : session_->catalogue().entries()) {
@@ -177,6 +188,9 @@ QVariant MapsModel::data(const QModelIndex& index, int role) const {
       return row.title;
     case Qt::ToolTipRole:
       if (row.kind == RowKind::Section) return {};
+      if (row.kind == RowKind::Fetched)
+        return plainToolTip(tr("%1\n%2\nKept until another map is shown. Double click looks at it.")
+                                .arg(row.title, row.detail));
       return plainToolTip(tr("%1\n%2\nDouble click opens it here. Nothing is loaded or changed on the robot.")
                               .arg(row.title, row.detail));
     case Qt::AccessibleTextRole:
@@ -214,6 +228,11 @@ std::optional<map::MapKey> MapsModel::key(const QModelIndex& index) const {
   if (!index.isValid() || index.row() >= int(rows_.size())) return std::nullopt;
   const Row& row = rows_[std::size_t(index.row())];
   return row.kind == RowKind::Section ? std::nullopt : std::optional(row.key);
+}
+
+bool MapsModel::isFetched(const QModelIndex& index) const {
+  return index.isValid() && index.row() < int(rows_.size()) &&
+         rows_[std::size_t(index.row())].kind == RowKind::Fetched;
 }
 
 QModelIndex MapsModel::indexOf(const map::MapKey& key) const {

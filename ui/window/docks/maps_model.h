@@ -1,4 +1,5 @@
-// The rows of the catalogue: the live map, sections, maps; filtered by what was typed.
+// The rows of the catalogue: the live map, what was fetched of it, sections, maps; filtered by what was
+// typed.
 #pragma once
 
 #include <map>
@@ -15,7 +16,7 @@ namespace mapwright::window {
 class MapsModel : public QAbstractListModel {
   Q_OBJECT
  public:
-  enum class RowKind { Live, Section, Map };
+  enum class RowKind { Live, Fetched, Section, Map };
   enum Role {
     KindRole = Qt::UserRole,  // RowKind
     DetailRole,               // second line
@@ -42,6 +43,8 @@ class MapsModel : public QAbstractListModel {
 
   /// nullopt for sections.
   std::optional<map::MapKey> key(const QModelIndex& index) const;
+  /// It was fetched of the robot's map, and is nowhere on the robot.
+  bool isFetched(const QModelIndex& index) const;
   QModelIndex indexOf(const map::MapKey& key) const;
   int maps() const { return maps_; }    // of the robot
   int found() const { return found_; }  // that pass the filter

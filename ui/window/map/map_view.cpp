@@ -189,7 +189,7 @@ void MapView::setFollowing(bool following) {
   kept_fit_.reset();
   if (session::Session* session = scene_->session()) {
     if (following) {
-      connect(session, &session::Session::liveChanged, this, &MapView::centreOnRobot, Qt::UniqueConnection);
+      connect(session, &session::Session::liveHeard, this, &MapView::centreOnRobot, Qt::UniqueConnection);
       connect(&scene::PoseBetween::of(*scene_), &scene::PoseBetween::changed, this, &MapView::centreOnRobot,
               Qt::UniqueConnection);
       const auto pose = scene::poseDrawn(*scene_);
@@ -199,7 +199,7 @@ void MapView::setFollowing(bool following) {
         moveTo(to, true);
       }
     } else {
-      disconnect(session, &session::Session::liveChanged, this, &MapView::centreOnRobot);
+      disconnect(session, &session::Session::liveHeard, this, &MapView::centreOnRobot);
       disconnect(&scene::PoseBetween::of(*scene_), &scene::PoseBetween::changed, this,
                  &MapView::centreOnRobot);
     }

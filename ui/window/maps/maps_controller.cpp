@@ -27,6 +27,7 @@ MapsController::MapsController(WindowContext& context, QObject* parent)
   connect(dock_, &MapsDock::openWanted, this, &MapsController::open);
   connect(dock_, &MapsDock::compareWanted, this, &MapsController::compareWanted);
   connect(dock_, &MapsDock::exportWanted, this, &MapsController::openToExport);
+  connect(dock_, &MapsDock::forgetWanted, this, &MapsController::forget);
   connect(dock_, &MapsDock::copyWanted, this,
           [this](const QString& text, const QString& said) { copyText(context_.overlay, text, said); });
   connect(&context_.scene, &scene::MapScene::contentChanged, this, &MapsController::fitNew);
@@ -57,6 +58,10 @@ void MapsController::open(const map::MapKey& key) {
   session::Session* const session = context_.current.session();
   if (!session) return;
   const session::MapSlot& slot = session->wholeMap();
+  if (isFetched(key)) {
+    context_.scene.setLayerVisible(scene::Layer::WholeMap, true);
+    return context_.viewpoint.fit(slot.reference().bounds());
+  }
   if (slot.cells() && slot.shown().key == key) return show(key);  // nothing is left
   context_.unsaved.whenMayLeave([this, key] { show(key); });
 }
@@ -72,6 +77,17 @@ void MapsController::show(const map::MapKey& key) {
   if (viewMode(context_.scene).value_or(ViewMode::Submaps) == ViewMode::Submaps)
     setViewMode(context_.scene, ViewMode::Whole);
   session->openMap(key);
+}
+
+bool MapsController::isFetched(const map::MapKey& key) const {
+  const session::Session* const session = context_.current.session();
+  if (!session) return false;
+  const session::MapSlot& slot = session->wholeMap();
+  return slot.cells() && slot.shown().key == key && slot.shown().state_of;
+}
+
+void MapsController::forget(const map::MapKey& key) {
+  if (isFetched(key)) context_.unsaved.whenMayLeave([this] { Q_EMIT regionsWanted(); });
 }
 
 void MapsController::openToExport(const map::MapKey& key) {

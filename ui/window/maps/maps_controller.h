@@ -33,6 +33,9 @@ class MapsController : public Controller {
  private:
   bool catalogueComesFirst() const;
   void show(const map::MapKey& key);
+  /// Fetched of the robot's map, and on screen: nobody else can be asked for it.
+  bool isFetched(const map::MapKey& key) const;
+  void forget(const map::MapKey& key);
   void openToExport(const map::MapKey& key);
   void noteChange();
   void noteOtherFile();

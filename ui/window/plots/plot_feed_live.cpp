@@ -33,7 +33,6 @@ void PlotFeed::setSession(session::Session* session) {
     connect(live_, &robot::Robot::topicReceived, this, &PlotFeed::heard);
     connect(live_, &robot::Robot::rawReceived, this, &PlotFeed::heardRaw);
     connect(live_, &robot::Robot::connectionChanged, this, &PlotFeed::listen);
-    tick_.start(kTickMs);
     listen();
   }
   tellWishes();
@@ -63,6 +62,12 @@ void PlotFeed::tellWishes() {
     }
     topics.removeDuplicates();
     if (session_) session_->want(kOwner, streams, topics);
+  }
+  // What nobody looks at needs no clock.
+  if (!live_ || replays() || entries_.empty()) {
+    tick_.stop();
+  } else if (!tick_.isActive()) {
+    tick_.start(kTickMs);
   }
   if (std::exchange(raw_wanted_, raw) != raw) Q_EMIT rawWanted(raw);
 }

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <QTime>
 
 #include "sentences/failure_sentence.h"
 #include "sentences/region_sentence.h"
@@ -149,10 +150,12 @@ void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
 
 void MapErrand::show(std::function<std::string()> picture, const map::GridReference& grid,
                      const QString& name) {
+  // Another one is another map, be it as large.
+  const QString id = tr("fetched %1").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")));
   // Laying out hundreds of millions of cells takes a while.
-  share_.startLong([this, picture = std::move(picture), grid, name, job = job_] {
+  share_.startLong([this, picture = std::move(picture), grid, name, id, job = job_] {
     map::WholeMap map;
-    map.key = {map::MapKind::Stored, name.toStdString()};
+    map.key = {map::MapKind::Stored, id.toStdString()};
     // What its dispatcher gives is the map that the robot is in.
     map.state_of = map::MapKey{map::MapKind::Live, {}};
     map.name = name.toStdString();

@@ -142,11 +142,14 @@ void RegionsController::setSession(session::Session* session) {
   saving_->close();
   if (session) {
     connect(&session->robot(), &robot::Robot::capabilitiesChanged, this, &RegionsController::follow);
+    was_online_ = online();
     connect(session, &session::Session::connectionChanged, this, [this] {
+      // How long an answer takes is told again and again; only the link itself is of interest.
+      if (std::exchange(was_online_, online()) == online()) return;
       if (map_ && online()) map_->retryNow();
       look();
     });
-    connect(session, &session::Session::liveChanged, this, &RegionsController::lookAtRobot);
+    connect(session, &session::Session::liveHeard, this, &RegionsController::lookAtRobot);
   }
   looked_at_robot_ = false;
   follow();

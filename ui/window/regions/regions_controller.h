@@ -69,7 +69,7 @@ class RegionsController : public Controller {
   QPointer<PlainLabel> status_;  // goes with the status bar
   QTimer look_soon_, refresh_timer_;
   int refresh_every_s_ = 0;
-  bool looked_at_robot_ = false;
+  bool looked_at_robot_ = false, was_online_ = false;
   // The last: they go first, and what they tell is taken by what stands above.
   std::unique_ptr<MapErrand> errand_;
   std::unique_ptr<MapSaving> saving_;

@@ -135,7 +135,7 @@ void ViewController::setSession(session::Session* session) {
   fitted_poses_ = fitted_scans_ = false;
   connect(session, &session::Session::listChanged, this, &ViewController::fitAtFirst);
   connect(session, &session::Session::rowsChanged, this, &ViewController::fitAtFirst);
-  connect(session, &session::Session::liveChanged, this, [this](int what) {
+  connect(session, &session::Session::liveHeard, this, [this](int what) {
     if (what == map::topicIndex<map::PointCloudMessage>()) fitScansAtFirst();
   });
 }

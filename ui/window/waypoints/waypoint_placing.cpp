@@ -109,7 +109,7 @@ void WaypointPlacing::setSession(session::Session* session) {
   session_ = session;
   if (session_) {
     connect(&session_->wholeMap(), &session::MapSlot::changed, this, &WaypointPlacing::syncGround);
-    connect(session_, &session::Session::liveChanged, this, [this](int what) {
+    connect(session_, &session::Session::liveHeard, this, [this](int what) {
       if (what == map::topicIndex<map::RobotModel>()) syncRadius();
       if (what == map::topicIndex<map::TrackedPose>()) actions_->refreshRobot();
     });
