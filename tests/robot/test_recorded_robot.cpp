@@ -3,13 +3,14 @@
 #include <random>
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "foxglove_recordings.h"
 #include "map/world.h"
@@ -37,11 +38,13 @@ namespace {
 constexpr int kLongMs = 60'000;
 
 bool waitFor(const std::function<bool()>& condition) {
-  QElapsedTimer clock;
-  clock.start();
+  // With a limit of its own processEvents() does not wait: what is waited for would have to share its core.
+  QTimer look;
+  look.start(20);
+  const QDeadlineTimer patience(kLongMs);
   while (!condition()) {
-    if (clock.elapsed() > kLongMs) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+    if (patience.hasExpired()) return false;
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
   }
   return true;
 }
