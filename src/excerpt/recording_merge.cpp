@@ -284,8 +284,8 @@ tl::expected<Written, map::Reason> mergeRecordings(const std::vector<std::string
   auto writer = recording::McapWriter::create(std::move(made), wholeFileOptions(profile));
   if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
   recording::Query query;
-  if (order.span.from_s) query.first_ns = nanosecondsOf(*order.span.from_s);
-  if (order.span.to_s) query.last_ns = nanosecondsOf(*order.span.to_s);
+  if (order.span.from_s) query.first_ns = firstNanosecondsOf(*order.span.from_s);
+  if (order.span.to_s) query.last_ns = lastNanosecondsOf(*order.span.to_s);
   query.topics = order.topics;
   Merge merge(sources, **writer);
   std::optional<disk::Fault> fault = merge.describe();

@@ -160,9 +160,9 @@ tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::stri
   if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
 
   const std::int64_t from_ns =
-      order.first_ns.value_or(order.span.from_s ? nanosecondsOf(*order.span.from_s) : 0);
+      order.first_ns.value_or(order.span.from_s ? firstNanosecondsOf(*order.span.from_s) : 0);
   const std::int64_t to_ns =
-      order.last_ns.value_or(order.span.to_s ? nanosecondsOf(*order.span.to_s) : kEver);
+      order.last_ns.value_or(order.span.to_s ? lastNanosecondsOf(*order.span.to_s) : kEver);
   const std::vector<std::string>& topics = order.topics;
   Slice slice(**source, **writer, goes_on);
   const Done done = slice.describe()

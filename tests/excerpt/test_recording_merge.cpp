@@ -11,6 +11,7 @@
 #include "../recording/recordings.h"
 #include "excerpt/recording_merge.h"
 #include "excerpt/recording_slice.h"
+#include "recording/seconds.h"
 #include "robot/recorded/interruption.h"
 
 using namespace mapwright;
@@ -249,6 +250,37 @@ class RecordingMergeTest : public QObject {
     QCOMPARE(made.messages.size(), wanted.size());
     QCOMPARE(made.files.size(), std::size_t(4));  // A, B, A, C
     QCOMPARE(made.metadata.size(), std::size_t(2));
+  }
+
+  // Times are typed in seconds, and stamps are finer than seconds can be told apart.
+  void aSpanHoldsTheMessagesThatItsSecondsHold() {
+    std::mt19937_64 random(3);
+    std::vector<std::int64_t> stamps;
+    for (int i = 0; i < 3'000; ++i)
+      stamps.push_back(1'717'405'200'000'000'000 + std::int64_t(random() % 4'000));
+    std::sort(stamps.begin(), stamps.end());
+    {
+      Writing file(path("fine"));
+      for (const std::int64_t at_ns : stamps) file.say("/pose", at_ns, at_ns, "1");
+    }
+    for (int i = 0; i < 50; ++i) {
+      excerpt::Order order;
+      order.path = path("span");
+      order.span.from_s = recording::secondsOf(stamps[random() % stamps.size()]);
+      order.span.to_s = recording::secondsOf(stamps[random() % stamps.size()]);
+      if (*order.span.to_s < *order.span.from_s) std::swap(order.span.from_s, order.span.to_s);
+      const auto held = std::count_if(stamps.begin(), stamps.end(), [&](std::int64_t at_ns) {
+        return order.span.holds(recording::secondsOf(at_ns));
+      });
+      const auto sliced = excerpt::sliceRecording(path("fine"), order);
+      QVERIFY(sliced && *sliced);
+      QCOMPARE((*sliced)->messages, std::int64_t(held));
+      QVERIFY((*sliced)->said_before <= 1);
+      order.path = path("merged span");
+      const auto merged = excerpt::mergeRecordings({path("fine")}, order);
+      QVERIFY(merged.has_value());
+      QCOMPARE(merged->messages, std::int64_t(held));
+    }
   }
 
   void aRepairedRecordingIsWholeAndSaysWhenItBrokeOff() {
