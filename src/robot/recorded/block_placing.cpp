@@ -237,13 +237,14 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
       default:
         // Poses are told of by what is known now, all else lies where its stamp says.
         ros::RosWorld& world = source.stream == map::Stream::Pose ? now_ : ahead_;
-        for (ros::WorldResult& result : world.take(source, frame->root(), secondsOf(at_ns))) {
-          if (isOfBeginning(result, at_ns)) result.unplaced.reset();
+        for (ros::WorldResult& result : world.take(source, frame->root(), secondsOf(at_ns)))
           all.push_back(std::move(result));
-        }
         break;
     }
     of_pose |= source.stream == map::Stream::Pose;
+  }
+  for (ros::WorldResult& result : all) {
+    if (isOfBeginning(result, at_ns)) result.unplaced.reset();
   }
   if (of_pose) addPose(all, message.channel->topic, at_ns);
   return all;
