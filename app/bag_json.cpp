@@ -55,13 +55,6 @@ QJsonValue orNull(const std::optional<Value>& value) {
   return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
 }
 
-/// Messages a second, over the whole length; nullopt: it has none, or nobody knows.
-std::optional<double> rateOf(const robot::BagTopic& topic, const robot::BagInfo& info) {
-  const double length_s = info.end_s - info.start_s;
-  if (!topic.messages || !(length_s > 0)) return std::nullopt;
-  return double(*topic.messages) / length_s;
-}
-
 bool knowsSlam(const map::SlamStatus& slam) {
   return !slam.state.empty() || slam.position_quality || slam.reliable;
 }
@@ -101,6 +94,9 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
                   {QStringLiteral("end"), hasTimes(info) ? QJsonValue(info.end_s) : QJsonValue::Null},
                   {QStringLiteral("interrupted"), info.interrupted},
                   {QStringLiteral("away"), away}};
+  if (info.repair)
+    all[QStringLiteral("repaired")] =
+        QJsonObject{{QStringLiteral("broke_off"), orNull(info.repair->broke_off_s)}};
   if (info.format.empty()) return all;  // a robot tells no more
   QJsonArray topics, packing;
   for (const robot::BagTopic& one : info.topics)
@@ -109,7 +105,7 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
                               {QStringLiteral("encoding"), text(one.encoding)},
                               {QStringLiteral("messages"), one.messages ? QJsonValue(qint64(*one.messages))
                                                                         : QJsonValue(QJsonValue::Null)},
-                              {QStringLiteral("hz"), orNull(rateOf(one, info))}});
+                              {QStringLiteral("hz"), orNull(one.rate_hz)}});
   for (const robot::BagPacking& one : info.packing)
     packing.append(QJsonObject{{QStringLiteral("compression"), text(one.compression)},
                                {QStringLiteral("chunks"), qint64(one.parts)},
@@ -128,9 +124,8 @@ std::vector<QStringList> topicRows(const robot::BagInfo& info) {
   std::vector<QStringList> rows{
       {Words::tr("MESSAGES"), Words::tr("HZ"), Words::tr("ENCODING"), Words::tr("TOPIC"), Words::tr("TYPE")}};
   for (const robot::BagTopic& one : info.topics) {
-    const std::optional<double> rate = rateOf(one, info);
     rows.push_back({one.messages ? QString::number(*one.messages) : QStringLiteral("-"),
-                    rate ? QString::number(*rate, 'f', 2) : QStringLiteral("-"),
+                    one.rate_hz ? QString::number(*one.rate_hz, 'f', 2) : QStringLiteral("-"),
                     one.encoding.empty() ? QStringLiteral("-") : words::plainName(one.encoding),
                     words::plainName(one.name),
                     one.type.empty() ? QStringLiteral("-") : words::plainName(one.type)});
@@ -159,6 +154,11 @@ std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo&
   if (info.interrupted)
     rows.push_back({Words::tr("interrupted"),
                     times ? timeText(info.end_s) : Words::tr("before its first messages were written")});
+  if (info.repair)
+    rows.push_back(
+        {Words::tr("repaired"), info.repair->broke_off_s
+                                    ? Words::tr("it broke off at %1").arg(timeText(*info.repair->broke_off_s))
+                                    : Words::tr("it broke off before its first messages were written")});
   for (const robot::BagAway& one : info.away)
     rows.push_back(
         {Words::tr("no connection"),

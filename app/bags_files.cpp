@@ -100,6 +100,7 @@ int bagsRepair(const BagsWords& words, int& argc, char** argv) {
       return tl::make_unexpected(*why);
     excerpt::Order order;
     order.path = words.output;
+    order.repair = true;
     const auto made = excerpt::sliceRecording(*path, order);
     if (!made) return notOpened(made.error());
     tell(words, {text(words.output)}, **made);

@@ -14,10 +14,12 @@
 #include "app/bag_reading.h"
 #include "app/bags.h"
 #include "app/exit_code.h"
+#include "app/map_wish.h"
 #include "app/output_paths.h"
 #include "app/table.h"
 #include "app/waypoint_list.h"
 #include "excerpt/excerpt.h"
+#include "robot/sends_map.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
 
@@ -46,6 +48,17 @@ bool printFrames(const replay::Chunk& chunk, const excerpt::TimeSpan& span,
     if (!printOut(excerpt::jsonLine(chunk.source->textOf(message)) + "\n")) return false;
   }
   return true;
+}
+
+/// What a picture of it would say: a file without a map says so, and which one its messages name.
+std::optional<QString> noMapIn(const BagReading& bags, const replay::Moment& moment) {
+  robot::Robot& robot = bags.robot().session().robot();
+  robot::MapCatalogue* const maps = robot.mapCatalogue();
+  if (!robot.isLocal() || robot::sendsItsMap(robot) || !maps) return std::nullopt;
+  const auto kept = bags.robot().ask<std::vector<map::CatalogueEntry>>(
+      [&](robot::OutcomeTo<std::vector<map::CatalogueEntry>> reply) { return maps->list(std::move(reply)); });
+  if (!kept || !kept->empty()) return std::nullopt;
+  return noMapSentence(moment.at.world.live.map_info);
 }
 
 }  // namespace
@@ -98,10 +111,15 @@ int bagsState(const BagsWords& words, int& argc, char** argv) {
     const auto moment = opened->momentAt(*at_s);
     if (!moment) return tl::make_unexpected(moment.error());
     const robot::BagInfo bag = (*replayed)->info().value_or(robot::BagInfo());
+    const std::optional<QString> no_map = noMapIn(*opened, *moment);
     if (words.json) {
-      printJson(stateJson(*at_s, *moment, bag));
+      QJsonObject state = stateJson(*at_s, *moment, bag);
+      if (no_map) state[QStringLiteral("no_map")] = *no_map;
+      printJson(state);
     } else {
-      printTable(stateRows(*at_s, *moment, bag));
+      std::vector<QStringList> rows = stateRows(*at_s, *moment, bag);
+      if (no_map) rows.insert(rows.begin() + 1, {Words::tr("map"), *no_map});
+      printTable(rows);
     }
     opened->noteUnreadable(*at_s);
     return kDone;

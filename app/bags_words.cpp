@@ -27,7 +27,11 @@ struct BagCommand {
 std::vector<BagCommand> bagCommands() {
   return {
       {"list", Words::tr("All bags and recordings of a robot"), bagsList},
-      {"info", Words::tr("How many messages are in one, and of when"), bagsInfo},
+      {"info",
+       Words::tr("How many messages are in one, of when, and how often they came: the mean from the first "
+                 "message of a "
+                 "topic to its last one"),
+       bagsInfo},
       {"frames", Words::tr("Its messages as recorded, one a line"), bagsFrames},
       {"state", Words::tr("The world at a time, as playing it from the start would make it"), bagsState},
       {"events", Words::tr("Alerts, states of the planner, jumps, changes of the map, lost positions"),

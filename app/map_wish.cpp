@@ -152,7 +152,7 @@ void MapWish::chooseCurrent() {
   } else {
     fail(kRobotError,
          catalogue.entries().empty()
-             ? (QStringList(Words::tr("There is no map.")) + namedMap()).join(QLatin1Char(' '))
+             ? noMapSentence(session_.world().live.map_info)
              : Words::tr("None of its %1 maps is the current one. Give an id (mapwright maps list).")
                    .arg(catalogue.entries().size()));
   }
@@ -172,9 +172,11 @@ QStringList MapWish::liveTroubles() const {
   return grave + others;
 }
 
-/// Which map its messages name, where it is not there itself.
-QStringList MapWish::namedMap() const {
-  const auto& named = session_.world().live.map_info;
+QString noMapSentence(const std::optional<map::MapInfo>& named) {
+  return (QStringList(Words::tr("There is no map.")) + namedMapSentence(named)).join(QLatin1Char(' '));
+}
+
+QStringList namedMapSentence(const std::optional<map::MapInfo>& named) {
   if (!named || (named->name.empty() && named->uid.empty())) return {};
   const QString name = words::plainName(named->name.empty() ? named->uid : named->name);
   return {named->name.empty() || named->uid.empty()
@@ -183,7 +185,9 @@ QStringList MapWish::namedMap() const {
 }
 
 void MapWish::failWithoutLive(const QString& sentence) {
-  fail(kRobotError, (QStringList(sentence) + namedMap() + liveTroubles().mid(0, 1)).join(QLatin1Char(' ')));
+  fail(kRobotError,
+       (QStringList(sentence) + namedMapSentence(session_.world().live.map_info) + liveTroubles().mid(0, 1))
+           .join(QLatin1Char(' ')));
 }
 
 QString MapWish::noMapNow() const {
@@ -199,7 +203,9 @@ void MapWish::chooseInsteadOfLive() {
   const map::CatalogueEntry* const current = session_.catalogue().current();
   // Of a robot that keeps no maps the current one is that which does not come.
   if (!current || current->key.kind == map::MapKind::Live) {
-    failWithoutLive(current
+    const bool none = local() && session_.catalogue().entries().empty();
+    failWithoutLive(none ? Words::tr("There is no map.")
+                    : current
                         ? noMapNow()
                         : Words::tr("It sends no map now, and none of its stored maps is the current one."));
     return;

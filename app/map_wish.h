@@ -16,6 +16,11 @@
 
 namespace mapwright::app {
 
+/// Which map messages name, where it is not there itself; empty: none.
+QStringList namedMapSentence(const std::optional<map::MapInfo>& named);
+/// That there is no map, and which one is named.
+QString noMapSentence(const std::optional<map::MapInfo>& named);
+
 /// The session must not open maps by itself (session::Session::Options::maps).
 class MapWish {
  public:
@@ -59,7 +64,6 @@ class MapWish {
   /// Asks for the catalogue; false while it is on its way, or cannot be had.
   bool catalogueIn();
   void fail(int exit_code, const QString& sentence);
-  QStringList namedMap() const;
   void failWithoutLive(const QString& sentence);
   bool shown() const;
   bool local() const;

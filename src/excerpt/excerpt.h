@@ -33,6 +33,7 @@ struct Order {
   std::vector<std::string> topics;  // of these alone; none = all. Not of tracks
   /// Of recordings, instead of `span`, to the nanosecond: both counted in.
   std::optional<std::int64_t> first_ns, last_ns;
+  bool repair = false;  // of a recording that was interrupted: the file says so, and is whole
   // What is written into an MCAP file about where it comes from.
   std::string address, bag;
 };

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <limits>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
+
+#include <QByteArray>
+#include <QCryptographicHash>
 
 #include "excerpt/whole_target.h"
 #include "reasons/file_reason.h"
@@ -17,23 +23,132 @@
 namespace mapwright::excerpt {
 namespace {
 
-constexpr const char* kEndMark = "mapwright.end";
+constexpr const char* kSaid = "said";  // metadata of channels, recorder/layout.h
+constexpr const char* kBefore = "before";
 
 using SourcePtr = std::unique_ptr<recording::Source>;
+
+std::string digestOf(const void* bytes, std::size_t size) {
+  const auto* const chars = static_cast<const char*>(bytes);
+  return QCryptographicHash::hash(QByteArray::fromRawData(chars, qsizetype(size)), QCryptographicHash::Sha256)
+      .toStdString();
+}
+
+/// Of things that several files hold, each as often as the one that holds it most often. Files are taken one
+/// after the other.
+template <typename Thing>
+class Once {
+ public:
+  /// Whether it is one more than an earlier file held.
+  bool isNew(std::size_t source, const Thing& thing) {
+    std::map<std::size_t, int>& counts = counts_[thing];
+    const int now = ++counts[source];
+    return std::none_of(counts.begin(), counts.end(),
+                        [&](const auto& of) { return of.first != source && of.second >= now; });
+  }
+
+ private:
+  std::map<Thing, std::map<std::size_t, int>> counts_;
+};
+
+/// Channels as numbers: the same ones of two files have one, and so have those of what had been said before.
+class ChannelNumbers {
+ public:
+  int of(const recording::ChannelPtr& channel) {
+    const auto [known, is_new] = numbers_.try_emplace(channel, 0);
+    if (!is_new) return known->second;
+    recording::Channel plain = *channel;
+    plain.id = 0;
+    plain.metadata.erase(kSaid);
+    const auto same = std::find(plain_.begin(), plain_.end(), plain);
+    known->second = int(same - plain_.begin());
+    if (same == plain_.end()) plain_.push_back(std::move(plain));
+    return known->second;
+  }
+
+ private:
+  std::map<recording::ChannelPtr, int> numbers_;
+  std::vector<recording::Channel> plain_;
+};
+
+bool wasSaidBefore(const recording::Channel& channel) {
+  const auto said = channel.metadata.find(kSaid);
+  return said != channel.metadata.end() && said->second == kBefore;
+}
+
+/// What a part says had been said before it begins is told once, where another part holds it or has said so.
+class SaidBefore {
+ public:
+  explicit SaidBefore(ChannelNumbers& numbers) : numbers_(numbers) {}
+
+  /// To be called of all of them before messages are taken.
+  void expectThoseOf(recording::Source& source, const std::vector<std::string>& topics) {
+    const recording::Summary summary = source.summary();
+    recording::Query query;
+    std::uint64_t count = 0;
+    for (const recording::ChannelPtr& channel : source.channels()) {
+      if (!wasSaidBefore(*channel) || !isOneOf(topics, channel->topic)) continue;
+      query.topics.push_back(channel->topic);
+      const auto of = summary.messages_of.find(channel->id);
+      if (of != summary.messages_of.end()) count += of->second;
+    }
+    if (query.topics.empty() || !summary.start_ns) return;
+    // They stand at the start, but in what was put together from others.
+    query.last_ns = *summary.start_ns;
+    if (expect(source, query) == count && summary.counted) return;
+    query.last_ns = recording::Query().last_ns;
+    expect(source, query);
+  }
+
+  /// In the order of time. False: it is known by now.
+  bool take(std::size_t source, const recording::Message& message) {
+    const int channel = numbers_.of(message.channel);
+    if (!times_.contains({channel, message.publish_time_ns})) return true;
+    const auto told = by_.find(keyOf(channel, message));
+    if (told == by_.end()) return true;
+    if (wasSaidBefore(*message.channel) && told->second && *told->second != source) return false;
+    if (!told->second) told->second = source;
+    return true;
+  }
+
+ private:
+  using Key = std::tuple<int, std::int64_t, std::string>;
+  static Key keyOf(int channel, const recording::Message& message) {
+    return {channel, message.publish_time_ns, digestOf(message.bytes.data(), message.bytes.size())};
+  }
+  std::uint64_t expect(recording::Source& source, const recording::Query& query) {
+    std::uint64_t found = 0;
+    const auto cursor = source.messages(query);
+    while (const auto message = cursor->next()) {
+      if (!wasSaidBefore(*message->channel)) continue;
+      ++found;
+      const int channel = numbers_.of(message->channel);
+      times_.emplace(channel, message->publish_time_ns);
+      by_.try_emplace(keyOf(channel, *message));
+    }
+    return found;
+  }
+
+  ChannelNumbers& numbers_;
+  std::set<std::pair<int, std::int64_t>> times_;  // of those below
+  std::map<Key, std::optional<std::size_t>> by_;  // the file that told it first
+};
 
 class Merge {
  public:
   Merge(const std::vector<SourcePtr>& sources, recording::McapWriter& writer)
-      : sources_(sources), writer_(writer) {}
+      : sources_(sources), writer_(writer), before_(numbers_) {}
 
   std::optional<disk::Fault> describe() {
     // The whole has an end only where all of them have.
     const bool whole = std::none_of(sources_.begin(), sources_.end(), [](const SourcePtr& one) {
       return robot::recorded::isInterrupted(*one);
     });
-    for (const SourcePtr& source : sources_) {
-      for (const recording::Metadata& metadata : source->metadata()) {
-        if (!whole && metadata.name == kEndMark) continue;
+    Once<std::pair<std::string, recording::Words>> once;
+    for (std::size_t of = 0; of < sources_.size(); ++of) {
+      for (const recording::Metadata& metadata : sources_[of]->metadata()) {
+        if (!whole && robot::recorded::isEndMark(metadata)) continue;
+        if (!once.isNew(of, {metadata.name, metadata.words})) continue;
         if (auto fault = writer_.note(metadata)) return fault;
       }
     }
@@ -41,36 +156,53 @@ class Merge {
   }
 
   std::optional<disk::Fault> copy(const recording::Query& query) {
-    std::vector<std::unique_ptr<recording::Cursor>> cursors;
-    std::vector<std::optional<recording::Message>> heads;
+    for (const SourcePtr& source : sources_) before_.expectThoseOf(*source, query.topics);
+    std::vector<Head> heads;
     for (const SourcePtr& source : sources_) {
-      cursors.push_back(source->messages(query));
-      heads.push_back(cursors.back()->next());
+      heads.push_back({source->messages(query), std::nullopt});
+      heads.back().message = heads.back().cursor->next();
     }
     while (true) {
-      const auto next = std::min_element(heads.begin(), heads.end(), [](const auto& a, const auto& b) {
-        return a && (!b || a->log_time_ns < b->log_time_ns);
+      const auto next = std::min_element(heads.begin(), heads.end(), [](const Head& a, const Head& b) {
+        return a.message && (!b.message || a.message->log_time_ns < b.message->log_time_ns);
       });
-      if (next == heads.end() || !*next) return std::nullopt;
-      const recording::Message& message = **next;
-      const auto id = writer_.addChannel(*message.channel);
-      if (!id) return disk::systemFault(message.channel->topic, ENOSPC);
-      if (auto fault = writer_.write(*id, {message.log_time_ns, message.publish_time_ns, message.sequence},
-                                     message.bytes))
-        return fault;
-      ++done_.messages;
-      *next = cursors[std::size_t(next - heads.begin())]->next();
+      if (next == heads.end() || !next->message) return std::nullopt;
+      if (auto fault = copyAt(next->message->log_time_ns, heads)) return fault;
     }
   }
 
   std::optional<disk::Fault> attach() {
-    for (const SourcePtr& source : sources_) {
-      for (const recording::AttachmentPlace& place : source->attachments()) {
-        const auto attachment = source->attachment(place);
-        if (!attachment) continue;  // it is not sound, and of no use there either
-        if (auto fault = writer_.attach(*attachment)) return fault;
-        ++done_.attachments;
+    std::vector<std::pair<std::size_t, const recording::AttachmentPlace*>> places;
+    for (std::size_t of = 0; of < sources_.size(); ++of) {
+      for (const recording::AttachmentPlace& place : sources_[of]->attachments())
+        places.emplace_back(of, &place);
+    }
+    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+      return a.second->log_time_ns < b.second->log_time_ns;
+    });
+    Once<std::tuple<std::string, std::string, std::int64_t, std::int64_t, std::string>> once;
+    struct Last {
+      std::string content;
+      std::set<std::size_t> files;  // that hold it
+    };
+    std::map<std::string, Last> last_of;  // by name
+    for (const auto& [of, place] : places) {
+      const auto attachment = sources_[of]->attachment(*place);
+      if (!attachment) continue;  // it is not sound, and of no use there either
+      const recording::Attachment& it = *attachment;
+      std::string content = digestOf(it.bytes.data(), it.bytes.size());
+      const bool is_new =
+          once.isNew(of, {it.name, it.media_type, it.log_time_ns, it.create_time_ns, content});
+      // What another file holds later, and stands already, tells nothing; what one file repeats stays so.
+      Last& last = last_of[it.name];
+      const bool stands = last.content == content && !last.files.contains(of);
+      if (!is_new || stands) {
+        if (last.content == content) last.files.insert(of);
+        continue;
       }
+      last = {std::move(content), {of}};
+      if (auto fault = writer_.attach(it)) return fault;
+      ++done_.attachments;
     }
     return std::nullopt;
   }
@@ -88,8 +220,44 @@ class Merge {
   }
 
  private:
+  /// The next one of a file.
+  struct Head {
+    std::unique_ptr<recording::Cursor> cursor;
+    std::optional<recording::Message> message;
+  };
+
+  /// All of one time, file after file. What two files hold of it is one message: parts may overlap.
+  std::optional<disk::Fault> copyAt(std::int64_t at_ns, std::vector<Head>& heads) {
+    const auto isAt = [&](const Head& head) { return head.message && head.message->log_time_ns == at_ns; };
+    const bool shared = std::count_if(heads.begin(), heads.end(), isAt) > 1;
+    // Of what a file counts for itself (the sequence) two parts say different things.
+    Once<std::tuple<int, bool, std::int64_t, std::string>> once;
+    for (std::size_t of = 0; of < heads.size(); ++of) {
+      for (Head& head = heads[of]; isAt(head); head.message = head.cursor->next()) {
+        const recording::Message& message = *head.message;
+        if (!before_.take(of, message)) continue;
+        if (shared &&
+            !once.isNew(of, {numbers_.of(message.channel), wasSaidBefore(*message.channel),
+                             message.publish_time_ns, digestOf(message.bytes.data(), message.bytes.size())}))
+          continue;
+        if (auto fault = write(message)) return fault;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<disk::Fault> write(const recording::Message& message) {
+    const auto id = writer_.addChannel(*message.channel);
+    if (!id) return disk::systemFault(message.channel->topic, ENOSPC);
+    ++done_.messages;
+    return writer_.write(*id, {message.log_time_ns, message.publish_time_ns, message.sequence},
+                         message.bytes);
+  }
+
   const std::vector<SourcePtr>& sources_;
   recording::McapWriter& writer_;
+  ChannelNumbers numbers_;
+  SaidBefore before_;
   Written done_;
 };
 
@@ -116,8 +284,8 @@ tl::expected<Written, map::Reason> mergeRecordings(const std::vector<std::string
   auto writer = recording::McapWriter::create(std::move(made), wholeFileOptions(profile));
   if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
   recording::Query query;
-  if (order.span.from_s) query.first_ns = nanosecondsOf(*order.span.from_s);
-  if (order.span.to_s) query.last_ns = nanosecondsOf(*order.span.to_s);
+  if (order.span.from_s) query.first_ns = firstNanosecondsOf(*order.span.from_s);
+  if (order.span.to_s) query.last_ns = lastNanosecondsOf(*order.span.to_s);
   query.topics = order.topics;
   Merge merge(sources, **writer);
   std::optional<disk::Fault> fault = merge.describe();

@@ -86,7 +86,8 @@ class Slice {
     return {};
   }
 
-  Done attach(std::int64_t from_ns, std::int64_t to_ns) {
+  /// With their own times, whatever the part: so that others can see that two parts hold the same one.
+  Done attach(std::int64_t to_ns) {
     if (ended_) return {};
     // Of what was fetched only later the first one counts (recorder/layout.h).
     std::map<std::string, const recording::AttachmentPlace*> first_of;
@@ -96,9 +97,8 @@ class Slice {
     }
     for (const recording::AttachmentPlace& place : source_.attachments()) {
       if (place.log_time_ns > to_ns && first_of.at(place.name) != &place) continue;
-      auto attachment = source_.attachment(place);
+      const auto attachment = source_.attachment(place);
       if (!attachment) continue;  // it is not sound, and of no use there either
-      attachment->log_time_ns = std::clamp(attachment->log_time_ns, from_ns, std::max(from_ns, to_ns));
       if (auto done = checked(writer_.attach(*attachment)); !done) return done;
       ++done_.attachments;
     }
@@ -106,10 +106,12 @@ class Slice {
   }
 
   /// What was interrupted was so after its last message, and no part that ends before.
-  Done markEnd(std::int64_t to_ns) {
+  Done markEnd(std::int64_t to_ns, bool repair) {
     const std::int64_t last_ns = source_.summary().end_ns.value_or(0);
     cut_short_ = robot::recorded::isInterrupted(source_) && to_ns >= last_ns;
-    if (cut_short_ || ended_ || !robot::recorded::isInterrupted(source_)) return {};
+    if (ended_ || !robot::recorded::isInterrupted(source_)) return {};
+    if (cut_short_)
+      return repair ? checked(writer_.note(robot::recorded::repairMark(source_.summary()))) : Done();
     return checked(writer_.note({"mapwright.end", {{"ended_ns", std::to_string(to_ns)}}}));
   }
 
@@ -158,16 +160,16 @@ tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::stri
   if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
 
   const std::int64_t from_ns =
-      order.first_ns.value_or(order.span.from_s ? nanosecondsOf(*order.span.from_s) : 0);
+      order.first_ns.value_or(order.span.from_s ? firstNanosecondsOf(*order.span.from_s) : 0);
   const std::int64_t to_ns =
-      order.last_ns.value_or(order.span.to_s ? nanosecondsOf(*order.span.to_s) : kEver);
+      order.last_ns.value_or(order.span.to_s ? lastNanosecondsOf(*order.span.to_s) : kEver);
   const std::vector<std::string>& topics = order.topics;
   Slice slice(**source, **writer, goes_on);
   const Done done = slice.describe()
                         .and_then([&] { return slice.sayBefore(from_ns, topics); })
                         .and_then([&] { return slice.copy(from_ns, to_ns, topics); })
-                        .and_then([&] { return slice.attach(from_ns, to_ns); })
-                        .and_then([&] { return slice.markEnd(to_ns); })
+                        .and_then([&] { return slice.attach(to_ns); })
+                        .and_then([&] { return slice.markEnd(to_ns, order.repair); })
                         .and_then([&]() -> Done {
                           if (slice.ended()) return {};
                           auto fault = (*writer)->close();

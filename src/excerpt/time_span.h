@@ -14,5 +14,8 @@ struct TimeSpan {
 
 /// As MCAP has times: nanoseconds since 1970; what lies before or beyond becomes the first or the last.
 std::int64_t nanosecondsOf(double s);
+/// The first and the last of those that holds() would take for `s`: several have the same seconds.
+std::int64_t firstNanosecondsOf(double s);
+std::int64_t lastNanosecondsOf(double s);
 
 }  // namespace mapwright::excerpt

@@ -7,9 +7,11 @@
 // empty where the robot did not say), recorded_by ("mapwright 1.2.3"), started_ns. It is written again when a
 // robot says only later who it is: the last one counts. Metadata "mapwright.end" (kEnd), once, when the
 // recording was finished: ended_ns, messages, lost (messages and files that were not written because the disk
-// or this computer was too slow), lost_bytes. A file without it was interrupted. Metadata "mapwright.link"
-// (kLink): the link to the robot was away. lost_ns when it was lost, and once more with back_ns when it was
-// there again; without that it was away to the end.
+// or this computer was too slow), lost_bytes. A file without it was interrupted. Metadata
+// "mapwright.repaired" instead of it: what is sound of one that was interrupted, made a whole file since;
+// broke_off_ns is the time of the last message (absent without one). Metadata "mapwright.link" (kLink): the
+// link to the robot was away. lost_ns when it was lost, and once more with back_ns when it was there again;
+// without that it was away to the end.
 //
 // Messages. Log time: when the message arrived here, nanoseconds since 1970 (UTC) of this computer's clock,
 // never less than started_ns. Publish time: the robot's own stamp where the message has one, else the log

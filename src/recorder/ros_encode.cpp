@@ -143,7 +143,7 @@ class Encoder {
       case RosKind::Int64:
         return whole<std::int64_t>(value);
       case RosKind::Uint64:
-        return whole<std::uint64_t>(value);
+        return natural(value);
       case RosKind::Float32:
         return real<float>(value);
       case RosKind::Float64:
@@ -168,6 +168,12 @@ class Encoder {
     if (!number || !std::in_range<T>(*number)) return false;
     put(T(*number));
     return true;
+  }
+
+  bool natural(const Field& value) {
+    const std::optional<std::uint64_t> number = value.isNumber() ? value.natural() : std::nullopt;
+    if (number) put(*number);
+    return number.has_value();
   }
 
   template <typename T>

@@ -51,6 +51,9 @@ struct BagEntry {
 struct BagTopic {
   std::string name, type, encoding;      // "/scan", "sensor_msgs/LaserScan", "ros1"; empty: it does not say
   std::optional<std::int64_t> messages;  // nullopt: only counting them would tell
+  /// A second, on the average from its first message to its last one, those that had been said before left
+  /// out; nullopt: there are not two, or all are of one time.
+  std::optional<double> rate_hz = std::nullopt;
   bool operator==(const BagTopic&) const = default;
 };
 
@@ -68,6 +71,12 @@ struct BagAway {
   bool operator==(const BagAway&) const = default;
 };
 
+/// A recording that was interrupted, and made whole since.
+struct BagRepair {
+  std::optional<double> broke_off_s;  // seconds since the epoch; nullopt: before its first message
+  bool operator==(const BagRepair&) const = default;
+};
+
 /// What a robot says of a bag as a whole. Seconds since the epoch; robots tell whole ones: the last message
 /// may lie after end_s. An empty bag has no times, or equal ones.
 struct BagInfo {
@@ -75,6 +84,7 @@ struct BagInfo {
   double start_s = 0, end_s = 0;
   // Of files alone.
   bool interrupted = false;  // its end is missing: whoever wrote it was interrupted, or still writes
+  std::optional<BagRepair> repair = std::nullopt;
   std::vector<BagAway> away = {};
   std::vector<BagTopic> topics = {};  // by name
   std::vector<BagPacking> packing = {};

@@ -178,7 +178,14 @@ QString wordsOf(const std::vector<Reason>& reasons) {
 }
 
 QString sentenceOf(const Reason& reason) {
-  return QString::fromStdString(words::asSentence(wordsOf(reason).toStdString()));
+  const std::string words = wordsOf(reason).toStdString();
+  std::string sentence = words::asSentence(words);
+  // A name at its beginning (of a file) stays as it is written.
+  const auto* const name =
+      reason.arguments.empty() ? nullptr : std::get_if<std::string>(&reason.arguments.front());
+  const bool begins = name && !name->empty() && words.starts_with(*name) && words.size() > name->size();
+  if (begins && reason.code != ReasonCode::Said && !sentence.empty()) sentence[0] = (*name)[0];
+  return QString::fromStdString(sentence);
 }
 
 }  // namespace mapwright::sentences

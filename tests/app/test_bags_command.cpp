@@ -257,7 +257,8 @@ class BagsCommandTest : public QObject {
     QCOMPARE(topics[0][QStringLiteral("messages")].toInt(), 1);
     QCOMPARE(topics[1][QStringLiteral("messages")].toInt(), 600);
     QCOMPARE(topics[1][QStringLiteral("encoding")].toString(), QStringLiteral("json"));
-    QVERIFY(std::abs(topics[1][QStringLiteral("hz")].toDouble() - 10) < 0.1);
+    QVERIFY(std::abs(topics[1][QStringLiteral("hz")].toDouble() - 10) < 1e-6);
+    QVERIFY(topics[0][QStringLiteral("hz")].isNull());  // one message is no rate
     const QJsonValue packing = info[QStringLiteral("packing")][0];
     QCOMPARE(packing[QStringLiteral("compression")].toString(), QStringLiteral("zstd"));
     QVERIFY(packing[QStringLiteral("chunks")].toInt() > 5);
@@ -265,6 +266,37 @@ class BagsCommandTest : public QObject {
             packing[QStringLiteral("unpacked_bytes")].toInt());
     const Outcome table = run(QStringLiteral("info ") + recording());
     QVERIFY2(table.out.contains("/tracked_pose") && table.out.contains("10.0"), table.out.constData());
+  }
+
+  void aRateIsThatOfTheTimeInWhichATopicSent() {
+    const QString path = folder_.filePath(QStringLiteral("rates.mcap"));
+    auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
+    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    const auto say = [&](std::int64_t at_s, const char* topic, const char* said = nullptr) {
+      recording::Channel channel;
+      channel.topic = topic;
+      channel.message_encoding = "json";
+      if (said) channel.metadata["said"] = said;
+      const std::string text = "{}";
+      const std::int64_t at_ns = (1'717'405'200 + at_s) * 1'000'000'000;
+      (void)(*writer)->write(*(*writer)->addChannel(channel), {at_ns, at_ns, 0},
+                             {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    };
+    say(0, "/late", "before");
+    for (int i = 0; i <= 60; ++i) say(i, "/first_minute");
+    for (int i = 0; i <= 600; i += 100) say(i, "/always");
+    say(600, "/late");
+    say(602, "/late");
+    for (int i = 0; i < 3; ++i) say(610, "/at_once");
+    (void)(*writer)->close();
+    QMap<QString, QJsonValue> rates;
+    const QJsonObject info = run(QStringLiteral("info --json ") + path).object();
+    for (const QJsonValue& topic : info[QStringLiteral("topics")].toArray())
+      rates[topic[QStringLiteral("topic")].toString()] = topic[QStringLiteral("hz")];
+    QCOMPARE(rates[QStringLiteral("/first_minute")].toDouble(), 1.0);
+    QCOMPARE(rates[QStringLiteral("/always")].toDouble(), 0.01);
+    QCOMPARE(rates[QStringLiteral("/late")].toDouble(), 0.5);
+    QVERIFY(rates[QStringLiteral("/at_once")].isNull());
   }
 
   void severalTopicsAreChosenAndOneThatIsNotThereIsNamed() {
@@ -304,6 +336,17 @@ class BagsCommandTest : public QObject {
             (*opened)->summary().notes.empty());
     QVERIFY((*opened)->summary().messages > 100);
     QCOMPARE(made.object()[QStringLiteral("messages")].toInt(), int((*opened)->summary().messages));
+    // It says so, and is whole: the commands that read it have nothing to complain of.
+    const Outcome info = run(QStringLiteral("info whole.mcap --json"));
+    QVERIFY2(info.code == 0 && info.err.isEmpty(), info.err.constData());
+    QVERIFY(!info.object()[QStringLiteral("interrupted")].toBool());
+    const QJsonValue repaired = info.object()[QStringLiteral("repaired")];
+    QVERIFY(repaired.isObject());
+    QCOMPARE(repaired[QStringLiteral("broke_off")], info.object()[QStringLiteral("end")]);
+    const Outcome table = run(QStringLiteral("info whole.mcap"));
+    QVERIFY2(
+        table.code == 0 && table.out.contains("repaired") && table.out.contains("it broke off at 2024-06-03"),
+        table.out.constData());
     // More than its end is lost.
     QByteArray damaged = bytes;
     damaged[ends[2] - 20] = char(~damaged[ends[2] - 20]);
@@ -323,16 +366,15 @@ class BagsCommandTest : public QObject {
     const Outcome merged =
         run(QStringLiteral("merge part-02.mcap part-00.mcap part-01.mcap -o merged.mcap --force --json"));
     QVERIFY2(merged.code == 0, merged.err.constData());
-    // But for what each part says had been said before.
     const auto opened =
         recording::openRecording(folder_.filePath(QStringLiteral("merged.mcap")).toStdString());
     const auto whole = recording::openRecording(recording().toStdString());
     QVERIFY(opened && whole);
     const auto a = (*opened)->messages({}), b = (*whole)->messages({});
     while (const auto message = a->next()) {
-      if (message->channel->metadata.contains("said")) continue;
       const auto same = b->next();
       QVERIFY(same && same->log_time_ns == message->log_time_ns);
+      QVERIFY(!message->channel->metadata.contains("said"));
       QVERIFY(
           std::equal(same->bytes.begin(), same->bytes.end(), message->bytes.begin(), message->bytes.end()));
     }
@@ -413,6 +455,44 @@ class BagsCommandTest : public QObject {
     QVERIFY2(none.err.contains("no submap list"), none.err.constData());
     QVERIFY(QFile::exists(folder_.filePath(QStringLiteral("s.png"))));
     QVERIFY2(clock.elapsed() < 100'000, "it waited for what cannot come");
+  }
+
+  void aFileWithoutAMapSaysSoByEveryCommand() {
+    const QString path = folder_.filePath(QStringLiteral("nomap.mcap"));
+    auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
+    const auto writer = recording::McapWriter::create(std::move(*target), {});
+    const auto say = [&](double at_s, const char* topic, const std::string& rest) {
+      recording::Channel channel;
+      channel.topic = topic;
+      channel.message_encoding = "json";
+      const std::string text = "{\"topic\":\"" + channel.topic + "\"," + rest + "}";
+      const std::int64_t at_ns = 1'717'405'200'000'000'000 + std::llround(at_s * 1e9);
+      (void)(*writer)->write(*(*writer)->addChannel(channel), {at_ns, at_ns, 0},
+                             {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    };
+    for (int i = 0; i < 100; ++i) say(i * 0.1, "/tracked_pose", R"("pos":[1,1],"ori":0)");
+    say(5, "/map/info", R"("name":"Hall","uid":"u1","map_version":1)");
+    (void)(*writer)->close();
+    const Outcome picture =
+        run(QStringLiteral("snapshot %1 --at %2 --mode whole --size 200x150 -o nomap.png").arg(path, at(7)));
+    QVERIFY2(picture.code != 0 &&
+                 picture.err.contains("There is no map. Its messages name the map \"Hall\" (u1)."),
+             picture.err.constData());
+    const Outcome film =
+        run(QStringLiteral("film %1 --from %2 --to %3 --mode whole --size 200x150 -o nomap%d.png")
+                .arg(path, at(6), at(7)));
+    QVERIFY2(film.err.contains("name the map \"Hall\""), film.err.constData());
+    const Outcome state = run(QStringLiteral("state %1 --at %2").arg(path, at(7)));
+    QVERIFY2(
+        state.code == 0 && state.out.contains("There is no map. Its messages name the map \"Hall\" (u1)."),
+        state.out.constData());
+    const auto toldAt = [&](double s) {
+      return run(QStringLiteral("state %1 --at %2 --json").arg(path, at(s)))
+          .object()[QStringLiteral("no_map")]
+          .toString();
+    };
+    QCOMPARE(toldAt(7), QStringLiteral("There is no map. Its messages name the map \"Hall\" (u1)."));
+    QCOMPARE(toldAt(3), QStringLiteral("There is no map."));
   }
 
   void aPartOfAnotherProgramStaysWhatItIs() {

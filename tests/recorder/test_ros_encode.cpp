@@ -92,9 +92,8 @@ class Chance {
       case RosKind::Uint32:
         return put(std::uint32_t(random_()));
       case RosKind::Int64:
-        return put(wide());
       case RosKind::Uint64:
-        return put(wide() >> 1);
+        return put(wide());
       case RosKind::Float32:
         return put(float(real()));
       case RosKind::Float64:

@@ -2,8 +2,9 @@
 #include <utility>
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
+#include <QDeadlineTimer>
 #include <QTest>
+#include <QTimer>
 
 #include "generated_bag.h"
 #include "replay/events.h"
@@ -28,11 +29,13 @@ class Player {
 
   template <typename Condition>
   static bool waitFor(Condition condition) {
-    QElapsedTimer clock;
-    clock.start();
+    // With a limit of its own processEvents() does not wait: what is waited for would have to share its core.
+    QTimer look;
+    look.start(50);
+    const QDeadlineTimer patience(kLongMs);
     while (!condition()) {
-      if (clock.elapsed() > kLongMs) return false;
-      QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
+      if (patience.hasExpired()) return false;
+      QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
     }
     return true;
   }

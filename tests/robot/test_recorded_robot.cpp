@@ -3,13 +3,14 @@
 #include <random>
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "foxglove_recordings.h"
 #include "map/world.h"
@@ -37,11 +38,13 @@ namespace {
 constexpr int kLongMs = 60'000;
 
 bool waitFor(const std::function<bool()>& condition) {
-  QElapsedTimer clock;
-  clock.start();
+  // With a limit of its own processEvents() does not wait: what is waited for would have to share its core.
+  QTimer look;
+  look.start(20);
+  const QDeadlineTimer patience(kLongMs);
   while (!condition()) {
-    if (clock.elapsed() > kLongMs) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+    if (patience.hasExpired()) return false;
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
   }
   return true;
 }
@@ -703,6 +706,42 @@ class RecordedRobotTest : public QObject {
     QCOMPARE(problems.front().reason,
              map::Reason(map::ReasonCode::RosFramesApart, {mounted ? "base_link" : "laser"}));
     QCOMPARE(problems.front().subject, map::Subject(map::SubjectKind::Topic, "/base_scan"));
+  }
+
+  void whatPrecedesTheFirstTransformIsNoTrouble_data() {
+    QTest::addColumn<double>("late_s");
+    QTest::addColumn<bool>("troubled");
+    QTest::newRow("they follow at once") << 0.0 << false;
+    QTest::newRow("they follow later") << 3.5 << true;
+  }
+  // A recording begins at any time, and the clock of the robot may be another one.
+  void whatPrecedesTheFirstTransformIsNoTrouble() {
+    QFETCH(const double, late_s);
+    QFETCH(const bool, troubled);
+    std::vector<Drive::Said> said;
+    const auto odometry = [&](double at_s) {
+      said.push_back({"/odom", "nav_msgs/Odometry", at_s, [=](RosOut& out) {
+                        out.header(at_s, "odom").text("child_frame_id", "base_link");
+                        out.object("pose", [&] { out.pose("pose", 1, 2, 0); });
+                      }});
+    };
+    for (int i = 0; i < 40; ++i) odometry(Drive::kStartS + 0.0002 + i * 0.1);
+    Drive::scan(said, Drive::kStartS + 0.0001);
+    for (const Drive::Said& one : Drive{5}.all()) {
+      if (one.topic != "/tf" || one.at_s >= Drive::kStartS + late_s) said.push_back(one);
+    }
+    // It was recorded much later by another clock.
+    for (Drive::Said& one : said) one.at_s += 1e6;
+    std::stable_sort(said.begin(), said.end(), [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+    const QString path = written(recordings::recordingOf(said, Encoding::Ros1));
+    const auto robot = opened(path);
+    std::vector<std::string> problems;
+    connect(robot.get(), &Robot::problemFound, robot.get(), [&](const map::Problem& problem) {
+      if (problem.code == map::ProblemCode::Unplaced) problems.push_back(map::patternOf(problem));
+    });
+    QVERIFY(range(*robot, keyOf(path), 0, 4e9));
+    QCoreApplication::processEvents();
+    QCOMPARE(!problems.empty(), troubled);
   }
 
   void aLayerOfARecordingIsTakenFromTheTopicThatPeopleChoose() {

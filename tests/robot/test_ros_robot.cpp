@@ -221,6 +221,26 @@ class RosRobotTest : public QObject {
     QTRY_VERIFY(!server_->isAskedFor("/map"));
   }
 
+  void whoeverRecordsGetsEveryMessage() {
+    server_->advertise(text("/scan"), text("sensor_msgs/LaserScan"));
+    server_->advertise(text("/odom"), text("nav_msgs/Odometry"));
+    makeRobot();
+    want({Stream::Cloud, Stream::Pose}, {text("/chatter")});
+    QVERIFY(online());
+    const auto throttled = [&](const char* topic) {
+      return server_->subscriptionOf(QLatin1String(topic)).contains(QLatin1String("throttle_rate"));
+    };
+    const QList<const char*> topics{"/scan", "/odom", "/chatter"};
+    for (const char* topic : topics) QTRY_VERIFY2(server_->isAskedFor(topic) && throttled(topic), topic);
+    robot_->setDeliveryTap([](const Delivery&) {});
+    for (const char* topic : topics) QTRY_VERIFY2(server_->isAskedFor(topic) && !throttled(topic), topic);
+    // What is wanted only now is no exception.
+    want({Stream::Cloud, Stream::Pose}, {text("/chatter"), text("/more")});
+    QTRY_VERIFY(server_->isAskedFor("/more") && !throttled("/more"));
+    robot_->setDeliveryTap({});
+    for (const char* topic : topics) QTRY_VERIFY2(server_->isAskedFor(topic) && throttled(topic), topic);
+  }
+
   void theMapComesCompressedAndIsExact() {
     QVERIFY(online());
     want({Stream::WholeMap});

@@ -228,6 +228,14 @@ class SentencesTest : public QObject {
              text);
   }
 
+  void theNameOfAFileStaysAsItIsWritten() {
+    const map::Reason reason{
+        map::ReasonCode::FileNotWritten, {"out/part.mcap"}, {map::said("No space left on device")}};
+    QCOMPARE(sentences::sentenceOf(reason),
+             QStringLiteral("out/part.mcap cannot be written: No space left on device."));
+    QCOMPARE(sentences::sentenceOf(map::said("timed out")), QStringLiteral("Timed out."));
+  }
+
   void kindsOfOverlaysHaveNames() {
     using map::OverlayShape;
     QCOMPARE(sentences::nameOf(OverlayShape::Line, 2), QStringLiteral("Virtual wall"));

@@ -227,6 +227,12 @@ std::optional<std::int64_t> Field::integer() const {
   return value ? wholeOf(*value) : std::nullopt;
 }
 
+std::optional<std::uint64_t> Field::natural() const {
+  if (const auto beyond = Access::natural(*this)) return beyond;
+  const std::optional<std::int64_t> whole = integer();
+  return whole && *whole >= 0 ? std::optional(std::uint64_t(*whole)) : std::nullopt;
+}
+
 std::optional<bool> Field::flag() const {
   bool value = false;
   if (kind_ == Kind::Json && !Access::json(*this).get(value)) return value;

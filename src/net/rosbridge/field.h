@@ -41,9 +41,10 @@ class Field {
   std::optional<double> number() const;  // finite; also a number written as text
   /// A number as the robot has it: null is NaN, and CBOR tells infinities.
   std::optional<double> real() const;
-  std::optional<std::int64_t> integer() const;  // whole and fits; 3.0 and "3" are
-  std::optional<bool> flag() const;             // true/false, 0/1
-  std::string text() const;                     // of a text; empty for all else
+  std::optional<std::int64_t> integer() const;   // whole and fits; 3.0 and "3" are
+  std::optional<std::uint64_t> natural() const;  // likewise, from 0 on: what integer() cannot hold, too
+  std::optional<bool> flag() const;              // true/false, 0/1
+  std::string text() const;                      // of a text; empty for all else
 
   /// uint8[]: base64 text, a list of numbers 0..255, or a byte string or typed array of CBOR. nullopt: none
   /// of these, or longer than `max` bytes.

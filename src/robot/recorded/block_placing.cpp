@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kFirstNs = 60'000'000'000;  // of a file: when what never changes is said
 constexpr int kMostOfFirst = 2000, kMostOfLast = 16;
-constexpr double kPoseMissingNs = 2e9;  // before it is told that there is none
+constexpr std::int64_t kMissingNs = 2'000'000'000;  // of the beginning: transforms follow yet
 using recording::secondsOf;
 
 }  // namespace
@@ -66,7 +66,10 @@ std::int64_t BlockPlacing::blockOf(std::int64_t at_ns) {
 
 BlockPlacing::BlockPlacing(const Parts& parts, std::int64_t block_ns, std::int64_t from_ns,
                            std::int64_t until_ns)
-    : parts_(parts), block_ns_(block_ns), next_look_ns_(block_ns - kBeforeNs) {
+    : parts_(parts),
+      block_ns_(block_ns),
+      start_ns_(parts.file.summary().start_ns.value_or(block_ns)),
+      next_look_ns_(block_ns - kBeforeNs) {
   ahead_.placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
   now_.placeAtOnce(parts_.shape.fixed_frame, parts_.shape.own_frame);
   readStatics();
@@ -240,8 +243,19 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
     }
     of_pose |= source.stream == map::Stream::Pose;
   }
+  for (ros::WorldResult& result : all) {
+    if (isOfBeginning(result, at_ns)) result.unplaced.reset();
+  }
   if (of_pose) addPose(all, message.channel->topic, at_ns);
   return all;
+}
+
+bool BlockPlacing::isOfBeginning(const ros::WorldResult& result, std::int64_t at_ns) const {
+  if (!result.unplaced || result.unplaced->code != map::ReasonCode::RosTransformTooOld) return false;
+  const std::vector<ros::Transforms::Newest> newest = ahead_.transforms().newest();
+  if (at_ns - start_ns_ > kMissingNs || newest.empty() || !result.recorded_s) return false;
+  // By the clock of the robot.
+  return newest.back().stamp_s - *result.recorded_s < secondsOf(kMissingNs + kAheadNs);
 }
 
 void BlockPlacing::addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns) {
@@ -256,7 +270,7 @@ void BlockPlacing::addPose(ros::WorldResults& results, const std::string& topic,
     if (!brought) return;
     located_ = *now;
     result.message = map::TrackedPose{*now->pose};
-  } else if (double(at_ns - block_ns_) > kPoseMissingNs) {
+  } else if (at_ns - std::max(block_ns_, start_ns_) > kMissingNs) {
     result.unplaced = now->pose.error();
   }
   results.push_back(std::move(result));

@@ -81,12 +81,14 @@ class BlockPlacing {
   ros::WorldResults takeNow(const recording::Message& message, const FramePtr& frame);
   ros::WorldResult takeGrid(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
   ros::WorldResult takePatch(const ros::Source& source, const ros::Field& msg, std::int64_t at_ns);
+  /// A recording begins at any time, also between a message and the transform that it lies by.
+  bool isOfBeginning(const ros::WorldResult& result, std::int64_t at_ns) const;
   void addPose(ros::WorldResults& results, const std::string& topic, std::int64_t at_ns);
 
   Parts parts_;
-  std::int64_t block_ns_;
-  ros::RosWorld ahead_;  // knows the transforms until kAheadNs later: places what has a stamp
-  ros::RosWorld now_;    // knows what has been said by now: where the robot is, and markers
+  std::int64_t block_ns_, start_ns_;  // where the block begins, and the file
+  ros::RosWorld ahead_;               // knows the transforms until kAheadNs later: places what has a stamp
+  ros::RosWorld now_;                 // knows what has been said by now: where the robot is, and markers
   std::unique_ptr<recording::Cursor> leading_;
   std::optional<recording::Message> lead_;  // the next transform of ahead_
   std::int64_t next_look_ns_;               // at markers

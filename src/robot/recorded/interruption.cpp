@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
 
 #include <QDateTime>
+
+#include "recording/seconds.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -15,6 +16,8 @@ using map::ReasonCode;
 
 constexpr const char* kMadeHere = "mapwright";
 constexpr const char* kEndMark = "mapwright.end";
+constexpr const char* kRepairMark = "mapwright.repaired";
+constexpr const char* kBrokeOff = "broke_off_ns";
 constexpr const char* kLinkMark = "mapwright.link";
 
 std::optional<std::int64_t> numberIn(const recording::Words& words, const char* name) {
@@ -26,8 +29,6 @@ std::optional<std::int64_t> numberIn(const recording::Words& words, const char* 
   return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
 
-std::int64_t nanoseconds(double epoch_s) { return std::llround(epoch_s * 1e6) * 1'000; }
-
 }  // namespace
 
 bool isInterrupted(const recording::Source& file) {
@@ -37,7 +38,28 @@ bool isInterrupted(const recording::Source& file) {
     return std::any_of(all.begin(), all.end(),
                        [&](const recording::Metadata& one) { return one.name == name; });
   };
-  return has(kMadeHere) && !has(kEndMark);
+  return has(kMadeHere) && !has(kEndMark) && !has(kRepairMark);
+}
+
+bool isEndMark(const recording::Metadata& metadata) {
+  return metadata.name == kEndMark || metadata.name == kRepairMark;
+}
+
+recording::Metadata repairMark(const recording::Summary& interrupted) {
+  recording::Metadata mark{kRepairMark, {}};
+  if (interrupted.end_ns) mark.words[kBrokeOff] = std::to_string(*interrupted.end_ns);
+  return mark;
+}
+
+std::optional<BagRepair> repairOf(const recording::Source& file) {
+  std::optional<BagRepair> repair;
+  for (const recording::Metadata& metadata : file.metadata()) {
+    if (metadata.name != kRepairMark) continue;
+    repair.emplace();  // the last one counts
+    if (const auto at_ns = numberIn(metadata.words, kBrokeOff))
+      repair->broke_off_s = recording::secondsOf(*at_ns);
+  }
+  return repair;
 }
 
 map::Reason interruptionOf(const recording::Summary& summary) {
@@ -57,17 +79,17 @@ std::vector<BagAway> awayIn(const recording::Source& file) {
   }
   std::vector<BagAway> all;
   for (const auto& [lost_ns, back_ns] : back_of) {
-    BagAway away{double(lost_ns) / 1e9, std::nullopt};
-    if (back_ns) away.until_s = double(*back_ns) / 1e9;
+    BagAway away{recording::secondsOf(lost_ns), std::nullopt};
+    if (back_ns) away.until_s = recording::secondsOf(*back_ns);
     all.push_back(away);
   }
   return all;
 }
 
 map::Reason reasonOf(const BagAway& away) {
-  const std::string from = timeWords(nanoseconds(away.from_s));
+  const std::string from = timeWords(recording::nanosecondsOf(away.from_s));
   if (!away.until_s) return {ReasonCode::RecordingLinkGone, {from}};
-  return {ReasonCode::RecordingLinkAway, {from, timeWords(nanoseconds(*away.until_s))}};
+  return {ReasonCode::RecordingLinkAway, {from, timeWords(recording::nanosecondsOf(*away.until_s))}};
 }
 
 std::string timeWords(std::int64_t epoch_ns) {

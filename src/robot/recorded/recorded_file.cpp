@@ -18,6 +18,7 @@ namespace mapwright::robot::recorded {
 namespace {
 
 constexpr const char* kAbout = "mapwright";  // metadata, recorder/layout.h
+constexpr const char* kSaid = "said";        // of channels, likewise
 
 constexpr map::Stream kLastStream = map::Stream::GlobalPositioning;
 
@@ -255,6 +256,7 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
   if (summary.start_ns) info.start_s = recording::secondsOf(*summary.start_ns);
   info.end_s = summary.end_ns ? recording::secondsOf(*summary.end_ns) : info.start_s;
   info.interrupted = isInterrupted(*parts_->file);
+  info.repair = repairOf(*parts_->file);
   info.away = awayIn(*parts_->file);
   tellContent(info, summary);
   tellNotes();
@@ -263,9 +265,39 @@ Outcome<BagInfo> RecordedFile::info(const BagKey& key) {
   return info;
 }
 
-void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary) const {
+std::optional<double> RecordedFile::rateOf(const Form& form,
+                                           const std::map<std::uint32_t, std::uint64_t>& counts) {
+  const auto isOf = [&](const recording::Channel& channel) {
+    return Form(channel.topic, channel.schema_name, channel.message_encoding) == form &&
+           !channel.metadata.contains(kSaid);
+  };
+  std::uint64_t messages = 0;
+  for (const recording::ChannelPtr& channel : parts_->file->channels()) {
+    const auto count = counts.find(channel->id);
+    if (isOf(*channel) && count != counts.end()) messages += count->second;
+  }
+  if (messages < 2) return std::nullopt;
+  const auto outermost = [&](bool backwards) -> std::optional<std::int64_t> {
+    recording::Query query;
+    query.topics = {std::get<0>(form)};
+    query.backwards = backwards;
+    const auto cursor = parts_->file->messages(query);
+    while (const auto message = cursor->next()) {
+      if (isOf(*message->channel)) return message->log_time_ns;
+    }
+    return std::nullopt;
+  };
+  // Whoever follows a file asks again and again: what comes first stays so.
+  const auto [first, is_new] = first_of_.try_emplace(form);
+  if (is_new) first->second = outermost(false);
+  const std::optional<std::int64_t> last = outermost(true);
+  if (!first->second || !last || *last <= *first->second) return std::nullopt;
+  return double(messages - 1) / recording::secondsOf(*last - *first->second);
+}
+
+void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary) {
   const auto& counts = summary.counted ? summary.messages_of : counted_of_;
-  std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> topics;
+  std::map<Form, std::int64_t> topics;
   for (const recording::ChannelPtr& channel : parts_->file->channels()) {
     const auto count = counts.find(channel->id);
     topics[{channel->topic, channel->schema_name, channel->message_encoding}] +=
@@ -273,7 +305,7 @@ void RecordedFile::tellContent(BagInfo& info, const recording::Summary& summary)
   }
   for (const auto& [topic, messages] : topics) {
     const auto& [name, type, encoding] = topic;
-    info.topics.push_back({name, type, encoding, messages});
+    info.topics.push_back({name, type, encoding, messages, rateOf(topic, counts)});
   }
   info.format = parts_->file->format();
   info.written_by = summary.library;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include <QObject>
 #include <QString>
@@ -86,7 +87,9 @@ class RecordedFile : public QObject {
   void tell(const map::Problem& problem);
   RecordingFacts facts() const;
   /// Of which topics how many messages are in it, and how it lies in its file.
-  void tellContent(BagInfo& info, const recording::Summary& summary) const;
+  void tellContent(BagInfo& info, const recording::Summary& summary);
+  using Form = std::tuple<std::string, std::string, std::string>;  // topic, type, encoding
+  std::optional<double> rateOf(const Form& form, const std::map<std::uint32_t, std::uint64_t>& counts);
   void proceed(const std::shared_ptr<Job>& job);
 
   RecordedOptions options_;
@@ -96,7 +99,8 @@ class RecordedFile : public QObject {
   std::optional<BagInfo> told_info_;  // of the file as it was last
   bool info_is_old_ = false;          // the file has grown since it was told
   std::optional<std::int64_t> counted_until_ns_;
-  std::map<std::uint32_t, std::uint64_t> counted_of_;  // by channel, where the file does not tell
+  std::map<std::uint32_t, std::uint64_t> counted_of_;     // by channel, where the file does not tell
+  std::map<Form, std::optional<std::int64_t>> first_of_;  // when the first message came
   std::set<std::string> told_;
   std::size_t told_untimed_ = 0;
   bool told_interrupted_ = false;

@@ -189,6 +189,12 @@ void RosLink::setEveryMessage(bool on) {
   sync();
 }
 
+void RosLink::setRecorded(bool on) {
+  start();
+  wish_.recorded = on;
+  sync();
+}
+
 void RosLink::choose(const Choices& choices) {
   start();
   const Choices before = std::exchange(choices_, choices);

@@ -83,6 +83,7 @@ class RosLink : public QObject {
   /// Whoever sits in the deliveries now gets the definitions of all types that were delivered.
   void defineTypes();
   void setEveryMessage(bool on);
+  void setRecorded(bool on);  // somebody sits in the deliveries: nothing is left out to spare the network
   void choose(const Choices& choices);
 
   void list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);

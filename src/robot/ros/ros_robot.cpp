@@ -92,7 +92,9 @@ void RosRobot::listen() {
 }
 
 void RosRobot::setDeliveryTap(DeliveryTap tap) {
+  const bool on = static_cast<bool>(tap);
   deliveries_->set(std::move(tap));
+  QMetaObject::invokeMethod(link_, [link = link_, on] { link->setRecorded(on); });
   QMetaObject::invokeMethod(link_, &RosLink::defineTypes);
 }
 

@@ -106,6 +106,9 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
     own.subscription.compression = Compression::Cbor;
     own.subscription.large = true;
   }
+  if (wish.recorded) {
+    for (auto& [name, topic] : wanted) topic.subscription.throttle_ms = 0;
+  }
   return wanted;
 }
 
@@ -139,12 +142,14 @@ void RosSubscriptions::ask(std::map<std::string, WantedTopic> wanted, const Foun
   }
   for (auto& [topic, want] : wanted) {
     const auto [asked, is_new] = asked_.try_emplace(topic);
-    if (!is_new && asked->second.wanted == want) continue;
+    const bool as_often =
+        !is_new && asked->second.wanted.subscription.throttle_ms == want.subscription.throttle_ms;
+    if (as_often && asked->second.wanted == want) continue;
     const bool same_type = !is_new && asked->second.wanted.subscription.type == want.subscription.type &&
                            asked->second.wanted.subscription.compression == want.subscription.compression;
     asked->second.wanted = std::move(want);
-    if (same_type) continue;
-    asked->second.since.start();
+    if (same_type && as_often) continue;
+    if (!same_type) asked->second.since.start();
     subscribe(asked->second);
   }
   timer_.start();

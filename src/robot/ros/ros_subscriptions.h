@@ -31,6 +31,7 @@ struct TopicWish {
   bool whole_map = false;                        // for a request that is under way
   bool map_by_region = false;                    // the whole comes for such a request only
   bool every_message = false;                    // of `names`
+  bool recorded = false;                         // whatever comes is kept: every message of all
   std::vector<FoundTopic> dispatchers_own = {};  // of a map dispatcher
   std::string dispatchers_tried = {};            // one of these that may not be there
 };

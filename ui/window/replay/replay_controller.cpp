@@ -306,6 +306,10 @@ void ReplayController::refresh() {
       notice.sentence +=
           QLatin1Char(' ') + tr("The recording was interrupted at %1, or is still being written.")
                                  .arg(clockText(info->end_s, 0));
+    if (info && info->repair && info->repair->broke_off_s)
+      notice.sentence +=
+          QLatin1Char(' ') +
+          tr("The recording broke off at %1 and was repaired.").arg(clockText(*info->repair->broke_off_s, 0));
     notice.offer = backWords();
     notice.take = [this] { back(); };
     notice.closable = true;
