@@ -6,7 +6,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class AccessOptionText {
   Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
@@ -18,16 +18,16 @@ std::string help(const QString& text) { return text.toStdString(); }
 void addAccess(CLI::App& command, AccessWords& words) {
   command.add_option(
       "--secret-file", words.secret_file,
-      help(Words::tr("File that holds the secret of the robot of --robot (or MAPWRIGHT_SECRET)")));
+      help(AccessOptionText::tr("File that holds the secret of the robot of --robot (or MAPWRIGHT_SECRET)")));
   command
       .add_option(
           "--secret-file-for", words.secret_files_for,
-          help(Words::tr("Address of another robot, and the file that holds its secret; may be repeated")))
+          help(AccessOptionText::tr("Address of another robot, and the file that holds its secret; may be repeated")))
       ->type_name("ADDRESS FILE")
       ->allow_extra_args(false);
   command.add_option(
       "--ca-file", words.ca_file,
-      help(Words::tr("PEM file of certificate authorities (or self-signed certificates) to believe besides "
+      help(AccessOptionText::tr("PEM file of certificate authorities (or self-signed certificates) to believe besides "
                      "those of this computer")));
 }
 

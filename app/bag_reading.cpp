@@ -19,7 +19,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class BagReadingText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
@@ -50,8 +50,8 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option) {
   if (time.isValid()) return double(time.toMSecsSinceEpoch()) / 1000;
   return tl::make_unexpected(CommandFailure{
       kUsage, word.empty()
-                  ? Words::tr("%1 is needed: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
-                  : Words::tr("%1 %2 is no time: seconds since 1970, or 2024-06-03T09:00:00Z.")
+                  ? BagReadingText::tr("%1 is needed: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
+                  : BagReadingText::tr("%1 %2 is no time: seconds since 1970, or 2024-06-03T09:00:00Z.")
                         .arg(option, text(word))});
 }
 
@@ -65,7 +65,7 @@ CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
     *value = *time;
   }
   if (span.from_s && span.to_s && *span.to_s < *span.from_s)
-    return tl::make_unexpected(CommandFailure{kUsage, Words::tr("--to lies before --from.")});
+    return tl::make_unexpected(CommandFailure{kUsage, BagReadingText::tr("--to lies before --from.")});
   return span;
 }
 
@@ -193,7 +193,7 @@ void BagReading::noteUnknown(const std::vector<std::string>& topics) {
     const bool there = std::any_of(known.begin(), known.end(),
                                    [&](const robot::BagTopic& one) { return one.name == topic; });
     if (!known.empty() && !there)
-      robot_->lack(Words::tr("There is no topic %1 in it.").arg(words::plainName(topic)));
+      robot_->lack(BagReadingText::tr("There is no topic %1 in it.").arg(words::plainName(topic)));
   }
 }
 
@@ -201,7 +201,7 @@ void BagReading::noteUnreadable(double until_s) {
   std::int64_t odd = 0;
   for (const auto& [from_s, count] : *unreadable_) odd += from_s <= until_s ? count : 0;
   if (odd > 0)
-    robot_->lack(Words::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
+    robot_->lack(BagReadingText::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
   robot_->insistOnReadable();
 }
 

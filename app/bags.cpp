@@ -23,7 +23,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class BagsText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
@@ -45,7 +45,7 @@ QStringList rowOf(const robot::BagEntry& entry) {
   const QString size =
       entry.size_bytes ? window::bytesText(*entry.size_bytes) : words::plainName(entry.size_text);
   const QString end = entry.end_s ? timeText(*entry.end_s).chopped(4) : words::plainName(entry.end_text);
-  return {entry.key.kind == robot::BagKind::Recording ? Words::tr("recording") : Words::tr("bag"),
+  return {entry.key.kind == robot::BagKind::Recording ? BagsText::tr("recording") : BagsText::tr("bag"),
           size.isEmpty() ? QStringLiteral("-") : size, end.isEmpty() ? QStringLiteral("-") : end,
           words::plainName(entry.key.name)};
 }
@@ -59,7 +59,7 @@ QString fileFor(const BagsWords& words) {
 void tellProgress(robot::Progress progress) {
   const QString bytes = window::bytesText(progress.bytes);
   const QString of = progress.of_bytes ? window::bytesText(*progress.of_bytes) : QStringLiteral("?");
-  std::fprintf(stderr, "\r%-40s", qUtf8Printable(Words::tr("%1 of %2").arg(bytes, of)));
+  std::fprintf(stderr, "\r%-40s", qUtf8Printable(BagsText::tr("%1 of %2").arg(bytes, of)));
 }
 
 }  // namespace
@@ -79,11 +79,11 @@ int bagsList(const BagsWords& words, int& argc, char** argv) {
       return kDone;
     }
     if (rows->empty()) {
-      std::printf("%s\n", qUtf8Printable(Words::tr("There is no bag.")));
+      std::printf("%s\n", qUtf8Printable(BagsText::tr("There is no bag.")));
       return kDone;
     }
     std::vector<QStringList> table{
-        {Words::tr("KIND"), Words::tr("SIZE"), Words::tr("END (UTC)"), Words::tr("NAME")}};
+        {BagsText::tr("KIND"), BagsText::tr("SIZE"), BagsText::tr("END (UTC)"), BagsText::tr("NAME")}};
     for (const robot::BagEntry& entry : *rows) table.push_back(rowOf(entry));
     printTable(table);
     return kDone;
@@ -112,13 +112,13 @@ int bagsInfo(const BagsWords& words, int& argc, char** argv) {
 int bagsDownload(const BagsWords& words, int& argc, char** argv) {
   return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
     const QString path = fileFor(words);
-    if (path.isEmpty()) return wrong(Words::tr("Where should it go? Give -o FILE."));
+    if (path.isEmpty()) return wrong(BagsText::tr("Where should it go? Give -o FILE."));
     if (isStandardOutput(path))
       return wrong(
-          Words::tr("A download can go on where it broke off: it needs a file of its own (-o FILE)."));
+          BagsText::tr("A download can go on where it broke off: it needs a file of its own (-o FILE)."));
     if (const auto why = whyNotWritable(path)) return wrong(*why);
     if (QFileInfo::exists(path) && !words.force)
-      return wrong(Words::tr("%1 is there already. --force replaces it.").arg(path));
+      return wrong(BagsText::tr("%1 is there already. --force replaces it.").arg(path));
     const robot::BagKey key = bags.keyOf(words.name);
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const auto done = bags.robot().ask<robot::BagDownload>([&](robot::OutcomeTo<robot::BagDownload> reply) {
@@ -148,7 +148,7 @@ int bagsDownload(const BagsWords& words, int& argc, char** argv) {
 int bagsDelete(const BagsWords& words, int& argc, char** argv) {
   return runBags(words, argc, argv, [&](MapsCommand&, BagReading& bags) -> CommandResult<int> {
     if (!words.yes)
-      return wrong(Words::tr("A bag that is deleted cannot be had back. Say --yes when %1 may go.")
+      return wrong(BagsText::tr("A bag that is deleted cannot be had back. Say --yes when %1 may go.")
                        .arg(words::plainName(words.name)));
     const robot::BagKey key = bags.keyOf(words.name);
     const auto done = bags.robot().ask<robot::BagKey>(

@@ -24,7 +24,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class BagsExportText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
@@ -52,13 +52,13 @@ CommandResult<Order> orderFrom(const BagsWords& words, const QStringList& format
     order.format = QFileInfo(order.path).suffix().toLower();
     if (!formats.contains(order.format))
       return wrong(
-          Words::tr("%1: its name does not end in one of %2. Say which by --format.").arg(order.path, known));
+          BagsExportText::tr("%1: its name does not end in one of %2. Say which by --format.").arg(order.path, known));
   } else if (!formats.contains(order.format)) {
-    return wrong(Words::tr("--format %1: give one of %2.").arg(text(words.format), known));
+    return wrong(BagsExportText::tr("--format %1: give one of %2.").arg(text(words.format), known));
   }
   if (const auto why = whyNotWritable(order.path)) return wrong(*why);
   if (QFileInfo(order.path).isFile() && !words.force)
-    return wrong(Words::tr("%1 is there already. --force replaces it.").arg(order.path));
+    return wrong(BagsExportText::tr("%1 is there already. --force replaces it.").arg(order.path));
   return order;
 }
 
@@ -131,7 +131,7 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
        {{QStringLiteral("messages"), qint64(done.messages)},
         {QStringLiteral("said_before"), qint64(done.said_before)},
         {QStringLiteral("attachments"), qint64(done.attachments)}},
-       Words::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before));
+       BagsExportText::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before));
   return kDone;
 }
 
@@ -146,14 +146,14 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
       return {
           {{QStringLiteral("messages"), qint64(done.messages)},
            {QStringLiteral("said_before"), qint64(done.said_before)}},
-          Words::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before)};
+          BagsExportText::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before)};
     case excerpt::Kind::Lines:
       return {{{QStringLiteral("messages"), qint64(done.messages)}},
-              Words::tr("%1 messages").arg(done.messages)};
+              BagsExportText::tr("%1 messages").arg(done.messages)};
     default:
       return {{{QStringLiteral("samples"), qint64(done.samples)},
                {QStringLiteral("pieces"), qint64(done.pieces)}},
-              Words::tr("%1 samples in %2 pieces").arg(done.samples).arg(done.pieces)};
+              BagsExportText::tr("%1 samples in %2 pieces").arg(done.samples).arg(done.pieces)};
   }
 }
 
@@ -162,7 +162,7 @@ CommandResult<int> exportExcerpt(const BagsWords& words, MapsCommand& command, B
   const excerpt::Order wanted = excerptOf(words, bags, order);
   const bool mcap = wanted.kind == excerpt::Kind::Mcap;
   if (mcap && isStandardOutput(order.path))
-    return wrong(Words::tr("An MCAP file needs a file of its own (-o FILE)."));
+    return wrong(BagsExportText::tr("An MCAP file needs a file of its own (-o FILE)."));
   if (const auto recording = mcap ? recordingOf(words) : std::nullopt)
     return exportSlice(words, command, bags, *recording, order);
   const auto writing = excerpt::begin(wanted);

@@ -28,7 +28,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class BagsFilesText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
@@ -44,18 +44,18 @@ CommandResult<std::string> recordingFrom(const BagsWords& words) {
   const auto parsed = knownAddresses().parse(text(words.robot));
   if (!parsed || parsed->path.isEmpty())
     return wrong(
-        Words::tr("%1 is no recording on this computer. Give a file (.mcap, .bag).").arg(text(words.name)));
+        BagsFilesText::tr("%1 is no recording on this computer. Give a file (.mcap, .bag).").arg(text(words.name)));
   return parsed->path.toStdString();
 }
 
 std::optional<CommandFailure> whyNotInto(const QString& path, const std::vector<std::string>& sources,
                                          bool force) {
   if (isStandardOutput(path))
-    return CommandFailure{kUsage, Words::tr("An MCAP file needs a file of its own (-o FILE).")};
+    return CommandFailure{kUsage, BagsFilesText::tr("An MCAP file needs a file of its own (-o FILE).")};
   if (const auto why = whyNotWritable(path)) return CommandFailure{kUsage, *why};
   if (const auto why = overOwnSource({path}, sources)) return CommandFailure{kUsage, *why};
   if (QFileInfo::exists(path) && !force)
-    return CommandFailure{kUsage, Words::tr("%1 is there already. --force replaces it.").arg(path)};
+    return CommandFailure{kUsage, BagsFilesText::tr("%1 is there already. --force replaces it.").arg(path)};
   return std::nullopt;
 }
 
@@ -82,7 +82,7 @@ void tell(const BagsWords& words, const QStringList& files, const excerpt::Writt
   for (const QString& file : files) std::printf("%s\n", qUtf8Printable(oneLine(file)));
   std::printf(
       "%s\n",
-      qUtf8Printable(Words::tr("messages: %1, files in it: %2").arg(done.messages).arg(done.attachments)));
+      qUtf8Printable(BagsFilesText::tr("messages: %1, files in it: %2").arg(done.messages).arg(done.attachments)));
 }
 
 int run(const BagsWords& words, int& argc, char** argv,
@@ -113,18 +113,18 @@ int bagsSplit(const BagsWords& words, int& argc, char** argv) {
   return run(words, argc, argv, [&](MapsCommand&) -> CommandResult<int> {
     const auto path = recordingFrom(words);
     if (!path) return tl::make_unexpected(path.error());
-    if (!(words.every_s > 0)) return wrong(Words::tr("--every must be more than 0 seconds."));
+    if (!(words.every_s > 0)) return wrong(BagsFilesText::tr("--every must be more than 0 seconds."));
     const QString pattern = text(words.output);
     if (numbered(pattern, 0).isEmpty())
-      return wrong(Words::tr("-o %1: give the parts a number, as in part-%03d.mcap.").arg(pattern));
+      return wrong(BagsFilesText::tr("-o %1: give the parts a number, as in part-%03d.mcap.").arg(pattern));
     const auto opened = recording::openRecording(*path);
     if (!opened) return notOpened(robot::recorded::reasonOf(opened.error()));
     const recording::Summary summary = (*opened)->summary();
-    if (!summary.start_ns) return wrong(Words::tr("There is no message in it."));
+    if (!summary.start_ns) return wrong(BagsFilesText::tr("There is no message in it."));
     const double every_ns = words.every_s * 1e9;
     const double parts = std::floor(double(summary.durationNs()) / every_ns) + 1;
     if (parts > double(kMostParts))
-      return wrong(Words::tr("That would be more than %1 parts. Let --every be longer.").arg(kMostParts));
+      return wrong(BagsFilesText::tr("That would be more than %1 parts. Let --every be longer.").arg(kMostParts));
     excerpt::Written all;
     QStringList files;
     for (std::int64_t part = 0; part < std::int64_t(parts); ++part) {

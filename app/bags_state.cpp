@@ -26,7 +26,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class BagsStateText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
@@ -118,7 +118,7 @@ int bagsState(const BagsWords& words, int& argc, char** argv) {
       printJson(state);
     } else {
       std::vector<QStringList> rows = stateRows(*at_s, *moment, bag);
-      if (no_map) rows.insert(rows.begin() + 1, {Words::tr("map"), *no_map});
+      if (no_map) rows.insert(rows.begin() + 1, {BagsStateText::tr("map"), *no_map});
       printTable(rows);
     }
     opened->noteUnreadable(*at_s);
@@ -145,7 +145,7 @@ CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds)
     const auto found = known.find(word.trimmed().toLower());
     if (found == known.end())
       return tl::make_unexpected(CommandFailure{
-          kUsage, Words::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
+          kUsage, BagsStateText::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
                       .arg(word)});
     groups.insert(found->second);
   }
@@ -174,7 +174,7 @@ int bagsEvents(const BagsWords& words, int& argc, char** argv) {
     }
     std::vector<QStringList> table;
     for (const replay::Event& event : events) table.push_back(eventRow(event));
-    if (table.empty()) std::printf("%s\n", qUtf8Printable(Words::tr("Nothing happened.")));
+    if (table.empty()) std::printf("%s\n", qUtf8Printable(BagsStateText::tr("Nothing happened.")));
     printTable(table);
     return kDone;
   });

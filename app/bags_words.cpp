@@ -11,7 +11,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class BagsOptionText {
   Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
@@ -26,101 +26,101 @@ struct BagCommand {
 
 std::vector<BagCommand> bagCommands() {
   return {
-      {"list", Words::tr("All bags and recordings of a robot"), bagsList},
+      {"list", BagsOptionText::tr("All bags and recordings of a robot"), bagsList},
       {"info",
-       Words::tr("How many messages are in one, of when, and how often they came: the mean from the first "
+       BagsOptionText::tr("How many messages are in one, of when, and how often they came: the mean from the first "
                  "message of a "
                  "topic to its last one"),
        bagsInfo},
-      {"frames", Words::tr("Its messages as recorded, one a line"), bagsFrames},
-      {"state", Words::tr("The world at a time, as playing it from the start would make it"), bagsState},
-      {"events", Words::tr("Alerts, states of the planner, jumps, changes of the map, lost positions"),
+      {"frames", BagsOptionText::tr("Its messages as recorded, one a line"), bagsFrames},
+      {"state", BagsOptionText::tr("The world at a time, as playing it from the start would make it"), bagsState},
+      {"events", BagsOptionText::tr("Alerts, states of the planner, jumps, changes of the map, lost positions"),
        bagsEvents},
-      {"download", Words::tr("Fetch one into a file, or the rest of one that broke off"), bagsDownload},
-      {"export", Words::tr("A part of one as MCAP or as JSON lines"), bagsExport},
-      {"track", Words::tr("Where the robot was, as CSV, GeoJSON or TUM"), bagsTrack},
+      {"download", BagsOptionText::tr("Fetch one into a file, or the rest of one that broke off"), bagsDownload},
+      {"export", BagsOptionText::tr("A part of one as MCAP or as JSON lines"), bagsExport},
+      {"track", BagsOptionText::tr("Where the robot was, as CSV, GeoJSON or TUM"), bagsTrack},
       {"repair",
-       Words::tr("A recording that was interrupted or is damaged: what is sound of it as a whole MCAP file"),
+       BagsOptionText::tr("A recording that was interrupted or is damaged: what is sound of it as a whole MCAP file"),
        bagsRepair},
-      {"split", Words::tr("A recording in parts of equal length, each with what had been said before"),
+      {"split", BagsOptionText::tr("A recording in parts of equal length, each with what had been said before"),
        bagsSplit},
-      {"merge", Words::tr("Several recordings as one"), bagsMerge},
-      {"delete", Words::tr("Delete one on the robot (--yes)"), bagsDelete},
-      {"record", Words::tr("Let the robot record"), bagsRecord}};
+      {"merge", BagsOptionText::tr("Several recordings as one"), bagsMerge},
+      {"delete", BagsOptionText::tr("Delete one on the robot (--yes)"), bagsDelete},
+      {"record", BagsOptionText::tr("Let the robot record"), bagsRecord}};
 }
 
 void addOptions(const std::string& name, CLI::App& command, BagsWords& words) {
   const auto is = [&](auto... names) { return ((name == names) || ...); };
-  const std::string time = help(Words::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
+  const std::string time = help(BagsOptionText::tr("Seconds since 1970, or 2024-06-03T09:00:00Z"));
   if (is("merge"))
-    command.add_option("files", words.files, help(Words::tr("Recordings on this computer")))->required();
+    command.add_option("files", words.files, help(BagsOptionText::tr("Recordings on this computer")))->required();
   if (!is("list", "record", "merge"))
-    command.add_option("name", words.name, help(Words::tr("Its name (mapwright bags list), or a file")))
+    command.add_option("name", words.name, help(BagsOptionText::tr("Its name (mapwright bags list), or a file")))
         ->required();
   if (is("frames", "state", "export", "track", "merge")) command.add_option("--from", words.from, time);
   if (is("frames", "export", "track", "merge")) command.add_option("--to", words.to, time);
   if (is("frames", "export", "split", "merge"))
     command
         .add_option("--topic", words.topics,
-                    help(Words::tr("Only messages of this topic; several with commas between them")))
+                    help(BagsOptionText::tr("Only messages of this topic; several with commas between them")))
         ->delimiter(',')
         ->allow_extra_args(false);
   if (is("export", "track")) {
-    command.add_option("-o,--output", words.output, help(Words::tr("The file; - is the standard output")))
+    command.add_option("-o,--output", words.output, help(BagsOptionText::tr("The file; - is the standard output")))
         ->required();
     command.add_option("--format", words.format,
                        name == "export"
-                           ? help(Words::tr("mcap or jsonl; without it as the file's name ends"))
-                           : help(Words::tr("csv, geojson or tum; without it as the file's name ends")));
-    command.add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+                           ? help(BagsOptionText::tr("mcap or jsonl; without it as the file's name ends"))
+                           : help(BagsOptionText::tr("csv, geojson or tum; without it as the file's name ends")));
+    command.add_flag("--force", words.force, help(BagsOptionText::tr("Replace a file that is there")));
   }
   if (is("repair", "split", "merge")) {
     command
         .add_option("-o,--output", words.output,
                     is("split")
-                        ? help(Words::tr("The MCAP files, with a number in their name: part-%03d.mcap"))
-                        : help(Words::tr("The MCAP file to write")))
+                        ? help(BagsOptionText::tr("The MCAP files, with a number in their name: part-%03d.mcap"))
+                        : help(BagsOptionText::tr("The MCAP file to write")))
         ->required();
-    command.add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+    command.add_flag("--force", words.force, help(BagsOptionText::tr("Replace a file that is there")));
   }
   if (is("split"))
-    command.add_option("--every", words.every_s, help(Words::tr("Seconds of each part")))
+    command.add_option("--every", words.every_s, help(BagsOptionText::tr("Seconds of each part")))
         ->capture_default_str();
   if (is("events"))
     command.add_option(
         "--kind", words.kinds,
-        help(Words::tr("Only these, with commas between them: alerts, planner, position, maps, stops")));
+        help(BagsOptionText::tr("Only these, with commas between them: alerts, planner, position, maps, stops")));
   if (is("state")) command.add_option("--at", words.at, time)->required();
   if (is("download")) {
     command.add_option("-o,--output", words.output,
-                       help(Words::tr("The file; without it called like the bag")));
-    command.add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+                       help(BagsOptionText::tr("The file; without it called like the bag")));
+    command.add_flag("--force", words.force, help(BagsOptionText::tr("Replace a file that is there")));
   }
-  if (is("delete")) command.add_flag("--yes", words.yes, help(Words::tr("Needed: it cannot be had back")));
+  if (is("delete")) command.add_flag("--yes", words.yes, help(BagsOptionText::tr("Needed: it cannot be had back")));
   if (is("record")) {
-    command.add_option("--suffix", words.suffix, help(Words::tr("Of its name")));
-    command.add_option("--duration", words.duration, help(Words::tr("Such as 90s or 2m")));
-    command.add_option("--category", words.category, help(Words::tr("The robot's own word, such as pos")));
+    command.add_option("--suffix", words.suffix, help(BagsOptionText::tr("Of its name")));
+    command.add_option("--duration", words.duration, help(BagsOptionText::tr("Such as 90s or 2m")));
+    command.add_option("--category", words.category, help(BagsOptionText::tr("The robot's own word, such as pos")));
   }
-  command.add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+  command.add_flag("--json", words.json, help(BagsOptionText::tr("Machine-readable")));
 }
 
 }  // namespace
 
 void addBags(CLI::App& cli, BagsWords& words) {
   CLI::App* const bags = cli.add_subcommand(
-      "bags", help(Words::tr("What a robot has recorded: list, look into, fetch, record")));
+      "bags", help(BagsOptionText::tr("What a robot has recorded: list, look into, fetch, record")));
   bags->require_subcommand(1);
   for (const BagCommand& one : bagCommands()) {
     CLI::App* const command = bags->add_subcommand(one.name, help(one.about));
     // No envname(): see addMaps().
-    command->add_option("--robot", words.robot, help(Words::tr("Robot address (or MAPWRIGHT_ROBOT)")));
+    command->add_option("--robot", words.robot, help(BagsOptionText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
     addAccess(*command, words.access);
     command
-        ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
+        ->add_option("--timeout", words.timeout_s, help(BagsOptionText::tr("Give up waiting after this many seconds")))
         ->capture_default_str();
     command->add_option("--report", words.report,
-                        help(Words::tr("Write what was done, and every warning, as JSON")));
+                        help(BagsOptionText::tr("Write what was done, and every warning, as JSON")));
     addOptions(one.name, *command, words);
   }
 }

@@ -15,7 +15,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class BenchProgramText {
   Q_DECLARE_TR_FUNCTIONS(BenchProgram)
 };
 
@@ -34,11 +34,11 @@ int bench(const std::vector<std::string>& arguments) {
   const QString program = QString::fromStdString(words::plainLine(std::string_view(words[0])));
   const QString why =
       error == ENOENT
-          ? Words::tr(
+          ? BenchProgramText::tr(
                 "The benchmarks are a program of their own that is built on demand: there is no %1. Start "
                 "them with \"./run bench\" in the sources of mapwright.")
                 .arg(program)
-          : Words::tr("%1 cannot be started: %2.").arg(program, QString::fromLocal8Bit(std::strerror(error)));
+          : BenchProgramText::tr("%1 cannot be started: %2.").arg(program, QString::fromLocal8Bit(std::strerror(error)));
   std::fprintf(stderr, "%s\n", qUtf8Printable(why));
   return kUsage;
 }

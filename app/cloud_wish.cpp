@@ -9,7 +9,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class CloudWishText {
   Q_DECLARE_TR_FUNCTIONS(CloudWish)
 };
 
@@ -36,7 +36,7 @@ void CloudWish::ask(const geometry::WorldRect& seen) {
         if (outcome && *outcome) {
           answer->came = scene::CloudPiece{*outcome, false, region};
         } else if (outcome) {
-          answer->problem = Words::tr("The robot's cloud of the map came without content.");
+          answer->problem = CloudWishText::tr("The robot's cloud of the map came without content.");
         } else {
           answer->problem = QString::fromStdString(sentences::sentenceOf(outcome.error()));
         }

@@ -29,7 +29,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class CloudsText {
   Q_DECLARE_TR_FUNCTIONS(Clouds)
 };
 
@@ -68,14 +68,14 @@ CommandResult<Order> orderFrom(const CloudsWords& words) {
   order.region = *region;
   order.path = text(words.output);
   const auto format = clouds::formatOf(words.output);
-  if (!format) return wrong(Words::tr("-o names a file that ends in .pcd, .ply or .csv."));
+  if (!format) return wrong(CloudsText::tr("-o names a file that ends in .pcd, .ply or .csv."));
   order.format =
       words.ascii && *format == clouds::CloudFormat::PcdBinary ? clouds::CloudFormat::PcdAscii : *format;
   if (words.ascii && *format != clouds::CloudFormat::PcdBinary)
-    return wrong(Words::tr("--ascii is about .pcd files alone."));
+    return wrong(CloudsText::tr("--ascii is about .pcd files alone."));
   if (const auto why = whyNotWritable(order.path)) return wrong(*why);
   if (QFileInfo(order.path).isFile() && !words.force)
-    return wrong(Words::tr("%1 is there already. --force replaces it.").arg(order.path));
+    return wrong(CloudsText::tr("%1 is there already. --force replaces it.").arg(order.path));
   return order;
 }
 
@@ -87,14 +87,14 @@ QStringList notesOf(const CroppedCloud& came) {
     if (count > 0) notes << sentences::counted(plural, qint64(count));
   };
   const auto form = [](std::uint64_t count) { return sentences::formOf(qint64(count)); };
-  add(Words::tr("%1 points that the robot says it sent have not come: its answer is cut off.", nullptr,
+  add(CloudsText::tr("%1 points that the robot says it sent have not come: its answer is cut off.", nullptr,
                 form(cloud.missing)),
       cloud.missing);
   for (const map::Reason& note : cloud.notes) notes << sentences::sentenceOf(note);
-  add(Words::tr("%1 points that came lie beyond the region that was asked for. They are left out.", nullptr,
+  add(CloudsText::tr("%1 points that came lie beyond the region that was asked for. They are left out.", nullptr,
                 form(came.beyond)),
       came.beyond);
-  add(Words::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
+  add(CloudsText::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
                 form(cloud.left_out)),
       cloud.left_out);
   return notes;
@@ -152,7 +152,7 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   if (cloud.points.empty() && came.beyond > 0) {
     return tl::make_unexpected(reading.failure(
         kIncomplete,
-        Words::tr("It answered with another region: none of the points that came lies in the one "
+        CloudsText::tr("It answered with another region: none of the points that came lies in the one "
                   "that was asked for. Nothing is written.")));
   }
   for (const QString& note : notesOf(came)) reading.note(note);
@@ -163,7 +163,7 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   });
   if (!written && file.good()) {
     return tl::make_unexpected(
-        reading.failure(kIncomplete, Words::tr("The time was over before it was written.")));
+        reading.failure(kIncomplete, CloudsText::tr("The time was over before it was written.")));
   }
   if (const auto fault = file.place()) {
     return wrong(sentences::sentenceOf(reasons::notWritten(*fault)));
@@ -181,7 +181,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   const int given = int(!words.box.empty()) + int(!words.sphere.empty()) + int(words.all);
   if (given != 1) {
     return tl::make_unexpected(
-        Words::tr("Which part? Give --box or --sphere, or --all for the whole map, whose size is not known "
+        CloudsText::tr("Which part? Give --box or --sphere, or --all for the whole map, whose size is not known "
                   "beforehand."));
   }
   if (words.all) return std::optional<map::CloudRegion>();
@@ -189,7 +189,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   if (!words.box.empty()) {
     const std::vector<double> box = numbersFrom(words.box, 6);
     if (box.empty() || !(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
-      return tl::make_unexpected(Words::tr(
+      return tl::make_unexpected(CloudsText::tr(
           "--box is X,Y,Z,LX,LY,LZ: its middle and how long its sides are (more than 0), in metres."));
     }
     region.centre_m = {box[0], box[1], box[2]};
@@ -199,7 +199,7 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   const std::vector<double> sphere = numbersFrom(words.sphere, 4);
   if (sphere.empty() || !(sphere[3] > 0)) {
     return tl::make_unexpected(
-        Words::tr("--sphere is X,Y,Z,R: its middle and its radius (more than 0), in metres."));
+        CloudsText::tr("--sphere is X,Y,Z,R: its middle and its radius (more than 0), in metres."));
   }
   region.centre_m = {sphere[0], sphere[1], sphere[2]};
   region.radius_m = sphere[3];
@@ -208,31 +208,31 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
 
 void addClouds(CLI::App& cli, CloudsWords& words) {
   CLI::App* const clouds =
-      cli.add_subcommand("clouds", help(Words::tr("The map of a robot in space, as points")));
+      cli.add_subcommand("clouds", help(CloudsText::tr("The map of a robot in space, as points")));
   clouds->require_subcommand(1);
   CLI::App* const command = clouds->add_subcommand(
       "export",
-      help(Words::tr("Write the points of a region, or of the whole map, into a PCD, PLY or CSV file")));
+      help(CloudsText::tr("Write the points of a region, or of the whole map, into a PCD, PLY or CSV file")));
   // No envname(): see addMaps().
   command->add_option(
       "--robot", words.robot,
-      help(Words::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)")));
+      help(CloudsText::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)")));
   addAccess(*command, words.access);
   command->add_option(
       "--box", words.box,
-      help(Words::tr("X,Y,Z,LX,LY,LZ: the middle of a box and how long its sides are, in metres")));
+      help(CloudsText::tr("X,Y,Z,LX,LY,LZ: the middle of a box and how long its sides are, in metres")));
   command->add_option("--sphere", words.sphere,
-                      help(Words::tr("X,Y,Z,R: the middle of a sphere and its radius, in metres")));
-  command->add_flag("--all", words.all, help(Words::tr("The whole map, however large it is")));
+                      help(CloudsText::tr("X,Y,Z,R: the middle of a sphere and its radius, in metres")));
+  command->add_flag("--all", words.all, help(CloudsText::tr("The whole map, however large it is")));
   command->add_flag("--occupancy", words.occupancy,
-                    help(Words::tr("The middles of occupied cells, instead of the points that were seen")));
-  command->add_option("-o,--output", words.output, help(Words::tr("The file to write: .pcd, .ply or .csv")))
+                    help(CloudsText::tr("The middles of occupied cells, instead of the points that were seen")));
+  command->add_option("-o,--output", words.output, help(CloudsText::tr("The file to write: .pcd, .ply or .csv")))
       ->required();
-  command->add_flag("--ascii", words.ascii, help(Words::tr("A PCD file as text")));
-  command->add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
-  command->add_flag("--json", words.json, help(Words::tr("Print what was written on standard output")));
+  command->add_flag("--ascii", words.ascii, help(CloudsText::tr("A PCD file as text")));
+  command->add_flag("--force", words.force, help(CloudsText::tr("Replace a file that is there")));
+  command->add_flag("--json", words.json, help(CloudsText::tr("Print what was written on standard output")));
   command
-      ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
+      ->add_option("--timeout", words.timeout_s, help(CloudsText::tr("Give up waiting after this many seconds")))
       ->capture_default_str();
 }
 

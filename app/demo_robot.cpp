@@ -10,7 +10,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class DemoRobotText {
   Q_DECLARE_TR_FUNCTIONS(DemoRobot)
 };
 
@@ -44,7 +44,7 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
                        [&](const auto& s) { return s.first == options.scene; })) {
         QStringList names;
         for (const auto& [scene, sentence] : scenes) names << QString::fromStdString(scene);
-        return tl::make_unexpected(Words::tr("There is no scene \"%1\". Choose one of: %2.")
+        return tl::make_unexpected(DemoRobotText::tr("There is no scene \"%1\". Choose one of: %2.")
                                        .arg(value, names.join(QLatin1String(", "))));
       }
     } else if (name == QLatin1String("submaps")) {
@@ -57,9 +57,9 @@ tl::expected<simulator::Options, QString> parseDemoQuery(const QUrlQuery& query,
       ok = ok && options.start_at_s >= 0 && options.start_at_s <= 1e6;
     } else {
       return tl::make_unexpected(
-          Words::tr("demo: knows scene, submaps, seed and at, but not \"%1\".").arg(name));
+          DemoRobotText::tr("demo: knows scene, submaps, seed and at, but not \"%1\".").arg(name));
     }
-    if (!ok) return tl::make_unexpected(Words::tr("demo: %1 cannot be \"%2\".").arg(name, value));
+    if (!ok) return tl::make_unexpected(DemoRobotText::tr("demo: %1 cannot be \"%2\".").arg(name, value));
   }
   return options;
 }

@@ -16,7 +16,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class DisplayText {
   Q_DECLARE_TR_FUNCTIONS(Display)
 };
 
@@ -59,7 +59,7 @@ std::unique_ptr<QTemporaryDir> pinFonts() {
     if (folder->isValid() && pinFontsIn(folder->path())) return folder;
   }
   std::fprintf(stderr, "%s\n",
-               qUtf8Printable(Words::tr(
+               qUtf8Printable(DisplayText::tr(
                    "Fonts cannot be pinned: no folder can be written. Labels may look different.")));
   return nullptr;
 }

@@ -34,7 +34,7 @@ namespace {
 
 using namespace mapwright;
 
-class Words {
+class MainText {
   Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
@@ -60,7 +60,7 @@ struct CommandLine {
 std::string layersHelp() {
   QStringList names;
   for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
-  return help(Words::tr("Comma-separated: %1; or all (but track, for which a whole bag is read, and "
+  return help(MainText::tr("Comma-separated: %1; or all (but track, for which a whole bag is read, and "
                         "dispatched-cloud, which may be large); or none (the map alone). NAME=TOPIC takes a "
                         "grid, a path or a target of a ROS robot from another topic")
                   .arg(names.join(QLatin1Char(','))));
@@ -71,88 +71,88 @@ void addSnapshotOptions(CLI::App* command, app::SnapshotWords& words) {
   // No envname(): see addMaps(). What a recording is called tells of a robot, too.
   command->add_option(
       "--robot", words.robot,
-      help(Words::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
+      help(MainText::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
                      "MAPWRIGHT_ROBOT)")));
   app::addAccess(*command, words.access);
   command
-      ->add_option("-o,--output", words.output, help(Words::tr("The PNG to write; - is the standard output")))
+      ->add_option("-o,--output", words.output, help(MainText::tr("The PNG to write; - is the standard output")))
       ->required();
   command->add_flag("--force", words.force,
-                    help(Words::tr("Write even over a file that the map is read from")));
+                    help(MainText::tr("Write even over a file that the map is read from")));
   command->add_option(
       "--mode", words.mode,
-      help(Words::tr("submaps, or whole (grid: the same for robots and files that give "
+      help(MainText::tr("submaps, or whole (grid: the same for robots and files that give "
                      "their occupancy grid as a whole map). Without it: submaps where there are some")));
   command->add_option(
       "--map", words.map,
-      help(Words::tr(
+      help(MainText::tr(
           "A stored map by its id, or mapping:ID (see mapwright maps list); without it the live or current "
           "one")));
   command->add_flag(
       "--average", words.average,
-      help(Words::tr("Zoomed out, whole maps show the average instead of letting the occupied win")));
+      help(MainText::tr("Zoomed out, whole maps show the average instead of letting the occupied win")));
   command->add_flag("--robot-anyway", words.robot_anyway,
-                    help(Words::tr("Draw the robot, and what it sees, also on a map that it is not in")));
-  command->add_flag("--fit", words.fit, help(Words::tr("Show everything (the default without --center)")));
+                    help(MainText::tr("Draw the robot, and what it sees, also on a map that it is not in")));
+  command->add_flag("--fit", words.fit, help(MainText::tr("Show everything (the default without --center)")));
   command->add_option(
       "--region", words.region,
-      help(Words::tr(
+      help(MainText::tr(
           "A part of a map that the robot gives by regions (rep130+ws://): X,Y,LX,LY in metres, the "
           "middle and the lengths of the sides. A pixel is a cell, or as large as --scale says")));
-  command->add_option("--center", words.center, help(Words::tr("World point in the middle: X,Y in metres")));
-  command->add_option("--scale", words.scale, help(Words::tr("Metres per pixel")));
-  command->add_option("--size", words.size, help(Words::tr("Picture size: WIDTHxHEIGHT in pixels")))
+  command->add_option("--center", words.center, help(MainText::tr("World point in the middle: X,Y in metres")));
+  command->add_option("--scale", words.scale, help(MainText::tr("Metres per pixel")));
+  command->add_option("--size", words.size, help(MainText::tr("Picture size: WIDTHxHEIGHT in pixels")))
       ->capture_default_str();
   command->add_option("--rotate", words.rotate_deg,
-                      help(Words::tr("Turn the picture counter-clockwise by this many degrees")));
+                      help(MainText::tr("Turn the picture counter-clockwise by this many degrees")));
   command->add_option("--layers", words.layers, layersHelp());
   command->add_option("--resolution", words.resolution,
-                      help(Words::tr("Metres per pixel of a bare picture file")));
+                      help(MainText::tr("Metres per pixel of a bare picture file")));
   command->add_option(
       "--origin", words.origin,
-      help(Words::tr("Lower left corner of a bare picture file: X,Y or X,Y,YAW in metres and radians")));
-  command->add_option("--slice", words.slice, help(Words::tr("Which slice of each submap")))
+      help(MainText::tr("Lower left corner of a bare picture file: X,Y or X,Y,YAW in metres and radians")));
+  command->add_option("--slice", words.slice, help(MainText::tr("Which slice of each submap")))
       ->capture_default_str();
-  command->add_option("--colors", words.colors, help(Words::tr("normal, incremental or active")))
+  command->add_option("--colors", words.colors, help(MainText::tr("normal, incremental or active")))
       ->capture_default_str();
-  command->add_option("--theme", words.theme, help(Words::tr("light or dark")))->capture_default_str();
+  command->add_option("--theme", words.theme, help(MainText::tr("light or dark")))->capture_default_str();
   command->add_flag("--raw", words.raw,
-                    help(Words::tr("Only the map raster: gray = intensity, alpha 0 = not observed")));
-  command->add_option("--settle", words.settle, help(Words::tr("complete, or how many seconds to collect")))
+                    help(MainText::tr("Only the map raster: gray = intensity, alpha 0 = not observed")));
+  command->add_option("--settle", words.settle, help(MainText::tr("complete, or how many seconds to collect")))
       ->capture_default_str();
   command
-      ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
+      ->add_option("--timeout", words.timeout_s, help(MainText::tr("Give up waiting after this many seconds")))
       ->capture_default_str();
   command->add_option("--report", words.report,
-                      help(Words::tr("Write what was done as JSON; - is the standard output")));
-  command->add_flag("--json", words.json, help(Words::tr("Print the report on standard output")));
+                      help(MainText::tr("Write what was done as JSON; - is the standard output")));
+  command->add_flag("--json", words.json, help(MainText::tr("Print the report on standard output")));
 }
 
 void addSnapshot(CLI::App& cli, CommandLine& line) {
   CLI::App* const command =
-      cli.add_subcommand("snapshot", help(Words::tr("Draw a robot's map into a PNG, without a window")));
+      cli.add_subcommand("snapshot", help(MainText::tr("Draw a robot's map into a PNG, without a window")));
   addSnapshotOptions(command, line.snapshot);
   command->add_option(
       "--bag", line.snapshot.bag,
-      help(Words::tr("What was recorded, not what is: the name of a bag, or a file (with --at)")));
+      help(MainText::tr("What was recorded, not what is: the name of a bag, or a file (with --at)")));
   command->add_option("--at", line.snapshot.at,
-                      help(Words::tr("When in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
+                      help(MainText::tr("When in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
 }
 
 void addBagSnapshot(CLI::App& bags, CommandLine& line) {
   CLI::App* const command =
-      bags.add_subcommand("snapshot", help(Words::tr("Draw what a bag holds at a time into a PNG")));
-  command->add_option("name", line.snapshot.bag, help(Words::tr("Its name (mapwright bags list), or a file")))
+      bags.add_subcommand("snapshot", help(MainText::tr("Draw what a bag holds at a time into a PNG")));
+  command->add_option("name", line.snapshot.bag, help(MainText::tr("Its name (mapwright bags list), or a file")))
       ->required();
   command
-      ->add_option("--at", line.snapshot.at, help(Words::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
+      ->add_option("--at", line.snapshot.at, help(MainText::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
       ->required();
   addSnapshotOptions(command, line.snapshot);
 }
 
 void addBagFilm(CLI::App& bags, CommandLine& line) {
   CLI::App* const command = bags.add_subcommand(
-      "film", help(Words::tr("Draw what a bag holds, time after time, into PNG files or a film")));
+      "film", help(MainText::tr("Draw what a bag holds, time after time, into PNG files or a film")));
   app::addFilm(*command, line.film);
   addSnapshotOptions(command, line.film.picture);
 }
@@ -160,24 +160,24 @@ void addBagFilm(CLI::App& bags, CommandLine& line) {
 int run(int argc, char** argv) {
   CommandLine line;
   CLI::App cli(
-      help(Words::tr(
+      help(MainText::tr(
           "mapwright: look at the maps of mobile robots. Without a subcommand it opens the window.")),
       "mapwright");
   cli.set_version_flag("--version", std::string("mapwright ") + MAPWRIGHT_VERSION);
-  cli.set_help_all_flag("--help-all", help(Words::tr("Help on every subcommand")));
+  cli.set_help_all_flag("--help-all", help(MainText::tr("Help on every subcommand")));
   cli.require_subcommand(0, 1);
   cli.add_option("--robot", line.robot,
-                 help(Words::tr(
+                 help(MainText::tr(
                      "Connect the window to this robot, for example axbot+http://192.168.25.25:8090; "
                      "aimdk+http://HOST?tf=ws://HOST:9090 names an Agibot robot and the rosbridge that tells "
                      "where it is")))
       ->envname("MAPWRIGHT_ROBOT");
   app::addAccess(cli, line.access);
-  CLI::App* demo = cli.add_subcommand("demo", help(Words::tr("Open the window on a simulated robot")));
-  demo->add_option("query", line.demo_query, help(Words::tr("Such as scene=warehouse&submaps=500&seed=3")));
-  cli.add_option("file", line.file, help(Words::tr("A map or a recording (MCAP, bag of ROS 1) to open")));
-  CLI::App* play = cli.add_subcommand("play", help(Words::tr("Open the window on a recording")));
-  play->add_option("file", line.file, help(Words::tr("MCAP, or a bag of ROS 1")))->required();
+  CLI::App* demo = cli.add_subcommand("demo", help(MainText::tr("Open the window on a simulated robot")));
+  demo->add_option("query", line.demo_query, help(MainText::tr("Such as scene=warehouse&submaps=500&seed=3")));
+  cli.add_option("file", line.file, help(MainText::tr("A map or a recording (MCAP, bag of ROS 1) to open")));
+  CLI::App* play = cli.add_subcommand("play", help(MainText::tr("Open the window on a recording")));
+  play->add_option("file", line.file, help(MainText::tr("MCAP, or a bag of ROS 1")))->required();
   app::addSimulate(cli, line.simulate);
   addSnapshot(cli, line);
   app::addMaps(cli, line.maps);
@@ -190,10 +190,10 @@ int run(int argc, char** argv) {
   addBagSnapshot(*cli.get_subcommand("bags"), line);
   addBagFilm(*cli.get_subcommand("bags"), line);
   CLI::App* bench = cli.add_subcommand(
-      "bench", help(Words::tr("Measure against other ways to do the same, in the same run")));
+      "bench", help(MainText::tr("Measure against other ways to do the same, in the same run")));
   bench->prefix_command();
   bench->footer(help(
-      Words::tr("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
+      MainText::tr("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
   bench->set_help_flag();
 
   app::refuseOddWords(cli);
@@ -202,7 +202,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return cli.exit(error);
     const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
-    std::fprintf(stderr, "%s\n", qUtf8Printable(Words::tr("%1 (see mapwright --help)").arg(why)));
+    std::fprintf(stderr, "%s\n", qUtf8Printable(MainText::tr("%1 (see mapwright --help)").arg(why)));
     return app::kUsage;
   }
   if (cli.got_subcommand("simulate")) return app::simulate(line.simulate);
@@ -262,7 +262,7 @@ int run(int argc, char** argv) {
   // A subcommand that is mistyped is no file.
   if (!app::isFileName(file) && !cli.got_subcommand("play")) {
     std::fprintf(stderr, "%s\n",
-                 qUtf8Printable(Words::tr("%1 is neither a subcommand nor a file (see mapwright --help)")
+                 qUtf8Printable(MainText::tr("%1 is neither a subcommand nor a file (see mapwright --help)")
                                     .arg(words::plainName(file))));
     return app::kUsage;
   }
@@ -280,7 +280,7 @@ int main(int argc, char** argv) {
     return app::concludeStandardOutput(run(argc, argv));
   } catch (const std::exception& error) {
     const QString why = QString::fromStdString(words::plainLine(std::string_view(error.what())));
-    std::fprintf(stderr, "%s\n", qUtf8Printable(Words::tr("mapwright had to stop: %1").arg(why)));
+    std::fprintf(stderr, "%s\n", qUtf8Printable(MainText::tr("mapwright had to stop: %1").arg(why)));
     return app::kRobotError;
   }
 }

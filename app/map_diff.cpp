@@ -18,7 +18,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapDiffText {
   Q_DECLARE_TR_FUNCTIONS(MapDiff)
 };
 
@@ -46,7 +46,7 @@ class RgbPng {
   }
   /// nullopt = the picture is in its place.
   std::optional<QString> end() {
-    if (!good_ && file_.good()) return Words::tr("The picture of the difference cannot be encoded.");
+    if (!good_ && file_.good()) return MapDiffText::tr("The picture of the difference cannot be encoded.");
     const auto fault = file_.place();
     return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
   }
@@ -88,7 +88,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
   }
   if (!((right - left) * (bottom - top) <= kMostCells)) {
     return tl::make_unexpected(
-        Words::tr("The two maps lie too far apart, or are too large, to be compared cell by cell."));
+        MapDiffText::tr("The two maps lie too far apart, or are too large, to be compared cell by cell."));
   }
   MapDiff diff;
   diff.width = int(right - left);

@@ -19,7 +19,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapFactsText {
   Q_DECLARE_TR_FUNCTIONS(Maps)
 };
 
@@ -47,17 +47,17 @@ QJsonArray pointsJson(const std::vector<map::Waypoint>& points) {
 
 void addPoints(std::vector<QStringList>& table, const std::vector<map::Waypoint>& points) {
   for (const map::Waypoint& point : points) {
-    table.push_back({Words::tr("point"),
-                     Words::tr("%1 %2  x %3 m, y %4 m%5")
+    table.push_back({MapFactsText::tr("point"),
+                     MapFactsText::tr("%1 %2  x %3 m, y %4 m%5")
                          .arg(words::plainName(point.id), words::plainName(point.name),
                               QString::number(point.position_m.x()), QString::number(point.position_m.y()),
-                              point.yaw_rad ? Words::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
+                              point.yaw_rad ? MapFactsText::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
   }
 }
 
 void addRow(std::vector<QStringList>& table, const map::CatalogueEntry& row) {
-  table.push_back({Words::tr("date"), dateText(row.modified_s ? row.modified_s : row.created_s)});
-  table.push_back({Words::tr("current"), row.is_current ? Words::tr("yes") : Words::tr("no")});
+  table.push_back({MapFactsText::tr("date"), dateText(row.modified_s ? row.modified_s : row.created_s)});
+  table.push_back({MapFactsText::tr("current"), row.is_current ? MapFactsText::tr("yes") : MapFactsText::tr("no")});
 }
 
 CommandResult<int> showWithoutPicture(MapReading& reading, bool json_wanted) {
@@ -85,9 +85,9 @@ CommandResult<int> showWithoutPicture(MapReading& reading, bool json_wanted) {
     printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
     return tl::make_unexpected(no_picture);
   }
-  std::vector<QStringList> table{{Words::tr("id"), text(map::toText(key))},
-                                 {Words::tr("name"), words::plainName(slot.name().toStdString())},
-                                 {Words::tr("picture"), Words::tr("none")}};
+  std::vector<QStringList> table{{MapFactsText::tr("id"), text(map::toText(key))},
+                                 {MapFactsText::tr("name"), words::plainName(slot.name().toStdString())},
+                                 {MapFactsText::tr("picture"), MapFactsText::tr("none")}};
   if (row) addRow(table, *row);
   addPoints(table, points);
   printTable(table);

@@ -25,7 +25,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapReadingText {
   Q_DECLARE_TR_FUNCTIONS(MapReading)
 };
 
@@ -102,7 +102,7 @@ void MapReading::giveUp(const robot::Call& call, const std::function<bool()>& ov
 
 map::Failure MapReading::tooLate(map::Failure failure) const {
   failure.kind = map::FailureKind::TimedOut;
-  failure.detail = Words::tr("it did not answer within %1 s").arg(time_.timeout_s).toStdString();
+  failure.detail = MapReadingText::tr("it did not answer within %1 s").arg(time_.timeout_s).toStdString();
   return failure;
 }
 
@@ -116,7 +116,7 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
                                                             std::shared_ptr<work::Workers> workers) {
   if (address.isEmpty()) {
     return tl::make_unexpected(CommandFailure{
-        kUsage, Words::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
+        kUsage, MapReadingText::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
   }
   Access timed = access;
   timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
@@ -142,7 +142,7 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
     const QString reason = whyNotConnected(session.connection());
     return tl::make_unexpected(reading->failure(
         file ? kUsage : exitCodeOf(session.connection().failure, kUnreachable),
-        reason.isEmpty() ? Words::tr("no connection within %1 s.").arg(time.timeout_s) : reason));
+        reason.isEmpty() ? MapReadingText::tr("no connection within %1 s.").arg(time.timeout_s) : reason));
   }
   reading->online_since_ = std::chrono::steady_clock::now();
   return reading;
@@ -171,7 +171,7 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
   if (!catalogue.asOf() && !catalogue.loading()) catalogue.refresh();
   if (!waitUntil([&] { return !catalogue.loading() && (catalogue.asOf() || catalogue.failure()); })) {
     return tl::make_unexpected(failure(exitCodeOf(map::FailureKind::TimedOut),
-                                       Words::tr("It did not answer within %1 s.").arg(time_.timeout_s)));
+                                       MapReadingText::tr("It did not answer within %1 s.").arg(time_.timeout_s)));
   }
   if (catalogue.failure()) {
     return tl::make_unexpected(failure(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
@@ -225,7 +225,7 @@ CommandResult<render::PlacedGrid> MapReading::map(const QString& id, double reso
   const bool in =
       waitUntil([&] { return wish.look(secondsSince(online_since_)) != MapWish::State::Waiting; });
   if (!in) {
-    const QString late = Words::tr("The map had not arrived within %1 s.").arg(time_.timeout_s);
+    const QString late = MapReadingText::tr("The map had not arrived within %1 s.").arg(time_.timeout_s);
     return tl::make_unexpected(
         failure(exitCodeOf(map::FailureKind::TimedOut),
                 (QStringList(late) + wish.liveTroubles().mid(0, 1)).join(QLatin1Char(' '))));
@@ -254,8 +254,8 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   facts_[QStringLiteral("submaps")] = submapsJson(counts);
   facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.book().uuid());
   if (!settled) {
-    notes_ << (counts.list_received ? Words::tr("Not everything had arrived within %1 s (--timeout).")
-                                    : Words::tr("The robot sent no submap list within %1 s (--timeout)."))
+    notes_ << (counts.list_received ? MapReadingText::tr("Not everything had arrived within %1 s (--timeout).")
+                                    : MapReadingText::tr("The robot sent no submap list within %1 s (--timeout)."))
                   .arg(time_.timeout_s);
   }
   std::vector<render::PlacedTexture> textures;
@@ -271,8 +271,8 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
         complete_   ? int(kRobotError)
         : refused() ? exitCodeOf(map::FailureKind::Refused)
                     : int(kIncomplete),
-        counts.listed == 0 && settled ? Words::tr("It has no submap yet.")
-                                      : Words::tr("None of its submaps could be had. %1").arg(firstOf(why))));
+        counts.listed == 0 && settled ? MapReadingText::tr("It has no submap yet.")
+                                      : MapReadingText::tr("None of its submaps could be had. %1").arg(firstOf(why))));
   }
   render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept
   bool in_time = true;
@@ -284,7 +284,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                                   {workers_});
   if (!in_time) {
     return tl::make_unexpected(
-        failure(kIncomplete, Words::tr("%1 of %2 submaps had arrived, but they could not be put together "
+        failure(kIncomplete, MapReadingText::tr("%1 of %2 submaps had arrived, but they could not be put together "
                                        "within %3 s (--timeout).")
                                  .arg(counts.shown)
                                  .arg(counts.listed)

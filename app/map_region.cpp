@@ -16,14 +16,14 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapRegionText {
   Q_DECLARE_TR_FUNCTIONS(MapRegion)
 };
 
 constexpr double kRoundingCells = 2;
 
 QString lengths(const geometry::WorldRect& rect) {
-  return Words::tr("%1 × %2").arg(rect.width(), 0, 'f', 2).arg(rect.height(), 0, 'f', 2);
+  return MapRegionText::tr("%1 × %2").arg(rect.width(), 0, 'f', 2).arg(rect.height(), 0, 'f', 2);
 }
 
 /// Row 0 of a part is the lowest one, that of a pyramid the uppermost. -1 is 255 in both.
@@ -53,7 +53,7 @@ tl::expected<map::GridRegion, QString> gridRegionFrom(const std::string& typed) 
   const auto commas = std::count(typed.begin(), typed.end(), ',');
   if (numbers.size() != 4 || commas != 3 || !(numbers[2] > 0) || !(numbers[3] > 0)) {
     return tl::make_unexpected(
-        Words::tr(
+        MapRegionText::tr(
             "--region %1: give the centre and the lengths in metres, X,Y,LX,LY, for example 10,-5,40,30.")
             .arg(QString::fromStdString(typed)));
   }
@@ -81,11 +81,11 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
   for (const map::Reason& note : part->notes) notes_ << failure(kDone, sentences::wordsOf(note)).sentence;
   if (part->grid.width == 0) {
     return tl::make_unexpected(
-        failure(kIncomplete, region ? Words::tr("There is nothing of its map in this region.")
-                                    : Words::tr("There is nothing in its map.")));
+        failure(kIncomplete, region ? MapRegionText::tr("There is nothing of its map in this region.")
+                                    : MapRegionText::tr("There is nothing in its map.")));
   }
   if (part->grid.width > grids::kMaxGridEdge || part->grid.height > grids::kMaxGridEdge)
-    return tl::make_unexpected(failure(kRobotError, Words::tr("Its answer has too many cells in one row.")));
+    return tl::make_unexpected(failure(kRobotError, MapRegionText::tr("Its answer has too many cells in one row.")));
   const geometry::WorldRect bounds = part->grid.bounds();
   if (region) {
     const Eigen::Vector2d low = region->centre_m - region->size_m / 2,
@@ -95,7 +95,7 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
     const double rounding = kRoundingCells * part->grid.resolution_m;
     if (regions::liesElsewhere(part->grid, asked)) {
       complete_ = false;
-      notes_ << failure(kDone, Words::tr("It answered with another part of its map, around %1 m, %2 m.")
+      notes_ << failure(kDone, MapRegionText::tr("It answered with another part of its map, around %1 m, %2 m.")
                                    .arg(bounds.center().x(), 0, 'f', 2)
                                    .arg(bounds.center().y(), 0, 'f', 2))
                     .sentence;
@@ -103,7 +103,7 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
                (common.width() < asked.width() - rounding || common.height() < asked.height() - rounding)) {
       notes_ << failure(
                     kDone,
-                    Words::tr(
+                    MapRegionText::tr(
                         "Its answer has %1 of the %2 m asked for: its map ends there, or it gives no more.")
                         .arg(lengths(common), lengths(asked)))
                     .sentence;

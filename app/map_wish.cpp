@@ -19,7 +19,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapWishText {
   Q_DECLARE_TR_FUNCTIONS(MapWish)
 };
 
@@ -27,7 +27,7 @@ using Phase = session::MapSlot::Phase;
 using robot::DispatchService;
 
 QString byRegionsOnly() {
-  return Words::tr("It gives its map by regions: ask for one with --region X,Y,LX,LY.");
+  return MapWishText::tr("It gives its map by regions: ask for one with --region X,Y,LX,LY.");
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ void MapWish::choose() {
   const map::MapKey key = id_.isEmpty() ? map::MapKey{map::MapKind::Live, {}} : map::mapKeyFromText(id);
   if (key.kind == map::MapKind::Live && !sendsMaps()) {
     fail(local() ? kUsage : kRobotError,
-         Words::tr("It sends no live map. Ask for one of its maps by its id (mapwright maps list)."));
+         MapWishText::tr("It sends no live map. Ask for one of its maps by its id (mapwright maps list)."));
   } else if (local()) {
     // The names of a folder's maps are known when its list is in.
     if (!catalogueIn()) return;
@@ -97,7 +97,7 @@ void MapWish::choose() {
 void MapWish::askForWhole() {
   if (!whole_agreed_) {
     fail(kRobotError, byRegionsOnly() + QLatin1Char(' ') +
-                          Words::tr("All of it, however large, is had with --mode whole."));
+                          MapWishText::tr("All of it, however large, is had with --mode whole."));
     return;
   }
   asked_for_whole_ = true;
@@ -127,7 +127,7 @@ void MapWish::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
                      part.cells->size() / std::size_t(part.grid.width) >= std::size_t(part.grid.height);
   if (!whole || map::whyUnusable(part.grid)) {
     fail(none ? kIncomplete : kRobotError,
-         none ? Words::tr("There is nothing in its map.") : Words::tr("Its whole map cannot be used."));
+         none ? MapWishText::tr("There is nothing in its map.") : MapWishText::tr("Its whole map cannot be used."));
     return;
   }
   for (const map::Reason& note : part.notes) notes_ << sentences::wordsOf(note);
@@ -153,7 +153,7 @@ void MapWish::chooseCurrent() {
     fail(kRobotError,
          catalogue.entries().empty()
              ? noMapSentence(session_.world().live.map_info)
-             : Words::tr("None of its %1 maps is the current one. Give an id (mapwright maps list).")
+             : MapWishText::tr("None of its %1 maps is the current one. Give an id (mapwright maps list).")
                    .arg(catalogue.entries().size()));
   }
 }
@@ -173,15 +173,15 @@ QStringList MapWish::liveTroubles() const {
 }
 
 QString noMapSentence(const std::optional<map::MapInfo>& named) {
-  return (QStringList(Words::tr("There is no map.")) + namedMapSentence(named)).join(QLatin1Char(' '));
+  return (QStringList(MapWishText::tr("There is no map.")) + namedMapSentence(named)).join(QLatin1Char(' '));
 }
 
 QStringList namedMapSentence(const std::optional<map::MapInfo>& named) {
   if (!named || (named->name.empty() && named->uid.empty())) return {};
   const QString name = words::plainName(named->name.empty() ? named->uid : named->name);
   return {named->name.empty() || named->uid.empty()
-              ? Words::tr("Its messages name the map \"%1\".").arg(name)
-              : Words::tr("Its messages name the map \"%1\" (%2).").arg(name, words::plainName(named->uid))};
+              ? MapWishText::tr("Its messages name the map \"%1\".").arg(name)
+              : MapWishText::tr("Its messages name the map \"%1\" (%2).").arg(name, words::plainName(named->uid))};
 }
 
 void MapWish::failWithoutLive(const QString& sentence) {
@@ -191,7 +191,7 @@ void MapWish::failWithoutLive(const QString& sentence) {
 }
 
 QString MapWish::noMapNow() const {
-  return robot::givesByRegion(session_.robot()) ? byRegionsOnly() : Words::tr("It sends no map now.");
+  return robot::givesByRegion(session_.robot()) ? byRegionsOnly() : MapWishText::tr("It sends no map now.");
 }
 
 void MapWish::chooseInsteadOfLive() {
@@ -204,16 +204,16 @@ void MapWish::chooseInsteadOfLive() {
   // Of a robot that keeps no maps the current one is that which does not come.
   if (!current || current->key.kind == map::MapKind::Live) {
     const bool none = local() && session_.catalogue().entries().empty();
-    failWithoutLive(none ? Words::tr("There is no map.")
+    failWithoutLive(none ? MapWishText::tr("There is no map.")
                     : current
                         ? noMapNow()
-                        : Words::tr("It sends no map now, and none of its stored maps is the current one."));
+                        : MapWishText::tr("It sends no map now, and none of its stored maps is the current one."));
     return;
   }
   live_broken_ |= !liveTroubles().isEmpty();
   notes_ << (live_broken_
-                 ? Words::tr("The map that the robot sends cannot be had. Its current stored map is shown.")
-                 : Words::tr("The robot sends no map now. Its current stored map is shown."));
+                 ? MapWishText::tr("The map that the robot sends cannot be had. Its current stored map is shown.")
+                 : MapWishText::tr("The robot sends no map now. Its current stored map is shown."));
   open(current->key);
 }
 

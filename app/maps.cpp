@@ -33,7 +33,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapsText {
   Q_DECLARE_TR_FUNCTIONS(Maps)
 };
 
@@ -44,7 +44,7 @@ QString notWritten(const disk::Fault& fault) { return sentences::wordsOf(reasons
 void print(const QJsonDocument& json) { printOut(words::escapedJson(json.toJson()).toStdString()); }
 
 QStringList rowOf(const map::CatalogueEntry& row) {
-  const QString version = row.is_archived   ? Words::tr("archived")
+  const QString version = row.is_archived   ? MapsText::tr("archived")
                           : row.map_version ? QStringLiteral("v%1").arg(*row.map_version)
                                             : text(row.state);
   return {row.is_current ? QStringLiteral("*") : QStringLiteral(" "), text(map::toText(row.key)),
@@ -100,7 +100,7 @@ Opened openRobot(MapsCommand& command, const QString& address, const MapsWords& 
   if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
     return tl::make_unexpected(CommandFailure{
         kUsage,
-        Words::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(words.resolution))});
+        MapsText::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(words.resolution))});
   }
   if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
   return command.open(placedFile(address, words.resolution, words.origin), access->forAddress(address),
@@ -132,11 +132,11 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
       return kDone;
     }
     if ((*rows)->empty()) {
-      std::printf("%s\n", qUtf8Printable(Words::tr("There is no map.")));
+      std::printf("%s\n", qUtf8Printable(MapsText::tr("There is no map.")));
       return kDone;
     }
     std::vector<QStringList> table{
-        {QStringLiteral(" "), Words::tr("ID"), Words::tr("VERSION"), Words::tr("DATE"), Words::tr("NAME")}};
+        {QStringLiteral(" "), MapsText::tr("ID"), MapsText::tr("VERSION"), MapsText::tr("DATE"), MapsText::tr("NAME")}};
     for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
     printTable(table);
     return kDone;
@@ -152,7 +152,7 @@ int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
     const map::CatalogueEntry* const current = (*robot)->session().catalogue().current();
     if (!current) {
       return tl::make_unexpected(CommandFailure{
-          kRobotError, Words::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
+          kRobotError, MapsText::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
     }
     if (words.json) {
       print(QJsonDocument(entryJson(*current)));
@@ -195,19 +195,19 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     }
     const map::GridReference& grid = placed->reference;
     std::vector<QStringList> table{
-        {Words::tr("id"), id},
-        {Words::tr("name"), words::plainName((*robot)->nameOfMap())},
-        {Words::tr("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
-        {Words::tr("resolution"), Words::tr("%1 m").arg(grid.resolution_m)},
-        {Words::tr("origin"), Words::tr("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
+        {MapsText::tr("id"), id},
+        {MapsText::tr("name"), words::plainName((*robot)->nameOfMap())},
+        {MapsText::tr("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
+        {MapsText::tr("resolution"), MapsText::tr("%1 m").arg(grid.resolution_m)},
+        {MapsText::tr("origin"), MapsText::tr("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
                                   .arg(grid.origin.x_m)
                                   .arg(grid.origin.y_m)
                                   .arg(grid.origin.yaw_rad)},
-        {Words::tr("extent"), Words::tr("%1 m x %2 m")
+        {MapsText::tr("extent"), MapsText::tr("%1 m x %2 m")
                                   .arg(grid.width * grid.resolution_m, 0, 'f', 2)
                                   .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
     if (row) addRow(table, *row);
-    table.push_back({Words::tr("overlays"), QString::number(shown.overlays.size())});
+    table.push_back({MapsText::tr("overlays"), QString::number(shown.overlays.size())});
     addPoints(table, session.wholeMap().waypoints().points);
     printTable(table);
     return kDone;
@@ -226,7 +226,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (format == QLatin1String("yaml") || format == QLatin1String("yml")) format = QStringLiteral("pgm");
     if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
       return wrong(
-          Words::tr("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
+          MapsText::tr("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
                     "--format png or pgm.")
               .arg(output));
     }
@@ -234,11 +234,11 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     const bool names_pgm = suffix == QLatin1String("pgm") || suffix.startsWith(QLatin1Char('y'));
     if (!words.format.empty() && (format == QLatin1String("png") ? names_pgm : names_png)) {
       return wrong(
-          Words::tr("--output %1 and --format %2 contradict each other.").arg(output, text(words.format)));
+          MapsText::tr("--output %1 and --format %2 contradict each other.").arg(output, text(words.format)));
     }
     if (printed && (format != QLatin1String("png") || words.world_file)) {
       return wrong(
-          Words::tr("Only one PNG can be written to the standard output (--output %1).").arg(output));
+          MapsText::tr("Only one PNG can be written to the standard output (--output %1).").arg(output));
     }
     if (const auto why = whyNotWritable(output)) return wrong(*why);
     if (const auto why = whyNotTogether({output, text(words.report)})) return wrong(*why);
@@ -249,7 +249,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
       if (!typed) return wrong(typed.error());
       if (!live)
         return wrong(
-            Words::tr("--region: only the live map is given by region, not %1.").arg(text(words.id)));
+            MapsText::tr("--region: only the live map is given by region, not %1.").arg(text(words.id)));
       region = *typed;
     }
     auto robot = openRobot(command, text(words.robot), words, purposeOf(words.id));
@@ -282,7 +282,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (!printed && !isStandardOutput(text(words.report))) {
       const map::GridReference& grid = placed->reference;
       std::printf("%s\n",
-                  qUtf8Printable(Words::tr("%1: %2 x %3 cells of %4 m")
+                  qUtf8Printable(MapsText::tr("%1: %2 x %3 cells of %4 m")
                                      .arg(oneLine(output), QString::number(grid.width),
                                           QString::number(grid.height), QString::number(grid.resolution_m))));
     }
@@ -340,20 +340,20 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
     } else {
       std::vector<QStringList> table;
       const auto row = [&](const QString& name, qint64 count) {
-        table.push_back({name, Words::tr("%1 cells", nullptr, sentences::formOf(count)).arg(count),
-                         Words::tr("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 4)});
+        table.push_back({name, MapsText::tr("%1 cells", nullptr, sentences::formOf(count)).arg(count),
+                         MapsText::tr("%1 m²").arg(double(count) * diff->cell_area_m2, 0, 'f', 4)});
       };
-      row(Words::tr("occupied in the second only"), cells(Difference::Appeared));
-      row(Words::tr("occupied in the first only"), cells(Difference::Vanished));
-      row(Words::tr("known in the first only"), cells(Difference::OnlyFirst));
-      row(Words::tr("known in the second only"), cells(Difference::OnlySecond));
-      row(Words::tr("alike, of another gray level"), diff->levels_differ);
-      row(Words::tr("free in both"), cells(Difference::SameFree));
-      row(Words::tr("occupied in both"), cells(Difference::SameOccupied));
+      row(MapsText::tr("occupied in the second only"), cells(Difference::Appeared));
+      row(MapsText::tr("occupied in the first only"), cells(Difference::Vanished));
+      row(MapsText::tr("known in the first only"), cells(Difference::OnlyFirst));
+      row(MapsText::tr("known in the second only"), cells(Difference::OnlySecond));
+      row(MapsText::tr("alike, of another gray level"), diff->levels_differ);
+      row(MapsText::tr("free in both"), cells(Difference::SameFree));
+      row(MapsText::tr("occupied in both"), cells(Difference::SameOccupied));
       printTable(table);
-      const QString outcome = !diff->same()        ? Words::tr("The maps differ.")
-                              : command.complete() ? Words::tr("The maps are the same.")
-                                                   : Words::tr("What could be had of the maps is the same.");
+      const QString outcome = !diff->same()        ? MapsText::tr("The maps differ.")
+                              : command.complete() ? MapsText::tr("The maps are the same.")
+                                                   : MapsText::tr("What could be had of the maps is the same.");
       std::printf("%s\n", qUtf8Printable(outcome));
     }
     return diff->same() ? kDone : kIncomplete;

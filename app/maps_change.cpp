@@ -15,7 +15,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapsChangeText {
   Q_DECLARE_TR_FUNCTIONS(MapsChange)
 };
 
@@ -35,17 +35,17 @@ QString whyNotAsked(MapChange change, const MapsWords& words) {
   if (names(change)) {
     const QString label = text(words.label);
     if (std::any_of(label.begin(), label.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
-      return Words::tr("The name of a map is one line of text, without control characters.");
+      return MapsChangeText::tr("The name of a map is one line of text, without control characters.");
     if (label.trimmed().isEmpty()) {
-      return change == MapChange::Save ? Words::tr("A map must have a name: maps save NAME.")
-                                       : Words::tr("A map must have a name: maps rename ID NAME.");
+      return change == MapChange::Save ? MapsChangeText::tr("A map must have a name: maps save NAME.")
+                                       : MapsChangeText::tr("A map must have a name: maps rename ID NAME.");
     }
   }
   const map::MapKey key = map::mapKeyFromText(words.id);
   if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || key.id.empty()))
-    return Words::tr("%1: give the id of a stored map (mapwright maps list).").arg(text(words.id));
+    return MapsChangeText::tr("%1: give the id of a stored map (mapwright maps list).").arg(text(words.id));
   if (change == MapChange::Delete && !words.yes)
-    return Words::tr("A map that is deleted cannot be had back. Say --yes when %1 may go.")
+    return MapsChangeText::tr("A map that is deleted cannot be had back. Say --yes when %1 may go.")
         .arg(text(words.id));
   return {};
 }
@@ -62,14 +62,14 @@ void print(const Entry& entry, bool json) {
 /// What the robot says of the map does not fit what it was asked for; empty when it does.
 QString oddity(const robot::MapOrder& order, const Entry& now) {
   if (names(order.change) && now.name != order.name)
-    return Words::tr("The robot took it, but says that the map is called \"%1\".")
+    return MapsChangeText::tr("The robot took it, but says that the map is called \"%1\".")
         .arg(words::plainName(now.name));
   if (order.change == MapChange::Load && !now.is_current)
-    return Words::tr("The robot took it, but says that it works with another map.");
+    return MapsChangeText::tr("The robot took it, but says that it works with another map.");
   if (order.change == MapChange::Archive && !now.is_archived)
-    return Words::tr("The robot took it, but does not say that the map is archived.");
+    return MapsChangeText::tr("The robot took it, but does not say that the map is archived.");
   if (order.change == MapChange::Unarchive && now.is_archived)
-    return Words::tr("The robot took it, but still says that the map is archived.");
+    return MapsChangeText::tr("The robot took it, but still says that the map is archived.");
   return {};
 }
 
@@ -109,7 +109,7 @@ int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv) {
     const bool control =
         std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; });
     if (name.trimmed().isEmpty() || control || words.filename.size() > 4096)
-      return wrong(kUsage, Words::tr("The name of the file is one line of text, such as office.png."));
+      return wrong(kUsage, MapsChangeText::tr("The name of the file is one line of text, such as office.png."));
     const auto access = RobotAccess::read(words.access, text(words.robot));
     if (!access) return wrong(kUsage, access.error());
     const QString address = text(words.robot);
@@ -121,7 +121,7 @@ int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv) {
       return dispatch->save(words.filename, std::move(reply));
     });
     if (!saved) return tl::make_unexpected((*robot)->failure(saved.error()));
-    std::printf("%s\n", qUtf8Printable(Words::tr("The robot has written %1.").arg(words::plainName(*saved))));
+    std::printf("%s\n", qUtf8Printable(MapsChangeText::tr("The robot has written %1.").arg(words::plainName(*saved))));
     return kDone;
   };
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);

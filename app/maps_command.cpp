@@ -17,7 +17,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class MapsCommandText {
   Q_DECLARE_TR_FUNCTIONS(MapsCommand)
 };
 
@@ -53,15 +53,15 @@ bool MapsCommand::complete() const {
 
 int MapsCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(MapsCommand&)>& work) {
   if (!(time_.timeout_s > 0 && time_.timeout_s <= 86'400)) {
-    return say(Words::tr("--timeout must be more than 0 and at most 86400 seconds."), kUsage);
+    return say(MapsCommandText::tr("--timeout must be more than 0 and at most 86400 seconds."), kUsage);
   }
   Deadline deadline(
       later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
       [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
         const QString sentence =
             (*connected
-                 ? Words::tr("Not complete. The command could not be finished within %1 s (--timeout).")
-                 : Words::tr("No connection within %1 s (--timeout)."))
+                 ? MapsCommandText::tr("Not complete. The command could not be finished within %1 s (--timeout).")
+                 : MapsCommandText::tr("No connection within %1 s (--timeout)."))
                 .arg(timeout_s);
         if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
         sayAtTheEnd(sentence.toStdString());
@@ -100,7 +100,7 @@ int MapsCommand::end(const CommandResult<int>& result) const {
   if (!complete()) {
     const bool refused = std::any_of(readings_.begin(), readings_.end(),
                                      [](const auto& reading) { return reading->refused(); });
-    return say(Words::tr("Not complete. %1").arg(firstOf(warnings)),
+    return say(MapsCommandText::tr("Not complete. %1").arg(firstOf(warnings)),
                refused            ? exitCodeOf(map::FailureKind::Refused)
                : *result == kDone ? int(kIncomplete)
                                   : *result);

@@ -8,7 +8,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class OptionWordsText {
   Q_DECLARE_TR_FUNCTIONS(OptionWords)
 };
 
@@ -25,9 +25,9 @@ void refuseOddWords(CLI::App& app) {
     const std::string type = option->get_type_name();
     const bool number = type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
     option->check([number](const std::string& word) {
-      if (word.empty()) return Words::tr("its value is empty").toStdString();
+      if (word.empty()) return OptionWordsText::tr("its value is empty").toStdString();
       if (!number || isDecimal(word)) return std::string();
-      return Words::tr("\"%1\" is not a number").arg(QString::fromStdString(word)).toStdString();
+      return OptionWordsText::tr("\"%1\" is not a number").arg(QString::fromStdString(word)).toStdString();
     });
   }
   for (CLI::App* command : app.get_subcommands({})) refuseOddWords(*command);

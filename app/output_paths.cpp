@@ -15,7 +15,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class OutputPathsText {
   Q_DECLARE_TR_FUNCTIONS(OutputPaths)
 };
 
@@ -34,14 +34,14 @@ bool isStandardOutput(const QString& path) { return disk::isStandardOutput(path.
 std::optional<QString> whyNotWritable(const QString& path) {
   if (isStandardOutput(path)) {
     if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
-    return Words::tr("%1: the standard output is a terminal. Send it into a file or another program.")
+    return OutputPathsText::tr("%1: the standard output is a terminal. Send it into a file or another program.")
         .arg(path);
   }
   // Where a link leads is found out when it is written.
   if (takesBytes(path) || QFileInfo(path).isSymLink()) return std::nullopt;
   const QFileInfo folder(QFileInfo(path).absolutePath());
   if (folder.isDir() && folder.isWritable()) return std::nullopt;
-  return Words::tr("%1 cannot be written: there is no writable folder %2.").arg(path, folder.filePath());
+  return OutputPathsText::tr("%1 cannot be written: there is no writable folder %2.").arg(path, folder.filePath());
 }
 
 std::optional<QString> whyNotTogether(const QStringList& outputs) {
@@ -50,12 +50,12 @@ std::optional<QString> whyNotTogether(const QStringList& outputs) {
       const QString &one = outputs[i], &other = outputs[j];
       if (one.isEmpty() || other.isEmpty()) continue;
       if (isStandardOutput(one) && isStandardOutput(other)) {
-        return Words::tr("Only one thing can be written to the standard output.");
+        return OutputPathsText::tr("Only one thing can be written to the standard output.");
       }
       if (isStandardOutput(one) || isStandardOutput(other) || takesBytes(one)) continue;
       const bool same = QFileInfo(one).absoluteFilePath() == QFileInfo(other).absoluteFilePath() ||
                         disk::sameFile(one.toStdString(), other.toStdString());
-      if (same) return Words::tr("%1 and %2 are the same file. Name two.").arg(one, other);
+      if (same) return OutputPathsText::tr("%1 and %2 are the same file. Name two.").arg(one, other);
     }
   }
   return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
     for (const std::string& source : sources) {
       if (output.isEmpty() || isStandardOutput(output) || takesBytes(output)) continue;
       if (disk::sameFile(output.toStdString(), source)) {
-        return Words::tr("%1 is a file that the map is read from. Give --force to replace it.").arg(output);
+        return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.").arg(output);
       }
     }
   }
@@ -84,9 +84,9 @@ int concludeStandardOutput(int exit_code) {
   // What failed first says why; errno tells of the last call alone, and of those that went well nothing.
   if (!flushed && why_not_printed == 0) why_not_printed = errno;
   if (flushed && std::ferror(stdout) == 0) return exit_code;
-  QString sentence = Words::tr("The standard output cannot be written.");
+  QString sentence = OutputPathsText::tr("The standard output cannot be written.");
   if (why_not_printed != 0)
-    sentence = Words::tr("The standard output cannot be written: %1.")
+    sentence = OutputPathsText::tr("The standard output cannot be written: %1.")
                    .arg(QString::fromLocal8Bit(std::strerror(why_not_printed)));
   std::fprintf(stderr, "%s\n", qUtf8Printable(sentence));
   return kUsage;

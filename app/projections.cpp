@@ -22,7 +22,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class ProjectionsText {
   Q_DECLARE_TR_FUNCTIONS(Projections)
 };
 
@@ -47,7 +47,7 @@ tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) 
     one = {{}, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5]};
   if (!whole || map::flawOf(one) != map::ProjectionFlaw::None) {
     return tl::make_unexpected(
-        Words::tr("--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, "
+        ProjectionsText::tr("--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, "
                   "and the frame behind them where it is not that of the map.")
             .arg(text(typed)));
   }
@@ -70,13 +70,13 @@ void print(const Projections& all, bool json) {
     return;
   }
   if (all.empty()) {
-    std::printf("%s\n", qUtf8Printable(Words::tr("Nothing is projected.")));
+    std::printf("%s\n", qUtf8Printable(ProjectionsText::tr("Nothing is projected.")));
     return;
   }
   const auto metres = [](double value) { return QString::number(value, 'f', 2); };
-  std::vector<QStringList> table{{Words::tr("NUMBER"), Words::tr("X (m)"), Words::tr("Y (m)"),
-                                  Words::tr("WIDTH (m)"), Words::tr("HEIGHT (m)"), Words::tr("MIN Z (m)"),
-                                  Words::tr("MAX Z (m)"), Words::tr("FRAME")}};
+  std::vector<QStringList> table{{ProjectionsText::tr("NUMBER"), ProjectionsText::tr("X (m)"), ProjectionsText::tr("Y (m)"),
+                                  ProjectionsText::tr("WIDTH (m)"), ProjectionsText::tr("HEIGHT (m)"), ProjectionsText::tr("MIN Z (m)"),
+                                  ProjectionsText::tr("MAX Z (m)"), ProjectionsText::tr("FRAME")}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const map::Projection& one = all[i];
     table.push_back({QString::number(i), metres(one.corner_m.x()), metres(one.corner_m.y()),
@@ -98,7 +98,7 @@ CommandResult<int> list(MapReading& reading, const ProjectionsWords& words) {
   const std::vector<std::string> silent = dispatch->silent();
   if (!told->empty() || silent.empty() || words.json) print(*told, words.json);
   for (const std::string& topic : silent)
-    reading.note(Words::tr("%1: nothing has come of it.").arg(words::plainName(topic)));
+    reading.note(ProjectionsText::tr("%1: nothing has come of it.").arg(words::plainName(topic)));
   return silent.empty() ? kDone : kIncomplete;
 }
 
@@ -108,7 +108,7 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
   if (dispatch->offered(robot::DispatchService::ReadProjections) &&
       !dispatch->offered(robot::DispatchService::ChangeProjections)) {
     return tl::make_unexpected(reading.failure(
-        kRobotError, Words::tr("Its set_map_projections is of the type that REP 130 names, which takes "
+        kRobotError, ProjectionsText::tr("Its set_map_projections is of the type that REP 130 names, which takes "
                                "nothing: the projections can only be read (mapwright projections list).")));
   }
   const auto told = reading.ask<Projections>(
@@ -117,7 +117,7 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
   print(*told, words.json);
   if (map::differing(wanted, *told) == 0) return kDone;
   return tl::make_unexpected(
-      reading.failure(kIncomplete, Words::tr("It took it, but projects something else than it was told.")));
+      reading.failure(kIncomplete, ProjectionsText::tr("It took it, but projects something else than it was told.")));
 }
 
 }  // namespace
@@ -125,28 +125,28 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
 void addProjections(CLI::App& cli, ProjectionsWords& words) {
   CLI::App* projections = cli.add_subcommand(
       "projections",
-      help(Words::tr("What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
+      help(ProjectionsText::tr("What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
   projections->require_subcommand(1);
   const auto add = [&](const char* name, const std::string& what) {
     CLI::App* command = projections->add_subcommand(name, what);
-    command->add_option("--robot", words.robot, help(Words::tr("Robot address (or MAPWRIGHT_ROBOT)")));
+    command->add_option("--robot", words.robot, help(ProjectionsText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
     addAccess(*command, words.access);
     command
-        ->add_option("--timeout", words.timeout_s, help(Words::tr("Give up waiting after this many seconds")))
+        ->add_option("--timeout", words.timeout_s, help(ProjectionsText::tr("Give up waiting after this many seconds")))
         ->capture_default_str();
     command->add_option("--report", words.report,
-                        help(Words::tr("Write what was done, and every warning, as JSON")));
-    command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+                        help(ProjectionsText::tr("Write what was done, and every warning, as JSON")));
+    command->add_flag("--json", words.json, help(ProjectionsText::tr("Machine-readable")));
     return command;
   };
-  add("list", help(Words::tr("What is projected now")));
-  CLI::App* command = add("set", help(Words::tr("Choose all that is projected; prints what then is")));
+  add("list", help(ProjectionsText::tr("What is projected now")));
+  CLI::App* command = add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")));
   command
       ->add_option("--projection", words.wanted,
-                   help(Words::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
+                   help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
                                   ",FRAME where it is not that of the map; may be repeated")))
       ->allow_extra_args(false);
-  command->add_flag("--none", words.none, help(Words::tr("Nothing is to be projected")));
+  command->add_flag("--none", words.none, help(ProjectionsText::tr("Nothing is to be projected")));
 }
 
 int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc, char** argv) {
@@ -163,7 +163,7 @@ int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc
     }
     if (sets && wanted.empty() != words.none) {
       return wrong(
-          Words::tr("projections set: give --projection, once for each of them, or --none for nothing."));
+          ProjectionsText::tr("projections set: give --projection, once for each of them, or --none for nothing."));
     }
     const auto access = RobotAccess::read(words.access, text(words.robot));
     if (!access) return wrong(access.error());

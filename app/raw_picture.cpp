@@ -16,12 +16,12 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class RawPictureText {
   Q_DECLARE_TR_FUNCTIONS(RawPicture)
 };
 
 QString notEncoded(int failure) {
-  return Words::tr("The picture cannot be encoded: %1.").arg(QLatin1String(spng_strerror(failure)));
+  return RawPictureText::tr("The picture cannot be encoded: %1.").arg(QLatin1String(spng_strerror(failure)));
 }
 
 constexpr int kBandRows = 128;

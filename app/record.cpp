@@ -36,7 +36,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class RecordText {
   Q_DECLARE_TR_FUNCTIONS(Record)
 };
 
@@ -65,7 +65,7 @@ CommandResult<Order> orderFrom(const RecordWords& words) {
   order.path = text(words.output);
   const auto streams = streamsFrom(text(words.streams));
   if (!streams)
-    return wrong(Words::tr("--streams: \"%1\" is none. Choose among: all, none, %2.")
+    return wrong(RecordText::tr("--streams: \"%1\" is none. Choose among: all, none, %2.")
                      .arg(streams.error(), streamWords().join(QLatin1String(", "))));
   order.streams = *streams;
   for (const QString& topic : text(words.topics).split(QLatin1Char(','), Qt::SkipEmptyParts))
@@ -75,18 +75,18 @@ CommandResult<Order> orderFrom(const RecordWords& words) {
   } else if (words.submaps == "none") {
     order.submaps = SubmapWishes::Which::None;
   } else if (words.submaps != "listed") {
-    return wrong(Words::tr("--submaps is all, listed or none, but not \"%1\".").arg(text(words.submaps)));
+    return wrong(RecordText::tr("--submaps is all, listed or none, but not \"%1\".").arg(text(words.submaps)));
   }
   if (words.duration_s && !(*words.duration_s > 0 && *words.duration_s <= 1e8))
-    return wrong(Words::tr("--duration must be more than 0 seconds, and at most 100000000."));
+    return wrong(RecordText::tr("--duration must be more than 0 seconds, and at most 100000000."));
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400))
-    return wrong(Words::tr("--timeout must be more than 0 and at most 86400 seconds."));
+    return wrong(RecordText::tr("--timeout must be more than 0 and at most 86400 seconds."));
   if (isStandardOutput(order.path))
     return wrong(
-        Words::tr("A recording needs a file of its own (-o FILE): its index is written in the end."));
+        RecordText::tr("A recording needs a file of its own (-o FILE): its index is written in the end."));
   if (const auto why = whyNotWritable(order.path)) return wrong(*why);
   if (QFileInfo::exists(order.path) && !words.force)
-    return wrong(Words::tr("%1 is there already. --force replaces it.").arg(order.path));
+    return wrong(RecordText::tr("%1 is there already. --force replaces it.").arg(order.path));
   return order;
 }
 
@@ -142,7 +142,7 @@ class Run {
     QObject::connect(recorder_.get(), &Recorder::progressed, &context_, [this] { tellProgress(); });
     QObject::connect(recorder_.get(), &Recorder::notHad, &context_, [this](const map::Failure& failure) {
       ++not_had_;
-      say(Words::tr("%1: %2").arg(sentences::nameOf(failure.subject), text(sentences::sentenceOf(failure))));
+      say(RecordText::tr("%1: %2").arg(sentences::nameOf(failure.subject), text(sentences::sentenceOf(failure))));
     });
     QObject::connect(robot_.get(), &robot::Robot::connectionChanged, &context_, [this] {
       const robot::ConnectionState link = robot_->connection();
@@ -150,13 +150,13 @@ class Run {
         away_ = true;
         ++interruptions_;
         clearLine();
-        say(Words::tr("The connection was lost after %1 s. %2")
+        say(RecordText::tr("The connection was lost after %1 s. %2")
                 .arg(QString::number(recorder_->progress().seconds, 'f', 1),
                      sentences::wordsOf(link.reason)));
       } else if (link.phase == robot::ConnectionPhase::Online && away_) {
         away_ = false;
         clearLine();
-        say(Words::tr("Connected again after %1 s.")
+        say(RecordText::tr("Connected again after %1 s.")
                 .arg(QString::number(recorder_->progress().seconds, 'f', 1)));
       }
       if (link.phase != robot::ConnectionPhase::Refused) return;
@@ -176,15 +176,15 @@ class Run {
       say(sentences::wordsOf(reasons::notWritten(withPath(*now.written.fault))));
     } else if (!now.written.fault && told_) {
       clearLine();
-      say(Words::tr("%1 is being written again.").arg(order_.path));
+      say(RecordText::tr("%1 is being written again.").arg(order_.path));
     }
     told_ = now.written.fault;
     if (!terminal_) return;
     QString line =
-        Words::tr("%1 s, %2, messages: %3")
+        RecordText::tr("%1 s, %2, messages: %3")
             .arg(QString::number(now.seconds, 'f', 0), window::bytesText(qint64(now.written.bytes)),
                  QString::number(now.written.messages));
-    if (now.written.lost > 0) line += Words::tr(", lost: %1").arg(now.written.lost);
+    if (now.written.lost > 0) line += RecordText::tr(", lost: %1").arg(now.written.lost);
     std::fprintf(stderr, "\r%-70s", qUtf8Printable(line));
   }
 
@@ -228,7 +228,7 @@ class Run {
                             {QStringLiteral("silent_topics"), QJsonArray::fromStringList(silent)},
                             {QStringLiteral("complete"), complete}});
     } else {
-      std::printf("%s\n", qUtf8Printable(Words::tr("%1: %2 s, %3, messages: %4, files in it: %5")
+      std::printf("%s\n", qUtf8Printable(RecordText::tr("%1: %2 s, %3, messages: %4, files in it: %5")
                                              .arg(oneLine(order_.path), QString::number(done.seconds, 'f', 1),
                                                   window::bytesText(qint64(done.written.bytes)),
                                                   QString::number(done.written.messages),
@@ -239,13 +239,13 @@ class Run {
     } else if (refused_) {
       say(*refused_);
     } else if (done.written.lost > 0) {
-      say(Words::tr("Not complete. Lost because the disk or this computer was too slow: %1 (%2).")
+      say(RecordText::tr("Not complete. Lost because the disk or this computer was too slow: %1 (%2).")
               .arg(QString::number(done.written.lost), window::bytesText(qint64(done.written.lost_bytes))));
     }
     for (const QString& topic : silent)
-      say(Words::tr("Nothing came by %1: %2")
-              .arg(oneLine(topic), offers(topic) ? Words::tr("the robot has it, and was silent.")
-                                                 : Words::tr("the robot tells of no topic of that name.")));
+      say(RecordText::tr("Nothing came by %1: %2")
+              .arg(oneLine(topic), offers(topic) ? RecordText::tr("the robot has it, and was silent.")
+                                                 : RecordText::tr("the robot tells of no topic of that name.")));
     return complete ? kDone : kIncomplete;
   }
 
@@ -269,13 +269,13 @@ CommandResult<int> carryOut(const RecordWords& words) {
   auto order = orderFrom(words);
   if (!order) return tl::make_unexpected(order.error());
   const QString address = text(words.robot);
-  if (address.isEmpty()) return wrong(Words::tr("Which robot? Give --robot ADDRESS."));
+  if (address.isEmpty()) return wrong(RecordText::tr("Which robot? Give --robot ADDRESS."));
   const auto access = RobotAccess::read(words.access, address);
   if (!access) return wrong(access.error());
   auto robot = makeRobot(address, access->forAddress(address), DemoTime::Running);
   if (!robot) return wrong(robot.error());
   if (!robot::deliversOf(**robot))
-    return wrong(Words::tr("%1 is no robot that sends anything: there is nothing to record.").arg(address));
+    return wrong(RecordText::tr("%1 is no robot that sends anything: there is nothing to record.").arg(address));
   return Run(words, std::move(*order), std::move(*robot)).carryOut();
 }
 
@@ -283,29 +283,29 @@ CommandResult<int> carryOut(const RecordWords& words) {
 
 void addRecord(CLI::App& cli, RecordWords& words) {
   CLI::App* const command = cli.add_subcommand(
-      "record", help(Words::tr("Record what a robot sends into a file, with the maps that belong to it")));
-  command->add_option("--robot", words.robot, help(Words::tr("Robot address (or MAPWRIGHT_ROBOT)")));
+      "record", help(RecordText::tr("Record what a robot sends into a file, with the maps that belong to it")));
+  command->add_option("--robot", words.robot, help(RecordText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
   addAccess(*command, words.access);
-  command->add_option("-o,--output", words.output, help(Words::tr("The MCAP file to write")))->required();
-  command->add_flag("--force", words.force, help(Words::tr("Replace a file that is there")));
+  command->add_option("-o,--output", words.output, help(RecordText::tr("The MCAP file to write")))->required();
+  command->add_flag("--force", words.force, help(RecordText::tr("Replace a file that is there")));
   command->add_option("--duration", words.duration_s,
-                      help(Words::tr("How many seconds; without it until Ctrl+C")));
+                      help(RecordText::tr("How many seconds; without it until Ctrl+C")));
   command->add_option("--topics", words.topics,
-                      help(Words::tr("Comma-separated: topics besides, as the robot calls them")));
+                      help(RecordText::tr("Comma-separated: topics besides, as the robot calls them")));
   command
       ->add_option("--streams", words.streams,
-                   help(Words::tr("Comma-separated kinds of data: all, none, %1")
+                   help(RecordText::tr("Comma-separated kinds of data: all, none, %1")
                             .arg(streamWords().join(QLatin1String(", ")))))
       ->capture_default_str();
   command
       ->add_option("--submaps", words.submaps,
-                   help(Words::tr("listed (each that there is), all (every version of them) or none")))
+                   help(RecordText::tr("listed (each that there is), all (every version of them) or none")))
       ->capture_default_str();
   command
       ->add_option("--timeout", words.timeout_s,
-                   help(Words::tr("Give up connecting after this many seconds")))
+                   help(RecordText::tr("Give up connecting after this many seconds")))
       ->capture_default_str();
-  command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+  command->add_flag("--json", words.json, help(RecordText::tr("Machine-readable")));
 }
 
 int record(const RecordWords& words, int& argc, char** argv) {

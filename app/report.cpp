@@ -20,7 +20,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class ReportText {
   Q_DECLARE_TR_FUNCTIONS(Report)
 };
 
@@ -115,7 +115,7 @@ QStringList bagLosses(const session::ProblemLog& log) {
 
 QString firstOf(const QStringList& lines) {
   if (lines.size() < 2) return lines.isEmpty() ? QString() : lines.first();
-  return Words::tr("%1 (and %2 more; --report lists them)")
+  return ReportText::tr("%1 (and %2 more; --report lists them)")
       .arg(lines.first(), QString::number(lines.size() - 1));
 }
 

@@ -10,7 +10,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class RobotAccessText {
   Q_DECLARE_TR_FUNCTIONS(RobotAccess)
 };
 
@@ -20,7 +20,7 @@ QString text(const std::string& word) { return QString::fromStdString(word); }
 
 tl::expected<QByteArray, QString> checked(const QByteArray& secret) {
   if (secret.size() > kLongest || secret.contains('\n') || secret.contains('\r') || secret.contains('\0')) {
-    return tl::make_unexpected(Words::tr("The secret must be one line of at most 4096 bytes."));
+    return tl::make_unexpected(RobotAccessText::tr("The secret must be one line of at most 4096 bytes."));
   }
   return secret;
 }
@@ -37,7 +37,7 @@ tl::expected<QByteArray, QString> readSecret(const QString& file) {
   QFile source(file);
   if (!source.open(QIODevice::ReadOnly)) {
     return tl::make_unexpected(
-        Words::tr("The secret file %1 cannot be read: %2.").arg(file, source.errorString()));
+        RobotAccessText::tr("The secret file %1 cannot be read: %2.").arg(file, source.errorString()));
   }
   return checked(source.read(kLongest + 1).trimmed());
 }
@@ -65,7 +65,7 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     const QUrl origin = parsed->url;
     if (origin.isEmpty()) {
       return tl::make_unexpected(
-          Words::tr("--secret-file-for %1: give the address of a robot, then the file.").arg(text(address)));
+          RobotAccessText::tr("--secret-file-for %1: give the address of a robot, then the file.").arg(text(address)));
     }
     const auto secret = readSecret(text(file));
     if (!secret) return tl::make_unexpected(secret.error());
@@ -76,7 +76,7 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     if (!secret) return tl::make_unexpected(secret.error());
     if (robot.isEmpty()) {
       return tl::make_unexpected(
-          Words::tr("--secret-file belongs to --robot, which is not given. For another robot give "
+          RobotAccessText::tr("--secret-file belongs to --robot, which is not given. For another robot give "
                     "--secret-file-for ADDRESS FILE."));
     }
     access.secrets_.emplace_back(originOf(robot), *secret);
@@ -109,7 +109,7 @@ Access RobotAccess::forAddress(const QString& address) const {
 QString whyNotConnected(const robot::ConnectionState& state) {
   const QString reason = sentences::wordsOf(state.reason);
   if (!state.certificate) return reason;
-  return reason + Words::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
+  return reason + RobotAccessText::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
 }
 
 }  // namespace mapwright::app

@@ -36,7 +36,7 @@ QString gridCacheFolder() {
 
 namespace {
 
-class Words {
+class RobotFactoryText {
   Q_DECLARE_TR_FUNCTIONS(RobotFactory)
 };
 
@@ -147,17 +147,17 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
   if (!parsed) return std::nullopt;  // which is said elsewhere
   const QString options = origin.empty()       ? QStringLiteral("--resolution")
                           : resolution.empty() ? QStringLiteral("--origin")
-                                               : Words::tr("--resolution and --origin");
+                                               : RobotFactoryText::tr("--resolution and --origin");
   if (parsed->path.isEmpty()) {
-    return Words::tr("%1: only for a bare picture file. A robot says itself where its maps lie.")
+    return RobotFactoryText::tr("%1: only for a bare picture file. A robot says itself where its maps lie.")
         .arg(options);
   }
   if (!parsed->options.isEmpty()) {
-    return Words::tr("%1: the address says it already, after its ?. Give one of the two.").arg(options);
+    return RobotFactoryText::tr("%1: the address says it already, after its ?. Give one of the two.").arg(options);
   }
   const QString suffix = QFileInfo(parsed->path).suffix().toLower();
   if (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml")) {
-    return Words::tr("%1: only for a bare picture file. %2 says itself where its map lies.")
+    return RobotFactoryText::tr("%1: only for a bare picture file. %2 says itself where its map lies.")
         .arg(options, QFileInfo(parsed->path).fileName());
   }
   return std::nullopt;
@@ -192,7 +192,7 @@ tl::expected<std::unique_ptr<robot::Robot>, QString> makeRobot(const QString& ad
   for (const Kind& kind : kinds()) {
     if (kind.scheme.prefix == parsed->scheme) return kind.make(*parsed, access, demo_time);
   }
-  return tl::make_unexpected(Words::tr("There is no robot for %1.").arg(address));
+  return tl::make_unexpected(RobotFactoryText::tr("There is no robot for %1.").arg(address));
 }
 
 }  // namespace mapwright::app

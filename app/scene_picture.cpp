@@ -16,7 +16,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class ScenePictureText {
   Q_DECLARE_TR_FUNCTIONS(ScenePicture)
 };
 
@@ -79,13 +79,13 @@ class ScenePicture : public SnapshotPicture {
     const scene::RobotPlace& place = scene_.robotPlace();
     const QString names = of_robot.join(QStringLiteral(", "));
     if (place.drawn == scene::ScreenPart::None) {
-      return {Words::tr("The robot is not in this map. Left out: %1. --robot-anyway draws them.").arg(names)};
+      return {ScenePictureText::tr("The robot is not in this map. Left out: %1. --robot-anyway draws them.").arg(names)};
     }
     if (place.by_choice) {
-      return {Words::tr("The robot is not in this map. Drawn all the same: %1.").arg(names)};
+      return {ScenePictureText::tr("The robot is not in this map. Drawn all the same: %1.").arg(names)};
     }
     if (place.where == map::Whereabouts::Unknown && session_.live().robot_pose) {
-      return {Words::tr("The robot does not say which map it is in. It may not be this one: %1.").arg(names)};
+      return {ScenePictureText::tr("The robot does not say which map it is in. It may not be this one: %1.").arg(names)};
     }
     return {};
   }
@@ -100,7 +100,7 @@ class ScenePicture : public SnapshotPicture {
   std::optional<QString> write(const QString& path) override {
     QImage image(options_.size_px, QImage::Format_RGB32);
     if (image.isNull()) {
-      return Words::tr("There is not enough memory for a picture of %1 x %2.")
+      return ScenePictureText::tr("There is not enough memory for a picture of %1 x %2.")
           .arg(options_.size_px.width())
           .arg(options_.size_px.height());
     }

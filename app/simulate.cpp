@@ -13,7 +13,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class SimulateText {
   Q_DECLARE_TR_FUNCTIONS(Simulate)
 };
 
@@ -25,7 +25,7 @@ int simulate(const SimulateWords& words) {
   if (!words.secret_file.empty()) {
     const auto secret = readSecret(QString::fromStdString(words.secret_file));
     if (!secret || secret->isEmpty()) {
-      const QString why = secret ? Words::tr("The secret file %1 holds no secret.")
+      const QString why = secret ? SimulateText::tr("The secret file %1 holds no secret.")
                                        .arg(QString::fromStdString(words.secret_file))
                                  : secret.error();
       std::fprintf(stderr, "%s\n", qUtf8Printable(why));

@@ -10,7 +10,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class SimulateOptionsText {
   Q_DECLARE_TR_FUNCTIONS(SimulateOptions)
 };
 
@@ -18,111 +18,111 @@ class Words {
 std::string help(const QString& text) { return text.toStdString(); }
 
 void addRosRobot(CLI::App& command, simulator::RosOptions& o) {
-  command.add_option("--ros-port", o.port, help(Words::tr("Port of the ROS robot, 0 = a free one")))
+  command.add_option("--ros-port", o.port, help(SimulateOptionsText::tr("Port of the ROS robot, 0 = a free one")))
       ->capture_default_str();
   command
       .add_option("--ros-dialect", o.dialect,
-                  help(Words::tr("ros1 or ros2: names of types, times and headers")))
+                  help(SimulateOptionsText::tr("ros1 or ros2: names of types, times and headers")))
       ->transform(CLI::CheckedTransformer(std::map<std::string, simulator::RosDialect>{
           {"ros1", simulator::RosDialect::Ros1}, {"ros2", simulator::RosDialect::Ros2}}));
   command
       .add_option("--ros-writer", o.writer,
-                  help(Words::tr("How JSON is written: escaped (\\/ and \\uXXXX), spaced or plain")))
+                  help(SimulateOptionsText::tr("How JSON is written: escaped (\\/ and \\uXXXX), spaced or plain")))
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, simulator::RosWriter>{{"escaped", simulator::RosWriter::Escaped},
                                                       {"spaced", simulator::RosWriter::Spaced},
                                                       {"plain", simulator::RosWriter::Plain}}));
-  command.add_flag("!--no-rosapi", o.rosapi, help(Words::tr("The ROS robot has no /rosapi")));
-  command.add_flag("!--no-kabam", o.kabam, help(Words::tr("The ROS robot has no /map_manager")));
-  command.add_flag("--ros-status", o.status, help(Words::tr("Tell of mistakes in status messages")));
+  command.add_flag("!--no-rosapi", o.rosapi, help(SimulateOptionsText::tr("The ROS robot has no /rosapi")));
+  command.add_flag("!--no-kabam", o.kabam, help(SimulateOptionsText::tr("The ROS robot has no /map_manager")));
+  command.add_flag("--ros-status", o.status, help(SimulateOptionsText::tr("Tell of mistakes in status messages")));
   command.add_flag("--ros-needs-auth", o.needs_auth,
-                   help(Words::tr("Cut who says anything before a whole auth message")));
+                   help(SimulateOptionsText::tr("Cut who says anything before a whole auth message")));
   command
       .add_option("--waypoints", o.waypoints,
-                  help(Words::tr("How many waypoints the ROS robot's current map has")))
+                  help(SimulateOptionsText::tr("How many waypoints the ROS robot's current map has")))
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
   command.add_flag("--kabam-list-holds-archived", o.kabam_list_holds_archived,
-                   help(Words::tr("map_list names archived maps, too")));
+                   help(SimulateOptionsText::tr("map_list names archived maps, too")));
   command.add_flag("--kabam-needs-flags", o.kabam_needs_flags,
-                   help(Words::tr("Nothing is deleted without delete_map or delete_waypoint")));
+                   help(SimulateOptionsText::tr("Nothing is deleted without delete_map or delete_waypoint")));
   command.add_flag("--kabam-empty-tags-keep", o.kabam_empty_tags_keep,
-                   help(Words::tr("An update with an empty list of tags leaves them as they are")));
+                   help(SimulateOptionsText::tr("An update with an empty list of tags leaves them as they are")));
 }
 
 void addDispatcher(CLI::App& command, simulator::DispatcherOptions& o) {
-  const std::string group = help(Words::tr("Map dispatcher (REP 130) of the ROS robot"));
-  command.add_flag("--dispatcher", o.there, help(Words::tr("It is there, and nobody sends the map as one")))
+  const std::string group = help(SimulateOptionsText::tr("Map dispatcher (REP 130) of the ROS robot"));
+  command.add_flag("--dispatcher", o.there, help(SimulateOptionsText::tr("It is there, and nobody sends the map as one")))
       ->group(group);
   command
       .add_option("--dispatcher-edge", o.edge_m,
-                  help(Words::tr("Edge of its building, whole metres; 1000 has 20,000 x 20,000 cells and 40 "
+                  help(SimulateOptionsText::tr("Edge of its building, whole metres; 1000 has 20,000 x 20,000 cells and 40 "
                                  "million points")))
       ->check(CLI::Range(10, 2000))
       ->capture_default_str()
       ->group(group);
-  command.add_flag("!--no-dispatcher-grid", o.planar, help(Words::tr("It has no get_map and get_sub_map")))
+  command.add_flag("!--no-dispatcher-grid", o.planar, help(SimulateOptionsText::tr("It has no get_map and get_sub_map")))
       ->group(group);
-  command.add_flag("!--no-dispatcher-clouds", o.spatial, help(Words::tr("It has no clouds and projections")))
+  command.add_flag("!--no-dispatcher-clouds", o.spatial, help(SimulateOptionsText::tr("It has no clouds and projections")))
       ->group(group);
   command
       .add_flag("--dispatcher-writable", o.writable,
-                help(Words::tr("set_map_projections is a ProjectedMapsInfo, which can set them")))
+                help(SimulateOptionsText::tr("set_map_projections is a ProjectedMapsInfo, which can set them")))
       ->group(group);
   command
       .add_flag("--dispatcher-other-member", o.other_member,
-                help(Words::tr("It answers projected_maps instead of projected_maps_info")))
+                help(SimulateOptionsText::tr("It answers projected_maps instead of projected_maps_info")))
       ->group(group);
-  command.add_flag("--dispatcher-map-msg", o.map_msg, help(Words::tr("Its types are of map_msg")))
+  command.add_flag("--dispatcher-map-msg", o.map_msg, help(SimulateOptionsText::tr("Its types are of map_msg")))
       ->group(group);
 }
 
 void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
-  const std::string group = help(Words::tr("Map dispatcher (REP 130) of the ROS robot"));
+  const std::string group = help(SimulateOptionsText::tr("Map dispatcher (REP 130) of the ROS robot"));
   const auto flag = [&](const char* name, bool& value, const std::string& what) {
     command.add_flag(name, value, what)->group(group);
   };
   command
       .add_option("--dispatcher-answer", f.answer,
-                  help(Words::tr("What comes of a region: pad, empty, rotated, elsewhere or corner")))
+                  help(SimulateOptionsText::tr("What comes of a region: pad, empty, rotated, elsewhere or corner")))
       ->check(CLI::IsMember({"pad", "empty", "rotated", "elsewhere", "corner"}))
       ->group(group);
   command
       .add_option("--dispatcher-most", f.most_cells,
-                  help(Words::tr("Its grids of regions have so many cells at most, 0 = any number")))
+                  help(SimulateOptionsText::tr("Its grids of regions have so many cells at most, 0 = any number")))
       ->check(CLI::Range(0, 40'000'000))
       ->group(group);
   command
       .add_option(
           "--dispatcher-too-much", f.too_much,
-          help(Words::tr(
+          help(SimulateOptionsText::tr(
               "What comes of a region with more cells: cut (the lower left part of it), empty or error")))
       ->check(CLI::IsMember({"cut", "empty", "error"}))
       ->group(group);
   command
       .add_option("--dispatcher-lie", f.cloud.lie,
-                  help(Words::tr("What is wrong in its clouds: point-step, row-step, width or data; in its "
+                  help(SimulateOptionsText::tr("What is wrong in its clouds: point-step, row-step, width or data; in its "
                                  "grids: data or cells")))
       ->check(CLI::IsMember({"point-step", "row-step", "width", "data", "cells"}))
       ->group(group);
-  flag("--dispatcher-big-endian", f.cloud.big_endian, help(Words::tr("Its clouds are big-endian")));
-  flag("--dispatcher-float64", f.cloud.float64, help(Words::tr("Its clouds have coordinates of 64 bits")));
+  flag("--dispatcher-big-endian", f.cloud.big_endian, help(SimulateOptionsText::tr("Its clouds are big-endian")));
+  flag("--dispatcher-float64", f.cloud.float64, help(SimulateOptionsText::tr("Its clouds have coordinates of 64 bits")));
   flag("--dispatcher-odd-offsets", f.cloud.odd_offsets,
-       help(Words::tr("The fields of its clouds begin anywhere")));
-  flag("--dispatcher-no-z", f.cloud.no_z, help(Words::tr("Its clouds have no z")));
-  flag("--dispatcher-nan", f.cloud.nan, help(Words::tr("Every tenth point of its clouds is not a number")));
+       help(SimulateOptionsText::tr("The fields of its clouds begin anywhere")));
+  flag("--dispatcher-no-z", f.cloud.no_z, help(SimulateOptionsText::tr("Its clouds have no z")));
+  flag("--dispatcher-nan", f.cloud.nan, help(SimulateOptionsText::tr("Every tenth point of its clouds is not a number")));
   command
       .add_option("--dispatcher-far", f.cloud.far_m,
-                  help(Words::tr("x and y of its clouds are so many metres larger")))
+                  help(SimulateOptionsText::tr("x and y of its clouds are so many metres larger")))
       ->check(CLI::Range(-1e8, 1e8))
       ->group(group);
   flag("--dispatcher-resolution-changes", f.resolution_changes,
-       help(Words::tr("Its grids have another resolution from call to call")));
-  flag("--dispatcher-regrids", f.regrids, help(Words::tr("Every fourth call its grid is laid out anew")));
+       help(SimulateOptionsText::tr("Its grids have another resolution from call to call")));
+  flag("--dispatcher-regrids", f.regrids, help(SimulateOptionsText::tr("Every fourth call its grid is laid out anew")));
 }
 
 void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
-  const std::string faults = help(Words::tr("Faults of the ROS robot"));
+  const std::string faults = help(SimulateOptionsText::tr("Faults of the ROS robot"));
   const auto count = [&](const char* name, int& value, const std::string& what, int limit) {
     command.add_option(name, value, what)->check(CLI::Range(0, limit))->group(faults);
   };
@@ -132,37 +132,37 @@ void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
   const auto names = [&](const char* name, std::vector<std::string>& value, const std::string& what) {
     command.add_option(name, value, what)->allow_extra_args(false)->group(faults);
   };
-  count("--ros-slow", f.slow_ms, help(Words::tr("Delay of every answer to a call, milliseconds")), 600'000);
+  count("--ros-slow", f.slow_ms, help(SimulateOptionsText::tr("Delay of every answer to a call, milliseconds")), 600'000);
   flag("--ros-shuffle", f.shuffled_answers,
-       help(Words::tr("Every second answer is overtaken by those after it")));
-  names("--ros-silent", f.silent, help(Words::tr("A topic that never says anything; may be repeated")));
-  flag("--ros-wrong-type", f.wrong_type, help(Words::tr("/map, /scan and /odom are of std_msgs/String")));
-  count("--ros-fragments", f.fragment_bytes, help(Words::tr("Send texts in fragments of so many characters")),
+       help(SimulateOptionsText::tr("Every second answer is overtaken by those after it")));
+  names("--ros-silent", f.silent, help(SimulateOptionsText::tr("A topic that never says anything; may be repeated")));
+  flag("--ros-wrong-type", f.wrong_type, help(SimulateOptionsText::tr("/map, /scan and /odom are of std_msgs/String")));
+  count("--ros-fragments", f.fragment_bytes, help(SimulateOptionsText::tr("Send texts in fragments of so many characters")),
         100'000'000);
   count("--ros-restart-every", f.restart_every_s,
-        help(Words::tr("Cut all connections to the ROS robot every so many seconds")), 86'400);
+        help(SimulateOptionsText::tr("Cut all connections to the ROS robot every so many seconds")), 86'400);
   names("--ros-refuse", f.refuse,
-        help(Words::tr("A service that answers result:false and does nothing; may be repeated")));
+        help(SimulateOptionsText::tr("A service that answers result:false and does nothing; may be repeated")));
   names("--ros-lose-answer", f.lose_answer,
-        help(Words::tr("A service that does its work and never answers; may be repeated")));
+        help(SimulateOptionsText::tr("A service that does its work and never answers; may be repeated")));
   names("--ros-cut-after", f.cut_after,
-        help(Words::tr("A service that does its work, and then the connection is cut; may be repeated")));
-  flag("--ros-garbage", f.garbage, help(Words::tr("Frames that are no messages come between the others")));
+        help(SimulateOptionsText::tr("A service that does its work, and then the connection is cut; may be repeated")));
+  flag("--ros-garbage", f.garbage, help(SimulateOptionsText::tr("Frames that are no messages come between the others")));
   count("--other-operator", f.other_operator_every_s,
-        help(Words::tr("Somebody else changes waypoints and maps every so many seconds")), 86'400);
+        help(SimulateOptionsText::tr("Somebody else changes waypoints and maps every so many seconds")), 86'400);
   count("--waypoints-lag", f.waypoints_lag_ms,
-        help(Words::tr("The topic of waypoints tells everything so many milliseconds later")), 600'000);
+        help(SimulateOptionsText::tr("The topic of waypoints tells everything so many milliseconds later")), 600'000);
   count("--other-painter", f.other_painter_every_s,
-        help(Words::tr("Somebody else paints on the current map every so many seconds")), 86'400);
+        help(SimulateOptionsText::tr("Somebody else paints on the current map every so many seconds")), 86'400);
   count("--ros-picture-code", f.picture_code,
-        help(Words::tr("update_map_image does nothing and answers this code")), 255);
+        help(SimulateOptionsText::tr("update_map_image does nothing and answers this code")), 255);
   flag("--ros-picture-ignored", f.picture_ignored,
-       help(Words::tr("update_map_image does nothing and answers that it did")));
-  flag("--nan-pose", f.nan_pose, help(Words::tr("Poses, transforms and some waypoints are not numbers")));
+       help(SimulateOptionsText::tr("update_map_image does nothing and answers that it did")));
+  flag("--nan-pose", f.nan_pose, help(SimulateOptionsText::tr("Poses, transforms and some waypoints are not numbers")));
   flag("--zero-quaternion", f.zero_quaternion,
-       help(Words::tr("Orientations are all zeros or not of length one")));
-  flag("--tf-loop", f.tf_loop, help(Words::tr("/tf has a loop")));
-  flag("--big-endian-cloud", f.big_endian_cloud, help(Words::tr("/points is big-endian")));
+       help(SimulateOptionsText::tr("Orientations are all zeros or not of length one")));
+  flag("--tf-loop", f.tf_loop, help(SimulateOptionsText::tr("/tf has a loop")));
+  flag("--big-endian-cloud", f.big_endian_cloud, help(SimulateOptionsText::tr("/points is big-endian")));
 }
 
 }  // namespace
@@ -170,115 +170,115 @@ void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
 void addSimulate(CLI::App& cli, SimulateWords& words) {
   std::string scenes;
   for (const auto& [name, sentence] : simulator::sceneNames()) scenes += (scenes.empty() ? "" : ", ") + name;
-  CLI::App* command = cli.add_subcommand("simulate", help(Words::tr("Serve a simulated robot on 127.0.0.1")));
+  CLI::App* command = cli.add_subcommand("simulate", help(SimulateOptionsText::tr("Serve a simulated robot on 127.0.0.1")));
   simulator::Options& o = words.options;
-  command->add_option("--port", o.port, help(Words::tr("Port of the Autoxing robot, 0 = a free one")))
+  command->add_option("--port", o.port, help(SimulateOptionsText::tr("Port of the Autoxing robot, 0 = a free one")))
       ->capture_default_str();
   command
-      ->add_option("--aimdk-port", o.aimdk_port, help(Words::tr("Port of the Agibot robot, 0 = a free one")))
+      ->add_option("--aimdk-port", o.aimdk_port, help(SimulateOptionsText::tr("Port of the Agibot robot, 0 = a free one")))
       ->capture_default_str();
-  command->add_option("--scene", o.scene, help(Words::tr("One of: %1").arg(QString::fromStdString(scenes))))
+  command->add_option("--scene", o.scene, help(SimulateOptionsText::tr("One of: %1").arg(QString::fromStdString(scenes))))
       ->capture_default_str()
       ->check([](const std::string& s) {
         for (const auto& [name, sentence] : simulator::sceneNames()) {
           if (name == s) return std::string();
         }
-        return help(Words::tr("there is no scene \"%1\"").arg(QString::fromStdString(s)));
+        return help(SimulateOptionsText::tr("there is no scene \"%1\"").arg(QString::fromStdString(s)));
       });
   command
       ->add_option(
           "--submaps", o.submaps,
-          help(Words::tr(
+          help(SimulateOptionsText::tr(
               "About how many submaps (0 = as the scene has); beyond 20,000 they share 256 pictures")))
       ->check(CLI::Range(0, 100'000));
-  command->add_option("--seed", o.seed, help(Words::tr("Everything random follows from this")))
+  command->add_option("--seed", o.seed, help(SimulateOptionsText::tr("Everything random follows from this")))
       ->capture_default_str();
-  command->add_option("--speed", o.speed, help(Words::tr("Simulated seconds per second")))
+  command->add_option("--speed", o.speed, help(SimulateOptionsText::tr("Simulated seconds per second")))
       ->check(CLI::Range(0.0, 1000.0));
-  command->add_option("--start-at", o.start_at_s, help(Words::tr("Simulated time at start, seconds")))
+  command->add_option("--start-at", o.start_at_s, help(SimulateOptionsText::tr("Simulated time at start, seconds")))
       ->check(CLI::Range(0.0, 1e6));
-  command->add_flag("--paused", o.paused, help(Words::tr("Let simulated time stand still")));
+  command->add_flag("--paused", o.paused, help(SimulateOptionsText::tr("Let simulated time stand still")));
   command->add_option(
       "--secret-file", words.secret_file,
-      help(Words::tr("File that holds the secret without which the Autoxing robot answers 401")));
+      help(SimulateOptionsText::tr("File that holds the secret without which the Autoxing robot answers 401")));
   command->add_flag("!--no-topic-lists", o.enable_topic_list,
-                    help(Words::tr("Understand enable_topic one by one only")));
+                    help(SimulateOptionsText::tr("Understand enable_topic one by one only")));
   command->add_flag(
       "--odd-bags", o.bags.odd,
-      help(Words::tr("Also keep bags of eight hours, with a clock set back, equal stamps, a gap, "
+      help(SimulateOptionsText::tr("Also keep bags of eight hours, with a clock set back, equal stamps, a gap, "
                      "one message, none")));
   command->add_flag("--bag-end-exclusive", o.bags.end_exclusive,
-                    help(Words::tr("A range of a bag ends before its end_time")));
-  command->add_flag("!--no-download-ranges", o.bags.ranges, help(Words::tr("Downloads begin anew")));
-  command->add_flag("!--no-binary", o.binary_topics, help(Words::tr("Ignore ?pb=1")));
-  command->add_option("--points", o.points_per_scan, help(Words::tr("Lidar points in a scan")))
+                    help(SimulateOptionsText::tr("A range of a bag ends before its end_time")));
+  command->add_flag("!--no-download-ranges", o.bags.ranges, help(SimulateOptionsText::tr("Downloads begin anew")));
+  command->add_flag("!--no-binary", o.binary_topics, help(SimulateOptionsText::tr("Ignore ?pb=1")));
+  command->add_option("--points", o.points_per_scan, help(SimulateOptionsText::tr("Lidar points in a scan")))
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  command->add_option("--scan-hz", o.scan_hz, help(Words::tr("Scans per second")))
+  command->add_option("--scan-hz", o.scan_hz, help(SimulateOptionsText::tr("Scans per second")))
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();
-  command->add_option("--pose-hz", o.pose_hz, help(Words::tr("Poses per second")))
+  command->add_option("--pose-hz", o.pose_hz, help(SimulateOptionsText::tr("Poses per second")))
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();
   command
       ->add_option("--costmap-cells", o.costmap_cells,
-                   help(Words::tr("Edge of the costmaps around the robot, cells")))
+                   help(SimulateOptionsText::tr("Edge of the costmaps around the robot, cells")))
       ->check(CLI::Range(20, 4000))
       ->capture_default_str();
   simulator::Faults& f = o.faults;
-  const std::string faults = help(Words::tr("Faults"));
+  const std::string faults = help(SimulateOptionsText::tr("Faults"));
   const auto rate = [&](const char* name, double& value, const std::string& what) {
     command->add_option(name, value, what)->check(CLI::Range(0.0, 1.0))->group(faults);
   };
   const auto count = [&](const char* name, int& value, const std::string& what, int limit) {
     command->add_option(name, value, what)->check(CLI::Range(0, limit))->group(faults);
   };
-  count("--latency-ms", f.latency_ms, help(Words::tr("Delay of every submap answer")), 600'000);
-  count("--jitter-ms", f.jitter_ms, help(Words::tr("Random addition to the delay")), 600'000);
-  rate("--drop-rate", f.drop_rate, help(Words::tr("Share of submap requests dropped without an answer")));
-  rate("--truncate-rate", f.truncate_rate, help(Words::tr("Share of answers cut off half-way")));
+  count("--latency-ms", f.latency_ms, help(SimulateOptionsText::tr("Delay of every submap answer")), 600'000);
+  count("--jitter-ms", f.jitter_ms, help(SimulateOptionsText::tr("Random addition to the delay")), 600'000);
+  rate("--drop-rate", f.drop_rate, help(SimulateOptionsText::tr("Share of submap requests dropped without an answer")));
+  rate("--truncate-rate", f.truncate_rate, help(SimulateOptionsText::tr("Share of answers cut off half-way")));
   rate("--wrong-size-rate", f.wrong_size_rate,
-       help(Words::tr("Share of answers whose width and height do not fit the cells")));
-  rate("--corrupt-rate", f.corrupt_rate, help(Words::tr("Share of answers that are garbage")));
-  rate("--error-rate", f.error_rate, help(Words::tr("Share of answers with --error-status")));
-  command->add_option("--error-status", f.error_status, help(Words::tr("HTTP status of those errors")))
+       help(SimulateOptionsText::tr("Share of answers whose width and height do not fit the cells")));
+  rate("--corrupt-rate", f.corrupt_rate, help(SimulateOptionsText::tr("Share of answers that are garbage")));
+  rate("--error-rate", f.error_rate, help(SimulateOptionsText::tr("Share of answers with --error-status")));
+  command->add_option("--error-status", f.error_status, help(SimulateOptionsText::tr("HTTP status of those errors")))
       ->check(CLI::IsMember({400, 404, 500, 502, 504}))
       ->group(faults);
   rate("--status-code-rate", f.status_code_rate,
-       help(Words::tr("Share of HTTP 200 answers whose own status is an error")));
+       help(SimulateOptionsText::tr("Share of HTTP 200 answers whose own status is an error")));
   count("--websocket-drop-every", f.websocket_drop_every_s,
-        help(Words::tr("Cut the WebSocket every so many seconds")), 86'400);
-  count("--uuid-change-every", f.uuid_change_every_s, help(Words::tr("Restart SLAM every so many seconds")),
+        help(SimulateOptionsText::tr("Cut the WebSocket every so many seconds")), 86'400);
+  count("--uuid-change-every", f.uuid_change_every_s, help(SimulateOptionsText::tr("Restart SLAM every so many seconds")),
         86'400);
   command
       ->add_flag("--bad-entries", f.bad_entries,
-                 help(Words::tr("List NaN poses, zero quaternions, duplicates, versions going back")))
+                 help(SimulateOptionsText::tr("List NaN poses, zero quaternions, duplicates, versions going back")))
       ->group(faults);
   command
       ->add_flag("--silent-websocket", f.silent_websocket,
-                 help(Words::tr("Accept the WebSocket, then say nothing")))
+                 help(SimulateOptionsText::tr("Accept the WebSocket, then say nothing")))
       ->group(faults);
   count("--write-latency-ms", f.write_latency_ms,
-        help(Words::tr("Delay of every answer to POST, PUT, PATCH and DELETE")), 600'000);
+        help(SimulateOptionsText::tr("Delay of every answer to POST, PUT, PATCH and DELETE")), 600'000);
   rate("--write-error-rate", f.write_error_rate,
-       help(Words::tr("Share of those that change nothing and get 500, 502 or 503")));
+       help(SimulateOptionsText::tr("Share of those that change nothing and get 500, 502 or 503")));
   rate("--drop-writes", f.drop_writes,
-       help(Words::tr("Share of those that change nothing and get no answer")));
+       help(SimulateOptionsText::tr("Share of those that change nothing and get no answer")));
   rate("--lose-write-answers", f.lose_write_answers,
-       help(Words::tr("Share of those that are carried out but get no answer")));
-  count("--map-latency-ms", f.map_latency_ms, help(Words::tr("Delay of every answer about maps")), 600'000);
+       help(SimulateOptionsText::tr("Share of those that are carried out but get no answer")));
+  count("--map-latency-ms", f.map_latency_ms, help(SimulateOptionsText::tr("Delay of every answer about maps")), 600'000);
   const auto flag = [&](const char* name, bool& value, const std::string& what) {
     command->add_flag(name, value, what)->group(faults);
   };
-  flag("--truncated-maps", f.truncated_maps, help(Words::tr("Cut every map's PNG in half")));
+  flag("--truncated-maps", f.truncated_maps, help(SimulateOptionsText::tr("Cut every map's PNG in half")));
   flag("--lying-map-size", f.lying_map_size,
-       help(Words::tr("Every map's PNG declares 60,000 x 60,000 pixels")));
-  flag("--foreign-data-url", f.foreign_data_url, help(Words::tr("data_url points to another host")));
-  flag("--garbage-base64", f.garbage_base64, help(Words::tr("Pictures in topics are no base64")));
-  flag("--map-list-error", f.map_list_error, help(Words::tr("Answer 500 for the list of maps")));
+       help(SimulateOptionsText::tr("Every map's PNG declares 60,000 x 60,000 pixels")));
+  flag("--foreign-data-url", f.foreign_data_url, help(SimulateOptionsText::tr("data_url points to another host")));
+  flag("--garbage-base64", f.garbage_base64, help(SimulateOptionsText::tr("Pictures in topics are no base64")));
+  flag("--map-list-error", f.map_list_error, help(SimulateOptionsText::tr("Answer 500 for the list of maps")));
   command
       ->add_option("--grid-fault", f.grid_fault,
-                   help(Words::tr("What is wrong with every map's place and resolution")))
+                   help(SimulateOptionsText::tr("What is wrong with every map's place and resolution")))
       ->check(CLI::IsMember({"zero-resolution", "negative-resolution", "no-resolution", "no-origin"}))
       ->group(faults);
   addRosRobot(*command, o.ros);

@@ -24,7 +24,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class SnapshotText {
   Q_DECLARE_TR_FUNCTIONS(Snapshot)
 };
 
@@ -47,28 +47,28 @@ int giveUp(const SnapshotOptions& options, const SnapshotStanding& standing) {
 QString summaryOf(const SnapshotRun& run) {
   const QJsonObject report = run.report();
   if (const QJsonObject region = report[QLatin1String("region")].toObject(); !region.isEmpty()) {
-    return Words::tr("%1: regions of the map: %2 of %3")
+    return SnapshotText::tr("%1: regions of the map: %2 of %3")
         .arg(run.options().output, QString::number(region[QLatin1String("answered")].toInt()),
              QString::number(region[QLatin1String("parts")].toInt()));
   }
   if (report[QLatin1String("mode")].toString() == QLatin1String("whole")) {
     const QJsonObject map = report[QLatin1String("map")].toObject();
-    if (map.isEmpty()) return Words::tr("%1: no map").arg(run.options().output);
+    if (map.isEmpty()) return SnapshotText::tr("%1: no map").arg(run.options().output);
     const QJsonArray size = map[QLatin1String("size")].toArray();
     const QString name = words::plainName(map[QLatin1String("name")].toString());
-    return Words::tr("%1: map %2%3, %4 x %5 cells")
+    return SnapshotText::tr("%1: map %2%3, %4 x %5 cells")
         .arg(run.options().output, map[QLatin1String("id")].toString(),
              name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(name),
              QString::number(size.at(0).toInt()), QString::number(size.at(1).toInt()));
   }
   const QJsonObject submaps = report[QLatin1String("submaps")].toObject();
-  QString line = Words::tr("%1: %2 of %3 submaps")
+  QString line = SnapshotText::tr("%1: %2 of %3 submaps")
                      .arg(run.options().output, QString::number(submaps[QLatin1String("drawn")].toInt()),
                           QString::number(submaps[QLatin1String("listed")].toInt()));
   for (const auto& [kind, counted] :
-       {std::pair{"missing", Words::tr(", %1 missing")}, std::pair{"failed", Words::tr(", %1 failed")},
-        std::pair{"corrupt", Words::tr(", %1 corrupt")},
-        std::pair{"without_slice", Words::tr(", %1 without slice")}}) {
+       {std::pair{"missing", SnapshotText::tr(", %1 missing")}, std::pair{"failed", SnapshotText::tr(", %1 failed")},
+        std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
+        std::pair{"without_slice", SnapshotText::tr(", %1 without slice")}}) {
     if (const int count = submaps[QLatin1String(kind)].toInt()) line += counted.arg(count);
   }
   return line;
@@ -91,7 +91,7 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
       std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(run.shownInstead())));
     return kDone;
   }
-  return refuse(exit_code, Words::tr("Not complete. %1").arg(firstOf(run.warnings())));
+  return refuse(exit_code, SnapshotText::tr("Not complete. %1").arg(firstOf(run.warnings())));
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ int snapshot(const SnapshotWords& words, int& argc, char** argv) {
   if (!options) return refuse(kUsage, options.error());
   // Outlives all that may take its time, also in going away.
   Deadline deadline(app::later(start.begun, options->timeout_s + start.grace.end_s),
-                    [late = Words::tr("%1: it could not be connected to in time.")
+                    [late = SnapshotText::tr("%1: it could not be connected to in time.")
                                 .arg(oneLine(options->robot))
                                 .toStdString()] {
                       sayAtTheEnd(late);

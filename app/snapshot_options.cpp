@@ -19,7 +19,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class SnapshotOptionsText {
   Q_DECLARE_TR_FUNCTIONS(SnapshotOptions)
 };
 
@@ -54,16 +54,16 @@ std::optional<QSize> parseSize(const QString& word) {
 /// What has no place beside --region.
 std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
   if (options.mode == SnapshotMode::Submaps)
-    return Words::tr("--region is a part of a map that the robot gives by regions: it needs --mode grid.");
-  if (!words.map.empty()) return Words::tr("--region is a part of the robot's own map: give it, or --map.");
-  if (!words.bag.empty()) return Words::tr("A bag has no map by regions: give --region, or --bag.");
+    return SnapshotOptionsText::tr("--region is a part of a map that the robot gives by regions: it needs --mode grid.");
+  if (!words.map.empty()) return SnapshotOptionsText::tr("--region is a part of the robot's own map: give it, or --map.");
+  if (!words.bag.empty()) return SnapshotOptionsText::tr("A bag has no map by regions: give --region, or --bag.");
   if (!words.center.empty() || words.fit || words.rotate_deg != 0)
-    return Words::tr("--region says what the picture shows: give it, or --center, --fit and --rotate.");
+    return SnapshotOptionsText::tr("--region says what the picture shows: give it, or --center, --fit and --rotate.");
   if (words.size != SnapshotWords().size)
-    return Words::tr(
+    return SnapshotOptionsText::tr(
         "With --region a pixel is a cell of the map, or as large as --scale says: --size has no place "
         "there.");
-  if (words.average) return Words::tr("--average is for whole maps, not for --region.");
+  if (words.average) return SnapshotOptionsText::tr("--average is for whole maps, not for --region.");
   return std::nullopt;
 }
 
@@ -83,11 +83,11 @@ tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics
     for (const scene::Layer one : every) {
       if (scene::chosenStream(one)) choosable << scene::layerName(one);
     }
-    return tl::make_unexpected(Words::tr("--layers: for \"%1\" no topic can be chosen, only for %2.")
+    return tl::make_unexpected(SnapshotOptionsText::tr("--layers: for \"%1\" no topic can be chosen, only for %2.")
                                    .arg(name, choosable.join(QLatin1String(", "))));
   }
   if (topic.isEmpty())
-    return tl::make_unexpected(Words::tr("--layers %1=: name the topic, for example %1=/topic.").arg(name));
+    return tl::make_unexpected(SnapshotOptionsText::tr("--layers %1=: name the topic, for example %1=/topic.").arg(name));
   topics.insert_or_assign(*stream, topic.startsWith(QLatin1Char('/')) ? topic : QLatin1Char('/') + topic);
   return {};
 }
@@ -115,7 +115,7 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
     if (const auto taken = takeTopic(word, topics); !taken) return tl::make_unexpected(taken.error());
     const auto position = known.indexOf(word.trimmed());
     if (position < 0) {
-      return tl::make_unexpected(Words::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
+      return tl::make_unexpected(SnapshotOptionsText::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
                                      .arg(word, known.join(QLatin1String(", "))));
     }
     chosen.insert(every[std::size_t(position)]);
@@ -126,23 +126,23 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
 /// An option that nothing could come of is a mistake, and the picture would not tell.
 std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
   if (words.average && options.mode == SnapshotMode::Submaps) {
-    return Words::tr("--average is for whole maps: submaps are always averaged when zoomed out.");
+    return SnapshotOptionsText::tr("--average is for whole maps: submaps are always averaged when zoomed out.");
   }
   const bool whole = options.mode == SnapshotMode::Whole;
   if (whole && words.slice != 0) {
-    return Words::tr("--slice is for submaps: a whole map has no slices.");
+    return SnapshotOptionsText::tr("--slice is for submaps: a whole map has no slices.");
   }
   if (whole && options.colors != render::ColorMode::Normal) {
-    return Words::tr("--colors %1 is for submaps: a whole map has none.").arg(text(words.colors));
+    return SnapshotOptionsText::tr("--colors %1 is for submaps: a whole map has none.").arg(text(words.colors));
   }
   if (!words.raw) return std::nullopt;
   if (options.dark || options.colors != render::ColorMode::Normal) {
-    return Words::tr("--raw has no colours: give it, or --theme and --colors.");
+    return SnapshotOptionsText::tr("--raw has no colours: give it, or --theme and --colors.");
   }
   if (words.layers.empty()) return std::nullopt;
   for (const scene::Layer layer : options.layers) {
     if (layer != scene::Layer::Submaps && layer != scene::Layer::WholeMap) {
-      return Words::tr("--raw draws the map alone, without the layer \"%1\" of --layers.")
+      return SnapshotOptionsText::tr("--raw draws the map alone, without the layer \"%1\" of --layers.")
           .arg(scene::layerName(layer));
     }
   }
@@ -170,10 +170,10 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   options.force = words.force;
   if (options.robot.isEmpty()) {
     return wrong(
-        Words::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
+        SnapshotOptionsText::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
   }
   if (words.bag.empty() != words.at.empty())
-    return wrong(Words::tr("--bag NAME and --at TIME belong together."));
+    return wrong(SnapshotOptionsText::tr("--bag NAME and --at TIME belong together."));
   if (!words.bag.empty()) {
     const auto at_s = timeFrom(words.at, QStringLiteral("--at"));
     if (!at_s) return wrong(at_s.error().sentence);
@@ -186,12 +186,12 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     // The occupancy grids that robots and files give are their whole maps.
     options.mode = SnapshotMode::Whole;
   } else if (!words.mode.empty()) {
-    return wrong(Words::tr("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
+    return wrong(SnapshotOptionsText::tr("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
   }
   if (!words.map.empty()) {
     if (options.mode == SnapshotMode::Submaps) {
       return wrong(
-          Words::tr("--map needs --mode whole: the submaps shown are those of the robot's "
+          SnapshotOptionsText::tr("--map needs --mode whole: the submaps shown are those of the robot's "
                     "present SLAM session."));
     }
     options.mode = SnapshotMode::Whole;
@@ -211,7 +211,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   const auto size = parseSize(text(words.size));
   if (!size) {
     return wrong(
-        Words::tr("--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
+        SnapshotOptionsText::tr("--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
                   "and %3 million in all.")
             .arg(text(words.size), QString::number(kMaxEdge), QString::number(kMaxPixels / 1'000'000)));
   }
@@ -219,32 +219,32 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   const bool has_center = !words.center.empty(), has_scale = words.scale.has_value();
   if (words.fit && (has_center || has_scale)) {
     return wrong(
-        Words::tr("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
+        SnapshotOptionsText::tr("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
   }
   if (options.region && has_scale) {
     if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
-      return wrong(Words::tr("--scale must lie between %1 and %2 metres per pixel.")
+      return wrong(SnapshotOptionsText::tr("--scale must lie between %1 and %2 metres per pixel.")
                        .arg(geometry::kMinScaleMPerPx)
                        .arg(geometry::kMaxScaleMPerPx));
     }
     options.scale_m_per_px = *words.scale;
   } else if (has_center != has_scale) {
-    return wrong(Words::tr("--center X,Y and --scale METRES_PER_PIXEL belong together."));
+    return wrong(SnapshotOptionsText::tr("--center X,Y and --scale METRES_PER_PIXEL belong together."));
   }
   if (has_center) {
     options.center_m = parsePoint(text(words.center));
     if (!options.center_m) {
       return wrong(
-          Words::tr("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
+          SnapshotOptionsText::tr("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
     }
     if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
-      return wrong(Words::tr("--scale must lie between %1 and %2 metres per pixel.")
+      return wrong(SnapshotOptionsText::tr("--scale must lie between %1 and %2 metres per pixel.")
                        .arg(geometry::kMinScaleMPerPx)
                        .arg(geometry::kMaxScaleMPerPx));
     }
     options.scale_m_per_px = *words.scale;
   }
-  if (!std::isfinite(words.rotate_deg)) return wrong(Words::tr("--rotate must be a number of degrees."));
+  if (!std::isfinite(words.rotate_deg)) return wrong(SnapshotOptionsText::tr("--rotate must be a number of degrees."));
   options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(words.rotate_deg));
   const auto layers = parseLayers(text(words.layers), options.topics);
   if (!layers) return wrong(layers.error());
@@ -252,7 +252,7 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   if (!words.layers.empty() && words.layers != "all") options.named = *layers;
   options.without_submaps = !words.layers.empty() && words.layers != "all" && words.layers != "none" &&
                             !layers->contains(scene::Layer::Submaps);
-  if (words.slice < 0) return wrong(Words::tr("--slice must be 0 or more."));
+  if (words.slice < 0) return wrong(SnapshotOptionsText::tr("--slice must be 0 or more."));
   options.slice = words.slice;
   if (words.colors == "normal")
     options.colors = render::ColorMode::Normal;
@@ -261,13 +261,13 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   else if (words.colors == "active")
     options.colors = render::ColorMode::Active;
   else
-    return wrong(Words::tr("--colors: normal, incremental or active, not \"%1\".").arg(text(words.colors)));
+    return wrong(SnapshotOptionsText::tr("--colors: normal, incremental or active, not \"%1\".").arg(text(words.colors)));
   if (words.theme != "light" && words.theme != "dark") {
-    return wrong(Words::tr("--theme: light or dark, not \"%1\".").arg(text(words.theme)));
+    return wrong(SnapshotOptionsText::tr("--theme: light or dark, not \"%1\".").arg(text(words.theme)));
   }
   options.dark = words.theme == "dark";
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400)) {
-    return wrong(Words::tr("--timeout must be more than 0 and at most 86400 seconds."));
+    return wrong(SnapshotOptionsText::tr("--timeout must be more than 0 and at most 86400 seconds."));
   }
   options.timeout_s = words.timeout_s;
   if (words.settle != "complete") {
@@ -275,11 +275,11 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     const double seconds = text(words.settle).toDouble(&ok);
     if (!ok || !(seconds >= 0 && seconds <= 86'400)) {
       return wrong(
-          Words::tr("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
+          SnapshotOptionsText::tr("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
     }
     if (seconds > words.timeout_s) {
       return wrong(
-          Words::tr("--settle %1 lasts longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
+          SnapshotOptionsText::tr("--settle %1 lasts longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
     }
     options.settle_s = seconds;
   }

@@ -18,7 +18,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class SnapshotPaintText {
   Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
 };
 
@@ -39,10 +39,10 @@ void SnapshotRun::paint(bool settled) {
   if (options_.region && !sizeRegion()) return;
   if (!options_.region && options_.mode == SnapshotMode::Whole && !map_.grid()) {
     const QString which = options_.map
-                              ? Words::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
-                              : Words::tr("its map");
+                              ? SnapshotPaintText::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
+                              : SnapshotPaintText::tr("its map");
     fail(exitCodeOf(map::FailureKind::TimedOut),
-         Words::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
+         SnapshotPaintText::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
                  .arg(options_.robot, which, QString::number(options_.settle_s.value_or(options_.timeout_s)),
                       options_.settle_s ? QStringLiteral("--settle") : QStringLiteral("--timeout")) +
              whatOfTheLink() +
@@ -77,27 +77,27 @@ void SnapshotRun::paint(bool settled) {
   // Nothing may look as if it had been recorded.
   if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&
       map_.key()->kind != map::MapKind::Live) {
-    say(isLocal() ? Words::tr("The bag holds no map until then: the one that was recorded with it is drawn.")
-                  : Words::tr("The bag holds no map until then: the one that the robot keeps now is drawn."));
+    say(isLocal() ? SnapshotPaintText::tr("The bag holds no map until then: the one that was recorded with it is drawn.")
+                  : SnapshotPaintText::tr("The bag holds no map until then: the one that the robot keeps now is drawn."));
   }
   if (lacksSubmaps())
-    notes_ << Words::tr("The bag holds no submap list until then: there are no submaps to draw.");
+    notes_ << SnapshotPaintText::tr("The bag holds no submap list until then: there are no submaps to draw.");
   noteChosenTopics();
   for (const QString& topic : live_layers_.silent()) {
     // A bag is not asked for anything: what is not in it is not missing.
     if (replayed_) break;
-    notes_ << Words::tr("Topic %1 gave nothing within %2 s.")
+    notes_ << SnapshotPaintText::tr("Topic %1 gave nothing within %2 s.")
                   .arg(topic, QString::number(options_.settle_s.value_or(kTopicsWithinS)));
   }
   for (const scene::Layer layer : live_layers_.unfillable()) {
     if (!options_.named.contains(layer)) continue;
-    say((replayed_ ? Words::tr("Layer %1 is empty: the bag has no topic for it.")
-                   : Words::tr("Layer %1 is empty: the robot has no topic for it."))
+    say((replayed_ ? SnapshotPaintText::tr("Layer %1 is empty: the bag has no topic for it.")
+                   : SnapshotPaintText::tr("Layer %1 is empty: the robot has no topic for it."))
             .arg(scene::layerName(layer)));
   }
   const session::SubmapCounts& counts = chosen_->counts;
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
-    notes_ << Words::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
+    notes_ << SnapshotPaintText::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
   }
   view_ = viewOf(options_, session_, map_);
   noteStanding();
@@ -119,8 +119,8 @@ void SnapshotRun::noteChosenTopics() {
   for (const auto& [stream, topic] : options_.topics) {
     if (of->choicesFor(stream).contains(topic)) continue;
     QString fitting = of->choicesFor(stream).join(QLatin1String(", "));
-    if (fitting.isEmpty()) fitting = Words::tr("none");
-    notes_ << Words::tr("Topic %1 is not there, or of no type that fits its layer. Those that fit: %2.")
+    if (fitting.isEmpty()) fitting = SnapshotPaintText::tr("none");
+    notes_ << SnapshotPaintText::tr("Topic %1 is not there, or of no type that fits its layer. Those that fit: %2.")
                   .arg(topic, fitting);
     complete_ = false;
   }
@@ -137,7 +137,7 @@ void SnapshotRun::write() {
   if (session_.lostPictures() > 0) {
     complete_ = false;
     notes_.prepend(
-        Words::tr("%1 submaps could not be read back from the disk: parts of the picture are empty.", nullptr,
+        SnapshotPaintText::tr("%1 submaps could not be read back from the disk: parts of the picture are empty.", nullptr,
                   int(session_.lostPictures()))
             .arg(session_.lostPictures()));
   }

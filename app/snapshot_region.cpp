@@ -15,7 +15,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class SnapshotRegionText {
   Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
 };
 
@@ -36,11 +36,11 @@ void SnapshotRun::lookAtRegion() {
       connect(fetch_.get(), &regions::RegionFetch::finished, this, &SnapshotRun::look);
       fetch_->start();
     } else if (seconds() - connected_s_ > std::min(kOffersWithinS, options_.timeout_s / 2)) {
-      const QString why = dispatch ? Words::tr("It gives its map only as a whole.")
+      const QString why = dispatch ? SnapshotRegionText::tr("It gives its map only as a whole.")
                                    : sentences::whyAbsent(robot::Capability::Dispatch,
                                                           robot.whyNot(robot::Capability::Dispatch));
       fail(exitCodeOf(map::FailureKind::Unsupported),
-           Words::tr("%1: no region of its map can be asked for. %2").arg(options_.robot, why));
+           SnapshotRegionText::tr("%1: no region of its map can be asked for. %2").arg(options_.robot, why));
     }
     return;
   }
@@ -53,7 +53,7 @@ void SnapshotRun::lookAtRegion() {
     const double draw_s = double(size->width()) * double(size->height()) / kPixelsDrawnInASecond;
     const double until_s = options_.timeout_s - std::min(draw_s, options_.timeout_s * kMostOfTimeToDraw);
     if (!fetch_->over() && fetch_->counts().answered > 0 && seconds() > until_s) {
-      notes_ << Words::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s);
+      notes_ << SnapshotRegionText::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s);
       return paint(false);
     }
   }
@@ -61,14 +61,14 @@ void SnapshotRun::lookAtRegion() {
 }
 
 QString SnapshotRun::tooManyPixels() const {
-  return Words::tr("--region is too large for one picture: a coarser --scale makes it smaller.");
+  return SnapshotRegionText::tr("--region is too large for one picture: a coarser --scale makes it smaller.");
 }
 
 bool SnapshotRun::sizeRegion() {
   const QString trouble = fetch_ ? sentences::sentenceOf(fetch_->trouble()) : QString();
   const regions::RegionCounts counts = fetch_ ? fetch_->counts() : regions::RegionCounts{};
   if (fetch_ && fetch_->tooLarge()) {
-    fail(kUsage, Words::tr("--region is too large: it has more cells than are fetched for one picture."));
+    fail(kUsage, SnapshotRegionText::tr("--region is too large: it has more cells than are fetched for one picture."));
     return false;
   }
   const bool some_came = fetch_ && fetch_->map().regions().holdsAnyOf(*options_.region);
@@ -78,7 +78,7 @@ bool SnapshotRun::sizeRegion() {
             ? fetch_->trouble().failure.kind
             : map::FailureKind::TimedOut;
     fail(exitCodeOf(kind),
-         Words::tr("%1: nothing of the region was fetched. %2").arg(options_.robot, trouble) +
+         SnapshotRegionText::tr("%1: nothing of the region was fetched. %2").arg(options_.robot, trouble) +
              whatOfTheLink());
     return false;
   }
@@ -86,7 +86,7 @@ bool SnapshotRun::sizeRegion() {
   if (options_.scale_m_per_px <= 0) {
     if (!resolution) {
       fail(kIncomplete,
-           Words::tr("%1: there is nothing in this region, and how large its cells would be is not known. "
+           SnapshotRegionText::tr("%1: there is nothing in this region, and how large its cells would be is not known. "
                      "--scale says how large a pixel is.")
                .arg(options_.robot));
       return false;
@@ -100,25 +100,25 @@ bool SnapshotRun::sizeRegion() {
   }
   options_.size_px = *size;
   if (const std::int64_t odd = fetch_->map().regions().oddCells(); odd > 0) {
-    notes_ << Words::tr(
+    notes_ << SnapshotRegionText::tr(
                   "%1 cells of its answers are neither -1 nor 0 to 100. Those above 100 are shown as 100, "
                   "those below -1 as unknown.",
                   nullptr, sentences::formOf(qint64(odd)))
                   .arg(odd);
   }
   if (fetch_->map().regions().asksForCorners()) {
-    notes_ << Words::tr(
+    notes_ << SnapshotRegionText::tr(
                   "%1 takes the place that it is asked for as a corner of the region instead of its middle "
                   "(REP 130): it was asked accordingly.")
                   .arg(options_.robot);
   }
   if (counts.smaller > 0 && counts.answered == counts.in_view) {
-    notes_ << Words::tr(
+    notes_ << SnapshotRegionText::tr(
                   "Some of its answers are smaller than the regions asked for (%1 of %2): what is missing is "
                   "blank.")
                   .arg(QString::number(counts.smaller), QString::number(counts.in_view));
   } else if (!fetch_->complete()) {
-    notes_ << Words::tr("Parts of the region are missing (%1 of %2 came). %3")
+    notes_ << SnapshotRegionText::tr("Parts of the region are missing (%1 of %2 came). %3")
                   .arg(QString::number(counts.answered), QString::number(counts.in_view), trouble);
   }
   return true;
@@ -135,7 +135,7 @@ void SnapshotRun::takeRegion(SnapshotContent& content) {
   if (fetched.cells) content.grid = render::PlacedGrid{fetched.cells, fetched.reference};
   if (fetched.other_lattices > 0) {
     complete_ = false;
-    notes_ << Words::tr("Some of it came with cells of another size or direction, and is left out.");
+    notes_ << SnapshotRegionText::tr("Some of it came with cells of another size or direction, and is left out.");
   }
 }
 

@@ -20,7 +20,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class SnapshotRunText {
   Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
 };
 
@@ -109,12 +109,12 @@ QString SnapshotRun::whatOfTheLink() const {
   const robot::ConnectionState link = session_.connection();
   if (link.phase == robot::ConnectionPhase::Online) return {};
   return QLatin1Char(' ') +
-         Words::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
+         SnapshotRunText::tr("The connection to the robot was lost. %1").arg(sentences::wordsOf(link.reason));
 }
 
 QString SnapshotRun::noConnection() const {
   const QString reason = sentences::wordsOf(session_.connection().reason);
-  return Words::tr("%1: no connection within %2 s.%3")
+  return SnapshotRunText::tr("%1: no connection within %2 s.%3")
       .arg(options_.robot, QString::number(options_.timeout_s),
            reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
 }
@@ -166,7 +166,7 @@ bool SnapshotRun::connected() {
 bool SnapshotRun::topicsChoosable() {
   robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
   if (options_.topics.empty() || (of && of->chosen() == options_.topics)) return true;
-  fail(kUsage, Words::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): that is for ROS robots and "
+  fail(kUsage, SnapshotRunText::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): that is for ROS robots and "
                          "their recordings.")
                    .arg(options_.robot));
   return false;
@@ -214,12 +214,12 @@ void SnapshotRun::takeWholeInstead() {
   options_.mode = SnapshotMode::Whole;
   whole_asked_s_ = seconds() - connected_s_;
   shown_instead_ =
-      Words::tr(
+      SnapshotRunText::tr(
           "The robot sent no submap list within %1 s: its whole map is drawn instead. --mode submaps waits "
           "longer.")
           .arg(listWithin());
   if (replayed_)
-    shown_instead_ = Words::tr("The bag holds no submap list until then: a whole map is drawn instead.");
+    shown_instead_ = SnapshotRunText::tr("The bag holds no submap list until then: a whole map is drawn instead.");
   notes_ << shown_instead_;
   live_layers_.ask(options_.layers, true);
 }
@@ -237,12 +237,12 @@ void SnapshotRun::look() {
       return;
     }
     scans_alone_ = true;
-    notes_ << Words::tr("%1 What is scanned is drawn without a map.").arg(map_.failure().sentence);
+    notes_ << SnapshotRunText::tr("%1 What is scanned is drawn without a map.").arg(map_.failure().sentence);
   }
   if (!options_.settle_s && everythingIn() && topicsIn() && cloudIn()) {
     paint(true);
   } else if (goneForGood() && somethingIn()) {
-    notes_ << Words::tr("Not everything had arrived.") + whatOfTheLink();
+    notes_ << SnapshotRunText::tr("Not everything had arrived.") + whatOfTheLink();
     paint(false);
   } else if (seconds() - noted_s_ > std::max(kNoteEveryS, 20 * note_took_s_)) {
     // Counting a hundred thousand submaps takes a moment: that may not be all that is done.
@@ -256,12 +256,12 @@ void SnapshotRun::tellProgress() {
   if (wantsWhole(options_)) {
     const session::MapSlot& slot = session_.wholeMap();
     Q_EMIT progressed(
-        Words::tr("Map %1: %2 % read").arg(slot.name(), QString::number(int(slot.progress() * 100))));
+        SnapshotRunText::tr("Map %1: %2 % read").arg(slot.name(), QString::number(int(slot.progress() * 100))));
   }
   if (wantsSubmaps(options_)) {
     const QJsonObject submaps = board_->take().report[QLatin1String("submaps")].toObject();
     const auto count = [&](const char* what) { return submaps[QLatin1String(what)].toInt(); };
-    Q_EMIT progressed(Words::tr("%1 of %2 submaps, %3 missing, %4 corrupt")
+    Q_EMIT progressed(SnapshotRunText::tr("%1 of %2 submaps, %3 missing, %4 corrupt")
                           .arg(count("drawn"))
                           .arg(count("listed"))
                           .arg(count("missing"))
@@ -274,7 +274,7 @@ void SnapshotRun::noteStanding() {
   SnapshotStanding standing;
   const bool connected = connected_s_ >= 0;
   standing.exit_code = connected ? kIncomplete : kUnreachable;
-  standing.sentence = connected ? Words::tr("Not complete. No picture could be made within %1 s (--timeout).")
+  standing.sentence = connected ? SnapshotRunText::tr("Not complete. No picture could be made within %1 s (--timeout).")
                                       .arg(options_.timeout_s)
                                 : noConnection();
   if (connected) standing.sentence += whatOfTheLink();
@@ -343,9 +343,9 @@ void SnapshotRun::timeOut() {
   if (chosen_) return;
   const bool no_list = wantsSubmaps(options_) && !session_.book().listReceived();
   notes_ << (!no_list
-                 ? Words::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
+                 ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
                        whatOfTheLink()
-                 : Words::tr(
+                 : SnapshotRunText::tr(
                        "The robot sent no submap list within %1 s (--timeout). Its whole map is drawn by "
                        "--mode whole.")
                            .arg(options_.timeout_s) +
@@ -356,7 +356,7 @@ void SnapshotRun::timeOut() {
 void SnapshotRun::cutOff() {
   if (done_) return;
   complete_ = false;
-  notes_.prepend(Words::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
+  notes_.prepend(SnapshotRunText::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
                      .arg(options_.timeout_s));
   write();
 }

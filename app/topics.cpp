@@ -33,7 +33,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class TopicsText {
   Q_DECLARE_TR_FUNCTIONS(Topics)
 };
 
@@ -104,9 +104,9 @@ class Run {
     print(*told);
     if (all) return kDone;
     say(offers_
-            ? Words::tr("The robot does not tell which topics it has (its node rosapi does not run): these "
+            ? TopicsText::tr("The robot does not tell which topics it has (its node rosapi does not run): these "
                         "are the usual ones.")
-            : Words::tr("The robot does not tell which topics it has: these are those that mapwright "
+            : TopicsText::tr("The robot does not tell which topics it has: these are those that mapwright "
                         "understands."));
     return kIncomplete;
   }
@@ -132,9 +132,9 @@ class Run {
     silence.start();
     const bool done = stopped_ || (words_.count > 0 && left == 0);
     if (!done) loop_.exec();
-    if (cut) say(Words::tr("Messages of more than 1 MiB were cut."));
+    if (cut) say(TopicsText::tr("Messages of more than 1 MiB were cut."));
     if (!stopped_ && (words_.count == 0 || left > 0))
-      say(Words::tr("%1: nothing came within %2 s (--timeout).")
+      say(TopicsText::tr("%1: nothing came within %2 s (--timeout).")
               .arg(topics_.front(), QString::number(words_.timeout_s)));
     const bool ended_by_hand = stopped_ && words_.count == 0;
     return !cut && (ended_by_hand || (words_.count > 0 && left == 0)) ? kDone : kIncomplete;
@@ -177,7 +177,7 @@ class Run {
             {QStringLiteral("type"), topic.type.isEmpty() ? QJsonValue() : QJsonValue(topic.type)}};
       return printJson(rows);
     }
-    std::vector<QStringList> table{{Words::tr("TYPE"), Words::tr("TOPIC")}};
+    std::vector<QStringList> table{{TopicsText::tr("TYPE"), TopicsText::tr("TOPIC")}};
     for (const OfferedTopic& topic : topics)
       table.push_back({topic.type.isEmpty() ? QStringLiteral("?") : words::plainName(topic.type),
                        words::plainName(topic.name)});
@@ -193,9 +193,9 @@ class Run {
 
   CommandResult<int> report(const std::map<QString, Tally>& tallies) const {
     QJsonArray rows;
-    std::vector<QStringList> table{{Words::tr("PER SECOND"), Words::tr("MESSAGES"), Words::tr("LEAST (s)"),
-                                    Words::tr("MOST (s)"), Words::tr("DEVIATION (s)"), Words::tr("BYTES/s"),
-                                    Words::tr("TOPIC")}};
+    std::vector<QStringList> table{{TopicsText::tr("PER SECOND"), TopicsText::tr("MESSAGES"), TopicsText::tr("LEAST (s)"),
+                                    TopicsText::tr("MOST (s)"), TopicsText::tr("DEVIATION (s)"), TopicsText::tr("BYTES/s"),
+                                    TopicsText::tr("TOPIC")}};
     bool all = true;
     for (const QString& topic : topics_) {
       const Tally& tally = tallies.at(topic);
@@ -227,8 +227,8 @@ class Run {
       if (tallies.at(topic).told()) continue;
       const QString sentence =
           tallies.at(topic).count == 0
-              ? Words::tr("%1: nothing came within %2 s (--seconds).")
-              : Words::tr("%1: one message came within %2 s (--seconds), which makes no rate.");
+              ? TopicsText::tr("%1: nothing came within %2 s (--seconds).")
+              : TopicsText::tr("%1: one message came within %2 s (--seconds), which makes no rate.");
       say(sentence.arg(topic, QString::number(words_.seconds)));
     }
     return all ? kDone : kIncomplete;
@@ -246,22 +246,22 @@ class Run {
 
 CommandResult<int> carryOut(const TopicsWords& words, const std::string& what) {
   const QString address = text(words.robot);
-  if (address.isEmpty()) return wrong(Words::tr("Which robot? Give --robot ADDRESS."));
+  if (address.isEmpty()) return wrong(TopicsText::tr("Which robot? Give --robot ADDRESS."));
   if (!(words.timeout_s > 0 && words.timeout_s <= 86'400))
-    return wrong(Words::tr("--timeout must be more than 0 and at most 86400 seconds."));
+    return wrong(TopicsText::tr("--timeout must be more than 0 and at most 86400 seconds."));
   if (!(words.seconds > 0 && words.seconds <= 86'400))
-    return wrong(Words::tr("--seconds must be more than 0 and at most 86400."));
-  if (words.count < 0) return wrong(Words::tr("--count must be at least 1."));
+    return wrong(TopicsText::tr("--seconds must be more than 0 and at most 86400."));
+  if (words.count < 0) return wrong(TopicsText::tr("--count must be at least 1."));
   const auto access = RobotAccess::read(words.access, address);
   if (!access) return wrong(access.error());
   auto robot = makeRobot(address, access->forAddress(address), DemoTime::Running);
   if (!robot) return wrong(robot.error());
   if (!(*robot)->liveTopics())
-    return wrong(Words::tr("%1: %2").arg(
+    return wrong(TopicsText::tr("%1: %2").arg(
         address, sentences::whyAbsent(robot::Capability::Live, (*robot)->whyNot(robot::Capability::Live))));
   if (what != "list" && !robot::deliversOf(**robot))
     return wrong(
-        Words::tr("%1 sends nothing by itself. Of a recording mapwright bags frames tells the messages, "
+        TopicsText::tr("%1 sends nothing by itself. Of a recording mapwright bags frames tells the messages, "
                   "and mapwright bags info what it holds.")
             .arg(address));
   Run run(words, std::move(*robot));
@@ -272,30 +272,30 @@ CommandResult<int> carryOut(const TopicsWords& words, const std::string& what) {
 
 void addTopics(CLI::App& cli, TopicsWords& words) {
   CLI::App* const topics =
-      cli.add_subcommand("topics", help(Words::tr("What a robot sends, by its own names: list, echo, hz")));
+      cli.add_subcommand("topics", help(TopicsText::tr("What a robot sends, by its own names: list, echo, hz")));
   topics->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what) {
     CLI::App* const command = topics->add_subcommand(name, help(what));
     command->add_option("--robot", words.robot,
-                        help(Words::tr("Robot address, or of list a recording (or MAPWRIGHT_ROBOT)")));
+                        help(TopicsText::tr("Robot address, or of list a recording (or MAPWRIGHT_ROBOT)")));
     addAccess(*command, words.access);
-    command->add_flag("--json", words.json, help(Words::tr("Machine-readable")));
+    command->add_flag("--json", words.json, help(TopicsText::tr("Machine-readable")));
     return command;
   };
   const auto timeout = [&](CLI::App* command, const QString& what) {
     command->add_option("--timeout", words.timeout_s, help(what))->capture_default_str();
   };
-  timeout(add("list", Words::tr("Every topic with its type")),
-          Words::tr("Give up connecting after this many seconds"));
+  timeout(add("list", TopicsText::tr("Every topic with its type")),
+          TopicsText::tr("Give up connecting after this many seconds"));
   CLI::App* const echo =
-      add("echo", Words::tr("The messages of a topic as they come, one JSON text a line, until Ctrl+C"));
-  echo->add_option("topic", words.topics, help(Words::tr("As the robot calls it")))->required()->expected(1);
-  echo->add_option("--count", words.count, help(Words::tr("Stop after so many")));
-  timeout(echo, Words::tr("Give up after this many seconds without a connection, or without a message"));
-  CLI::App* const hz = add("hz", Words::tr("How often topics come, and how evenly"));
-  hz->add_option("topics", words.topics, help(Words::tr("As the robot calls them")))->required();
-  hz->add_option("--seconds", words.seconds, help(Words::tr("How long to count")))->capture_default_str();
-  timeout(hz, Words::tr("Give up connecting after this many seconds"));
+      add("echo", TopicsText::tr("The messages of a topic as they come, one JSON text a line, until Ctrl+C"));
+  echo->add_option("topic", words.topics, help(TopicsText::tr("As the robot calls it")))->required()->expected(1);
+  echo->add_option("--count", words.count, help(TopicsText::tr("Stop after so many")));
+  timeout(echo, TopicsText::tr("Give up after this many seconds without a connection, or without a message"));
+  CLI::App* const hz = add("hz", TopicsText::tr("How often topics come, and how evenly"));
+  hz->add_option("topics", words.topics, help(TopicsText::tr("As the robot calls them")))->required();
+  hz->add_option("--seconds", words.seconds, help(TopicsText::tr("How long to count")))->capture_default_str();
+  timeout(hz, TopicsText::tr("Give up connecting after this many seconds"));
 }
 
 int runTopics(const CLI::App& cli, const TopicsWords& words, int& argc, char** argv) {

@@ -17,7 +17,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointFileText {
   Q_DECLARE_TR_FUNCTIONS(WaypointFile)
 };
 
@@ -44,12 +44,12 @@ std::optional<WaypointFileKind> kindCalled(const QString& word) {
 tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path, const std::string& format) {
   if (!format.empty()) {
     if (const auto kind = kindCalled(text(format))) return *kind;
-    return tl::make_unexpected(Words::tr("--format %1: give csv or geojson.").arg(text(format)));
+    return tl::make_unexpected(WaypointFileText::tr("--format %1: give csv or geojson.").arg(text(format)));
   }
   if (isStandardOutput(text(path))) return WaypointFileKind::GeoJson;
   if (const auto kind = kindCalled(QFileInfo(text(path)).suffix().toLower())) return *kind;
   return tl::make_unexpected(
-      Words::tr("%1: the name ends in .geojson or .csv; or give --format geojson or csv.").arg(text(path)));
+      WaypointFileText::tr("%1: the name ends in .geojson or .csv; or give --format geojson or csv.").arg(text(path)));
 }
 
 tl::expected<std::string, disk::Fault> bytesOf(const std::string& path, std::size_t most) {
@@ -57,7 +57,7 @@ tl::expected<std::string, disk::Fault> bytesOf(const std::string& path, std::siz
 }
 
 QString inputCalled(const std::string& path) {
-  return path == kStandardInput ? Words::tr("The standard input") : text(path);
+  return path == kStandardInput ? WaypointFileText::tr("The standard input") : text(path);
 }
 
 tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& path,
@@ -70,9 +70,9 @@ tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& pa
   const auto bytes = bytesOf(path, exchange::kMaxWantedBytes);
   if (!bytes)
     return tl::make_unexpected(
-        Words::tr("%1 cannot be read: %2.").arg(called, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+        WaypointFileText::tr("%1 cannot be read: %2.").arg(called, sentences::wordsOf(reasons::causeOf(bytes.error()))));
   if (bytes->size() > exchange::kMaxWantedBytes)
-    return tl::make_unexpected(Words::tr("%1 is larger than 64 MiB.").arg(called));
+    return tl::make_unexpected(WaypointFileText::tr("%1 is larger than 64 MiB.").arg(called));
   if (by_content && !beginsLikeJson(*bytes)) kind = WaypointFileKind::Csv;
   exchange::WantedFile wanted =
       *kind == WaypointFileKind::Csv ? exchange::wantedFromCsv(*bytes) : exchange::wantedFromGeoJson(*bytes);

@@ -15,7 +15,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointListText {
   Q_DECLARE_TR_FUNCTIONS(Waypoints)
 };
 
@@ -29,7 +29,7 @@ CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
   if (!id.empty() && !robot.local()) {
     if (named.kind == map::MapKind::Stored) return named;
     return fail(kUsage,
-                Words::tr("--map %1: give the id of a stored map (mapwright maps list).").arg(text(id)));
+                WaypointListText::tr("--map %1: give the id of a stored map (mapwright maps list).").arg(text(id)));
   }
   const auto rows = robot.catalogue();
   if (!rows) return tl::make_unexpected(rows.error());
@@ -37,10 +37,10 @@ CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
   const map::CatalogueEntry* entry = id.empty() ? catalogue.current() : catalogue.called(id);
   if (!entry && id.empty() && (*rows)->size() == 1) entry = &(*rows)->front();
   if (entry) return entry->key;
-  if (!id.empty()) return fail(kUsage, Words::tr("There is no map %1 (mapwright maps list).").arg(text(id)));
+  if (!id.empty()) return fail(kUsage, WaypointListText::tr("There is no map %1 (mapwright maps list).").arg(text(id)));
   return (*rows)->empty()
-             ? fail(kRobotError, Words::tr("There is no map."))
-             : fail(kRobotError, Words::tr("None of its maps is the current one. Give --map ID (mapwright "
+             ? fail(kRobotError, WaypointListText::tr("There is no map."))
+             : fail(kRobotError, WaypointListText::tr("None of its maps is the current one. Give --map ID (mapwright "
                                            "maps list)."));
 }
 
@@ -72,11 +72,11 @@ QString someIds(const std::vector<const map::Waypoint*>& points) {
 QString nameLeft(const exchange::TemporaryName& left) {
   const QString name = words::plainName(left.name), permanent = words::plainName(left.permanent);
   return left.is_free
-             ? Words::tr(
+             ? WaypointListText::tr(
                    "\"%1\" looks like a temporary name: a swap of names broke off. Before that it was "
                    "called \"%2\". Apply the plan again, or rename it.")
                    .arg(name, permanent)
-             : Words::tr(
+             : WaypointListText::tr(
                    "\"%1\" looks like a temporary name: a swap of names broke off. Another waypoint is "
                    "called \"%2\" now. Apply the plan again, or rename it.")
                    .arg(name, permanent);
@@ -143,9 +143,9 @@ CommandResult<const map::Waypoint*> chosen(const ListedWaypoints& list, const st
   if (called.size() == 1) return called.front();
   if (called.empty())
     return tl::make_unexpected(list.robot->failure(
-        kRobotError, Words::tr("There is no waypoint %1 (mapwright waypoints list).").arg(shown)));
+        kRobotError, WaypointListText::tr("There is no waypoint %1 (mapwright waypoints list).").arg(shown)));
   return tl::make_unexpected(list.robot->failure(
-      kUsage, Words::tr("Several waypoints are called \"%1\". Give an id: %2.").arg(shown, someIds(called))));
+      kUsage, WaypointListText::tr("Several waypoints are called \"%1\". Give an id: %2.").arg(shown, someIds(called))));
 }
 
 int runWaypointsCommand(const WaypointsWords& words, int& argc, char** argv,

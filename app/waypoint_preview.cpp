@@ -11,7 +11,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointPreviewText {
   Q_DECLARE_TR_FUNCTIONS(WaypointPreview)
 };
 
@@ -81,26 +81,26 @@ void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edit
     return;
   }
   std::vector<QStringList> table{
-      {Words::tr("CHANGE"), Words::tr("ID"), Words::tr("NAME"), Words::tr("FROM NOW ON")}};
+      {WaypointPreviewText::tr("CHANGE"), WaypointPreviewText::tr("ID"), WaypointPreviewText::tr("NAME"), WaypointPreviewText::tr("FROM NOW ON")}};
   for (const exchange::WaypointStep& step : steps) {
     const std::string id = step.id();
     table.push_back({wordOf(step.kind), id.empty() ? QStringLiteral("-") : words::plainName(id),
                      words::plainName(step.name()), exchange::detailOf(step)});
   }
   for (const QString& line : exchange::conflictLines(edits.conflicts))
-    table.push_back({Words::tr("conflict"), QString(), QString(), line});
+    table.push_back({WaypointPreviewText::tr("conflict"), QString(), QString(), line});
   if (const QString why = exchange::refusedText(refusedOf(list, edits.edits), edits.edits); !why.isEmpty())
-    table.push_back({Words::tr("refused"), QString(), QString(), why});
+    table.push_back({WaypointPreviewText::tr("refused"), QString(), QString(), why});
   const bool changes = table.size() > 1;
   for (const DoubtAhead& one : doubts.value_or(DoubtsAhead())) {
-    table.push_back({Words::tr("warning"), one.id.empty() ? QStringLiteral("-") : words::plainName(one.id),
+    table.push_back({WaypointPreviewText::tr("warning"), one.id.empty() ? QStringLiteral("-") : words::plainName(one.id),
                      words::plainName(one.name), warningsLine(one.warnings)});
   }
   if (table.size() > 1) {
-    if (!changes) std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));
+    if (!changes) std::printf("%s\n", qUtf8Printable(WaypointPreviewText::tr("There is nothing to change.")));
     printTable(table);
   } else {
-    std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));
+    std::printf("%s\n", qUtf8Printable(WaypointPreviewText::tr("There is nothing to change.")));
   }
 }
 

@@ -18,7 +18,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointSendingText {
   Q_DECLARE_TR_FUNCTIONS(WaypointSending)
 };
 
@@ -219,15 +219,15 @@ class Sending {
 QString wordOf(StepState state) {
   switch (state) {
     case StepState::Applied:
-      return Words::tr("applied");
+      return WaypointSendingText::tr("applied");
     case StepState::Failed:
-      return Words::tr("failed");
+      return WaypointSendingText::tr("failed");
     case StepState::Unknown:
-      return Words::tr("not known");
+      return WaypointSendingText::tr("not known");
     case StepState::NotSent:
       break;
   }
-  return Words::tr("not sent");
+  return WaypointSendingText::tr("not sent");
 }
 
 /// For scripts (cli.md).
@@ -250,8 +250,8 @@ QString shownName(const exchange::WaypointStep& step) { return words::plainName(
 QString sentenceOf(const LeftName& left) {
   const QString sentence =
       left.certain
-          ? Words::tr("\"%1\" has the temporary name \"%2\" now, until it can be called \"%3\".")
-          : Words::tr("\"%1\" may have the temporary name \"%2\" now, until it can be called \"%3\".");
+          ? WaypointSendingText::tr("\"%1\" has the temporary name \"%2\" now, until it can be called \"%3\".")
+          : WaypointSendingText::tr("\"%1\" may have the temporary name \"%2\" now, until it can be called \"%3\".");
   return sentence.arg(words::plainName(left.before), words::plainName(left.name),
                       words::plainName(left.wanted));
 }
@@ -261,7 +261,7 @@ QString sentenceOf(const std::vector<LeftName>& left) {
   QStringList lines;
   for (const LeftName& one : left) lines << sentenceOf(one);
   return QLatin1Char(' ') + lines.join(QLatin1Char(' ')) + QLatin1Char(' ') +
-         Words::tr("Do the same again to finish it.");
+         WaypointSendingText::tr("Do the same again to finish it.");
 }
 
 }  // namespace
@@ -283,12 +283,12 @@ QString SentWaypoints::whatBecame() const {
   if (!conflicts.empty()) {
     const QStringList lines = exchange::conflictLines(conflicts);
     const QString first =
-        lines.size() > 1 ? Words::tr("%1 (and %2 more)").arg(lines.first(), QString::number(lines.size() - 1))
+        lines.size() > 1 ? WaypointSendingText::tr("%1 (and %2 more)").arg(lines.first(), QString::number(lines.size() - 1))
                          : lines.first();
-    return Words::tr("Others have changed the waypoints meanwhile, and that does not go together: %1. %2")
+    return WaypointSendingText::tr("Others have changed the waypoints meanwhile, and that does not go together: %1. %2")
         .arg(first, count(StepState::Applied) + count(StepState::Unknown) == 0
-                        ? Words::tr("Nothing has been sent.")
-                        : Words::tr("The rest has not been sent."));
+                        ? WaypointSendingText::tr("Nothing has been sent.")
+                        : WaypointSendingText::tr("The rest has not been sent."));
   }
   QStringList lines;
   for (const StepState state : {StepState::Unknown, StepState::Failed}) {
@@ -300,7 +300,7 @@ QString SentWaypoints::whatBecame() const {
   if (lines.isEmpty() && failure) lines << QString::fromStdString(sentences::sentenceOf(*failure));
   const QString first = lines.isEmpty() ? QString() : lines.first();
   if (steps.size() == 1) return first;
-  return Words::tr("Of %1 changes %2 are applied, %3 failed, %4 are not known and %5 not sent. %6")
+  return WaypointSendingText::tr("Of %1 changes %2 are applied, %3 failed, %4 are not known and %5 not sent. %6")
       .arg(QString::number(steps.size()), QString::number(count(StepState::Applied)),
            QString::number(count(StepState::Failed)), QString::number(count(StepState::Unknown)),
            QString::number(count(StepState::NotSent)), first);
@@ -363,7 +363,7 @@ QJsonObject sentReport(const SentWaypoints& sent, const std::string& map) {
 
 void printSent(const SentWaypoints& sent) {
   std::vector<QStringList> table{
-      {Words::tr("STATE"), Words::tr("CHANGE"), Words::tr("ID"), Words::tr("NAME")}};
+      {WaypointSendingText::tr("STATE"), WaypointSendingText::tr("CHANGE"), WaypointSendingText::tr("ID"), WaypointSendingText::tr("NAME")}};
   for (const SentStep& one : sent.steps) {
     const auto kept = sent.kept.find(one.step.key);
     const std::string id = kept != sent.kept.end() ? kept->second.id : one.step.id();
@@ -373,10 +373,10 @@ void printSent(const SentWaypoints& sent) {
                                    : QStringLiteral("%1: %2").arg(shownName(one.step), oneLine(why))});
   }
   for (const QString& line : exchange::conflictLines(sent.conflicts))
-    table.push_back({Words::tr("conflict"), QString(), QString(), line});
+    table.push_back({WaypointSendingText::tr("conflict"), QString(), QString(), line});
   for (const LeftName& left : sent.left_names)
     table.push_back(
-        {Words::tr("temporary name"), QString(), words::plainName(left.id), oneLine(sentenceOf(left))});
+        {WaypointSendingText::tr("temporary name"), QString(), words::plainName(left.id), oneLine(sentenceOf(left))});
   if (table.size() > 1) printTable(table);
 }
 

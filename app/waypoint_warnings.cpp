@@ -15,7 +15,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointWarningsText {
   Q_DECLARE_TR_FUNCTIONS(WaypointWarnings)
 };
 
@@ -35,7 +35,7 @@ Ground groundOf(MapReading& reading, const map::MapKey& key) {
   if (slot.cells() && slot.shown().key == key && slot.cells()->complete())
     return {{slot.cells(), slot.reference()}, {}};
   if (slot.remark()) return {{}, sentences::sentenceOf(*slot.remark())};
-  return {{}, in_time ? QString() : Words::tr("It had not arrived in time.")};
+  return {{}, in_time ? QString() : WaypointWarningsText::tr("It had not arrived in time.")};
 }
 
 double radiusOf(MapReading& reading) {
@@ -78,7 +78,7 @@ tl::expected<std::optional<double>, QString> radiusFrom(const std::string& word)
   const double metres = QString::fromStdString(word).toDouble(&ok);
   if (ok && std::isfinite(metres) && metres >= 0 && metres <= placing::kMostRadiusM)
     return std::optional(metres);
-  return tl::make_unexpected(Words::tr("--radius %1: give metres from 0 to %2, for example 0.3.")
+  return tl::make_unexpected(WaypointWarningsText::tr("--radius %1: give metres from 0 to %2, for example 0.3.")
                                  .arg(QString::fromStdString(word))
                                  .arg(placing::kMostRadiusM));
 }
@@ -105,7 +105,7 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   }
   doubtful.looked = found.state != placing::GroundState::None;
   if (!doubtful.looked) {
-    doubtful.untold = Words::tr("The map under the waypoints cannot be looked at: walls are not told.");
+    doubtful.untold = WaypointWarningsText::tr("The map under the waypoints cannot be looked at: walls are not told.");
     if (!ground.why_not.isEmpty()) doubtful.untold += QLatin1Char(' ') + ground.why_not;
   } else {
     doubtful.untold = sentences::sentenceOf(found.state);

@@ -20,7 +20,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointsChangeText {
   Q_DECLARE_TR_FUNCTIONS(WaypointsChange)
 };
 
@@ -46,7 +46,7 @@ CommandResult<PlaceAt> placeAt(const std::string& words) {
       place.yaw_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(numbers[2].toDouble()));
   }
   if (!fits || !place.position_m.allFinite() || !std::isfinite(place.yaw_rad.value_or(0)))
-    return wrong(Words::tr("--at %1: give X,Y in metres, or X,Y,YAW with degrees, for example 1.5,-2,90.")
+    return wrong(WaypointsChangeText::tr("--at %1: give X,Y in metres, or X,Y,YAW with degrees, for example 1.5,-2,90.")
                      .arg(text(words)));
   return place;
 }
@@ -55,7 +55,7 @@ CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::st
   auto tags = exchange::tagsOf(words);
   if (tags) return std::move(*tags);
   return wrong(
-      Words::tr("%1 %2: give tags like a,b (%3)").arg(QLatin1String(option), text(words), tags.error()));
+      WaypointsChangeText::tr("%1 %2: give tags like a,b (%3)").arg(QLatin1String(option), text(words), tags.error()));
 }
 
 using Edits = CommandResult<std::vector<exchange::WaypointEdit>>;
@@ -179,11 +179,11 @@ int waypointsTag(const WaypointsWords& words, int& argc, char** argv) {
     const bool partly = !added->empty() || !removed->empty();
     if (int(!tags->empty()) + int(words.no_tags) + int(partly) != 1)
       return CommandFailure{kUsage,
-                            Words::tr("Which tags? Give --set a,b, or --clear, or --add and --remove.")};
+                            WaypointsChangeText::tr("Which tags? Give --set a,b, or --clear, or --add and --remove.")};
     for (const std::string& tag : *added) {
       if (std::find(removed->begin(), removed->end(), tag) != removed->end())
         return CommandFailure{kUsage,
-                              Words::tr("The tag %1 cannot be both added and removed.").arg(text(tag))};
+                              WaypointsChangeText::tr("The tag %1 cannot be both added and removed.").arg(text(tag))};
     }
     return std::nullopt;
   };
@@ -203,7 +203,7 @@ int waypointsDelete(const WaypointsWords& words, int& argc, char** argv) {
   const auto check = [&]() -> std::optional<CommandFailure> {
     if (words.yes || words.dry_run) return std::nullopt;
     return CommandFailure{
-        kUsage, Words::tr("Waypoints that are deleted cannot be had back. Say --yes when they may go.")};
+        kUsage, WaypointsChangeText::tr("Waypoints that are deleted cannot be had back. Say --yes when they may go.")};
   };
   return change(words, argc, argv, check, [&](const ListedWaypoints& list) -> Edits {
     std::vector<exchange::WaypointEdit> edits;

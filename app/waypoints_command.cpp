@@ -23,7 +23,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointsCommandText {
   Q_DECLARE_TR_FUNCTIONS(Waypoints)
 };
 
@@ -65,12 +65,12 @@ int waypointsList(const WaypointsWords& words, int& argc, char** argv) {
       return exit_code;
     }
     if (list->stored.points.empty()) {
-      std::printf("%s\n", qUtf8Printable(Words::tr("There is no waypoint.")));
+      std::printf("%s\n", qUtf8Printable(WaypointsCommandText::tr("There is no waypoint.")));
       return exit_code;
     }
-    std::vector<QStringList> table{{Words::tr("ID"), Words::tr("X (m)"), Words::tr("Y (m)"),
-                                    Words::tr("YAW (°)"), Words::tr("TAGS"), Words::tr("NAME")}};
-    if (doubtful) table.front() << Words::tr("WARNINGS");
+    std::vector<QStringList> table{{WaypointsCommandText::tr("ID"), WaypointsCommandText::tr("X (m)"), WaypointsCommandText::tr("Y (m)"),
+                                    WaypointsCommandText::tr("YAW (°)"), WaypointsCommandText::tr("TAGS"), WaypointsCommandText::tr("NAME")}};
+    if (doubtful) table.front() << WaypointsCommandText::tr("WARNINGS");
     for (std::size_t i = 0; i < list->stored.points.size(); ++i) {
       table.push_back(rowOf(list->stored.points[i]));
       if (doubtful) table.back() << warningsLine(doubtful->of[i]);
@@ -90,12 +90,12 @@ int waypointsGet(const WaypointsWords& words, int& argc, char** argv) {
       printJson(exchange::waypointJson(**point, list->mapId()));
       return kDone;
     }
-    std::vector<QStringList> table{{Words::tr("id"), words::plainName((*point)->id)},
-                                   {Words::tr("name"), words::plainName((*point)->name)},
-                                   {Words::tr("place"), exchange::placeText(**point)},
-                                   {Words::tr("tags"), exchange::tagText(**point)}};
-    if (!(*point)->type.empty()) table.push_back({Words::tr("type"), words::plainName((*point)->type)});
-    table.push_back({Words::tr("map"), words::plainName(list->mapId())});
+    std::vector<QStringList> table{{WaypointsCommandText::tr("id"), words::plainName((*point)->id)},
+                                   {WaypointsCommandText::tr("name"), words::plainName((*point)->name)},
+                                   {WaypointsCommandText::tr("place"), exchange::placeText(**point)},
+                                   {WaypointsCommandText::tr("tags"), exchange::tagText(**point)}};
+    if (!(*point)->type.empty()) table.push_back({WaypointsCommandText::tr("type"), words::plainName((*point)->type)});
+    table.push_back({WaypointsCommandText::tr("map"), words::plainName(list->mapId())});
     printTable(table);
     return kDone;
   });
@@ -126,7 +126,7 @@ int waypointsExport(const WaypointsWords& words, int& argc, char** argv) {
       const auto count = qint64(list->stored.points.size());
       std::printf("%s: %s\n", qUtf8Printable(oneLine(output)),
                   qUtf8Printable(sentences::counted(
-                      Words::tr("%1 waypoints", nullptr, sentences::formOf(count)), count)));
+                      WaypointsCommandText::tr("%1 waypoints", nullptr, sentences::formOf(count)), count)));
     }
     return kDone;
   });

@@ -20,7 +20,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WaypointsTransferText {
   Q_DECLARE_TR_FUNCTIONS(WaypointsTransfer)
 };
 
@@ -50,7 +50,7 @@ CommandResult<int> carryOut(MapsCommand& command, const ListedWaypoints& list,
   command.report(QStringLiteral("waypoints"), sentReport(*sent, list.mapId()));
   if (!taken) words.json ? printJson(sentJson(*sent, list.mapId())) : printSent(*sent);
   if (!taken && !words.json && sent->steps.empty() && sent->conflicts.empty())
-    std::printf("%s\n", qUtf8Printable(Words::tr("There is nothing to change.")));
+    std::printf("%s\n", qUtf8Printable(WaypointsTransferText::tr("There is nothing to change.")));
   if (sent->complete()) return kDone;
   return notAll(list, *sent);
 }
@@ -141,8 +141,8 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
     const auto bytes = bytesOf(words.file, kMost);
     if (!bytes)
       return wrong(
-          Words::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
-    if (bytes->size() > kMost) return wrong(Words::tr("%1 is larger than 256 MiB.").arg(file));
+          WaypointsTransferText::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+    if (bytes->size() > kMost) return wrong(WaypointsTransferText::tr("%1 is larger than 256 MiB.").arg(file));
     auto plan = exchange::planFromBytes(*bytes);
     if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
     const auto list = listWaypoints(command, words, words.map.empty() ? plan->map : words.map, Use::Changing);
@@ -150,7 +150,7 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
     const QString address = list->robot->session().robot().address();
     if (!words.force && (address != plan->robot || list->mapId() != plan->map))
       return wrong(
-          Words::tr("%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
+          WaypointsTransferText::tr("%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
               .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
     plan->edits = fitted(*list, std::move(plan->edits));
     return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),

@@ -26,7 +26,7 @@
 namespace mapwright::app {
 namespace {
 
-class Words {
+class WindowCommandText {
   Q_DECLARE_TR_FUNCTIONS(WindowCommand)
 };
 
@@ -79,7 +79,7 @@ int showWindow(const QString& address, const RobotAccess& known) {
   settings->sync();
   if (settings->status() != QSettings::NoError) {
     std::fprintf(stderr, "%s\n",
-                 qUtf8Printable(Words::tr("The window's layout cannot be kept: %1 cannot be written.")
+                 qUtf8Printable(WindowCommandText::tr("The window's layout cannot be kept: %1 cannot be written.")
                                     .arg(settings->fileName())));
   }
   return exit_code;
@@ -97,7 +97,7 @@ int window(const QString& address, const AccessWords& words, int& argc, char** a
   }
   if (!haveDisplay()) {
     std::fprintf(stderr, "%s\n",
-                 qUtf8Printable(Words::tr(
+                 qUtf8Printable(WindowCommandText::tr(
                      "There is no display to open the window on. mapwright snapshot works without one.")));
     return kUsage;
   }
@@ -115,7 +115,7 @@ int demo(const QString& query, int& argc, char** argv) {
   std::fprintf(
       stderr, "%s\n",
       qUtf8Printable(
-          Words::tr("There is no display to open the window on. Rendering %1 instead.").arg(picture)));
+          WindowCommandText::tr("There is no display to open the window on. Rendering %1 instead.").arg(picture)));
   SnapshotWords words;
   words.robot = address.toStdString();
   words.output = picture.toStdString();

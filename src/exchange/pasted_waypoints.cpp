@@ -13,7 +13,7 @@
 namespace mapwright::exchange {
 namespace {
 
-class Words {
+class PastedWaypointsText {
   Q_DECLARE_TR_FUNCTIONS(PastedWaypoints)
 };
 
@@ -132,16 +132,16 @@ TableShape shapeOf(std::string_view text) {
 }
 
 WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
-  if (text.size() > kMaxWantedBytes) return tl::make_unexpected(Words::tr("It is larger than 64 MiB."));
+  if (text.size() > kMaxWantedBytes) return tl::make_unexpected(PastedWaypointsText::tr("It is larger than 64 MiB."));
   if (!QUtf8StringView(text.data(), qsizetype(text.size())).isValidUtf8())
-    return tl::make_unexpected(Words::tr("It is no UTF-8 text."));
+    return tl::make_unexpected(PastedWaypointsText::tr("It is no UTF-8 text."));
   auto records = csvRecords(text, shape.separator);
   if (!records) return tl::make_unexpected(records.error());
-  if (records->empty()) return tl::make_unexpected(Words::tr("It is empty."));
+  if (records->empty()) return tl::make_unexpected(PastedWaypointsText::tr("It is empty."));
   std::size_t columns = 0;
   for (const CsvRecord& record : *records) columns = std::max(columns, record.fields.size());
   if (columns > kMostColumns)
-    return tl::make_unexpected(Words::tr("It has too many columns for a list of waypoints."));
+    return tl::make_unexpected(PastedWaypointsText::tr("It has too many columns for a list of waypoints."));
   for (CsvRecord& record : *records) record.fields.resize(columns);
   std::vector<std::string> header;
   if (shape.header) {
@@ -154,7 +154,7 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
   } else {
     header = guessedHeader(*records, shape);
     if (std::find(header.begin(), header.end(), "x") == header.end())
-      return tl::make_unexpected(Words::tr(
+      return tl::make_unexpected(PastedWaypointsText::tr(
           "No two columns of numbers stand side by side: x and y in metres. Give a first row that names the "
           "columns: name, x, y, heading, tags."));
     records->insert(records->begin(), CsvRecord{records->front().line, {}});
@@ -171,7 +171,7 @@ WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
       const auto degrees = csvNumber(field);
       if (!degrees && !isBlank(field))
         return tl::make_unexpected(
-            Words::tr("Line %1: the heading \"%2\" is no number such as 90.")
+            PastedWaypointsText::tr("Line %1: the heading \"%2\" is no number such as 90.")
                 .arg(QString::number(record.line), QString::fromStdString(field.substr(0, 80))));
       field = degrees ? csvNumber(geometry::radiansFromDegrees(*degrees)) : std::string();
     }

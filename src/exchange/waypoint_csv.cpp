@@ -12,7 +12,7 @@
 namespace mapwright::exchange {
 namespace {
 
-class Words {
+class WaypointCsvText {
   Q_DECLARE_TR_FUNCTIONS(WaypointCsv)
 };
 
@@ -20,7 +20,7 @@ constexpr std::string_view kMark = "\xef\xbb\xbf";
 const std::array<std::string, 9> kColumns{"id", "name", "x", "y", "yaw_rad", "tags", "frame", "map", "type"};
 
 tl::unexpected<QString> wrong(int line, const QString& why) {
-  return tl::make_unexpected(Words::tr("Line %1: %2").arg(QString::number(line), why));
+  return tl::make_unexpected(WaypointCsvText::tr("Line %1: %2").arg(QString::number(line), why));
 }
 
 QString shown(const std::string& text) { return QString::fromStdString(text.substr(0, 80)); }
@@ -53,7 +53,7 @@ class Reader {
       value = std::string(rest_.substr(0, end));
       rest_.remove_prefix(end);
       if (rest_.starts_with('"'))
-        return wrong(line_, Words::tr("a quote stands in the middle of a field. Put the whole field into "
+        return wrong(line_, WaypointCsvText::tr("a quote stands in the middle of a field. Put the whole field into "
                                       "quotes, and double those in it."));
       return value;
     }
@@ -61,7 +61,7 @@ class Reader {
     rest_.remove_prefix(1);
     for (;;) {
       const std::size_t end = rest_.find('"');
-      if (end == std::string_view::npos) return wrong(begun, Words::tr("a quote is not closed."));
+      if (end == std::string_view::npos) return wrong(begun, WaypointCsvText::tr("a quote is not closed."));
       line_ += int(std::count(rest_.begin(), rest_.begin() + std::ptrdiff_t(end), '\n'));
       value += rest_.substr(0, end);
       rest_.remove_prefix(end + 1);
@@ -70,7 +70,7 @@ class Reader {
       rest_.remove_prefix(1);
     }
     if (!rest_.empty() && rest_.find_first_of(std::string{separator_, '\r', '\n'}) != 0)
-      return wrong(line_, Words::tr("something follows a closing quote."));
+      return wrong(line_, WaypointCsvText::tr("something follows a closing quote."));
     return value;
   }
   /// True when a separator ended the field; false when the record is over.
@@ -100,17 +100,17 @@ tl::expected<Columns, QString> columnsOf(const CsvRecord& header, QStringList& n
     std::transform(name.begin(), name.end(), name.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
     if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end()) {
-      notes << Words::tr("The column \"%1\" is none of a list of waypoints. It was left out.")
+      notes << WaypointCsvText::tr("The column \"%1\" is none of a list of waypoints. It was left out.")
                    .arg(shown(header.fields[i]));
     } else if (!columns.emplace(name, i).second) {
-      return wrong(header.line, Words::tr("the column \"%1\" is there twice.").arg(shown(name)));
+      return wrong(header.line, WaypointCsvText::tr("the column \"%1\" is there twice.").arg(shown(name)));
     }
   }
   if (!columns.contains("id") && !columns.contains("name"))
-    return wrong(header.line, Words::tr("it names neither a column id nor a column name. The header is %1.")
+    return wrong(header.line, WaypointCsvText::tr("it names neither a column id nor a column name. The header is %1.")
                                   .arg(QStringLiteral("id,name,x,y,yaw_rad,tags,frame,map")));
   if (columns.contains("x") != columns.contains("y"))
-    return wrong(header.line, Words::tr("of the columns x and y only one is there."));
+    return wrong(header.line, WaypointCsvText::tr("of the columns x and y only one is there."));
   return columns;
 }
 
@@ -125,14 +125,14 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
   if (const auto* type = at("type")) wanted.type = *type;
   if (const auto* frame = at("frame"); frame && !frame->empty() && *frame != "map")
     return wrong(record.line,
-                 Words::tr("it is told in the frame \"%1\". Only \"map\" is known.").arg(shown(*frame)));
+                 WaypointCsvText::tr("it is told in the frame \"%1\". Only \"map\" is known.").arg(shown(*frame)));
   const std::string *const x = at("x"), *const y = at("y");
   if (x && y && !(trimmed(*x).empty() && trimmed(*y).empty())) {
     const auto x_m = csvNumber(*x), y_m = csvNumber(*y);
     if (!x_m || !y_m)
       return wrong(
           record.line,
-          Words::tr("x \"%1\" and y \"%2\" are no two numbers such as 1.5.").arg(shown(*x), shown(*y)));
+          WaypointCsvText::tr("x \"%1\" and y \"%2\" are no two numbers such as 1.5.").arg(shown(*x), shown(*y)));
     wanted.position_m = Eigen::Vector2d(*x_m, *y_m);
   }
   if (const auto* yaw = at("yaw_rad")) {
@@ -140,12 +140,12 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
     if (!trimmed(*yaw).empty()) {
       *wanted.yaw_rad = csvNumber(*yaw);
       if (!*wanted.yaw_rad)
-        return wrong(record.line, Words::tr("yaw_rad \"%1\" is no number such as 1.5.").arg(shown(*yaw)));
+        return wrong(record.line, WaypointCsvText::tr("yaw_rad \"%1\" is no number such as 1.5.").arg(shown(*yaw)));
     }
   }
   if (const auto* tags = at("tags")) {
     auto read = tagsOf(*tags);
-    if (!read) return wrong(record.line, Words::tr("its tags are no list: %1").arg(read.error()));
+    if (!read) return wrong(record.line, WaypointCsvText::tr("its tags are no list: %1").arg(read.error()));
     wanted.tags = std::move(*read);
   }
   return wanted;
@@ -207,7 +207,7 @@ tl::expected<std::vector<std::string>, QString> tagsOf(std::string_view text) {
   if (text.empty()) return std::vector<std::string>();
   auto records = csvRecords(text);
   if (!records) return tl::make_unexpected(records.error());
-  if (records->size() != 1) return tl::make_unexpected(Words::tr("they are not one line."));
+  if (records->size() != 1) return tl::make_unexpected(WaypointCsvText::tr("they are not one line."));
   return std::move(records->front().fields);
 }
 
@@ -233,23 +233,23 @@ std::string waypointsCsv(const std::vector<map::Waypoint>& points, const std::st
 
 WantedFile wantedFromCsv(std::string_view bytes) {
   if (!QUtf8StringView(bytes.data(), qsizetype(bytes.size())).isValidUtf8())
-    return tl::make_unexpected(Words::tr("It is no UTF-8 text."));
+    return tl::make_unexpected(WaypointCsvText::tr("It is no UTF-8 text."));
   const auto records = csvRecords(bytes);
   if (!records) return tl::make_unexpected(records.error());
   return wantedFromRecords(*records);
 }
 
 WantedFile wantedFromRecords(const std::vector<CsvRecord>& records) {
-  if (records.empty()) return tl::make_unexpected(Words::tr("It is empty: not even a header is there."));
+  if (records.empty()) return tl::make_unexpected(WaypointCsvText::tr("It is empty: not even a header is there."));
   if (records.size() > kMaxWanted + 1)
-    return tl::make_unexpected(Words::tr("It has more than %1 waypoints.").arg(kMaxWanted));
+    return tl::make_unexpected(WaypointCsvText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
   WantedList list;
   const auto columns = columnsOf(records.front(), list.notes);
   if (!columns) return tl::make_unexpected(columns.error());
   for (std::size_t i = 1; i < records.size(); ++i) {
     const CsvRecord& record = records[i];
     if (record.fields.size() != records.front().fields.size())
-      return wrong(record.line, Words::tr("it has %1 fields where the header has %2.")
+      return wrong(record.line, WaypointCsvText::tr("it has %1 fields where the header has %2.")
                                     .arg(QString::number(record.fields.size()),
                                          QString::number(records.front().fields.size())));
     auto wanted = wantedOf(record, *columns);

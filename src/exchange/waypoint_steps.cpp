@@ -13,7 +13,7 @@
 namespace mapwright::exchange {
 namespace {
 
-class Words {
+class WaypointStepsText {
   Q_DECLARE_TR_FUNCTIONS(WaypointSteps)
 };
 
@@ -61,14 +61,14 @@ QStringList fieldWords(edit::FieldMask fields) {
 QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
   switch (conflict.kind) {
     case edit::ConflictKind::DeletedHere:
-      return Words::tr("it is to be deleted, and has been changed there");
+      return WaypointStepsText::tr("it is to be deleted, and has been changed there");
     case edit::ConflictKind::DeletedThere:
-      return Words::tr("it is to be changed, and has been deleted there");
+      return WaypointStepsText::tr("it is to be changed, and has been deleted there");
     case edit::ConflictKind::BothChanged:
     case edit::ConflictKind::BothAdded:
       break;
   }
-  return Words::tr("it has been changed there, too (%1)")
+  return WaypointStepsText::tr("it has been changed there, too (%1)")
       .arg(fieldWords(conflict.fields).join(QStringLiteral(", ")));
 }
 
@@ -170,8 +170,8 @@ QJsonArray stepsJson(const std::vector<WaypointStep>& steps, const std::string& 
 }
 
 QString placeText(const map::Waypoint& point) {
-  QString place = Words::tr("x %1 m, y %2 m").arg(figure(point.position_m.x()), figure(point.position_m.y()));
-  if (point.yaw_rad) place += Words::tr(", %1°").arg(figure(geometry::degreesFromRadians(*point.yaw_rad)));
+  QString place = WaypointStepsText::tr("x %1 m, y %2 m").arg(figure(point.position_m.x()), figure(point.position_m.y()));
+  if (point.yaw_rad) place += WaypointStepsText::tr(", %1°").arg(figure(geometry::degreesFromRadians(*point.yaw_rad)));
   return place;
 }
 

@@ -12,7 +12,7 @@ using robot::Absence;
 using robot::Capability;
 using Reason = robot::Absence::Reason;
 
-class Words {
+class AbsenceText {
   Q_DECLARE_TR_FUNCTIONS(Absence)
 };
 
@@ -24,27 +24,27 @@ QString argument(const Absence& absence) {
 QString nothing(Capability capability) {
   switch (capability) {
     case Capability::Submaps:
-      return Words::tr("There are no submaps here, only whole maps.");
+      return AbsenceText::tr("There are no submaps here, only whole maps.");
     case Capability::Catalogue:
-      return Words::tr("This robot does not tell which maps it keeps.");
+      return AbsenceText::tr("This robot does not tell which maps it keeps.");
     case Capability::WholeMaps:
-      return Words::tr("This robot gives no whole map.");
+      return AbsenceText::tr("This robot gives no whole map.");
     case Capability::Overview:
-      return Words::tr("This robot offers no overview of its map.");
+      return AbsenceText::tr("This robot offers no overview of its map.");
     case Capability::Waypoints:
-      return Words::tr("This robot lists no waypoints.");
+      return AbsenceText::tr("This robot lists no waypoints.");
     case Capability::WaypointEditing:
-      return Words::tr("This robot tells its waypoints, but takes no changes of them.");
+      return AbsenceText::tr("This robot tells its waypoints, but takes no changes of them.");
     case Capability::Live:
-      return Words::tr("Nothing live comes from here.");
+      return AbsenceText::tr("Nothing live comes from here.");
     case Capability::Administration:
-      return Words::tr("The maps of this robot cannot be changed from here.");
+      return AbsenceText::tr("The maps of this robot cannot be changed from here.");
     case Capability::PictureEditing:
-      return Words::tr("This robot takes no changed pictures of its maps.");
+      return AbsenceText::tr("This robot takes no changed pictures of its maps.");
     case Capability::Bags:
-      return Words::tr("This robot keeps no bags that could be replayed.");
+      return AbsenceText::tr("This robot keeps no bags that could be replayed.");
     case Capability::Dispatch:
-      return Words::tr("This robot gives no parts of its map: no regions, no clouds, no projections.");
+      return AbsenceText::tr("This robot gives no parts of its map: no regions, no clouds, no projections.");
   }
   return {};
 }
@@ -56,29 +56,29 @@ QString whyAbsent(Capability capability, const Absence& absence) {
     case Reason::NotOfThisKind:
       break;
     case Reason::ReadOnly:
-      return Words::tr("Read only: %1's interface offers no editing.").arg(argument(absence));
+      return AbsenceText::tr("Read only: %1's interface offers no editing.").arg(argument(absence));
     case Reason::NotYetHere:
-      return nothing(capability) + QLatin1Char(' ') + Words::tr("Not yet in this version.");
+      return nothing(capability) + QLatin1Char(' ') + AbsenceText::tr("Not yet in this version.");
     case Reason::FirmwareLacks:
       return nothing(capability) + QLatin1Char(' ') +
-             Words::tr("Its firmware does not know the question (%1).").arg(argument(absence));
+             AbsenceText::tr("Its firmware does not know the question (%1).").arg(argument(absence));
     case Reason::NoService:
       if (capability == Capability::Live)
-        return Words::tr(
+        return AbsenceText::tr(
                    "Its interface does not tell where it is. If a rosbridge server runs on it, add %1 to its "
                    "address.")
             .arg(argument(absence));
       return nothing(capability) + QLatin1Char(' ') +
-             Words::tr("It runs no %1, or none that is reached from here.").arg(argument(absence));
+             AbsenceText::tr("It runs no %1, or none that is reached from here.").arg(argument(absence));
     case Reason::LocalFiles:
       // What stands in the place of a robot is told by its name: replay::ReplayRobot.
       if (!absence.arguments.empty())
-        return Words::tr("This is a replay of %1: nothing can be changed.")
+        return AbsenceText::tr("This is a replay of %1: nothing can be changed.")
             .arg(words::plainName(absence.arguments.front()));
       if (capability == Capability::Live)
-        return Words::tr("A local map: there is no robot, so nothing moves on it.");
+        return AbsenceText::tr("A local map: there is no robot, so nothing moves on it.");
       if (capability == Capability::Administration)
-        return Words::tr("Local maps are called like their files, and no robot works with them.");
+        return AbsenceText::tr("Local maps are called like their files, and no robot works with them.");
       break;
   }
   return nothing(capability);

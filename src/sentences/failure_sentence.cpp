@@ -17,7 +17,7 @@ using map::FailureKind;
 using map::FailureReason;
 using map::SubjectKind;
 
-class Words {
+class FailureText {
   Q_DECLARE_TR_FUNCTIONS(Failure)
 };
 
@@ -29,20 +29,20 @@ std::string toldBy(const Failure& failure) {
 QString changeFailed(const Failure& failure) {
   switch (failure.applied) {
     case Applied::No:
-      return Words::tr("It has not been changed");
+      return FailureText::tr("It has not been changed");
     case Applied::Maybe:
-      return Words::tr("Whether it has been changed is not known");
+      return FailureText::tr("Whether it has been changed is not known");
     case Applied::Yes:
       break;
   }
-  return Words::tr("It has been changed, but the robot's answer is lost");
+  return FailureText::tr("It has been changed, but the robot's answer is lost");
 }
 
 QString pictureFailed(const Failure& failure) {
   const bool small = failure.asked_for == AskedFor::SmallPicture;
   if (failure.reason == FailureReason::Empty)
-    return small ? Words::tr("Its small picture is empty") : Words::tr("Its picture is empty");
-  return small ? Words::tr("Its small picture cannot be had") : Words::tr("Its picture cannot be had");
+    return small ? FailureText::tr("Its small picture is empty") : FailureText::tr("Its picture is empty");
+  return small ? FailureText::tr("Its small picture cannot be had") : FailureText::tr("Its picture cannot be had");
 }
 
 /// What has not come about, without its reason.
@@ -52,14 +52,14 @@ QString opening(const Failure& failure) {
   const bool read = map::isUnreadable(failure);
   switch (failure.subject.kind) {
     case SubjectKind::Catalogue:
-      return read ? Words::tr("The list cannot be read") : Words::tr("The list cannot be had");
+      return read ? FailureText::tr("The list cannot be read") : FailureText::tr("The list cannot be had");
     case SubjectKind::Places:
-      return read ? Words::tr("Its points cannot be read") : Words::tr("Its points cannot be had");
+      return read ? FailureText::tr("Its points cannot be read") : FailureText::tr("Its points cannot be had");
     case SubjectKind::Overview:
-      return read ? Words::tr("The overview of the map cannot be read")
-                  : Words::tr("The overview of the map cannot be had");
+      return read ? FailureText::tr("The overview of the map cannot be read")
+                  : FailureText::tr("The overview of the map cannot be had");
     default:
-      return read ? Words::tr("It cannot be read") : Words::tr("It cannot be had");
+      return read ? FailureText::tr("It cannot be read") : FailureText::tr("It cannot be had");
   }
 }
 
@@ -69,9 +69,9 @@ QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 QString robotSaid(const Failure& failure) {
   const QString code = text(failure.robot_code);
   const int status = code.size() == 3 ? code.toInt() : 0;
-  const QString answer = status >= 300    ? Words::tr("the robot answered %1").arg(statusWords(status))
-                         : code.isEmpty() ? Words::tr("the robot refuses")
-                                          : Words::tr("the robot refuses (code %1)").arg(code);
+  const QString answer = status >= 300    ? FailureText::tr("the robot answered %1").arg(statusWords(status))
+                         : code.isEmpty() ? FailureText::tr("the robot refuses")
+                                          : FailureText::tr("the robot refuses (code %1)").arg(code);
   const std::string why = toldBy(failure);
   if (why.empty()) return answer;
   return QStringLiteral("%1: %2").arg(answer, text(words::withoutStop(why)));
@@ -84,7 +84,7 @@ QString reasonOf(const Failure& failure) {
     case FailureKind::Conflict:
       return robotSaid(failure);
     case FailureKind::Cancelled:
-      return Words::tr("it was cancelled");
+      return FailureText::tr("it was cancelled");
     default:
       return text(toldBy(failure));
   }
@@ -94,26 +94,26 @@ QString reasonOf(const Failure& failure) {
 QString kindOf(const Failure& failure) {
   switch (failure.kind) {
     case FailureKind::Unreachable:
-      return Words::tr("the connection is gone");
+      return FailureText::tr("the connection is gone");
     case FailureKind::TimedOut:
-      return Words::tr("no answer came in time");
+      return FailureText::tr("no answer came in time");
     case FailureKind::Conflict:
-      return Words::tr("somebody else has changed it meanwhile");
+      return FailureText::tr("somebody else has changed it meanwhile");
     default:
-      return Words::tr("it did not work");
+      return FailureText::tr("it did not work");
   }
 }
 
 QString notThere(const Failure& failure) {
-  return failure.subject.kind == SubjectKind::Map ? Words::tr("There is no such map.")
-                                                  : Words::tr("There is no such thing.");
+  return failure.subject.kind == SubjectKind::Map ? FailureText::tr("There is no such map.")
+                                                  : FailureText::tr("There is no such thing.");
 }
 
 QString notOffered(const Failure& failure) {
   if (failure.asked_for == AskedFor::SmallPicture)
-    return Words::tr("There are no small pictures of maps here.");
-  if (failure.asked_for == AskedFor::Change) return Words::tr("It cannot be changed from here.");
-  return Words::tr("This robot offers nothing of the kind.");
+    return FailureText::tr("There are no small pictures of maps here.");
+  if (failure.asked_for == AskedFor::Change) return FailureText::tr("It cannot be changed from here.");
+  return FailureText::tr("This robot offers nothing of the kind.");
 }
 
 QString textOf(const Failure& failure) {
@@ -125,7 +125,7 @@ QString textOf(const Failure& failure) {
     case FailureReason::NotOffered:
       return notOffered(failure);
     case FailureReason::NoSuchId:
-      return Words::tr("It cannot be asked for by this id. Ids look like %1.")
+      return FailureText::tr("It cannot be asked for by this id. Ids look like %1.")
           .arg(failure.arguments.empty() ? QString() : text(failure.arguments.front()));
     case FailureReason::Empty:
     case FailureReason::Told:

@@ -5,50 +5,50 @@
 namespace mapwright::sentences {
 namespace {
 
-class Words {
+class HttpStatusText {
   Q_DECLARE_TR_FUNCTIONS(HttpStatus)
 };
 
 QString nameOf(int status) {
   switch (status) {
     case 304:
-      return Words::tr("not modified");
+      return HttpStatusText::tr("not modified");
     case 400:
-      return Words::tr("bad request");
+      return HttpStatusText::tr("bad request");
     case 401:
-      return Words::tr("not authorised");
+      return HttpStatusText::tr("not authorised");
     case 403:
-      return Words::tr("forbidden");
+      return HttpStatusText::tr("forbidden");
     case 404:
-      return Words::tr("not found");
+      return HttpStatusText::tr("not found");
     case 405:
-      return Words::tr("method not allowed");
+      return HttpStatusText::tr("method not allowed");
     case 408:
-      return Words::tr("request timeout");
+      return HttpStatusText::tr("request timeout");
     case 409:
-      return Words::tr("conflict");
+      return HttpStatusText::tr("conflict");
     case 410:
-      return Words::tr("gone");
+      return HttpStatusText::tr("gone");
     case 413:
-      return Words::tr("too large");
+      return HttpStatusText::tr("too large");
     case 415:
-      return Words::tr("unsupported media type");
+      return HttpStatusText::tr("unsupported media type");
     case 422:
-      return Words::tr("cannot be processed");
+      return HttpStatusText::tr("cannot be processed");
     case 426:
-      return Words::tr("upgrade required");
+      return HttpStatusText::tr("upgrade required");
     case 429:
-      return Words::tr("too many requests");
+      return HttpStatusText::tr("too many requests");
     case 500:
-      return Words::tr("internal error");
+      return HttpStatusText::tr("internal error");
     case 501:
-      return Words::tr("not implemented");
+      return HttpStatusText::tr("not implemented");
     case 502:
-      return Words::tr("bad gateway");
+      return HttpStatusText::tr("bad gateway");
     case 503:
-      return Words::tr("unavailable");
+      return HttpStatusText::tr("unavailable");
     case 504:
-      return Words::tr("gateway timeout");
+      return HttpStatusText::tr("gateway timeout");
     default:
       return {};
   }

@@ -8,26 +8,26 @@ namespace {
 using robot::MapChange;
 using robot::Obstacle;
 
-class Words {
+class ObstacleText {
   Q_DECLARE_TR_FUNCTIONS(Obstacle)
 };
 
 QString notOffered(MapChange change) {
   switch (change) {
     case MapChange::Rename:
-      return Words::tr("The maps of this robot cannot be renamed from here.");
+      return ObstacleText::tr("The maps of this robot cannot be renamed from here.");
     case MapChange::Load:
-      return Words::tr("This robot cannot be told from here which map to work with.");
+      return ObstacleText::tr("This robot cannot be told from here which map to work with.");
     case MapChange::Archive:
     case MapChange::Unarchive:
-      return Words::tr("This robot has no archive of maps.");
+      return ObstacleText::tr("This robot has no archive of maps.");
     case MapChange::Delete:
-      return Words::tr("The maps of this robot cannot be deleted from here.");
+      return ObstacleText::tr("The maps of this robot cannot be deleted from here.");
     case MapChange::StartMapping:
     case MapChange::StopMapping:
-      return Words::tr("Mapping cannot be started on this robot from here.");
+      return ObstacleText::tr("Mapping cannot be started on this robot from here.");
     case MapChange::Save:
-      return Words::tr("What this robot maps cannot be saved from here.");
+      return ObstacleText::tr("What this robot maps cannot be saved from here.");
   }
   return {};
 }
@@ -39,19 +39,19 @@ QString whyNotNow(MapChange change, Obstacle obstacle) {
     case Obstacle::NotOffered:
       break;
     case Obstacle::NotOfThisMap:
-      return Words::tr("Only with a map that the robot keeps, not with what it is mapping.");
+      return ObstacleText::tr("Only with a map that the robot keeps, not with what it is mapping.");
     case Obstacle::WhileMapping:
-      return Words::tr("Not while the robot is mapping: stop mapping first.");
+      return ObstacleText::tr("Not while the robot is mapping: stop mapping first.");
     case Obstacle::NotMapping:
-      return Words::tr("The robot is not mapping.");
+      return ObstacleText::tr("The robot is not mapping.");
     case Obstacle::IsArchived:
-      return Words::tr("It is archived: take it out of the archive first.");
+      return ObstacleText::tr("It is archived: take it out of the archive first.");
     case Obstacle::IsNotArchived:
-      return Words::tr("It is not archived.");
+      return ObstacleText::tr("It is not archived.");
     case Obstacle::IsLoaded:
-      return Words::tr("The robot works with it already.");
+      return ObstacleText::tr("The robot works with it already.");
     case Obstacle::NotKnownYet:
-      return Words::tr("The robot has not told yet what it does.");
+      return ObstacleText::tr("The robot has not told yet what it does.");
   }
   return notOffered(change);
 }

@@ -7,40 +7,40 @@ namespace {
 
 using map::OverlayShape;
 
-class Words {
+class OverlayText {
   Q_DECLARE_TR_FUNCTIONS(Overlay)
 };
 
 QString pointName(int type) {
   switch (type) {
     case 3:
-      return Words::tr("Other place");
+      return OverlayText::tr("Other place");
     case 6:
-      return Words::tr("Elevator");
+      return OverlayText::tr("Elevator");
     case 9:
-      return Words::tr("Charger");
+      return OverlayText::tr("Charger");
     case 10:
-      return Words::tr("Standby point");
+      return OverlayText::tr("Standby point");
     case 11:
-      return Words::tr("Table");
+      return OverlayText::tr("Table");
     case 19:
-      return Words::tr("Reception");
+      return OverlayText::tr("Reception");
     case 25:
-      return Words::tr("Waypoint");
+      return OverlayText::tr("Waypoint");
     case 27:
-      return Words::tr("Exchange point");
+      return OverlayText::tr("Exchange point");
     case 28:
-      return Words::tr("Wait for elevator");
+      return OverlayText::tr("Wait for elevator");
     case 29:
-      return Words::tr("Dispatch point");
+      return OverlayText::tr("Dispatch point");
     case 34:
-      return Words::tr("Rack point");
+      return OverlayText::tr("Rack point");
     case 36:
-      return Words::tr("Docking point");
+      return OverlayText::tr("Docking point");
     case 37:
-      return Words::tr("Barcode");
+      return OverlayText::tr("Barcode");
     case 39:
-      return Words::tr("Landmark");
+      return OverlayText::tr("Landmark");
     default:
       return {};
   }
@@ -49,13 +49,13 @@ QString pointName(int type) {
 QString lineName(int type) {
   switch (type) {
     case 1:
-      return Words::tr("Virtual track");
+      return OverlayText::tr("Virtual track");
     case 2:
-      return Words::tr("Virtual wall");
+      return OverlayText::tr("Virtual wall");
     case 3:
-      return Words::tr("Guide line");
+      return OverlayText::tr("Guide line");
     case 4:
-      return Words::tr("Patrol path");
+      return OverlayText::tr("Patrol path");
     default:
       return {};
   }
@@ -64,35 +64,35 @@ QString lineName(int type) {
 QString regionName(int type) {
   switch (type) {
     case 1:
-      return Words::tr("Forbidden region");
+      return OverlayText::tr("Forbidden region");
     case 2:
-      return Words::tr("Slow zone");
+      return OverlayText::tr("Slow zone");
     case 3:
-      return Words::tr("Elevator");
+      return OverlayText::tr("Elevator");
     case 4:
-      return Words::tr("Automatic gate");
+      return OverlayText::tr("Automatic gate");
     case 5:
-      return Words::tr("Automatic door");
+      return OverlayText::tr("Automatic door");
     case 6:
-      return Words::tr("Drop risk");
+      return OverlayText::tr("Drop risk");
     case 7:
-      return Words::tr("Slope");
+      return OverlayText::tr("Slope");
     case 8:
-      return Words::tr("LiDAR deceitful area");
+      return OverlayText::tr("LiDAR deceitful area");
     case 9:
-      return Words::tr("Narrow passage");
+      return OverlayText::tr("Narrow passage");
     case 10:
-      return Words::tr("Exclusive region");
+      return OverlayText::tr("Exclusive region");
     case 12:
-      return Words::tr("Free space");
+      return OverlayText::tr("Free space");
     case 13:
-      return Words::tr("Charging region");
+      return OverlayText::tr("Charging region");
     case 15:
-      return Words::tr("Depth restricted");
+      return OverlayText::tr("Depth restricted");
     case 16:
-      return Words::tr("Along centre line");
+      return OverlayText::tr("Along centre line");
     case 17:
-      return Words::tr("Rack zone");
+      return OverlayText::tr("Rack zone");
     default:
       return {};
   }
@@ -101,13 +101,13 @@ QString regionName(int type) {
 QString shapeName(OverlayShape shape) {
   switch (shape) {
     case OverlayShape::Point:
-      return Words::tr("Point");
+      return OverlayText::tr("Point");
     case OverlayShape::Line:
-      return Words::tr("Line");
+      return OverlayText::tr("Line");
     case OverlayShape::Polygon:
       break;
   }
-  return Words::tr("Region");
+  return OverlayText::tr("Region");
 }
 
 }  // namespace

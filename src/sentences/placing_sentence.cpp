@@ -7,7 +7,7 @@
 namespace mapwright::sentences {
 namespace {
 
-class Words {
+class PlacingText {
   Q_DECLARE_TR_FUNCTIONS(Placing)
 };
 
@@ -19,20 +19,20 @@ QString sentenceOf(const placing::Warning& warning) {
   using placing::WarningKind;
   switch (warning.kind) {
     case WarningKind::InWall:
-      return Words::tr("It is in a wall.");
+      return PlacingText::tr("It is in a wall.");
     case WarningKind::OutsideMap:
-      return Words::tr("It is outside the map.");
+      return PlacingText::tr("It is outside the map.");
     case WarningKind::NearWall:
-      return Words::tr("It is %1 m from a wall: closer than the robot's radius of %2 m.")
+      return PlacingText::tr("It is %1 m from a wall: closer than the robot's radius of %2 m.")
           .arg(metres(warning.distance_m), metres(warning.radius_m));
     case WarningKind::OnUnknown:
-      return Words::tr("It is on ground that the map knows nothing of.");
+      return PlacingText::tr("It is on ground that the map knows nothing of.");
     case WarningKind::NameTwice:
-      return Words::tr("Another waypoint has the same name.");
+      return PlacingText::tr("Another waypoint has the same name.");
     case WarningKind::ZeroTurn:
-      return Words::tr("It is kept with an orientation of zero, which is no heading: turn it.");
+      return PlacingText::tr("It is kept with an orientation of zero, which is no heading: turn it.");
     case WarningKind::TemporaryName:
-      return Words::tr("Its name looks temporary: a swap of names broke off.");
+      return PlacingText::tr("Its name looks temporary: a swap of names broke off.");
   }
   return {};
 }
@@ -46,9 +46,9 @@ QString sentencesOf(const placing::Warnings& warnings) {
 QString sentenceOf(placing::GroundState ground) {
   switch (ground) {
     case placing::GroundState::None:
-      return Words::tr("There is no map below: walls are not looked at.");
+      return PlacingText::tr("There is no map below: walls are not looked at.");
     case placing::GroundState::Unknown:
-      return Words::tr("The map below is unknown everywhere: walls cannot be told.");
+      return PlacingText::tr("The map below is unknown everywhere: walls cannot be told.");
     case placing::GroundState::Known:
       break;
   }

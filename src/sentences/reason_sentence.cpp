@@ -16,7 +16,7 @@ using map::Consequence;
 using map::Reason;
 using map::ReasonCode;
 
-class Words {
+class ReasonSentenceText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
@@ -125,33 +125,33 @@ QString consequenceOf(Consequence consequence) {
     case Consequence::None:
       break;
     case Consequence::ShownWithoutIt:
-      return Words::tr("Shown without it.");
+      return ReasonSentenceText::tr("Shown without it.");
     case Consequence::ShownWithoutItUntilTheNext:
-      return Words::tr("Shown without it. It will be asked for again at the next version.");
+      return ReasonSentenceText::tr("Shown without it. It will be asked for again at the next version.");
     case Consequence::StaysWhereItWas:
-      return Words::tr("It stays where it was.");
+      return ReasonSentenceText::tr("It stays where it was.");
     case Consequence::AskedAgain:
-      return Words::tr("It will be asked for again.");
+      return ReasonSentenceText::tr("It will be asked for again.");
     case Consequence::AskedAgainAtTheNext:
-      return Words::tr("It will be asked for again at the next version.");
+      return ReasonSentenceText::tr("It will be asked for again at the next version.");
     case Consequence::PictureBeforeStays:
-      return Words::tr("The picture before stays.");
+      return ReasonSentenceText::tr("The picture before stays.");
     case Consequence::PictureBeforeItStays:
-      return Words::tr("The picture before it stays.");
+      return ReasonSentenceText::tr("The picture before it stays.");
     case Consequence::AlertsBeforeStay:
-      return Words::tr("The alerts before stay.");
+      return ReasonSentenceText::tr("The alerts before stay.");
     case Consequence::TheyWereLeftOut:
-      return Words::tr("They were left out.");
+      return ReasonSentenceText::tr("They were left out.");
     case Consequence::ItsPointsWereLeftOut:
-      return Words::tr("Its points were left out.");
+      return ReasonSentenceText::tr("Its points were left out.");
     case Consequence::AskedAgainEachTime:
-      return Words::tr("It is asked for again each time.");
+      return ReasonSentenceText::tr("It is asked for again each time.");
     case Consequence::ReadAnewEachTime:
-      return Words::tr("They are read anew each time.");
+      return ReasonSentenceText::tr("They are read anew each time.");
     case Consequence::LeftAsItIs:
-      return Words::tr("It is left as it is.");
+      return ReasonSentenceText::tr("It is left as it is.");
     case Consequence::NothingWritten:
-      return Words::tr("Nothing was written.");
+      return ReasonSentenceText::tr("Nothing was written.");
   }
   return {};
 }

@@ -7,7 +7,7 @@
 namespace mapwright::sentences {
 namespace {
 
-class Words {
+class RegionsText {
   Q_DECLARE_TR_FUNCTIONS(Regions)
 };
 
@@ -17,13 +17,13 @@ QString misfitSentence(regions::Misfit misfit) {
     case Misfit::None:
       break;
     case Misfit::Unusable:
-      return Words::tr("What came does not say where it lies, or how large its cells are.");
+      return RegionsText::tr("What came does not say where it lies, or how large its cells are.");
     case Misfit::FewerCells:
-      return Words::tr("What came has fewer cells than it says.");
+      return RegionsText::tr("What came has fewer cells than it says.");
     case Misfit::OtherFrame:
-      return Words::tr("What came lies in another frame than the regions before it.");
+      return RegionsText::tr("What came lies in another frame than the regions before it.");
     case Misfit::TooLarge:
-      return Words::tr("What came is far larger than what was asked for, and was not taken.");
+      return RegionsText::tr("What came is far larger than what was asked for, and was not taken.");
   }
   return {};
 }
@@ -38,7 +38,7 @@ QString sentenceOf(const regions::RegionTrouble& trouble) {
     case Kind::Failed:
       return QString::fromStdString(sentenceOf(trouble.failure));
     case Kind::Elsewhere:
-      return Words::tr("The robot answered with another region.");
+      return RegionsText::tr("The robot answered with another region.");
     case Kind::Misplaced:
       return misfitSentence(trouble.misfit);
   }

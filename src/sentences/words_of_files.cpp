@@ -8,7 +8,7 @@ namespace {
 
 using map::ReasonCode;
 
-class Words {
+class WordsOfFilesText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
@@ -17,63 +17,63 @@ class Words {
 QString ofFiles(ReasonCode code) {
   switch (code) {
     case ReasonCode::NoSuchFile:
-      return Words::tr("There is no file %1.");
+      return WordsOfFilesText::tr("There is no file %1.");
     case ReasonCode::NotAFile:
-      return Words::tr("%1 is not a file.");
+      return WordsOfFilesText::tr("%1 is not a file.");
     case ReasonCode::FileNotReadable:
-      return Words::tr("The file %1 may not be read by you.");
+      return WordsOfFilesText::tr("The file %1 may not be read by you.");
     case ReasonCode::FileNotOpened:
-      return Words::tr("%1 cannot be opened");
+      return WordsOfFilesText::tr("%1 cannot be opened");
     case ReasonCode::PictureNotReadable:
-      return Words::tr("Its picture cannot be read.");
+      return WordsOfFilesText::tr("Its picture cannot be read.");
     case ReasonCode::PictureOutsideFolder:
-      return Words::tr("Its picture lies outside of its folder: %1.");
+      return WordsOfFilesText::tr("Its picture lies outside of its folder: %1.");
     case ReasonCode::ResolutionAssumed:
-      return Words::tr(
+      return WordsOfFilesText::tr(
           "A picture alone does not say how large its cells are. 0.05 m is assumed; give ?resolution=0.05 "
           "after the path to say it.");
     case ReasonCode::YamlBesideUnused:
-      return Words::tr("%1 beside it does not name it as its image, or cannot be read as a map.yaml.");
+      return WordsOfFilesText::tr("%1 beside it does not name it as its image, or cannot be read as a map.yaml.");
     case ReasonCode::SeveralYamls:
-      return Words::tr(
+      return WordsOfFilesText::tr(
           "More than one map.yaml names this picture, so none is taken: %1. Open the right one.");
     case ReasonCode::SeveralYamlsAndMore:
-      return Words::tr(
+      return WordsOfFilesText::tr(
           "More than one map.yaml names this picture, so none is taken: %1 and %2 more. Open the right one.");
     case ReasonCode::YamlTooLong:
-      return Words::tr("It is too long to be a map.yaml.");
+      return WordsOfFilesText::tr("It is too long to be a map.yaml.");
     case ReasonCode::YamlIsNone:
-      return Words::tr("It is not a map.yaml: it names no image, resolution and origin.");
+      return WordsOfFilesText::tr("It is not a map.yaml: it names no image, resolution and origin.");
     case ReasonCode::YamlBroken:
-      return Words::tr("It is not YAML (line %1).");
+      return WordsOfFilesText::tr("It is not YAML (line %1).");
     case ReasonCode::YamlWithoutImage:
-      return Words::tr("It names no image.");
+      return WordsOfFilesText::tr("It names no image.");
     case ReasonCode::YamlWithoutResolution:
-      return Words::tr(
+      return WordsOfFilesText::tr(
           "It has no resolution, so the map cannot be placed. Add for example: resolution: 0.05");
     case ReasonCode::YamlWithoutOrigin:
-      return Words::tr(
+      return WordsOfFilesText::tr(
           "It has no origin, so the map cannot be placed. Add for example: origin: [0.0, 0.0, 0.0]");
     case ReasonCode::OriginNoList:
-      return Words::tr("Its origin is not a list of x, y and yaw.");
+      return WordsOfFilesText::tr("Its origin is not a list of x, y and yaw.");
     case ReasonCode::OriginHoldsNoNumber:
-      return Words::tr("Its origin holds something that is not a number.");
+      return WordsOfFilesText::tr("Its origin holds something that is not a number.");
     case ReasonCode::OriginTurnNoNumber:
-      return Words::tr("The yaw of its origin is not a number. It is taken as 0.");
+      return WordsOfFilesText::tr("The yaw of its origin is not a number. It is taken as 0.");
     case ReasonCode::NegateUnknown:
-      return Words::tr("Its negate is neither 0 nor 1.");
+      return WordsOfFilesText::tr("Its negate is neither 0 nor 1.");
     case ReasonCode::ModeUnknown:
-      return Words::tr("Its mode is not known. It must be trinary, scale or raw.");
+      return WordsOfFilesText::tr("Its mode is not known. It must be trinary, scale or raw.");
     case ReasonCode::ThresholdMissing:
-      return Words::tr("It has no %1. %2 is assumed.");
+      return WordsOfFilesText::tr("It has no %1. %2 is assumed.");
     case ReasonCode::ThresholdNoNumber:
-      return Words::tr("Its %1 is not a number from 0 to 1.");
+      return WordsOfFilesText::tr("Its %1 is not a number from 0 to 1.");
     case ReasonCode::ThresholdsCrossed:
-      return Words::tr("Its free_thresh is not below its occupied_thresh, so no cell can be unknown.");
+      return WordsOfFilesText::tr("Its free_thresh is not below its occupied_thresh, so no cell can be unknown.");
     case ReasonCode::WaypointIdTwice:
-      return Words::tr("Two waypoints have the id %1.");
+      return WordsOfFilesText::tr("Two waypoints have the id %1.");
     case ReasonCode::WaypointTurnNoNumber:
-      return Words::tr("Waypoint %1 has a yaw_rad that is no number. It is shown without a heading.");
+      return WordsOfFilesText::tr("Waypoint %1 has a yaw_rad that is no number. It is shown without a heading.");
     default:
       return {};
   }
@@ -82,31 +82,31 @@ QString ofFiles(ReasonCode code) {
 QString ofWaypointFiles(ReasonCode code) {
   switch (code) {
     case ReasonCode::NoSuchMap:
-      return Words::tr("There is no such map.");
+      return WordsOfFilesText::tr("There is no such map.");
     case ReasonCode::WaypointFileNotRead:
-      return Words::tr("%1 cannot be read");
+      return WordsOfFilesText::tr("%1 cannot be read");
     case ReasonCode::FileChanged:
-      return Words::tr("%1 has changed on disk meanwhile.");
+      return WordsOfFilesText::tr("%1 has changed on disk meanwhile.");
     case ReasonCode::FileTooLarge:
-      return Words::tr("it is larger than %1");
+      return WordsOfFilesText::tr("it is larger than %1");
     case ReasonCode::FileEmpty:
-      return Words::tr("it is empty");
+      return WordsOfFilesText::tr("it is empty");
     case ReasonCode::FileNotJson:
-      return Words::tr("it is no JSON (%1)");
+      return WordsOfFilesText::tr("it is no JSON (%1)");
     case ReasonCode::NotAFeatureCollection:
-      return Words::tr("it is no GeoJSON FeatureCollection");
+      return WordsOfFilesText::tr("it is no GeoJSON FeatureCollection");
     case ReasonCode::SeveralFeatureLists:
-      return Words::tr("it has more than one list of features");
+      return WordsOfFilesText::tr("it has more than one list of features");
     case ReasonCode::TwoFeatureLists:
-      return Words::tr("it has two lists of features");
+      return WordsOfFilesText::tr("it has two lists of features");
     case ReasonCode::FolderWithoutMaps:
-      return Words::tr("There are no maps (map.yaml, PNG, PGM, BMP) in %1.");
+      return WordsOfFilesText::tr("There are no maps (map.yaml, PNG, PGM, BMP) in %1.");
     case ReasonCode::WaypointListGone:
-      return Words::tr(
+      return WordsOfFilesText::tr(
           "The list of waypoints is gone from where it was kept. They are still here: saving writes them "
           "again.");
     case ReasonCode::WaypointsTooMany:
-      return Words::tr("it has more than %1 waypoints");
+      return WordsOfFilesText::tr("it has more than %1 waypoints");
     default:
       return {};
   }
@@ -115,41 +115,41 @@ QString ofWaypointFiles(ReasonCode code) {
 QString ofDisks(ReasonCode code) {
   switch (code) {
     case ReasonCode::FileNotWritten:
-      return Words::tr("%1 cannot be written");
+      return WordsOfFilesText::tr("%1 cannot be written");
     case ReasonCode::OutputNotWritten:
-      return Words::tr("The standard output cannot be written");
+      return WordsOfFilesText::tr("The standard output cannot be written");
     case ReasonCode::IsAFolder:
-      return Words::tr("it is a folder");
+      return WordsOfFilesText::tr("it is a folder");
     case ReasonCode::IsADisk:
-      return Words::tr("it is a disk, not a file");
+      return WordsOfFilesText::tr("it is a disk, not a file");
     case ReasonCode::IsASocket:
-      return Words::tr("it is a socket, not a file");
+      return WordsOfFilesText::tr("it is a socket, not a file");
     case ReasonCode::NotARegularFile:
-      return Words::tr("it is not a regular file");
+      return WordsOfFilesText::tr("it is not a regular file");
     case ReasonCode::NoFileInFolder:
-      return Words::tr("no file can be made in %1 (%2)");
+      return WordsOfFilesText::tr("no file can be made in %1 (%2)");
     case ReasonCode::NobodyReadsPipe:
-      return Words::tr("nobody reads from this pipe");
+      return WordsOfFilesText::tr("nobody reads from this pipe");
     case ReasonCode::ReaderTakesNothing:
-      return Words::tr("whoever reads from it takes nothing");
+      return WordsOfFilesText::tr("whoever reads from it takes nothing");
     case ReasonCode::DraftFolderNotMade:
-      return Words::tr("No draft can be kept: the folder %1 cannot be made.");
+      return WordsOfFilesText::tr("No draft can be kept: the folder %1 cannot be made.");
     case ReasonCode::DraftFileNotMade:
-      return Words::tr("No draft can be kept: no file can be made in %1. Is the disk full?");
+      return WordsOfFilesText::tr("No draft can be kept: no file can be made in %1. Is the disk full?");
     case ReasonCode::DraftNotRemoved:
-      return Words::tr("The draft %1 cannot be removed.");
+      return WordsOfFilesText::tr("The draft %1 cannot be removed.");
     case ReasonCode::DraftNotRead:
-      return Words::tr("The draft %1 cannot be read");
+      return WordsOfFilesText::tr("The draft %1 cannot be read");
     case ReasonCode::DraftBroken:
-      return Words::tr("The draft %1 cannot be understood.");
+      return WordsOfFilesText::tr("The draft %1 cannot be understood.");
     case ReasonCode::DraftSetAside:
-      return Words::tr("The draft %1 cannot be understood. It is kept as %2.");
+      return WordsOfFilesText::tr("The draft %1 cannot be understood. It is kept as %2.");
     case ReasonCode::FolderNotMade:
-      return Words::tr("the folder %1 cannot be made");
+      return WordsOfFilesText::tr("the folder %1 cannot be made");
     case ReasonCode::FileNotRemoved:
-      return Words::tr("%1 cannot be removed: %2");
+      return WordsOfFilesText::tr("%1 cannot be removed: %2");
     case ReasonCode::FileNotKept:
-      return Words::tr("%1 cannot be written: %2");
+      return WordsOfFilesText::tr("%1 cannot be written: %2");
     default:
       return {};
   }

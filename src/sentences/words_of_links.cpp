@@ -8,7 +8,7 @@ namespace {
 
 using map::ReasonCode;
 
-class Words {
+class WordsOfLinksText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
@@ -17,39 +17,39 @@ class Words {
 QString ofTheRobot(ReasonCode code) {
   switch (code) {
     case ReasonCode::AnswersNotKept:
-      return Words::tr("What the robot answers cannot be kept on disk");
+      return WordsOfLinksText::tr("What the robot answers cannot be kept on disk");
     case ReasonCode::MapsNotKept:
-      return Words::tr("What was made of large maps cannot be kept in %1");
+      return WordsOfLinksText::tr("What was made of large maps cannot be kept in %1");
     case ReasonCode::DiskMayBeFull:
-      return Words::tr("the disk may be full");
+      return WordsOfLinksText::tr("the disk may be full");
     case ReasonCode::DoesNotSayWhatItIs:
-      return Words::tr("It does not say what it is");
+      return WordsOfLinksText::tr("It does not say what it is");
     case ReasonCode::ItAnswered:
-      return Words::tr("It answered: %1");
+      return WordsOfLinksText::tr("It answered: %1");
     case ReasonCode::EmergencyStop:
-      return Words::tr("It is pressed: the robot does not drive until it is released.");
+      return WordsOfLinksText::tr("It is pressed: the robot does not drive until it is released.");
     case ReasonCode::PositionLost:
-      return Words::tr("Where the robot stands on the map may be wrong.");
+      return WordsOfLinksText::tr("Where the robot stands on the map may be wrong.");
     case ReasonCode::WheelsReleased:
-      return Words::tr("The robot can be pushed, and rolls on a slope.");
+      return WordsOfLinksText::tr("The robot can be pushed, and rolls on a slope.");
     case ReasonCode::ManualControl:
-      return Words::tr("The robot does not drive by itself.");
+      return WordsOfLinksText::tr("The robot does not drive by itself.");
     case ReasonCode::PositionUncertain:
-      return Words::tr("The robot may stand beside its place on the map.");
+      return WordsOfLinksText::tr("The robot may stand beside its place on the map.");
     case ReasonCode::WheelsSlipping:
-      return Words::tr("The robot may not be where its wheels say.");
+      return WordsOfLinksText::tr("The robot may not be where its wheels say.");
     case ReasonCode::AlertWithoutText:
-      return Words::tr("The robot gives no text with it.");
+      return WordsOfLinksText::tr("The robot gives no text with it.");
     case ReasonCode::BagWithoutTimes:
-      return Words::tr("the answer does not say when it begins and ends");
+      return WordsOfLinksText::tr("the answer does not say when it begins and ends");
     case ReasonCode::BagWithoutMessages:
-      return Words::tr("the answer holds no list of messages");
+      return WordsOfLinksText::tr("the answer holds no list of messages");
     case ReasonCode::BagNotAsked:
-      return Words::tr("%1 is no range of time");
+      return WordsOfLinksText::tr("%1 is no range of time");
     case ReasonCode::BagFileNotWritten:
-      return Words::tr("%1 cannot be written: %2");
+      return WordsOfLinksText::tr("%1 cannot be written: %2");
     case ReasonCode::BagFileOfOtherSize:
-      return Words::tr("%1 bytes came, and the robot says that it has %2");
+      return WordsOfLinksText::tr("%1 bytes came, and the robot says that it has %2");
     default:
       return {};
   }
@@ -58,62 +58,62 @@ QString ofTheRobot(ReasonCode code) {
 QString ofLinks(ReasonCode code) {
   switch (code) {
     case ReasonCode::RequestCancelled:
-      return Words::tr("cancelled");
+      return WordsOfLinksText::tr("cancelled");
     case ReasonCode::NoWebAddress:
-      return Words::tr("the address is not one of a web server");
+      return WordsOfLinksText::tr("the address is not one of a web server");
     case ReasonCode::ConnectionRefused:
-      return Words::tr("connection refused by %1");
+      return WordsOfLinksText::tr("connection refused by %1");
     case ReasonCode::HostUnknown:
-      return Words::tr("the host %1 is not known");
+      return WordsOfLinksText::tr("the host %1 is not known");
     case ReasonCode::ConnectionClosed:
-      return Words::tr("the robot closed the connection");
+      return WordsOfLinksText::tr("the robot closed the connection");
     case ReasonCode::ConnectionClosedSaying:
-      return Words::tr("the robot closed the connection: %1");
+      return WordsOfLinksText::tr("the robot closed the connection: %1");
     case ReasonCode::ConnectionBroke:
-      return Words::tr("the connection to %1 broke off");
+      return WordsOfLinksText::tr("the connection to %1 broke off");
     case ReasonCode::ConnectionNotSecure:
-      return Words::tr("no secure connection to %1 can be made; it may not be encrypted there (http): %2");
+      return WordsOfLinksText::tr("no secure connection to %1 can be made; it may not be encrypted there (http): %2");
     case ReasonCode::HostSilent:
-      return Words::tr("%1 does not answer");
+      return WordsOfLinksText::tr("%1 does not answer");
     case ReasonCode::HostNotReached:
-      return Words::tr("%1 cannot be reached: %2");
+      return WordsOfLinksText::tr("%1 cannot be reached: %2");
     case ReasonCode::NoAnswerWithin:
-      return Words::tr("no answer for %1");
+      return WordsOfLinksText::tr("no answer for %1");
     case ReasonCode::LeadsToAnotherServer:
-      return Words::tr("the robot points to another server, %1, which is not followed");
+      return WordsOfLinksText::tr("the robot points to another server, %1, which is not followed");
     case ReasonCode::LeadsToAnotherAddress:
-      return Words::tr("the robot points to another address, which is not followed");
+      return WordsOfLinksText::tr("the robot points to another address, which is not followed");
     case ReasonCode::LeadsInCircles:
-      return Words::tr("the robot points from one address to the next without end");
+      return WordsOfLinksText::tr("the robot points from one address to the next without end");
     case ReasonCode::AnswerTooLong:
-      return Words::tr("the answer is longer than the %1 bytes allowed");
+      return WordsOfLinksText::tr("the answer is longer than the %1 bytes allowed");
     case ReasonCode::AnswerBrokeOff:
-      return Words::tr("the answer broke off after %1 bytes");
+      return WordsOfLinksText::tr("the answer broke off after %1 bytes");
     case ReasonCode::AnswerBrokeOffEarly:
-      return Words::tr("the answer broke off after %1 of %2 bytes");
+      return WordsOfLinksText::tr("the answer broke off after %1 of %2 bytes");
     case ReasonCode::AnsweredWithStatus:
-      return Words::tr("the robot answered %1");
+      return WordsOfLinksText::tr("the robot answered %1");
     case ReasonCode::AnsweredWithStatusSaying:
-      return Words::tr("the robot answered %1: %2");
+      return WordsOfLinksText::tr("the robot answered %1: %2");
     case ReasonCode::NoAddressToConnectTo:
-      return Words::tr("there is no address to connect to");
+      return WordsOfLinksText::tr("there is no address to connect to");
     case ReasonCode::NoWebSocketThere:
-      return Words::tr("%1 does not answer as a WebSocket");
+      return WordsOfLinksText::tr("%1 does not answer as a WebSocket");
     case ReasonCode::ClosedBeforeOpen:
-      return Words::tr("the robot closed the connection before it was open");
+      return WordsOfLinksText::tr("the robot closed the connection before it was open");
     case ReasonCode::BrokeBeforeOpen:
-      return Words::tr("the connection to %1 broke off before it was open");
+      return WordsOfLinksText::tr("the connection to %1 broke off before it was open");
     case ReasonCode::ConnectionForbidden:
-      return Words::tr("the robot refuses the connection: %1; the secret may be missing or wrong");
+      return WordsOfLinksText::tr("the robot refuses the connection: %1; the secret may be missing or wrong");
     case ReasonCode::ConnectionRejected:
-      return Words::tr("the robot refused the connection: %1");
+      return WordsOfLinksText::tr("the robot refused the connection: %1");
     case ReasonCode::MessageTooLong:
-      return Words::tr("a message was longer than the %1 bytes allowed");
+      return WordsOfLinksText::tr("a message was longer than the %1 bytes allowed");
     case ReasonCode::NoAutoxingRobotThere:
-      return Words::tr(
+      return WordsOfLinksText::tr(
           "something answers at %1, but not as an Autoxing robot: %2. Check the address and the port.");
     case ReasonCode::NoAgibotRobotThere:
-      return Words::tr(
+      return WordsOfLinksText::tr(
           "a web server answers there, but it knows no calls of Agibot robots (%1): check the address and "
           "the port");
     default:
@@ -124,33 +124,33 @@ QString ofLinks(ReasonCode code) {
 QString ofCertificates(ReasonCode code) {
   switch (code) {
     case ReasonCode::CertificateUntrusted:
-      return Words::tr("the certificate of %1 is not trusted: %3. Its SHA-256 fingerprint: %2");
+      return WordsOfLinksText::tr("the certificate of %1 is not trusted: %3. Its SHA-256 fingerprint: %2");
     case ReasonCode::CertificateChanged:
-      return Words::tr("the certificate of %1 has changed. Trusted (SHA-256): %2. Now: %3");
+      return WordsOfLinksText::tr("the certificate of %1 has changed. Trusted (SHA-256): %2. Now: %3");
     case ReasonCode::SelfSigned:
-      return Words::tr("it is self-signed");
+      return WordsOfLinksText::tr("it is self-signed");
     case ReasonCode::AuthorityUnnamed:
-      return Words::tr("it is issued by an authority that is not known here");
+      return WordsOfLinksText::tr("it is issued by an authority that is not known here");
     case ReasonCode::AuthorityUnknown:
-      return Words::tr("it is issued by %1, which is not known here");
+      return WordsOfLinksText::tr("it is issued by %1, which is not known here");
     case ReasonCode::CertificateExpired:
-      return Words::tr("it has expired on %1");
+      return WordsOfLinksText::tr("it has expired on %1");
     case ReasonCode::AuthorityExpired:
-      return Words::tr("its authority has expired on %1");
+      return WordsOfLinksText::tr("its authority has expired on %1");
     case ReasonCode::CertificateNotYetValid:
-      return Words::tr("it is valid from %1 on only, by the clock of this computer");
+      return WordsOfLinksText::tr("it is valid from %1 on only, by the clock of this computer");
     case ReasonCode::CertificateOfOtherName:
-      return Words::tr("it is issued for another name (%1)");
+      return WordsOfLinksText::tr("it is issued for another name (%1)");
     case ReasonCode::CertificateWithoutName:
-      return Words::tr("it is issued for another name (no name)");
+      return WordsOfLinksText::tr("it is issued for another name (no name)");
     case ReasonCode::CertificateWithdrawn:
-      return Words::tr("it was withdrawn");
+      return WordsOfLinksText::tr("it was withdrawn");
     case ReasonCode::CertificateIsAnother:
-      return Words::tr("it is not the one that was trusted");
+      return WordsOfLinksText::tr("it is not the one that was trusted");
     case ReasonCode::AuthoritiesNotRead:
-      return Words::tr("The certificate file %1 cannot be read: %2.");
+      return WordsOfLinksText::tr("The certificate file %1 cannot be read: %2.");
     case ReasonCode::NoAuthoritiesInFile:
-      return Words::tr(
+      return WordsOfLinksText::tr(
           "The certificate file %1 holds no certificate in PEM form (-----BEGIN CERTIFICATE-----).");
     default:
       return {};

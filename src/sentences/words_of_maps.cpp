@@ -8,7 +8,7 @@ namespace {
 
 using map::ReasonCode;
 
-class Words {
+class WordsOfMapsText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
@@ -17,15 +17,15 @@ class Words {
 QString ofPlaces(ReasonCode code) {
   switch (code) {
     case ReasonCode::ResolutionNoNumber:
-      return Words::tr("Its resolution is not a number, so it cannot be placed.");
+      return WordsOfMapsText::tr("Its resolution is not a number, so it cannot be placed.");
     case ReasonCode::ResolutionNotPositive:
-      return Words::tr("Its resolution is %1, which is no size of a cell.");
+      return WordsOfMapsText::tr("Its resolution is %1, which is no size of a cell.");
     case ReasonCode::ResolutionOutOfBounds:
-      return Words::tr("Its resolution of %1 m is out of bounds: between 0.1 mm and 1 km can be shown.");
+      return WordsOfMapsText::tr("Its resolution of %1 m is out of bounds: between 0.1 mm and 1 km can be shown.");
     case ReasonCode::OriginNoNumber:
-      return Words::tr("Its origin is missing or not a number, so it cannot be placed.");
+      return WordsOfMapsText::tr("Its origin is missing or not a number, so it cannot be placed.");
     case ReasonCode::OriginTooFar:
-      return Words::tr("Its origin lies farther than 10,000 km away, so it cannot be placed.");
+      return WordsOfMapsText::tr("Its origin lies farther than 10,000 km away, so it cannot be placed.");
     default:
       return {};
   }
@@ -34,54 +34,54 @@ QString ofPlaces(ReasonCode code) {
 QString ofMaps(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::SizesDiffer:
-      return Words::tr(
+      return WordsOfMapsText::tr(
           "It is said to have %1 x %2 cells, but its picture has %3 x %4. It is shown as the picture has "
           "it.");
     case ReasonCode::SizesDisagree:
-      return Words::tr(
+      return WordsOfMapsText::tr(
           "Its picture has %1 x %2 cells, but the robot says %3 x %4. Placed by the picture's own size.");
     case ReasonCode::TurnNoNumber:
-      return Words::tr("The turn of its origin is not a number. It is shown unturned.");
+      return WordsOfMapsText::tr("The turn of its origin is not a number. It is shown unturned.");
     case ReasonCode::CacheCopyDamaged:
-      return Words::tr("Its copy in the cache was damaged. The map was read again from its picture.");
+      return WordsOfMapsText::tr("Its copy in the cache was damaged. The map was read again from its picture.");
     case ReasonCode::AnotherMapCame:
-      return Words::tr("The robot answered with another map, %1. It is not shown.");
+      return WordsOfMapsText::tr("The robot answered with another map, %1. It is not shown.");
     case ReasonCode::FileNotHad:
-      return Words::tr("Shown without %1");
+      return WordsOfMapsText::tr("Shown without %1");
     case ReasonCode::RowsWithoutId:
-      return Words::tr("%1 rows without an id were left out.", nullptr, count);
+      return WordsOfMapsText::tr("%1 rows without an id were left out.", nullptr, count);
     case ReasonCode::AnswerIsNoList:
-      return Words::tr("its answer is not a list");
+      return WordsOfMapsText::tr("its answer is not a list");
     case ReasonCode::AnswerIsNoMap:
-      return Words::tr("the robot's answer is not a map");
+      return WordsOfMapsText::tr("the robot's answer is not a map");
     case ReasonCode::AnswerIsNoPicture:
-      return Words::tr("The robot's answer is no map picture, or is cut off.");
+      return WordsOfMapsText::tr("The robot's answer is no map picture, or is cut off.");
     case ReasonCode::NoPictureSent:
-      return Words::tr("The robot sent no picture.");
+      return WordsOfMapsText::tr("The robot sent no picture.");
     case ReasonCode::AnswerIsNoJson:
-      return Words::tr("The robot's answer is not JSON, so it may not be an %1 robot.");
+      return WordsOfMapsText::tr("The robot's answer is not JSON, so it may not be an %1 robot.");
     case ReasonCode::AnswerHoldsNoData:
-      return Words::tr("its answer holds no data");
+      return WordsOfMapsText::tr("its answer holds no data");
     case ReasonCode::MapsAreNoList:
-      return Words::tr("The robot's list of maps is not a list.");
+      return WordsOfMapsText::tr("The robot's list of maps is not a list.");
     case ReasonCode::PointsAreNoList:
-      return Words::tr("The robot's list of points is not a list.");
+      return WordsOfMapsText::tr("The robot's list of points is not a list.");
     case ReasonCode::ScaleNotPositive:
-      return Words::tr("Its resolution is missing or not above 0 pixels per metre, so it cannot be placed.");
+      return WordsOfMapsText::tr("Its resolution is missing or not above 0 pixels per metre, so it cannot be placed.");
     case ReasonCode::WrongMapSent:
-      return Words::tr("The robot sent the map %1 instead of it.");
+      return WordsOfMapsText::tr("The robot sent the map %1 instead of it.");
     case ReasonCode::NoPictureOfItSent:
-      return Words::tr("The robot sent no picture of it.");
+      return WordsOfMapsText::tr("The robot sent no picture of it.");
     case ReasonCode::PictureNotBase64:
-      return Words::tr("Its picture is not base64, or larger than 256 MB.");
+      return WordsOfMapsText::tr("Its picture is not base64, or larger than 256 MB.");
     case ReasonCode::HeightNotSaid:
-      return Words::tr("Its picture is not a PNG, and the robot does not say how high it is.");
+      return WordsOfMapsText::tr("Its picture is not a PNG, and the robot does not say how high it is.");
     case ReasonCode::PointOff:
-      return Words::tr("Point %1 (%2): its pixels lie %3 px from its metres. Shown where its metres say.");
+      return WordsOfMapsText::tr("Point %1 (%2): its pixels lie %3 px from its metres. Shown where its metres say.");
     case ReasonCode::PointsUnplaced:
-      return Words::tr("%1 points without a place were left out.", nullptr, count);
+      return WordsOfMapsText::tr("%1 points without a place were left out.", nullptr, count);
     case ReasonCode::MorePointsOff:
-      return Words::tr("%1 points more disagree with their pixels.", nullptr, count);
+      return WordsOfMapsText::tr("%1 points more disagree with their pixels.", nullptr, count);
     default:
       return {};
   }
@@ -90,72 +90,72 @@ QString ofMaps(ReasonCode code, int count) {
 QString ofPictures(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::PictureEmpty:
-      return Words::tr("It is empty: there is no picture in it.");
+      return WordsOfMapsText::tr("It is empty: there is no picture in it.");
     case ReasonCode::PictureFileNotOpened:
-      return Words::tr("The file %1 cannot be opened");
+      return WordsOfMapsText::tr("The file %1 cannot be opened");
     case ReasonCode::NotRead:
-      return Words::tr("It cannot be read.");
+      return WordsOfMapsText::tr("It cannot be read.");
     case ReasonCode::PictureKindUnknown:
-      return Words::tr("It is no picture that can be read as a map: neither PNG nor PGM nor BMP.");
+      return WordsOfMapsText::tr("It is no picture that can be read as a map: neither PNG nor PGM nor BMP.");
     case ReasonCode::PictureWithoutPixels:
-      return Words::tr("It says that it is %1 pixels: there is nothing in it.");
+      return WordsOfMapsText::tr("It says that it is %1 pixels: there is nothing in it.");
     case ReasonCode::PictureTooLarge:
-      return Words::tr("It says that it is %1 pixels. A map may have %2 along an edge and %3 in all.");
+      return WordsOfMapsText::tr("It says that it is %1 pixels. A map may have %2 along an edge and %3 in all.");
     case ReasonCode::PictureTooLargeForLayer:
-      return Words::tr("It is %1 pixels, and at most %2 are read.");
+      return WordsOfMapsText::tr("It is %1 pixels, and at most %2 are read.");
     case ReasonCode::PictureEndsEarly:
-      return Words::tr("It says that it is %2 pixels, but %3 after %1 rows. The rest is shown as unknown.",
+      return WordsOfMapsText::tr("It says that it is %2 pixels, but %3 after %1 rows. The rest is shown as unknown.",
                        nullptr, count);
     case ReasonCode::PictureEndsEarlyUnused:
-      return Words::tr("It says that it is %2 pixels, but %3 after %1 rows.", nullptr, count);
+      return WordsOfMapsText::tr("It says that it is %2 pixels, but %3 after %1 rows.", nullptr, count);
     case ReasonCode::PictureDoubtful:
-      return Words::tr("It is %1 pixels and all rows are there, but %2. Some of it may be wrong.");
+      return WordsOfMapsText::tr("It is %1 pixels and all rows are there, but %2. Some of it may be wrong.");
     case ReasonCode::DataEnds:
-      return Words::tr("its data ends");
+      return WordsOfMapsText::tr("its data ends");
     case ReasonCode::DataDamaged:
-      return Words::tr("its data is damaged");
+      return WordsOfMapsText::tr("its data is damaged");
     case ReasonCode::PixelChecksumWrong:
-      return Words::tr("the checksum of its pixels is wrong");
+      return WordsOfMapsText::tr("the checksum of its pixels is wrong");
     case ReasonCode::ChecksumWrong:
-      return Words::tr("a checksum in it is wrong (near byte %1)");
+      return WordsOfMapsText::tr("a checksum in it is wrong (near byte %1)");
     case ReasonCode::ReadingStopped:
-      return Words::tr("reading it was stopped");
+      return WordsOfMapsText::tr("reading it was stopped");
     case ReasonCode::NumberBeyondGreatest:
-      return Words::tr("it has a number beyond its greatest one");
+      return WordsOfMapsText::tr("it has a number beyond its greatest one");
     case ReasonCode::NotANumber:
-      return Words::tr("it has something that is no number");
+      return WordsOfMapsText::tr("it has something that is no number");
     case ReasonCode::InterlacedTooLarge:
-      return Words::tr(
+      return WordsOfMapsText::tr(
           "It is an interlaced picture of %1 pixels. Interlaced ones are read up to %2 bytes unpacked: save "
           "it without interlacing.");
     case ReasonCode::InterlacedWithoutRoom:
-      return Words::tr(
+      return WordsOfMapsText::tr(
           "It is an interlaced picture of %1 pixels, and there is no room to put it together. Free space in "
           "the folder for temporary files, or save the picture without interlacing.");
     case ReasonCode::CacheCopyLost:
-      return Words::tr(
+      return WordsOfMapsText::tr(
           "Its copy in the cache is damaged, and its picture can no longer be read: parts of it are missing. "
           "Open it again.");
     case ReasonCode::ResolutionNotAboveZero:
-      return Words::tr("The resolution must be more than 0.");
+      return WordsOfMapsText::tr("The resolution must be more than 0.");
     case ReasonCode::NoSubmapToExport:
-      return Words::tr("There is no submap to export yet.");
+      return WordsOfMapsText::tr("There is no submap to export yet.");
     case ReasonCode::ComposedTooLarge:
-      return Words::tr("The map is too large for one picture at this resolution. Choose a coarser one.");
+      return WordsOfMapsText::tr("The map is too large for one picture at this resolution. Choose a coarser one.");
     case ReasonCode::WritingStopped:
-      return Words::tr("Stopped; nothing was written.");
+      return WordsOfMapsText::tr("Stopped; nothing was written.");
     case ReasonCode::EncoderFailed:
-      return Words::tr("The PNG %1 cannot be written: its encoder failed.");
+      return WordsOfMapsText::tr("The PNG %1 cannot be written: its encoder failed.");
     case ReasonCode::PictureNotEncoded:
-      return Words::tr("The picture for %1 cannot be encoded: %2.");
+      return WordsOfMapsText::tr("The picture for %1 cannot be encoded: %2.");
     case ReasonCode::PictureOnlyRead:
-      return Words::tr("The picture %1 is neither PGM nor PNG: such pictures are only read.");
+      return WordsOfMapsText::tr("The picture %1 is neither PGM nor PNG: such pictures are only read.");
     case ReasonCode::PictureOfOtherSize:
-      return Words::tr("The picture %1 has another size now.");
+      return WordsOfMapsText::tr("The picture %1 has another size now.");
     case ReasonCode::CellWithoutShade:
-      return Words::tr("No gray of the picture %1 is read as a cell of %2 by its map.yaml.");
+      return WordsOfMapsText::tr("No gray of the picture %1 is read as a cell of %2 by its map.yaml.");
     case ReasonCode::PictureReadsOtherwise:
-      return Words::tr("The picture %1 was written, and is read back as another one");
+      return WordsOfMapsText::tr("The picture %1 was written, and is read back as another one");
     default:
       return {};
   }
@@ -164,51 +164,51 @@ QString ofPictures(ReasonCode code, int count) {
 QString ofPictureFormats(ReasonCode code) {
   switch (code) {
     case ReasonCode::BmpHeaderShort:
-      return Words::tr("It is a BMP that is cut off in its header.");
+      return WordsOfMapsText::tr("It is a BMP that is cut off in its header.");
     case ReasonCode::BmpHeaderUnknown:
-      return Words::tr("It is a BMP of a kind that is not read (its header has %1 bytes). Save it as PNG.");
+      return WordsOfMapsText::tr("It is a BMP of a kind that is not read (its header has %1 bytes). Save it as PNG.");
     case ReasonCode::BmpWidthNegative:
-      return Words::tr("It is a BMP with a negative width.");
+      return WordsOfMapsText::tr("It is a BMP with a negative width.");
     case ReasonCode::BmpBitsUnknown:
-      return Words::tr(
+      return WordsOfMapsText::tr(
           "It is a BMP with %1 bits a pixel; 1, 4, 8, 24 and 32 bits, uncompressed, are read. Save it as "
           "PNG.");
     case ReasonCode::BmpCompressed:
-      return Words::tr(
+      return WordsOfMapsText::tr(
           "It is a BMP with %1 bits a pixel, compressed; 1, 4, 8, 24 and 32 bits, uncompressed, are read. "
           "Save it as PNG.");
     case ReasonCode::BmpColoursUneven:
-      return Words::tr("It is a BMP whose colours are not made of whole bytes. Save it as PNG.");
+      return WordsOfMapsText::tr("It is a BMP whose colours are not made of whole bytes. Save it as PNG.");
     case ReasonCode::BmpPaletteShort:
-      return Words::tr("It is a BMP that is cut off in its palette.");
+      return WordsOfMapsText::tr("It is a BMP that is cut off in its palette.");
     case ReasonCode::PgmHeaderBroken:
-      return Words::tr("It is a PGM whose header is cut off or no header.");
+      return WordsOfMapsText::tr("It is a PGM whose header is cut off or no header.");
     case ReasonCode::PgmGreatestWrong:
-      return Words::tr("It is a PGM with %1 as its greatest gray; it must be 1 to 65535.");
+      return WordsOfMapsText::tr("It is a PGM with %1 as its greatest gray; it must be 1 to 65535.");
     case ReasonCode::PngHeaderShort:
-      return Words::tr("It is a PNG that is cut off in its header.");
+      return WordsOfMapsText::tr("It is a PNG that is cut off in its header.");
     case ReasonCode::PngHeaderMisplaced:
-      return Words::tr("It starts like a PNG, but its header is not where it has to be.");
+      return WordsOfMapsText::tr("It starts like a PNG, but its header is not where it has to be.");
     case ReasonCode::PngHeaderDamaged:
-      return Words::tr("It is a PNG whose header is damaged (its checksum is wrong).");
+      return WordsOfMapsText::tr("It is a PNG whose header is damaged (its checksum is wrong).");
     case ReasonCode::PngKindUnknown:
-      return Words::tr("It is a PNG of colour type %1 with %2 bits a sample, and there is no such PNG.");
+      return WordsOfMapsText::tr("It is a PNG of colour type %1 with %2 bits a sample, and there is no such PNG.");
     case ReasonCode::PngMethodUnknown:
-      return Words::tr("It is a PNG with a compression, filter or interlace method that does not exist.");
+      return WordsOfMapsText::tr("It is a PNG with a compression, filter or interlace method that does not exist.");
     case ReasonCode::PngEndsBeforePixels:
-      return Words::tr("It is a PNG that is cut off before its first pixel.");
+      return WordsOfMapsText::tr("It is a PNG that is cut off before its first pixel.");
     case ReasonCode::PngWithoutPixels:
-      return Words::tr("It is a PNG without pixels.");
+      return WordsOfMapsText::tr("It is a PNG without pixels.");
     case ReasonCode::PngPaletteDamaged:
-      return Words::tr("It is a PNG whose palette is damaged (its checksum is wrong).");
+      return WordsOfMapsText::tr("It is a PNG whose palette is damaged (its checksum is wrong).");
     case ReasonCode::PngTransparencyDamaged:
-      return Words::tr("It is a PNG whose transparency is damaged (its checksum is wrong).");
+      return WordsOfMapsText::tr("It is a PNG whose transparency is damaged (its checksum is wrong).");
     case ReasonCode::PngPartUnknown:
-      return Words::tr("It is a PNG with a part that nobody but its writer understands.");
+      return WordsOfMapsText::tr("It is a PNG with a part that nobody but its writer understands.");
     case ReasonCode::PngPaletteMissing:
-      return Words::tr("It is a PNG with a palette, but the palette is missing.");
+      return WordsOfMapsText::tr("It is a PNG with a palette, but the palette is missing.");
     case ReasonCode::PngTooShortForPixels:
-      return Words::tr("It says that it is %1 pixels, but its %2 bytes cannot hold so many.");
+      return WordsOfMapsText::tr("It says that it is %1 pixels, but its %2 bytes cannot hold so many.");
     default:
       return {};
   }

@@ -8,40 +8,40 @@ namespace {
 
 using map::ReasonCode;
 
-class Words {
+class WordsOfRecordingsText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
 QString ofFiles(ReasonCode code) {
   switch (code) {
     case ReasonCode::RecordingNotOpened:
-      return Words::tr("The recording %1 cannot be opened");
+      return WordsOfRecordingsText::tr("The recording %1 cannot be opened");
     case ReasonCode::RecordingIsNone:
-      return Words::tr("It is neither an MCAP file nor a bag of ROS 1.");
+      return WordsOfRecordingsText::tr("It is neither an MCAP file nor a bag of ROS 1.");
     case ReasonCode::RecordingOfOtherVersion:
-      return Words::tr(
+      return WordsOfRecordingsText::tr(
           "It is of a version that cannot be read here. MCAP 0 and ROS bags of version 2.0 can.");
     case ReasonCode::RecordingEncrypted:
-      return Words::tr("Its messages are encrypted. Decrypt it with rosbag first.");
+      return WordsOfRecordingsText::tr("Its messages are encrypted. Decrypt it with rosbag first.");
     case ReasonCode::RecordingOnlyRead:
-      return Words::tr("a recording on this computer is only read here");
+      return WordsOfRecordingsText::tr("a recording on this computer is only read here");
     case ReasonCode::RecordingLacksPicture:
-      return Words::tr("The recording does not hold the picture that this message names.");
+      return WordsOfRecordingsText::tr("The recording does not hold the picture that this message names.");
     case ReasonCode::RecordingLacksSubmap:
-      return Words::tr("The recording does not hold this submap.");
+      return WordsOfRecordingsText::tr("The recording does not hold this submap.");
     case ReasonCode::RecordingNotFinished:
-      return Words::tr("Its end is missing: it was interrupted after %1, or is still being written.");
+      return WordsOfRecordingsText::tr("Its end is missing: it was interrupted after %1, or is still being written.");
     case ReasonCode::RecordingNotBegun:
-      return Words::tr(
+      return WordsOfRecordingsText::tr(
           "Its end is missing, and so are its messages: it was interrupted, or is still being written.");
     case ReasonCode::RecordingLinkAway:
-      return Words::tr("The connection to the robot was away from %1 to %2.");
+      return WordsOfRecordingsText::tr("The connection to the robot was away from %1 to %2.");
     case ReasonCode::RecordingLinkGone:
-      return Words::tr("The connection to the robot was away from %1 to the end.");
+      return WordsOfRecordingsText::tr("The connection to the robot was away from %1 to the end.");
     case ReasonCode::RecordingWithoutIndex:
-      return Words::tr("It has no index and was looked through. Opening it takes longer.");
+      return WordsOfRecordingsText::tr("It has no index and was looked through. Opening it takes longer.");
     case ReasonCode::RecordingIndexUnusable:
-      return Words::tr("Its index is damaged. It was looked through instead.");
+      return WordsOfRecordingsText::tr("Its index is damaged. It was looked through instead.");
     default:
       return {};
   }
@@ -50,49 +50,49 @@ QString ofFiles(ReasonCode code) {
 QString ofDamage(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::RecordingCutOff:
-      return Words::tr("It is cut off at byte %1. What comes before is played.");
+      return WordsOfRecordingsText::tr("It is cut off at byte %1. What comes before is played.");
     case ReasonCode::RecordingBytesSkipped:
-      return Words::tr("%1 bytes of it are nothing that can be read (from byte %2 on). They are skipped.",
+      return WordsOfRecordingsText::tr("%1 bytes of it are nothing that can be read (from byte %2 on). They are skipped.",
                        nullptr, count);
     case ReasonCode::RecordingChunksCorrupt:
-      return Words::tr("%1 parts of it cannot be unpacked (the first at byte %2). They are skipped.", nullptr,
+      return WordsOfRecordingsText::tr("%1 parts of it cannot be unpacked (the first at byte %2). They are skipped.", nullptr,
                        count);
     case ReasonCode::RecordingChunksChanged:
-      return Words::tr("%1 parts of it are not what was written (the first at byte %2). They are skipped.",
+      return WordsOfRecordingsText::tr("%1 parts of it are not what was written (the first at byte %2). They are skipped.",
                        nullptr, count);
     case ReasonCode::RecordingChunksTooLarge:
-      return Words::tr("%1 parts of it would take too much memory (the first at byte %2). They are skipped.",
+      return WordsOfRecordingsText::tr("%1 parts of it would take too much memory (the first at byte %2). They are skipped.",
                        nullptr, count);
     case ReasonCode::RecordingChunksPacked:
-      return Words::tr(
+      return WordsOfRecordingsText::tr(
           "%1 parts of it are compressed in a way that is not known here: %3 (the first at byte %2). They "
           "are "
           "skipped.",
           nullptr, count);
     case ReasonCode::RecordingChunkTimesWrong:
-      return Words::tr("%1 parts of it say wrong times of themselves (the first at byte %2).", nullptr,
+      return WordsOfRecordingsText::tr("%1 parts of it say wrong times of themselves (the first at byte %2).", nullptr,
                        count);
     case ReasonCode::RecordingIndexLies:
-      return Words::tr("Its index names %1 messages that are not there (the first at byte %2).", nullptr,
+      return WordsOfRecordingsText::tr("Its index names %1 messages that are not there (the first at byte %2).", nullptr,
                        count);
     case ReasonCode::RecordingRecordsTooLarge:
-      return Words::tr("%1 descriptions in it are too large (the first at byte %2). They are skipped.",
+      return WordsOfRecordingsText::tr("%1 descriptions in it are too large (the first at byte %2). They are skipped.",
                        nullptr, count);
     case ReasonCode::RecordingRecordsCorrupt:
-      return Words::tr("%1 descriptions in it cannot be read (the first at byte %2). They are skipped.",
+      return WordsOfRecordingsText::tr("%1 descriptions in it cannot be read (the first at byte %2). They are skipped.",
                        nullptr, count);
     case ReasonCode::RecordingChannelsUnknown:
-      return Words::tr(
+      return WordsOfRecordingsText::tr(
           "%1 messages are of topics that it does not describe (the first at byte %2). They are skipped.",
           nullptr, count);
     case ReasonCode::RecordingChannelsChanged:
-      return Words::tr(
+      return WordsOfRecordingsText::tr(
           "%1 topics are described twice and differently (the first at byte %2). The first stands.", nullptr,
           count);
     case ReasonCode::RecordingFileInItCorrupt:
-      return Words::tr("The file %1 in the recording is damaged.");
+      return WordsOfRecordingsText::tr("The file %1 in the recording is damaged.");
     case ReasonCode::RecordingNotReadByDisk:
-      return Words::tr("The disk cannot read it at byte %1.");
+      return WordsOfRecordingsText::tr("The disk cannot read it at byte %1.");
     default:
       return {};
   }
@@ -101,25 +101,25 @@ QString ofDamage(ReasonCode code, int count) {
 QString ofMessages(ReasonCode code) {
   switch (code) {
     case ReasonCode::RosSchemaTooLong:
-      return Words::tr("The definition of %1 is longer than any message has.");
+      return WordsOfRecordingsText::tr("The definition of %1 is longer than any message has.");
     case ReasonCode::RosSchemaBroken:
-      return Words::tr("The definition of %1 cannot be read (line %2: \"%3\").");
+      return WordsOfRecordingsText::tr("The definition of %1 cannot be read (line %2: \"%3\").");
     case ReasonCode::RosSchemaTypeUnknown:
-      return Words::tr("The definition of %1 does not say what %2 is.");
+      return WordsOfRecordingsText::tr("The definition of %1 does not say what %2 is.");
     case ReasonCode::RosSchemaHoldsItself:
-      return Words::tr("The definition of %1 is endless: %2 holds itself.");
+      return WordsOfRecordingsText::tr("The definition of %1 is endless: %2 holds itself.");
     case ReasonCode::RosSchemaMissing:
-      return Words::tr("The recording does not say what a message of type %1 is made of.");
+      return WordsOfRecordingsText::tr("The recording does not say what a message of type %1 is made of.");
     case ReasonCode::RosEncodingUnknown:
-      return Words::tr("Messages in the encoding \"%1\" with definitions in \"%2\" cannot be read here.");
+      return WordsOfRecordingsText::tr("Messages in the encoding \"%1\" with definitions in \"%2\" cannot be read here.");
     case ReasonCode::RosMessageOtherwise:
-      return Words::tr("The message is not encoded as the recording says (%1).");
+      return WordsOfRecordingsText::tr("The message is not encoded as the recording says (%1).");
     case ReasonCode::RosMessageCutOff:
-      return Words::tr("The message ends within its field \"%1\".");
+      return WordsOfRecordingsText::tr("The message ends within its field \"%1\".");
     case ReasonCode::RosMessageTooLarge:
-      return Words::tr("The message is larger than can be read, at its field \"%1\".");
+      return WordsOfRecordingsText::tr("The message is larger than can be read, at its field \"%1\".");
     case ReasonCode::RosMessageWideText:
-      return Words::tr("The message has a text of wide characters (\"%1\"), which cannot be read here.");
+      return WordsOfRecordingsText::tr("The message has a text of wide characters (\"%1\"), which cannot be read here.");
     default:
       return {};
   }

@@ -8,7 +8,7 @@ namespace {
 
 using map::ReasonCode;
 
-class Words {
+class WordsOfRosText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
@@ -17,53 +17,53 @@ class Words {
 QString ofRos(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::RosFieldMissing:
-      return Words::tr("Its field %1 is missing or cannot be read.");
+      return WordsOfRosText::tr("Its field %1 is missing or cannot be read.");
     case ReasonCode::RosFieldWrong:
-      return Words::tr("Its field %1 is %2, which cannot be.");
+      return WordsOfRosText::tr("Its field %1 is %2, which cannot be.");
     case ReasonCode::RosLengthDiffers:
-      return Words::tr("Its field %1 holds %2 values, but its other fields say %3.");
+      return WordsOfRosText::tr("Its field %1 holds %2 values, but its other fields say %3.");
     case ReasonCode::RosRowsHoldMore:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "Its rows are %1 bytes long (row_step), but its points fill %2 of them (width and point_step). "
           "What "
           "lies behind them is left out.");
     case ReasonCode::RosGridEmpty:
-      return Words::tr("It has no cells: it is %1 x %2.");
+      return WordsOfRosText::tr("It has no cells: it is %1 x %2.");
     case ReasonCode::RosTurnIsZero:
-      return Words::tr("Its orientation is no rotation (a zero quaternion). It is shown with yaw 0.");
+      return WordsOfRosText::tr("Its orientation is no rotation (a zero quaternion). It is shown with yaw 0.");
     case ReasonCode::RosCellsOutOfRange:
-      return Words::tr("%1 cells are neither -1 nor 0 to 100. They are shown as unknown.", nullptr, count);
+      return WordsOfRosText::tr("%1 cells are neither -1 nor 0 to 100. They are shown as unknown.", nullptr, count);
     case ReasonCode::PictureShownOtherwise:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The robot has taken the picture, but shows %1 cells otherwise than they were sent. Compare both.",
           nullptr, count);
     case ReasonCode::RosPatchOutside:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "An update of %1 x %2 cells at %3, %4 does not lie in its %5 x %6 cells. It was left out.");
     case ReasonCode::RosPointsThinned:
-      return Words::tr("It has %1 points, too many to be drawn. One of every %2 is shown.");
+      return WordsOfRosText::tr("It has %1 points, too many to be drawn. One of every %2 is shown.");
     case ReasonCode::RosPatchInOtherFrame:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "An update of it lies in the frame %1, but it lies in the frame %2. The update was left out.");
     case ReasonCode::RosOneConnection:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The rosbridge server takes no second connection: %1. Maps and clouds share the one that poses "
           "come "
           "by, so these may come late while a map is sent.");
     case ReasonCode::RosFrameUnknown:
-      return Words::tr("The robot has sent no transform of the frame %1 yet, so it cannot be placed.");
+      return WordsOfRosText::tr("The robot has sent no transform of the frame %1 yet, so it cannot be placed.");
     case ReasonCode::RosFramesApart:
-      return Words::tr("No transforms connect the frame %1 to the frame %2, so it cannot be placed.");
+      return WordsOfRosText::tr("No transforms connect the frame %1 to the frame %2, so it cannot be placed.");
     case ReasonCode::RosTransformTooOld:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "It is older than the transforms of %1 in %2 that are kept, so it cannot be placed. The clocks of "
           "the robot may differ.");
     case ReasonCode::RosTransformTooNew:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "It is newer than the last transform of %1 in %2, so it cannot be placed. Whoever sends that "
           "transform may be late, or may have stopped.");
     case ReasonCode::RosTransformLoop:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "A transform of %1 in %2 would close a loop of frames. It was left out: two nodes of the robot "
           "contradict each other.");
     default:
@@ -74,28 +74,28 @@ QString ofRos(ReasonCode code, int count) {
 QString ofTopics(ReasonCode code) {
   switch (code) {
     case ReasonCode::TopicSilent:
-      return Words::tr("Waiting: nothing comes by it now");
+      return WordsOfRosText::tr("Waiting: nothing comes by it now");
     case ReasonCode::TopicNotListed:
-      return Words::tr("the robot knows no such topic now");
+      return WordsOfRosText::tr("the robot knows no such topic now");
     case ReasonCode::TopicNobodySends:
-      return Words::tr("the topic is there, but no node of the robot sends anything by it");
+      return WordsOfRosText::tr("the topic is there, but no node of the robot sends anything by it");
     case ReasonCode::TopicsNotTold:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "the robot does not tell which topics it has (its node rosapi does not run), so it may not have "
           "it");
     case ReasonCode::TopicAskedInstead:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "Nothing has come by it. Its map has been asked for by the service %1, and is shown as it was "
           "then.");
     case ReasonCode::MapServiceFailed:
-      return Words::tr("The map could not be had by the service %1 either: %2. It will be asked for again.");
+      return WordsOfRosText::tr("The map could not be had by the service %1 either: %2. It will be asked for again.");
     case ReasonCode::PoseSourceAway:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The rosbridge that tells where the robot is cannot be reached at %1: %2. Maps and waypoints come "
           "all "
           "the same.");
     case ReasonCode::TopicListedOnly:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "the topic is there; it may have nothing to say now, or the rosbridge server may lack its type");
     default:
       return {};
@@ -105,19 +105,19 @@ QString ofTopics(ReasonCode code) {
 QString ofDispatchers(ReasonCode code) {
   switch (code) {
     case ReasonCode::RegionMeansNothing:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The robot has not been asked: a region needs a place and a size that are numbers, and a size of "
           "more than 0 m.");
     case ReasonCode::FileNameMeansNothing:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The robot has not been asked: the name of a file needs one to 4,096 bytes, and no line ends or "
           "other control characters.");
     case ReasonCode::ProjectionMeansNothing:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The robot has not been asked: a projection needs a place and heights that are numbers, a size of "
           "more than 0 m, and its lower height below the upper one.");
     case ReasonCode::ProjectionsNotTold:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "What it projects cannot be told: it does not say which topics and services it has (its node "
           "rosapi "
           "does not run), and nothing has come by the usual topics (projected_map_0 and so on).");
@@ -129,78 +129,78 @@ QString ofDispatchers(ReasonCode code) {
 QString ofMapManagers(ReasonCode code) {
   switch (code) {
     case ReasonCode::NoAnswerInTime:
-      return Words::tr("the robot did not answer in time");
+      return WordsOfRosText::tr("the robot did not answer in time");
     case ReasonCode::LinkBrokeOff:
-      return Words::tr("the connection broke off");
+      return WordsOfRosText::tr("the connection broke off");
     case ReasonCode::NotConnected:
-      return Words::tr("there is no connection to the robot");
+      return WordsOfRosText::tr("there is no connection to the robot");
     case ReasonCode::AnswerWithoutResult:
-      return Words::tr("its answer holds no result");
+      return WordsOfRosText::tr("its answer holds no result");
     case ReasonCode::ResultMapUnknown:
-      return Words::tr("it has no such map");
+      return WordsOfRosText::tr("it has no such map");
     case ReasonCode::ResultNameTaken:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "another waypoint of this map is called \"%1\", too; give one of the two another name");
     case ReasonCode::ResultWaypointUnknown:
-      return Words::tr("it has no such waypoint any more");
+      return WordsOfRosText::tr("it has no such waypoint any more");
     case ReasonCode::ResultUndefined:
-      return Words::tr("it failed, and does not say why");
+      return WordsOfRosText::tr("it failed, and does not say why");
     case ReasonCode::ResultInvalid:
-      return Words::tr("it takes the request for invalid");
+      return WordsOfRosText::tr("it takes the request for invalid");
     case ReasonCode::ResultInvalidLoad:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "it takes the request for invalid; it may want to be told at which waypoint it stands");
     case ReasonCode::ResultAlreadyLoaded:
-      return Words::tr("it works with this map already");
+      return WordsOfRosText::tr("it works with this map already");
     case ReasonCode::ResultNothingToSave:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "it takes the request for invalid; there may be nothing to save, or the name may not do");
     case ReasonCode::ResultMapNameTaken:
-      return Words::tr("another map is called \"%1\" already; choose another name");
+      return WordsOfRosText::tr("another map is called \"%1\" already; choose another name");
     case ReasonCode::NoRosbridgeThere:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "something answers at %1, but not as a rosbridge server: %2. Check the address and the port.");
     case ReasonCode::NoMapManagerThere:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "a rosbridge server answers at %1, but its robot runs no KABAM map manager (/map_manager). Start "
           "it, or "
           "connect to ros+ws:// for what else there is.");
     case ReasonCode::ResultUnknown:
-      return Words::tr("%1 is no answer that this program knows");
+      return WordsOfRosText::tr("%1 is no answer that this program knows");
     case ReasonCode::NotConfirmed:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "not confirmed: the robot said that it was done, but did not show it within %1 s. Look again");
     case ReasonCode::TagsNotTaken:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The robot has taken the change of \"%1\", but not its tags. To be rid of its last tag, delete the "
           "waypoint and create it anew.");
     case ReasonCode::ChangedMeanwhile:
-      return Words::tr("\"%1\" has been changed on the robot meanwhile");
+      return WordsOfRosText::tr("\"%1\" has been changed on the robot meanwhile");
     case ReasonCode::ListsNotTold:
-      return Words::tr("the robot's map manager has not told its maps in time");
+      return WordsOfRosText::tr("the robot's map manager has not told its maps in time");
     case ReasonCode::OnlyCurrentMapSent:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The robot sends only the map that it works with. Load this one on the robot to see it.");
     case ReasonCode::OnlyCurrentMapTaken:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "The robot sends only the map that it works with, so only that one's picture can be saved and "
           "compared. Nothing was sent. Load this map on the robot first.");
     case ReasonCode::PictureChangedMeanwhile:
-      return Words::tr("the picture of \"%1\" has been changed on the robot meanwhile");
+      return WordsOfRosText::tr("the picture of \"%1\" has been changed on the robot meanwhile");
     case ReasonCode::CellBetweenKinds:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "Some of its cells are neither free, occupied nor unknown but in between (%1 of 100), and for "
           "these the "
           "map manager names no shade. Nothing was sent. Export the map to edit it as files.");
     case ReasonCode::MessageNotUnderstood:
-      return Words::tr("Its message is not what is expected there. It was left out.");
+      return WordsOfRosText::tr("Its message is not what is expected there. It was left out.");
     case ReasonCode::WaypointTurnIsZero:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "Waypoint \"%1\" has no heading (a zero quaternion). It is shown with yaw 0, and kept as it is "
           "until "
           "you turn it.");
     case ReasonCode::WaypointInOtherFrame:
-      return Words::tr("Waypoint \"%1\" lies in the frame %2 instead of %3. It was left out.");
+      return WordsOfRosText::tr("Waypoint \"%1\" lies in the frame %2 instead of %3. It was left out.");
     default:
       return {};
   }
@@ -211,12 +211,12 @@ QString ofMapManagers(ReasonCode code) {
 QString wordsOfLoneFrame(ReasonCode code) {
   switch (code) {
     case ReasonCode::RosFramesApart:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "Neither a map nor a transform tells where the frame %1 lies. It is shown as seen from there, as "
           "if "
           "the robot never moved.");
     case ReasonCode::WaypointInOtherFrame:
-      return Words::tr(
+      return WordsOfRosText::tr(
           "Waypoint \"%1\" is told in the frame %2, and no map has come that tells its own. It is taken for "
           "a "
           "place on the map.");

@@ -8,7 +8,7 @@ namespace {
 
 using map::ReasonCode;
 
-class Words {
+class WordsOfSubmapsText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
@@ -17,46 +17,46 @@ class Words {
 QString ofSubmaps(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::TurnIsZero:
-      return Words::tr("its orientation is a zero quaternion");
+      return WordsOfSubmapsText::tr("its orientation is a zero quaternion");
     case ReasonCode::PoseNotFinite:
-      return Words::tr("its pose holds numbers that are not finite");
+      return WordsOfSubmapsText::tr("its pose holds numbers that are not finite");
     case ReasonCode::PoseTooFar:
-      return Words::tr("its pose lies more than 1,000 km from the map's origin");
+      return WordsOfSubmapsText::tr("its pose lies more than 1,000 km from the map's origin");
     case ReasonCode::CannotBePlaced:
-      return Words::tr("It cannot be placed");
+      return WordsOfSubmapsText::tr("It cannot be placed");
     case ReasonCode::VersionCannotBePlaced:
-      return Words::tr("Version %1 cannot be placed");
+      return WordsOfSubmapsText::tr("Version %1 cannot be placed");
     case ReasonCode::RowWithoutNumbers:
-      return Words::tr("Row %1 has no usable trajectory_id, submap_index or submap_version. Left out.");
+      return WordsOfSubmapsText::tr("Row %1 has no usable trajectory_id, submap_index or submap_version. Left out.");
     case ReasonCode::ListedTwice:
-      return Words::tr("It is listed twice. Counted once.");
+      return WordsOfSubmapsText::tr("It is listed twice. Counted once.");
     case ReasonCode::ListedTwiceUnlike:
-      return Words::tr("It is listed twice, differently. The highest version with a usable pose is used.");
+      return WordsOfSubmapsText::tr("It is listed twice, differently. The highest version with a usable pose is used.");
     case ReasonCode::VersionWentBack:
-      return Words::tr(
+      return WordsOfSubmapsText::tr(
           "Its version went back from %1 to %2. The newer picture stays unless the robot insists.");
     case ReasonCode::OlderVersionListed:
-      return Words::tr("The robot lists an older version than the one shown.");
+      return WordsOfSubmapsText::tr("The robot lists an older version than the one shown.");
     case ReasonCode::NoListYet:
-      return Words::tr(
+      return WordsOfSubmapsText::tr(
           "The robot has not sent one yet. It may have no SLAM session, or its firmware may not know the "
           "topic %1. Still listening.");
     case ReasonCode::SlicePoseUnusable:
-      return Words::tr("its slice pose is not usable (a number that is not finite, or a zero quaternion)");
+      return WordsOfSubmapsText::tr("its slice pose is not usable (a number that is not finite, or a zero quaternion)");
     case ReasonCode::OneSlice:
-      return Words::tr("slice %1");
+      return WordsOfSubmapsText::tr("slice %1");
     case ReasonCode::VersionBroken:
-      return Words::tr("Version %1 is broken");
+      return WordsOfSubmapsText::tr("Version %1 is broken");
     case ReasonCode::VersionNotHad:
-      return Words::tr("Version %1");
+      return WordsOfSubmapsText::tr("Version %1");
     case ReasonCode::EmptyAnswer:
-      return Words::tr("The robot sent an empty answer.");
+      return WordsOfSubmapsText::tr("The robot sent an empty answer.");
     case ReasonCode::AnswerIsNoSubmap:
-      return Words::tr("The robot's answer (%1 bytes) is cut off or is not a submap.", nullptr, count);
+      return WordsOfSubmapsText::tr("The robot's answer (%1 bytes) is cut off or is not a submap.", nullptr, count);
     case ReasonCode::RobotAnswered:
-      return Words::tr("The robot answered %1");
+      return WordsOfSubmapsText::tr("The robot answered %1");
     case ReasonCode::MemoryUsedUp:
-      return Words::tr(
+      return WordsOfSubmapsText::tr(
           "It is used up, and a file for the others cannot be written: %1. They stay in memory; make room on "
           "the disk.");
     default:
@@ -67,37 +67,37 @@ QString ofSubmaps(ReasonCode code, int count) {
 QString ofCells(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::BytesUnexpected:
-      return Words::tr("%1 bytes where %2 (or %3) were expected", nullptr, count);
+      return WordsOfSubmapsText::tr("%1 bytes where %2 (or %3) were expected", nullptr, count);
     case ReasonCode::BytesTooMany:
-      return Words::tr("more than %1 bytes where %2 (or %3) were expected");
+      return WordsOfSubmapsText::tr("more than %1 bytes where %2 (or %3) were expected");
     case ReasonCode::CellFormatUnknown:
-      return Words::tr("cell format %1 is unknown: with one byte a cell only 0, 1 and 2 can be read");
+      return WordsOfSubmapsText::tr("cell format %1 is unknown: with one byte a cell only 0, 1 and 2 can be read");
     case ReasonCode::GzipDamaged:
-      return Words::tr("the gzip data is damaged or cut off");
+      return WordsOfSubmapsText::tr("the gzip data is damaged or cut off");
     case ReasonCode::ZlibDamaged:
-      return Words::tr("the zlib data is damaged or cut off");
+      return WordsOfSubmapsText::tr("the zlib data is damaged or cut off");
     case ReasonCode::TextureEmpty:
-      return Words::tr("the texture is announced with %1 cells");
+      return WordsOfSubmapsText::tr("the texture is announced with %1 cells");
     case ReasonCode::TextureTooLarge:
-      return Words::tr("the texture is announced with %1 cells; at most %2 are allowed");
+      return WordsOfSubmapsText::tr("the texture is announced with %1 cells; at most %2 are allowed");
     case ReasonCode::CellSizeNotPositive:
-      return Words::tr("the cell size is not a positive number of metres");
+      return WordsOfSubmapsText::tr("the cell size is not a positive number of metres");
     case ReasonCode::CellSizeTooSmall:
-      return Words::tr("the cell size is less than 0.1 mm");
+      return WordsOfSubmapsText::tr("the cell size is less than 0.1 mm");
     case ReasonCode::CellSizeTooLarge:
-      return Words::tr("the cell size is more than 100 m");
+      return WordsOfSubmapsText::tr("the cell size is more than 100 m");
     case ReasonCode::PngNotRead:
-      return Words::tr("the PNG cannot be read");
+      return WordsOfSubmapsText::tr("the PNG cannot be read");
     case ReasonCode::PngNotReadBy:
-      return Words::tr("the PNG cannot be read (%1)");
+      return WordsOfSubmapsText::tr("the PNG cannot be read (%1)");
     case ReasonCode::PngShort:
-      return Words::tr("the PNG is cut off in its header");
+      return WordsOfSubmapsText::tr("the PNG is cut off in its header");
     case ReasonCode::PngWithoutMemory:
-      return Words::tr("no memory is left to read the PNG");
+      return WordsOfSubmapsText::tr("no memory is left to read the PNG");
     case ReasonCode::PngOfOtherSize:
-      return Words::tr("the PNG is %1 where %2 was announced");
+      return WordsOfSubmapsText::tr("the PNG is %1 where %2 was announced");
     case ReasonCode::PngBytesTooFew:
-      return Words::tr("the PNG is cut off: %1 bytes cannot hold %2 pixels");
+      return WordsOfSubmapsText::tr("the PNG is cut off: %1 bytes cannot hold %2 pixels");
     default:
       return {};
   }
@@ -106,40 +106,40 @@ QString ofCells(ReasonCode code, int count) {
 QString ofMessages(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::MessageNotJson:
-      return Words::tr("A message of %1 bytes is not a JSON object. It was left out.", nullptr, count);
+      return WordsOfSubmapsText::tr("A message of %1 bytes is not a JSON object. It was left out.", nullptr, count);
     case ReasonCode::BinaryTooShort:
-      return Words::tr("A binary message of %1 bytes is too short to be read. It was left out.", nullptr,
+      return WordsOfSubmapsText::tr("A binary message of %1 bytes is too short to be read. It was left out.", nullptr,
                        count);
     case ReasonCode::NotUnpacked:
-      return Words::tr("A compressed message could not be unpacked. What was shown before stays.");
+      return WordsOfSubmapsText::tr("A compressed message could not be unpacked. What was shown before stays.");
     case ReasonCode::BinaryWithoutPoints:
-      return Words::tr("A binary message holds no points that can be read.");
+      return WordsOfSubmapsText::tr("A binary message holds no points that can be read.");
     case ReasonCode::BinaryWithoutList:
-      return Words::tr("A binary message could not be read. The list before it stays.");
+      return WordsOfSubmapsText::tr("A binary message could not be read. The list before it stays.");
     case ReasonCode::PoseWithoutNumbers:
-      return Words::tr("The robot's pose holds no usable numbers.");
+      return WordsOfSubmapsText::tr("The robot's pose holds no usable numbers.");
     case ReasonCode::MemberIsNoList:
-      return Words::tr("Its \"%1\" member is not a list.");
+      return WordsOfSubmapsText::tr("Its \"%1\" member is not a list.");
     case ReasonCode::PictureInMessageNotBase64:
-      return Words::tr("The picture in its message is not base64, or too large.");
+      return WordsOfSubmapsText::tr("The picture in its message is not base64, or too large.");
     case ReasonCode::NoPictureNorAddress:
-      return Words::tr("It holds neither a picture nor the address of one.");
+      return WordsOfSubmapsText::tr("It holds neither a picture nor the address of one.");
     case ReasonCode::PictureAddressInvalid:
-      return Words::tr("The address of its picture is not one.");
+      return WordsOfSubmapsText::tr("The address of its picture is not one.");
     case ReasonCode::PictureNotHad:
-      return Words::tr("Its picture %1 cannot be had");
+      return WordsOfSubmapsText::tr("Its picture %1 cannot be had");
     case ReasonCode::AnswerIsEmpty:
-      return Words::tr("the answer is empty");
+      return WordsOfSubmapsText::tr("the answer is empty");
     case ReasonCode::CameWithoutPicture:
-      return Words::tr("It came without a picture.");
+      return WordsOfSubmapsText::tr("It came without a picture.");
     case ReasonCode::PointsNotBase64:
-      return Words::tr("Its points are not base64, or too many.");
+      return WordsOfSubmapsText::tr("Its points are not base64, or too many.");
     case ReasonCode::PointsWithoutFields:
-      return Words::tr("Its fields name no x and y, or a type that is not known.");
+      return WordsOfSubmapsText::tr("Its fields name no x and y, or a type that is not known.");
     case ReasonCode::NoReadablePoints:
-      return Words::tr("It holds no points that can be read.");
+      return WordsOfSubmapsText::tr("It holds no points that can be read.");
     case ReasonCode::PointsWithoutScale:
-      return Words::tr("Its points have no usable scale or centre.");
+      return WordsOfSubmapsText::tr("Its points have no usable scale or centre.");
     default:
       return {};
   }

@@ -12,20 +12,20 @@
 namespace mapwright::session {
 namespace {
 
-class Words {
+class ProblemLogText {
   Q_DECLARE_TR_FUNCTIONS(ProblemLog)
 };
 
 QString severityWord(map::Severity severity) {
   switch (severity) {
     case map::Severity::Info:
-      return Words::tr("info");
+      return ProblemLogText::tr("info");
     case map::Severity::Warning:
-      return Words::tr("warning");
+      return ProblemLogText::tr("warning");
     case map::Severity::Error:
       break;
   }
-  return Words::tr("error");
+  return ProblemLogText::tr("error");
 }
 
 }  // namespace
@@ -36,11 +36,11 @@ QString spanText(qint64 ms) {
     return small > 0 ? text + QStringLiteral(" %1 %2").arg(small).arg(smaller) : text;
   };
   const qint64 s = ms / 1000, min = s / 60, h = min / 60;
-  if (ms < 1000) return Words::tr("%1 s").arg(double(std::max(qint64(0), ms) / 100) / 10);
-  if (s < 60) return Words::tr("%1 s").arg(s);
-  if (min < 60) return two(min, Words::tr("min"), s % 60, Words::tr("s"));
-  if (h < 24) return two(h, Words::tr("h"), min % 60, Words::tr("min"));
-  return two(h / 24, Words::tr("d"), h % 24, Words::tr("h"));
+  if (ms < 1000) return ProblemLogText::tr("%1 s").arg(double(std::max(qint64(0), ms) / 100) / 10);
+  if (s < 60) return ProblemLogText::tr("%1 s").arg(s);
+  if (min < 60) return two(min, ProblemLogText::tr("min"), s % 60, ProblemLogText::tr("s"));
+  if (h < 24) return two(h, ProblemLogText::tr("h"), min % 60, ProblemLogText::tr("min"));
+  return two(h / 24, ProblemLogText::tr("d"), h % 24, ProblemLogText::tr("h"));
 }
 
 qint64 LoggedProblem::lastedMs(const QDateTime& now) const {
@@ -151,15 +151,15 @@ QString ProblemLog::toText(const QDateTime& now) const {
                      words::plainName(sentences::sentenceOf(row.problem)));
     if (row.count > 1) {
       text += QStringLiteral("  (%1)").arg(
-          Words::tr("%1 times since %2").arg(row.count).arg(row.first.toString(Qt::ISODate)));
+          ProblemLogText::tr("%1 times since %2").arg(row.count).arg(row.first.toString(Qt::ISODate)));
     }
     if (row.resolved)
-      text += QStringLiteral("  (%1)").arg(Words::tr("resolved after %1").arg(spanText(row.lastedMs(now))));
+      text += QStringLiteral("  (%1)").arg(ProblemLogText::tr("resolved after %1").arg(spanText(row.lastedMs(now))));
     text += QLatin1Char('\n');
   }
   if (forgotten_ > 0) {
     text += sentences::counted(
-                Words::tr("%1 older problems are not kept.", nullptr, sentences::formOf(qint64(forgotten_))),
+                ProblemLogText::tr("%1 older problems are not kept.", nullptr, sentences::formOf(qint64(forgotten_))),
                 qint64(forgotten_)) +
             QLatin1Char('\n');
   }

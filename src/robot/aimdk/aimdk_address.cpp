@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kPort = 50807;
 
-class Words {
+class AimdkAddressText {
   Q_DECLARE_TR_FUNCTIONS(Address)
 };
 
@@ -32,11 +32,11 @@ ParsedAddress parse(const QString& rest) {
   for (const auto& [name, value] : options) {
     if (name != QLatin1String("tf") || !usable(QUrl(value, QUrl::StrictMode)) || options.size() > 1) {
       return error(
-          Words::tr("The address of an Agibot robot may only have ?tf=ws://HOST:9090 (its rosbridge) after "
+          AimdkAddressText::tr("The address of an Agibot robot may only have ?tf=ws://HOST:9090 (its rosbridge) after "
                     "the host."));
     }
   }
-  if (url->hasFragment()) return error(Words::tr("The address of an Agibot robot has no part after #."));
+  if (url->hasFragment()) return error(AimdkAddressText::tr("The address of an Agibot robot has no part after #."));
   url->setQuery(QString());
   address.url = *url;
   address.text = QStringLiteral("aimdk+") + url->toString();

@@ -7,7 +7,7 @@
 namespace mapwright::robot::axbot {
 namespace {
 
-class Words {
+class SeenObjectsText {
   Q_DECLARE_TR_FUNCTIONS(SeenObjects)
 };
 
@@ -17,21 +17,21 @@ using wire::Json;
 QString nameOf(std::int64_t label) {
   switch (label) {
     case 1:
-      return Words::tr("person");
+      return SeenObjectsText::tr("person");
     case 2:
-      return Words::tr("platform hand truck");
+      return SeenObjectsText::tr("platform hand truck");
     case 3:
-      return Words::tr("scaffold");
+      return SeenObjectsText::tr("scaffold");
     case 4:
-      return Words::tr("queue stand");
+      return SeenObjectsText::tr("queue stand");
     case 5:
-      return Words::tr("portable grandstand");
+      return SeenObjectsText::tr("portable grandstand");
     default:
       return {};
   }
 }
 
-QString rackName(bool aligned) { return aligned ? Words::tr("rack (aligned)") : Words::tr("rack"); }
+QString rackName(bool aligned) { return aligned ? SeenObjectsText::tr("rack (aligned)") : SeenObjectsText::tr("rack"); }
 
 bool isRobotFrame(const Json& object) {
   const std::string frame = wire::text(object, {"frame", "frame_id"});

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kPort = 9090;
 
-class Words {
+class RosAddressText {
   Q_DECLARE_TR_FUNCTIONS(Address)
 };
 
@@ -63,10 +63,10 @@ MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
     const QString whole = ns ? value : wholeName(value, below);
     if (!fits || !isNamespace(whole) || read.hasQueryItem(name)) {
       return error(
-          dispatcher ? Words::tr("The address of a map dispatcher may only have names of ROS after its ?, "
+          dispatcher ? RosAddressText::tr("The address of a map dispatcher may only have names of ROS after its ?, "
                                  "each once: ?ns=/NAMESPACE, or %1 with the name that it has instead.")
                            .arg(known.join(QStringLiteral(", ")))
-                     : Words::tr("The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
+                     : RosAddressText::tr("The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
     }
     read.addQueryItem(name, withoutLastSlashes(whole));
   }
@@ -89,7 +89,7 @@ ParsedAddress parse(const QString& rest, const QString& prefix) {
   const auto options = readOptions(QUrlQuery(*url), prefix == QLatin1String("rep130+"));
   if (!options) return error(options.error());
   address.options = *options;
-  if (url->hasFragment()) return error(Words::tr("The address of a ROS robot has no part after #."));
+  if (url->hasFragment()) return error(RosAddressText::tr("The address of a ROS robot has no part after #."));
   url->setQuery(QString());
   url->setScheme(url->scheme() == QLatin1String("https") ? QStringLiteral("wss") : QStringLiteral("ws"));
   address.url = *url;

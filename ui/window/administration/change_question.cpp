@@ -12,7 +12,7 @@ namespace {
 
 using robot::MapChange;
 
-class Words {
+class ChangeQuestionText {
   Q_DECLARE_TR_FUNCTIONS(ChangeQuestion)
 };
 
@@ -24,25 +24,25 @@ QString called(const map::CatalogueEntry* map) {
 
 void askToLoad(ChangeQuestion& question, const map::CatalogueEntry* map, const map::CatalogueEntry* current) {
   question.ends_something = true;
-  question.title = Words::tr("Load on the robot");
-  question.accept = Words::tr("Load");
-  question.done = Words::tr("The robot works with %1 now.");
+  question.title = ChangeQuestionText::tr("Load on the robot");
+  question.accept = ChangeQuestionText::tr("Load");
+  question.done = ChangeQuestionText::tr("The robot works with %1 now.");
   const QString name = called(map);
   question.text = current
-                      ? Words::tr("The robot will work with %1 instead of %2. What it is doing now may end.")
+                      ? ChangeQuestionText::tr("The robot will work with %1 instead of %2. What it is doing now may end.")
                             .arg(name, called(current))
-                      : Words::tr("The robot will work with %1. What it is doing now may end.").arg(name);
+                      : ChangeQuestionText::tr("The robot will work with %1. What it is doing now may end.").arg(name);
 }
 
 void askToDelete(ChangeQuestion& question, const map::CatalogueEntry* map) {
   question.ends_something = true;
-  question.title = Words::tr("Delete from the robot");
-  question.accept = Words::tr("Delete");
-  question.done = Words::tr("%1 is deleted.");
-  question.text = Words::tr("%1 will be deleted from the robot, with its waypoints. It cannot be had back.")
+  question.title = ChangeQuestionText::tr("Delete from the robot");
+  question.accept = ChangeQuestionText::tr("Delete");
+  question.done = ChangeQuestionText::tr("%1 is deleted.");
+  question.text = ChangeQuestionText::tr("%1 will be deleted from the robot, with its waypoints. It cannot be had back.")
                       .arg(called(map));
   if (map && map->is_current) {
-    question.text += QLatin1Char(' ') + Words::tr("The robot works with it now.");
+    question.text += QLatin1Char(' ') + ChangeQuestionText::tr("The robot works with it now.");
     question.typed = called(map);
   }
 }
@@ -56,61 +56,61 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
   if (map) question.order.key = map->key;
   switch (change) {
     case MapChange::Rename:
-      question.title = Words::tr("Rename on the robot");
-      question.text = Words::tr("What is %1 called from now on?").arg(called(map));
-      question.accept = Words::tr("Rename");
+      question.title = ChangeQuestionText::tr("Rename on the robot");
+      question.text = ChangeQuestionText::tr("What is %1 called from now on?").arg(called(map));
+      question.accept = ChangeQuestionText::tr("Rename");
       question.name = map ? QString::fromStdString(map->name) : QString();
-      question.done = Words::tr("It is called %1 now.");
+      question.done = ChangeQuestionText::tr("It is called %1 now.");
       break;
     case MapChange::Load:
       askToLoad(question, map, current);
       break;
     case MapChange::Archive:
-      question.title = Words::tr("Archive on the robot");
+      question.title = ChangeQuestionText::tr("Archive on the robot");
       question.text =
-          Words::tr("%1 will be put away. It is kept, and can be taken out again.").arg(called(map));
-      question.accept = Words::tr("Archive");
-      question.done = Words::tr("%1 is archived.");
+          ChangeQuestionText::tr("%1 will be put away. It is kept, and can be taken out again.").arg(called(map));
+      question.accept = ChangeQuestionText::tr("Archive");
+      question.done = ChangeQuestionText::tr("%1 is archived.");
       break;
     case MapChange::Unarchive:
-      question.title = Words::tr("Take out of the archive");
-      question.text = Words::tr("%1 will be among the robot's maps again.").arg(called(map));
-      question.accept = Words::tr("Take out");
-      question.done = Words::tr("%1 is out of the archive.");
+      question.title = ChangeQuestionText::tr("Take out of the archive");
+      question.text = ChangeQuestionText::tr("%1 will be among the robot's maps again.").arg(called(map));
+      question.accept = ChangeQuestionText::tr("Take out");
+      question.done = ChangeQuestionText::tr("%1 is out of the archive.");
       break;
     case MapChange::Delete:
       askToDelete(question, map);
       break;
     case MapChange::StartMapping:
       question.ends_something = true;
-      question.title = Words::tr("Start mapping");
-      question.text = current ? Words::tr("The robot will begin a new map and leave %1.").arg(called(current))
-                              : Words::tr("The robot will begin a new map.");
-      question.accept = Words::tr("Start mapping");
-      question.done = Words::tr("The robot is mapping.");
+      question.title = ChangeQuestionText::tr("Start mapping");
+      question.text = current ? ChangeQuestionText::tr("The robot will begin a new map and leave %1.").arg(called(current))
+                              : ChangeQuestionText::tr("The robot will begin a new map.");
+      question.accept = ChangeQuestionText::tr("Start mapping");
+      question.done = ChangeQuestionText::tr("The robot is mapping.");
       break;
     case MapChange::StopMapping:
       question.ends_something = true;
-      question.title = Words::tr("Stop mapping");
-      question.text = Words::tr("The robot will end mapping. Save the map afterwards, or it may be lost.");
-      question.accept = Words::tr("Stop mapping");
-      question.done = Words::tr("Mapping is stopped.");
+      question.title = ChangeQuestionText::tr("Stop mapping");
+      question.text = ChangeQuestionText::tr("The robot will end mapping. Save the map afterwards, or it may be lost.");
+      question.accept = ChangeQuestionText::tr("Stop mapping");
+      question.done = ChangeQuestionText::tr("Mapping is stopped.");
       break;
     case MapChange::Save:
-      question.title = Words::tr("Save the new map");
-      question.text = Words::tr("What is the map called that has just been made?");
-      question.accept = Words::tr("Save");
+      question.title = ChangeQuestionText::tr("Save the new map");
+      question.text = ChangeQuestionText::tr("What is the map called that has just been made?");
+      question.accept = ChangeQuestionText::tr("Save");
       question.name = QString();
-      question.done = Words::tr("The map is kept as %1.");
+      question.done = ChangeQuestionText::tr("The map is kept as %1.");
       break;
   }
   return question;
 }
 
 QString whyNoName(const QString& name) {
-  if (name.trimmed().isEmpty()) return Words::tr("A map must have a name.");
+  if (name.trimmed().isEmpty()) return ChangeQuestionText::tr("A map must have a name.");
   if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
-    return Words::tr("The name of a map is one line of text, without control characters.");
+    return ChangeQuestionText::tr("The name of a map is one line of text, without control characters.");
   return {};
 }
 

@@ -10,7 +10,7 @@ using series::Quantity;
 
 namespace {
 
-class Words {
+class PlotWishText {
   Q_DECLARE_TR_FUNCTIONS(mapwright::window::PlotWish)
  public:
   static QString name(Quantity quantity) {
@@ -72,13 +72,13 @@ QString wordOf(Quantity quantity) {
 }  // namespace
 
 QString plotName(const PlotWish& wish) {
-  if (const auto* quantity = std::get_if<Quantity>(&wish)) return Words::name(*quantity);
+  if (const auto* quantity = std::get_if<Quantity>(&wish)) return PlotWishText::name(*quantity);
   return words::plainName(std::get<series::FieldPath>(wish).text());
 }
 
 QString plotUnit(const PlotWish& wish) {
   const auto* quantity = std::get_if<Quantity>(&wish);
-  return quantity ? Words::unit(*quantity) : QString();
+  return quantity ? PlotWishText::unit(*quantity) : QString();
 }
 
 QString plotWord(const PlotWish& wish) {

@@ -11,7 +11,7 @@
 namespace mapwright::window {
 namespace {
 
-class Words {
+class MapByRegionsText {
   Q_DECLARE_TR_FUNCTIONS(MapByRegions)
 };
 
@@ -29,7 +29,7 @@ qint64 whole(double value) { return qint64(std::clamp(value, 0.0, kMostCells)); 
 /// "8,000 × 8,000 cells, about 224 MB"; empty where nothing is known.
 QString shortSizeText(const regions::MapRegions& map, const std::optional<robot::MapExtent>& extent) {
   const auto cells = [](double wide, double high, qint64 bytes) {
-    return Words::tr("%1 × %2 cells, about %3")
+    return MapByRegionsText::tr("%1 × %2 cells, about %3")
         .arg(countText(whole(wide)), countText(whole(high)), bytesText(bytes));
   };
   if (extent) return cells(extent->grid.width, extent->grid.height, extent->about_bytes);
@@ -37,7 +37,7 @@ QString shortSizeText(const regions::MapRegions& map, const std::optional<robot:
   if (!resolution || map.reach().empty()) return {};
   const double wide = std::ceil(map.reach().width() / *resolution),
                high = std::ceil(map.reach().height() / *resolution);
-  return Words::tr("at least %1").arg(cells(wide, high, whole(wide * high)));
+  return MapByRegionsText::tr("at least %1").arg(cells(wide, high, whole(wide * high)));
 }
 
 }  // namespace
@@ -46,41 +46,41 @@ QString regionsStatus(const regions::MapRegions& map) {
   const regions::RegionCounts counts = map.counts();
   const QString bytes = bytesText(qint64(map.bytes()));
   if (counts.in_view == 0 && !map.plan().tooFar() && map.bytes() > 0)
-    return Words::tr("regions: %1 held").arg(bytes);
-  if (map.plan().tooFar()) return Words::tr("regions: zoom in, %1").arg(bytes);
-  return Words::tr("%1 of %2 regions, %3").arg(countText(counts.answered), countText(counts.in_view), bytes);
+    return MapByRegionsText::tr("regions: %1 held").arg(bytes);
+  if (map.plan().tooFar()) return MapByRegionsText::tr("regions: zoom in, %1").arg(bytes);
+  return MapByRegionsText::tr("%1 of %2 regions, %3").arg(countText(counts.answered), countText(counts.in_view), bytes);
 }
 
 QString areaText(const geometry::WorldRect& rect) {
-  return Words::tr("%1 × %2 m").arg(metres(rect.width()), metres(rect.height()));
+  return MapByRegionsText::tr("%1 × %2 m").arg(metres(rect.width()), metres(rect.height()));
 }
 
 QString rectangleText(const regions::MapRegions& map, const geometry::WorldRect& rect) {
   const auto resolution = map.plan().resolution();
   if (!resolution) return areaText(rect);
   const double wide = std::ceil(rect.width() / *resolution), high = std::ceil(rect.height() / *resolution);
-  return Words::tr("%1: %2 × %3 cells, about %4")
+  return MapByRegionsText::tr("%1: %2 × %3 cells, about %4")
       .arg(areaText(rect), countText(whole(wide)), countText(whole(high)), bytesText(whole(wide * high)));
 }
 
 QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot::MapExtent>& extent) {
   const geometry::WorldRect reach = map ? map->reach() : geometry::WorldRect{};
   if (!extent) {
-    if (reach.empty()) return Words::tr("How large it is, is not known: the robot does not say.");
-    return Words::
+    if (reach.empty()) return MapByRegionsText::tr("How large it is, is not known: the robot does not say.");
+    return MapByRegionsText::
         tr("What is known of it reaches over %1. It may be larger: the robot does not say how large it is.")
             .arg(rectangleText(*map, reach));
   }
-  QString text = Words::tr("The robot says that it is %1: %2 × %3 cells, about %4 over the link.")
+  QString text = MapByRegionsText::tr("The robot says that it is %1: %2 × %3 cells, about %4 over the link.")
                      .arg(areaText(extentOf(*extent)), countText(extent->grid.width),
                           countText(extent->grid.height), bytesText(extent->about_bytes));
   const geometry::WorldRect told = extent->grid.bounds().grown(extent->grid.resolution_m);
   if (!reach.empty() && !(told.contains(Eigen::Vector2d(reach.min_x, reach.min_y)) &&
                           told.contains(Eigen::Vector2d(reach.max_x, reach.max_y))))
-    text += QLatin1Char(' ') + Words::tr("Regions beyond that have come: it is larger.");
+    text += QLatin1Char(' ') + MapByRegionsText::tr("Regions beyond that have come: it is larger.");
   if (extent->most_bytes > 0 && extent->about_bytes > extent->most_bytes) {
     text +=
-        QLatin1Char(' ') + Words::tr("The link takes %1 at once: it may break off, and nothing comes then.")
+        QLatin1Char(' ') + MapByRegionsText::tr("The link takes %1 at once: it may break off, and nothing comes then.")
                                .arg(bytesText(extent->most_bytes));
   }
   return text;
@@ -88,7 +88,7 @@ QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot:
 
 QString whyNotWhole(const std::optional<robot::MapExtent>& extent) {
   if (!extent || !extent->beyondLink()) return {};
-  return Words::
+  return MapByRegionsText::
       tr("The whole map is too large to be fetched at once: its %1 × %2 cells are %3 over the link at least, "
          "which takes %4. Fetch a region of it.")
           .arg(countText(extent->grid.width), countText(extent->grid.height), bytesText(extent->least_bytes),
@@ -98,12 +98,12 @@ QString whyNotWhole(const std::optional<robot::MapExtent>& extent) {
 QString wholeProgressText(qint64 bytes, qint64 seconds, const std::optional<robot::MapExtent>& extent) {
   const QString time = countText(seconds);
   if (bytes <= 0)
-    return Words::tr("The whole map is being fetched, for %1 s. Nothing of it has come yet.").arg(time);
+    return MapByRegionsText::tr("The whole map is being fetched, for %1 s. Nothing of it has come yet.").arg(time);
   if (extent && bytes < extent->about_bytes) {
-    return Words::tr("The whole map is being fetched: %1 of about %2 so far, for %3 s.")
+    return MapByRegionsText::tr("The whole map is being fetched: %1 of about %2 so far, for %3 s.")
         .arg(bytesText(bytes), bytesText(extent->about_bytes), time);
   }
-  return Words::tr("The whole map is being fetched: %1 so far, for %2 s.").arg(bytesText(bytes), time);
+  return MapByRegionsText::tr("The whole map is being fetched: %1 so far, for %2 s.").arg(bytesText(bytes), time);
 }
 
 QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& world_m, bool offered,
@@ -118,20 +118,20 @@ QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& worl
   const QString why = region ? sentences::sentenceOf(region->trouble) : QString();
   if (region && region->state == RegionState::Held) {
     if (region->trouble.kind == kNone) return {};
-    return Words::tr("Old: this region could not be fetched anew. %1").arg(why);
+    return MapByRegionsText::tr("Old: this region could not be fetched anew. %1").arg(why);
   }
   if (region && region->state == RegionState::Nothing)
-    return Words::tr("Nothing here: the robot says that its map has nothing in this region.");
-  if (!online) return Words::tr("Not fetched: there is no connection to the robot.");
-  if (!offered) return Words::tr("Not fetched: the robot gives no regions of its map any more.");
-  if (map.plan().tooFar()) return Words::tr("Not fetched: too much of the map is in view. Zoom in.");
+    return MapByRegionsText::tr("Nothing here: the robot says that its map has nothing in this region.");
+  if (!online) return MapByRegionsText::tr("Not fetched: there is no connection to the robot.");
+  if (!offered) return MapByRegionsText::tr("Not fetched: the robot gives no regions of its map any more.");
+  if (map.plan().tooFar()) return MapByRegionsText::tr("Not fetched: too much of the map is in view. Zoom in.");
   if (region && region->state == RegionState::Failed)
-    return Words::tr("This region could not be fetched, and is asked for again by itself. %1").arg(why);
-  if (region && region->state == RegionState::Fetching) return Words::tr("This region is being fetched.");
-  if (region) return Words::tr("Not fetched yet: this region waits until those before it have come.");
+    return MapByRegionsText::tr("This region could not be fetched, and is asked for again by itself. %1").arg(why);
+  if (region && region->state == RegionState::Fetching) return MapByRegionsText::tr("This region is being fetched.");
+  if (region) return MapByRegionsText::tr("Not fetched yet: this region waits until those before it have come.");
   if (const auto& trouble = map.plan().probeTrouble(); !map.plan().resolution() && trouble.kind != kNone)
-    return Words::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble));
-  return Words::tr("Not fetched yet: the first answer of the robot is waited for.");
+    return MapByRegionsText::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble));
+  return MapByRegionsText::tr("Not fetched yet: the first answer of the robot is waited for.");
 }
 
 RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
@@ -141,29 +141,29 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
     if (extent && extent->beyondLink()) {
       return {
           Mark::Neutral,
-          Words::tr(
+          MapByRegionsText::tr(
               "Too much of the map is in view, and all of it too large to come at once. Zoom in, or fetch "
               "a region."),
           Offer::Region};
     }
-    if (!whole) return {Mark::Neutral, Words::tr("Too much of the map is in view to be fetched. Zoom in.")};
+    if (!whole) return {Mark::Neutral, MapByRegionsText::tr("Too much of the map is in view to be fetched. Zoom in.")};
     // The strip is one line; the question says more.
     const QString size = shortSizeText(map, extent);
     return {Mark::Neutral,
             size.isEmpty()
-                ? Words::tr("Too much of the map is in view. Zoom in, or fetch all of it.")
-                : Words::tr("Too much of the map is in view. Zoom in, or fetch all of it: %1.").arg(size),
+                ? MapByRegionsText::tr("Too much of the map is in view. Zoom in, or fetch all of it.")
+                : MapByRegionsText::tr("Too much of the map is in view. Zoom in, or fetch all of it: %1.").arg(size),
             Offer::Whole};
   }
   const auto kNone = regions::RegionTrouble::Kind::None;
   if (const auto& trouble = map.plan().probeTrouble(); !map.plan().resolution() && trouble.kind != kNone) {
     return {Mark::Bad,
-            Words::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble)),
+            MapByRegionsText::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble)),
             Offer::Retry};
   }
   const int failed = map.counts().failed;
   if (failed == 0 && map.counts().smaller > 0) {
-    return {Mark::Warning, Words::tr("The robot's answers are smaller than the regions asked for (%1 of %2): "
+    return {Mark::Warning, MapByRegionsText::tr("The robot's answers are smaller than the regions asked for (%1 of %2): "
                                      "what is missing is blank.")
                                .arg(countText(map.counts().smaller), countText(map.counts().in_view))};
   }
@@ -173,7 +173,7 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
     if (why.isEmpty()) why = sentences::sentenceOf(region.trouble);
   }
   return {Mark::Warning,
-          Words::tr("Not every region in view could be fetched (%1 of %2 are missing or old): %3")
+          MapByRegionsText::tr("Not every region in view could be fetched (%1 of %2 are missing or old): %3")
               .arg(countText(failed), countText(map.counts().in_view), why),
           Offer::Retry};
 }

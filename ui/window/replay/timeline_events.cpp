@@ -13,7 +13,7 @@ using replay::EventKind;
 
 namespace {
 
-class Words {
+class TimelineEventsText {
   Q_DECLARE_TR_FUNCTIONS(TimelineEvents)
 };
 
@@ -53,27 +53,27 @@ QString eventText(const Event& event) {
   const QString text = said(event.text);
   switch (event.kind) {
     case EventKind::AlertBegan:
-      return text.isEmpty() ? Words::tr("Alert %1").arg(event.code)
-                            : Words::tr("Alert %1: %2").arg(QString::number(event.code), text);
+      return text.isEmpty() ? TimelineEventsText::tr("Alert %1").arg(event.code)
+                            : TimelineEventsText::tr("Alert %1: %2").arg(QString::number(event.code), text);
     case EventKind::AlertEnded:
-      return text.isEmpty() ? Words::tr("Alert %1 ended").arg(event.code)
-                            : Words::tr("Alert %1 ended: %2").arg(QString::number(event.code), text);
+      return text.isEmpty() ? TimelineEventsText::tr("Alert %1 ended").arg(event.code)
+                            : TimelineEventsText::tr("Alert %1 ended: %2").arg(QString::number(event.code), text);
     case EventKind::MoveState:
-      return text.isEmpty() ? Words::tr("Planner: idle") : Words::tr("Planner: %1").arg(text);
+      return text.isEmpty() ? TimelineEventsText::tr("Planner: idle") : TimelineEventsText::tr("Planner: %1").arg(text);
     case EventKind::PositionJump:
-      return Words::tr("The position jumped by %1 m").arg(event.metres, 0, 'f', 1);
+      return TimelineEventsText::tr("The position jumped by %1 m").arg(event.metres, 0, 'f', 1);
     case EventKind::MapChanged:
-      return Words::tr("Another map: %1").arg(text);
+      return TimelineEventsText::tr("Another map: %1").arg(text);
     case EventKind::SessionChanged:
-      return Words::tr("A new SLAM session");
+      return TimelineEventsText::tr("A new SLAM session");
     case EventKind::QualityLow:
-      return Words::tr("The position is poor or lost");
+      return TimelineEventsText::tr("The position is poor or lost");
     case EventKind::QualityGood:
-      return Words::tr("The position is good again");
+      return TimelineEventsText::tr("The position is good again");
     case EventKind::EmergencyStopOn:
-      return Words::tr("Emergency stop pressed");
+      return TimelineEventsText::tr("Emergency stop pressed");
     case EventKind::EmergencyStopOff:
-      return Words::tr("Emergency stop released");
+      return TimelineEventsText::tr("Emergency stop released");
   }
   return {};
 }
@@ -81,25 +81,25 @@ QString eventText(const Event& event) {
 QString kindName(EventKind kind) {
   switch (kind) {
     case EventKind::AlertBegan:
-      return Words::tr("Alert");
+      return TimelineEventsText::tr("Alert");
     case EventKind::AlertEnded:
-      return Words::tr("Alert ended");
+      return TimelineEventsText::tr("Alert ended");
     case EventKind::MoveState:
-      return Words::tr("Planner");
+      return TimelineEventsText::tr("Planner");
     case EventKind::PositionJump:
-      return Words::tr("Position jump");
+      return TimelineEventsText::tr("Position jump");
     case EventKind::MapChanged:
-      return Words::tr("Map");
+      return TimelineEventsText::tr("Map");
     case EventKind::SessionChanged:
-      return Words::tr("SLAM session");
+      return TimelineEventsText::tr("SLAM session");
     case EventKind::QualityLow:
-      return Words::tr("Position poor");
+      return TimelineEventsText::tr("Position poor");
     case EventKind::QualityGood:
-      return Words::tr("Position good");
+      return TimelineEventsText::tr("Position good");
     case EventKind::EmergencyStopOn:
-      return Words::tr("Emergency stop");
+      return TimelineEventsText::tr("Emergency stop");
     case EventKind::EmergencyStopOff:
-      return Words::tr("Stop released");
+      return TimelineEventsText::tr("Stop released");
   }
   return {};
 }
@@ -107,15 +107,15 @@ QString kindName(EventKind kind) {
 QString groupName(replay::EventGroup group) {
   switch (group) {
     case replay::EventGroup::Alerts:
-      return Words::tr("Alerts");
+      return TimelineEventsText::tr("Alerts");
     case replay::EventGroup::Planner:
-      return Words::tr("States of the planner");
+      return TimelineEventsText::tr("States of the planner");
     case replay::EventGroup::Position:
-      return Words::tr("Position: jumps, poor and good again");
+      return TimelineEventsText::tr("Position: jumps, poor and good again");
     case replay::EventGroup::Maps:
-      return Words::tr("Maps and SLAM sessions");
+      return TimelineEventsText::tr("Maps and SLAM sessions");
     case replay::EventGroup::Stops:
-      return Words::tr("Emergency stops");
+      return TimelineEventsText::tr("Emergency stops");
   }
   return {};
 }

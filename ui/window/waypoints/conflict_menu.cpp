@@ -11,7 +11,7 @@
 namespace mapwright::window {
 namespace {
 
-class Words {
+class ConflictMenuText {
   Q_DECLARE_TR_FUNCTIONS(ConflictMenu)
 };
 
@@ -45,32 +45,32 @@ void fillConflictMenu(QMenu& menu, const edit::WaypointDocument& document, const
   const QString which =
       any ? shortWaypointName(*any).replace(QLatin1Char('&'), QLatin1String("&&")) : QString();
   menu.addAction(themedIcon(QStringLiteral("problem")),
-                 Words::tr("%1 was changed here and elsewhere").arg(which))
+                 ConflictMenuText::tr("%1 was changed here and elsewhere").arg(which))
       ->setEnabled(false);
   const auto add = [&](const QString& text, const char* name, ConflictChoice choice) {
     QAction* const action = menu.addAction(text, &menu, [decided, choice] { decided(choice); });
     action->setObjectName(QLatin1String(name));
   };
-  add(conflict.mine ? Words::tr("Keep &mine") : Words::tr("&Delete it, as I did"), "conflictMine",
+  add(conflict.mine ? ConflictMenuText::tr("Keep &mine") : ConflictMenuText::tr("&Delete it, as I did"), "conflictMine",
       ConflictChoice::Mine);
-  add(conflict.theirs ? Words::tr("Take &theirs") : Words::tr("Delete it, as &they did"), "conflictTheirs",
+  add(conflict.theirs ? ConflictMenuText::tr("Take &theirs") : ConflictMenuText::tr("Delete it, as &they did"), "conflictTheirs",
       ConflictChoice::Theirs);
-  if (mayKeepBoth(conflict)) add(Words::tr("Keep &both"), "conflictBoth", ConflictChoice::Both);
+  if (mayKeepBoth(conflict)) add(ConflictMenuText::tr("Keep &both"), "conflictBoth", ConflictChoice::Both);
 }
 
 void decideConflict(WaypointEditing& editing, const edit::Key& key, ConflictChoice choice) {
   edit::WaypointDocument* const document = editing.document();
   if (!document || !editing.editable() || !document->conflicts().contains(key)) return;
-  if (choice == ConflictChoice::Mine) return document->decide(key, edit::Side::Mine, Words::tr("keep mine"));
+  if (choice == ConflictChoice::Mine) return document->decide(key, edit::Side::Mine, ConflictMenuText::tr("keep mine"));
   const bool both = choice == ConflictChoice::Both && mayKeepBoth(document->conflicts().at(key));
   const map::Waypoint* const here = document->find(key);
   std::optional<map::Waypoint> mine = both && here ? std::optional(*here) : std::nullopt;
-  document->decide(key, edit::Side::Theirs, Words::tr("take theirs"));
+  document->decide(key, edit::Side::Theirs, ConflictMenuText::tr("take theirs"));
   if (!mine) return;
   std::set<std::string> taken = editing.names();
   mine->source.clear();  // that is theirs
   if (taken.contains(mine->name)) mine->name = placing::nextName(mine->name, taken);
-  editing.addAll({std::move(*mine)}, Words::tr("keep %1 as well"));
+  editing.addAll({std::move(*mine)}, ConflictMenuText::tr("keep %1 as well"));
 }
 
 }  // namespace mapwright::window

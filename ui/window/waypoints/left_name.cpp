@@ -9,7 +9,7 @@
 namespace mapwright::window {
 namespace {
 
-class Words {
+class LeftNameText {
   Q_DECLARE_TR_FUNCTIONS(LeftName)
 };
 
@@ -27,24 +27,24 @@ std::optional<LeftName> leftName(const edit::WaypointDocument& document,
     const map::Waypoint *const kept = document.findKept(key), *const here = document.find(key);
     if (!kept || !here || kept->name == here->name || map::permanentName(kept->name).empty()) continue;
     return LeftName{key, LeftName::Remedy::SendRest, here->name,
-                    Words::tr("\"%1\" is a temporary name: a swap of names broke off. When the rest is sent, "
+                    LeftNameText::tr("\"%1\" is a temporary name: a swap of names broke off. When the rest is sent, "
                               "it is called \"%2\".")
                         .arg(shown(kept->name), shown(here->name)),
-                    Words::tr("Send the rest")};
+                    LeftNameText::tr("Send the rest")};
   }
   for (exchange::TemporaryName& left : exchange::temporaryNamesIn(document.items())) {
     const map::Waypoint* const kept = document.findKept(left.key);
     if (accepted.contains(left.key) || !kept || kept->name != left.name) continue;
     const QString sentence =
-        left.is_free ? Words::tr(
+        left.is_free ? LeftNameText::tr(
                            "\"%1\" looks like a temporary name: a swap of names broke off. Before that it "
                            "was called \"%2\".")
-                     : Words::tr(
+                     : LeftNameText::tr(
                            "\"%1\" looks like a temporary name: a swap of names broke off. Another "
                            "waypoint is called \"%2\" now.");
     const auto remedy = left.is_free ? LeftName::Remedy::CallItSo : LeftName::Remedy::Ask;
     return LeftName{left.key, remedy, left.permanent, sentence.arg(shown(left.name), shown(left.permanent)),
-                    left.is_free ? Words::tr("Rename back") : Words::tr("Rename…")};
+                    left.is_free ? LeftNameText::tr("Rename back") : LeftNameText::tr("Rename…")};
   }
   return std::nullopt;
 }
