@@ -8,6 +8,7 @@
 
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -16,7 +17,7 @@ class BagJsonText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 /// Stable (docs/command-line.md).
 QString wordOf(replay::EventKind kind) {
@@ -121,8 +122,9 @@ QJsonObject infoJson(const std::string& name, const robot::BagInfo& info) {
 
 std::vector<QStringList> topicRows(const robot::BagInfo& info) {
   if (info.topics.empty()) return {};
-  std::vector<QStringList> rows{
-      {BagJsonText::tr("MESSAGES"), BagJsonText::tr("HZ"), BagJsonText::tr("ENCODING"), BagJsonText::tr("TOPIC"), BagJsonText::tr("TYPE")}};
+  std::vector<QStringList> rows{{BagJsonText::tr("MESSAGES"), BagJsonText::tr("HZ"),
+                                 BagJsonText::tr("ENCODING"), BagJsonText::tr("TOPIC"),
+                                 BagJsonText::tr("TYPE")}};
   for (const robot::BagTopic& one : info.topics) {
     rows.push_back({one.messages ? QString::number(*one.messages) : QStringLiteral("-"),
                     one.rate_hz ? QString::number(*one.rate_hz, 'f', 2) : QStringLiteral("-"),
@@ -135,30 +137,36 @@ std::vector<QStringList> topicRows(const robot::BagInfo& info) {
 
 std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info) {
   const bool times = hasTimes(info);
-  std::vector<QStringList> rows{{BagJsonText::tr("name"), words::plainName(name)},
-                                {BagJsonText::tr("messages"), QString::number(info.messages)},
-                                {BagJsonText::tr("start"), times ? timeText(info.start_s) : QStringLiteral("-")},
-                                {BagJsonText::tr("end"), times ? timeText(info.end_s) : QStringLiteral("-")}};
+  std::vector<QStringList> rows{
+      {BagJsonText::tr("name"), words::plainName(name)},
+      {BagJsonText::tr("messages"), QString::number(info.messages)},
+      {BagJsonText::tr("start"), times ? timeText(info.start_s) : QStringLiteral("-")},
+      {BagJsonText::tr("end"), times ? timeText(info.end_s) : QStringLiteral("-")}};
   if (!info.format.empty()) {
-    rows.push_back({BagJsonText::tr("length"), BagJsonText::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
+    rows.push_back(
+        {BagJsonText::tr("length"), BagJsonText::tr("%1 s").arg(info.end_s - info.start_s, 0, 'f', 3)});
     rows.push_back({BagJsonText::tr("format"), text(info.format)});
   }
-  if (!info.written_by.empty()) rows.push_back({BagJsonText::tr("written by"), words::plainName(info.written_by)});
+  if (!info.written_by.empty())
+    rows.push_back({BagJsonText::tr("written by"), words::plainName(info.written_by)});
   for (const robot::BagPacking& one : info.packing)
-    rows.push_back({BagJsonText::tr("compression"),
-                    BagJsonText::tr("%1, chunks: %2, %3 of %4")
-                        .arg(one.compression.empty() ? BagJsonText::tr("none") : words::plainName(one.compression),
-                             QString::number(one.parts), window::bytesText(one.stored_bytes),
-                             window::bytesText(one.unpacked_bytes))});
-  if (info.attachments > 0) rows.push_back({BagJsonText::tr("files in it"), QString::number(info.attachments)});
-  if (info.interrupted)
-    rows.push_back({BagJsonText::tr("interrupted"),
-                    times ? timeText(info.end_s) : BagJsonText::tr("before its first messages were written")});
-  if (info.repair)
     rows.push_back(
-        {BagJsonText::tr("repaired"), info.repair->broke_off_s
-                                    ? BagJsonText::tr("it broke off at %1").arg(timeText(*info.repair->broke_off_s))
-                                    : BagJsonText::tr("it broke off before its first messages were written")});
+        {BagJsonText::tr("compression"),
+         BagJsonText::tr("%1, chunks: %2, %3 of %4")
+             .arg(one.compression.empty() ? BagJsonText::tr("none") : words::plainName(one.compression),
+                  QString::number(one.parts), window::bytesText(one.stored_bytes),
+                  window::bytesText(one.unpacked_bytes))});
+  if (info.attachments > 0)
+    rows.push_back({BagJsonText::tr("files in it"), QString::number(info.attachments)});
+  if (info.interrupted)
+    rows.push_back(
+        {BagJsonText::tr("interrupted"),
+         times ? timeText(info.end_s) : BagJsonText::tr("before its first messages were written")});
+  if (info.repair)
+    rows.push_back({BagJsonText::tr("repaired"),
+                    info.repair->broke_off_s
+                        ? BagJsonText::tr("it broke off at %1").arg(timeText(*info.repair->broke_off_s))
+                        : BagJsonText::tr("it broke off before its first messages were written")});
   for (const robot::BagAway& one : info.away)
     rows.push_back(
         {BagJsonText::tr("no connection"),
@@ -215,20 +223,23 @@ std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, co
   const map::LiveState& live = moment.at.world.live;
   std::vector<QStringList> rows{{BagJsonText::tr("at"), timeText(at_s)}};
   if (const robot::BagAway* const away = bag.awayAt(at_s))
-    rows.push_back({BagJsonText::tr("no connection"), BagJsonText::tr("since %1").arg(timeText(away->from_s))});
+    rows.push_back(
+        {BagJsonText::tr("no connection"), BagJsonText::tr("since %1").arg(timeText(away->from_s))});
   if (live.robot_pose) {
     rows.push_back({BagJsonText::tr("pose"), BagJsonText::tr("%1, %2, %3 rad")
-                                           .arg(live.robot_pose->x_m, 0, 'f', 3)
-                                           .arg(live.robot_pose->y_m, 0, 'f', 3)
-                                           .arg(live.robot_pose->yaw_rad, 0, 'f', 3)});
+                                                 .arg(live.robot_pose->x_m, 0, 'f', 3)
+                                                 .arg(live.robot_pose->y_m, 0, 'f', 3)
+                                                 .arg(live.robot_pose->yaw_rad, 0, 'f', 3)});
   }
   if (live.battery && live.battery->level)
-    rows.push_back({BagJsonText::tr("battery"), QStringLiteral("%1 %").arg(qRound(*live.battery->level * 100))});
-  for (const map::Alert& alert : live.alerts)
     rows.push_back(
-        {BagJsonText::tr("alert"), QStringLiteral("%1 %2").arg(alert.code).arg(words::plainName(alert.text))});
+        {BagJsonText::tr("battery"), QStringLiteral("%1 %").arg(qRound(*live.battery->level * 100))});
+  for (const map::Alert& alert : live.alerts)
+    rows.push_back({BagJsonText::tr("alert"),
+                    QStringLiteral("%1 %2").arg(alert.code).arg(words::plainName(alert.text))});
   if (knowsSlam(live.slam)) rows.push_back({BagJsonText::tr("SLAM"), words::plainName(live.slam.state)});
-  if (live.planning) rows.push_back({BagJsonText::tr("planner"), words::plainName(live.planning->move_state)});
+  if (live.planning)
+    rows.push_back({BagJsonText::tr("planner"), words::plainName(live.planning->move_state)});
   if (live.map_info) rows.push_back({BagJsonText::tr("map"), words::plainName(live.map_info->name)});
   if (const auto& submaps = moment.at.world.submaps)
     rows.push_back({BagJsonText::tr("submaps"), QString::number(submaps->entries.size())});

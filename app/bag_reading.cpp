@@ -15,6 +15,7 @@
 #include "sentences/failure_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -23,11 +24,11 @@ class BagReadingText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
-constexpr int kTries = 3;
-constexpr int kLookEveryMs = 50;
+constexpr int kBagTries = 3;
+constexpr int kBagLookEveryMs = 50;
 constexpr double kAgainAfterS = 0.5;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 }  // namespace
 
@@ -49,10 +50,11 @@ CommandResult<double> timeFrom(const std::string& word, const QString& option) {
   if (time.isValid() && time.timeSpec() == Qt::LocalTime) time.setTimeSpec(Qt::UTC);
   if (time.isValid()) return double(time.toMSecsSinceEpoch()) / 1000;
   return tl::make_unexpected(CommandFailure{
-      kUsage, word.empty()
-                  ? BagReadingText::tr("%1 is needed: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
-                  : BagReadingText::tr("%1 %2 is no time: seconds since 1970, or 2024-06-03T09:00:00Z.")
-                        .arg(option, text(word))});
+      kUsage,
+      word.empty()
+          ? BagReadingText::tr("%1 is needed: seconds since 1970, or 2024-06-03T09:00:00Z.").arg(option)
+          : BagReadingText::tr("%1 %2 is no time: seconds since 1970, or 2024-06-03T09:00:00Z.")
+                .arg(option, text(word))});
 }
 
 CommandResult<excerpt::TimeSpan> timeSpanFrom(const BagsWords& words) {
@@ -123,7 +125,7 @@ CommandResult<replay::Reading*> BagReading::open(const std::string& name, replay
     reading_->open();
     if (!robot_->waitUntil([&] { return opened || failed; }))
       failed = robot_->tooLate({.subject = subjectOf(reading_->key())});
-    if (!failed || !map::mayPass(*failed) || tries >= kTries) break;
+    if (!failed || !map::mayPass(*failed) || tries >= kBagTries) break;
     (void)robot_->waitUntil([] { return false; }, kAgainAfterS);
   }
   if (failed) return tl::make_unexpected(failure(*failed));
@@ -151,7 +153,7 @@ std::optional<CommandFailure> BagReading::waitUntil(const std::function<bool()>&
     is_done = is_done || done();
     if (is_done) loop.quit();
   });
-  look.start(kLookEveryMs);
+  look.start(kBagLookEveryMs);
   if (!is_done) loop.exec();
   return is_done ? std::nullopt : failed;
 }
@@ -201,7 +203,8 @@ void BagReading::noteUnreadable(double until_s) {
   std::int64_t odd = 0;
   for (const auto& [from_s, count] : *unreadable_) odd += from_s <= until_s ? count : 0;
   if (odd > 0)
-    robot_->lack(BagReadingText::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
+    robot_->lack(
+        BagReadingText::tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(odd));
   robot_->insistOnReadable();
 }
 

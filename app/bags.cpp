@@ -19,6 +19,7 @@
 #include "window/status/status_text.h"
 #include "words/file_name.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -27,9 +28,7 @@ class BagsText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-auto wrong(const QString& sentence) { return tl::make_unexpected(CommandFailure{kUsage, sentence}); }
+using words::text;
 
 int runBags(const BagsWords& words, int& argc, char** argv,
             const std::function<CommandResult<int>(MapsCommand&, BagReading&)>& work) {

@@ -20,6 +20,7 @@
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -28,31 +29,29 @@ class BagsExportText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
-auto wrong(const QString& sentence) { return tl::make_unexpected(CommandFailure{kUsage, sentence}); }
-
-CommandFailure notWritten(const disk::Fault& fault) {
+CommandFailure exportFailed(const disk::Fault& fault) {
   return {kUsage, sentences::wordsOf(reasons::notWritten(fault))};
 }
 
 /// What of a bag goes where, as it was asked for.
-struct Order {
+struct ExportOrder {
   excerpt::TimeSpan span;
   QString path, format;
 };
 
 /// The format that was asked for, else as the name ends.
-CommandResult<Order> orderFrom(const BagsWords& words, const QStringList& formats) {
+CommandResult<ExportOrder> orderFrom(const BagsWords& words, const QStringList& formats) {
   const auto span = timeSpanFrom(words);
   if (!span) return tl::make_unexpected(span.error());
-  Order order{*span, text(words.output), text(words.format).toLower()};
+  ExportOrder order{*span, text(words.output), text(words.format).toLower()};
   const QString known = formats.join(QStringLiteral(", "));
   if (order.format.isEmpty()) {
     order.format = QFileInfo(order.path).suffix().toLower();
     if (!formats.contains(order.format))
-      return wrong(
-          BagsExportText::tr("%1: its name does not end in one of %2. Say which by --format.").arg(order.path, known));
+      return wrong(BagsExportText::tr("%1: its name does not end in one of %2. Say which by --format.")
+                       .arg(order.path, known));
   } else if (!formats.contains(order.format)) {
     return wrong(BagsExportText::tr("--format %1: give one of %2.").arg(text(words.format), known));
   }
@@ -64,7 +63,7 @@ CommandResult<Order> orderFrom(const BagsWords& words, const QStringList& format
 
 int runExport(const BagsWords& words, int& argc, char** argv, const QStringList& formats,
               const std::function<CommandResult<int>(const BagsWords&, MapsCommand&, BagReading&,
-                                                     const Order&)>& work) {
+                                                     const ExportOrder&)>& work) {
   return MapsCommand(words.timeout_s, text(words.report))
       .run(argc, argv, [&](MapsCommand& command) -> CommandResult<int> {
         const auto order = orderFrom(words, formats);
@@ -80,7 +79,7 @@ int runExport(const BagsWords& words, int& argc, char** argv, const QStringList&
 }
 
 /// What was written, for scripts and for people.
-void tell(const BagsWords& words, const Order& order, MapsCommand& command, QJsonObject done,
+void tell(const BagsWords& words, const ExportOrder& order, MapsCommand& command, QJsonObject done,
           const QString& sentence) {
   done[QStringLiteral("name")] = text(words.name);
   done[QStringLiteral("file")] = order.path;
@@ -100,7 +99,7 @@ std::optional<std::string> recordingOf(const BagsWords& words) {
   return parsed->path.toStdString();
 }
 
-excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const Order& order) {
+excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const ExportOrder& order) {
   excerpt::Order wanted;
   wanted.kind = order.format == QLatin1String("mcap")      ? excerpt::Kind::Mcap
                 : order.format == QLatin1String("jsonl")   ? excerpt::Kind::Lines
@@ -117,7 +116,7 @@ excerpt::Order excerptOf(const BagsWords& words, const BagReading& bags, const O
 
 /// A part of a recording is what it is there, byte for byte.
 CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, BagReading& bags,
-                               const std::string& path, const Order& order) {
+                               const std::string& path, const ExportOrder& order) {
   if (const auto why = overOwnSource({order.path}, {path})) return wrong(*why);
   const auto sliced = excerpt::sliceRecording(path, excerptOf(words, bags, order));
   if (!sliced) return wrong(sentences::sentenceOf(sliced.error()));
@@ -131,7 +130,9 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
        {{QStringLiteral("messages"), qint64(done.messages)},
         {QStringLiteral("said_before"), qint64(done.said_before)},
         {QStringLiteral("attachments"), qint64(done.attachments)}},
-       BagsExportText::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before));
+       BagsExportText::tr("%1 messages, %2 that had been said before")
+           .arg(done.messages)
+           .arg(done.said_before));
   return kDone;
 }
 
@@ -143,10 +144,11 @@ struct Told {
 Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
   switch (kind) {
     case excerpt::Kind::Mcap:
-      return {
-          {{QStringLiteral("messages"), qint64(done.messages)},
-           {QStringLiteral("said_before"), qint64(done.said_before)}},
-          BagsExportText::tr("%1 messages, %2 that had been said before").arg(done.messages).arg(done.said_before)};
+      return {{{QStringLiteral("messages"), qint64(done.messages)},
+               {QStringLiteral("said_before"), qint64(done.said_before)}},
+              BagsExportText::tr("%1 messages, %2 that had been said before")
+                  .arg(done.messages)
+                  .arg(done.said_before)};
     case excerpt::Kind::Lines:
       return {{{QStringLiteral("messages"), qint64(done.messages)}},
               BagsExportText::tr("%1 messages").arg(done.messages)};
@@ -158,7 +160,7 @@ Told toldOf(const excerpt::Written& done, excerpt::Kind kind) {
 }
 
 CommandResult<int> exportExcerpt(const BagsWords& words, MapsCommand& command, BagReading& bags,
-                                 const Order& order) {
+                                 const ExportOrder& order) {
   const excerpt::Order wanted = excerptOf(words, bags, order);
   const bool mcap = wanted.kind == excerpt::Kind::Mcap;
   if (mcap && isStandardOutput(order.path))
@@ -166,16 +168,16 @@ CommandResult<int> exportExcerpt(const BagsWords& words, MapsCommand& command, B
   if (const auto recording = mcap ? recordingOf(words) : std::nullopt)
     return exportSlice(words, command, bags, *recording, order);
   const auto writing = excerpt::begin(wanted);
-  if (!writing) return tl::make_unexpected(notWritten(writing.error()));
+  if (!writing) return tl::make_unexpected(exportFailed(writing.error()));
   const auto failed = bags.readRanges(excerpt::readsFrom(wanted), order.span.to_s,
                                       [&](const replay::Chunk& chunk) -> std::optional<CommandFailure> {
                                         if (const auto fault = (*writing)->take(chunk))
-                                          return notWritten(*fault);
+                                          return exportFailed(*fault);
                                         return std::nullopt;
                                       });
   if (failed) return tl::make_unexpected(*failed);
   const auto done = (*writing)->place();
-  if (!done) return tl::make_unexpected(notWritten(done.error()));
+  if (!done) return tl::make_unexpected(exportFailed(done.error()));
   bags.noteUnknown(words.topics);
   bags.noteUnreadable(HUGE_VAL);
   const Told told = toldOf(*done, wanted.kind);

@@ -24,6 +24,7 @@
 #include "robot/recorded/recorded_robot.h"
 #include "robot/recorded/recording_reasons.h"
 #include "sentences/reason_sentence.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -34,17 +35,15 @@ class BagsFilesText {
 
 constexpr std::int64_t kMostParts = 10'000;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-auto wrong(const QString& sentence) { return tl::make_unexpected(CommandFailure{kUsage, sentence}); }
+using words::text;
 
 auto notOpened(const map::Reason& why) { return wrong(sentences::sentenceOf(why)); }
 
 CommandResult<std::string> recordingFrom(const BagsWords& words) {
   const auto parsed = knownAddresses().parse(text(words.robot));
   if (!parsed || parsed->path.isEmpty())
-    return wrong(
-        BagsFilesText::tr("%1 is no recording on this computer. Give a file (.mcap, .bag).").arg(text(words.name)));
+    return wrong(BagsFilesText::tr("%1 is no recording on this computer. Give a file (.mcap, .bag).")
+                     .arg(text(words.name)));
   return parsed->path.toStdString();
 }
 
@@ -82,7 +81,8 @@ void tell(const BagsWords& words, const QStringList& files, const excerpt::Writt
   for (const QString& file : files) std::printf("%s\n", qUtf8Printable(oneLine(file)));
   std::printf(
       "%s\n",
-      qUtf8Printable(BagsFilesText::tr("messages: %1, files in it: %2").arg(done.messages).arg(done.attachments)));
+      qUtf8Printable(
+          BagsFilesText::tr("messages: %1, files in it: %2").arg(done.messages).arg(done.attachments)));
 }
 
 int run(const BagsWords& words, int& argc, char** argv,
@@ -124,7 +124,8 @@ int bagsSplit(const BagsWords& words, int& argc, char** argv) {
     const double every_ns = words.every_s * 1e9;
     const double parts = std::floor(double(summary.durationNs()) / every_ns) + 1;
     if (parts > double(kMostParts))
-      return wrong(BagsFilesText::tr("That would be more than %1 parts. Let --every be longer.").arg(kMostParts));
+      return wrong(
+          BagsFilesText::tr("That would be more than %1 parts. Let --every be longer.").arg(kMostParts));
     excerpt::Written all;
     QStringList files;
     for (std::int64_t part = 0; part < std::int64_t(parts); ++part) {

@@ -25,8 +25,10 @@
 #include "app/output_paths.h"
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
+#include "app/say.h"
 #include "app/snapshot_run.h"
 #include "replay/replay_robot.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -38,12 +40,7 @@ class FilmText {
 constexpr std::size_t kMostPictures = 100'000;
 constexpr double kFastestFps = 240;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-int refuse(int exit_code, const QString& sentence) {
-  std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
-  return exit_code;
-}
+using words::text;
 
 bool isFilm(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
@@ -71,9 +68,9 @@ tl::expected<std::unique_ptr<Place>, QString> placeFor(const FilmWords& words) {
   place->film = output;
   place->ffmpeg = QStandardPaths::findExecutable(QStringLiteral("ffmpeg"));
   if (place->ffmpeg.isEmpty())
-    return tl::make_unexpected(
-        FilmText::tr("A film needs the program ffmpeg, which is not there. Pictures can be had without it: -o "
-                  "frames/%05d.png."));
+    return tl::make_unexpected(FilmText::tr(
+        "A film needs the program ffmpeg, which is not there. Pictures can be had without it: -o "
+        "frames/%05d.png."));
   if (const auto why = whyNotWritable(output)) return tl::make_unexpected(*why);
   if (!place->folder.isValid())
     return tl::make_unexpected(

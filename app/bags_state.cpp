@@ -22,6 +22,7 @@
 #include "robot/sends_map.h"
 #include "words/plain.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -30,7 +31,7 @@ class BagsStateText {
   Q_DECLARE_TR_FUNCTIONS(Bags)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 int runBagsCommand(const BagsWords& words, int& argc, char** argv,
                    const std::function<CommandResult<int>(MapsCommand&)>& work) {
@@ -145,8 +146,9 @@ CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds)
     const auto found = known.find(word.trimmed().toLower());
     if (found == known.end())
       return tl::make_unexpected(CommandFailure{
-          kUsage, BagsStateText::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
-                      .arg(word)});
+          kUsage,
+          BagsStateText::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
+              .arg(word)});
     groups.insert(found->second);
   }
   return groups;

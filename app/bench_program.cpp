@@ -38,7 +38,8 @@ int bench(const std::vector<std::string>& arguments) {
                 "The benchmarks are a program of their own that is built on demand: there is no %1. Start "
                 "them with \"./run bench\" in the sources of mapwright.")
                 .arg(program)
-          : BenchProgramText::tr("%1 cannot be started: %2.").arg(program, QString::fromLocal8Bit(std::strerror(error)));
+          : BenchProgramText::tr("%1 cannot be started: %2.")
+                .arg(program, QString::fromLocal8Bit(std::strerror(error)));
   std::fprintf(stderr, "%s\n", qUtf8Printable(why));
   return kUsage;
 }

@@ -25,6 +25,7 @@
 #include "sentences/plural.h"
 #include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -33,12 +34,7 @@ class CloudsText {
   Q_DECLARE_TR_FUNCTIONS(Clouds)
 };
 
-std::string help(const QString& text) { return text.toStdString(); }
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-tl::unexpected<CommandFailure> wrong(const QString& sentence) {
-  return tl::make_unexpected(CommandFailure{kUsage, sentence});
-}
+using words::text;
 
 /// `count` numbers with commas between them; none where they are not.
 std::vector<double> numbersFrom(const std::string& words, int count) {
@@ -55,14 +51,14 @@ std::vector<double> numbersFrom(const std::string& words, int count) {
   return numbers;
 }
 
-struct Order {
+struct CloudOrder {
   std::optional<map::CloudRegion> region;
   clouds::CloudFormat format = clouds::CloudFormat::PcdBinary;
   QString path;
 };
 
-CommandResult<Order> orderFrom(const CloudsWords& words) {
-  Order order;
+CommandResult<CloudOrder> orderFrom(const CloudsWords& words) {
+  CloudOrder order;
   const auto region = cloudRegionFrom(words);
   if (!region) return wrong(region.error());
   order.region = *region;
@@ -88,14 +84,14 @@ QStringList notesOf(const CroppedCloud& came) {
   };
   const auto form = [](std::uint64_t count) { return sentences::formOf(qint64(count)); };
   add(CloudsText::tr("%1 points that the robot says it sent have not come: its answer is cut off.", nullptr,
-                form(cloud.missing)),
+                     form(cloud.missing)),
       cloud.missing);
   for (const map::Reason& note : cloud.notes) notes << sentences::sentenceOf(note);
-  add(CloudsText::tr("%1 points that came lie beyond the region that was asked for. They are left out.", nullptr,
-                form(came.beyond)),
+  add(CloudsText::tr("%1 points that came lie beyond the region that was asked for. They are left out.",
+                     nullptr, form(came.beyond)),
       came.beyond);
   add(CloudsText::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
-                form(cloud.left_out)),
+                     form(cloud.left_out)),
       cloud.left_out);
   return notes;
 }
@@ -129,7 +125,7 @@ QJsonObject jsonOf(const CloudsWords& words, const CroppedCloud& came, const clo
   return json;
 }
 
-CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, const Order& order) {
+CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, const CloudOrder& order) {
   const QString address = text(words.robot);
   const auto access = RobotAccess::read(words.access, address);
   if (!access) return wrong(access.error());
@@ -153,7 +149,7 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
     return tl::make_unexpected(reading.failure(
         kIncomplete,
         CloudsText::tr("It answered with another region: none of the points that came lies in the one "
-                  "that was asked for. Nothing is written.")));
+                       "that was asked for. Nothing is written.")));
   }
   for (const QString& note : notesOf(came)) reading.note(note);
   disk::WrittenFile file(order.path.toStdString());
@@ -180,9 +176,9 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
 tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words) {
   const int given = int(!words.box.empty()) + int(!words.sphere.empty()) + int(words.all);
   if (given != 1) {
-    return tl::make_unexpected(
-        CloudsText::tr("Which part? Give --box or --sphere, or --all for the whole map, whose size is not known "
-                  "beforehand."));
+    return tl::make_unexpected(CloudsText::tr(
+        "Which part? Give --box or --sphere, or --all for the whole map, whose size is not known "
+        "beforehand."));
   }
   if (words.all) return std::optional<map::CloudRegion>();
   map::CloudRegion region;
@@ -224,15 +220,18 @@ void addClouds(CLI::App& cli, CloudsWords& words) {
   command->add_option("--sphere", words.sphere,
                       help(CloudsText::tr("X,Y,Z,R: the middle of a sphere and its radius, in metres")));
   command->add_flag("--all", words.all, help(CloudsText::tr("The whole map, however large it is")));
-  command->add_flag("--occupancy", words.occupancy,
-                    help(CloudsText::tr("The middles of occupied cells, instead of the points that were seen")));
-  command->add_option("-o,--output", words.output, help(CloudsText::tr("The file to write: .pcd, .ply or .csv")))
+  command->add_flag(
+      "--occupancy", words.occupancy,
+      help(CloudsText::tr("The middles of occupied cells, instead of the points that were seen")));
+  command
+      ->add_option("-o,--output", words.output, help(CloudsText::tr("The file to write: .pcd, .ply or .csv")))
       ->required();
   command->add_flag("--ascii", words.ascii, help(CloudsText::tr("A PCD file as text")));
   command->add_flag("--force", words.force, help(CloudsText::tr("Replace a file that is there")));
   command->add_flag("--json", words.json, help(CloudsText::tr("Print what was written on standard output")));
   command
-      ->add_option("--timeout", words.timeout_s, help(CloudsText::tr("Give up waiting after this many seconds")))
+      ->add_option("--timeout", words.timeout_s,
+                   help(CloudsText::tr("Give up waiting after this many seconds")))
       ->capture_default_str();
 }
 

@@ -4,6 +4,8 @@
 #include <QString>
 #include <tl/expected.hpp>
 
+#include "app/exit_code.h"
+
 namespace mapwright::app {
 
 /// A sentence and the exit code that it comes with.
@@ -13,5 +15,10 @@ struct CommandFailure {
 };
 template <typename T>
 using CommandResult = tl::expected<T, CommandFailure>;
+
+/// What was typed cannot be done.
+inline tl::unexpected<CommandFailure> wrong(const QString& sentence) {
+  return tl::make_unexpected(CommandFailure{kUsage, sentence});
+}
 
 }  // namespace mapwright::app

@@ -107,3 +107,5 @@ QStringList LayerWish::silent() const {
 }
 
 }  // namespace mapwright::app
+
+#include "moc_layer_wish.cpp"

@@ -33,13 +33,11 @@
 namespace {
 
 using namespace mapwright;
+using app::help;
 
 class MainText {
   Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
-
-/// What --help says, as CLI11 takes it.
-std::string help(const QString& text) { return text.toStdString(); }
 
 struct CommandLine {
   std::string robot, demo_query, file;
@@ -60,10 +58,11 @@ struct CommandLine {
 std::string layersHelp() {
   QStringList names;
   for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
-  return help(MainText::tr("Comma-separated: %1; or all (but track, for which a whole bag is read, and "
-                        "dispatched-cloud, which may be large); or none (the map alone). NAME=TOPIC takes a "
-                        "grid, a path or a target of a ROS robot from another topic")
-                  .arg(names.join(QLatin1Char(','))));
+  return help(
+      MainText::tr("Comma-separated: %1; or all (but track, for which a whole bag is read, and "
+                   "dispatched-cloud, which may be large); or none (the map alone). NAME=TOPIC takes a "
+                   "grid, a path or a target of a ROS robot from another topic")
+          .arg(names.join(QLatin1Char(','))));
 }
 
 /// What a picture is asked for with, of a robot or of a bag.
@@ -72,17 +71,18 @@ void addSnapshotOptions(CLI::App* command, app::SnapshotWords& words) {
   command->add_option(
       "--robot", words.robot,
       help(MainText::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
-                     "MAPWRIGHT_ROBOT)")));
+                        "MAPWRIGHT_ROBOT)")));
   app::addAccess(*command, words.access);
   command
-      ->add_option("-o,--output", words.output, help(MainText::tr("The PNG to write; - is the standard output")))
+      ->add_option("-o,--output", words.output,
+                   help(MainText::tr("The PNG to write; - is the standard output")))
       ->required();
   command->add_flag("--force", words.force,
                     help(MainText::tr("Write even over a file that the map is read from")));
   command->add_option(
       "--mode", words.mode,
       help(MainText::tr("submaps, or whole (grid: the same for robots and files that give "
-                     "their occupancy grid as a whole map). Without it: submaps where there are some")));
+                        "their occupancy grid as a whole map). Without it: submaps where there are some")));
   command->add_option(
       "--map", words.map,
       help(MainText::tr(
@@ -99,7 +99,8 @@ void addSnapshotOptions(CLI::App* command, app::SnapshotWords& words) {
       help(MainText::tr(
           "A part of a map that the robot gives by regions (rep130+ws://): X,Y,LX,LY in metres, the "
           "middle and the lengths of the sides. A pixel is a cell, or as large as --scale says")));
-  command->add_option("--center", words.center, help(MainText::tr("World point in the middle: X,Y in metres")));
+  command->add_option("--center", words.center,
+                      help(MainText::tr("World point in the middle: X,Y in metres")));
   command->add_option("--scale", words.scale, help(MainText::tr("Metres per pixel")));
   command->add_option("--size", words.size, help(MainText::tr("Picture size: WIDTHxHEIGHT in pixels")))
       ->capture_default_str();
@@ -118,10 +119,12 @@ void addSnapshotOptions(CLI::App* command, app::SnapshotWords& words) {
   command->add_option("--theme", words.theme, help(MainText::tr("light or dark")))->capture_default_str();
   command->add_flag("--raw", words.raw,
                     help(MainText::tr("Only the map raster: gray = intensity, alpha 0 = not observed")));
-  command->add_option("--settle", words.settle, help(MainText::tr("complete, or how many seconds to collect")))
+  command
+      ->add_option("--settle", words.settle, help(MainText::tr("complete, or how many seconds to collect")))
       ->capture_default_str();
   command
-      ->add_option("--timeout", words.timeout_s, help(MainText::tr("Give up waiting after this many seconds")))
+      ->add_option("--timeout", words.timeout_s,
+                   help(MainText::tr("Give up waiting after this many seconds")))
       ->capture_default_str();
   command->add_option("--report", words.report,
                       help(MainText::tr("Write what was done as JSON; - is the standard output")));
@@ -142,10 +145,12 @@ void addSnapshot(CLI::App& cli, CommandLine& line) {
 void addBagSnapshot(CLI::App& bags, CommandLine& line) {
   CLI::App* const command =
       bags.add_subcommand("snapshot", help(MainText::tr("Draw what a bag holds at a time into a PNG")));
-  command->add_option("name", line.snapshot.bag, help(MainText::tr("Its name (mapwright bags list), or a file")))
+  command
+      ->add_option("name", line.snapshot.bag, help(MainText::tr("Its name (mapwright bags list), or a file")))
       ->required();
   command
-      ->add_option("--at", line.snapshot.at, help(MainText::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
+      ->add_option("--at", line.snapshot.at,
+                   help(MainText::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
       ->required();
   addSnapshotOptions(command, line.snapshot);
 }
@@ -174,7 +179,8 @@ int run(int argc, char** argv) {
       ->envname("MAPWRIGHT_ROBOT");
   app::addAccess(cli, line.access);
   CLI::App* demo = cli.add_subcommand("demo", help(MainText::tr("Open the window on a simulated robot")));
-  demo->add_option("query", line.demo_query, help(MainText::tr("Such as scene=warehouse&submaps=500&seed=3")));
+  demo->add_option("query", line.demo_query,
+                   help(MainText::tr("Such as scene=warehouse&submaps=500&seed=3")));
   cli.add_option("file", line.file, help(MainText::tr("A map or a recording (MCAP, bag of ROS 1) to open")));
   CLI::App* play = cli.add_subcommand("play", help(MainText::tr("Open the window on a recording")));
   play->add_option("file", line.file, help(MainText::tr("MCAP, or a bag of ROS 1")))->required();
@@ -192,8 +198,8 @@ int run(int argc, char** argv) {
   CLI::App* bench = cli.add_subcommand(
       "bench", help(MainText::tr("Measure against other ways to do the same, in the same run")));
   bench->prefix_command();
-  bench->footer(help(
-      MainText::tr("Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
+  bench->footer(help(MainText::tr(
+      "Everything after bench goes to Google Benchmark, for example --benchmark_filter=Compose")));
   bench->set_help_flag();
 
   app::refuseOddWords(cli);

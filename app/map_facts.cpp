@@ -15,6 +15,7 @@
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -23,7 +24,7 @@ class MapFactsText {
   Q_DECLARE_TR_FUNCTIONS(Maps)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 }  // namespace
 
@@ -47,17 +48,19 @@ QJsonArray pointsJson(const std::vector<map::Waypoint>& points) {
 
 void addPoints(std::vector<QStringList>& table, const std::vector<map::Waypoint>& points) {
   for (const map::Waypoint& point : points) {
-    table.push_back({MapFactsText::tr("point"),
-                     MapFactsText::tr("%1 %2  x %3 m, y %4 m%5")
-                         .arg(words::plainName(point.id), words::plainName(point.name),
-                              QString::number(point.position_m.x()), QString::number(point.position_m.y()),
-                              point.yaw_rad ? MapFactsText::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
+    table.push_back(
+        {MapFactsText::tr("point"),
+         MapFactsText::tr("%1 %2  x %3 m, y %4 m%5")
+             .arg(words::plainName(point.id), words::plainName(point.name),
+                  QString::number(point.position_m.x()), QString::number(point.position_m.y()),
+                  point.yaw_rad ? MapFactsText::tr(", yaw %1 rad").arg(*point.yaw_rad) : QString())});
   }
 }
 
 void addRow(std::vector<QStringList>& table, const map::CatalogueEntry& row) {
   table.push_back({MapFactsText::tr("date"), dateText(row.modified_s ? row.modified_s : row.created_s)});
-  table.push_back({MapFactsText::tr("current"), row.is_current ? MapFactsText::tr("yes") : MapFactsText::tr("no")});
+  table.push_back(
+      {MapFactsText::tr("current"), row.is_current ? MapFactsText::tr("yes") : MapFactsText::tr("no")});
 }
 
 CommandResult<int> showWithoutPicture(MapReading& reading, bool json_wanted) {

@@ -29,11 +29,11 @@ class MapReadingText {
   Q_DECLARE_TR_FUNCTIONS(MapReading)
 };
 
-constexpr int kLookEveryMs = 10;
+constexpr int kMapLookEveryMs = 10;
 constexpr qsizetype kLongestAddress = 200;
-constexpr int kConnectAttempts = 3;
-constexpr int kTries = 3;
-constexpr int kFarewellMs = 200;  // until a change that is given up says what became of it
+constexpr int kMapConnectAttempts = 3;
+constexpr int kMapTries = 3;
+constexpr int kMapFarewellMs = 200;  // until a change that is given up says what became of it
 
 double secondsSince(SteadyTime start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -73,7 +73,7 @@ bool MapReading::waitUntil(const std::function<bool()>& done, double at_most_s) 
     is_done = done();
     if (is_done || time_.over() || patience.hasExpired()) loop.quit();
   });
-  look.start(kLookEveryMs);
+  look.start(kMapLookEveryMs);
   if (!is_done) loop.exec();
   return is_done;
 }
@@ -96,8 +96,8 @@ CommandFailure MapReading::failure(const map::Failure& failed) const {
 void MapReading::giveUp(const robot::Call& call, const std::function<bool()>& over) const {
   call.cancel();
   QEventLoop loop;
-  const QDeadlineTimer patience(kFarewellMs);
-  while (!over() && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kLookEveryMs);
+  const QDeadlineTimer patience(kMapFarewellMs);
+  while (!over() && !patience.hasExpired()) loop.processEvents(QEventLoop::AllEvents, kMapLookEveryMs);
 }
 
 map::Failure MapReading::tooLate(map::Failure failure) const {
@@ -116,7 +116,8 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
                                                             std::shared_ptr<work::Workers> workers) {
   if (address.isEmpty()) {
     return tl::make_unexpected(CommandFailure{
-        kUsage, MapReadingText::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
+        kUsage,
+        MapReadingText::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; a file works too.")});
   }
   Access timed = access;
   timed.timeout = std::chrono::milliseconds(qint64(time.timeout_s * 1000));
@@ -134,7 +135,7 @@ CommandResult<std::unique_ptr<MapReading>> MapReading::open(const QString& addre
   reading->waitUntil([&] {
     return phase() == robot::ConnectionPhase::Online || phase() == robot::ConnectionPhase::Refused ||
            (phase() == robot::ConnectionPhase::Interrupted &&
-            (session.connection().attempt >= kConnectAttempts ||
+            (session.connection().attempt >= kMapConnectAttempts ||
              session.connection().failure == map::FailureKind::NotARobot));
   });
   if (phase() != robot::ConnectionPhase::Online) {
@@ -170,8 +171,9 @@ CommandResult<const std::vector<map::CatalogueEntry>*> MapReading::catalogue() {
   }
   if (!catalogue.asOf() && !catalogue.loading()) catalogue.refresh();
   if (!waitUntil([&] { return !catalogue.loading() && (catalogue.asOf() || catalogue.failure()); })) {
-    return tl::make_unexpected(failure(exitCodeOf(map::FailureKind::TimedOut),
-                                       MapReadingText::tr("It did not answer within %1 s.").arg(time_.timeout_s)));
+    return tl::make_unexpected(
+        failure(exitCodeOf(map::FailureKind::TimedOut),
+                MapReadingText::tr("It did not answer within %1 s.").arg(time_.timeout_s)));
   }
   if (catalogue.failure()) {
     return tl::make_unexpected(failure(local() ? kUsage : exitCodeOf(catalogue.failure()->kind),
@@ -246,7 +248,7 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   if (!session_.robot().submapSource()) {
     return tl::make_unexpected(lacks(robot::Capability::Submaps));
   }
-  const bool settled = waitUntil([&] { return session_.settled(kTries); });
+  const bool settled = waitUntil([&] { return session_.settled(kMapTries); });
   session_.standStill();
   session_.close();
   const session::SubmapCounts counts = session_.counts();
@@ -254,8 +256,9 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   facts_[QStringLiteral("submaps")] = submapsJson(counts);
   facts_[QStringLiteral("uuid")] = QString::fromStdString(session_.book().uuid());
   if (!settled) {
-    notes_ << (counts.list_received ? MapReadingText::tr("Not everything had arrived within %1 s (--timeout).")
-                                    : MapReadingText::tr("The robot sent no submap list within %1 s (--timeout)."))
+    notes_ << (counts.list_received
+                   ? MapReadingText::tr("Not everything had arrived within %1 s (--timeout).")
+                   : MapReadingText::tr("The robot sent no submap list within %1 s (--timeout)."))
                   .arg(time_.timeout_s);
   }
   std::vector<render::PlacedTexture> textures;
@@ -267,12 +270,13 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
   if (textures.empty()) {
     // What a snapshot would draw as an empty picture cannot be a grid: it has no size.
     const QStringList why = refused() ? problems(map::Severity::Error) : warnings();
-    return tl::make_unexpected(failure(
-        complete_   ? int(kRobotError)
-        : refused() ? exitCodeOf(map::FailureKind::Refused)
-                    : int(kIncomplete),
-        counts.listed == 0 && settled ? MapReadingText::tr("It has no submap yet.")
-                                      : MapReadingText::tr("None of its submaps could be had. %1").arg(firstOf(why))));
+    return tl::make_unexpected(
+        failure(complete_   ? int(kRobotError)
+                : refused() ? exitCodeOf(map::FailureKind::Refused)
+                            : int(kIncomplete),
+                counts.listed == 0 && settled
+                    ? MapReadingText::tr("It has no submap yet.")
+                    : MapReadingText::tr("None of its submaps could be had. %1").arg(firstOf(why))));
   }
   render::DenseCache cache(work::budgetsFrom().dense + work::budgetsFrom().tiles);  // no tiles are kept
   bool in_time = true;
@@ -283,12 +287,12 @@ CommandResult<render::PlacedGrid> MapReading::submaps(double resolution_m) {
                                   },
                                   {workers_});
   if (!in_time) {
-    return tl::make_unexpected(
-        failure(kIncomplete, MapReadingText::tr("%1 of %2 submaps had arrived, but they could not be put together "
-                                       "within %3 s (--timeout).")
-                                 .arg(counts.shown)
-                                 .arg(counts.listed)
-                                 .arg(time_.timeout_s)));
+    return tl::make_unexpected(failure(
+        kIncomplete, MapReadingText::tr("%1 of %2 submaps had arrived, but they could not be put together "
+                                        "within %3 s (--timeout).")
+                         .arg(counts.shown)
+                         .arg(counts.listed)
+                         .arg(time_.timeout_s)));
   }
   if (!made) return tl::make_unexpected(failure(kRobotError, sentences::wordsOf(made.error())));
   return render::PlacedGrid{made->cells, made->reference};

@@ -85,7 +85,8 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
                                     : MapRegionText::tr("There is nothing in its map.")));
   }
   if (part->grid.width > grids::kMaxGridEdge || part->grid.height > grids::kMaxGridEdge)
-    return tl::make_unexpected(failure(kRobotError, MapRegionText::tr("Its answer has too many cells in one row.")));
+    return tl::make_unexpected(
+        failure(kRobotError, MapRegionText::tr("Its answer has too many cells in one row.")));
   const geometry::WorldRect bounds = part->grid.bounds();
   if (region) {
     const Eigen::Vector2d low = region->centre_m - region->size_m / 2,
@@ -95,9 +96,10 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
     const double rounding = kRoundingCells * part->grid.resolution_m;
     if (regions::liesElsewhere(part->grid, asked)) {
       complete_ = false;
-      notes_ << failure(kDone, MapRegionText::tr("It answered with another part of its map, around %1 m, %2 m.")
-                                   .arg(bounds.center().x(), 0, 'f', 2)
-                                   .arg(bounds.center().y(), 0, 'f', 2))
+      notes_ << failure(kDone,
+                        MapRegionText::tr("It answered with another part of its map, around %1 m, %2 m.")
+                            .arg(bounds.center().x(), 0, 'f', 2)
+                            .arg(bounds.center().y(), 0, 'f', 2))
                     .sentence;
     } else if (part->grid.origin.yaw_rad == 0 &&
                (common.width() < asked.width() - rounding || common.height() < asked.height() - rounding)) {

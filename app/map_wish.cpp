@@ -126,8 +126,8 @@ void MapWish::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
   const bool whole = !none && part.cells &&
                      part.cells->size() / std::size_t(part.grid.width) >= std::size_t(part.grid.height);
   if (!whole || map::whyUnusable(part.grid)) {
-    fail(none ? kIncomplete : kRobotError,
-         none ? MapWishText::tr("There is nothing in its map.") : MapWishText::tr("Its whole map cannot be used."));
+    fail(none ? kIncomplete : kRobotError, none ? MapWishText::tr("There is nothing in its map.")
+                                                : MapWishText::tr("Its whole map cannot be used."));
     return;
   }
   for (const map::Reason& note : part.notes) notes_ << sentences::wordsOf(note);
@@ -181,7 +181,8 @@ QStringList namedMapSentence(const std::optional<map::MapInfo>& named) {
   const QString name = words::plainName(named->name.empty() ? named->uid : named->name);
   return {named->name.empty() || named->uid.empty()
               ? MapWishText::tr("Its messages name the map \"%1\".").arg(name)
-              : MapWishText::tr("Its messages name the map \"%1\" (%2).").arg(name, words::plainName(named->uid))};
+              : MapWishText::tr("Its messages name the map \"%1\" (%2).")
+                    .arg(name, words::plainName(named->uid))};
 }
 
 void MapWish::failWithoutLive(const QString& sentence) {
@@ -204,15 +205,16 @@ void MapWish::chooseInsteadOfLive() {
   // Of a robot that keeps no maps the current one is that which does not come.
   if (!current || current->key.kind == map::MapKind::Live) {
     const bool none = local() && session_.catalogue().entries().empty();
-    failWithoutLive(none ? MapWishText::tr("There is no map.")
-                    : current
-                        ? noMapNow()
-                        : MapWishText::tr("It sends no map now, and none of its stored maps is the current one."));
+    failWithoutLive(
+        none      ? MapWishText::tr("There is no map.")
+        : current ? noMapNow()
+                  : MapWishText::tr("It sends no map now, and none of its stored maps is the current one."));
     return;
   }
   live_broken_ |= !liveTroubles().isEmpty();
   notes_ << (live_broken_
-                 ? MapWishText::tr("The map that the robot sends cannot be had. Its current stored map is shown.")
+                 ? MapWishText::tr(
+                       "The map that the robot sends cannot be had. Its current stored map is shown.")
                  : MapWishText::tr("The robot sends no map now. Its current stored map is shown."));
   open(current->key);
 }

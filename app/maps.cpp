@@ -29,6 +29,7 @@
 #include "sentences/reason_sentence.h"
 #include "session/lacks_picture.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -37,9 +38,7 @@ class MapsText {
   Q_DECLARE_TR_FUNCTIONS(Maps)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-QString notWritten(const disk::Fault& fault) { return sentences::wordsOf(reasons::notWritten(fault)); }
+using words::text;
 
 void print(const QJsonDocument& json) { printOut(words::escapedJson(json.toJson()).toStdString()); }
 
@@ -98,9 +97,9 @@ Opened openRobot(MapsCommand& command, const QString& address, const MapsWords& 
   if (const auto why = whyNoPlaceIn(words)) return tl::make_unexpected(CommandFailure{kUsage, *why});
   const auto access = RobotAccess::read(words.access, text(words.robot));
   if (!words.resolution.empty() && !(resolutionOf(words) > 0)) {
-    return tl::make_unexpected(CommandFailure{
-        kUsage,
-        MapsText::tr("--resolution %1: give metres per cell, for example 0.05.").arg(text(words.resolution))});
+    return tl::make_unexpected(
+        CommandFailure{kUsage, MapsText::tr("--resolution %1: give metres per cell, for example 0.05.")
+                                   .arg(text(words.resolution))});
   }
   if (!access) return tl::make_unexpected(CommandFailure{kUsage, access.error()});
   return command.open(placedFile(address, words.resolution, words.origin), access->forAddress(address),
@@ -135,8 +134,8 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
       std::printf("%s\n", qUtf8Printable(MapsText::tr("There is no map.")));
       return kDone;
     }
-    std::vector<QStringList> table{
-        {QStringLiteral(" "), MapsText::tr("ID"), MapsText::tr("VERSION"), MapsText::tr("DATE"), MapsText::tr("NAME")}};
+    std::vector<QStringList> table{{QStringLiteral(" "), MapsText::tr("ID"), MapsText::tr("VERSION"),
+                                    MapsText::tr("DATE"), MapsText::tr("NAME")}};
     for (const map::CatalogueEntry& row : **rows) table.push_back(rowOf(row));
     printTable(table);
     return kDone;
@@ -200,12 +199,12 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
         {MapsText::tr("cells"), QStringLiteral("%1 x %2").arg(grid.width).arg(grid.height)},
         {MapsText::tr("resolution"), MapsText::tr("%1 m").arg(grid.resolution_m)},
         {MapsText::tr("origin"), MapsText::tr("x %1 m, y %2 m, yaw %3 rad (lower left corner)")
-                                  .arg(grid.origin.x_m)
-                                  .arg(grid.origin.y_m)
-                                  .arg(grid.origin.yaw_rad)},
+                                     .arg(grid.origin.x_m)
+                                     .arg(grid.origin.y_m)
+                                     .arg(grid.origin.yaw_rad)},
         {MapsText::tr("extent"), MapsText::tr("%1 m x %2 m")
-                                  .arg(grid.width * grid.resolution_m, 0, 'f', 2)
-                                  .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
+                                     .arg(grid.width * grid.resolution_m, 0, 'f', 2)
+                                     .arg(grid.height * grid.resolution_m, 0, 'f', 2)}};
     if (row) addRow(table, *row);
     table.push_back({MapsText::tr("overlays"), QString::number(shown.overlays.size())});
     addPoints(table, session.wholeMap().waypoints().points);
@@ -227,7 +226,7 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (format != QLatin1String("png") && format != QLatin1String("pgm")) {
       return wrong(
           MapsText::tr("--output %1: the name ends in .png, or in .pgm or .yaml for both of these; or give "
-                    "--format png or pgm.")
+                       "--format png or pgm.")
               .arg(output));
     }
     const bool names_png = suffix == QLatin1String("png");
@@ -271,13 +270,13 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (words.world_file) {
       placing.emplace(world_file.toStdString());
       placing->write(grids::worldFileText(placed->reference));
-      if (!placing->finish()) return wrong(notWritten(*placing->place()));
+      if (!placing->finish()) return wrong(sentences::wordsOf(reasons::notWritten(*placing->place())));
     }
     const auto error = png ? grids::writeGridPng(*placed->cells, words.output)
                            : grids::writeMapServer(*placed->cells, placed->reference, words.output);
     if (error) return wrong(sentences::wordsOf(*error));
     if (placing) {
-      if (const auto fault = placing->place()) return wrong(notWritten(*fault));
+      if (const auto fault = placing->place()) return wrong(sentences::wordsOf(reasons::notWritten(*fault)));
     }
     if (!printed && !isStandardOutput(text(words.report))) {
       const map::GridReference& grid = placed->reference;
@@ -351,9 +350,10 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
       row(MapsText::tr("free in both"), cells(Difference::SameFree));
       row(MapsText::tr("occupied in both"), cells(Difference::SameOccupied));
       printTable(table);
-      const QString outcome = !diff->same()        ? MapsText::tr("The maps differ.")
-                              : command.complete() ? MapsText::tr("The maps are the same.")
-                                                   : MapsText::tr("What could be had of the maps is the same.");
+      const QString outcome = !diff->same() ? MapsText::tr("The maps differ.")
+                              : command.complete()
+                                  ? MapsText::tr("The maps are the same.")
+                                  : MapsText::tr("What could be had of the maps is the same.");
       std::printf("%s\n", qUtf8Printable(outcome));
     }
     return diff->same() ? kDone : kIncomplete;

@@ -11,6 +11,7 @@
 #include "app/report.h"
 #include "robot/map_dispatch.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -22,7 +23,7 @@ class MapsChangeText {
 using Entry = map::CatalogueEntry;
 using robot::MapChange;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 bool isOfOneMap(MapChange change) {
   return change != MapChange::StartMapping && change != MapChange::StopMapping && change != MapChange::Save;
@@ -109,7 +110,8 @@ int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv) {
     const bool control =
         std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; });
     if (name.trimmed().isEmpty() || control || words.filename.size() > 4096)
-      return wrong(kUsage, MapsChangeText::tr("The name of the file is one line of text, such as office.png."));
+      return wrong(kUsage,
+                   MapsChangeText::tr("The name of the file is one line of text, such as office.png."));
     const auto access = RobotAccess::read(words.access, text(words.robot));
     if (!access) return wrong(kUsage, access.error());
     const QString address = text(words.robot);
@@ -121,7 +123,8 @@ int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv) {
       return dispatch->save(words.filename, std::move(reply));
     });
     if (!saved) return tl::make_unexpected((*robot)->failure(saved.error()));
-    std::printf("%s\n", qUtf8Printable(MapsChangeText::tr("The robot has written %1.").arg(words::plainName(*saved))));
+    std::printf("%s\n", qUtf8Printable(
+                            MapsChangeText::tr("The robot has written %1.").arg(words::plainName(*saved))));
     return kDone;
   };
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);

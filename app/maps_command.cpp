@@ -11,8 +11,8 @@
 
 #include "app/display.h"
 #include "app/exit_code.h"
-#include "app/one_line.h"
 #include "app/report.h"
+#include "app/say.h"
 
 namespace mapwright::app {
 namespace {
@@ -20,11 +20,6 @@ namespace {
 class MapsCommandText {
   Q_DECLARE_TR_FUNCTIONS(MapsCommand)
 };
-
-int say(const QString& sentence, int exit_code) {
-  std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
-  return exit_code;
-}
 
 QJsonObject failed(const QString& sentence) {
   return {{QStringLiteral("complete"), false}, {QStringLiteral("warnings"), QJsonArray{sentence}}};
@@ -53,15 +48,15 @@ bool MapsCommand::complete() const {
 
 int MapsCommand::run(int& argc, char** argv, const std::function<CommandResult<int>(MapsCommand&)>& work) {
   if (!(time_.timeout_s > 0 && time_.timeout_s <= 86'400)) {
-    return say(MapsCommandText::tr("--timeout must be more than 0 and at most 86400 seconds."), kUsage);
+    return refuse(kUsage, MapsCommandText::tr("--timeout must be more than 0 and at most 86400 seconds."));
   }
   Deadline deadline(
       later(time_.start.begun, time_.timeout_s + time_.start.grace.end_s),
       [connected = connected_, path = report_path_, timeout_s = time_.timeout_s] {
         const QString sentence =
-            (*connected
-                 ? MapsCommandText::tr("Not complete. The command could not be finished within %1 s (--timeout).")
-                 : MapsCommandText::tr("No connection within %1 s (--timeout)."))
+            (*connected ? MapsCommandText::tr(
+                              "Not complete. The command could not be finished within %1 s (--timeout).")
+                        : MapsCommandText::tr("No connection within %1 s (--timeout)."))
                 .arg(timeout_s);
         if (!path.isEmpty()) writeReportInHaste(path, failed(sentence));
         sayAtTheEnd(sentence.toStdString());
@@ -94,18 +89,18 @@ int MapsCommand::end(const CommandResult<int>& result) const {
   }
   if (!done_.isEmpty()) report[done_name_] = done_;
   if (!report_path_.isEmpty()) {
-    if (const auto problem = writeReport(report_path_, report)) return say(*problem, kUsage);
+    if (const auto problem = writeReport(report_path_, report)) return refuse(kUsage, *problem);
   }
-  if (!result) return say(result.error().sentence, result.error().exit_code);
+  if (!result) return refuse(result.error().exit_code, result.error().sentence);
   if (!complete()) {
     const bool refused = std::any_of(readings_.begin(), readings_.end(),
                                      [](const auto& reading) { return reading->refused(); });
-    return say(MapsCommandText::tr("Not complete. %1").arg(firstOf(warnings)),
-               refused            ? exitCodeOf(map::FailureKind::Refused)
-               : *result == kDone ? int(kIncomplete)
-                                  : *result);
+    return refuse(refused            ? exitCodeOf(map::FailureKind::Refused)
+                  : *result == kDone ? int(kIncomplete)
+                                     : *result,
+                  MapsCommandText::tr("Not complete. %1").arg(firstOf(warnings)));
   }
-  return warnings.isEmpty() ? *result : say(firstOf(warnings), *result);
+  return warnings.isEmpty() ? *result : refuse(*result, firstOf(warnings));
 }
 
 }  // namespace mapwright::app

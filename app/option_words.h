@@ -3,11 +3,16 @@
 
 #include <string>
 
+#include <QString>
+
 namespace CLI {
 class App;
 }
 
 namespace mapwright::app {
+
+/// What --help says, as CLI11 takes it.
+inline std::string help(const QString& text) { return text.toStdString(); }
 
 /// Every option of `app` and its subcommands that takes a value refuses an empty one; those that take a
 /// number take decimal ones only ("nan", "inf", "0x10" and "5 m" are none).

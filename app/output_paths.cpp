@@ -34,14 +34,16 @@ bool isStandardOutput(const QString& path) { return disk::isStandardOutput(path.
 std::optional<QString> whyNotWritable(const QString& path) {
   if (isStandardOutput(path)) {
     if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
-    return OutputPathsText::tr("%1: the standard output is a terminal. Send it into a file or another program.")
+    return OutputPathsText::tr(
+               "%1: the standard output is a terminal. Send it into a file or another program.")
         .arg(path);
   }
   // Where a link leads is found out when it is written.
   if (takesBytes(path) || QFileInfo(path).isSymLink()) return std::nullopt;
   const QFileInfo folder(QFileInfo(path).absolutePath());
   if (folder.isDir() && folder.isWritable()) return std::nullopt;
-  return OutputPathsText::tr("%1 cannot be written: there is no writable folder %2.").arg(path, folder.filePath());
+  return OutputPathsText::tr("%1 cannot be written: there is no writable folder %2.")
+      .arg(path, folder.filePath());
 }
 
 std::optional<QString> whyNotTogether(const QStringList& outputs) {
@@ -66,7 +68,8 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
     for (const std::string& source : sources) {
       if (output.isEmpty() || isStandardOutput(output) || takesBytes(output)) continue;
       if (disk::sameFile(output.toStdString(), source)) {
-        return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.").arg(output);
+        return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.")
+            .arg(output);
       }
     }
   }

@@ -11,6 +11,7 @@
 #include "app/access_words.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
+#include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/robot_access.h"
 #include "app/table.h"
@@ -18,6 +19,7 @@
 #include "robot/map_dispatch.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -28,10 +30,7 @@ class ProjectionsText {
 
 using Projections = std::vector<map::Projection>;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-/// What --help says, as CLI11 takes it.
-std::string help(const QString& text) { return text.toStdString(); }
+using words::text;
 
 tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) {
   const QStringList parts = text(typed).split(QLatin1Char(','));
@@ -47,8 +46,9 @@ tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) 
     one = {{}, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5]};
   if (!whole || map::flawOf(one) != map::ProjectionFlaw::None) {
     return tl::make_unexpected(
-        ProjectionsText::tr("--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, "
-                  "and the frame behind them where it is not that of the map.")
+        ProjectionsText::tr(
+            "--projection %1: give X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, "
+            "and the frame behind them where it is not that of the map.")
             .arg(text(typed)));
   }
   if (parts.size() == 7) one.frame = parts.back().trimmed().toStdString();
@@ -74,8 +74,9 @@ void print(const Projections& all, bool json) {
     return;
   }
   const auto metres = [](double value) { return QString::number(value, 'f', 2); };
-  std::vector<QStringList> table{{ProjectionsText::tr("NUMBER"), ProjectionsText::tr("X (m)"), ProjectionsText::tr("Y (m)"),
-                                  ProjectionsText::tr("WIDTH (m)"), ProjectionsText::tr("HEIGHT (m)"), ProjectionsText::tr("MIN Z (m)"),
+  std::vector<QStringList> table{{ProjectionsText::tr("NUMBER"), ProjectionsText::tr("X (m)"),
+                                  ProjectionsText::tr("Y (m)"), ProjectionsText::tr("WIDTH (m)"),
+                                  ProjectionsText::tr("HEIGHT (m)"), ProjectionsText::tr("MIN Z (m)"),
                                   ProjectionsText::tr("MAX Z (m)"), ProjectionsText::tr("FRAME")}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const map::Projection& one = all[i];
@@ -108,31 +109,34 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
   if (dispatch->offered(robot::DispatchService::ReadProjections) &&
       !dispatch->offered(robot::DispatchService::ChangeProjections)) {
     return tl::make_unexpected(reading.failure(
-        kRobotError, ProjectionsText::tr("Its set_map_projections is of the type that REP 130 names, which takes "
-                               "nothing: the projections can only be read (mapwright projections list).")));
+        kRobotError,
+        ProjectionsText::tr("Its set_map_projections is of the type that REP 130 names, which takes "
+                            "nothing: the projections can only be read (mapwright projections list).")));
   }
   const auto told = reading.ask<Projections>(
       [&](robot::OutcomeTo<Projections> reply) { return dispatch->project(wanted, std::move(reply)); });
   if (!told) return tl::make_unexpected(reading.failure(told.error()));
   print(*told, words.json);
   if (map::differing(wanted, *told) == 0) return kDone;
-  return tl::make_unexpected(
-      reading.failure(kIncomplete, ProjectionsText::tr("It took it, but projects something else than it was told.")));
+  return tl::make_unexpected(reading.failure(
+      kIncomplete, ProjectionsText::tr("It took it, but projects something else than it was told.")));
 }
 
 }  // namespace
 
 void addProjections(CLI::App& cli, ProjectionsWords& words) {
   CLI::App* projections = cli.add_subcommand(
-      "projections",
-      help(ProjectionsText::tr("What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
+      "projections", help(ProjectionsText::tr(
+                         "What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
   projections->require_subcommand(1);
   const auto add = [&](const char* name, const std::string& what) {
     CLI::App* command = projections->add_subcommand(name, what);
-    command->add_option("--robot", words.robot, help(ProjectionsText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
+    command->add_option("--robot", words.robot,
+                        help(ProjectionsText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
     addAccess(*command, words.access);
     command
-        ->add_option("--timeout", words.timeout_s, help(ProjectionsText::tr("Give up waiting after this many seconds")))
+        ->add_option("--timeout", words.timeout_s,
+                     help(ProjectionsText::tr("Give up waiting after this many seconds")))
         ->capture_default_str();
     command->add_option("--report", words.report,
                         help(ProjectionsText::tr("Write what was done, and every warning, as JSON")));
@@ -140,11 +144,13 @@ void addProjections(CLI::App& cli, ProjectionsWords& words) {
     return command;
   };
   add("list", help(ProjectionsText::tr("What is projected now")));
-  CLI::App* command = add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")));
+  CLI::App* command =
+      add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")));
   command
-      ->add_option("--projection", words.wanted,
-                   help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
-                                  ",FRAME where it is not that of the map; may be repeated")))
+      ->add_option(
+          "--projection", words.wanted,
+          help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
+                                   ",FRAME where it is not that of the map; may be repeated")))
       ->allow_extra_args(false);
   command->add_flag("--none", words.none, help(ProjectionsText::tr("Nothing is to be projected")));
 }
@@ -162,8 +168,8 @@ int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc
       wanted.push_back(*one);
     }
     if (sets && wanted.empty() != words.none) {
-      return wrong(
-          ProjectionsText::tr("projections set: give --projection, once for each of them, or --none for nothing."));
+      return wrong(ProjectionsText::tr(
+          "projections set: give --projection, once for each of them, or --none for nothing."));
     }
     const auto access = RobotAccess::read(words.access, text(words.robot));
     if (!access) return wrong(access.error());

@@ -18,8 +18,10 @@
 #include "app/connecting.h"
 #include "app/exit_code.h"
 #include "app/one_line.h"
+#include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
+#include "app/say.h"
 #include "app/stop_signals.h"
 #include "app/stream_words.h"
 #include "app/waypoint_list.h"
@@ -32,6 +34,7 @@
 #include "sentences/subject_name.h"
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -43,25 +46,18 @@ class RecordText {
 using recorder::Recorder;
 using recorder::SubmapWishes;
 
-std::string help(const QString& text) { return text.toStdString(); }
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-void say(const QString& sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence))); }
-
-tl::unexpected<CommandFailure> wrong(const QString& sentence) {
-  return tl::make_unexpected(CommandFailure{kUsage, sentence});
-}
+using words::text;
 
 /// What is to be recorded, checked.
-struct Order {
+struct RecordOrder {
   map::Streams streams;
   QStringList topics;
   SubmapWishes::Which submaps = SubmapWishes::Which::Listed;
   QString path;
 };
 
-CommandResult<Order> orderFrom(const RecordWords& words) {
-  Order order;
+CommandResult<RecordOrder> orderFrom(const RecordWords& words) {
+  RecordOrder order;
   order.path = text(words.output);
   const auto streams = streamsFrom(text(words.streams));
   if (!streams)
@@ -75,7 +71,8 @@ CommandResult<Order> orderFrom(const RecordWords& words) {
   } else if (words.submaps == "none") {
     order.submaps = SubmapWishes::Which::None;
   } else if (words.submaps != "listed") {
-    return wrong(RecordText::tr("--submaps is all, listed or none, but not \"%1\".").arg(text(words.submaps)));
+    return wrong(
+        RecordText::tr("--submaps is all, listed or none, but not \"%1\".").arg(text(words.submaps)));
   }
   if (words.duration_s && !(*words.duration_s > 0 && *words.duration_s <= 1e8))
     return wrong(RecordText::tr("--duration must be more than 0 seconds, and at most 100000000."));
@@ -99,9 +96,9 @@ std::string kindOf(const QString& address) {
 }
 
 /// One recording from the first connection to its end.
-class Run {
+class RecordRun {
  public:
-  Run(const RecordWords& words, Order order, std::unique_ptr<robot::Robot> robot)
+  RecordRun(const RecordWords& words, RecordOrder order, std::unique_ptr<robot::Robot> robot)
       : words_(words), order_(std::move(order)), robot_(std::move(robot)) {
     QObject::connect(&signals_, &StopSignals::came, &context_, [this] {
       stopped_ = true;
@@ -142,7 +139,8 @@ class Run {
     QObject::connect(recorder_.get(), &Recorder::progressed, &context_, [this] { tellProgress(); });
     QObject::connect(recorder_.get(), &Recorder::notHad, &context_, [this](const map::Failure& failure) {
       ++not_had_;
-      say(RecordText::tr("%1: %2").arg(sentences::nameOf(failure.subject), text(sentences::sentenceOf(failure))));
+      say(RecordText::tr("%1: %2").arg(sentences::nameOf(failure.subject),
+                                       text(sentences::sentenceOf(failure))));
     });
     QObject::connect(robot_.get(), &robot::Robot::connectionChanged, &context_, [this] {
       const robot::ConnectionState link = robot_->connection();
@@ -244,13 +242,14 @@ class Run {
     }
     for (const QString& topic : silent)
       say(RecordText::tr("Nothing came by %1: %2")
-              .arg(oneLine(topic), offers(topic) ? RecordText::tr("the robot has it, and was silent.")
-                                                 : RecordText::tr("the robot tells of no topic of that name.")));
+              .arg(oneLine(topic), offers(topic)
+                                       ? RecordText::tr("the robot has it, and was silent.")
+                                       : RecordText::tr("the robot tells of no topic of that name.")));
     return complete ? kDone : kIncomplete;
   }
 
   const RecordWords& words_;
-  Order order_;
+  RecordOrder order_;
   std::unique_ptr<robot::Robot> robot_;
   std::unique_ptr<Recorder> recorder_;  // goes before the robot
   QObject context_;
@@ -275,18 +274,21 @@ CommandResult<int> carryOut(const RecordWords& words) {
   auto robot = makeRobot(address, access->forAddress(address), DemoTime::Running);
   if (!robot) return wrong(robot.error());
   if (!robot::deliversOf(**robot))
-    return wrong(RecordText::tr("%1 is no robot that sends anything: there is nothing to record.").arg(address));
-  return Run(words, std::move(*order), std::move(*robot)).carryOut();
+    return wrong(
+        RecordText::tr("%1 is no robot that sends anything: there is nothing to record.").arg(address));
+  return RecordRun(words, std::move(*order), std::move(*robot)).carryOut();
 }
 
 }  // namespace
 
 void addRecord(CLI::App& cli, RecordWords& words) {
   CLI::App* const command = cli.add_subcommand(
-      "record", help(RecordText::tr("Record what a robot sends into a file, with the maps that belong to it")));
+      "record",
+      help(RecordText::tr("Record what a robot sends into a file, with the maps that belong to it")));
   command->add_option("--robot", words.robot, help(RecordText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
   addAccess(*command, words.access);
-  command->add_option("-o,--output", words.output, help(RecordText::tr("The MCAP file to write")))->required();
+  command->add_option("-o,--output", words.output, help(RecordText::tr("The MCAP file to write")))
+      ->required();
   command->add_flag("--force", words.force, help(RecordText::tr("Replace a file that is there")));
   command->add_option("--duration", words.duration_s,
                       help(RecordText::tr("How many seconds; without it until Ctrl+C")));

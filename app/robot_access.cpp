@@ -6,6 +6,7 @@
 #include "app/robot_factory.h"
 #include "robot/wire/net_reason.h"
 #include "sentences/reason_sentence.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -16,7 +17,7 @@ class RobotAccessText {
 
 constexpr qint64 kLongest = 4096;
 
-QString text(const std::string& word) { return QString::fromStdString(word); }
+using words::text;
 
 tl::expected<QByteArray, QString> checked(const QByteArray& secret) {
   if (secret.size() > kLongest || secret.contains('\n') || secret.contains('\r') || secret.contains('\0')) {
@@ -65,7 +66,8 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     const QUrl origin = parsed->url;
     if (origin.isEmpty()) {
       return tl::make_unexpected(
-          RobotAccessText::tr("--secret-file-for %1: give the address of a robot, then the file.").arg(text(address)));
+          RobotAccessText::tr("--secret-file-for %1: give the address of a robot, then the file.")
+              .arg(text(address)));
     }
     const auto secret = readSecret(text(file));
     if (!secret) return tl::make_unexpected(secret.error());
@@ -77,7 +79,7 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
     if (robot.isEmpty()) {
       return tl::make_unexpected(
           RobotAccessText::tr("--secret-file belongs to --robot, which is not given. For another robot give "
-                    "--secret-file-for ADDRESS FILE."));
+                              "--secret-file-for ADDRESS FILE."));
     }
     access.secrets_.emplace_back(originOf(robot), *secret);
   } else if (const QByteArray given = qgetenv("MAPWRIGHT_SECRET").trimmed(); !given.isEmpty()) {
@@ -109,7 +111,8 @@ Access RobotAccess::forAddress(const QString& address) const {
 QString whyNotConnected(const robot::ConnectionState& state) {
   const QString reason = sentences::wordsOf(state.reason);
   if (!state.certificate) return reason;
-  return reason + RobotAccessText::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
+  return reason +
+         RobotAccessText::tr(". If an authority of your own vouches for it, give it by --ca-file PEM.");
 }
 
 }  // namespace mapwright::app

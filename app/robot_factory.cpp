@@ -153,7 +153,8 @@ std::optional<QString> whyNoPlace(const QString& address, const std::string& res
         .arg(options);
   }
   if (!parsed->options.isEmpty()) {
-    return RobotFactoryText::tr("%1: the address says it already, after its ?. Give one of the two.").arg(options);
+    return RobotFactoryText::tr("%1: the address says it already, after its ?. Give one of the two.")
+        .arg(options);
   }
   const QString suffix = QFileInfo(parsed->path).suffix().toLower();
   if (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml")) {

@@ -27,7 +27,7 @@ QVariant variantFrom(const QJsonValue& value) {
   return value.toVariant();
 }
 
-bool read(QIODevice& device, QSettings::SettingsMap& map) {
+bool readSettings(QIODevice& device, QSettings::SettingsMap& map) {
   const QByteArray text = device.readAll();
   if (text.isEmpty()) return true;
   const QJsonDocument json = QJsonDocument::fromJson(text);
@@ -36,7 +36,7 @@ bool read(QIODevice& device, QSettings::SettingsMap& map) {
   return json.isObject();
 }
 
-bool write(QIODevice& device, const QSettings::SettingsMap& map) {
+bool writeSettings(QIODevice& device, const QSettings::SettingsMap& map) {
   QJsonObject object;
   for (auto at = map.begin(); at != map.end(); ++at) object.insert(at.key(), jsonFrom(at.value()));
   const QByteArray text = QJsonDocument(object).toJson();
@@ -54,7 +54,8 @@ std::unique_ptr<QSettings> openSettings() {
 }
 
 std::unique_ptr<QSettings> openSettingsIn(const QString& folder) {
-  const QSettings::Format format = QSettings::registerFormat(QStringLiteral("json"), &read, &write);
+  const QSettings::Format format =
+      QSettings::registerFormat(QStringLiteral("json"), &readSettings, &writeSettings);
   const QFileInfo file(folder + QStringLiteral("/mapwright.json"));
   const QFileInfo older(folder + QStringLiteral("/mapwright.ini"));
   // A named pipe would be waited for; nothing can be kept below a device.

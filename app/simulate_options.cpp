@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
+#include "app/option_words.h"
 #include "simulator/simulator.h"
 
 namespace mapwright::app {
@@ -14,11 +15,10 @@ class SimulateOptionsText {
   Q_DECLARE_TR_FUNCTIONS(SimulateOptions)
 };
 
-/// What --help says, as CLI11 takes it.
-std::string help(const QString& text) { return text.toStdString(); }
-
 void addRosRobot(CLI::App& command, simulator::RosOptions& o) {
-  command.add_option("--ros-port", o.port, help(SimulateOptionsText::tr("Port of the ROS robot, 0 = a free one")))
+  command
+      .add_option("--ros-port", o.port,
+                  help(SimulateOptionsText::tr("Port of the ROS robot, 0 = a free one")))
       ->capture_default_str();
   command
       .add_option("--ros-dialect", o.dialect,
@@ -26,15 +26,18 @@ void addRosRobot(CLI::App& command, simulator::RosOptions& o) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, simulator::RosDialect>{
           {"ros1", simulator::RosDialect::Ros1}, {"ros2", simulator::RosDialect::Ros2}}));
   command
-      .add_option("--ros-writer", o.writer,
-                  help(SimulateOptionsText::tr("How JSON is written: escaped (\\/ and \\uXXXX), spaced or plain")))
+      .add_option(
+          "--ros-writer", o.writer,
+          help(SimulateOptionsText::tr("How JSON is written: escaped (\\/ and \\uXXXX), spaced or plain")))
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, simulator::RosWriter>{{"escaped", simulator::RosWriter::Escaped},
                                                       {"spaced", simulator::RosWriter::Spaced},
                                                       {"plain", simulator::RosWriter::Plain}}));
   command.add_flag("!--no-rosapi", o.rosapi, help(SimulateOptionsText::tr("The ROS robot has no /rosapi")));
-  command.add_flag("!--no-kabam", o.kabam, help(SimulateOptionsText::tr("The ROS robot has no /map_manager")));
-  command.add_flag("--ros-status", o.status, help(SimulateOptionsText::tr("Tell of mistakes in status messages")));
+  command.add_flag("!--no-kabam", o.kabam,
+                   help(SimulateOptionsText::tr("The ROS robot has no /map_manager")));
+  command.add_flag("--ros-status", o.status,
+                   help(SimulateOptionsText::tr("Tell of mistakes in status messages")));
   command.add_flag("--ros-needs-auth", o.needs_auth,
                    help(SimulateOptionsText::tr("Cut who says anything before a whole auth message")));
   command
@@ -46,34 +49,44 @@ void addRosRobot(CLI::App& command, simulator::RosOptions& o) {
                    help(SimulateOptionsText::tr("map_list names archived maps, too")));
   command.add_flag("--kabam-needs-flags", o.kabam_needs_flags,
                    help(SimulateOptionsText::tr("Nothing is deleted without delete_map or delete_waypoint")));
-  command.add_flag("--kabam-empty-tags-keep", o.kabam_empty_tags_keep,
-                   help(SimulateOptionsText::tr("An update with an empty list of tags leaves them as they are")));
+  command.add_flag(
+      "--kabam-empty-tags-keep", o.kabam_empty_tags_keep,
+      help(SimulateOptionsText::tr("An update with an empty list of tags leaves them as they are")));
 }
 
 void addDispatcher(CLI::App& command, simulator::DispatcherOptions& o) {
   const std::string group = help(SimulateOptionsText::tr("Map dispatcher (REP 130) of the ROS robot"));
-  command.add_flag("--dispatcher", o.there, help(SimulateOptionsText::tr("It is there, and nobody sends the map as one")))
+  command
+      .add_flag("--dispatcher", o.there,
+                help(SimulateOptionsText::tr("It is there, and nobody sends the map as one")))
       ->group(group);
   command
       .add_option("--dispatcher-edge", o.edge_m,
-                  help(SimulateOptionsText::tr("Edge of its building, whole metres; 1000 has 20,000 x 20,000 cells and 40 "
-                                 "million points")))
+                  help(SimulateOptionsText::tr(
+                      "Edge of its building, whole metres; 1000 has 20,000 x 20,000 cells and 40 "
+                      "million points")))
       ->check(CLI::Range(10, 2000))
       ->capture_default_str()
       ->group(group);
-  command.add_flag("!--no-dispatcher-grid", o.planar, help(SimulateOptionsText::tr("It has no get_map and get_sub_map")))
-      ->group(group);
-  command.add_flag("!--no-dispatcher-clouds", o.spatial, help(SimulateOptionsText::tr("It has no clouds and projections")))
+  command
+      .add_flag("!--no-dispatcher-grid", o.planar,
+                help(SimulateOptionsText::tr("It has no get_map and get_sub_map")))
       ->group(group);
   command
-      .add_flag("--dispatcher-writable", o.writable,
-                help(SimulateOptionsText::tr("set_map_projections is a ProjectedMapsInfo, which can set them")))
+      .add_flag("!--no-dispatcher-clouds", o.spatial,
+                help(SimulateOptionsText::tr("It has no clouds and projections")))
+      ->group(group);
+  command
+      .add_flag(
+          "--dispatcher-writable", o.writable,
+          help(SimulateOptionsText::tr("set_map_projections is a ProjectedMapsInfo, which can set them")))
       ->group(group);
   command
       .add_flag("--dispatcher-other-member", o.other_member,
                 help(SimulateOptionsText::tr("It answers projected_maps instead of projected_maps_info")))
       ->group(group);
-  command.add_flag("--dispatcher-map-msg", o.map_msg, help(SimulateOptionsText::tr("Its types are of map_msg")))
+  command
+      .add_flag("--dispatcher-map-msg", o.map_msg, help(SimulateOptionsText::tr("Its types are of map_msg")))
       ->group(group);
 }
 
@@ -83,13 +96,15 @@ void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
     command.add_flag(name, value, what)->group(group);
   };
   command
-      .add_option("--dispatcher-answer", f.answer,
-                  help(SimulateOptionsText::tr("What comes of a region: pad, empty, rotated, elsewhere or corner")))
+      .add_option(
+          "--dispatcher-answer", f.answer,
+          help(SimulateOptionsText::tr("What comes of a region: pad, empty, rotated, elsewhere or corner")))
       ->check(CLI::IsMember({"pad", "empty", "rotated", "elsewhere", "corner"}))
       ->group(group);
   command
-      .add_option("--dispatcher-most", f.most_cells,
-                  help(SimulateOptionsText::tr("Its grids of regions have so many cells at most, 0 = any number")))
+      .add_option(
+          "--dispatcher-most", f.most_cells,
+          help(SimulateOptionsText::tr("Its grids of regions have so many cells at most, 0 = any number")))
       ->check(CLI::Range(0, 40'000'000))
       ->group(group);
   command
@@ -101,16 +116,20 @@ void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
       ->group(group);
   command
       .add_option("--dispatcher-lie", f.cloud.lie,
-                  help(SimulateOptionsText::tr("What is wrong in its clouds: point-step, row-step, width or data; in its "
-                                 "grids: data or cells")))
+                  help(SimulateOptionsText::tr(
+                      "What is wrong in its clouds: point-step, row-step, width or data; in its "
+                      "grids: data or cells")))
       ->check(CLI::IsMember({"point-step", "row-step", "width", "data", "cells"}))
       ->group(group);
-  flag("--dispatcher-big-endian", f.cloud.big_endian, help(SimulateOptionsText::tr("Its clouds are big-endian")));
-  flag("--dispatcher-float64", f.cloud.float64, help(SimulateOptionsText::tr("Its clouds have coordinates of 64 bits")));
+  flag("--dispatcher-big-endian", f.cloud.big_endian,
+       help(SimulateOptionsText::tr("Its clouds are big-endian")));
+  flag("--dispatcher-float64", f.cloud.float64,
+       help(SimulateOptionsText::tr("Its clouds have coordinates of 64 bits")));
   flag("--dispatcher-odd-offsets", f.cloud.odd_offsets,
        help(SimulateOptionsText::tr("The fields of its clouds begin anywhere")));
   flag("--dispatcher-no-z", f.cloud.no_z, help(SimulateOptionsText::tr("Its clouds have no z")));
-  flag("--dispatcher-nan", f.cloud.nan, help(SimulateOptionsText::tr("Every tenth point of its clouds is not a number")));
+  flag("--dispatcher-nan", f.cloud.nan,
+       help(SimulateOptionsText::tr("Every tenth point of its clouds is not a number")));
   command
       .add_option("--dispatcher-far", f.cloud.far_m,
                   help(SimulateOptionsText::tr("x and y of its clouds are so many metres larger")))
@@ -118,7 +137,8 @@ void addDispatcherFaults(CLI::App& command, simulator::DispatcherFaults& f) {
       ->group(group);
   flag("--dispatcher-resolution-changes", f.resolution_changes,
        help(SimulateOptionsText::tr("Its grids have another resolution from call to call")));
-  flag("--dispatcher-regrids", f.regrids, help(SimulateOptionsText::tr("Every fourth call its grid is laid out anew")));
+  flag("--dispatcher-regrids", f.regrids,
+       help(SimulateOptionsText::tr("Every fourth call its grid is laid out anew")));
 }
 
 void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
@@ -132,33 +152,43 @@ void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
   const auto names = [&](const char* name, std::vector<std::string>& value, const std::string& what) {
     command.add_option(name, value, what)->allow_extra_args(false)->group(faults);
   };
-  count("--ros-slow", f.slow_ms, help(SimulateOptionsText::tr("Delay of every answer to a call, milliseconds")), 600'000);
+  count("--ros-slow", f.slow_ms,
+        help(SimulateOptionsText::tr("Delay of every answer to a call, milliseconds")), 600'000);
   flag("--ros-shuffle", f.shuffled_answers,
        help(SimulateOptionsText::tr("Every second answer is overtaken by those after it")));
-  names("--ros-silent", f.silent, help(SimulateOptionsText::tr("A topic that never says anything; may be repeated")));
-  flag("--ros-wrong-type", f.wrong_type, help(SimulateOptionsText::tr("/map, /scan and /odom are of std_msgs/String")));
-  count("--ros-fragments", f.fragment_bytes, help(SimulateOptionsText::tr("Send texts in fragments of so many characters")),
-        100'000'000);
+  names("--ros-silent", f.silent,
+        help(SimulateOptionsText::tr("A topic that never says anything; may be repeated")));
+  flag("--ros-wrong-type", f.wrong_type,
+       help(SimulateOptionsText::tr("/map, /scan and /odom are of std_msgs/String")));
+  count("--ros-fragments", f.fragment_bytes,
+        help(SimulateOptionsText::tr("Send texts in fragments of so many characters")), 100'000'000);
   count("--ros-restart-every", f.restart_every_s,
         help(SimulateOptionsText::tr("Cut all connections to the ROS robot every so many seconds")), 86'400);
-  names("--ros-refuse", f.refuse,
-        help(SimulateOptionsText::tr("A service that answers result:false and does nothing; may be repeated")));
+  names(
+      "--ros-refuse", f.refuse,
+      help(SimulateOptionsText::tr("A service that answers result:false and does nothing; may be repeated")));
   names("--ros-lose-answer", f.lose_answer,
         help(SimulateOptionsText::tr("A service that does its work and never answers; may be repeated")));
   names("--ros-cut-after", f.cut_after,
-        help(SimulateOptionsText::tr("A service that does its work, and then the connection is cut; may be repeated")));
-  flag("--ros-garbage", f.garbage, help(SimulateOptionsText::tr("Frames that are no messages come between the others")));
+        help(SimulateOptionsText::tr(
+            "A service that does its work, and then the connection is cut; may be repeated")));
+  flag("--ros-garbage", f.garbage,
+       help(SimulateOptionsText::tr("Frames that are no messages come between the others")));
   count("--other-operator", f.other_operator_every_s,
-        help(SimulateOptionsText::tr("Somebody else changes waypoints and maps every so many seconds")), 86'400);
+        help(SimulateOptionsText::tr("Somebody else changes waypoints and maps every so many seconds")),
+        86'400);
   count("--waypoints-lag", f.waypoints_lag_ms,
-        help(SimulateOptionsText::tr("The topic of waypoints tells everything so many milliseconds later")), 600'000);
+        help(SimulateOptionsText::tr("The topic of waypoints tells everything so many milliseconds later")),
+        600'000);
   count("--other-painter", f.other_painter_every_s,
-        help(SimulateOptionsText::tr("Somebody else paints on the current map every so many seconds")), 86'400);
+        help(SimulateOptionsText::tr("Somebody else paints on the current map every so many seconds")),
+        86'400);
   count("--ros-picture-code", f.picture_code,
         help(SimulateOptionsText::tr("update_map_image does nothing and answers this code")), 255);
   flag("--ros-picture-ignored", f.picture_ignored,
        help(SimulateOptionsText::tr("update_map_image does nothing and answers that it did")));
-  flag("--nan-pose", f.nan_pose, help(SimulateOptionsText::tr("Poses, transforms and some waypoints are not numbers")));
+  flag("--nan-pose", f.nan_pose,
+       help(SimulateOptionsText::tr("Poses, transforms and some waypoints are not numbers")));
   flag("--zero-quaternion", f.zero_quaternion,
        help(SimulateOptionsText::tr("Orientations are all zeros or not of length one")));
   flag("--tf-loop", f.tf_loop, help(SimulateOptionsText::tr("/tf has a loop")));
@@ -170,14 +200,20 @@ void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
 void addSimulate(CLI::App& cli, SimulateWords& words) {
   std::string scenes;
   for (const auto& [name, sentence] : simulator::sceneNames()) scenes += (scenes.empty() ? "" : ", ") + name;
-  CLI::App* command = cli.add_subcommand("simulate", help(SimulateOptionsText::tr("Serve a simulated robot on 127.0.0.1")));
+  CLI::App* command =
+      cli.add_subcommand("simulate", help(SimulateOptionsText::tr("Serve a simulated robot on 127.0.0.1")));
   simulator::Options& o = words.options;
-  command->add_option("--port", o.port, help(SimulateOptionsText::tr("Port of the Autoxing robot, 0 = a free one")))
+  command
+      ->add_option("--port", o.port,
+                   help(SimulateOptionsText::tr("Port of the Autoxing robot, 0 = a free one")))
       ->capture_default_str();
   command
-      ->add_option("--aimdk-port", o.aimdk_port, help(SimulateOptionsText::tr("Port of the Agibot robot, 0 = a free one")))
+      ->add_option("--aimdk-port", o.aimdk_port,
+                   help(SimulateOptionsText::tr("Port of the Agibot robot, 0 = a free one")))
       ->capture_default_str();
-  command->add_option("--scene", o.scene, help(SimulateOptionsText::tr("One of: %1").arg(QString::fromStdString(scenes))))
+  command
+      ->add_option("--scene", o.scene,
+                   help(SimulateOptionsText::tr("One of: %1").arg(QString::fromStdString(scenes))))
       ->capture_default_str()
       ->check([](const std::string& s) {
         for (const auto& [name, sentence] : simulator::sceneNames()) {
@@ -195,21 +231,24 @@ void addSimulate(CLI::App& cli, SimulateWords& words) {
       ->capture_default_str();
   command->add_option("--speed", o.speed, help(SimulateOptionsText::tr("Simulated seconds per second")))
       ->check(CLI::Range(0.0, 1000.0));
-  command->add_option("--start-at", o.start_at_s, help(SimulateOptionsText::tr("Simulated time at start, seconds")))
+  command
+      ->add_option("--start-at", o.start_at_s,
+                   help(SimulateOptionsText::tr("Simulated time at start, seconds")))
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--paused", o.paused, help(SimulateOptionsText::tr("Let simulated time stand still")));
-  command->add_option(
-      "--secret-file", words.secret_file,
-      help(SimulateOptionsText::tr("File that holds the secret without which the Autoxing robot answers 401")));
+  command->add_option("--secret-file", words.secret_file,
+                      help(SimulateOptionsText::tr(
+                          "File that holds the secret without which the Autoxing robot answers 401")));
   command->add_flag("!--no-topic-lists", o.enable_topic_list,
                     help(SimulateOptionsText::tr("Understand enable_topic one by one only")));
-  command->add_flag(
-      "--odd-bags", o.bags.odd,
-      help(SimulateOptionsText::tr("Also keep bags of eight hours, with a clock set back, equal stamps, a gap, "
-                     "one message, none")));
+  command->add_flag("--odd-bags", o.bags.odd,
+                    help(SimulateOptionsText::tr(
+                        "Also keep bags of eight hours, with a clock set back, equal stamps, a gap, "
+                        "one message, none")));
   command->add_flag("--bag-end-exclusive", o.bags.end_exclusive,
                     help(SimulateOptionsText::tr("A range of a bag ends before its end_time")));
-  command->add_flag("!--no-download-ranges", o.bags.ranges, help(SimulateOptionsText::tr("Downloads begin anew")));
+  command->add_flag("!--no-download-ranges", o.bags.ranges,
+                    help(SimulateOptionsText::tr("Downloads begin anew")));
   command->add_flag("!--no-binary", o.binary_topics, help(SimulateOptionsText::tr("Ignore ?pb=1")));
   command->add_option("--points", o.points_per_scan, help(SimulateOptionsText::tr("Lidar points in a scan")))
       ->check(CLI::Range(0, 1'000'000))
@@ -235,24 +274,29 @@ void addSimulate(CLI::App& cli, SimulateWords& words) {
   };
   count("--latency-ms", f.latency_ms, help(SimulateOptionsText::tr("Delay of every submap answer")), 600'000);
   count("--jitter-ms", f.jitter_ms, help(SimulateOptionsText::tr("Random addition to the delay")), 600'000);
-  rate("--drop-rate", f.drop_rate, help(SimulateOptionsText::tr("Share of submap requests dropped without an answer")));
-  rate("--truncate-rate", f.truncate_rate, help(SimulateOptionsText::tr("Share of answers cut off half-way")));
+  rate("--drop-rate", f.drop_rate,
+       help(SimulateOptionsText::tr("Share of submap requests dropped without an answer")));
+  rate("--truncate-rate", f.truncate_rate,
+       help(SimulateOptionsText::tr("Share of answers cut off half-way")));
   rate("--wrong-size-rate", f.wrong_size_rate,
        help(SimulateOptionsText::tr("Share of answers whose width and height do not fit the cells")));
   rate("--corrupt-rate", f.corrupt_rate, help(SimulateOptionsText::tr("Share of answers that are garbage")));
   rate("--error-rate", f.error_rate, help(SimulateOptionsText::tr("Share of answers with --error-status")));
-  command->add_option("--error-status", f.error_status, help(SimulateOptionsText::tr("HTTP status of those errors")))
+  command
+      ->add_option("--error-status", f.error_status,
+                   help(SimulateOptionsText::tr("HTTP status of those errors")))
       ->check(CLI::IsMember({400, 404, 500, 502, 504}))
       ->group(faults);
   rate("--status-code-rate", f.status_code_rate,
        help(SimulateOptionsText::tr("Share of HTTP 200 answers whose own status is an error")));
   count("--websocket-drop-every", f.websocket_drop_every_s,
         help(SimulateOptionsText::tr("Cut the WebSocket every so many seconds")), 86'400);
-  count("--uuid-change-every", f.uuid_change_every_s, help(SimulateOptionsText::tr("Restart SLAM every so many seconds")),
-        86'400);
+  count("--uuid-change-every", f.uuid_change_every_s,
+        help(SimulateOptionsText::tr("Restart SLAM every so many seconds")), 86'400);
   command
-      ->add_flag("--bad-entries", f.bad_entries,
-                 help(SimulateOptionsText::tr("List NaN poses, zero quaternions, duplicates, versions going back")))
+      ->add_flag(
+          "--bad-entries", f.bad_entries,
+          help(SimulateOptionsText::tr("List NaN poses, zero quaternions, duplicates, versions going back")))
       ->group(faults);
   command
       ->add_flag("--silent-websocket", f.silent_websocket,
@@ -266,16 +310,20 @@ void addSimulate(CLI::App& cli, SimulateWords& words) {
        help(SimulateOptionsText::tr("Share of those that change nothing and get no answer")));
   rate("--lose-write-answers", f.lose_write_answers,
        help(SimulateOptionsText::tr("Share of those that are carried out but get no answer")));
-  count("--map-latency-ms", f.map_latency_ms, help(SimulateOptionsText::tr("Delay of every answer about maps")), 600'000);
+  count("--map-latency-ms", f.map_latency_ms,
+        help(SimulateOptionsText::tr("Delay of every answer about maps")), 600'000);
   const auto flag = [&](const char* name, bool& value, const std::string& what) {
     command->add_flag(name, value, what)->group(faults);
   };
   flag("--truncated-maps", f.truncated_maps, help(SimulateOptionsText::tr("Cut every map's PNG in half")));
   flag("--lying-map-size", f.lying_map_size,
        help(SimulateOptionsText::tr("Every map's PNG declares 60,000 x 60,000 pixels")));
-  flag("--foreign-data-url", f.foreign_data_url, help(SimulateOptionsText::tr("data_url points to another host")));
-  flag("--garbage-base64", f.garbage_base64, help(SimulateOptionsText::tr("Pictures in topics are no base64")));
-  flag("--map-list-error", f.map_list_error, help(SimulateOptionsText::tr("Answer 500 for the list of maps")));
+  flag("--foreign-data-url", f.foreign_data_url,
+       help(SimulateOptionsText::tr("data_url points to another host")));
+  flag("--garbage-base64", f.garbage_base64,
+       help(SimulateOptionsText::tr("Pictures in topics are no base64")));
+  flag("--map-list-error", f.map_list_error,
+       help(SimulateOptionsText::tr("Answer 500 for the list of maps")));
   command
       ->add_option("--grid-fault", f.grid_fault,
                    help(SimulateOptionsText::tr("What is wrong with every map's place and resolution")))

@@ -17,6 +17,7 @@
 #include "app/report.h"
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
+#include "app/say.h"
 #include "app/snapshot_run.h"
 #include "replay/replay_robot.h"
 #include "words/qt_plain.h"
@@ -27,11 +28,6 @@ namespace {
 class SnapshotText {
   Q_DECLARE_TR_FUNCTIONS(Snapshot)
 };
-
-int refuse(int exit_code, const QString& sentence) {
-  std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));
-  return exit_code;
-}
 
 /// What the deadline does when the run is not over in time: it says so, also in the report.
 int giveUp(const SnapshotOptions& options, const SnapshotStanding& standing) {
@@ -65,10 +61,10 @@ QString summaryOf(const SnapshotRun& run) {
   QString line = SnapshotText::tr("%1: %2 of %3 submaps")
                      .arg(run.options().output, QString::number(submaps[QLatin1String("drawn")].toInt()),
                           QString::number(submaps[QLatin1String("listed")].toInt()));
-  for (const auto& [kind, counted] :
-       {std::pair{"missing", SnapshotText::tr(", %1 missing")}, std::pair{"failed", SnapshotText::tr(", %1 failed")},
-        std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
-        std::pair{"without_slice", SnapshotText::tr(", %1 without slice")}}) {
+  for (const auto& [kind, counted] : {std::pair{"missing", SnapshotText::tr(", %1 missing")},
+                                      std::pair{"failed", SnapshotText::tr(", %1 failed")},
+                                      std::pair{"corrupt", SnapshotText::tr(", %1 corrupt")},
+                                      std::pair{"without_slice", SnapshotText::tr(", %1 without slice")}}) {
     if (const int count = submaps[QLatin1String(kind)].toInt()) line += counted.arg(count);
   }
   return line;

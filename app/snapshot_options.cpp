@@ -15,6 +15,7 @@
 #include "geometry/view_transform.h"
 #include "scene/layer_topic.h"
 #include "submap/submap_book.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -26,7 +27,7 @@ class SnapshotOptionsText {
 constexpr qint64 kMaxPixels = 200'000'000;
 constexpr int kMaxEdge = 32'000;
 
-QString text(const std::string& word) { return QString::fromStdString(word); }
+using words::text;
 
 std::optional<Eigen::Vector2d> parsePoint(const QString& word) {
   const QStringList parts = word.split(QLatin1Char(','));
@@ -54,11 +55,15 @@ std::optional<QSize> parseSize(const QString& word) {
 /// What has no place beside --region.
 std::optional<QString> whyNotWithRegion(const SnapshotWords& words, const SnapshotOptions& options) {
   if (options.mode == SnapshotMode::Submaps)
-    return SnapshotOptionsText::tr("--region is a part of a map that the robot gives by regions: it needs --mode grid.");
-  if (!words.map.empty()) return SnapshotOptionsText::tr("--region is a part of the robot's own map: give it, or --map.");
-  if (!words.bag.empty()) return SnapshotOptionsText::tr("A bag has no map by regions: give --region, or --bag.");
+    return SnapshotOptionsText::tr(
+        "--region is a part of a map that the robot gives by regions: it needs --mode grid.");
+  if (!words.map.empty())
+    return SnapshotOptionsText::tr("--region is a part of the robot's own map: give it, or --map.");
+  if (!words.bag.empty())
+    return SnapshotOptionsText::tr("A bag has no map by regions: give --region, or --bag.");
   if (!words.center.empty() || words.fit || words.rotate_deg != 0)
-    return SnapshotOptionsText::tr("--region says what the picture shows: give it, or --center, --fit and --rotate.");
+    return SnapshotOptionsText::tr(
+        "--region says what the picture shows: give it, or --center, --fit and --rotate.");
   if (words.size != SnapshotWords().size)
     return SnapshotOptionsText::tr(
         "With --region a pixel is a cell of the map, or as large as --scale says: --size has no place "
@@ -83,11 +88,13 @@ tl::expected<void, QString> takeTopic(QString& word, robot::TopicChoices& topics
     for (const scene::Layer one : every) {
       if (scene::chosenStream(one)) choosable << scene::layerName(one);
     }
-    return tl::make_unexpected(SnapshotOptionsText::tr("--layers: for \"%1\" no topic can be chosen, only for %2.")
-                                   .arg(name, choosable.join(QLatin1String(", "))));
+    return tl::make_unexpected(
+        SnapshotOptionsText::tr("--layers: for \"%1\" no topic can be chosen, only for %2.")
+            .arg(name, choosable.join(QLatin1String(", "))));
   }
   if (topic.isEmpty())
-    return tl::make_unexpected(SnapshotOptionsText::tr("--layers %1=: name the topic, for example %1=/topic.").arg(name));
+    return tl::make_unexpected(
+        SnapshotOptionsText::tr("--layers %1=: name the topic, for example %1=/topic.").arg(name));
   topics.insert_or_assign(*stream, topic.startsWith(QLatin1Char('/')) ? topic : QLatin1Char('/') + topic);
   return {};
 }
@@ -115,8 +122,9 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
     if (const auto taken = takeTopic(word, topics); !taken) return tl::make_unexpected(taken.error());
     const auto position = known.indexOf(word.trimmed());
     if (position < 0) {
-      return tl::make_unexpected(SnapshotOptionsText::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
-                                     .arg(word, known.join(QLatin1String(", "))));
+      return tl::make_unexpected(
+          SnapshotOptionsText::tr("--layers: there is no layer \"%1\". Known: %2, or all, or none.")
+              .arg(word, known.join(QLatin1String(", "))));
     }
     chosen.insert(every[std::size_t(position)]);
   }
@@ -126,14 +134,16 @@ tl::expected<std::set<scene::Layer>, QString> parseLayers(const QString& words, 
 /// An option that nothing could come of is a mistake, and the picture would not tell.
 std::optional<QString> whyWithoutEffect(const SnapshotWords& words, const SnapshotOptions& options) {
   if (words.average && options.mode == SnapshotMode::Submaps) {
-    return SnapshotOptionsText::tr("--average is for whole maps: submaps are always averaged when zoomed out.");
+    return SnapshotOptionsText::tr(
+        "--average is for whole maps: submaps are always averaged when zoomed out.");
   }
   const bool whole = options.mode == SnapshotMode::Whole;
   if (whole && words.slice != 0) {
     return SnapshotOptionsText::tr("--slice is for submaps: a whole map has no slices.");
   }
   if (whole && options.colors != render::ColorMode::Normal) {
-    return SnapshotOptionsText::tr("--colors %1 is for submaps: a whole map has none.").arg(text(words.colors));
+    return SnapshotOptionsText::tr("--colors %1 is for submaps: a whole map has none.")
+        .arg(text(words.colors));
   }
   if (!words.raw) return std::nullopt;
   if (options.dark || options.colors != render::ColorMode::Normal) {
@@ -169,8 +179,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   options.json = words.json;
   options.force = words.force;
   if (options.robot.isEmpty()) {
-    return wrong(
-        SnapshotOptionsText::tr("Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
+    return wrong(SnapshotOptionsText::tr(
+        "Which robot? Give --robot ADDRESS or set MAPWRIGHT_ROBOT; demo: is the built-in one."));
   }
   if (words.bag.empty() != words.at.empty())
     return wrong(SnapshotOptionsText::tr("--bag NAME and --at TIME belong together."));
@@ -186,13 +196,14 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     // The occupancy grids that robots and files give are their whole maps.
     options.mode = SnapshotMode::Whole;
   } else if (!words.mode.empty()) {
-    return wrong(SnapshotOptionsText::tr("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
+    return wrong(
+        SnapshotOptionsText::tr("--mode: submaps, whole or grid, not \"%1\".").arg(text(words.mode)));
   }
   if (!words.map.empty()) {
     if (options.mode == SnapshotMode::Submaps) {
       return wrong(
           SnapshotOptionsText::tr("--map needs --mode whole: the submaps shown are those of the robot's "
-                    "present SLAM session."));
+                                  "present SLAM session."));
     }
     options.mode = SnapshotMode::Whole;
     options.map = map::mapKeyFromText(words.map);
@@ -211,15 +222,16 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   const auto size = parseSize(text(words.size));
   if (!size) {
     return wrong(
-        SnapshotOptionsText::tr("--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
-                  "and %3 million in all.")
+        SnapshotOptionsText::tr(
+            "--size %1: write WIDTHxHEIGHT, for example 1920x1080, at most %2 pixels on an edge "
+            "and %3 million in all.")
             .arg(text(words.size), QString::number(kMaxEdge), QString::number(kMaxPixels / 1'000'000)));
   }
   options.size_px = *size;
   const bool has_center = !words.center.empty(), has_scale = words.scale.has_value();
   if (words.fit && (has_center || has_scale)) {
-    return wrong(
-        SnapshotOptionsText::tr("--fit chooses the centre and the scale itself: give it, or --center and --scale."));
+    return wrong(SnapshotOptionsText::tr(
+        "--fit chooses the centre and the scale itself: give it, or --center and --scale."));
   }
   if (options.region && has_scale) {
     if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
@@ -234,8 +246,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   if (has_center) {
     options.center_m = parsePoint(text(words.center));
     if (!options.center_m) {
-      return wrong(
-          SnapshotOptionsText::tr("--center %1: write X,Y in metres, for example 12.5,-3.").arg(text(words.center)));
+      return wrong(SnapshotOptionsText::tr("--center %1: write X,Y in metres, for example 12.5,-3.")
+                       .arg(text(words.center)));
     }
     if (!(*words.scale >= geometry::kMinScaleMPerPx && *words.scale <= geometry::kMaxScaleMPerPx)) {
       return wrong(SnapshotOptionsText::tr("--scale must lie between %1 and %2 metres per pixel.")
@@ -244,7 +256,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     }
     options.scale_m_per_px = *words.scale;
   }
-  if (!std::isfinite(words.rotate_deg)) return wrong(SnapshotOptionsText::tr("--rotate must be a number of degrees."));
+  if (!std::isfinite(words.rotate_deg))
+    return wrong(SnapshotOptionsText::tr("--rotate must be a number of degrees."));
   options.rotation_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(words.rotate_deg));
   const auto layers = parseLayers(text(words.layers), options.topics);
   if (!layers) return wrong(layers.error());
@@ -261,7 +274,8 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
   else if (words.colors == "active")
     options.colors = render::ColorMode::Active;
   else
-    return wrong(SnapshotOptionsText::tr("--colors: normal, incremental or active, not \"%1\".").arg(text(words.colors)));
+    return wrong(SnapshotOptionsText::tr("--colors: normal, incremental or active, not \"%1\".")
+                     .arg(text(words.colors)));
   if (words.theme != "light" && words.theme != "dark") {
     return wrong(SnapshotOptionsText::tr("--theme: light or dark, not \"%1\".").arg(text(words.theme)));
   }
@@ -274,12 +288,13 @@ tl::expected<SnapshotOptions, QString> parseSnapshotOptions(const SnapshotWords&
     bool ok = false;
     const double seconds = text(words.settle).toDouble(&ok);
     if (!ok || !(seconds >= 0 && seconds <= 86'400)) {
-      return wrong(
-          SnapshotOptionsText::tr("--settle: complete, or a number of seconds, not \"%1\".").arg(text(words.settle)));
+      return wrong(SnapshotOptionsText::tr("--settle: complete, or a number of seconds, not \"%1\".")
+                       .arg(text(words.settle)));
     }
     if (seconds > words.timeout_s) {
-      return wrong(
-          SnapshotOptionsText::tr("--settle %1 lasts longer than --timeout %2.").arg(seconds).arg(words.timeout_s));
+      return wrong(SnapshotOptionsText::tr("--settle %1 lasts longer than --timeout %2.")
+                       .arg(seconds)
+                       .arg(words.timeout_s));
     }
     options.settle_s = seconds;
   }

@@ -38,9 +38,9 @@ void SnapshotRun::paint(bool settled) {
   if (done_ || chosen_) return;
   if (options_.region && !sizeRegion()) return;
   if (!options_.region && options_.mode == SnapshotMode::Whole && !map_.grid()) {
-    const QString which = options_.map
-                              ? SnapshotPaintText::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
-                              : SnapshotPaintText::tr("its map");
+    const QString which =
+        options_.map ? SnapshotPaintText::tr("map %1").arg(QString::fromStdString(map::toText(*options_.map)))
+                     : SnapshotPaintText::tr("its map");
     fail(exitCodeOf(map::FailureKind::TimedOut),
          SnapshotPaintText::tr("%1: %2 had not arrived within %3 s (%4). There is nothing to draw.")
                  .arg(options_.robot, which, QString::number(options_.settle_s.value_or(options_.timeout_s)),
@@ -77,8 +77,10 @@ void SnapshotRun::paint(bool settled) {
   // Nothing may look as if it had been recorded.
   if (replayed_ && !options_.map && wantsWhole(options_) && map_.key() &&
       map_.key()->kind != map::MapKind::Live) {
-    say(isLocal() ? SnapshotPaintText::tr("The bag holds no map until then: the one that was recorded with it is drawn.")
-                  : SnapshotPaintText::tr("The bag holds no map until then: the one that the robot keeps now is drawn."));
+    say(isLocal() ? SnapshotPaintText::tr(
+                        "The bag holds no map until then: the one that was recorded with it is drawn.")
+                  : SnapshotPaintText::tr(
+                        "The bag holds no map until then: the one that the robot keeps now is drawn."));
   }
   if (lacksSubmaps())
     notes_ << SnapshotPaintText::tr("The bag holds no submap list until then: there are no submaps to draw.");
@@ -97,7 +99,8 @@ void SnapshotRun::paint(bool settled) {
   }
   const session::SubmapCounts& counts = chosen_->counts;
   if (counts.without_slice > 0 && counts.without_slice == counts.listed) {
-    notes_ << SnapshotPaintText::tr("No submap has a slice %1 (--slice): the picture is empty.").arg(options_.slice);
+    notes_ << SnapshotPaintText::tr("No submap has a slice %1 (--slice): the picture is empty.")
+                  .arg(options_.slice);
   }
   view_ = viewOf(options_, session_, map_);
   noteStanding();
@@ -120,7 +123,8 @@ void SnapshotRun::noteChosenTopics() {
     if (of->choicesFor(stream).contains(topic)) continue;
     QString fitting = of->choicesFor(stream).join(QLatin1String(", "));
     if (fitting.isEmpty()) fitting = SnapshotPaintText::tr("none");
-    notes_ << SnapshotPaintText::tr("Topic %1 is not there, or of no type that fits its layer. Those that fit: %2.")
+    notes_ << SnapshotPaintText::tr(
+                  "Topic %1 is not there, or of no type that fits its layer. Those that fit: %2.")
                   .arg(topic, fitting);
     complete_ = false;
   }
@@ -136,10 +140,10 @@ void SnapshotRun::write() {
   }
   if (session_.lostPictures() > 0) {
     complete_ = false;
-    notes_.prepend(
-        SnapshotPaintText::tr("%1 submaps could not be read back from the disk: parts of the picture are empty.", nullptr,
-                  int(session_.lostPictures()))
-            .arg(session_.lostPictures()));
+    notes_.prepend(SnapshotPaintText::tr(
+                       "%1 submaps could not be read back from the disk: parts of the picture are empty.",
+                       nullptr, int(session_.lostPictures()))
+                       .arg(session_.lostPictures()));
   }
   if (const auto why = overItsSource()) {
     fail(kUsage, *why);

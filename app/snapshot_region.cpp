@@ -53,7 +53,8 @@ void SnapshotRun::lookAtRegion() {
     const double draw_s = double(size->width()) * double(size->height()) / kPixelsDrawnInASecond;
     const double until_s = options_.timeout_s - std::min(draw_s, options_.timeout_s * kMostOfTimeToDraw);
     if (!fetch_->over() && fetch_->counts().answered > 0 && seconds() > until_s) {
-      notes_ << SnapshotRegionText::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s);
+      notes_ << SnapshotRegionText::tr("Not everything had arrived within %1 s (--timeout).")
+                    .arg(options_.timeout_s);
       return paint(false);
     }
   }
@@ -68,7 +69,8 @@ bool SnapshotRun::sizeRegion() {
   const QString trouble = fetch_ ? sentences::sentenceOf(fetch_->trouble()) : QString();
   const regions::RegionCounts counts = fetch_ ? fetch_->counts() : regions::RegionCounts{};
   if (fetch_ && fetch_->tooLarge()) {
-    fail(kUsage, SnapshotRegionText::tr("--region is too large: it has more cells than are fetched for one picture."));
+    fail(kUsage, SnapshotRegionText::tr(
+                     "--region is too large: it has more cells than are fetched for one picture."));
     return false;
   }
   const bool some_came = fetch_ && fetch_->map().regions().holdsAnyOf(*options_.region);
@@ -86,8 +88,9 @@ bool SnapshotRun::sizeRegion() {
   if (options_.scale_m_per_px <= 0) {
     if (!resolution) {
       fail(kIncomplete,
-           SnapshotRegionText::tr("%1: there is nothing in this region, and how large its cells would be is not known. "
-                     "--scale says how large a pixel is.")
+           SnapshotRegionText::tr(
+               "%1: there is nothing in this region, and how large its cells would be is not known. "
+               "--scale says how large a pixel is.")
                .arg(options_.robot));
       return false;
     }
@@ -135,7 +138,8 @@ void SnapshotRun::takeRegion(SnapshotContent& content) {
   if (fetched.cells) content.grid = render::PlacedGrid{fetched.cells, fetched.reference};
   if (fetched.other_lattices > 0) {
     complete_ = false;
-    notes_ << SnapshotRegionText::tr("Some of it came with cells of another size or direction, and is left out.");
+    notes_ << SnapshotRegionText::tr(
+        "Some of it came with cells of another size or direction, and is left out.");
   }
 }
 

@@ -24,10 +24,10 @@ class SnapshotRunText {
   Q_DECLARE_TR_FUNCTIONS(SnapshotRun)
 };
 
-constexpr int kTries = 3;  // of a failing submap, before it counts as failed
-constexpr int kConnectAttempts = 3;
+constexpr int kSnapshotTries = 3;  // of a failing submap, before it counts as failed
+constexpr int kSnapshotConnectAttempts = 3;
 constexpr double kConnectWithinS = 10;
-constexpr int kLookEveryMs = 20;
+constexpr int kSnapshotLookEveryMs = 20;
 constexpr double kBagMapWithinS = 0;  // the map of a bag is there with its world, or not at all
 constexpr double kNoteEveryS = 0.25;
 // Of a robot that is gone nothing more is waited for when so much of the time is left: drawing takes some,
@@ -69,7 +69,7 @@ SnapshotRun::SnapshotRun(SnapshotOptions options, std::unique_ptr<robot::Robot> 
   connect(&timeout_, &QTimer::timeout, this, &SnapshotRun::timeOut);
   connect(&cut_off_, &QTimer::timeout, this, &SnapshotRun::cutOff);
   connect(&settle_, &QTimer::timeout, this,
-          [this] { paint(!wantsSubmaps(options_) || session_.settled(kTries)); });
+          [this] { paint(!wantsSubmaps(options_) || session_.settled(kSnapshotTries)); });
   connect(&poll_, &QTimer::timeout, this, &SnapshotRun::look);
   connect(&session_, &session::Session::connectionChanged, this, &SnapshotRun::look);
   connect(&session_, &session::Session::listChanged, this, [this] {
@@ -96,7 +96,7 @@ double SnapshotRun::seconds() const {
 
 void SnapshotRun::start() {
   timeout_.start(milliseconds(options_.timeout_s - seconds()));
-  poll_.start(kLookEveryMs);
+  poll_.start(kSnapshotLookEveryMs);
   view_ = viewOf(options_, session_, map_);
   if (options_.center_m) session_.setView(view_.visibleWorld(), view_.center_m);
   noteStanding();
@@ -134,7 +134,7 @@ bool SnapshotRun::connected() {
   }
   if (link.phase != robot::ConnectionPhase::Online) {
     const bool gave_up = link.phase == robot::ConnectionPhase::Interrupted &&
-                         (link.attempt >= kConnectAttempts || seconds() > kConnectWithinS ||
+                         (link.attempt >= kSnapshotConnectAttempts || seconds() > kConnectWithinS ||
                           link.failure == map::FailureKind::NotARobot);
     if (gave_up) {
       fail(exitCodeOf(link.failure, kUnreachable),
@@ -166,8 +166,9 @@ bool SnapshotRun::connected() {
 bool SnapshotRun::topicsChoosable() {
   robot::OffersTopics* const of = robot::topicsOfferedBy(session_.robot());
   if (options_.topics.empty() || (of && of->chosen() == options_.topics)) return true;
-  fail(kUsage, SnapshotRunText::tr("%1: its topics cannot be chosen (--layers NAME=TOPIC): that is for ROS robots and "
-                         "their recordings.")
+  fail(kUsage, SnapshotRunText::tr(
+                   "%1: its topics cannot be chosen (--layers NAME=TOPIC): that is for ROS robots and "
+                   "their recordings.")
                    .arg(options_.robot));
   return false;
 }
@@ -186,7 +187,7 @@ bool SnapshotRun::recalled() {
   }
   const replay::Cell* gap = replayed_->reading()->chunks().gapUntil(*options_.at_s);
   const bool rejected = gap && gap->failure.kind == map::FailureKind::RejectedByRobot;
-  const bool final = gap && (gap->tries >= kTries || (rejected && !map::mayPass(gap->failure)));
+  const bool final = gap && (gap->tries >= kSnapshotTries || (rejected && !map::mayPass(gap->failure)));
   if (!recalled_ && final) {
     const QString sentence = QString::fromStdString(sentences::sentenceOf(gap->failure));
     fail(exitCodeOf(gap->failure.kind), QStringLiteral("%1: %2").arg(options_.robot, sentence));
@@ -219,7 +220,8 @@ void SnapshotRun::takeWholeInstead() {
           "longer.")
           .arg(listWithin());
   if (replayed_)
-    shown_instead_ = SnapshotRunText::tr("The bag holds no submap list until then: a whole map is drawn instead.");
+    shown_instead_ =
+        SnapshotRunText::tr("The bag holds no submap list until then: a whole map is drawn instead.");
   notes_ << shown_instead_;
   live_layers_.ask(options_.layers, true);
 }
@@ -255,8 +257,8 @@ void SnapshotRun::tellProgress() {
   if (!isSignalConnected(QMetaMethod::fromSignal(&SnapshotRun::progressed))) return;
   if (wantsWhole(options_)) {
     const session::MapSlot& slot = session_.wholeMap();
-    Q_EMIT progressed(
-        SnapshotRunText::tr("Map %1: %2 % read").arg(slot.name(), QString::number(int(slot.progress() * 100))));
+    Q_EMIT progressed(SnapshotRunText::tr("Map %1: %2 % read")
+                          .arg(slot.name(), QString::number(int(slot.progress() * 100))));
   }
   if (wantsSubmaps(options_)) {
     const QJsonObject submaps = board_->take().report[QLatin1String("submaps")].toObject();
@@ -274,9 +276,10 @@ void SnapshotRun::noteStanding() {
   SnapshotStanding standing;
   const bool connected = connected_s_ >= 0;
   standing.exit_code = connected ? kIncomplete : kUnreachable;
-  standing.sentence = connected ? SnapshotRunText::tr("Not complete. No picture could be made within %1 s (--timeout).")
-                                      .arg(options_.timeout_s)
-                                : noConnection();
+  standing.sentence =
+      connected ? SnapshotRunText::tr("Not complete. No picture could be made within %1 s (--timeout).")
+                      .arg(options_.timeout_s)
+                : noConnection();
   if (connected) standing.sentence += whatOfTheLink();
   standing.report = report();
   standing.report[QStringLiteral("complete")] = false;
@@ -304,7 +307,7 @@ bool SnapshotRun::lacksSubmaps() const {
 }
 
 bool SnapshotRun::everythingIn() const {
-  if (wantsSubmaps(options_) && !lacksSubmaps() && !session_.settled(kTries)) return false;
+  if (wantsSubmaps(options_) && !lacksSubmaps() && !session_.settled(kSnapshotTries)) return false;
   if (asks_where_ && session_.catalogue().loading() && seconds() - connected_s_ < kTopicsWithinS)
     return false;
   if (!wantsWhole(options_) || scans_alone_) return true;
@@ -343,7 +346,8 @@ void SnapshotRun::timeOut() {
   if (chosen_) return;
   const bool no_list = wantsSubmaps(options_) && !session_.book().listReceived();
   notes_ << (!no_list
-                 ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).").arg(options_.timeout_s) +
+                 ? SnapshotRunText::tr("Not everything had arrived within %1 s (--timeout).")
+                           .arg(options_.timeout_s) +
                        whatOfTheLink()
                  : SnapshotRunText::tr(
                        "The robot sent no submap list within %1 s (--timeout). Its whole map is drawn by "
@@ -356,8 +360,9 @@ void SnapshotRun::timeOut() {
 void SnapshotRun::cutOff() {
   if (done_) return;
   complete_ = false;
-  notes_.prepend(SnapshotRunText::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
-                     .arg(options_.timeout_s));
+  notes_.prepend(
+      SnapshotRunText::tr("The picture was not finished within %1 s (--timeout): parts of it are empty.")
+          .arg(options_.timeout_s));
   write();
 }
 
@@ -376,3 +381,5 @@ void SnapshotRun::finish(int exit_code) {
 }
 
 }  // namespace mapwright::app
+
+#include "moc_snapshot_run.cpp"

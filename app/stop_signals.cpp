@@ -46,3 +46,5 @@ StopSignals::~StopSignals() {
 }
 
 }  // namespace mapwright::app
+
+#include "moc_stop_signals.cpp"

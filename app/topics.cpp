@@ -18,9 +18,10 @@
 #include "app/access_words.h"
 #include "app/connecting.h"
 #include "app/exit_code.h"
-#include "app/one_line.h"
+#include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
+#include "app/say.h"
 #include "app/stop_signals.h"
 #include "app/table.h"
 #include "app/waypoint_list.h"
@@ -29,6 +30,7 @@
 #include "sentences/absence_sentence.h"
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -39,14 +41,7 @@ class TopicsText {
 
 using robot::OfferedTopic;
 
-std::string help(const QString& text) { return text.toStdString(); }
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-void say(const QString& sentence) { std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence))); }
-
-tl::unexpected<CommandFailure> wrong(const QString& sentence) {
-  return tl::make_unexpected(CommandFailure{kUsage, sentence});
-}
-
+using words::text;
 /// How often a topic came.
 struct Tally {
   qint64 count = 0, bytes = 0;
@@ -73,9 +68,9 @@ struct Tally {
   }
 };
 
-class Run {
+class TopicsRun {
  public:
-  Run(const TopicsWords& words, std::unique_ptr<robot::Robot> robot)
+  TopicsRun(const TopicsWords& words, std::unique_ptr<robot::Robot> robot)
       : words_(words), robot_(std::move(robot)), offers_(robot::topicsOfferedBy(*robot_)) {
     for (const std::string& typed : words_.topics) {
       QString topic = text(typed);
@@ -87,7 +82,7 @@ class Run {
       loop_.quit();
     });
   }
-  ~Run() {
+  ~TopicsRun() {
     if (robot::Delivers* const delivers = robot::deliversOf(*robot_)) delivers->setDeliveryTap({});
   }
 
@@ -104,10 +99,11 @@ class Run {
     print(*told);
     if (all) return kDone;
     say(offers_
-            ? TopicsText::tr("The robot does not tell which topics it has (its node rosapi does not run): these "
-                        "are the usual ones.")
+            ? TopicsText::tr(
+                  "The robot does not tell which topics it has (its node rosapi does not run): these "
+                  "are the usual ones.")
             : TopicsText::tr("The robot does not tell which topics it has: these are those that mapwright "
-                        "understands."));
+                             "understands."));
     return kIncomplete;
   }
 
@@ -193,8 +189,9 @@ class Run {
 
   CommandResult<int> report(const std::map<QString, Tally>& tallies) const {
     QJsonArray rows;
-    std::vector<QStringList> table{{TopicsText::tr("PER SECOND"), TopicsText::tr("MESSAGES"), TopicsText::tr("LEAST (s)"),
-                                    TopicsText::tr("MOST (s)"), TopicsText::tr("DEVIATION (s)"), TopicsText::tr("BYTES/s"),
+    std::vector<QStringList> table{{TopicsText::tr("PER SECOND"), TopicsText::tr("MESSAGES"),
+                                    TopicsText::tr("LEAST (s)"), TopicsText::tr("MOST (s)"),
+                                    TopicsText::tr("DEVIATION (s)"), TopicsText::tr("BYTES/s"),
                                     TopicsText::tr("TOPIC")}};
     bool all = true;
     for (const QString& topic : topics_) {
@@ -262,17 +259,17 @@ CommandResult<int> carryOut(const TopicsWords& words, const std::string& what) {
   if (what != "list" && !robot::deliversOf(**robot))
     return wrong(
         TopicsText::tr("%1 sends nothing by itself. Of a recording mapwright bags frames tells the messages, "
-                  "and mapwright bags info what it holds.")
+                       "and mapwright bags info what it holds.")
             .arg(address));
-  Run run(words, std::move(*robot));
+  TopicsRun run(words, std::move(*robot));
   return what == "list" ? run.list() : what == "echo" ? run.echo() : run.hz();
 }
 
 }  // namespace
 
 void addTopics(CLI::App& cli, TopicsWords& words) {
-  CLI::App* const topics =
-      cli.add_subcommand("topics", help(TopicsText::tr("What a robot sends, by its own names: list, echo, hz")));
+  CLI::App* const topics = cli.add_subcommand(
+      "topics", help(TopicsText::tr("What a robot sends, by its own names: list, echo, hz")));
   topics->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what) {
     CLI::App* const command = topics->add_subcommand(name, help(what));
@@ -289,12 +286,15 @@ void addTopics(CLI::App& cli, TopicsWords& words) {
           TopicsText::tr("Give up connecting after this many seconds"));
   CLI::App* const echo =
       add("echo", TopicsText::tr("The messages of a topic as they come, one JSON text a line, until Ctrl+C"));
-  echo->add_option("topic", words.topics, help(TopicsText::tr("As the robot calls it")))->required()->expected(1);
+  echo->add_option("topic", words.topics, help(TopicsText::tr("As the robot calls it")))
+      ->required()
+      ->expected(1);
   echo->add_option("--count", words.count, help(TopicsText::tr("Stop after so many")));
   timeout(echo, TopicsText::tr("Give up after this many seconds without a connection, or without a message"));
   CLI::App* const hz = add("hz", TopicsText::tr("How often topics come, and how evenly"));
   hz->add_option("topics", words.topics, help(TopicsText::tr("As the robot calls them")))->required();
-  hz->add_option("--seconds", words.seconds, help(TopicsText::tr("How long to count")))->capture_default_str();
+  hz->add_option("--seconds", words.seconds, help(TopicsText::tr("How long to count")))
+      ->capture_default_str();
   timeout(hz, TopicsText::tr("Give up connecting after this many seconds"));
 }
 

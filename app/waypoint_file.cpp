@@ -13,6 +13,7 @@
 #include "reasons/file_reason.h"
 #include "robot/files/waypoint_file.h"
 #include "sentences/reason_sentence.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -21,7 +22,7 @@ class WaypointFileText {
   Q_DECLARE_TR_FUNCTIONS(WaypointFile)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 constexpr const char* kStandardInput = "-";
 
@@ -49,7 +50,8 @@ tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path
   if (isStandardOutput(text(path))) return WaypointFileKind::GeoJson;
   if (const auto kind = kindCalled(QFileInfo(text(path)).suffix().toLower())) return *kind;
   return tl::make_unexpected(
-      WaypointFileText::tr("%1: the name ends in .geojson or .csv; or give --format geojson or csv.").arg(text(path)));
+      WaypointFileText::tr("%1: the name ends in .geojson or .csv; or give --format geojson or csv.")
+          .arg(text(path)));
 }
 
 tl::expected<std::string, disk::Fault> bytesOf(const std::string& path, std::size_t most) {
@@ -69,8 +71,8 @@ tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& pa
   const QString called = inputCalled(path);
   const auto bytes = bytesOf(path, exchange::kMaxWantedBytes);
   if (!bytes)
-    return tl::make_unexpected(
-        WaypointFileText::tr("%1 cannot be read: %2.").arg(called, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+    return tl::make_unexpected(WaypointFileText::tr("%1 cannot be read: %2.")
+                                   .arg(called, sentences::wordsOf(reasons::causeOf(bytes.error()))));
   if (bytes->size() > exchange::kMaxWantedBytes)
     return tl::make_unexpected(WaypointFileText::tr("%1 is larger than 64 MiB.").arg(called));
   if (by_content && !beginsLikeJson(*bytes)) kind = WaypointFileKind::Csv;

@@ -11,6 +11,7 @@
 #include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -19,7 +20,7 @@ class WaypointListText {
   Q_DECLARE_TR_FUNCTIONS(Waypoints)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
   const map::MapKey named = map::mapKeyFromText(id);
@@ -28,8 +29,9 @@ CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
   };
   if (!id.empty() && !robot.local()) {
     if (named.kind == map::MapKind::Stored) return named;
-    return fail(kUsage,
-                WaypointListText::tr("--map %1: give the id of a stored map (mapwright maps list).").arg(text(id)));
+    return fail(
+        kUsage,
+        WaypointListText::tr("--map %1: give the id of a stored map (mapwright maps list).").arg(text(id)));
   }
   const auto rows = robot.catalogue();
   if (!rows) return tl::make_unexpected(rows.error());
@@ -37,11 +39,13 @@ CommandResult<map::MapKey> mapOf(MapReading& robot, const std::string& id) {
   const map::CatalogueEntry* entry = id.empty() ? catalogue.current() : catalogue.called(id);
   if (!entry && id.empty() && (*rows)->size() == 1) entry = &(*rows)->front();
   if (entry) return entry->key;
-  if (!id.empty()) return fail(kUsage, WaypointListText::tr("There is no map %1 (mapwright maps list).").arg(text(id)));
+  if (!id.empty())
+    return fail(kUsage, WaypointListText::tr("There is no map %1 (mapwright maps list).").arg(text(id)));
   return (*rows)->empty()
              ? fail(kRobotError, WaypointListText::tr("There is no map."))
-             : fail(kRobotError, WaypointListText::tr("None of its maps is the current one. Give --map ID (mapwright "
-                                           "maps list)."));
+             : fail(kRobotError,
+                    WaypointListText::tr("None of its maps is the current one. Give --map ID (mapwright "
+                                         "maps list)."));
 }
 
 tl::expected<robot::StoredWaypoints, map::Failure> readAll(ListedWaypoints& list,
@@ -144,8 +148,9 @@ CommandResult<const map::Waypoint*> chosen(const ListedWaypoints& list, const st
   if (called.empty())
     return tl::make_unexpected(list.robot->failure(
         kRobotError, WaypointListText::tr("There is no waypoint %1 (mapwright waypoints list).").arg(shown)));
-  return tl::make_unexpected(list.robot->failure(
-      kUsage, WaypointListText::tr("Several waypoints are called \"%1\". Give an id: %2.").arg(shown, someIds(called))));
+  return tl::make_unexpected(
+      list.robot->failure(kUsage, WaypointListText::tr("Several waypoints are called \"%1\". Give an id: %2.")
+                                      .arg(shown, someIds(called))));
 }
 
 int runWaypointsCommand(const WaypointsWords& words, int& argc, char** argv,

@@ -80,8 +80,8 @@ void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edit
     printJson(previewJson(list, edits, doubts));
     return;
   }
-  std::vector<QStringList> table{
-      {WaypointPreviewText::tr("CHANGE"), WaypointPreviewText::tr("ID"), WaypointPreviewText::tr("NAME"), WaypointPreviewText::tr("FROM NOW ON")}};
+  std::vector<QStringList> table{{WaypointPreviewText::tr("CHANGE"), WaypointPreviewText::tr("ID"),
+                                  WaypointPreviewText::tr("NAME"), WaypointPreviewText::tr("FROM NOW ON")}};
   for (const exchange::WaypointStep& step : steps) {
     const std::string id = step.id();
     table.push_back({wordOf(step.kind), id.empty() ? QStringLiteral("-") : words::plainName(id),
@@ -93,7 +93,8 @@ void printPreview(const ListedWaypoints& list, const exchange::MergedEdits& edit
     table.push_back({WaypointPreviewText::tr("refused"), QString(), QString(), why});
   const bool changes = table.size() > 1;
   for (const DoubtAhead& one : doubts.value_or(DoubtsAhead())) {
-    table.push_back({WaypointPreviewText::tr("warning"), one.id.empty() ? QStringLiteral("-") : words::plainName(one.id),
+    table.push_back({WaypointPreviewText::tr("warning"),
+                     one.id.empty() ? QStringLiteral("-") : words::plainName(one.id),
                      words::plainName(one.name), warningsLine(one.warnings)});
   }
   if (table.size() > 1) {

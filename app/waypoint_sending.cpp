@@ -249,9 +249,10 @@ QString shownName(const exchange::WaypointStep& step) { return words::plainName(
 
 QString sentenceOf(const LeftName& left) {
   const QString sentence =
-      left.certain
-          ? WaypointSendingText::tr("\"%1\" has the temporary name \"%2\" now, until it can be called \"%3\".")
-          : WaypointSendingText::tr("\"%1\" may have the temporary name \"%2\" now, until it can be called \"%3\".");
+      left.certain ? WaypointSendingText::tr(
+                         "\"%1\" has the temporary name \"%2\" now, until it can be called \"%3\".")
+                   : WaypointSendingText::tr(
+                         "\"%1\" may have the temporary name \"%2\" now, until it can be called \"%3\".");
   return sentence.arg(words::plainName(left.before), words::plainName(left.name),
                       words::plainName(left.wanted));
 }
@@ -282,10 +283,11 @@ QString SentWaypoints::sentence() const { return whatBecame() + sentenceOf(left_
 QString SentWaypoints::whatBecame() const {
   if (!conflicts.empty()) {
     const QStringList lines = exchange::conflictLines(conflicts);
-    const QString first =
-        lines.size() > 1 ? WaypointSendingText::tr("%1 (and %2 more)").arg(lines.first(), QString::number(lines.size() - 1))
-                         : lines.first();
-    return WaypointSendingText::tr("Others have changed the waypoints meanwhile, and that does not go together: %1. %2")
+    const QString first = lines.size() > 1 ? WaypointSendingText::tr("%1 (and %2 more)")
+                                                 .arg(lines.first(), QString::number(lines.size() - 1))
+                                           : lines.first();
+    return WaypointSendingText::tr(
+               "Others have changed the waypoints meanwhile, and that does not go together: %1. %2")
         .arg(first, count(StepState::Applied) + count(StepState::Unknown) == 0
                         ? WaypointSendingText::tr("Nothing has been sent.")
                         : WaypointSendingText::tr("The rest has not been sent."));
@@ -300,7 +302,8 @@ QString SentWaypoints::whatBecame() const {
   if (lines.isEmpty() && failure) lines << QString::fromStdString(sentences::sentenceOf(*failure));
   const QString first = lines.isEmpty() ? QString() : lines.first();
   if (steps.size() == 1) return first;
-  return WaypointSendingText::tr("Of %1 changes %2 are applied, %3 failed, %4 are not known and %5 not sent. %6")
+  return WaypointSendingText::tr(
+             "Of %1 changes %2 are applied, %3 failed, %4 are not known and %5 not sent. %6")
       .arg(QString::number(steps.size()), QString::number(count(StepState::Applied)),
            QString::number(count(StepState::Failed)), QString::number(count(StepState::Unknown)),
            QString::number(count(StepState::NotSent)), first);
@@ -362,8 +365,8 @@ QJsonObject sentReport(const SentWaypoints& sent, const std::string& map) {
 }
 
 void printSent(const SentWaypoints& sent) {
-  std::vector<QStringList> table{
-      {WaypointSendingText::tr("STATE"), WaypointSendingText::tr("CHANGE"), WaypointSendingText::tr("ID"), WaypointSendingText::tr("NAME")}};
+  std::vector<QStringList> table{{WaypointSendingText::tr("STATE"), WaypointSendingText::tr("CHANGE"),
+                                  WaypointSendingText::tr("ID"), WaypointSendingText::tr("NAME")}};
   for (const SentStep& one : sent.steps) {
     const auto kept = sent.kept.find(one.step.key);
     const std::string id = kept != sent.kept.end() ? kept->second.id : one.step.id();
@@ -375,8 +378,8 @@ void printSent(const SentWaypoints& sent) {
   for (const QString& line : exchange::conflictLines(sent.conflicts))
     table.push_back({WaypointSendingText::tr("conflict"), QString(), QString(), line});
   for (const LeftName& left : sent.left_names)
-    table.push_back(
-        {WaypointSendingText::tr("temporary name"), QString(), words::plainName(left.id), oneLine(sentenceOf(left))});
+    table.push_back({WaypointSendingText::tr("temporary name"), QString(), words::plainName(left.id),
+                     oneLine(sentenceOf(left))});
   if (table.size() > 1) printTable(table);
 }
 

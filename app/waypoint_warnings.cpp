@@ -78,9 +78,10 @@ tl::expected<std::optional<double>, QString> radiusFrom(const std::string& word)
   const double metres = QString::fromStdString(word).toDouble(&ok);
   if (ok && std::isfinite(metres) && metres >= 0 && metres <= placing::kMostRadiusM)
     return std::optional(metres);
-  return tl::make_unexpected(WaypointWarningsText::tr("--radius %1: give metres from 0 to %2, for example 0.3.")
-                                 .arg(QString::fromStdString(word))
-                                 .arg(placing::kMostRadiusM));
+  return tl::make_unexpected(
+      WaypointWarningsText::tr("--radius %1: give metres from 0 to %2, for example 0.3.")
+          .arg(QString::fromStdString(word))
+          .arg(placing::kMostRadiusM));
 }
 
 DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::Waypoint>& points,
@@ -105,7 +106,8 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
   }
   doubtful.looked = found.state != placing::GroundState::None;
   if (!doubtful.looked) {
-    doubtful.untold = WaypointWarningsText::tr("The map under the waypoints cannot be looked at: walls are not told.");
+    doubtful.untold =
+        WaypointWarningsText::tr("The map under the waypoints cannot be looked at: walls are not told.");
     if (!ground.why_not.isEmpty()) doubtful.untold += QLatin1Char(' ') + ground.why_not;
   } else {
     doubtful.untold = sentences::sentenceOf(found.state);

@@ -5,6 +5,7 @@
 
 #include "app/access_words.h"
 #include "app/exit_code.h"
+#include "app/option_words.h"
 
 namespace mapwright::app {
 namespace {
@@ -12,9 +13,6 @@ namespace {
 class WaypointOptionText {
   Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
-
-/// What --help says, as CLI11 takes it.
-std::string help(const QString& text) { return text.toStdString(); }
 
 struct WaypointCommand {
   const char* name;
@@ -31,11 +29,13 @@ std::vector<WaypointCommand> waypointCommands() {
       {"move", WaypointOptionText::tr("Put one elsewhere, or turn it"), waypointsMove},
       {"tag", WaypointOptionText::tr("Change the tags of one"), waypointsTag},
       {"delete", WaypointOptionText::tr("Take some away (--yes)"), waypointsDelete},
-      {"import", WaypointOptionText::tr("Add and change those that a file lists; others stay"), waypointsImport},
+      {"import", WaypointOptionText::tr("Add and change those that a file lists; others stay"),
+       waypointsImport},
       {"export", WaypointOptionText::tr("Write all of a map as GeoJSON or CSV"), waypointsExport},
       {"plan", WaypointOptionText::tr("What it takes to make the list exactly that of a file; sends nothing"),
        waypointsPlan},
-      {"apply", WaypointOptionText::tr("Carry out a plan, merged with what others have changed since"), waypointsApply}};
+      {"apply", WaypointOptionText::tr("Carry out a plan, merged with what others have changed since"),
+       waypointsApply}};
 }
 
 /// One of the options, and what it is called there.
@@ -55,7 +55,8 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
   if (is("create", "move"))
     command
         .add_option("--at", words.at,
-                    help(WaypointOptionText::tr("X,Y or X,Y,YAW in metres of the map and degrees, counter-clockwise")))
+                    help(WaypointOptionText::tr(
+                        "X,Y or X,Y,YAW in metres of the map and degrees, counter-clockwise")))
         ->required();
   if (is("create")) command.add_option("--tags", words.tags, help(WaypointOptionText::tr("Its tags: a,b")));
   if (is("tag")) {
@@ -64,18 +65,20 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
     command.add_option("--remove", words.removed_tags, help(WaypointOptionText::tr("No longer these: a,b")));
     command.add_flag("--clear", words.no_tags, help(WaypointOptionText::tr("None at all")));
   }
-  if (is("delete")) command.add_flag("--yes", words.yes, help(WaypointOptionText::tr("Needed: they cannot be had back")));
+  if (is("delete"))
+    command.add_flag("--yes", words.yes, help(WaypointOptionText::tr("Needed: they cannot be had back")));
   if (is("import", "plan"))
     command
-        .add_option(
-            "file", words.file,
-            help(WaypointOptionText::tr("F.geojson or F.csv, with the columns of mapwright waypoints list; - is the "
-                           "standard input")))
+        .add_option("file", words.file,
+                    help(WaypointOptionText::tr(
+                        "F.geojson or F.csv, with the columns of mapwright waypoints list; - is the "
+                        "standard input")))
         ->required();
   if (is("apply"))
     command
-        .add_option("file", words.file,
-                    help(WaypointOptionText::tr("What mapwright waypoints plan -o wrote; - is the standard input")))
+        .add_option(
+            "file", words.file,
+            help(WaypointOptionText::tr("What mapwright waypoints plan -o wrote; - is the standard input")))
         ->required();
   if (is("export"))
     command
@@ -83,26 +86,30 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
                     help(WaypointOptionText::tr("F.geojson or F.csv; - is the standard output")))
         ->required();
   if (is("plan"))
-    command.add_option("-o,--output", words.output,
-                       help(WaypointOptionText::tr("Where the plan is written, for mapwright waypoints apply; - is the "
-                                      "standard output")));
+    command.add_option(
+        "-o,--output", words.output,
+        help(WaypointOptionText::tr("Where the plan is written, for mapwright waypoints apply; - is the "
+                                    "standard output")));
   if (is("list"))
-    command.add_flag(
-        "--warnings", words.warnings,
-        help(WaypointOptionText::tr("Also what is doubtful about each: in a wall, outside the map, near a wall, "
-                       "a name twice, an orientation of zero")));
+    command.add_flag("--warnings", words.warnings,
+                     help(WaypointOptionText::tr(
+                         "Also what is doubtful about each: in a wall, outside the map, near a wall, "
+                         "a name twice, an orientation of zero")));
   if (is("list", "plan"))
     command.add_option(
         "--radius", words.radius,
-        help(WaypointOptionText::tr("Warn of walls that are closer, in metres; without it as the robot tells its shape")));
+        help(WaypointOptionText::tr(
+            "Warn of walls that are closer, in metres; without it as the robot tells its shape")));
   if (is("import", "export", "plan"))
-    command.add_option("--format", words.format,
-                       help(WaypointOptionText::tr("csv or geojson, when the name of the file does not tell")));
+    command.add_option(
+        "--format", words.format,
+        help(WaypointOptionText::tr("csv or geojson, when the name of the file does not tell")));
   if (is("export", "plan"))
     command.add_flag("--force", words.force,
                      help(WaypointOptionText::tr("Write even over a file that the waypoints are read from")));
   if (is("apply"))
-    command.add_flag("--force", words.force, help(WaypointOptionText::tr("Also where the plan was not made for")));
+    command.add_flag("--force", words.force,
+                     help(WaypointOptionText::tr("Also where the plan was not made for")));
   if (is("import", "apply", "delete")) {
     CLI::Option* const stop = command.add_flag(
         "--stop-at-failure", words.stop_at_failure,
@@ -122,19 +129,23 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
 
 void addWaypoints(CLI::App& cli, WaypointsWords& words) {
   CLI::App* const waypoints = cli.add_subcommand(
-      "waypoints", help(WaypointOptionText::tr("The waypoints of a map: list, change, import, export, plan, apply")));
+      "waypoints",
+      help(WaypointOptionText::tr("The waypoints of a map: list, change, import, export, plan, apply")));
   waypoints->require_subcommand(1);
   for (const WaypointCommand& one : waypointCommands()) {
     CLI::App* const command = waypoints->add_subcommand(one.name, help(one.about));
     // No envname(): see addMaps().
-    command->add_option("--robot", words.robot,
-                        help(WaypointOptionText::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)")));
+    command->add_option(
+        "--robot", words.robot,
+        help(WaypointOptionText::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)")));
     addAccess(*command, words.access);
-    command->add_option("--map", words.map,
-                        help(WaypointOptionText::tr("A stored map by its id (mapwright maps list); without it the current "
-                                       "one")));
+    command->add_option(
+        "--map", words.map,
+        help(WaypointOptionText::tr("A stored map by its id (mapwright maps list); without it the current "
+                                    "one")));
     command
-        ->add_option("--timeout", words.timeout_s, help(WaypointOptionText::tr("Give up waiting after this many seconds")))
+        ->add_option("--timeout", words.timeout_s,
+                     help(WaypointOptionText::tr("Give up waiting after this many seconds")))
         ->capture_default_str();
     command->add_option("--report", words.report,
                         help(WaypointOptionText::tr("Write what was done, and every warning, as JSON")));

@@ -16,6 +16,7 @@
 #include "exchange/waypoint_plan.h"
 #include "geometry/pose.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -24,11 +25,7 @@ class WaypointsChangeText {
   Q_DECLARE_TR_FUNCTIONS(WaypointsChange)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-tl::unexpected<CommandFailure> wrong(const QString& sentence) {
-  return tl::make_unexpected(CommandFailure{kUsage, sentence});
-}
+using words::text;
 
 struct PlaceAt {
   Eigen::Vector2d position_m{0, 0};
@@ -46,7 +43,8 @@ CommandResult<PlaceAt> placeAt(const std::string& words) {
       place.yaw_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(numbers[2].toDouble()));
   }
   if (!fits || !place.position_m.allFinite() || !std::isfinite(place.yaw_rad.value_or(0)))
-    return wrong(WaypointsChangeText::tr("--at %1: give X,Y in metres, or X,Y,YAW with degrees, for example 1.5,-2,90.")
+    return wrong(WaypointsChangeText::tr(
+                     "--at %1: give X,Y in metres, or X,Y,YAW with degrees, for example 1.5,-2,90.")
                      .arg(text(words)));
   return place;
 }
@@ -54,8 +52,8 @@ CommandResult<PlaceAt> placeAt(const std::string& words) {
 CommandResult<std::vector<std::string>> tagsIn(const char* option, const std::string& words) {
   auto tags = exchange::tagsOf(words);
   if (tags) return std::move(*tags);
-  return wrong(
-      WaypointsChangeText::tr("%1 %2: give tags like a,b (%3)").arg(QLatin1String(option), text(words), tags.error()));
+  return wrong(WaypointsChangeText::tr("%1 %2: give tags like a,b (%3)")
+                   .arg(QLatin1String(option), text(words), tags.error()));
 }
 
 using Edits = CommandResult<std::vector<exchange::WaypointEdit>>;
@@ -178,12 +176,12 @@ int waypointsTag(const WaypointsWords& words, int& argc, char** argv) {
     }
     const bool partly = !added->empty() || !removed->empty();
     if (int(!tags->empty()) + int(words.no_tags) + int(partly) != 1)
-      return CommandFailure{kUsage,
-                            WaypointsChangeText::tr("Which tags? Give --set a,b, or --clear, or --add and --remove.")};
+      return CommandFailure{
+          kUsage, WaypointsChangeText::tr("Which tags? Give --set a,b, or --clear, or --add and --remove.")};
     for (const std::string& tag : *added) {
       if (std::find(removed->begin(), removed->end(), tag) != removed->end())
-        return CommandFailure{kUsage,
-                              WaypointsChangeText::tr("The tag %1 cannot be both added and removed.").arg(text(tag))};
+        return CommandFailure{
+            kUsage, WaypointsChangeText::tr("The tag %1 cannot be both added and removed.").arg(text(tag))};
     }
     return std::nullopt;
   };
@@ -202,8 +200,9 @@ int waypointsTag(const WaypointsWords& words, int& argc, char** argv) {
 int waypointsDelete(const WaypointsWords& words, int& argc, char** argv) {
   const auto check = [&]() -> std::optional<CommandFailure> {
     if (words.yes || words.dry_run) return std::nullopt;
-    return CommandFailure{
-        kUsage, WaypointsChangeText::tr("Waypoints that are deleted cannot be had back. Say --yes when they may go.")};
+    return CommandFailure{kUsage,
+                          WaypointsChangeText::tr(
+                              "Waypoints that are deleted cannot be had back. Say --yes when they may go.")};
   };
   return change(words, argc, argv, check, [&](const ListedWaypoints& list) -> Edits {
     std::vector<exchange::WaypointEdit> edits;

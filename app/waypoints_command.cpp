@@ -19,6 +19,7 @@
 #include "sentences/plural.h"
 #include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -27,7 +28,7 @@ class WaypointsCommandText {
   Q_DECLARE_TR_FUNCTIONS(Waypoints)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 QString metres(double value) { return QString::number(value, 'f', 3); }
 
@@ -68,8 +69,9 @@ int waypointsList(const WaypointsWords& words, int& argc, char** argv) {
       std::printf("%s\n", qUtf8Printable(WaypointsCommandText::tr("There is no waypoint.")));
       return exit_code;
     }
-    std::vector<QStringList> table{{WaypointsCommandText::tr("ID"), WaypointsCommandText::tr("X (m)"), WaypointsCommandText::tr("Y (m)"),
-                                    WaypointsCommandText::tr("YAW (°)"), WaypointsCommandText::tr("TAGS"), WaypointsCommandText::tr("NAME")}};
+    std::vector<QStringList> table{{WaypointsCommandText::tr("ID"), WaypointsCommandText::tr("X (m)"),
+                                    WaypointsCommandText::tr("Y (m)"), WaypointsCommandText::tr("YAW (°)"),
+                                    WaypointsCommandText::tr("TAGS"), WaypointsCommandText::tr("NAME")}};
     if (doubtful) table.front() << WaypointsCommandText::tr("WARNINGS");
     for (std::size_t i = 0; i < list->stored.points.size(); ++i) {
       table.push_back(rowOf(list->stored.points[i]));
@@ -94,7 +96,8 @@ int waypointsGet(const WaypointsWords& words, int& argc, char** argv) {
                                    {WaypointsCommandText::tr("name"), words::plainName((*point)->name)},
                                    {WaypointsCommandText::tr("place"), exchange::placeText(**point)},
                                    {WaypointsCommandText::tr("tags"), exchange::tagText(**point)}};
-    if (!(*point)->type.empty()) table.push_back({WaypointsCommandText::tr("type"), words::plainName((*point)->type)});
+    if (!(*point)->type.empty())
+      table.push_back({WaypointsCommandText::tr("type"), words::plainName((*point)->type)});
     table.push_back({WaypointsCommandText::tr("map"), words::plainName(list->mapId())});
     printTable(table);
     return kDone;

@@ -16,6 +16,7 @@
 #include "reasons/file_reason.h"
 #include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::app {
 namespace {
@@ -24,11 +25,7 @@ class WaypointsTransferText {
   Q_DECLARE_TR_FUNCTIONS(WaypointsTransfer)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-tl::unexpected<CommandFailure> wrong(const QString& sentence) {
-  return tl::make_unexpected(CommandFailure{kUsage, sentence});
-}
+using words::text;
 
 CommandResult<int> notAll(const ListedWaypoints& list, const SentWaypoints& sent) {
   return tl::make_unexpected(list.robot->failure(sent.exitCode(), sent.sentence()));
@@ -140,18 +137,19 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
     constexpr std::size_t kMost = 4 * exchange::kMaxWantedBytes;
     const auto bytes = bytesOf(words.file, kMost);
     if (!bytes)
-      return wrong(
-          WaypointsTransferText::tr("%1 cannot be read: %2.").arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
-    if (bytes->size() > kMost) return wrong(WaypointsTransferText::tr("%1 is larger than 256 MiB.").arg(file));
+      return wrong(WaypointsTransferText::tr("%1 cannot be read: %2.")
+                       .arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+    if (bytes->size() > kMost)
+      return wrong(WaypointsTransferText::tr("%1 is larger than 256 MiB.").arg(file));
     auto plan = exchange::planFromBytes(*bytes);
     if (!plan) return wrong(QStringLiteral("%1: %2").arg(file, plan.error()));
     const auto list = listWaypoints(command, words, words.map.empty() ? plan->map : words.map, Use::Changing);
     if (!list) return tl::make_unexpected(list.error());
     const QString address = list->robot->session().robot().address();
     if (!words.force && (address != plan->robot || list->mapId() != plan->map))
-      return wrong(
-          WaypointsTransferText::tr("%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
-              .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
+      return wrong(WaypointsTransferText::tr(
+                       "%1 was made for the map %2 of %3. Give --force to apply it to the map %4 of %5.")
+                       .arg(file, text(plan->map), plan->robot, text(list->mapId()), address));
     plan->edits = fitted(*list, std::move(plan->edits));
     return carryOut(command, *list, exchange::withoutCreated(*plan, exchange::itemsOf(list->stored.points)),
                     words);

@@ -78,9 +78,10 @@ int showWindow(const QString& address, const RobotAccess& known) {
   const int exit_code = QApplication::exec();
   settings->sync();
   if (settings->status() != QSettings::NoError) {
-    std::fprintf(stderr, "%s\n",
-                 qUtf8Printable(WindowCommandText::tr("The window's layout cannot be kept: %1 cannot be written.")
-                                    .arg(settings->fileName())));
+    std::fprintf(
+        stderr, "%s\n",
+        qUtf8Printable(WindowCommandText::tr("The window's layout cannot be kept: %1 cannot be written.")
+                           .arg(settings->fileName())));
   }
   return exit_code;
 }
@@ -114,8 +115,8 @@ int demo(const QString& query, int& argc, char** argv) {
   const QString picture = QStringLiteral("mapwright-demo.png");
   std::fprintf(
       stderr, "%s\n",
-      qUtf8Printable(
-          WindowCommandText::tr("There is no display to open the window on. Rendering %1 instead.").arg(picture)));
+      qUtf8Printable(WindowCommandText::tr("There is no display to open the window on. Rendering %1 instead.")
+                         .arg(picture)));
   SnapshotWords words;
   words.robot = address.toStdString();
   words.output = picture.toStdString();

@@ -2,18 +2,24 @@
 # other. Each room's headers are reached through an include root of its own that holds a link to each of them, and
 # USES is linked PRIVATE, so neither an #include over a wall nor one through a neighbour compiles. tests/house proves
 # it.
-#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] SOURCES ... [APART ...] USES ...
+#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE 1|2|3] SOURCES ... USES ...
 #                  [LIBRARIES ...])
-# Several sources of a room are compiled as one (MAPWRIGHT_UNITY: a third of the time). Those that
-# give the same name to things of their own are listed as APART and compiled alone.
+# OPTIMIZE (2 where nothing is said): 3 where cells become pixels, 1 where people are what is waited for.
+# Several sources of a room are compiled as one (MAPWRIGHT_UNITY: a third of the time): what they keep to themselves
+# must not have the same name.
 function(mapwright_room name)
-  cmake_parse_arguments(ROOM "" "PREFIX;PRELUDE" "SOURCES;APART;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "PREFIX;PRELUDE;OPTIMIZE" "SOURCES;USES;LIBRARIES" ${ARGN})
   if(NOT ROOM_PREFIX)
     set(ROOM_PREFIX ${name})
   endif()
   add_library(mw_${name} STATIC ${ROOM_SOURCES})
-  set_target_properties(mw_${name} PROPERTIES UNITY_BUILD ${MAPWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
-  set_source_files_properties(${ROOM_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_target_properties(mw_${name} PROPERTIES UNITY_BUILD ${MAPWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 64)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    if(NOT ROOM_OPTIMIZE)
+      set(ROOM_OPTIMIZE 2)
+    endif()
+    target_compile_options(mw_${name} PRIVATE -O${ROOM_OPTIMIZE})
+  endif()
   open_door(${name} ${ROOM_PREFIX})
   foreach(used ${ROOM_USES})
     target_link_libraries(mw_${name} PRIVATE mw_${used})

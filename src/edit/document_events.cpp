@@ -5,3 +5,5 @@ namespace mapwright::edit {
 DocumentEvents::~DocumentEvents() = default;
 
 }  // namespace mapwright::edit
+
+#include "moc_document_events.cpp"

@@ -68,3 +68,5 @@ void DraftKeeper::setTrouble(map::Reason trouble) {
 }
 
 }  // namespace mapwright::edit
+
+#include "moc_draft_keeper.cpp"

@@ -329,3 +329,5 @@ std::optional<map::Reason> OpenWaypoints::keepDraft() {
 map::Reason OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : map::Reason(); }
 
 }  // namespace mapwright::edit
+
+#include "moc_open_waypoints.cpp"

@@ -4,10 +4,12 @@
 
 #include <QJsonArray>
 
+#include "words/text.h"
+
 namespace mapwright::edit {
 namespace {
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 }  // namespace
 

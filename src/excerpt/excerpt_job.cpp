@@ -135,3 +135,5 @@ void ExcerptJob::end(Ended ended) {
 }
 
 }  // namespace mapwright::excerpt
+
+#include "moc_excerpt_job.cpp"

@@ -132,7 +132,8 @@ TableShape shapeOf(std::string_view text) {
 }
 
 WantedFile wantedFromTable(std::string_view text, const TableShape& shape) {
-  if (text.size() > kMaxWantedBytes) return tl::make_unexpected(PastedWaypointsText::tr("It is larger than 64 MiB."));
+  if (text.size() > kMaxWantedBytes)
+    return tl::make_unexpected(PastedWaypointsText::tr("It is larger than 64 MiB."));
   if (!QUtf8StringView(text.data(), qsizetype(text.size())).isValidUtf8())
     return tl::make_unexpected(PastedWaypointsText::tr("It is no UTF-8 text."));
   auto records = csvRecords(text, shape.separator);

@@ -13,6 +13,9 @@
 
 namespace mapwright::exchange {
 
+/// Why a row of a file means nothing.
+inline tl::unexpected<QString> wrong(const QString& why) { return tl::make_unexpected(why); }
+
 inline constexpr std::size_t kMaxWantedBytes = std::size_t(64) << 20;
 inline constexpr std::size_t kMaxWanted = 100'000;
 

@@ -19,7 +19,7 @@ class WaypointCsvText {
 constexpr std::string_view kMark = "\xef\xbb\xbf";
 const std::array<std::string, 9> kColumns{"id", "name", "x", "y", "yaw_rad", "tags", "frame", "map", "type"};
 
-tl::unexpected<QString> wrong(int line, const QString& why) {
+tl::unexpected<QString> wrongAt(int line, const QString& why) {
   return tl::make_unexpected(WaypointCsvText::tr("Line %1: %2").arg(QString::number(line), why));
 }
 
@@ -53,15 +53,16 @@ class Reader {
       value = std::string(rest_.substr(0, end));
       rest_.remove_prefix(end);
       if (rest_.starts_with('"'))
-        return wrong(line_, WaypointCsvText::tr("a quote stands in the middle of a field. Put the whole field into "
-                                      "quotes, and double those in it."));
+        return wrongAt(
+            line_, WaypointCsvText::tr("a quote stands in the middle of a field. Put the whole field into "
+                                       "quotes, and double those in it."));
       return value;
     }
     const int begun = line_;
     rest_.remove_prefix(1);
     for (;;) {
       const std::size_t end = rest_.find('"');
-      if (end == std::string_view::npos) return wrong(begun, WaypointCsvText::tr("a quote is not closed."));
+      if (end == std::string_view::npos) return wrongAt(begun, WaypointCsvText::tr("a quote is not closed."));
       line_ += int(std::count(rest_.begin(), rest_.begin() + std::ptrdiff_t(end), '\n'));
       value += rest_.substr(0, end);
       rest_.remove_prefix(end + 1);
@@ -70,7 +71,7 @@ class Reader {
       rest_.remove_prefix(1);
     }
     if (!rest_.empty() && rest_.find_first_of(std::string{separator_, '\r', '\n'}) != 0)
-      return wrong(line_, WaypointCsvText::tr("something follows a closing quote."));
+      return wrongAt(line_, WaypointCsvText::tr("something follows a closing quote."));
     return value;
   }
   /// True when a separator ended the field; false when the record is over.
@@ -103,14 +104,15 @@ tl::expected<Columns, QString> columnsOf(const CsvRecord& header, QStringList& n
       notes << WaypointCsvText::tr("The column \"%1\" is none of a list of waypoints. It was left out.")
                    .arg(shown(header.fields[i]));
     } else if (!columns.emplace(name, i).second) {
-      return wrong(header.line, WaypointCsvText::tr("the column \"%1\" is there twice.").arg(shown(name)));
+      return wrongAt(header.line, WaypointCsvText::tr("the column \"%1\" is there twice.").arg(shown(name)));
     }
   }
   if (!columns.contains("id") && !columns.contains("name"))
-    return wrong(header.line, WaypointCsvText::tr("it names neither a column id nor a column name. The header is %1.")
-                                  .arg(QStringLiteral("id,name,x,y,yaw_rad,tags,frame,map")));
+    return wrongAt(header.line,
+                   WaypointCsvText::tr("it names neither a column id nor a column name. The header is %1.")
+                       .arg(QStringLiteral("id,name,x,y,yaw_rad,tags,frame,map")));
   if (columns.contains("x") != columns.contains("y"))
-    return wrong(header.line, WaypointCsvText::tr("of the columns x and y only one is there."));
+    return wrongAt(header.line, WaypointCsvText::tr("of the columns x and y only one is there."));
   return columns;
 }
 
@@ -124,15 +126,15 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
   if (const auto* name = at("name"); name && !name->empty()) wanted.name = *name;
   if (const auto* type = at("type")) wanted.type = *type;
   if (const auto* frame = at("frame"); frame && !frame->empty() && *frame != "map")
-    return wrong(record.line,
-                 WaypointCsvText::tr("it is told in the frame \"%1\". Only \"map\" is known.").arg(shown(*frame)));
+    return wrongAt(
+        record.line,
+        WaypointCsvText::tr("it is told in the frame \"%1\". Only \"map\" is known.").arg(shown(*frame)));
   const std::string *const x = at("x"), *const y = at("y");
   if (x && y && !(trimmed(*x).empty() && trimmed(*y).empty())) {
     const auto x_m = csvNumber(*x), y_m = csvNumber(*y);
     if (!x_m || !y_m)
-      return wrong(
-          record.line,
-          WaypointCsvText::tr("x \"%1\" and y \"%2\" are no two numbers such as 1.5.").arg(shown(*x), shown(*y)));
+      return wrongAt(record.line, WaypointCsvText::tr("x \"%1\" and y \"%2\" are no two numbers such as 1.5.")
+                                      .arg(shown(*x), shown(*y)));
     wanted.position_m = Eigen::Vector2d(*x_m, *y_m);
   }
   if (const auto* yaw = at("yaw_rad")) {
@@ -140,12 +142,13 @@ tl::expected<WantedWaypoint, QString> wantedOf(const CsvRecord& record, const Co
     if (!trimmed(*yaw).empty()) {
       *wanted.yaw_rad = csvNumber(*yaw);
       if (!*wanted.yaw_rad)
-        return wrong(record.line, WaypointCsvText::tr("yaw_rad \"%1\" is no number such as 1.5.").arg(shown(*yaw)));
+        return wrongAt(record.line,
+                       WaypointCsvText::tr("yaw_rad \"%1\" is no number such as 1.5.").arg(shown(*yaw)));
     }
   }
   if (const auto* tags = at("tags")) {
     auto read = tagsOf(*tags);
-    if (!read) return wrong(record.line, WaypointCsvText::tr("its tags are no list: %1").arg(read.error()));
+    if (!read) return wrongAt(record.line, WaypointCsvText::tr("its tags are no list: %1").arg(read.error()));
     wanted.tags = std::move(*read);
   }
   return wanted;
@@ -240,7 +243,8 @@ WantedFile wantedFromCsv(std::string_view bytes) {
 }
 
 WantedFile wantedFromRecords(const std::vector<CsvRecord>& records) {
-  if (records.empty()) return tl::make_unexpected(WaypointCsvText::tr("It is empty: not even a header is there."));
+  if (records.empty())
+    return tl::make_unexpected(WaypointCsvText::tr("It is empty: not even a header is there."));
   if (records.size() > kMaxWanted + 1)
     return tl::make_unexpected(WaypointCsvText::tr("It has more than %1 waypoints.").arg(kMaxWanted));
   WantedList list;
@@ -249,9 +253,9 @@ WantedFile wantedFromRecords(const std::vector<CsvRecord>& records) {
   for (std::size_t i = 1; i < records.size(); ++i) {
     const CsvRecord& record = records[i];
     if (record.fields.size() != records.front().fields.size())
-      return wrong(record.line, WaypointCsvText::tr("it has %1 fields where the header has %2.")
-                                    .arg(QString::number(record.fields.size()),
-                                         QString::number(records.front().fields.size())));
+      return wrongAt(record.line, WaypointCsvText::tr("it has %1 fields where the header has %2.")
+                                      .arg(QString::number(record.fields.size()),
+                                           QString::number(records.front().fields.size())));
     auto wanted = wantedOf(record, *columns);
     if (!wanted) return tl::make_unexpected(wanted.error());
     list.points.push_back(std::move(*wanted));

@@ -7,6 +7,7 @@
 
 #include "sentences/plural.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::exchange {
 namespace {
@@ -15,9 +16,7 @@ class WaypointJsonText {
   Q_DECLARE_TR_FUNCTIONS(WaypointJson)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-
-tl::unexpected<QString> wrong(const QString& why) { return tl::make_unexpected(why); }
+using words::text;
 
 /// Numbers are ids, too, as long as none of their digits is lost.
 std::optional<std::string> idOf(const QJsonValue& value) {
@@ -68,7 +67,8 @@ tl::expected<WantedWaypoint, QString> wantedFromJson(const QJsonObject& row) {
   for (const auto& [member, into] : {std::pair{"name", &wanted.name}, {"type", &wanted.type}}) {
     const QJsonValue value = row.value(QLatin1String(member));
     if (!isThere(value)) continue;
-    if (!value.isString()) return wrong(WaypointJsonText::tr("its %1 is no text.").arg(QLatin1String(member)));
+    if (!value.isString())
+      return wrong(WaypointJsonText::tr("its %1 is no text.").arg(QLatin1String(member)));
     *into = value.toString().toStdString();
   }
   const QJsonValue frame = row.value(QLatin1String("frame"));
@@ -134,7 +134,8 @@ WantedFile wantedFromGeoJson(std::string_view bytes) {
   const QJsonDocument document =
       QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size())), &error);
   if (error.error != QJsonParseError::NoError)
-    return wrong(WaypointJsonText::tr("It is no JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
+    return wrong(
+        WaypointJsonText::tr("It is no JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
   const QJsonObject collection = document.object();
   const QJsonValue features = collection.value(QLatin1String("features"));
   if (collection.value(QLatin1String("type")).toString() != QLatin1String("FeatureCollection") ||
@@ -161,16 +162,17 @@ WantedFile wantedFromGeoJson(std::string_view bytes) {
     properties[QStringLiteral("y")] = place.at(1);
     if (!isThere(properties.value(QLatin1String("id"))))
       properties[QStringLiteral("id")] = feature.value(QLatin1String("id"));
-    if (!placeOf(place.at(0), place.at(1))) return inRow(WaypointJsonText::tr("its coordinates are no two numbers."));
+    if (!placeOf(place.at(0), place.at(1)))
+      return inRow(WaypointJsonText::tr("its coordinates are no two numbers."));
     auto wanted = wantedFromJson(properties);
     if (!wanted) return inRow(wanted.error());
     wanted->row = row;
     list.points.push_back(std::move(*wanted));
   }
   if (left_out > 0)
-    list.notes << sentences::counted(
-        WaypointJsonText::tr("%1 features that are no points were left out.", nullptr, sentences::formOf(left_out)),
-        left_out);
+    list.notes << sentences::counted(WaypointJsonText::tr("%1 features that are no points were left out.",
+                                                          nullptr, sentences::formOf(left_out)),
+                                     left_out);
   return list;
 }
 

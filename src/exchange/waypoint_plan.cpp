@@ -12,6 +12,7 @@
 #include "exchange/waypoint_json.h"
 #include "sentences/plural.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::exchange {
 namespace {
@@ -23,10 +24,8 @@ class WaypointPlanText {
 constexpr double kFarthestM = 1e7;
 constexpr int kPlanVersion = 1;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
-QString shown(const std::string& name) { return words::plainName(text(name).left(80)); }
-
-tl::unexpected<QString> wrong(const QString& why) { return tl::make_unexpected(why); }
+using words::text;
+QString plainShort(const std::string& name) { return words::plainName(text(name).left(80)); }
 
 bool isOneLine(const std::string& line) {
   const QString name = text(line);
@@ -43,7 +42,7 @@ tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
     const auto [before, is_new] = taken.emplace(key, wanted[i].row);
     if (!is_new)
       return WaypointPlanText::tr("Rows %1 and %2 are about the same waypoint %3. Leave one out.")
-          .arg(QString::number(before->second), QString::number(wanted[i].row), shown(key));
+          .arg(QString::number(before->second), QString::number(wanted[i].row), plainShort(key));
     keys[i] = key;
     return std::nullopt;
   };
@@ -62,8 +61,8 @@ tl::expected<std::vector<edit::Key>, QString> found(const WaypointItems& kept,
     if (first == last) continue;
     if (std::next(first) != last)
       return wrong(WaypointPlanText::tr("Row %1: several waypoints are called \"%2\" (%3, %4). Give an id.")
-                       .arg(QString::number(wanted[i].row), shown(first->first), shown(first->second),
-                            shown(std::next(first)->second)));
+                       .arg(QString::number(wanted[i].row), plainShort(first->first),
+                            plainShort(first->second), plainShort(std::next(first)->second)));
     if (const auto twice = take(i, first->second)) return wrong(*twice);
   }
   return keys;
@@ -90,18 +89,19 @@ tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItem
     const edit::Key key = point->id.empty() ? freshKey() : point->id;
     const bool is_new =
         !base.contains(key) && edits.emplace(key, WaypointEdit{key, std::nullopt, *point}).second;
-    if (!is_new) return wrong(WaypointPlanText::tr("there is a waypoint %1 already.").arg(shown(key)));
+    if (!is_new) return wrong(WaypointPlanText::tr("there is a waypoint %1 already.").arg(plainShort(key)));
     return key;
   }
   const auto before = base.find(read->id);
-  if (before == base.end()) return wrong(WaypointPlanText::tr("its base has no waypoint %1.").arg(shown(read->id)));
+  if (before == base.end())
+    return wrong(WaypointPlanText::tr("its base has no waypoint %1.").arg(plainShort(read->id)));
   WaypointEdit& edit =
       edits.try_emplace(read->id, WaypointEdit{read->id, before->second, before->second}).first->second;
   if (kind == wordOf(StepKind::Delete)) {
     edit.after.reset();
     return read->id;
   }
-  if (!edit.after) return wrong(WaypointPlanText::tr("%1 is deleted already.").arg(shown(read->id)));
+  if (!edit.after) return wrong(WaypointPlanText::tr("%1 is deleted already.").arg(plainShort(read->id)));
   const QJsonValue to = row.value(QLatin1String("to"));
   if (kind == wordOf(StepKind::Move) && read->position_m) {
     edit.after->position_m = *read->position_m;
@@ -113,7 +113,7 @@ tl::expected<edit::Key, QString> take(const QJsonObject& row, const WaypointItem
   } else if (kind == wordOf(StepKind::Retype) && read->type) {
     edit.after->type = *read->type;
   } else {
-    return wrong(WaypointPlanText::tr("it does not say what becomes of %1.").arg(shown(read->id)));
+    return wrong(WaypointPlanText::tr("it does not say what becomes of %1.").arg(plainShort(read->id)));
   }
   return read->id;
 }
@@ -138,7 +138,8 @@ QString whyNotKept(const std::optional<map::Waypoint>& before, const map::Waypoi
   }
   if (!before || before->position_m != after.position_m) {
     if (!(after.position_m.cwiseAbs().maxCoeff() <= kFarthestM))
-      return WaypointPlanText::tr("Its place is more than %1 m away from the origin.").arg(kFarthestM, 0, 'f', 0);
+      return WaypointPlanText::tr("Its place is more than %1 m away from the origin.")
+          .arg(kFarthestM, 0, 'f', 0);
   }
   return {};
 }
@@ -157,12 +158,12 @@ FittedEdits fitted(std::vector<WaypointEdit> edits, const robot::KeptFields& kee
   if (typed > 0)
     fitted.notes << sentences::counted(
         WaypointPlanText::tr("Types are not kept here: those of %1 waypoints are left out.", nullptr,
-                  sentences::formOf(typed)),
+                             sentences::formOf(typed)),
         typed);
   if (unturned > 0)
     fitted.notes << sentences::counted(
         WaypointPlanText::tr("Every waypoint has a heading here: %1 waypoints without one get 0°.", nullptr,
-                  sentences::formOf(unturned)),
+                             sentences::formOf(unturned)),
         unturned);
   return fitted;
 }
@@ -174,15 +175,16 @@ QString refusedText(const std::set<edit::Key>& refused, const std::vector<Waypoi
   for (const WaypointEdit& edit : edits) {
     if (!edit.after || !refused.contains(edit.key)) continue;
     ++count;
-    names << shown(edit.after->name);
+    names << plainShort(edit.after->name);
   }
   if (count == 0) return {};
   names.removeDuplicates();
   if (names.size() > kNamed) names = names.mid(0, kNamed) << QStringLiteral("…");
-  return sentences::counted(WaypointPlanText::tr("%1 waypoints are not sent: the robot refuses a name that another one "
-                                      "has",
-                                      nullptr, sentences::formOf(count)),
-                            count) +
+  return sentences::counted(
+             WaypointPlanText::tr("%1 waypoints are not sent: the robot refuses a name that another one "
+                                  "has",
+                                  nullptr, sentences::formOf(count)),
+             count) +
          QStringLiteral(" (") + names.join(QStringLiteral(", ")) + QStringLiteral(").");
 }
 
@@ -206,7 +208,8 @@ WaypointEdits editsFor(const WaypointItems& kept, const std::vector<WantedWaypoi
       edit = {row.id.empty() ? freshKey() : row.id, std::nullopt, withWanted(fresh, row)};
     }
     if (!listed.insert(edit.key).second)
-      return inRow(WaypointPlanText::tr("The waypoint %1 is there twice. Leave one out.").arg(shown(edit.key)));
+      return inRow(
+          WaypointPlanText::tr("The waypoint %1 is there twice. Leave one out.").arg(plainShort(edit.key)));
     if (const QString why = whyNotKept(edit.before, *edit.after); !why.isEmpty()) return inRow(why);
     if (!edit::same(edit.before, edit.after)) edits.push_back(std::move(edit));
   }
@@ -253,7 +256,8 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
       QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), qsizetype(bytes.size())), &error)
           .object();
   if (error.error != QJsonParseError::NoError)
-    return wrong(WaypointPlanText::tr("It is no JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
+    return wrong(
+        WaypointPlanText::tr("It is no JSON (%1, byte %2).").arg(error.errorString()).arg(error.offset));
   const QJsonValue base = json.value(QLatin1String("base")), changes = json.value(QLatin1String("changes"));
   if (json.value(QLatin1String("mapwright")).toString() != QLatin1String("waypoint-plan") ||
       !base.isArray() || !changes.isArray())
@@ -283,7 +287,7 @@ tl::expected<WaypointPlan, QString> planFromBytes(std::string_view bytes) {
   for (const edit::Key& key : order) {
     WaypointEdit& edit = edits.at(key);
     const QString why = edit.after ? whyNotKept(edit.before, *edit.after) : QString();
-    if (!why.isEmpty()) return wrong(QStringLiteral("%1: %2").arg(shown(key), why));
+    if (!why.isEmpty()) return wrong(QStringLiteral("%1: %2").arg(plainShort(key), why));
     plan.edits.push_back(std::move(edit));
   }
   return plan;

@@ -9,6 +9,7 @@
 #include "geometry/pose.h"
 #include "map/waypoint_likeness.h"
 #include "words/qt_plain.h"
+#include "words/text.h"
 
 namespace mapwright::exchange {
 namespace {
@@ -17,7 +18,7 @@ class WaypointStepsText {
   Q_DECLARE_TR_FUNCTIONS(WaypointSteps)
 };
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 bool isNear(const map::Waypoint& wanted, const map::Waypoint& kept) {
   if (!map::samePlace(wanted.position_m, kept.position_m)) return false;
@@ -170,8 +171,10 @@ QJsonArray stepsJson(const std::vector<WaypointStep>& steps, const std::string& 
 }
 
 QString placeText(const map::Waypoint& point) {
-  QString place = WaypointStepsText::tr("x %1 m, y %2 m").arg(figure(point.position_m.x()), figure(point.position_m.y()));
-  if (point.yaw_rad) place += WaypointStepsText::tr(", %1°").arg(figure(geometry::degreesFromRadians(*point.yaw_rad)));
+  QString place =
+      WaypointStepsText::tr("x %1 m, y %2 m").arg(figure(point.position_m.x()), figure(point.position_m.y()));
+  if (point.yaw_rad)
+    place += WaypointStepsText::tr(", %1°").arg(figure(geometry::degreesFromRadians(*point.yaw_rad)));
   return place;
 }
 

@@ -7,10 +7,9 @@ namespace mapwright::grids {
 
 namespace {
 
-constexpr int kEdge = GridPyramid::kTileEdge;
 // Even, and divisors of a band. The first strip is short, so that something shows at once.
 constexpr int kFirstStrip = 16, kStrip = 64;
-constexpr std::size_t kQueuedStrips = kEdge / kStrip;
+constexpr std::size_t kQueuedStrips = GridPyramid::kTileEdge / kStrip;
 
 }  // namespace
 
@@ -33,14 +32,14 @@ BandBuilder::~BandBuilder() {
 std::uint8_t* BandBuilder::nextRow() {
   if (row_ >= pyramid_->height() || finished_) return nullptr;
   if (band_ == nullptr) band_ = pyramid_->takeBand();
-  return band_.get() + std::size_t(row_ % kEdge) * pyramid_->stride(0);
+  return band_.get() + std::size_t(row_ % GridPyramid::kTileEdge) * pyramid_->stride(0);
 }
 
 void BandBuilder::rowWritten() {
   ++row_;
   const bool strip_ends = row_ == kFirstStrip || row_ % kStrip == 0 || row_ == pyramid_->height();
   if (strip_ends) handOver();
-  if (row_ % kEdge == 0) band_.reset();
+  if (row_ % GridPyramid::kTileEdge == 0) band_.reset();
 }
 
 void BandBuilder::pushRow(std::span<const std::uint8_t> cells) {

@@ -17,8 +17,6 @@ constexpr std::size_t kFileHeader = 14, kInfoHeader = 40, kMasksEnd = 56;
 constexpr std::uint32_t kCoreHeader = 12;
 constexpr std::uint32_t kUncompressed = 0, kBitFields = 3;
 
-constexpr ReasonCode kEnds = ReasonCode::DataEnds;
-
 std::uint32_t word(const std::uint8_t* at) { return std::uint32_t(at[0] | at[1] << 8); }
 std::uint32_t dword(const std::uint8_t* at) { return word(at) | word(at + 2) << 16; }
 
@@ -44,7 +42,7 @@ class BmpRows final : public PictureRows {
     const int place = header_.top_down ? done_ : header_.format.height - 1 - done_;
     if (!bytes_.readAt(header_.pixels_at + std::uint64_t(place) * header_.stored_row, stored_.data(),
                        stored_.size())) {
-      problem_ = kEnds;
+      problem_ = ReasonCode::DataEnds;
       return nullptr;
     }
     ++done_;
@@ -70,7 +68,7 @@ class BmpRows final : public PictureRows {
   int done_ = 0;
 };
 
-tl::unexpected<map::Reason> refused(map::Reason why) { return tl::unexpected(std::move(why)); }
+tl::unexpected<map::Reason> unreadable(map::Reason why) { return tl::unexpected(std::move(why)); }
 
 /// Only masks of whole bytes are worth reading; false for others.
 bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
@@ -90,19 +88,19 @@ bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
 tl::expected<std::unique_ptr<PictureRows>, map::Reason> openBmp(ByteSource bytes) {
   std::array<std::uint8_t, kFileHeader + kMasksEnd> start{};
   if (!bytes.readAt(0, start.data(), kFileHeader + kInfoHeader)) {
-    return refused(ReasonCode::BmpHeaderShort);
+    return unreadable(ReasonCode::BmpHeaderShort);
   }
   const std::uint8_t* info = start.data() + kFileHeader;
   const std::uint32_t info_bytes = dword(info);
   if (info_bytes == kCoreHeader || info_bytes < kInfoHeader) {
-    return refused({ReasonCode::BmpHeaderUnknown, {std::to_string(info_bytes)}});
+    return unreadable({ReasonCode::BmpHeaderUnknown, {std::to_string(info_bytes)}});
   }
   BmpHeader header;
   PixelFormat& format = header.format;
   const std::int32_t width = std::int32_t(dword(info + 4)), height = std::int32_t(dword(info + 8));
   header.top_down = height < 0;
   const std::int64_t rows = height < 0 ? -std::int64_t(height) : height;
-  if (width < 0) return refused(ReasonCode::BmpWidthNegative);
+  if (width < 0) return unreadable(ReasonCode::BmpWidthNegative);
   if (auto problem = whyNotThisSize(std::uint64_t(width), std::uint64_t(rows))) {
     return tl::unexpected(std::move(*problem));
   }
@@ -113,17 +111,17 @@ tl::expected<std::unique_ptr<PictureRows>, map::Reason> openBmp(ByteSource bytes
   const int bits = header.bits;
   const bool bits_known = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
   if (!bits_known || !(compression == kUncompressed || (compression == kBitFields && bits == 32))) {
-    return refused({compression == kUncompressed ? ReasonCode::BmpBitsUnknown : ReasonCode::BmpCompressed,
-                    {std::to_string(bits)}});
+    return unreadable({compression == kUncompressed ? ReasonCode::BmpBitsUnknown : ReasonCode::BmpCompressed,
+                       {std::to_string(bits)}});
   }
   if (compression == kBitFields) {
     const bool in_header = info_bytes >= kMasksEnd;
     const std::size_t masks = kInfoHeader + (in_header ? 16 : 12);
     if (!bytes.readAt(0, start.data(), kFileHeader + masks)) {
-      return refused(ReasonCode::BmpHeaderShort);
+      return unreadable(ReasonCode::BmpHeaderShort);
     }
     if (!takeMasks(info + kInfoHeader, in_header, header)) {
-      return refused(ReasonCode::BmpColoursUneven);
+      return unreadable(ReasonCode::BmpColoursUneven);
     }
   }
   header.pixels_at = dword(start.data() + 10);
@@ -135,7 +133,7 @@ tl::expected<std::unique_ptr<PictureRows>, map::Reason> openBmp(ByteSource bytes
     const std::uint32_t colours = said == 0 || said > most ? most : said;
     std::vector<std::uint8_t> palette(colours * 4);
     if (!bytes.readAt(kFileHeader + info_bytes, palette.data(), palette.size())) {
-      return refused(ReasonCode::BmpPaletteShort);
+      return unreadable(ReasonCode::BmpPaletteShort);
     }
     format.gray = true;
     for (std::size_t n = 0; n < colours; ++n) {

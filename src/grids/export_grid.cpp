@@ -19,7 +19,6 @@ namespace {
 
 using map::ReasonCode;
 using Proceed = std::function<bool(double done)>;
-constexpr int kEdge = GridPyramid::kTileEdge;
 constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
 
 /// Calls take(row) for every row of level 0; a band of tiles is held at a time. Why it ended before all was
@@ -28,20 +27,22 @@ template <typename Take>
 std::optional<map::Reason> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
                                    Take take) {
   const std::uint8_t unknown = unknownByte(grid.code());
-  const int tiles = (grid.width() + kEdge - 1) / kEdge;
-  std::vector<std::uint8_t> row(std::size_t(tiles) * kEdge);
+  const int tiles = (grid.width() + GridPyramid::kTileEdge - 1) / GridPyramid::kTileEdge;
+  std::vector<std::uint8_t> row(std::size_t(tiles) * GridPyramid::kTileEdge);
   std::vector<std::optional<GridTile>> band(static_cast<std::size_t>(tiles));
   for (int y = 0; y < grid.height(); ++y) {
-    if (y % kEdge == 0) {
+    if (y % GridPyramid::kTileEdge == 0) {
       if (proceed && !proceed(from + (to - from) * y / grid.height())) return ReasonCode::WritingStopped;
-      for (int tx = 0; tx < tiles; ++tx) band[std::size_t(tx)] = grid.tile(0, tx, y / kEdge);
+      for (int tx = 0; tx < tiles; ++tx) band[std::size_t(tx)] = grid.tile(0, tx, y / GridPyramid::kTileEdge);
     }
     for (std::size_t tx = 0; tx < band.size(); ++tx) {
-      std::uint8_t* out = row.data() + tx * kEdge;
+      std::uint8_t* out = row.data() + tx * GridPyramid::kTileEdge;
       if (band[tx]) {
-        std::memcpy(out, band[tx]->cells.get() + std::size_t(y % kEdge) * kEdge, kEdge);
+        std::memcpy(out,
+                    band[tx]->cells.get() + std::size_t(y % GridPyramid::kTileEdge) * GridPyramid::kTileEdge,
+                    GridPyramid::kTileEdge);
       } else {
-        std::memset(out, unknown, kEdge);
+        std::memset(out, unknown, GridPyramid::kTileEdge);
       }
     }
     if (!take(row.data())) return std::nullopt;

@@ -6,12 +6,6 @@
 
 namespace mapwright::grids {
 
-namespace {
-
-constexpr int kEdge = GridPyramid::kTileEdge;
-
-}  // namespace
-
 GrowingPyramid::GrowingPyramid(int width, int height, CellCode code, Reduction reduction,
                                const GridReducer& reducer, std::shared_ptr<TileCache> unpacked)
     : width_(width),
@@ -23,12 +17,12 @@ GrowingPyramid::GrowingPyramid(int width, int height, CellCode code, Reduction r
       rows_(store_.levels().size()),
       live_(store_.levels().size()) {
   for (int level = 0; level < levels(); ++level) {
-    pools_.push_back(std::make_unique<BandPool>(stride(level) * kEdge));
+    pools_.push_back(std::make_unique<BandPool>(stride(level) * GridPyramid::kTileEdge));
   }
 }
 
 std::size_t GrowingPyramid::stride(int level) const {
-  return std::size_t(store_.levels()[std::size_t(level)].tiles_x) * kEdge;
+  return std::size_t(store_.levels()[std::size_t(level)].tiles_x) * GridPyramid::kTileEdge;
 }
 
 GrowingPyramid::Band GrowingPyramid::takeBand() { return padded(*pools_[0], 0); }
@@ -38,7 +32,7 @@ GrowingPyramid::Band GrowingPyramid::padded(BandPool& pool, int level) {
   const std::size_t row_bytes = stride(level);
   const std::size_t cells = std::size_t(levelWidth(level));
   if (cells < row_bytes) {
-    const int rows = std::min(kEdge, levelHeight(level));
+    const int rows = std::min(GridPyramid::kTileEdge, levelHeight(level));
     for (int row = 0; row < rows; ++row) {
       std::memset(band.get() + std::size_t(row) * row_bytes + cells, store_.unknown(), row_bytes - cells);
     }
@@ -50,7 +44,7 @@ GrowingPyramid::Band GrowingPyramid::bandAt(int level, int row) {
   {
     const std::lock_guard lock(live_mutex_);
     const LiveBand& live = live_[std::size_t(level)];
-    if (live.cells != nullptr && live.tile_row == row / kEdge) return live.cells;
+    if (live.cells != nullptr && live.tile_row == row / GridPyramid::kTileEdge) return live.cells;
   }
   return padded(*pools_[std::size_t(level)], level);
 }
@@ -64,21 +58,22 @@ void GrowingPyramid::addRows(const Band& band, int from, int to) {
 }
 
 void GrowingPyramid::settle(int level, const Band& band, int from, int to) {
-  const int tile_row = from / kEdge;
+  const int tile_row = from / GridPyramid::kTileEdge;
   rows_[std::size_t(level)] = to;
-  const bool full = to == (tile_row + 1) * kEdge || to == levelHeight(level);
-  if (full) keepTiles(level, band, tile_row, to - tile_row * kEdge);
+  const bool full = to == (tile_row + 1) * GridPyramid::kTileEdge || to == levelHeight(level);
+  if (full) keepTiles(level, band, tile_row, to - tile_row * GridPyramid::kTileEdge);
   const std::lock_guard lock(live_mutex_);
-  live_[std::size_t(level)] = full ? LiveBand{} : LiveBand{band, tile_row, to - tile_row * kEdge};
+  live_[std::size_t(level)] =
+      full ? LiveBand{} : LiveBand{band, tile_row, to - tile_row * GridPyramid::kTileEdge};
 }
 
 void GrowingPyramid::reduceInto(const Band& coarse, int level, int row, const Band& band) {
-  const int top = 2 * row / kEdge * kEdge;
+  const int top = 2 * row / GridPyramid::kTileEdge * GridPyramid::kTileEdge;
   const std::uint8_t* upper = band.get() + std::size_t(2 * row - top) * stride(level);
   // An odd last row of the picture is its own partner.
   const std::uint8_t* lower = 2 * row + 1 < levelHeight(level) ? upper + stride(level) : upper;
   reducer_.reduceRow(upper, lower, std::size_t(levelWidth(level)),
-                     coarse.get() + std::size_t(row % kEdge) * stride(level + 1));
+                     coarse.get() + std::size_t(row % GridPyramid::kTileEdge) * stride(level + 1));
 }
 
 void GrowingPyramid::advance(int level, const Band& band, int from, int to) {
@@ -98,11 +93,13 @@ void GrowingPyramid::keepTiles(int level, const Band& band, int tile_row, int ro
   std::array<std::uint8_t, TileStore::kTileCells> tile;
   const int tiles = store_.levels()[std::size_t(level)].tiles_x;
   for (int tile_x = 0; tile_x < tiles; ++tile_x) {
-    const std::uint8_t* from = band.get() + std::size_t(tile_x) * kEdge;
+    const std::uint8_t* from = band.get() + std::size_t(tile_x) * GridPyramid::kTileEdge;
     for (int row = 0; row < rows; ++row) {
-      std::memcpy(tile.data() + std::size_t(row) * kEdge, from + std::size_t(row) * row_bytes, kEdge);
+      std::memcpy(tile.data() + std::size_t(row) * GridPyramid::kTileEdge,
+                  from + std::size_t(row) * row_bytes, GridPyramid::kTileEdge);
     }
-    std::memset(tile.data() + std::size_t(rows) * kEdge, store_.unknown(), std::size_t(kEdge - rows) * kEdge);
+    std::memset(tile.data() + std::size_t(rows) * GridPyramid::kTileEdge, store_.unknown(),
+                std::size_t(GridPyramid::kTileEdge - rows) * GridPyramid::kTileEdge);
     store_.put(level, tile_x, tile_row, tile.data());
   }
 }
@@ -112,10 +109,10 @@ void GrowingPyramid::finish() {
     const int height = levelHeight(level);
     const int row = rows_[std::size_t(level)];
     if (row == height) continue;
-    const int begun = row % kEdge;  // rows of the unfinished band
+    const int begun = row % GridPyramid::kTileEdge;  // rows of the unfinished band
     if (begun > 0) {
       const Band band = bandAt(level, row);
-      const int end = std::min(height, row - begun + kEdge);
+      const int end = std::min(height, row - begun + GridPyramid::kTileEdge);
       std::memset(band.get() + std::size_t(begun) * stride(level), store_.unknown(),
                   std::size_t(end - row) * stride(level));
       if (row % 2 != 0 && level + 1 < levels()) {
@@ -126,7 +123,8 @@ void GrowingPyramid::finish() {
       settle(level, band, row, end);
     }
     const TileLevel& tiles = store_.levels()[std::size_t(level)];
-    for (int tile_y = (row + kEdge - 1) / kEdge; tile_y < tiles.tiles_y; ++tile_y) {
+    for (int tile_y = (row + GridPyramid::kTileEdge - 1) / GridPyramid::kTileEdge; tile_y < tiles.tiles_y;
+         ++tile_y) {
       for (int tile_x = 0; tile_x < tiles.tiles_x; ++tile_x) {
         store_.putUniform(level, tile_x, tile_y, store_.unknown());
       }
@@ -156,12 +154,13 @@ std::optional<GridTile> GrowingPyramid::liveTile(int level, int tile_x, int tile
   if (live.cells == nullptr || live.tile_row != tile_y) return std::nullopt;
   // Rows that are shown are never written again, so they are read without the lock.
   auto cells = std::shared_ptr<std::uint8_t[]>(new std::uint8_t[TileStore::kTileCells]);
-  const std::uint8_t* from = live.cells.get() + std::size_t(tile_x) * kEdge;
+  const std::uint8_t* from = live.cells.get() + std::size_t(tile_x) * GridPyramid::kTileEdge;
   for (int row = 0; row < live.rows; ++row) {
-    std::memcpy(cells.get() + std::size_t(row) * kEdge, from + std::size_t(row) * stride(level), kEdge);
+    std::memcpy(cells.get() + std::size_t(row) * GridPyramid::kTileEdge,
+                from + std::size_t(row) * stride(level), GridPyramid::kTileEdge);
   }
-  std::memset(cells.get() + std::size_t(live.rows) * kEdge, store_.unknown(),
-              std::size_t(kEdge - live.rows) * kEdge);
+  std::memset(cells.get() + std::size_t(live.rows) * GridPyramid::kTileEdge, store_.unknown(),
+              std::size_t(GridPyramid::kTileEdge - live.rows) * GridPyramid::kTileEdge);
   return GridTile{std::shared_ptr<const std::uint8_t>(cells, cells.get()), false, false};
 }
 

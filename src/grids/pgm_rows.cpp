@@ -12,10 +12,8 @@ namespace {
 using map::ReasonCode;
 
 constexpr std::uint64_t kLongestHeader = 1 << 16;  // comments included
-constexpr std::size_t kWindow = std::size_t(64) << 10;
+constexpr std::size_t kTextWindow = std::size_t(64) << 10;
 constexpr int kLargestMaxval = 65535;
-
-constexpr ReasonCode kEnds = ReasonCode::DataEnds;
 
 bool isSpace(int byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r'); }
 
@@ -25,7 +23,7 @@ class Cursor {
   Cursor(ByteSource& bytes, std::uint64_t at) : bytes_(bytes), at_(at) {}
   int next() {  // -1 at the end
     if (place_ == window_.size()) {
-      window_ = bytes_.window(at_, kWindow);
+      window_ = bytes_.window(at_, kTextWindow);
       place_ = 0;
       if (window_.empty()) return -1;
     }
@@ -88,7 +86,7 @@ class RawRows final : public PictureRows {
     if (window.size() < row_.size()) {  // at the end of what is buffered, or of the file
       row = row_.data();
       if (!bytes_.readAt(at_, row_.data(), row_.size())) {
-        problem_ = kEnds;
+        problem_ = ReasonCode::DataEnds;
         return nullptr;
       }
     }
@@ -117,7 +115,7 @@ class PlainRows final : public PictureRows {
       const long level = cursor_.number();
       if (level < 0 || level > format_.sample_max) {
         problem_ = level >= 0                      ? ReasonCode::NumberBeyondGreatest
-                   : cursor_.at() >= bytes_.size() ? kEnds
+                   : cursor_.at() >= bytes_.size() ? ReasonCode::DataEnds
                                                    : ReasonCode::NotANumber;
         return nullptr;
       }

@@ -18,8 +18,6 @@ using map::ReasonCode;
 constexpr std::size_t kInput = std::size_t(64) << 10;  // a piece goes through checksum and inflate while hot
 constexpr std::size_t kWindow = std::size_t(256) << 10;  // unpacked at a time
 
-constexpr ReasonCode kEnds = ReasonCode::DataEnds;
-
 }  // namespace
 
 PngStream::PngStream(ByteSource bytes, std::uint64_t at)
@@ -33,7 +31,7 @@ PngStream::~PngStream() = default;
 bool PngStream::enterChunk() {
   const auto chunk = pngChunkAt(bytes_, at_);
   if (!chunk || !chunk->is("IDAT")) {
-    problem_ = kEnds;
+    problem_ = ReasonCode::DataEnds;
     return false;
   }
   sum_ = crc32_gzip_refl(0, reinterpret_cast<const std::uint8_t*>(chunk->type.data()), chunk->type.size());
@@ -46,7 +44,7 @@ bool PngStream::enterChunk() {
 bool PngStream::endChunk() {
   std::array<std::uint8_t, 4> stored{};
   if (!bytes_.readAt(at_, stored.data(), stored.size())) {
-    problem_ = kEnds;
+    problem_ = ReasonCode::DataEnds;
     return false;
   }
   const std::uint32_t expected = std::uint32_t(stored[0]) << 24 | std::uint32_t(stored[1]) << 16 |
@@ -67,7 +65,7 @@ bool PngStream::nextInput() {
   }
   const auto piece = bytes_.window(at_, std::min<std::size_t>(kInput, left_));
   if (piece.empty()) {
-    problem_ = kEnds;
+    problem_ = ReasonCode::DataEnds;
     return false;
   }
   sum_ = crc32_gzip_refl(sum_, piece.data(), piece.size());
@@ -86,12 +84,12 @@ bool PngStream::fill(std::size_t count) {
   if (window_.size() < size) window_.resize(size);
   while (end_ < count) {
     if (state_->block_state == ISAL_BLOCK_FINISH) {
-      problem_ = kEnds;
+      problem_ = ReasonCode::DataEnds;
       return false;
     }
     if (state_->avail_in == 0 && state_->block_state != ISAL_BLOCK_INPUT_DONE && !nextInput()) {
       // What is unpacked but still held back belongs to the rows that came.
-      if (problem_.code != kEnds) return false;
+      if (problem_.code != ReasonCode::DataEnds) return false;
       state_->next_in = nullptr;
     }
     state_->next_out = window_.data() + end_;
@@ -118,7 +116,8 @@ const std::uint8_t* PngStream::take(std::size_t count) {
 }
 
 bool PngStream::checkEnd() {
-  if (problem_.code == kEnds) problem_ = {};  // the pixels are complete, only the trailer is missing
+  if (problem_.code == ReasonCode::DataEnds)
+    problem_ = {};  // the pixels are complete, only the trailer is missing
   while (!problem_.any() && state_->block_state != ISAL_BLOCK_FINISH) {
     std::array<std::uint8_t, 64> beyond;
     if (state_->avail_in == 0 && !nextInput()) break;
@@ -137,7 +136,7 @@ bool PngStream::checkEnd() {
     state_->avail_in = 0;
     if (!nextInput()) break;
   }
-  if (problem_.code == kEnds) problem_ = {};
+  if (problem_.code == ReasonCode::DataEnds) problem_ = {};
   return !problem_.any();
 }
 

@@ -18,7 +18,6 @@ namespace mapwright::grids {
 
 namespace {
 
-constexpr int kEdge = GridPyramid::kTileEdge;
 using map::Reason;
 using map::ReasonCode;
 
@@ -46,18 +45,21 @@ class CellRows {
  public:
   explicit CellRows(const GridPyramid& cells)
       : cells_(cells),
-        band_(std::size_t((cells.width() + kEdge - 1) / kEdge)),
-        row_(band_.size() * std::size_t(kEdge)) {}
+        band_(std::size_t((cells.width() + GridPyramid::kTileEdge - 1) / GridPyramid::kTileEdge)),
+        row_(band_.size() * std::size_t(GridPyramid::kTileEdge)) {}
   const std::uint8_t* row(int y) {
-    if (y % kEdge == 0) {
-      for (std::size_t x = 0; x < band_.size(); ++x) band_[x] = cells_.tile(0, int(x), y / kEdge);
+    if (y % GridPyramid::kTileEdge == 0) {
+      for (std::size_t x = 0; x < band_.size(); ++x)
+        band_[x] = cells_.tile(0, int(x), y / GridPyramid::kTileEdge);
     }
     for (std::size_t x = 0; x < band_.size(); ++x) {
-      std::uint8_t* const out = row_.data() + x * kEdge;
+      std::uint8_t* const out = row_.data() + x * GridPyramid::kTileEdge;
       if (band_[x]) {
-        std::memcpy(out, band_[x]->cells.get() + std::size_t(y % kEdge) * kEdge, kEdge);
+        std::memcpy(out,
+                    band_[x]->cells.get() + std::size_t(y % GridPyramid::kTileEdge) * GridPyramid::kTileEdge,
+                    GridPyramid::kTileEdge);
       } else {
-        std::memset(out, unknownByte(cells_.code()), kEdge);
+        std::memset(out, unknownByte(cells_.code()), GridPyramid::kTileEdge);
       }
     }
     return row_.data();
@@ -126,11 +128,12 @@ std::optional<Reason> readBack(const GridPyramid& cells, const std::string& path
   if (auto error = (*opened)->read(cancelled, {})) return differs({std::move(*error)});
   const auto pyramid = (*opened)->pyramid();
   if (pyramid->width() != cells.width() || pyramid->height() != cells.height()) return differs();
-  for (int y = 0; y * kEdge < cells.height(); ++y) {
-    for (int x = 0; x * kEdge < cells.width(); ++x) {
+  for (int y = 0; y * GridPyramid::kTileEdge < cells.height(); ++y) {
+    for (int x = 0; x * GridPyramid::kTileEdge < cells.width(); ++x) {
       const auto wanted = cells.tile(0, x, y), got = pyramid->tile(0, x, y);
       if (!wanted || !got ||
-          std::memcmp(wanted->cells.get(), got->cells.get(), std::size_t(kEdge) * kEdge) != 0)
+          std::memcmp(wanted->cells.get(), got->cells.get(),
+                      std::size_t(GridPyramid::kTileEdge) * GridPyramid::kTileEdge) != 0)
         return differs();
     }
   }

@@ -406,3 +406,5 @@ void HttpClient::setTrust(const Trust& trust) { impl_->setTrust(trust); }
 void HttpClient::discard(const QUrl& url) { impl_->discard(url); }
 
 }  // namespace mapwright::net
+
+#include "moc_http_client.cpp"

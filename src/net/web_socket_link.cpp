@@ -471,3 +471,5 @@ std::optional<int> WebSocketLink::roundTripMs() const { return impl_->roundTripM
 std::chrono::milliseconds WebSocketLink::silence() const { return impl_->silence(); }
 
 }  // namespace mapwright::net
+
+#include "moc_web_socket_link.cpp"

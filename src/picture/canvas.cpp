@@ -8,9 +8,6 @@ namespace mapwright::picture {
 
 namespace {
 
-constexpr int kEdge = Canvas::kEdge;
-constexpr std::size_t kTileCells = std::size_t(kEdge) * kEdge;
-
 bool allSame(const std::uint8_t* cells, std::size_t count) {
   return std::memcmp(cells, cells + 1, count - 1) == 0;
 }
@@ -58,7 +55,7 @@ std::uint8_t* Canvas::write(int tile_x, int tile_y, const CellRect& within) {
     std::memcpy(found.wrote.get(), found.read.cells.get(), kTileCells);
   }
   found.dirty = found.dirty.united(within);
-  touched_ = touched_.united(within.moved(tile_x * kEdge, tile_y * kEdge));
+  touched_ = touched_.united(within.moved(tile_x * Canvas::kEdge, tile_y * Canvas::kEdge));
   return found.wrote.get();
 }
 
@@ -66,10 +63,11 @@ void Canvas::paintRow(int row, int from, int to, const Ink& ink) {
   from = std::max(from, 0);
   to = std::min(to, grid_.width());
   if (row < 0 || row >= grid_.height() || from >= to) return;
-  const int tile_y = row / kEdge, v = row % kEdge;
-  for (int tile_x = from / kEdge; tile_x * kEdge < to; ++tile_x) {
-    const int u0 = std::max(from - tile_x * kEdge, 0), u1 = std::min(to - tile_x * kEdge, kEdge);
-    const std::size_t at = std::size_t(v) * kEdge + std::size_t(u0), count = std::size_t(u1 - u0);
+  const int tile_y = row / Canvas::kEdge, v = row % Canvas::kEdge;
+  for (int tile_x = from / Canvas::kEdge; tile_x * Canvas::kEdge < to; ++tile_x) {
+    const int u0 = std::max(from - tile_x * Canvas::kEdge, 0),
+              u1 = std::min(to - tile_x * Canvas::kEdge, Canvas::kEdge);
+    const std::size_t at = std::size_t(v) * Canvas::kEdge + std::size_t(u0), count = std::size_t(u1 - u0);
     const std::uint8_t* const now = read(tile_x, tile_y) + at;
     if (ink.from) {
       const auto source = ink.from->tile(0, tile_x, tile_y);
@@ -84,11 +82,12 @@ void Canvas::paintRow(int row, int from, int to, const Ink& ink) {
 void Canvas::putRow(int row, int from, int to, const std::uint8_t* bytes) {
   const int begin = std::max(from, 0), end = std::min(to, grid_.width());
   if (row < 0 || row >= grid_.height() || begin >= end) return;
-  const int tile_y = row / kEdge, v = row % kEdge;
-  for (int tile_x = begin / kEdge; tile_x * kEdge < end; ++tile_x) {
-    const int u0 = std::max(begin - tile_x * kEdge, 0), u1 = std::min(end - tile_x * kEdge, kEdge);
-    const std::size_t at = std::size_t(v) * kEdge + std::size_t(u0), count = std::size_t(u1 - u0);
-    const std::uint8_t* const wanted = bytes + (tile_x * kEdge + u0 - from);
+  const int tile_y = row / Canvas::kEdge, v = row % Canvas::kEdge;
+  for (int tile_x = begin / Canvas::kEdge; tile_x * Canvas::kEdge < end; ++tile_x) {
+    const int u0 = std::max(begin - tile_x * Canvas::kEdge, 0),
+              u1 = std::min(end - tile_x * Canvas::kEdge, Canvas::kEdge);
+    const std::size_t at = std::size_t(v) * Canvas::kEdge + std::size_t(u0), count = std::size_t(u1 - u0);
+    const std::uint8_t* const wanted = bytes + (tile_x * Canvas::kEdge + u0 - from);
     if (std::memcmp(read(tile_x, tile_y) + at, wanted, count) == 0) continue;
     std::memcpy(write(tile_x, tile_y, {u0, v, u1, v + 1}) + at, wanted, count);
   }
@@ -124,18 +123,19 @@ std::vector<Canvas::Changed> Canvas::reduced(const std::vector<Changed>& finer, 
     const TilePlace place{level + 1, fine.place.x / 2, fine.place.y / 2};
     Coarse& under = coarse[place];
     if (!under.cells) under.cells = copyOf(place);
-    const int width = std::min(kEdge, grid_.levelWidth(level) - fine.place.x * kEdge);
-    const int height = std::min(kEdge, grid_.levelHeight(level) - fine.place.y * kEdge);
+    const int width = std::min(Canvas::kEdge, grid_.levelWidth(level) - fine.place.x * Canvas::kEdge);
+    const int height = std::min(Canvas::kEdge, grid_.levelHeight(level) - fine.place.y * Canvas::kEdge);
     const CellRect part{fine.dirty.left & ~1, fine.dirty.top & ~1,
                         std::min((fine.dirty.right + 1) & ~1, width),
                         std::min((fine.dirty.bottom + 1) & ~1, height)};
-    const int shift_x = fine.place.x % 2 * (kEdge / 2), shift_y = fine.place.y % 2 * (kEdge / 2);
+    const int shift_x = fine.place.x % 2 * (Canvas::kEdge / 2),
+              shift_y = fine.place.y % 2 * (Canvas::kEdge / 2);
     for (int v = part.top; v < part.bottom; v += 2) {
-      const std::uint8_t* const upper = fine.cells + std::size_t(v) * kEdge + std::size_t(part.left);
-      const std::uint8_t* const lower = v + 1 < height ? upper + kEdge : upper;
-      reducer_.reduceRow(
-          upper, lower, std::size_t(part.width()),
-          under.cells.get() + std::size_t(v / 2 + shift_y) * kEdge + std::size_t(part.left / 2 + shift_x));
+      const std::uint8_t* const upper = fine.cells + std::size_t(v) * Canvas::kEdge + std::size_t(part.left);
+      const std::uint8_t* const lower = v + 1 < height ? upper + Canvas::kEdge : upper;
+      reducer_.reduceRow(upper, lower, std::size_t(part.width()),
+                         under.cells.get() + std::size_t(v / 2 + shift_y) * Canvas::kEdge +
+                             std::size_t(part.left / 2 + shift_x));
     }
     under.dirty = under.dirty.united({part.left / 2 + shift_x, part.top / 2 + shift_y,
                                       (part.right + 1) / 2 + shift_x, (part.bottom + 1) / 2 + shift_y});

@@ -17,6 +17,7 @@ namespace mapwright::picture {
 class Canvas {
  public:
   static constexpr int kEdge = grids::GridPyramid::kTileEdge;
+  static constexpr std::size_t kTileCells = std::size_t(kEdge) * kEdge;  // one byte each
 
   /// `grid` must stay as it is, and outlive this, until take() has been called.
   explicit Canvas(const EditedGrid& grid);

@@ -7,8 +7,6 @@ namespace mapwright::picture {
 
 namespace {
 
-constexpr int kEdge = Canvas::kEdge;
-
 /// The bytes of one code in the words of another, by their kind.
 std::array<std::uint8_t, 256> translated(grids::CellCode from, grids::CellCode to) {
   const std::array<Kind, 256> kinds = kindsOf(from);
@@ -26,16 +24,17 @@ std::optional<Clip> copyCells(Canvas& canvas, const CellRect& rect) {
   if (inside.empty() || inside.area() > kMostClippedCells) return std::nullopt;
   Clip clip{inside.width(), inside.height(), {}, canvas.code()};
   clip.cells.resize(std::size_t(inside.area()));
-  for (int tile_y = inside.top / kEdge; tile_y * kEdge < inside.bottom; ++tile_y) {
-    for (int tile_x = inside.left / kEdge; tile_x * kEdge < inside.right; ++tile_x) {
-      const CellRect part =
-          inside.intersected(CellRect{0, 0, kEdge, kEdge}.moved(tile_x * kEdge, tile_y * kEdge));
+  for (int tile_y = inside.top / Canvas::kEdge; tile_y * Canvas::kEdge < inside.bottom; ++tile_y) {
+    for (int tile_x = inside.left / Canvas::kEdge; tile_x * Canvas::kEdge < inside.right; ++tile_x) {
+      const CellRect part = inside.intersected(
+          CellRect{0, 0, Canvas::kEdge, Canvas::kEdge}.moved(tile_x * Canvas::kEdge, tile_y * Canvas::kEdge));
       const std::uint8_t* const cells = canvas.read(tile_x, tile_y);
       for (int row = part.top; row < part.bottom; ++row) {
-        std::memcpy(clip.cells.data() + std::size_t(row - inside.top) * std::size_t(clip.width) +
-                        std::size_t(part.left - inside.left),
-                    cells + std::size_t(row % kEdge) * kEdge + std::size_t(part.left % kEdge),
-                    std::size_t(part.width()));
+        std::memcpy(
+            clip.cells.data() + std::size_t(row - inside.top) * std::size_t(clip.width) +
+                std::size_t(part.left - inside.left),
+            cells + std::size_t(row % Canvas::kEdge) * Canvas::kEdge + std::size_t(part.left % Canvas::kEdge),
+            std::size_t(part.width()));
       }
     }
   }

@@ -10,14 +10,13 @@ namespace mapwright::picture {
 
 namespace {
 
-constexpr int kEdge = Canvas::kEdge;
-constexpr int kWords = kEdge / 64;
+constexpr int kWords = Canvas::kEdge / 64;
 using Row = std::array<std::uint64_t, kWords>;  // bit 0 of word 0 is column 0
 
 struct Tile {
-  std::array<Row, kEdge> open;  // of the kind that is filled
-  std::array<Row, kEdge> filled;
-  std::array<Row, kEdge> seeds;  // came over an edge and wait
+  std::array<Row, Canvas::kEdge> open;  // of the kind that is filled
+  std::array<Row, Canvas::kEdge> filled;
+  std::array<Row, Canvas::kEdge> seeds;  // came over an edge and wait
   bool waits = false;
 };
 
@@ -46,10 +45,10 @@ class Filling {
   Filling(Canvas& canvas, Kind kind) : canvas_(canvas), kinds_(kindsOf(canvas.code())), kind_(kind) {}
 
   bool run(int column, int row, const std::atomic<bool>* cancelled) {
-    Tile& first = at(column / kEdge, row / kEdge);
-    first.seeds[std::size_t(row % kEdge)][std::size_t(column % kEdge / 64)] |= std::uint64_t(1)
-                                                                               << (column % 64);
-    wait(column / kEdge, row / kEdge, first);
+    Tile& first = at(column / Canvas::kEdge, row / Canvas::kEdge);
+    first.seeds[std::size_t(row % Canvas::kEdge)][std::size_t(column % Canvas::kEdge / 64)] |=
+        std::uint64_t(1) << (column % 64);
+    wait(column / Canvas::kEdge, row / Canvas::kEdge, first);
     while (!queue_.empty()) {
       if (tiles_.size() > kMostFilledTiles || (cancelled && cancelled->load(std::memory_order_relaxed)))
         return false;
@@ -65,7 +64,7 @@ class Filling {
   void paint(const Ink& ink) {
     for (auto& [key, tile] : tiles_) {
       const int x = int(key & 0xffffffff), y = int(key >> 32);
-      for (int v = 0; v < kEdge; ++v) paintRow(x, y, v, tile.filled[std::size_t(v)], ink);
+      for (int v = 0; v < Canvas::kEdge; ++v) paintRow(x, y, v, tile.filled[std::size_t(v)], ink);
     }
   }
 
@@ -82,12 +81,12 @@ class Filling {
 
   void look(int x, int y, Tile& tile) {
     const std::uint8_t* cells = canvas_.read(x, y);
-    const int columns = std::min(kEdge, canvas_.all().right - x * kEdge);
-    const int rows = std::min(kEdge, canvas_.all().bottom - y * kEdge);
+    const int columns = std::min(Canvas::kEdge, canvas_.all().right - x * Canvas::kEdge);
+    const int rows = std::min(Canvas::kEdge, canvas_.all().bottom - y * Canvas::kEdge);
     tile.open = {};
     std::array<std::uint8_t, 256> open{};
     for (std::size_t byte = 0; byte < open.size(); ++byte) open[byte] = kinds_[byte] == kind_ ? 1 : 0;
-    for (int v = 0; v < rows; ++v, cells += kEdge) {
+    for (int v = 0; v < rows; ++v, cells += Canvas::kEdge) {
       for (int word = 0; word * 64 < columns; ++word) {
         const int count = std::min(64, columns - word * 64);
         std::uint64_t bits = 0;
@@ -103,14 +102,14 @@ class Filling {
     for (bool more = true; more;) {
       more = false;
       for (int way = 0; way < 2; ++way) {
-        for (int step = 0; step < kEdge; ++step) {
-          const int v = way == 0 ? step : kEdge - 1 - step, before = way == 0 ? v - 1 : v + 1;
+        for (int step = 0; step < Canvas::kEdge; ++step) {
+          const int v = way == 0 ? step : Canvas::kEdge - 1 - step, before = way == 0 ? v - 1 : v + 1;
           const std::size_t r = std::size_t(v);
           Row fresh{};
           bool some = false;
           for (std::size_t i = 0; i < kWords; ++i) {
             std::uint64_t bits = tile.seeds[r][i];
-            if (before >= 0 && before < kEdge) bits |= tile.filled[std::size_t(before)][i];
+            if (before >= 0 && before < Canvas::kEdge) bits |= tile.filled[std::size_t(before)][i];
             fresh[i] = bits & tile.open[r][i] & ~tile.filled[r][i];
             some = some || fresh[i] != 0;
           }
@@ -131,11 +130,12 @@ class Filling {
   }
 
   bool inside(int x, int y) const {
-    return x >= 0 && y >= 0 && x * kEdge < canvas_.all().right && y * kEdge < canvas_.all().bottom;
+    return x >= 0 && y >= 0 && x * Canvas::kEdge < canvas_.all().right &&
+           y * Canvas::kEdge < canvas_.all().bottom;
   }
 
   void handOn(int x, int y, Tile& tile) {
-    constexpr std::size_t kLast = kEdge - 1, kLastWord = kWords - 1;
+    constexpr std::size_t kLast = Canvas::kEdge - 1, kLastWord = kWords - 1;
     const auto rowTo = [&](int to_x, int to_y, const Row& bits, std::size_t row) {
       if (!inside(to_x, to_y) || bits == Row{}) return;
       Tile& to = at(to_x, to_y);
@@ -154,7 +154,7 @@ class Filling {
       if (!inside(to_x, y)) return;
       Tile* to = nullptr;
       bool some = false;
-      for (std::size_t v = 0; v < kEdge; ++v) {
+      for (std::size_t v = 0; v < Canvas::kEdge; ++v) {
         if ((tile.filled[v][word] & bit) == 0) continue;
         if (!to) to = &at(to_x, y);
         const std::uint64_t fresh = to_bit & to->open[v][to_word] & ~to->filled[v][to_word];
@@ -170,8 +170,8 @@ class Filling {
 
   void paintRow(int x, int y, int v, const Row& bits, const Ink& ink) {
     if (bits == Row{}) return;
-    const int row = y * kEdge + v, left = x * kEdge;
-    for (int u = 0; u < kEdge;) {
+    const int row = y * Canvas::kEdge + v, left = x * Canvas::kEdge;
+    for (int u = 0; u < Canvas::kEdge;) {
       const auto on = [&](int column) { return (bits[std::size_t(column / 64)] >> (column % 64) & 1) != 0; };
       if (bits[std::size_t(u / 64)] == 0) {
         u = (u / 64 + 1) * 64;
@@ -182,7 +182,7 @@ class Filling {
         continue;
       }
       int end = u + 1;
-      while (end < kEdge && on(end)) {
+      while (end < Canvas::kEdge && on(end)) {
         end = end % 64 == 0 && bits[std::size_t(end / 64)] == ~std::uint64_t(0) ? end + 64 : end + 1;
       }
       canvas_.paintRow(row, left + u, left + end, ink);
@@ -202,7 +202,8 @@ class Filling {
 bool floodFill(Canvas& canvas, int column, int row, const Ink& ink, const std::atomic<bool>* cancelled) {
   if (!canvas.all().contains(column, row)) return true;
   const std::uint8_t first = canvas.read(
-      column / kEdge, row / kEdge)[std::size_t(row % kEdge) * kEdge + std::size_t(column % kEdge)];
+      column / Canvas::kEdge, row / Canvas::kEdge)[std::size_t(row % Canvas::kEdge) * Canvas::kEdge +
+                                                   std::size_t(column % Canvas::kEdge)];
   Filling filling(canvas, kindsOf(canvas.code())[first]);
   if (!filling.run(column, row, cancelled)) return false;
   filling.paint(ink);

@@ -4,9 +4,7 @@
 
 namespace mapwright::picture {
 
-namespace {
-constexpr std::size_t kTileBytes = 65'536;
-}
+namespace {}
 
 void Patch::append(const Patch& later) {
   for (const auto& [place, change] : later.tiles) {
@@ -23,7 +21,7 @@ std::size_t Patch::bytes() const {
       if (state->cells) held.insert(state->cells.get());
     }
   }
-  return held.size() * kTileBytes;
+  return held.size() * Canvas::kTileCells;
 }
 
 void PatchMemory::add(const Patch& patch) {
@@ -44,6 +42,6 @@ void PatchMemory::remove(const Patch& patch) {
   }
 }
 
-std::size_t PatchMemory::bytes() const { return held_.size() * kTileBytes; }
+std::size_t PatchMemory::bytes() const { return held_.size() * Canvas::kTileCells; }
 
 }  // namespace mapwright::picture

@@ -7,7 +7,6 @@
 namespace mapwright::placing {
 namespace {
 
-constexpr int kEdge = grids::GridPyramid::kTileEdge;
 constexpr std::size_t kHeldTiles = 64;  // a place each by level and tile, the latest stays
 constexpr int kMostCellsAcross = 4;     // of the level that a search begins at
 constexpr double kMostCellsFine = 300;  // of a search that can begin at level 0 only
@@ -54,8 +53,11 @@ std::uint8_t Ground::byteAt(int level, int column, int row) {
   if (column < 0 || row < 0 || column >= map_.cells->levelWidth(level) ||
       row >= map_.cells->levelHeight(level))
     return unknown_;
-  const std::uint8_t* const cells = tileAt(level, column / kEdge, row / kEdge);
-  return cells ? cells[(row % kEdge) * kEdge + column % kEdge] : unknown_;
+  const std::uint8_t* const cells =
+      tileAt(level, column / grids::GridPyramid::kTileEdge, row / grids::GridPyramid::kTileEdge);
+  return cells ? cells[(row % grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge +
+                       column % grids::GridPyramid::kTileEdge]
+               : unknown_;
 }
 
 const std::uint8_t* Ground::tileAt(int level, int x, int y) {
@@ -103,16 +105,20 @@ void Ground::lookNear(Search& search) {
   };
   const auto [left, right] = range(search.from.x(), map_.reference.width);
   const auto [top, bottom] = range(search.from.y(), map_.reference.height);
-  for (int tile_y = top / kEdge; tile_y * kEdge < bottom; ++tile_y) {
-    for (int tile_x = left / kEdge; tile_x * kEdge < right; ++tile_x) {
+  for (int tile_y = top / grids::GridPyramid::kTileEdge; tile_y * grids::GridPyramid::kTileEdge < bottom;
+       ++tile_y) {
+    for (int tile_x = left / grids::GridPyramid::kTileEdge; tile_x * grids::GridPyramid::kTileEdge < right;
+         ++tile_x) {
       const std::uint8_t* const cells = tileAt(0, tile_x, tile_y);
       if (!cells) continue;
-      const int to_row = std::min(bottom, (tile_y + 1) * kEdge),
-                to_column = std::min(right, (tile_x + 1) * kEdge);
-      for (int row = std::max(top, tile_y * kEdge); row < to_row; ++row) {
-        const std::uint8_t* const line = cells + (row % kEdge) * kEdge;
-        for (int column = std::max(left, tile_x * kEdge); column < to_column; ++column) {
-          if (!occupied_[line[column % kEdge]]) continue;
+      const int to_row = std::min(bottom, (tile_y + 1) * grids::GridPyramid::kTileEdge),
+                to_column = std::min(right, (tile_x + 1) * grids::GridPyramid::kTileEdge);
+      for (int row = std::max(top, tile_y * grids::GridPyramid::kTileEdge); row < to_row; ++row) {
+        const std::uint8_t* const line =
+            cells + (row % grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge;
+        for (int column = std::max(left, tile_x * grids::GridPyramid::kTileEdge); column < to_column;
+             ++column) {
+          if (!occupied_[line[column % grids::GridPyramid::kTileEdge]]) continue;
           const Eigen::Vector2d nearest = nearestIn(search.from, column, row, 1);
           const double distance = (nearest - search.from).norm();
           if (distance >= search.best) continue;
@@ -173,7 +179,7 @@ bool Ground::allUnknown() {
   if (!tile) return true;
   for (int row = 0; row < map_.cells->levelHeight(level); ++row) {
     for (int column = 0; column < map_.cells->levelWidth(level); ++column) {
-      if (known_[tile->cells.get()[row * kEdge + column]]) return false;
+      if (known_[tile->cells.get()[row * grids::GridPyramid::kTileEdge + column]]) return false;
     }
   }
   return true;

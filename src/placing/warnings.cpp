@@ -12,8 +12,6 @@
 namespace mapwright::placing {
 namespace {
 
-constexpr int kEdge = grids::GridPyramid::kTileEdge;
-
 Warnings warningsAt(Ground& ground, const Eigen::Vector2d& place_m, double radius_m, bool known) {
   Warnings warnings;
   const Cell cell = ground.at(place_m);
@@ -48,7 +46,9 @@ std::vector<std::size_t> inOrder(const std::vector<Eigen::Vector2d>& places_m,
   const auto tileOf = [&](const Eigen::Vector2d& place_m) -> std::uint64_t {
     if (!place_m.allFinite()) return 0;
     const Eigen::Vector2d cell = reference.cellFromWorld(place_m);
-    const auto tile = [](double at) { return std::uint32_t(std::clamp(at / kEdge, 0.0, 1e7)); };
+    const auto tile = [](double at) {
+      return std::uint32_t(std::clamp(at / grids::GridPyramid::kTileEdge, 0.0, 1e7));
+    };
     return interleaved(tile(cell.x()), tile(cell.y()));
   };
   std::vector<std::pair<std::uint64_t, std::size_t>> tiles;

@@ -167,3 +167,5 @@ void Fetches::askPlaces(const map::MapKey& key, std::vector<map::OverlayFeature>
 }
 
 }  // namespace mapwright::recorder
+
+#include "moc_fetches.cpp"

@@ -7,13 +7,15 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "words/text.h"
+
 namespace mapwright::recorder {
 namespace {
 
 constexpr std::string_view kSubmaps = "submaps/", kMaps = "maps/", kPlaces = "waypoints/",
                            kPictures = "pictures/", kFacts = ".json";
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 std::string encoded(const std::string& id) {
   if (id.empty()) return "-";

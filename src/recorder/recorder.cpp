@@ -194,3 +194,5 @@ void Recorder::finish() {
 }
 
 }  // namespace mapwright::recorder
+
+#include "moc_recorder.cpp"

@@ -8,8 +8,6 @@
 namespace mapwright::recording {
 namespace {
 
-using bag::Op;
-
 std::optional<packed::Codec> codecOf(std::string_view compression) {
   if (compression == "bz2") return packed::Codec::Bzip2;
   if (compression == "lz4") return packed::Codec::Lz4;
@@ -46,7 +44,7 @@ std::optional<Failure> Ros1Bag::readStart() {
   Window window(*bytes_);
   bool cut = false;
   const std::optional<Head> head = headAt(window, start_, size, cut);
-  if (!head || head->op != Op::BagHeader) return std::nullopt;
+  if (!head || head->op != bag::Op::BagHeader) return std::nullopt;
   const bag::Fields fields = head->fields();
   if (!fields.text("encryptor").empty()) return Failure{Failure::Code::Encrypted, {}};
   index_at_ = fields.number<std::uint64_t>("index_pos").value_or(0);
@@ -107,7 +105,7 @@ tl::expected<UnpackedChunk, Note> Ros1Bag::unpack(const ChunkPlace& place) {
   Window window(*bytes_);
   bool cut = false;
   const std::optional<Head> head = headAt(window, place.offset, bytes_->size(), cut);
-  if (!head || head->op != Op::Chunk) return failed(cut ? NoteCode::Unreadable : NoteCode::ChunkCorrupt);
+  if (!head || head->op != bag::Op::Chunk) return failed(cut ? NoteCode::Unreadable : NoteCode::ChunkCorrupt);
   const bag::Fields fields = head->fields();
   const auto size = fields.number<std::uint32_t>("size");
   if (!size) return failed(NoteCode::ChunkCorrupt);
@@ -133,7 +131,7 @@ std::optional<Packing> Ros1Bag::packingOf(const ChunkPlace& place) const {
   Window window(*bytes_);
   bool cut = false;
   const std::optional<Head> head = headAt(window, place.offset, bytes_->size(), cut);
-  if (!head || head->op != Op::Chunk) return std::nullopt;
+  if (!head || head->op != bag::Op::Chunk) return std::nullopt;
   const bag::Fields fields = head->fields();
   std::string compression = fields.text("compression");
   if (compression == "none") compression.clear();
@@ -150,7 +148,7 @@ void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
       notes_.add(NoteCode::ChunkCorrupt, place.offset);  // what stands before it is sound
       return;
     }
-    if (record->header.op() == Op::Message) {
+    if (record->header.op() == bag::Op::Message) {
       const auto channel = record->header.number<std::uint32_t>("conn");
       const auto time = record->header.time("time");
       if (channel && time) {
@@ -158,7 +156,7 @@ void Ros1Bag::listRecords(UnpackedChunk& chunk, const ChunkPlace& place) {
       } else {
         notes_.add(NoteCode::RecordCorrupt, place.offset);
       }
-    } else if (record->header.op() == Op::Connection) {
+    } else if (record->header.op() == bag::Op::Connection) {
       if (std::optional<Channel> channel = bag::channelIn(*record)) {
         addChannel(std::move(*channel), place.offset);
       } else {
@@ -187,7 +185,7 @@ ChunkedSource::Latest Ros1Bag::latestByIndex(const ChunkPlace& place, const Chan
   for (std::size_t i = 0; head && i <= place.shares.size(); ++i) {
     if (i > 0) {
       const bag::Fields fields = head->fields();
-      if (head->op != Op::Index || fields.number<std::uint32_t>("ver") != 1u) return {};
+      if (head->op != bag::Op::Index || fields.number<std::uint32_t>("ver") != 1u) return {};
       if (fields.number<std::uint32_t>("conn") == share.channel) {
         if (head->data_size > limits_.most_record_bytes) return {};
         const std::optional<UnpackedChunk> rows = raw(head->data_at, head->data_size);

@@ -7,10 +7,8 @@
 
 namespace mapwright::recording {
 
-using bag::Op;
-
 namespace {
-constexpr std::uint64_t kMostBare = std::uint64_t(1) << 20;
+constexpr std::uint64_t kMostScannedBare = std::uint64_t(1) << 20;
 }
 
 std::optional<ChunkPlace> Ros1Bag::infoIn(const Head& head) const {
@@ -58,10 +56,10 @@ bool Ros1Bag::openByIndex() {
     bool cut = false;
     const std::optional<Head> head = headAt(window, at, size, cut);
     if (!head) return unusable();
-    if (head->op == Op::Connection) {
+    if (head->op == bag::Op::Connection) {
       if (takeConnection(*head) != Step::Taken) return unusable();
       ++connections;
-    } else if (head->op == Op::ChunkInfo) {
+    } else if (head->op == bag::Op::ChunkInfo) {
       std::optional<ChunkPlace> place = infoIn(*head);
       if (!place) return unusable();
       places.push_back(std::move(*place));
@@ -110,7 +108,7 @@ std::uint64_t Ros1Bag::scan(std::uint64_t from, std::uint64_t to) {
   while (from < to) {
     bool cut = false;
     const std::optional<Head> head = headAt(window, from, to, cut);
-    if (head && (head->op != Op::Index || !indexes_follow_)) settleChunk(false);
+    if (head && (head->op != bag::Op::Index || !indexes_follow_)) settleChunk(false);
     const Step step = head ? take(*head) : Step::NoRecord;
     if (step == Step::Taken) {
       from = head->end();
@@ -128,13 +126,13 @@ std::uint64_t Ros1Bag::scan(std::uint64_t from, std::uint64_t to) {
 
 Ros1Bag::Step Ros1Bag::take(const Head& head) {
   switch (head.op) {
-    case Op::Message:
+    case bag::Op::Message:
       return takeMessage(head);
-    case Op::Index:
+    case bag::Op::Index:
       return takeIndex(head);
-    case Op::Connection:
+    case bag::Op::Connection:
       return takeConnection(head);
-    case Op::Chunk: {
+    case bag::Op::Chunk: {
       ChunkPlace place;
       place.offset = head.at;
       place.length = head.end() - head.at;
@@ -143,10 +141,10 @@ Ros1Bag::Step Ros1Bag::take(const Head& head) {
       indexes_follow_ = true;
       return Step::Taken;
     }
-    case Op::ChunkInfo:
+    case bag::Op::ChunkInfo:
       about_.finished = true;  // the last thing that is written
       return Step::Taken;
-    case Op::BagHeader:
+    case bag::Op::BagHeader:
       return Step::Taken;
   }
   return Step::NoRecord;
@@ -219,7 +217,7 @@ Ros1Bag::Step Ros1Bag::takeMessage(const Head& head) {
   ChunkPlace* last = lastChunk();
   const std::uint64_t bytes = head.end() - head.at;
   const bool goes_on = last != nullptr && last->bare && last->offset + last->length == head.at &&
-                       last->length + bytes <= kMostBare;
+                       last->length + bytes <= kMostScannedBare;
   if (!goes_on) {
     ChunkPlace place;
     place.offset = head.at;
@@ -263,7 +261,7 @@ std::uint64_t Ros1Bag::nextChunk(Window& window, std::uint64_t from, std::uint64
     from += zeros - 1;
     bool cut = false;
     const std::optional<Head> head = headAt(window, from, to, cut);
-    if (head && head->op == Op::Chunk && head->fields().number<std::uint32_t>("size") &&
+    if (head && head->op == bag::Op::Chunk && head->fields().number<std::uint32_t>("size") &&
         head->fields().find("compression")) {
       return from;
     }

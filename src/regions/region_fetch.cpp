@@ -8,8 +8,6 @@
 namespace mapwright::regions {
 namespace {
 
-constexpr int kEdge = grids::GridPyramid::kTileEdge;
-
 RegionMap::Options mapOptions(const RegionFetch::Options& options, const geometry::WorldRect& rect) {
   RegionMap::Options of_map;
   of_map.monotonic = options.monotonic;
@@ -43,15 +41,20 @@ std::string pgmOf(const grids::GridPyramid& cells) {
   std::string pgm = pgmHead(cells.width(), cells.height());
   const std::size_t head = pgm.size(), width = std::size_t(cells.width());
   pgm.resize(head + width * std::size_t(cells.height()), char(grids::kUnknownOccupancy));
-  for (int y = 0; y * kEdge < cells.height(); ++y) {
-    for (int x = 0; x * kEdge < cells.width(); ++x) {
+  for (int y = 0; y * grids::GridPyramid::kTileEdge < cells.height(); ++y) {
+    for (int x = 0; x * grids::GridPyramid::kTileEdge < cells.width(); ++x) {
       const auto tile = cells.tile(0, x, y);
       if (!tile) continue;
-      for (int row = 0; row < std::min(kEdge, cells.height() - y * kEdge); ++row) {
-        const std::size_t to = head + std::size_t(y * kEdge + row) * width + std::size_t(x) * kEdge;
-        for (int column = 0; column < std::min(kEdge, cells.width() - x * kEdge); ++column)
-          pgm[to + std::size_t(column)] =
-              pgmByte(tile->cells.get()[std::size_t(row) * kEdge + std::size_t(column)]);
+      for (int row = 0;
+           row < std::min(grids::GridPyramid::kTileEdge, cells.height() - y * grids::GridPyramid::kTileEdge);
+           ++row) {
+        const std::size_t to = head + std::size_t(y * grids::GridPyramid::kTileEdge + row) * width +
+                               std::size_t(x) * grids::GridPyramid::kTileEdge;
+        for (int column = 0; column < std::min(grids::GridPyramid::kTileEdge,
+                                               cells.width() - x * grids::GridPyramid::kTileEdge);
+             ++column)
+          pgm[to + std::size_t(column)] = pgmByte(
+              tile->cells.get()[std::size_t(row) * grids::GridPyramid::kTileEdge + std::size_t(column)]);
       }
     }
   }
@@ -104,3 +107,5 @@ void RegionFetch::end() {
 }
 
 }  // namespace mapwright::regions
+
+#include "moc_region_fetch.cpp"

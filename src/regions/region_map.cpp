@@ -91,3 +91,5 @@ void RegionMap::take(std::uint64_t id, robot::Outcome<map::GridPart> outcome) {
 }
 
 }  // namespace mapwright::regions
+
+#include "moc_region_map.cpp"

@@ -16,6 +16,8 @@ namespace mapwright::regions {
 /// The byte of a cell that has not been fetched. Robots that send it as a cell mean "unknown": it comes in as
 /// grids::kUnknownOccupancy.
 inline constexpr std::uint8_t kNotFetched = 0x80;
+inline constexpr std::size_t kSheetTileBytes =
+    std::size_t(grids::GridPyramid::kTileEdge) * grids::GridPyramid::kTileEdge;
 
 /// As large as a grid may be, around the first piece: what lies farther away needs another sheet. Looks like
 /// any other pyramid of occupancy. One thread changes it, any thread looks; tiles that have been handed out

@@ -32,9 +32,9 @@ struct CellsOfPixels {
 /// The square that a pixel covers on level 0, whichever way it is turned: the same for all pixels of a view
 /// but for its centre. What is asked about are boxes of cells: their centre relative to the pixel's, and half
 /// their edges.
-class PixelSquare {
+class PixelOnCells {
  public:
-  explicit PixelSquare(const CellsOfPixels& to_cell)
+  explicit PixelOnCells(const CellsOfPixels& to_cell)
       : half_(to_cell.cells_per_pixel / 2),
         along_(to_cell.per_column.normalized()),
         slant_(std::abs(along_.x()) + std::abs(along_.y())),

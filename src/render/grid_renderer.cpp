@@ -341,3 +341,5 @@ bool GridRenderer::settled() const { return impl_->settled(); }
 std::size_t GridRenderer::cacheBytes() const { return impl_->cacheBytes(); }
 
 }  // namespace mapwright::render
+
+#include "moc_grid_renderer.cpp"

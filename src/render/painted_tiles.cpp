@@ -8,7 +8,8 @@
 
 namespace mapwright::render {
 namespace {
-constexpr std::size_t kStandInsOutOfView = 32;
+
+constexpr std::size_t kPaintedStandIns = 32;
 }
 
 class PaintedTiles::Impl {
@@ -44,7 +45,7 @@ class PaintedTiles::Impl {
       ++raster_;
       cancelAll();
       if (previews_ && painter_ && active_) {
-        stand_ins_.push(tiles_.pictures(kStandInsOutOfView), tiles_.view(), 0);
+        stand_ins_.push(tiles_.pictures(kPaintedStandIns), tiles_.view(), 0);
       }
     }
     tiles_.setView(view);
@@ -198,3 +199,5 @@ bool PaintedTiles::settled() const { return impl_->settled(); }
 std::size_t PaintedTiles::cacheBytes() const { return impl_->cacheBytes(); }
 
 }  // namespace mapwright::render
+
+#include "moc_painted_tiles.cpp"

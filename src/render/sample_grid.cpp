@@ -14,9 +14,8 @@ namespace {
 using grids::GridPyramid;
 using grids::GridTile;
 
-constexpr int kEdge = GridPyramid::kTileEdge;
 constexpr int kEdgeBits = 8;
-static_assert(1 << kEdgeBits == kEdge);
+static_assert(1 << kEdgeBits == GridPyramid::kTileEdge);
 constexpr int kMostTiles = 4096;  // of one window: far more than any view tile touches
 constexpr int kBlock = 16;        // pixels
 constexpr double kUpright = 1e-9;
@@ -66,7 +65,9 @@ class TileWindow {
   const std::uint8_t* at(int u, int v) const {
     const std::uint8_t* const tile = data_[std::size_t((v >> kEdgeBits) - first_y_) * std::size_t(columns_) +
                                            std::size_t((u >> kEdgeBits) - first_x_)];
-    return tile ? tile + (((v & (kEdge - 1)) << kEdgeBits) | (u & (kEdge - 1))) : nullptr;
+    return tile ? tile +
+                      (((v & (GridPyramid::kTileEdge - 1)) << kEdgeBits) | (u & (GridPyramid::kTileEdge - 1)))
+                : nullptr;
   }
 
  private:
@@ -204,7 +205,7 @@ void sampleBlocks(const PixelGrid& grid, const CellsOfPixels& to_cell, const std
 
 void sampleTouched(const PixelGrid& grid, const CellsOfPixels& to_cell, const GridPyramid& cells,
                    TileReach& reach, Composition& pixels, const std::atomic<bool>* cancelled) {
-  const PixelSquare square(to_cell);
+  const PixelOnCells square(to_cell);
   std::uint8_t byte = 0;
   if (cells.reduction() == grids::Reduction::Average) {
     MeanTouched mean(cells, reach, square);

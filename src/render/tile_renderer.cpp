@@ -160,3 +160,5 @@ std::optional<int> TileRenderer::intensityAt(const Eigen::Vector2d& world_m) con
 }
 
 }  // namespace mapwright::render
+
+#include "moc_tile_renderer.cpp"

@@ -10,7 +10,7 @@ constexpr double kDirectViewCells =
     2;                          // up to so many native cells a pixel, view tiles are composed directly
 constexpr int kFewMissing = 8;  // pyramid tiles; a tile that lacks no more is soon exact and needs no preview
 constexpr double kFinestNativeM = 1e-3;  // a freak texture does not make the whole view slow
-constexpr std::size_t kStandInsOutOfView = 64;
+constexpr std::size_t kSubmapStandIns = 64;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void TileWork::setView(const geometry::ViewTransform& view) {
     ++raster_;
     tiles_.forEach([this](ViewTile& tile) { cancelWork(tile); });
     if (options_.previews)
-      stand_ins_.push(tiles_.pictures(kStandInsOutOfView), tiles_.view(),
+      stand_ins_.push(tiles_.pictures(kSubmapStandIns), tiles_.view(),
                       colors_.clear_unknown ? 0 : colors_.unknown);
   }
   tiles_.setView(view);

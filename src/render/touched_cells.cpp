@@ -7,7 +7,6 @@ namespace {
 
 using grids::GridPyramid;
 
-constexpr int kEdge = TileReach::kEdge;
 constexpr int kValueBits = 20;  // of a sum over at most a row of a tile: 256 * 255
 constexpr double kFlat = 1e-12, kAligned = 1e-9;
 
@@ -16,7 +15,7 @@ int cellAt(double place, int cells) { return int(std::clamp(std::floor(place), 0
 
 }  // namespace
 
-HighestTouched::HighestTouched(const GridPyramid& cells, TileReach& reach, const PixelSquare& square)
+HighestTouched::HighestTouched(const GridPyramid& cells, TileReach& reach, const PixelOnCells& square)
     : order_(cells.order()), reach_(reach), square_(square) {
   for (int level = 0; level < cells.levels(); ++level) {
     widths_.push_back(cells.levelWidth(level));
@@ -43,11 +42,11 @@ bool HighestTouched::operator()(const Eigen::Vector2d& centre, std::uint8_t& out
   for (int v = v0; v <= v1; ++v) {
     const double y = (v + 0.5) * edge - centre.y();
     for (int u = u0; u <= u1; ++u) {
-      const PixelSquare::Share share = square_.shareOf((u + 0.5) * edge - centre.x(), y, half);
-      if (share == PixelSquare::Share::None) continue;
+      const PixelOnCells::Share share = square_.shareOf((u + 0.5) * edge - centre.x(), y, half);
+      if (share == PixelOnCells::Share::None) continue;
       const std::uint8_t* const cell = reach_.at(start_, u, v);
       if (!cell || order_[*cell] <= best_) continue;
-      if (share == PixelSquare::Share::All || start_ == 0) {
+      if (share == PixelOnCells::Share::All || start_ == 0) {
         best_ = order_[*cell];
         best_byte_ = *cell;
       } else {
@@ -71,12 +70,12 @@ void HighestTouched::look(const Eigen::Vector2d& centre, const Box& box) {
   const int v1 = std::min(2 * box.v + 1, heights_[std::size_t(level)] - 1);
   for (int v = 2 * box.v; v <= v1; ++v) {
     for (int u = 2 * box.u; u <= u1; ++u) {
-      const PixelSquare::Share share =
+      const PixelOnCells::Share share =
           square_.shareOf((u + 0.5) * edge - centre.x(), (v + 0.5) * edge - centre.y(), half);
-      if (share == PixelSquare::Share::None) continue;
+      if (share == PixelOnCells::Share::None) continue;
       const std::uint8_t* const cell = reach_.at(level, u, v);
       if (!cell || order_[*cell] <= best_) continue;
-      if (share == PixelSquare::Share::All || level == 0) {
+      if (share == PixelOnCells::Share::All || level == 0) {
         best_ = order_[*cell];
         best_byte_ = *cell;
       } else {
@@ -86,7 +85,7 @@ void HighestTouched::look(const Eigen::Vector2d& centre, const Box& box) {
   }
 }
 
-MeanTouched::MeanTouched(const GridPyramid& cells, TileReach& reach, const PixelSquare& square)
+MeanTouched::MeanTouched(const GridPyramid& cells, TileReach& reach, const PixelOnCells& square)
     : meaning_(grids::meaningOf(cells.code())),
       unknown_(grids::unknownByte(cells.code())),
       reach_(reach),
@@ -162,9 +161,10 @@ void MeanTouched::addCell(int u, int v, double weight, Sums& sums) {
 void MeanTouched::addRun(int from, int to, int v, double weight, Sums& sums) {
   while (from < to) {
     const TileReach::Tile tile = reach_.tile(0, from >> TileReach::kEdgeBits, v >> TileReach::kEdgeBits);
-    const int end = std::min(to, (from | (kEdge - 1)) + 1), count = end - from;
+    const int end = std::min(to, (from | (GridPyramid::kTileEdge - 1)) + 1), count = end - from;
     if (tile.cells) {
-      const std::uint8_t* cells = tile.cells + ((v & (kEdge - 1)) * kEdge + (from & (kEdge - 1)));
+      const std::uint8_t* cells = tile.cells + ((v & (GridPyramid::kTileEdge - 1)) * GridPyramid::kTileEdge +
+                                                (from & (GridPyramid::kTileEdge - 1)));
       std::uint32_t sum = 0;
       if (tile.uniform) {
         sum = weight_[*cells] * std::uint32_t(count);

@@ -20,7 +20,7 @@ namespace mapwright::render {
 /// what has been found already.
 class HighestTouched {
  public:
-  HighestTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelSquare& square);
+  HighestTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelOnCells& square);
   /// `centre`: of the pixel, in cells. False where nothing has been read.
   bool operator()(const Eigen::Vector2d& centre, std::uint8_t& out);
 
@@ -32,7 +32,7 @@ class HighestTouched {
 
   const std::array<std::uint8_t, 256>& order_;
   TileReach& reach_;
-  const PixelSquare& square_;
+  const PixelOnCells& square_;
   int start_;                          // the level that is looked at first
   std::vector<int> widths_, heights_;  // of the levels
   std::vector<Box> partly_;
@@ -44,7 +44,7 @@ class HighestTouched {
 /// less than half of the ground is known.
 class MeanTouched {
  public:
-  MeanTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelSquare& square);
+  MeanTouched(const grids::GridPyramid& cells, TileReach& reach, const PixelOnCells& square);
   /// As above. `is_known` says whether the byte means a known cell, whatever it would mean by itself.
   bool operator()(const Eigen::Vector2d& centre, std::uint8_t& out, bool& is_known);
 
@@ -72,7 +72,7 @@ class MeanTouched {
   const grids::CellMeaning& meaning_;
   std::uint8_t unknown_;
   TileReach& reach_;
-  const PixelSquare& square_;
+  const PixelOnCells& square_;
   std::array<std::uint32_t, 256> weight_{};  // known << 20 | value
   // Corners relative to the centre: the uppermost, where the sides bend, the lowest.
   Eigen::Vector2d top_, left_, right_, bottom_;

@@ -245,3 +245,5 @@ Moment Reading::moment() {
 }
 
 }  // namespace mapwright::replay
+
+#include "moc_reading.cpp"

@@ -383,3 +383,5 @@ void ReplayRobot::fetchPicture(const map::GridMessage& grid, const std::string& 
 }
 
 }  // namespace mapwright::replay
+
+#include "moc_replay_robot.cpp"

@@ -92,8 +92,9 @@ tl::expected<QUrl, QString> webAddress(const QString& typed, const QString& exam
     return error(AddressText::tr("\"%1\" is not an address. Write for example %2.").arg(typed, example));
   }
   if (scheme != QLatin1String("http") && scheme != QLatin1String("https")) {
-    return error(AddressText::tr("\"%1\" does not begin with a scheme that is known here. Write for example %2.")
-                     .arg(typed, example));
+    return error(
+        AddressText::tr("\"%1\" does not begin with a scheme that is known here. Write for example %2.")
+            .arg(typed, example));
   }
   if (url.port() == -1) url.setPort(port);
   if (url.port() == 0) return error(AddressText::tr("Port 0 is not an address of a robot."));

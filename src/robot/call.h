@@ -21,6 +21,11 @@ using Outcome = tl::expected<T, map::Failure>;
 /// is gone.
 template <typename T>
 using OutcomeTo = std::function<void(Outcome<T>)>;
+/// The outcomes of what came to nothing.
+inline tl::unexpected<map::Failure> fail(map::Failure failure) {
+  return tl::make_unexpected(std::move(failure));
+}
+inline tl::unexpected<map::Reason> refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
 
 /// How much of a body has travelled, up or down.
 struct Progress {

@@ -12,3 +12,5 @@ bool MapDispatch::offered(DispatchService service) const {
 }
 
 }  // namespace mapwright::robot
+
+#include "moc_map_dispatch.cpp"

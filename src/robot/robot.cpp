@@ -5,3 +5,5 @@ namespace mapwright::robot {
 void Robot::trustCertificate(const QString&) {}
 
 }  // namespace mapwright::robot
+
+#include "moc_robot.cpp"

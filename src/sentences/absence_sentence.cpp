@@ -10,7 +10,6 @@ namespace {
 
 using robot::Absence;
 using robot::Capability;
-using Reason = robot::Absence::Reason;
 
 class AbsenceText {
   Q_DECLARE_TR_FUNCTIONS(Absence)
@@ -53,16 +52,16 @@ QString nothing(Capability capability) {
 
 QString whyAbsent(Capability capability, const Absence& absence) {
   switch (absence.reason) {
-    case Reason::NotOfThisKind:
+    case Absence::Reason::NotOfThisKind:
       break;
-    case Reason::ReadOnly:
+    case Absence::Reason::ReadOnly:
       return AbsenceText::tr("Read only: %1's interface offers no editing.").arg(argument(absence));
-    case Reason::NotYetHere:
+    case Absence::Reason::NotYetHere:
       return nothing(capability) + QLatin1Char(' ') + AbsenceText::tr("Not yet in this version.");
-    case Reason::FirmwareLacks:
+    case Absence::Reason::FirmwareLacks:
       return nothing(capability) + QLatin1Char(' ') +
              AbsenceText::tr("Its firmware does not know the question (%1).").arg(argument(absence));
-    case Reason::NoService:
+    case Absence::Reason::NoService:
       if (capability == Capability::Live)
         return AbsenceText::tr(
                    "Its interface does not tell where it is. If a rosbridge server runs on it, add %1 to its "
@@ -70,7 +69,7 @@ QString whyAbsent(Capability capability, const Absence& absence) {
             .arg(argument(absence));
       return nothing(capability) + QLatin1Char(' ') +
              AbsenceText::tr("It runs no %1, or none that is reached from here.").arg(argument(absence));
-    case Reason::LocalFiles:
+    case Absence::Reason::LocalFiles:
       // What stands in the place of a robot is told by its name: replay::ReplayRobot.
       if (!absence.arguments.empty())
         return AbsenceText::tr("This is a replay of %1: nothing can be changed.")
@@ -89,10 +88,11 @@ QString limitsOf(robot::Robot& robot) {
   const auto add = [&](Capability capability) {
     const Absence absence = robot.whyNot(capability);
     // Of files nobody expects it.
-    if (capability == Capability::Administration && absence.reason == Reason::LocalFiles) return;
-    const bool telling = absence.reason == Reason::ReadOnly || absence.reason == Reason::NotYetHere ||
-                         absence.reason == Reason::LocalFiles ||
-                         (capability == Capability::Live && absence.reason == Reason::NoService);
+    if (capability == Capability::Administration && absence.reason == Absence::Reason::LocalFiles) return;
+    const bool telling = absence.reason == Absence::Reason::ReadOnly ||
+                         absence.reason == Absence::Reason::NotYetHere ||
+                         absence.reason == Absence::Reason::LocalFiles ||
+                         (capability == Capability::Live && absence.reason == Absence::Reason::NoService);
     if (telling) limits << whyAbsent(capability, absence);
   };
   if (!robot.mapAdministration()) add(Capability::Administration);

@@ -6,6 +6,7 @@
 #include "sentences/http_status.h"
 #include "sentences/reason_sentence.h"
 #include "words/sentences.h"
+#include "words/text.h"
 
 namespace mapwright::sentences {
 namespace {
@@ -42,7 +43,8 @@ QString pictureFailed(const Failure& failure) {
   const bool small = failure.asked_for == AskedFor::SmallPicture;
   if (failure.reason == FailureReason::Empty)
     return small ? FailureText::tr("Its small picture is empty") : FailureText::tr("Its picture is empty");
-  return small ? FailureText::tr("Its small picture cannot be had") : FailureText::tr("Its picture cannot be had");
+  return small ? FailureText::tr("Its small picture cannot be had")
+               : FailureText::tr("Its picture cannot be had");
 }
 
 /// What has not come about, without its reason.
@@ -54,7 +56,8 @@ QString opening(const Failure& failure) {
     case SubjectKind::Catalogue:
       return read ? FailureText::tr("The list cannot be read") : FailureText::tr("The list cannot be had");
     case SubjectKind::Places:
-      return read ? FailureText::tr("Its points cannot be read") : FailureText::tr("Its points cannot be had");
+      return read ? FailureText::tr("Its points cannot be read")
+                  : FailureText::tr("Its points cannot be had");
     case SubjectKind::Overview:
       return read ? FailureText::tr("The overview of the map cannot be read")
                   : FailureText::tr("The overview of the map cannot be had");
@@ -63,7 +66,7 @@ QString opening(const Failure& failure) {
   }
 }
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 /// "the robot answered 404 (not found): No such map".
 QString robotSaid(const Failure& failure) {

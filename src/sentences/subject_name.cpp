@@ -25,7 +25,8 @@ QString mapName(const Subject& subject) {
   }
   if (!called.isEmpty()) return SubjectText::tr("Map \"%1\"").arg(called);
   if (subject.id == "live") return SubjectText::tr("Live map");
-  if (subject.id.starts_with("mapping:")) return SubjectText::tr("Mapping %1").arg(shortened(subject.id.substr(8)));
+  if (subject.id.starts_with("mapping:"))
+    return SubjectText::tr("Mapping %1").arg(shortened(subject.id.substr(8)));
   return SubjectText::tr("Map %1").arg(shortened(subject.id));
 }
 

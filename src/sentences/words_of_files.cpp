@@ -33,7 +33,8 @@ QString ofFiles(ReasonCode code) {
           "A picture alone does not say how large its cells are. 0.05 m is assumed; give ?resolution=0.05 "
           "after the path to say it.");
     case ReasonCode::YamlBesideUnused:
-      return WordsOfFilesText::tr("%1 beside it does not name it as its image, or cannot be read as a map.yaml.");
+      return WordsOfFilesText::tr(
+          "%1 beside it does not name it as its image, or cannot be read as a map.yaml.");
     case ReasonCode::SeveralYamls:
       return WordsOfFilesText::tr(
           "More than one map.yaml names this picture, so none is taken: %1. Open the right one.");
@@ -69,11 +70,13 @@ QString ofFiles(ReasonCode code) {
     case ReasonCode::ThresholdNoNumber:
       return WordsOfFilesText::tr("Its %1 is not a number from 0 to 1.");
     case ReasonCode::ThresholdsCrossed:
-      return WordsOfFilesText::tr("Its free_thresh is not below its occupied_thresh, so no cell can be unknown.");
+      return WordsOfFilesText::tr(
+          "Its free_thresh is not below its occupied_thresh, so no cell can be unknown.");
     case ReasonCode::WaypointIdTwice:
       return WordsOfFilesText::tr("Two waypoints have the id %1.");
     case ReasonCode::WaypointTurnNoNumber:
-      return WordsOfFilesText::tr("Waypoint %1 has a yaw_rad that is no number. It is shown without a heading.");
+      return WordsOfFilesText::tr(
+          "Waypoint %1 has a yaw_rad that is no number. It is shown without a heading.");
     default:
       return {};
   }

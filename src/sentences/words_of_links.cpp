@@ -72,7 +72,8 @@ QString ofLinks(ReasonCode code) {
     case ReasonCode::ConnectionBroke:
       return WordsOfLinksText::tr("the connection to %1 broke off");
     case ReasonCode::ConnectionNotSecure:
-      return WordsOfLinksText::tr("no secure connection to %1 can be made; it may not be encrypted there (http): %2");
+      return WordsOfLinksText::tr(
+          "no secure connection to %1 can be made; it may not be encrypted there (http): %2");
     case ReasonCode::HostSilent:
       return WordsOfLinksText::tr("%1 does not answer");
     case ReasonCode::HostNotReached:

@@ -21,7 +21,8 @@ QString ofPlaces(ReasonCode code) {
     case ReasonCode::ResolutionNotPositive:
       return WordsOfMapsText::tr("Its resolution is %1, which is no size of a cell.");
     case ReasonCode::ResolutionOutOfBounds:
-      return WordsOfMapsText::tr("Its resolution of %1 m is out of bounds: between 0.1 mm and 1 km can be shown.");
+      return WordsOfMapsText::tr(
+          "Its resolution of %1 m is out of bounds: between 0.1 mm and 1 km can be shown.");
     case ReasonCode::OriginNoNumber:
       return WordsOfMapsText::tr("Its origin is missing or not a number, so it cannot be placed.");
     case ReasonCode::OriginTooFar:
@@ -43,7 +44,8 @@ QString ofMaps(ReasonCode code, int count) {
     case ReasonCode::TurnNoNumber:
       return WordsOfMapsText::tr("The turn of its origin is not a number. It is shown unturned.");
     case ReasonCode::CacheCopyDamaged:
-      return WordsOfMapsText::tr("Its copy in the cache was damaged. The map was read again from its picture.");
+      return WordsOfMapsText::tr(
+          "Its copy in the cache was damaged. The map was read again from its picture.");
     case ReasonCode::AnotherMapCame:
       return WordsOfMapsText::tr("The robot answered with another map, %1. It is not shown.");
     case ReasonCode::FileNotHad:
@@ -67,7 +69,8 @@ QString ofMaps(ReasonCode code, int count) {
     case ReasonCode::PointsAreNoList:
       return WordsOfMapsText::tr("The robot's list of points is not a list.");
     case ReasonCode::ScaleNotPositive:
-      return WordsOfMapsText::tr("Its resolution is missing or not above 0 pixels per metre, so it cannot be placed.");
+      return WordsOfMapsText::tr(
+          "Its resolution is missing or not above 0 pixels per metre, so it cannot be placed.");
     case ReasonCode::WrongMapSent:
       return WordsOfMapsText::tr("The robot sent the map %1 instead of it.");
     case ReasonCode::NoPictureOfItSent:
@@ -77,7 +80,8 @@ QString ofMaps(ReasonCode code, int count) {
     case ReasonCode::HeightNotSaid:
       return WordsOfMapsText::tr("Its picture is not a PNG, and the robot does not say how high it is.");
     case ReasonCode::PointOff:
-      return WordsOfMapsText::tr("Point %1 (%2): its pixels lie %3 px from its metres. Shown where its metres say.");
+      return WordsOfMapsText::tr(
+          "Point %1 (%2): its pixels lie %3 px from its metres. Shown where its metres say.");
     case ReasonCode::PointsUnplaced:
       return WordsOfMapsText::tr("%1 points without a place were left out.", nullptr, count);
     case ReasonCode::MorePointsOff:
@@ -100,12 +104,14 @@ QString ofPictures(ReasonCode code, int count) {
     case ReasonCode::PictureWithoutPixels:
       return WordsOfMapsText::tr("It says that it is %1 pixels: there is nothing in it.");
     case ReasonCode::PictureTooLarge:
-      return WordsOfMapsText::tr("It says that it is %1 pixels. A map may have %2 along an edge and %3 in all.");
+      return WordsOfMapsText::tr(
+          "It says that it is %1 pixels. A map may have %2 along an edge and %3 in all.");
     case ReasonCode::PictureTooLargeForLayer:
       return WordsOfMapsText::tr("It is %1 pixels, and at most %2 are read.");
     case ReasonCode::PictureEndsEarly:
-      return WordsOfMapsText::tr("It says that it is %2 pixels, but %3 after %1 rows. The rest is shown as unknown.",
-                       nullptr, count);
+      return WordsOfMapsText::tr(
+          "It says that it is %2 pixels, but %3 after %1 rows. The rest is shown as unknown.", nullptr,
+          count);
     case ReasonCode::PictureEndsEarlyUnused:
       return WordsOfMapsText::tr("It says that it is %2 pixels, but %3 after %1 rows.", nullptr, count);
     case ReasonCode::PictureDoubtful:
@@ -141,7 +147,8 @@ QString ofPictures(ReasonCode code, int count) {
     case ReasonCode::NoSubmapToExport:
       return WordsOfMapsText::tr("There is no submap to export yet.");
     case ReasonCode::ComposedTooLarge:
-      return WordsOfMapsText::tr("The map is too large for one picture at this resolution. Choose a coarser one.");
+      return WordsOfMapsText::tr(
+          "The map is too large for one picture at this resolution. Choose a coarser one.");
     case ReasonCode::WritingStopped:
       return WordsOfMapsText::tr("Stopped; nothing was written.");
     case ReasonCode::EncoderFailed:
@@ -166,7 +173,8 @@ QString ofPictureFormats(ReasonCode code) {
     case ReasonCode::BmpHeaderShort:
       return WordsOfMapsText::tr("It is a BMP that is cut off in its header.");
     case ReasonCode::BmpHeaderUnknown:
-      return WordsOfMapsText::tr("It is a BMP of a kind that is not read (its header has %1 bytes). Save it as PNG.");
+      return WordsOfMapsText::tr(
+          "It is a BMP of a kind that is not read (its header has %1 bytes). Save it as PNG.");
     case ReasonCode::BmpWidthNegative:
       return WordsOfMapsText::tr("It is a BMP with a negative width.");
     case ReasonCode::BmpBitsUnknown:
@@ -192,9 +200,11 @@ QString ofPictureFormats(ReasonCode code) {
     case ReasonCode::PngHeaderDamaged:
       return WordsOfMapsText::tr("It is a PNG whose header is damaged (its checksum is wrong).");
     case ReasonCode::PngKindUnknown:
-      return WordsOfMapsText::tr("It is a PNG of colour type %1 with %2 bits a sample, and there is no such PNG.");
+      return WordsOfMapsText::tr(
+          "It is a PNG of colour type %1 with %2 bits a sample, and there is no such PNG.");
     case ReasonCode::PngMethodUnknown:
-      return WordsOfMapsText::tr("It is a PNG with a compression, filter or interlace method that does not exist.");
+      return WordsOfMapsText::tr(
+          "It is a PNG with a compression, filter or interlace method that does not exist.");
     case ReasonCode::PngEndsBeforePixels:
       return WordsOfMapsText::tr("It is a PNG that is cut off before its first pixel.");
     case ReasonCode::PngWithoutPixels:

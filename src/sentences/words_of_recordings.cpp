@@ -12,7 +12,7 @@ class WordsOfRecordingsText {
   Q_DECLARE_TR_FUNCTIONS(Reason)
 };
 
-QString ofFiles(ReasonCode code) {
+QString ofRecordings(ReasonCode code) {
   switch (code) {
     case ReasonCode::RecordingNotOpened:
       return WordsOfRecordingsText::tr("The recording %1 cannot be opened");
@@ -30,7 +30,8 @@ QString ofFiles(ReasonCode code) {
     case ReasonCode::RecordingLacksSubmap:
       return WordsOfRecordingsText::tr("The recording does not hold this submap.");
     case ReasonCode::RecordingNotFinished:
-      return WordsOfRecordingsText::tr("Its end is missing: it was interrupted after %1, or is still being written.");
+      return WordsOfRecordingsText::tr(
+          "Its end is missing: it was interrupted after %1, or is still being written.");
     case ReasonCode::RecordingNotBegun:
       return WordsOfRecordingsText::tr(
           "Its end is missing, and so are its messages: it was interrupted, or is still being written.");
@@ -52,17 +53,19 @@ QString ofDamage(ReasonCode code, int count) {
     case ReasonCode::RecordingCutOff:
       return WordsOfRecordingsText::tr("It is cut off at byte %1. What comes before is played.");
     case ReasonCode::RecordingBytesSkipped:
-      return WordsOfRecordingsText::tr("%1 bytes of it are nothing that can be read (from byte %2 on). They are skipped.",
-                       nullptr, count);
+      return WordsOfRecordingsText::tr(
+          "%1 bytes of it are nothing that can be read (from byte %2 on). They are skipped.", nullptr, count);
     case ReasonCode::RecordingChunksCorrupt:
-      return WordsOfRecordingsText::tr("%1 parts of it cannot be unpacked (the first at byte %2). They are skipped.", nullptr,
-                       count);
+      return WordsOfRecordingsText::tr(
+          "%1 parts of it cannot be unpacked (the first at byte %2). They are skipped.", nullptr, count);
     case ReasonCode::RecordingChunksChanged:
-      return WordsOfRecordingsText::tr("%1 parts of it are not what was written (the first at byte %2). They are skipped.",
-                       nullptr, count);
+      return WordsOfRecordingsText::tr(
+          "%1 parts of it are not what was written (the first at byte %2). They are skipped.", nullptr,
+          count);
     case ReasonCode::RecordingChunksTooLarge:
-      return WordsOfRecordingsText::tr("%1 parts of it would take too much memory (the first at byte %2). They are skipped.",
-                       nullptr, count);
+      return WordsOfRecordingsText::tr(
+          "%1 parts of it would take too much memory (the first at byte %2). They are skipped.", nullptr,
+          count);
     case ReasonCode::RecordingChunksPacked:
       return WordsOfRecordingsText::tr(
           "%1 parts of it are compressed in a way that is not known here: %3 (the first at byte %2). They "
@@ -70,17 +73,17 @@ QString ofDamage(ReasonCode code, int count) {
           "skipped.",
           nullptr, count);
     case ReasonCode::RecordingChunkTimesWrong:
-      return WordsOfRecordingsText::tr("%1 parts of it say wrong times of themselves (the first at byte %2).", nullptr,
-                       count);
+      return WordsOfRecordingsText::tr("%1 parts of it say wrong times of themselves (the first at byte %2).",
+                                       nullptr, count);
     case ReasonCode::RecordingIndexLies:
-      return WordsOfRecordingsText::tr("Its index names %1 messages that are not there (the first at byte %2).", nullptr,
-                       count);
+      return WordsOfRecordingsText::tr(
+          "Its index names %1 messages that are not there (the first at byte %2).", nullptr, count);
     case ReasonCode::RecordingRecordsTooLarge:
-      return WordsOfRecordingsText::tr("%1 descriptions in it are too large (the first at byte %2). They are skipped.",
-                       nullptr, count);
+      return WordsOfRecordingsText::tr(
+          "%1 descriptions in it are too large (the first at byte %2). They are skipped.", nullptr, count);
     case ReasonCode::RecordingRecordsCorrupt:
-      return WordsOfRecordingsText::tr("%1 descriptions in it cannot be read (the first at byte %2). They are skipped.",
-                       nullptr, count);
+      return WordsOfRecordingsText::tr(
+          "%1 descriptions in it cannot be read (the first at byte %2). They are skipped.", nullptr, count);
     case ReasonCode::RecordingChannelsUnknown:
       return WordsOfRecordingsText::tr(
           "%1 messages are of topics that it does not describe (the first at byte %2). They are skipped.",
@@ -111,7 +114,8 @@ QString ofMessages(ReasonCode code) {
     case ReasonCode::RosSchemaMissing:
       return WordsOfRecordingsText::tr("The recording does not say what a message of type %1 is made of.");
     case ReasonCode::RosEncodingUnknown:
-      return WordsOfRecordingsText::tr("Messages in the encoding \"%1\" with definitions in \"%2\" cannot be read here.");
+      return WordsOfRecordingsText::tr(
+          "Messages in the encoding \"%1\" with definitions in \"%2\" cannot be read here.");
     case ReasonCode::RosMessageOtherwise:
       return WordsOfRecordingsText::tr("The message is not encoded as the recording says (%1).");
     case ReasonCode::RosMessageCutOff:
@@ -119,7 +123,8 @@ QString ofMessages(ReasonCode code) {
     case ReasonCode::RosMessageTooLarge:
       return WordsOfRecordingsText::tr("The message is larger than can be read, at its field \"%1\".");
     case ReasonCode::RosMessageWideText:
-      return WordsOfRecordingsText::tr("The message has a text of wide characters (\"%1\"), which cannot be read here.");
+      return WordsOfRecordingsText::tr(
+          "The message has a text of wide characters (\"%1\"), which cannot be read here.");
     default:
       return {};
   }
@@ -128,7 +133,7 @@ QString ofMessages(ReasonCode code) {
 }  // namespace
 
 QString wordsOfRecordings(ReasonCode code, int count) {
-  QString text = ofFiles(code);
+  QString text = ofRecordings(code);
   if (text.isEmpty()) text = ofDamage(code, count);
   if (text.isEmpty()) text = ofMessages(code);
   return text;

@@ -30,9 +30,11 @@ QString ofRos(ReasonCode code, int count) {
     case ReasonCode::RosGridEmpty:
       return WordsOfRosText::tr("It has no cells: it is %1 x %2.");
     case ReasonCode::RosTurnIsZero:
-      return WordsOfRosText::tr("Its orientation is no rotation (a zero quaternion). It is shown with yaw 0.");
+      return WordsOfRosText::tr(
+          "Its orientation is no rotation (a zero quaternion). It is shown with yaw 0.");
     case ReasonCode::RosCellsOutOfRange:
-      return WordsOfRosText::tr("%1 cells are neither -1 nor 0 to 100. They are shown as unknown.", nullptr, count);
+      return WordsOfRosText::tr("%1 cells are neither -1 nor 0 to 100. They are shown as unknown.", nullptr,
+                                count);
     case ReasonCode::PictureShownOtherwise:
       return WordsOfRosText::tr(
           "The robot has taken the picture, but shows %1 cells otherwise than they were sent. Compare both.",
@@ -51,9 +53,11 @@ QString ofRos(ReasonCode code, int count) {
           "come "
           "by, so these may come late while a map is sent.");
     case ReasonCode::RosFrameUnknown:
-      return WordsOfRosText::tr("The robot has sent no transform of the frame %1 yet, so it cannot be placed.");
+      return WordsOfRosText::tr(
+          "The robot has sent no transform of the frame %1 yet, so it cannot be placed.");
     case ReasonCode::RosFramesApart:
-      return WordsOfRosText::tr("No transforms connect the frame %1 to the frame %2, so it cannot be placed.");
+      return WordsOfRosText::tr(
+          "No transforms connect the frame %1 to the frame %2, so it cannot be placed.");
     case ReasonCode::RosTransformTooOld:
       return WordsOfRosText::tr(
           "It is older than the transforms of %1 in %2 that are kept, so it cannot be placed. The clocks of "
@@ -88,7 +92,8 @@ QString ofTopics(ReasonCode code) {
           "Nothing has come by it. Its map has been asked for by the service %1, and is shown as it was "
           "then.");
     case ReasonCode::MapServiceFailed:
-      return WordsOfRosText::tr("The map could not be had by the service %1 either: %2. It will be asked for again.");
+      return WordsOfRosText::tr(
+          "The map could not be had by the service %1 either: %2. It will be asked for again.");
     case ReasonCode::PoseSourceAway:
       return WordsOfRosText::tr(
           "The rosbridge that tells where the robot is cannot be reached at %1: %2. Maps and waypoints come "

@@ -27,11 +27,13 @@ QString ofSubmaps(ReasonCode code, int count) {
     case ReasonCode::VersionCannotBePlaced:
       return WordsOfSubmapsText::tr("Version %1 cannot be placed");
     case ReasonCode::RowWithoutNumbers:
-      return WordsOfSubmapsText::tr("Row %1 has no usable trajectory_id, submap_index or submap_version. Left out.");
+      return WordsOfSubmapsText::tr(
+          "Row %1 has no usable trajectory_id, submap_index or submap_version. Left out.");
     case ReasonCode::ListedTwice:
       return WordsOfSubmapsText::tr("It is listed twice. Counted once.");
     case ReasonCode::ListedTwiceUnlike:
-      return WordsOfSubmapsText::tr("It is listed twice, differently. The highest version with a usable pose is used.");
+      return WordsOfSubmapsText::tr(
+          "It is listed twice, differently. The highest version with a usable pose is used.");
     case ReasonCode::VersionWentBack:
       return WordsOfSubmapsText::tr(
           "Its version went back from %1 to %2. The newer picture stays unless the robot insists.");
@@ -42,7 +44,8 @@ QString ofSubmaps(ReasonCode code, int count) {
           "The robot has not sent one yet. It may have no SLAM session, or its firmware may not know the "
           "topic %1. Still listening.");
     case ReasonCode::SlicePoseUnusable:
-      return WordsOfSubmapsText::tr("its slice pose is not usable (a number that is not finite, or a zero quaternion)");
+      return WordsOfSubmapsText::tr(
+          "its slice pose is not usable (a number that is not finite, or a zero quaternion)");
     case ReasonCode::OneSlice:
       return WordsOfSubmapsText::tr("slice %1");
     case ReasonCode::VersionBroken:
@@ -52,7 +55,8 @@ QString ofSubmaps(ReasonCode code, int count) {
     case ReasonCode::EmptyAnswer:
       return WordsOfSubmapsText::tr("The robot sent an empty answer.");
     case ReasonCode::AnswerIsNoSubmap:
-      return WordsOfSubmapsText::tr("The robot's answer (%1 bytes) is cut off or is not a submap.", nullptr, count);
+      return WordsOfSubmapsText::tr("The robot's answer (%1 bytes) is cut off or is not a submap.", nullptr,
+                                    count);
     case ReasonCode::RobotAnswered:
       return WordsOfSubmapsText::tr("The robot answered %1");
     case ReasonCode::MemoryUsedUp:
@@ -71,7 +75,8 @@ QString ofCells(ReasonCode code, int count) {
     case ReasonCode::BytesTooMany:
       return WordsOfSubmapsText::tr("more than %1 bytes where %2 (or %3) were expected");
     case ReasonCode::CellFormatUnknown:
-      return WordsOfSubmapsText::tr("cell format %1 is unknown: with one byte a cell only 0, 1 and 2 can be read");
+      return WordsOfSubmapsText::tr(
+          "cell format %1 is unknown: with one byte a cell only 0, 1 and 2 can be read");
     case ReasonCode::GzipDamaged:
       return WordsOfSubmapsText::tr("the gzip data is damaged or cut off");
     case ReasonCode::ZlibDamaged:
@@ -106,12 +111,14 @@ QString ofCells(ReasonCode code, int count) {
 QString ofMessages(ReasonCode code, int count) {
   switch (code) {
     case ReasonCode::MessageNotJson:
-      return WordsOfSubmapsText::tr("A message of %1 bytes is not a JSON object. It was left out.", nullptr, count);
+      return WordsOfSubmapsText::tr("A message of %1 bytes is not a JSON object. It was left out.", nullptr,
+                                    count);
     case ReasonCode::BinaryTooShort:
-      return WordsOfSubmapsText::tr("A binary message of %1 bytes is too short to be read. It was left out.", nullptr,
-                       count);
+      return WordsOfSubmapsText::tr("A binary message of %1 bytes is too short to be read. It was left out.",
+                                    nullptr, count);
     case ReasonCode::NotUnpacked:
-      return WordsOfSubmapsText::tr("A compressed message could not be unpacked. What was shown before stays.");
+      return WordsOfSubmapsText::tr(
+          "A compressed message could not be unpacked. What was shown before stays.");
     case ReasonCode::BinaryWithoutPoints:
       return WordsOfSubmapsText::tr("A binary message holds no points that can be read.");
     case ReasonCode::BinaryWithoutList:

@@ -121,3 +121,5 @@ void Catalogue::askForThumbnails() {
 }
 
 }  // namespace mapwright::session
+
+#include "moc_catalogue.cpp"

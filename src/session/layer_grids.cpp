@@ -111,3 +111,5 @@ void LayerGrids::clear() {
 }
 
 }  // namespace mapwright::session
+
+#include "moc_layer_grids.cpp"

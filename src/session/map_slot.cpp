@@ -305,3 +305,5 @@ void MapSlot::setWaypoints(map::WaypointList waypoints) {
 }
 
 }  // namespace mapwright::session
+
+#include "moc_map_slot.cpp"

@@ -154,13 +154,14 @@ QString ProblemLog::toText(const QDateTime& now) const {
           ProblemLogText::tr("%1 times since %2").arg(row.count).arg(row.first.toString(Qt::ISODate)));
     }
     if (row.resolved)
-      text += QStringLiteral("  (%1)").arg(ProblemLogText::tr("resolved after %1").arg(spanText(row.lastedMs(now))));
+      text += QStringLiteral("  (%1)").arg(
+          ProblemLogText::tr("resolved after %1").arg(spanText(row.lastedMs(now))));
     text += QLatin1Char('\n');
   }
   if (forgotten_ > 0) {
-    text += sentences::counted(
-                ProblemLogText::tr("%1 older problems are not kept.", nullptr, sentences::formOf(qint64(forgotten_))),
-                qint64(forgotten_)) +
+    text += sentences::counted(ProblemLogText::tr("%1 older problems are not kept.", nullptr,
+                                                  sentences::formOf(qint64(forgotten_))),
+                               qint64(forgotten_)) +
             QLatin1Char('\n');
   }
   return text;

@@ -40,3 +40,5 @@ void SafetyWatch::look() {
 }
 
 }  // namespace mapwright::session
+
+#include "moc_safety_watch.cpp"

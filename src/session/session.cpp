@@ -241,3 +241,5 @@ SubmapCounts Session::counts() const {
 }
 
 }  // namespace mapwright::session
+
+#include "moc_session.cpp"

@@ -395,3 +395,5 @@ void Submaps::setView(const geometry::WorldRect& visible_world, const Eigen::Vec
 }
 
 }  // namespace mapwright::session
+
+#include "moc_submaps.cpp"

@@ -14,8 +14,8 @@ namespace mapwright::simulator {
 namespace {
 
 constexpr std::string_view kPrefix = "/rpc/aimdk.protocol.";
-constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr int kPoints = 9;
+constexpr double kDegreesOfTurn = 180 / std::numbers::pi;
+constexpr int kNavigationPoints = 9;
 constexpr int kMisplacedPoint = 4;  // whose pixel_pose does not fit its pose
 constexpr double kMisplacedPixels = 6;
 
@@ -92,7 +92,7 @@ void appendNavigationPoint(std::string& out, int number, const geometry::Pose2& 
   appendNumber(out, R"(,"pixel_pose":{"position":{"u":)",
                std::round(frame.origin_u + x * frame.per_metre + off));
   appendNumber(out, ",\"v\":", std::round(frame.origin_v - y * frame.per_metre));
-  appendNumber(out, "},\"angle\":", std::round(pose.yaw_rad * kDegrees * 10) / 10);
+  appendNumber(out, "},\"angle\":", std::round(pose.yaw_rad * kDegreesOfTurn * 10) / 10);
   appendNumber(out, R"(},"pose":{"position":{"x":)", x);
   appendNumber(out, ",\"y\":", y);
   out += ",\"z\":0}}}";
@@ -210,9 +210,9 @@ std::string AimdkRoutes::topoMessages(std::string_view body) {
   if (!picture) return error(-1, "There is no topology for this map.");
   const PixelFrame frame = frameOf(*picture);
   std::string out = R"({"data":{"points":[)";
-  for (int i = 1; i <= kPoints; ++i) {
+  for (int i = 1; i <= kNavigationPoints; ++i) {
     if (i > 1) out += ',';
-    appendNavigationPoint(out, i, way->drive.at(way->drive.length_m() * i / (kPoints + 1)), frame);
+    appendNavigationPoint(out, i, way->drive.at(way->drive.length_m() * i / (kNavigationPoints + 1)), frame);
   }
   return out + R"(],"paths":[],"regions":[]}})";
 }

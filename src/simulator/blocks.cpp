@@ -7,7 +7,6 @@
 namespace mapwright::simulator {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kFacadeM = 0.24;
 constexpr Gap kMainLane{18.8, 21.2};
 constexpr Gap kWestLane{0.2, 2.6}, kEastLane{57.4, 59.8};
@@ -138,7 +137,7 @@ Block drawHall(const BlockRequest& request) {
     const double size = d.dice.uniform(0.6, 1.3);
     const double x = d.dice.uniform(3.5, 56.5);
     const double y = i % 3 == 0 ? 0.9 : i % 3 == 1 ? 39.1 : d.dice.chance(0.5) ? 18.4 : 21.6;
-    d.box(x, y, size, 0.8, d.dice.chance(0.2) ? d.dice.uniform(0, kPi) : 0);
+    d.box(x, y, size, 0.8, d.dice.chance(0.2) ? d.dice.uniform(0, std::numbers::pi) : 0);
   }
 
   Block block;

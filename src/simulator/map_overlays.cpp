@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-void appendPoint(std::string& out, const Vector2d& point) {
+void appendPlace(std::string& out, const Vector2d& point) {
   out += '[';
   appendJsonFixed(out, point.x(), 3);
   out += ',';
@@ -23,11 +23,11 @@ void appendPoint(std::string& out, const Vector2d& point) {
   out += ']';
 }
 
-void appendPoints(std::string& out, const std::vector<Vector2d>& points) {
+void appendPlaces(std::string& out, const std::vector<Vector2d>& points) {
   out += '[';
   for (const Vector2d& point : points) {
     if (out.back() != '[') out += ',';
-    appendPoint(out, point);
+    appendPlace(out, point);
   }
   out += ']';
 }
@@ -46,17 +46,17 @@ class Collection {
   }
   void point(const geometry::Pose2& at, const std::string& properties, bool with_id = true) {
     std::string coordinates;
-    appendPoint(coordinates, {at.x_m, at.y_m});
+    appendPlace(coordinates, {at.x_m, at.y_m});
     add("Point", coordinates, properties, with_id);
   }
   void line(const std::vector<Vector2d>& points, const std::string& properties) {
     std::string coordinates;
-    appendPoints(coordinates, points);
+    appendPlaces(coordinates, points);
     add("LineString", coordinates, properties);
   }
   void ring(const std::vector<Vector2d>& points, const std::string& properties) {
     std::string coordinates = "[";
-    appendPoints(coordinates, points);
+    appendPlaces(coordinates, points);
     add("Polygon", coordinates + "]", properties);
   }
   std::string finished() const { return R"({"type":"FeatureCollection","features":[)" + text_ + "]}"; }
@@ -162,12 +162,12 @@ std::string overlaysAlong(const Scene& scene, int id) {
   }
   // A ring with a hole, a collection of shapes that no robot draws, and a feature without a place.
   std::string with_hole = "[";
-  appendPoints(with_hole, box(at(37), 2.4, 1.8));
+  appendPlaces(with_hole, box(at(37), 2.4, 1.8));
   with_hole += ',';
-  appendPoints(with_hole, box(at(37), 1.0, 0.6));
+  appendPlaces(with_hole, box(at(37), 1.0, 0.6));
   all.add("Polygon", with_hole + "]", R"("regionType":1,"name":"With a hole")");
   std::string many;
-  appendPoints(many, {at(38).apply({0, 0}), at(39).apply({0, 0})});
+  appendPlaces(many, {at(38).apply({0, 0}), at(39).apply({0, 0})});
   all.add("MultiPoint", many, R"("type":25,"future":{"a":[1,2,{"b":null}]})");
   all.add("Polygon", "[]", R"("regionType":1,"name":"Empty")");
   return all.finished();

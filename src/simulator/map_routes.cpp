@@ -10,8 +10,6 @@
 namespace mapwright::simulator {
 namespace {
 
-constexpr std::size_t kLongestName = 255;
-
 void appendFaultyGrid(std::string& out, const MapPicturePtr& picture, const std::string& fault) {
   const std::size_t from = out.size();
   appendGrid(out, picture);
@@ -73,7 +71,7 @@ HttpAnswer MapRoutes::create(const HttpQuestion& question) {
     if (!task) return jsonAnswer(400, jsonDetail("mapping_id: there is no such mapping task."));
     if (!task->wish) return jsonAnswer(400, jsonDetail("mapping_id: this mapping task made no map."));
     const std::optional<std::string> name = fields->text("map_name");
-    if (!name || name->empty() || name->size() > kLongestName)
+    if (!name || name->empty() || name->size() > kLongestMapName)
       return jsonAnswer(400, jsonDetail("map_name: must be a text of 1 to 255 bytes."));
     map.name = *name;
     map.wish = task->wish;
@@ -132,7 +130,7 @@ HttpAnswer MapRoutes::change(const StoredMap& map, const HttpQuestion& question)
   const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
   if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
   MapPatch patch{fields->text("map_name"), fields->text("overlays")};
-  if (fields->has("map_name") && (!patch.name || patch.name->empty() || patch.name->size() > kLongestName))
+  if (fields->has("map_name") && (!patch.name || patch.name->empty() || patch.name->size() > kLongestMapName))
     return jsonAnswer(400, jsonDetail("map_name: must be a text of 1 to 255 bytes."));
   if (fields->has("overlays") && (!patch.overlays || !isOverlays(*patch.overlays)))
     return jsonAnswer(400, jsonDetail("overlays: must be the text of a GeoJSON FeatureCollection."));

@@ -15,7 +15,6 @@ namespace {
 constexpr std::uint32_t kLongestEdge = 20'000;
 constexpr double kMostPixels = 32e6;
 constexpr std::uint8_t kUnknown = 128;
-constexpr std::size_t kLongestName = 255;
 
 using Context = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
 
@@ -121,7 +120,7 @@ tl::expected<StoredMap, std::string> readMapUpload(const RequestFields& fields) 
   }
   StoredMap map;
   const std::optional<std::string> name = fields.text("map_name");
-  if (!name || name->empty() || name->size() > kLongestName)
+  if (!name || name->empty() || name->size() > kLongestMapName)
     return fail("map_name: must be a text of 1 to 255 bytes.");
   map.name = *name;
   const std::optional<double> x = fields.number("grid_origin_x"), y = fields.number("grid_origin_y"),
@@ -146,7 +145,7 @@ tl::expected<StoredMap, std::string> readMapUpload(const RequestFields& fields) 
   map.overlays_version = *overlays_version;
   if (fields.has("uid")) {
     const std::optional<std::string> uid = fields.text("uid");
-    if (!uid || uid->empty() || uid->size() > kLongestName)
+    if (!uid || uid->empty() || uid->size() > kLongestMapName)
       return fail("uid: must be a text of 1 to 255 bytes.");
     map.uid = *uid;
   }

@@ -12,6 +12,8 @@
 
 namespace mapwright::simulator {
 
+inline constexpr std::size_t kLongestMapName = 255;
+
 /// The error is a sentence for the client.
 tl::expected<StoredMap, std::string> readMapUpload(const RequestFields& fields);
 

@@ -16,24 +16,24 @@ constexpr double kTrailStepM = 0.5;
 constexpr int kMostTrailPoints = 4000;
 
 /// The part of a drive that made a map.
-struct Way {
+struct DrivenWay {
   const Drive* drive = nullptr;
   double from_m = 0, to_m = 0;
   double length_m() const { return to_m - from_m; }
 };
 
-std::optional<Way> wayOf(const Scene& scene, const std::optional<PictureWish>& wish) {
+std::optional<DrivenWay> wayOf(const Scene& scene, const std::optional<PictureWish>& wish) {
   for (const Trajectory& trajectory : scene.trajectories) {
     if (!wish || trajectory.id != wish->trajectory) continue;
     const double to_m =
         wish->scans < 0 ? trajectory.drive.length_m() : wish->from_m + kScanStepM * wish->scans;
-    return Way{&trajectory.drive, wish->from_m, to_m};
+    return DrivenWay{&trajectory.drive, wish->from_m, to_m};
   }
   return std::nullopt;
 }
 
 /// The way that made the map, in two parts as after a pause.
-std::string trajectoriesJson(const Way& way) {
+std::string trajectoriesJson(const DrivenWay& way) {
   const double length = way.length_m();
   const double step = std::max(kTrailStepM, length / kMostTrailPoints);
   std::string out = "[";
@@ -51,7 +51,7 @@ std::string trajectoriesJson(const Way& way) {
   return out + "]";
 }
 
-std::string landmarksJson(const Way& way) {
+std::string landmarksJson(const DrivenWay& way) {
   std::string out = "[";
   for (int i = 0; i < 6; ++i) {
     if (i > 0) out += ',';
@@ -154,7 +154,7 @@ HttpAnswer MappingRoutes::task(std::string_view rest, const HttpQuestion& questi
       part != ".pbstream")
     return notFound();
   if (auto refused = refusedMethod(question, "GET")) return *refused;
-  const std::optional<Way> way = wayOf(library_.scene(), task->wish);
+  const std::optional<DrivenWay> way = wayOf(library_.scene(), task->wish);
   if (!way) return jsonAnswer(404, jsonDetail("This mapping task made no map."));
   if (part == "/trajectories.json") return jsonAnswer(200, trajectoriesJson(*way));
   if (part == "/landmarks.json") return jsonAnswer(200, landmarksJson(*way));

@@ -13,7 +13,7 @@ namespace mapwright::simulator {
 namespace {
 
 constexpr double kActionM = 40;  // one move action after the other, each so long
-constexpr double kPathStepM = 0.25, kLocalPathM = 3, kTrailM = 60, kTrailStepM = 0.5;
+constexpr double kPathStepM = 0.25, kLocalPathM = 3, kTrailM = 60, kOwnTrailStepM = 0.5;
 constexpr double kArrivedM = 0.8;
 
 /// Metres to the current action's target.
@@ -62,7 +62,7 @@ std::string localPath(const RobotState& state) {
 std::string trajectory(std::string_view topic, const RobotState& state) {
   const double length = std::min(kTrailM, state.drivenMetres() + 4);
   std::vector<Eigen::Vector2d> points;
-  for (double s = -length; s < 0; s += kTrailStepM) {
+  for (double s = -length; s < 0; s += kOwnTrailStepM) {
     const geometry::Pose2 pose = state.poseAhead(s);
     points.emplace_back(pose.x_m, pose.y_m);
   }

@@ -10,7 +10,7 @@
 namespace mapwright::simulator {
 namespace {
 
-constexpr int kDeflateLevel = 1;
+constexpr int kPngDeflateLevel = 1;
 constexpr std::size_t kHeaderAt = 8;      // behind the signature
 constexpr std::size_t kHeaderBytes = 13;  // of IHDR
 constexpr char kGray = 0, kRgb = 2;
@@ -28,7 +28,7 @@ void appendChunk(std::string& out, std::string_view type, std::string_view data)
   appendBig(out, libdeflate_crc32(0, out.data() + from, out.size() - from));
 }
 
-struct CompressorDeleter {
+struct PngCompressorDeleter {
   void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
 };
 
@@ -63,8 +63,8 @@ std::string assemble(int width, int height, int bits, char colours, const std::s
   header += colours;
   header.append(3, '\0');  // deflate, adaptive filtering, not interlaced
 
-  const std::unique_ptr<libdeflate_compressor, CompressorDeleter> compressor(
-      libdeflate_alloc_compressor(kDeflateLevel));
+  const std::unique_ptr<libdeflate_compressor, PngCompressorDeleter> compressor(
+      libdeflate_alloc_compressor(kPngDeflateLevel));
   if (!compressor) return {};
   std::string data(libdeflate_zlib_compress_bound(compressor.get(), rows.size()), '\0');
   data.resize(libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), data.data(), data.size()));

@@ -20,7 +20,7 @@ constexpr std::int64_t kPrepared = 8;
 constexpr std::size_t kMostKept = 64;
 constexpr int kMostPoints = 1'000'000;
 constexpr float kBinaryResolutionM = 0.001F;
-constexpr std::string_view kPoints = "/scan_matched_points2", kPacked = "/left_laser_2d/matched",
+constexpr std::string_view kMatchedPoints = "/scan_matched_points2", kPacked = "/left_laser_2d/matched",
                            kSemantic = "/semantic_points";
 
 std::string header(std::string_view topic, double time_s) {
@@ -32,7 +32,7 @@ std::string header(std::string_view topic, double time_s) {
 }
 
 std::string pointsJson(const std::vector<LidarPoint>& points, double time_s) {
-  std::string out = header(kPoints, time_s);
+  std::string out = header(kMatchedPoints, time_s);
   out.reserve(out.size() + points.size() * 24);
   out += ",\"points\":[";
   bool first = true;
@@ -123,7 +123,7 @@ std::string pointsBinary(const std::vector<LidarPoint>& points, const geometry::
     intensities += static_cast<char>(point.intensity);
   }
   cloud.set_intensities(intensities);
-  return binaryMessage(kPoints, wrapper);
+  return binaryMessage(kMatchedPoints, wrapper);
 }
 
 /// What the lidar sees from where the robot is, put where it believes to be.
@@ -144,8 +144,8 @@ std::string scanMessage(const RobotState& state, int points, std::uint32_t seed)
 }
 
 std::optional<Frame> PointTopics::messageOf(std::string_view topic, bool binary) {
-  if (topic != kPoints && topic != kPacked && topic != kSemantic) return std::nullopt;
-  const bool as_binary = binary && topic == kPoints;
+  if (topic != kMatchedPoints && topic != kPacked && topic != kSemantic) return std::nullopt;
+  const bool as_binary = binary && topic == kMatchedPoints;
   const double hz = options_.scan_hz;
   const bool large = options_.points_per_scan > kLargeScan;
   auto number = static_cast<std::int64_t>(std::floor(state_.time() * hz));
@@ -161,9 +161,9 @@ std::optional<Frame> PointTopics::messageOf(std::string_view topic, bool binary)
       pointsNow(state_, std::min(options_.points_per_scan, kMostPoints), hashOf(options_.seed, 97, number));
   Frame frame =
       as_binary ? Frame{std::make_shared<const std::string>(pointsBinary(points, pose, number, time_s)), true}
-      : topic == kPoints ? textFrame(pointsJson(points, time_s))
-      : topic == kPacked ? textFrame(packedJson(points, time_s))
-                         : textFrame(semanticJson(points, time_s));
+      : topic == kMatchedPoints ? textFrame(pointsJson(points, time_s))
+      : topic == kPacked        ? textFrame(packedJson(points, time_s))
+                                : textFrame(semanticJson(points, time_s));
   made_[key] = frame;
   return frame;
 }

@@ -8,15 +8,15 @@
 namespace mapwright::simulator {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kDoorM = 1.0;
 constexpr double kPartitionM = 0.12;
 
 void furnishOffice(BlockDrawing& d, const Room& room) {
   const double back = room.depth - 0.55;
   for (double x = room.x0 + 1.0; x < room.x1 - 0.9; x += d.dice.uniform(1.9, 2.6)) {
-    d.desk(x, room.at(back), room.inward > 0 ? 0 : kPi);
-    if (room.depth > 6 && d.dice.chance(0.5)) d.desk(x, room.at(back - 2.2), room.inward > 0 ? 0 : kPi);
+    d.desk(x, room.at(back), room.inward > 0 ? 0 : std::numbers::pi);
+    if (room.depth > 6 && d.dice.chance(0.5))
+      d.desk(x, room.at(back - 2.2), room.inward > 0 ? 0 : std::numbers::pi);
   }
   const double side = d.dice.chance(0.5) ? room.x0 + 0.32 : room.x1 - 0.32;
   for (double t = 1.2; t < room.depth - 1.8; t += 0.95) {
@@ -45,7 +45,7 @@ void furnishStorage(BlockDrawing& d, const Room& room) {
   for (int i = 0; i < crates; ++i) {
     const double size = d.dice.uniform(0.3, 0.8);
     d.box(d.dice.uniform(room.x0 + 1, room.x1 - 1), room.at(d.dice.uniform(2.2, room.depth - 0.6)), size,
-          size * d.dice.uniform(0.6, 1.2), d.dice.uniform(0, kPi));
+          size * d.dice.uniform(0.6, 1.2), d.dice.uniform(0, std::numbers::pi));
   }
 }
 

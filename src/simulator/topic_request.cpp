@@ -5,7 +5,7 @@
 namespace mapwright::simulator {
 namespace {
 
-constexpr std::size_t kMostTopics = 256;
+constexpr std::size_t kMostTopicsAtOnce = 256;
 constexpr std::size_t kLongestTopic = 255;
 
 /// Appends the topics that a value names; a sentence when it cannot be used.
@@ -17,7 +17,7 @@ std::string appendTopics(simdjson::dom::element value, bool lists_allowed, std::
   } else if (value.get(list) == simdjson::SUCCESS) {
     if (!lists_allowed) return "A list of topics is not supported by this robot; enable them one by one.";
     for (const simdjson::dom::element one : list) {
-      if (one.get(name) != simdjson::SUCCESS || topics.size() >= kMostTopics) {
+      if (one.get(name) != simdjson::SUCCESS || topics.size() >= kMostTopicsAtOnce) {
         return "A list of topics holds something that is no topic.";
       }
       topics.emplace_back(name);

@@ -17,3 +17,5 @@ void BagTrack::show(std::shared_ptr<const Track> track) {
 }
 
 }  // namespace mapwright::scene
+
+#include "moc_bag_track.cpp"

@@ -17,11 +17,6 @@ namespace {
 constexpr double kNameFromMPerPx = 0.12;  // names appear when a pixel is no larger than this
 constexpr int kLongestName = 40;
 
-QColor translucent(QColor color, int alpha) {
-  color.setAlpha(alpha);
-  return color;
-}
-
 QColor opaque(QColor color) { return translucent(color, 255); }
 
 QPolygonF toPolygon(const geometry::ViewTransform& view, const std::vector<Eigen::Vector2d>& world) {

@@ -11,11 +11,6 @@ namespace {
 
 constexpr int kTileEdge = 256;  // of the renderer's tiles
 
-QColor translucent(QColor color, int alpha) {
-  color.setAlpha(alpha);
-  return color;
-}
-
 }  // namespace
 
 RasterLayer::RasterLayer(const LayerContext& context, render::GridRenderer& renderer)

@@ -16,6 +16,12 @@
 
 namespace mapwright::scene {
 
+/// `alpha`: 0 … 255.
+inline QColor translucent(QColor color, int alpha) {
+  color.setAlpha(alpha);
+  return color;
+}
+
 /// A picture of cells: a whole map, a costmap, a difference.
 class RasterLayer : public DeviceLayer {
  public:

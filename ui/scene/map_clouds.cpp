@@ -361,3 +361,5 @@ void MapClouds::write(const QString& path, std::function<void(tl::expected<std::
 }
 
 }  // namespace mapwright::scene
+
+#include "moc_map_clouds.cpp"

@@ -9,7 +9,7 @@
 namespace mapwright::scene {
 namespace {
 
-constexpr int kTileEdge = 256;  // of the renderer's tiles
+constexpr int kMapTileEdge = 256;  // of the renderer's tiles
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void TileLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
     // What shows through a finished tile is what lies below the layer, not what stood in for it.
     QRegion open(exposed.toAlignedRect());
     for (const render::DrawnTile& tile : finished) {
-      open -= QRect(int(tile.to_viewport.dx()), int(tile.to_viewport.dy()), kTileEdge, kTileEdge);
+      open -= QRect(int(tile.to_viewport.dx()), int(tile.to_viewport.dy()), kMapTileEdge, kMapTileEdge);
     }
     painter.save();
     painter.setClipRegion(open, Qt::IntersectClip);

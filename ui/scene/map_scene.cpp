@@ -448,3 +448,5 @@ bool MapScene::cloudsSettled() const {
 void MapScene::setStale(bool stale) { impl_->stale->setVisible(stale); }
 
 }  // namespace mapwright::scene
+
+#include "moc_map_scene.cpp"

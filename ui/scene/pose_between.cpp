@@ -21,3 +21,5 @@ std::optional<geometry::Pose2> poseDrawn(const MapScene& scene) {
 }
 
 }  // namespace mapwright::scene
+
+#include "moc_pose_between.cpp"

@@ -293,3 +293,5 @@ std::optional<render::PlacedGrid> RasterStack::wholeMap() const { return whole_.
 std::optional<render::PlacedGrid> RasterStack::comparedMap() const { return compared_.renderer->grid(); }
 
 }  // namespace mapwright::scene
+
+#include "moc_raster_stack.cpp"

@@ -30,3 +30,5 @@ void RegionsOnMap::setExtent(const std::optional<map::GridReference>& extent) {
 }
 
 }  // namespace mapwright::scene
+
+#include "moc_regions_on_map.cpp"

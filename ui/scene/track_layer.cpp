@@ -148,11 +148,12 @@ void TrackLayer::paintLegend(QPainter& painter, const QRectF& exposed) const {
   const QFontMetricsF metrics(context_.theme.label_font);
   const std::vector<QColor> colors = trackColors(scale_.choice, context_.theme);
   const bool qualities = scale_.choice == TrackChoice::Quality;
-  const QStringList names = qualities ? QStringList{TrackLayerText::tr("unknown"), TrackLayerText::tr("poor or lost"),
-                                                    TrackLayerText::tr("fair"), TrackLayerText::tr("good")}
-                            : scale_.choice == TrackChoice::Time
-                                ? QStringList{durationText(0), durationText(scale_.most)}
-                                : QStringList{QStringLiteral("0"), TrackLayerText::tr("%1 m/s").arg(scale_.most)};
+  const QStringList names =
+      qualities ? QStringList{TrackLayerText::tr("unknown"), TrackLayerText::tr("poor or lost"),
+                              TrackLayerText::tr("fair"), TrackLayerText::tr("good")}
+      : scale_.choice == TrackChoice::Time
+          ? QStringList{durationText(0), durationText(scale_.most)}
+          : QStringList{QStringLiteral("0"), TrackLayerText::tr("%1 m/s").arg(scale_.most)};
   const double line = std::ceil(metrics.height());
   const double swatch = kBarHeight + 6;
   double width = kBarPx;

@@ -11,16 +11,16 @@
 namespace mapwright::scene {
 namespace {
 
-constexpr double kNameFromMPerPx = 0.12;  // names appear when a pixel is no larger than this
-constexpr int kLongestName = 40;
+constexpr double kWaypointNameFromMPerPx = 0.12;  // names appear when a pixel is no larger than this
+constexpr int kLongestWaypointName = 40;
 constexpr double kRadiusPx = 5;
 constexpr std::size_t kCrowd = 500;  // of so many, those that would hide each other are drawn once
 constexpr double kCrowdPx = 4;
 constexpr std::size_t kWaypointMarks = std::size_t(WaypointMark::Theirs) + 1;
 
-QString shortName(const std::string& name) {
+QString shortWaypointName(const std::string& name) {
   const QString text = words::plainName(name);
-  return text.size() > kLongestName ? text.left(kLongestName - 1) + QChar(0x2026) : text;
+  return text.size() > kLongestWaypointName ? text.left(kLongestWaypointName - 1) + QChar(0x2026) : text;
 }
 
 QColor colorOf(const MapTheme& theme, WaypointMark mark) {
@@ -140,7 +140,7 @@ void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
   const geometry::ViewTransform& view = context_.view;
   const MapTheme& theme = context_.theme;
   const QRectF seen = QRectF(0, 0, view.width_px, view.height_px).adjusted(-220, -20, 20, 20);
-  const bool crowd = points_.size() > kCrowd && view.scale_m_per_px > kNameFromMPerPx;
+  const bool crowd = points_.size() > kCrowd && view.scale_m_per_px > kWaypointNameFromMPerPx;
   // Many that are in the hand, or have just been moved, tell neither headings nor whence they came.
   std::size_t special_seen = 0;
   for (const DrawnWaypoint& point : points_)
@@ -178,10 +178,10 @@ void WaypointsLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
         drawHeading(*painter, context_, at, *point.yaw_rad, color);
       paintWaypointMark(*painter, at, kRadiusPx, point.mark, color, theme.text_halo);
       if (point.warned) paintWarning(*painter, theme, at);
-      if (view.scale_m_per_px <= kNameFromMPerPx) {
+      if (view.scale_m_per_px <= kWaypointNameFromMPerPx) {
         const double reach = point.selected ? 11 : kRadiusPx;
         drawName(*painter, context_, QRectF(at - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach)),
-                 shortName(point.name), theme.text);
+                 shortWaypointName(point.name), theme.text);
       }
     }
   }

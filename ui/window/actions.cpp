@@ -174,3 +174,5 @@ QString shortcutsText(const QAction& action) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_actions.cpp"

@@ -83,3 +83,5 @@ void CurrentSession::leave() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_current_session.cpp"

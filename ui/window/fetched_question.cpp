@@ -49,3 +49,5 @@ void FetchedQuestion::saveFrom(std::size_t at) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_fetched_question.cpp"

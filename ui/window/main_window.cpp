@@ -337,3 +337,5 @@ std::optional<QString> MainWindow::saveMapPicture(const QString& path) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_main_window.cpp"

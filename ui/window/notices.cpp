@@ -37,3 +37,5 @@ void Notices::show() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_notices.cpp"

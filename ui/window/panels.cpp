@@ -147,3 +147,5 @@ void Panels::suggest(QDockWidget* dock) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_panels.cpp"

@@ -66,3 +66,5 @@ void UnsavedChanges::whenMayLeaveRobot(std::function<void()> then) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_unsaved_changes.cpp"

@@ -35,3 +35,5 @@ void Viewpoint::lookAt(const geometry::WorldRect& world) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_viewpoint.cpp"

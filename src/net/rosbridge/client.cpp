@@ -461,3 +461,5 @@ std::optional<std::string> Client::topicOf(const QString& subscription_id) const
 quint64 Client::oddities() const { return impl_->oddities(); }
 
 }  // namespace mapwright::net::rosbridge
+
+#include "moc_client.cpp"

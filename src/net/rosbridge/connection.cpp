@@ -112,3 +112,5 @@ void Connection::tellOfLosses() {
 }
 
 }  // namespace mapwright::net::rosbridge
+
+#include "moc_connection.cpp"

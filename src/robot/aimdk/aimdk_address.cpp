@@ -31,12 +31,13 @@ ParsedAddress parse(const QString& rest) {
   const auto options = address.options.queryItems(QUrl::FullyDecoded);
   for (const auto& [name, value] : options) {
     if (name != QLatin1String("tf") || !usable(QUrl(value, QUrl::StrictMode)) || options.size() > 1) {
-      return error(
-          AimdkAddressText::tr("The address of an Agibot robot may only have ?tf=ws://HOST:9090 (its rosbridge) after "
-                    "the host."));
+      return error(AimdkAddressText::tr(
+          "The address of an Agibot robot may only have ?tf=ws://HOST:9090 (its rosbridge) after "
+          "the host."));
     }
   }
-  if (url->hasFragment()) return error(AimdkAddressText::tr("The address of an Agibot robot has no part after #."));
+  if (url->hasFragment())
+    return error(AimdkAddressText::tr("The address of an Agibot robot has no part after #."));
   url->setQuery(QString());
   address.url = *url;
   address.text = QStringLiteral("aimdk+") + url->toString();

@@ -17,13 +17,9 @@ constexpr const char* kWholeMap = "aimdk.protocol.MappingService/Get2DWholeMap";
 constexpr const char* kTopology = "aimdk.protocol.LocalizationService/GetTopoMsgs";
 constexpr qint64 kMaxAnswerBytes = qint64(384) << 20;  // 256 MB of picture as base64
 
-std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
-
 bool knowsNoSuchCall(int status) { return status == 404 || status == 405 || status == 501; }
 
 map::Subject catalogueSubject(const char* part) { return {map::SubjectKind::Catalogue, part}; }
-
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
 
 /// The answer came (2xx) and holds something else.
 map::Failure said(const net::HttpAnswer& answer, map::Subject subject, const RpcError& error) {
@@ -105,7 +101,7 @@ void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
   parcel.name = "/aimdk/" + std::string(call.substr(call.rfind('/') + 1));
   parcel.encoding = "json";
   parcel.slot = parcel.name;
-  parcel.bytes = view(*body);
+  parcel.bytes = wire::view(*body);
   parcel.held_bytes = std::size_t(body->size());
   parcel.keeps = body;
   parcel.received_s =
@@ -162,7 +158,7 @@ void AimdkLink::attempt() {
     if (answer.kind == net::HttpAnswer::Kind::Cancelled) return;
     asking_ = 0;
     deliver(kMapNames, answer);
-    const auto maps = parseMapNames(view(answer.body));
+    const auto maps = parseMapNames(wire::view(answer.body));
     if (answer.ok() && maps) {
       hear();
       goOnline();
@@ -208,7 +204,7 @@ void AimdkLink::poll() {
     const bool was_silent = silent_since_.has_value();
     hear();
     if (was_silent) enter(phase_);
-    if (answer.ok()) noteCurrent(parseCurrentMap(view(answer.body)).value_or(std::string()));
+    if (answer.ok()) noteCurrent(parseCurrentMap(wire::view(answer.body)).value_or(std::string()));
     timer_->start(options_.poll_every);
   });
 }
@@ -266,8 +262,8 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
   wire::send(errand, *http_, request(kMapNames, mapNamesRequest(), options_.patience),
              [this, errand, reply](const net::HttpAnswer& answer) {
                deliver(kMapNames, answer);
-               auto maps =
-                   outcomeOf(answer, catalogueSubject(map::kMapsPart), parseMapNames(view(answer.body)));
+               auto maps = outcomeOf(answer, catalogueSubject(map::kMapsPart),
+                                     parseMapNames(wire::view(answer.body)));
                if (!maps) {
                  reply(fail(maps.error()));
                  return;
@@ -276,7 +272,7 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
                           [this, reply, entries = std::move(*maps)](const net::HttpAnswer& current) mutable {
                             deliver(kCurrentMap, current);
                             const auto id = outcomeOf(current, catalogueSubject(map::kCurrentMapPart),
-                                                      parseCurrentMap(view(current.body)));
+                                                      parseCurrentMap(wire::view(current.body)));
                             if (!id && id.error().kind == map::FailureKind::Cancelled) {
                               reply(fail(id.error()));
                               return;
@@ -326,7 +322,8 @@ void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& ke
   wire::send(shared->errand, *http_, request(kWholeMap, wholeMapRequest(key.id), options_.map_patience),
              [this, key, shared, leave](const net::HttpAnswer& answer) {
                leave(shared);
-               auto parsed = outcomeOf(answer, map::subjectOf(key), parseWholeMap(view(answer.body), key));
+               auto parsed =
+                   outcomeOf(answer, map::subjectOf(key), parseWholeMap(wire::view(answer.body), key));
                if (parsed) {
                  parsed->map.body_bytes = std::size_t(answer.body.size());
                  frame_ = *parsed;
@@ -372,8 +369,10 @@ void AimdkLink::askPoints(const wire::ErrandPtr& errand, const map::MapKey& key,
              [this, key, reply = std::move(reply)](const net::HttpAnswer& answer) {
                deliver(kTopology, answer);
                const ParsedMap* frame = frame_ && frame_->map.key == key ? &*frame_ : nullptr;
-               reply(outcomeOf(answer, map::placesOf(key), parseTopology(view(answer.body), frame)));
+               reply(outcomeOf(answer, map::placesOf(key), parseTopology(wire::view(answer.body), frame)));
              });
 }
 
 }  // namespace mapwright::robot::aimdk
+
+#include "moc_aimdk_link.cpp"

@@ -143,3 +143,5 @@ Call Points::waypoints(const map::MapKey& key, OutcomeTo<map::WaypointList> repl
 }
 
 }  // namespace mapwright::robot::aimdk
+
+#include "moc_aimdk_robot.cpp"

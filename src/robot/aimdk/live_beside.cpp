@@ -90,3 +90,5 @@ void LiveBeside::tellOff() {
 }
 
 }  // namespace mapwright::robot::aimdk
+
+#include "moc_live_beside.cpp"

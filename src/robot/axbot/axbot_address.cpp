@@ -15,7 +15,8 @@ ParsedAddress parse(const QString& rest) {
   const auto url = webAddress(rest, QStringLiteral("axbot+http://192.168.25.25:8090"), kPort);
   if (!url) return tl::make_unexpected(url.error());
   if (url->hasQuery() || url->hasFragment()) {
-    return tl::make_unexpected(AxbotAddressText::tr("The address of an Autoxing robot has no part after ? or #."));
+    return tl::make_unexpected(
+        AxbotAddressText::tr("The address of an Autoxing robot has no part after ? or #."));
   }
   Address address;
   address.url = *url;

@@ -23,8 +23,6 @@ constexpr int kSubscribeAnswerMs = 3'000;
 constexpr std::chrono::milliseconds kLongestAskAgain{60'000};
 constexpr int kSubmapsAtOnce = 4;  // on the network, however many are asked for; those on disk come besides
 
-std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
-
 /// A member by any of its names, looked for here and one level down: firmware versions nest them differently.
 QJsonValue findMember(const QJsonObject& object, std::initializer_list<const char*> names) {
   for (const char* name : names) {
@@ -326,11 +324,11 @@ void AxbotLink::deliverDefinition() {
 }
 
 void AxbotLink::takeText(const QByteArray& utf8) {
-  tap_->pass({view(utf8), false, options_.wall_s()});
-  TextFrame frame = topic_reader_.read(view(utf8));
-  deliver(std::make_shared<const std::string>(view(utf8)), frame.topic, "json", frame.stamp_s);
+  tap_->pass({wire::view(utf8), false, options_.wall_s()});
+  TextFrame frame = topic_reader_.read(wire::view(utf8));
+  deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
   if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
-    Q_EMIT rawReceived(rawText(frame.topic, view(utf8)));
+    Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
   }
   if (frame.message) {
     emitTopic(frame.topic, std::move(*frame.message));
@@ -349,11 +347,11 @@ void AxbotLink::takeText(const QByteArray& utf8) {
 }
 
 void AxbotLink::takeBinary(const QByteArray& bytes) {
-  tap_->pass({view(bytes), true, options_.wall_s()});
-  auto frame = unpackBinaryFrame(view(bytes));
-  const std::string topic = topicOfBinaryFrame(view(bytes));
+  tap_->pass({wire::view(bytes), true, options_.wall_s()});
+  auto frame = unpackBinaryFrame(wire::view(bytes));
+  const std::string topic = topicOfBinaryFrame(wire::view(bytes));
   if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
-    Q_EMIT rawReceived(rawBinary(view(bytes)));
+    Q_EMIT rawReceived(rawBinary(wire::view(bytes)));
   std::optional<map::TopicMessage> message;
   if (frame) {
     message = parseBinaryBody(topic, frame->body);
@@ -364,7 +362,7 @@ void AxbotLink::takeBinary(const QByteArray& bytes) {
     deliverDefinition();
     deliver(std::make_shared<const std::string>(std::move(frame->body)), topic, "protobuf", std::nullopt);
   } else {
-    deliver(std::make_shared<const std::string>(view(bytes)), topic, "axbot", std::nullopt);
+    deliver(std::make_shared<const std::string>(wire::view(bytes)), topic, "axbot", std::nullopt);
   }
   if (message) emitTopic(topic, std::move(*message));
 }
@@ -458,7 +456,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   under_way_.erase(ticket);
   map::SubmapAnswer answer;
   if (http.ok()) {
-    answer = parseSubmapResponse(key, view(http.body));
+    answer = parseSubmapResponse(key, wire::view(http.body));
     if (http.from_cache && answer.outcome != Outcome::Ok) {
       // What lies on the disk is none of the robot's business: it is asked itself.
       http_->discard(url);
@@ -472,7 +470,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
       parcel.encoding = "application/x-protobuf";
       parcel.submap = key;
       if (answer.version > 0) parcel.submap.version = answer.version;
-      parcel.bytes = view(http.body);
+      parcel.bytes = wire::view(http.body);
       parcel.received_s = options_.wall_s();
       deliveries_->pass(std::move(parcel));
     }
@@ -536,3 +534,5 @@ void AxbotLink::publishState() {
 }
 
 }  // namespace mapwright::robot::axbot
+
+#include "moc_axbot_link.cpp"

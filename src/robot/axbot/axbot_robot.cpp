@@ -103,3 +103,5 @@ void AxbotRobot::takeMail() {
 }
 
 }  // namespace mapwright::robot::axbot
+
+#include "moc_axbot_robot.cpp"

@@ -17,10 +17,6 @@ namespace {
 
 constexpr qint64 kMaxListBytes = qint64(64) << 20;
 
-std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
-
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
-
 QString folderOf(BagKind kind) {
   return kind == BagKind::Recording ? QStringLiteral("/recording/") : QStringLiteral("/bags/");
 }
@@ -29,10 +25,6 @@ QString pathOf(const BagKey& key) { return folderOf(key.kind) + pathSegment(key.
 
 /// Ranges begin and end at whole parts of two of a second as a rule: six digits tell them exactly.
 QString seconds(double epoch_s) { return QString::number(epoch_s, 'f', 6); }
-
-bool unknown(const net::HttpAnswer& answer) {
-  return answer.kind == net::HttpAnswer::Kind::Answered && (answer.status == 404 || answer.status == 405);
-}
 
 map::Subject partOf(BagKind kind) {
   return {map::SubjectKind::Catalogue, kind == BagKind::Bag ? map::kBagsPart : map::kRecordingsPart};
@@ -88,12 +80,12 @@ void BagRequests::addRows(const std::shared_ptr<Listing>& listing, const net::Ht
                           BagKind kind) {
   if (!answer.ok()) {
     // Older firmware records on demand only, or not at all.
-    if (unknown(answer) && kind == BagKind::Recording) {
+    if (wire::isUnknownThere(answer) && kind == BagKind::Recording) {
       recovered_({partOf(kind)});
     } else {
       listing->failures.push_back(wire::failed(answer, partOf(kind)));
     }
-  } else if (auto rows = parseBagRows(view(answer.body), kind)) {
+  } else if (auto rows = parseBagRows(wire::view(answer.body), kind)) {
     recovered_({partOf(kind)});
     (kind == BagKind::Bag ? listing->bags : listing->recordings) = std::move(*rows);
   } else {
@@ -117,7 +109,7 @@ void BagRequests::info(Errand errand, const BagKey& key, OutcomeTo<BagInfo> repl
              [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
                if (!answer.ok()) {
                  reply(fail(wire::failed(answer, subjectOf(key))));
-               } else if (auto info = parseBagInfo(view(answer.body))) {
+               } else if (auto info = parseBagInfo(wire::view(answer.body))) {
                  reply(*info);
                } else {
                  reply(fail(wire::misread(answer, subjectOf(key), info.error())));
@@ -144,7 +136,7 @@ void BagRequests::messages(Errand errand, const BagKey& key, const BagRange& ran
           return;
         }
         reading_.start([this, key, range, url, reply, answer] {
-          auto chunk = parseBagChunk(view(answer.body), range);
+          auto chunk = parseBagChunk(wire::view(answer.body), range);
           if (chunk) chunk->from_cache = answer.from_cache;
           auto outcome = std::make_shared<decltype(chunk)>(std::move(chunk));
           QMetaObject::invokeMethod(
@@ -213,7 +205,7 @@ void BagRequests::record(Errand errand, const BagOrder& order, OutcomeTo<BagEntr
     // What it says of it differs with the firmware: a row of the list, or nothing.
     BagEntry entry;
     entry.key.kind = BagKind::Recording;
-    reply(parseBagRow(view(answer.body), BagKind::Recording).value_or(entry));
+    reply(parseBagRow(wire::view(answer.body), BagKind::Recording).value_or(entry));
   });
 }
 

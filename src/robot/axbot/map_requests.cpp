@@ -17,8 +17,6 @@ namespace {
 const QString kCurrentMapPath = QStringLiteral("/chassis/current-map");
 constexpr qint64 kMaxJsonBytes = qint64(64) << 20;
 
-std::string_view view(const QByteArray& bytes) { return {bytes.constData(), std::size_t(bytes.size())}; }
-
 QString folderOf(map::MapKind kind) {
   return kind == map::MapKind::Mapping ? QStringLiteral("/mappings/") : QStringLiteral("/maps/");
 }
@@ -28,8 +26,6 @@ QString pathOf(const map::MapKey& key) { return folderOf(key.kind) + pathSegment
 QUrl thumbnailUrl(const QUrl& base, const map::MapKey& key) {
   return urlOnRobot(base, pathOf(key) + QStringLiteral("/thumbnail"));
 }
-
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
 
 /// Nothing has been asked: it cannot be.
 map::Failure unasked(const map::MapKey& key) {
@@ -45,10 +41,6 @@ map::Failure empty(const map::MapKey& key, map::AskedFor asked_for) {
           .subject = map::subjectOf(key),
           .asked_for = asked_for,
           .reason = map::FailureReason::Empty};
-}
-
-bool unknown(const net::HttpAnswer& answer) {
-  return answer.kind == net::HttpAnswer::Kind::Answered && (answer.status == 404 || answer.status == 405);
 }
 
 }  // namespace
@@ -101,7 +93,7 @@ void MapRequests::getJson(Errand errand, const QString& path, Taken taken) {
 
 void MapRequests::getList(Errand errand, const QString& path, Taken taken) {
   getJson(errand, path, [this, errand, path, taken = std::move(taken)](const net::HttpAnswer& answer) {
-    if (unknown(answer)) {
+    if (wire::isUnknownThere(answer)) {
       getJson(errand, path.chopped(1), taken);
     } else {
       taken(answer);
@@ -137,9 +129,9 @@ void MapRequests::list(Errand errand, OutcomeTo<std::vector<map::CatalogueEntry>
   });
   getJson(errand, kCurrentMapPath, [this, listing](const net::HttpAnswer& answer) {
     const map::Subject subject(map::SubjectKind::Catalogue, map::kCurrentMapPart);
-    if (answer.ok()) listing->current = parseCurrentMap(view(answer.body));
+    if (answer.ok()) listing->current = parseCurrentMap(wire::view(answer.body));
     // No current map is a 404 with some firmware.
-    if (answer.ok() || unknown(answer)) {
+    if (answer.ok() || wire::isUnknownThere(answer)) {
       recovered_({subject});
     } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
       report_(map::problemOf(wire::failed(answer, subject), map::Severity::Warning));
@@ -152,7 +144,7 @@ void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::
   const bool maps = kind == map::MapKind::Stored;
   const map::Subject subject(map::SubjectKind::Catalogue, maps ? map::kMapsPart : map::kMappingsPart);
   // Firmware that makes no maps knows no list of what was made: there are none.
-  if (!maps && unknown(answer)) {
+  if (!maps && wire::isUnknownThere(answer)) {
     recovered_({subject});
     return;
   }
@@ -160,7 +152,7 @@ void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::
     listing.failures.push_back(wire::failed(answer, subject));
     return;
   }
-  auto rows = parseMapRows(view(answer.body), kind);
+  auto rows = parseMapRows(wire::view(answer.body), kind);
   if (!rows) {
     listing.failures.push_back(wire::misread(answer, subject, rows.error()));
     return;
@@ -213,7 +205,7 @@ void MapRequests::detail(Errand errand, const map::MapKey& key, OutcomeTo<MapDet
   getJson(std::move(errand), pathOf(key), [key, reply = std::move(reply)](const net::HttpAnswer& answer) {
     if (!answer.ok()) {
       reply(fail(wire::failed(answer, map::subjectOf(key))));
-    } else if (auto detail = parseMapDetail(view(answer.body), key)) {
+    } else if (auto detail = parseMapDetail(wire::view(answer.body), key)) {
       reply(std::move(*detail));
     } else {
       reply(fail(wire::misread(answer, map::subjectOf(key), detail.error())));
@@ -298,7 +290,7 @@ void MapRequests::fetchPicture(const std::shared_ptr<Fetch>& fetch, const QUrl& 
   getPicture(
       fetch->errand, url,
       [this, fetch, url](const net::HttpAnswer& answer) {
-        if (unknown(answer) && url != fetch->usual_picture) {
+        if (wire::isUnknownThere(answer) && url != fetch->usual_picture) {
           fetchPicture(fetch, fetch->usual_picture);
           return;
         }
@@ -329,7 +321,7 @@ void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::str
   wire::send(fetch->errand, http_, requestTo(url),
              [fetch, file, add = std::move(add)](const net::HttpAnswer& answer) {
                if (answer.ok()) {
-                 add(fetch->map, view(answer.body));
+                 add(fetch->map, wire::view(answer.body));
                } else {
                  fetch->map.notes.push_back(
                      {map::Severity::Info,
@@ -354,7 +346,7 @@ void MapRequests::fetchOverview(Errand errand, double resolution_m, OutcomeTo<ma
         const map::Subject subject(map::SubjectKind::Overview);
         if (!answer.ok()) {
           reply(fail(wire::failed(answer, subject)));
-        } else if (auto overview = parseOverview(view(answer.body), resolution_m)) {
+        } else if (auto overview = parseOverview(wire::view(answer.body), resolution_m)) {
           overview->body_bytes = std::size_t(answer.body.size());
           reply(std::move(*overview));
         } else {
@@ -427,14 +419,14 @@ void MapRequests::change(Errand errand, net::HttpMethod method, const QString& p
 }
 
 void MapRequests::lookAt(const Errand& errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply) {
-  getJson(errand, kCurrentMapPath,
-          [this, errand, key, reply = std::move(reply)](const net::HttpAnswer& current) {
-            const CurrentMap of_robot = current.ok() ? parseCurrentMap(view(current.body)) : CurrentMap();
-            describe(errand, key, [of_robot, reply](Outcome<map::CatalogueEntry> now) {
-              if (now) now->is_current = of_robot.is(*now);
-              reply(std::move(now));
-            });
-          });
+  getJson(
+      errand, kCurrentMapPath, [this, errand, key, reply = std::move(reply)](const net::HttpAnswer& current) {
+        const CurrentMap of_robot = current.ok() ? parseCurrentMap(wire::view(current.body)) : CurrentMap();
+        describe(errand, key, [of_robot, reply](Outcome<map::CatalogueEntry> now) {
+          if (now) now->is_current = of_robot.is(*now);
+          reply(std::move(now));
+        });
+      });
 }
 
 }  // namespace mapwright::robot::axbot

@@ -11,7 +11,6 @@ namespace {
 using wire::Json;
 
 constexpr std::size_t kMaxPictureBytes = std::size_t(256) << 20;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct NamedKind {
   std::string_view topic;
@@ -40,13 +39,14 @@ int size(const wire::JsonList& pair, std::size_t at) {
 
 map::GridReference gridOf(const Json& message) {
   map::GridReference grid;
-  grid.resolution_m = wire::number(message, {"resolution"}).value_or(kNaN);
+  grid.resolution_m = wire::number(message, {"resolution"}).value_or(wire::kNaN);
   if (const auto pair = wire::list(message, {"size"}); pair && pair->size() >= 2) {
     grid.width = size(*pair, 0);
     grid.height = size(*pair, 1);
   }
   const auto origin = wire::member(message, {"origin"});
-  grid.origin = (origin ? wire::asPose(*origin) : std::nullopt).value_or(geometry::Pose2{kNaN, kNaN, 0});
+  grid.origin =
+      (origin ? wire::asPose(*origin) : std::nullopt).value_or(geometry::Pose2{wire::kNaN, wire::kNaN, 0});
   return grid;
 }
 

@@ -13,15 +13,11 @@ namespace {
 using map::ReasonCode;
 using wire::Json;
 
-auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-map::GridReference gridOf(const Json& row) {
+map::GridReference listedGrid(const Json& row) {
   map::GridReference grid;
-  grid.resolution_m = wire::number(row, {"grid_resolution", "resolution"}).value_or(kNaN);
-  grid.origin.x_m = wire::number(row, {"grid_origin_x", "origin_x"}).value_or(kNaN);
-  grid.origin.y_m = wire::number(row, {"grid_origin_y", "origin_y"}).value_or(kNaN);
+  grid.resolution_m = wire::number(row, {"grid_resolution", "resolution"}).value_or(wire::kNaN);
+  grid.origin.x_m = wire::number(row, {"grid_origin_x", "origin_x"}).value_or(wire::kNaN);
+  grid.origin.y_m = wire::number(row, {"grid_origin_y", "origin_y"}).value_or(wire::kNaN);
   grid.origin.yaw_rad = wire::number(row, {"grid_origin_yaw", "grid_origin_ori"}).value_or(0);
   return grid;
 }
@@ -37,7 +33,7 @@ map::CatalogueEntry entryOf(const Json& row, map::MapKind kind) {
   entry.overlays_version = wire::smallInteger(row, {"overlays_version"});
   entry.state = wire::text(row, {"state"});
   entry.has_thumbnail = !wire::text(row, {"thumbnail_url"}).empty();
-  if (const auto grid = gridOf(row); !map::whyUnusable(grid)) entry.grid = grid;
+  if (const auto grid = listedGrid(row); !map::whyUnusable(grid)) entry.grid = grid;
   return entry;
 }
 
@@ -70,7 +66,7 @@ tl::expected<MapDetail, map::Reason> parseMapDetail(std::string_view body, const
   MapDetail detail;
   detail.entry = entryOf(*root, key.kind);
   detail.entry.key = key;
-  detail.grid = gridOf(*root);
+  detail.grid = listedGrid(*root);
   detail.image_url = wire::text(*root, {"image_url"});
   detail.thumbnail_url = wire::text(*root, {"thumbnail_url"});
   detail.trajectories_url = wire::text(*root, {"trajectories_url", "trajectory_url"});

@@ -7,28 +7,27 @@ namespace mapwright::robot::axbot {
 namespace {
 
 using wire::Json;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A number; `missing` when the member is absent, NaN when it is there but is not a number.
 double number(const Json& object, std::string_view name, double missing) {
   Json value;
-  return object[name].get(value) ? missing : wire::asNumber(value).value_or(kNaN);
+  return object[name].get(value) ? missing : wire::asNumber(value).value_or(wire::kNaN);
 }
 
 /// The pose of a list entry. What is missing altogether is harmless (z, or a quaternion that was left out);
 /// what is there and is no number spoils the pose.
 geometry::Pose3 entryPose(const Json& entry) {
   Json pose;
-  if (entry["pose"].get(pose)) return {kNaN, kNaN, 0, 0, 0, 0, 0};
+  if (entry["pose"].get(pose)) return {wire::kNaN, wire::kNaN, 0, 0, 0, 0, 0};
   Json any;
   if (pose["qw"].get(any) && pose["qx"].get(any) && pose["qy"].get(any) && pose["qz"].get(any)) {
     Json pos;
     if (!pose["pos"].get(pos)) {
       const auto xy = wire::asPoint(pos);
       return xy ? geometry::poseFromYaw(xy->x(), xy->y(), number(pose, "ori", 0))
-                : geometry::Pose3{kNaN, kNaN};
+                : geometry::Pose3{wire::kNaN, wire::kNaN};
     }
-    return {number(pose, "x", kNaN), number(pose, "y", kNaN), number(pose, "z", 0), 0, 0, 0, 1};
+    return {number(pose, "x", wire::kNaN), number(pose, "y", wire::kNaN), number(pose, "z", 0), 0, 0, 0, 1};
   }
   return {number(pose, "x", 0),  number(pose, "y", 0),  number(pose, "z", 0), number(pose, "qx", 0),
           number(pose, "qy", 0), number(pose, "qz", 0), number(pose, "qw", 0)};

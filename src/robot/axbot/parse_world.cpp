@@ -31,7 +31,9 @@ QString nameOf(std::int64_t label) {
   }
 }
 
-QString rackName(bool aligned) { return aligned ? SeenObjectsText::tr("rack (aligned)") : SeenObjectsText::tr("rack"); }
+QString rackName(bool aligned) {
+  return aligned ? SeenObjectsText::tr("rack (aligned)") : SeenObjectsText::tr("rack");
+}
 
 bool isRobotFrame(const Json& object) {
   const std::string frame = wire::text(object, {"frame", "frame_id"});

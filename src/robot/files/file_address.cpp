@@ -42,7 +42,8 @@ QString whyNotOptions(const QUrlQuery& options) {
       return FileAddressText::tr("file: knows resolution and origin after the ?, but not \"%1\".").arg(name);
     }
     if (resolution ? !resolutionFrom(value) : !originFrom(value)) {
-      return FileAddressText::tr("file: %1 cannot be \"%2\". Write for example ?resolution=0.05&origin=-10,-7.5.")
+      return FileAddressText::tr(
+                 "file: %1 cannot be \"%2\". Write for example ?resolution=0.05&origin=-10,-7.5.")
           .arg(name, value);
     }
   }
@@ -71,7 +72,8 @@ ParsedAddress parse(const QString& rest) {
     query = path.mid(mark + 1);
     path.truncate(mark);
   }
-  if (path.isEmpty()) return error(FileAddressText::tr("Give the path of a map, for example file:maps/office.yaml."));
+  if (path.isEmpty())
+    return error(FileAddressText::tr("Give the path of a map, for example file:maps/office.yaml."));
   if (path.startsWith(QLatin1String("~/"))) path.replace(0, 1, QDir::homePath());
   Address address;
   address.options = QUrlQuery(query);

@@ -94,3 +94,5 @@ Call WholeMaps::fetch(const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
 }
 
 }  // namespace mapwright::robot::files
+
+#include "moc_file_robot.cpp"

@@ -37,3 +37,5 @@ Call FileWaypointStore::perform(const map::MapKey& key, const WaypointRequest& r
 }
 
 }  // namespace mapwright::robot::files
+
+#include "moc_file_waypoint_store.cpp"

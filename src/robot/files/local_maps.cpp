@@ -27,8 +27,6 @@ bool isYaml(const QString& path) { return hasSuffix(path, {".yaml", ".yml"}); }
 
 using map::ReasonCode;
 
-auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
-
 /// Where a file really lies, links followed as far as they lead.
 QString trueFolder(const QString& path) {
   const QFileInfo info(path);

@@ -150,3 +150,5 @@ Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
 }
 
 }  // namespace mapwright::robot::files
+
+#include "moc_map_files.cpp"

@@ -63,3 +63,5 @@ Call FilePictureStore::write(const PictureChange& change, OutcomeTo<PictureRecei
 }
 
 }  // namespace mapwright::robot::files
+
+#include "moc_picture_files.cpp"

@@ -12,8 +12,6 @@ namespace {
 
 using map::ReasonCode;
 
-auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
-
 std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
   return text;

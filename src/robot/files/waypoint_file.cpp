@@ -210,8 +210,6 @@ std::string_view withoutMark(std::string_view json) {
   return json.starts_with("\xef\xbb\xbf") ? json.substr(3) : json;
 }
 
-auto refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
-
 tl::expected<Collection, map::Reason> cut(std::string_view json) {
   // Read twice: once by a parser that finds every fault, once to keep every letter.
   simdjson::dom::parser parser;

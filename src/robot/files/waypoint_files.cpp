@@ -122,3 +122,5 @@ void WaypointFiles::compare() {
 }
 
 }  // namespace mapwright::robot::files
+
+#include "moc_waypoint_files.cpp"

@@ -14,7 +14,7 @@
 namespace mapwright::robot::recorded {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t(512) << 20;  // of one that is read
+constexpr std::uint64_t kMostKeptBytes = std::uint64_t(512) << 20;  // of one that is read
 constexpr char kNumberMark = '\n';  // no name of an attachment that we wrote has one
 
 /// RFC 3986: all but A-Z a-z 0-9 - . _ ~; an empty one is "-".
@@ -28,18 +28,18 @@ std::string decoded(std::string_view text) {
   return QByteArray::fromPercentEncoding(QByteArray(text.data(), qsizetype(text.size()))).toStdString();
 }
 
-struct KindName {
+struct MapKindName {
   map::MapKind kind;
   std::string_view name;
 };
-constexpr KindName kKinds[] = {{map::MapKind::Live, "live"},
-                               {map::MapKind::Stored, "stored"},
-                               {map::MapKind::Mapping, "mapping"},
-                               {map::MapKind::File, "file"}};
+constexpr MapKindName kMapKinds[] = {{map::MapKind::Live, "live"},
+                                     {map::MapKind::Stored, "stored"},
+                                     {map::MapKind::Mapping, "mapping"},
+                                     {map::MapKind::File, "file"}};
 
 std::string placeOf(const map::MapKey& key) {
-  const auto* const kind = std::find_if(std::begin(kKinds), std::end(kKinds),
-                                        [&](const KindName& one) { return one.kind == key.kind; });
+  const auto* const kind = std::find_if(std::begin(kMapKinds), std::end(kMapKinds),
+                                        [&](const MapKindName& one) { return one.kind == key.kind; });
   return std::string(kind->name) + '/' + encoded(key.id);
 }
 
@@ -48,7 +48,7 @@ std::optional<map::MapKey> keyFrom(std::string_view name) {
   constexpr std::string_view kMaps = "maps/", kFacts = ".json";
   if (!name.starts_with(kMaps) || name.ends_with(kFacts)) return std::nullopt;
   name.remove_prefix(kMaps.size());
-  for (const KindName& kind : kKinds) {
+  for (const MapKindName& kind : kMapKinds) {
     if (name.size() > kind.name.size() && name.starts_with(kind.name) && name[kind.name.size()] == '/')
       return map::MapKey{kind.kind, decoded(name.substr(kind.name.size() + 1))};
   }
@@ -171,7 +171,7 @@ void KeptThings::look() {
 
 std::optional<std::string> KeptThings::bytesAt(std::size_t place) {
   const recording::AttachmentPlace& at = file_.attachments()[place];
-  if (at.size > kMostBytes) return std::nullopt;
+  if (at.size > kMostKeptBytes) return std::nullopt;
   auto attachment = file_.attachment(at);
   if (!attachment) return std::nullopt;
   return std::move(attachment->bytes);

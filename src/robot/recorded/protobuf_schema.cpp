@@ -17,7 +17,6 @@ namespace mapwright::robot::recorded {
 namespace {
 
 namespace pb = google::protobuf;
-using Field = pb::FieldDescriptor;
 
 constexpr int kDeepest = 100;  // messages in messages: as deep as protobuf itself reads them
 
@@ -49,16 +48,16 @@ class CborOut {
     writer_.startMap();
     const pb::Descriptor& type = *message.GetDescriptor();
     for (int i = 0; i < type.field_count() && !too_deep_; ++i) {
-      const Field& field = *type.field(i);
+      const pb::FieldDescriptor& field = *type.field(i);
       // Of what has a presence absent is not the same as zero; all else is zero or empty where nothing came.
       const pb::Reflection& of = *message.GetReflection();
       if (!field.is_repeated() && field.has_presence() && !of.HasField(message, &field)) continue;
       text(field.name());
       value(message, field);
     }
-    std::vector<const Field*> set;
+    std::vector<const pb::FieldDescriptor*> set;
     if (type.extension_range_count() > 0) message.GetReflection()->ListFields(message, &set);
-    for (const Field* const field : set) {
+    for (const pb::FieldDescriptor* const field : set) {
       if (!field->is_extension()) continue;
       text('[' + field->full_name() + ']');  // as protobuf's own JSON has it
       value(message, *field);
@@ -69,15 +68,15 @@ class CborOut {
 
  private:
   void text(const std::string& utf8) { writer_.appendTextString(utf8.data(), qsizetype(utf8.size())); }
-  void textOrBytes(const Field& field, const std::string& value) {
-    if (field.type() == Field::TYPE_BYTES) {
+  void textOrBytes(const pb::FieldDescriptor& field, const std::string& value) {
+    if (field.type() == pb::FieldDescriptor::TYPE_BYTES) {
       writer_.appendByteString(value.data(), qsizetype(value.size()));
     } else {
       text(value);
     }
   }
 
-  void value(const pb::Message& message, const Field& field) {
+  void value(const pb::Message& message, const pb::FieldDescriptor& field) {
     if (field.is_map()) {
       mapOf(message, field);
     } else if (field.is_repeated()) {
@@ -87,60 +86,60 @@ class CborOut {
     }
   }
 
-  void single(const pb::Message& message, const Field& field) {
+  void single(const pb::Message& message, const pb::FieldDescriptor& field) {
     const pb::Reflection& of = *message.GetReflection();
     switch (field.cpp_type()) {
-      case Field::CPPTYPE_INT32:
+      case pb::FieldDescriptor::CPPTYPE_INT32:
         return writer_.append(qint64(of.GetInt32(message, &field)));
-      case Field::CPPTYPE_INT64:
+      case pb::FieldDescriptor::CPPTYPE_INT64:
         return writer_.append(qint64(of.GetInt64(message, &field)));
-      case Field::CPPTYPE_UINT32:
+      case pb::FieldDescriptor::CPPTYPE_UINT32:
         return writer_.append(quint64(of.GetUInt32(message, &field)));
-      case Field::CPPTYPE_UINT64:
+      case pb::FieldDescriptor::CPPTYPE_UINT64:
         return writer_.append(quint64(of.GetUInt64(message, &field)));
-      case Field::CPPTYPE_DOUBLE:
+      case pb::FieldDescriptor::CPPTYPE_DOUBLE:
         return writer_.append(of.GetDouble(message, &field));
-      case Field::CPPTYPE_FLOAT:
+      case pb::FieldDescriptor::CPPTYPE_FLOAT:
         return writer_.append(double(of.GetFloat(message, &field)));
-      case Field::CPPTYPE_BOOL:
+      case pb::FieldDescriptor::CPPTYPE_BOOL:
         return writer_.append(of.GetBool(message, &field));
-      case Field::CPPTYPE_ENUM:
+      case pb::FieldDescriptor::CPPTYPE_ENUM:
         return writer_.append(qint64(of.GetEnumValue(message, &field)));
-      case Field::CPPTYPE_STRING: {
+      case pb::FieldDescriptor::CPPTYPE_STRING: {
         std::string held;
         return textOrBytes(field, of.GetStringReference(message, &field, &held));
       }
-      case Field::CPPTYPE_MESSAGE:
+      case pb::FieldDescriptor::CPPTYPE_MESSAGE:
         return this->message(of.GetMessage(message, &field));
     }
   }
 
-  void list(const pb::Message& message, const Field& field) {
+  void list(const pb::Message& message, const pb::FieldDescriptor& field) {
     const pb::Reflection& of = *message.GetReflection();
     const int count = of.FieldSize(message, &field);
     switch (field.cpp_type()) {
-      case Field::CPPTYPE_INT32:
+      case pb::FieldDescriptor::CPPTYPE_INT32:
         return numbers<std::int32_t>(kInt32, message, field);
-      case Field::CPPTYPE_INT64:
+      case pb::FieldDescriptor::CPPTYPE_INT64:
         return numbers<std::int64_t>(kInt64, message, field);
-      case Field::CPPTYPE_UINT32:
+      case pb::FieldDescriptor::CPPTYPE_UINT32:
         return numbers<std::uint32_t>(kUint32, message, field);
-      case Field::CPPTYPE_UINT64:
+      case pb::FieldDescriptor::CPPTYPE_UINT64:
         return numbers<std::uint64_t>(kUint64, message, field);
-      case Field::CPPTYPE_DOUBLE:
+      case pb::FieldDescriptor::CPPTYPE_DOUBLE:
         return numbers<double>(kFloat64, message, field);
-      case Field::CPPTYPE_FLOAT:
+      case pb::FieldDescriptor::CPPTYPE_FLOAT:
         return numbers<float>(kFloat32, message, field);
       default:
         break;
     }
     writer_.startArray(quint64(count));
     for (int i = 0; i < count; ++i) {
-      if (field.cpp_type() == Field::CPPTYPE_BOOL) {
+      if (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_BOOL) {
         writer_.append(of.GetRepeatedBool(message, &field, i));
-      } else if (field.cpp_type() == Field::CPPTYPE_ENUM) {
+      } else if (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_ENUM) {
         writer_.append(qint64(of.GetRepeatedEnumValue(message, &field, i)));
-      } else if (field.cpp_type() == Field::CPPTYPE_STRING) {
+      } else if (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_STRING) {
         std::string held;
         textOrBytes(field, of.GetRepeatedStringReference(message, &field, i, &held));
       } else {
@@ -151,7 +150,7 @@ class CborOut {
   }
 
   template <typename Number>
-  void numbers(NumberList tag, const pb::Message& message, const Field& field) {
+  void numbers(NumberList tag, const pb::Message& message, const pb::FieldDescriptor& field) {
     const auto all = message.GetReflection()->GetRepeatedFieldRef<Number>(message, &field);
     std::vector<Number> values;
     values.reserve(std::size_t(all.size()));
@@ -162,10 +161,10 @@ class CborOut {
   }
 
   /// By its keys in their order: protobuf has none.
-  void mapOf(const pb::Message& message, const Field& field) {
+  void mapOf(const pb::Message& message, const pb::FieldDescriptor& field) {
     const pb::Reflection& of = *message.GetReflection();
-    const Field& key = *field.message_type()->map_key();
-    const Field& value = *field.message_type()->map_value();
+    const pb::FieldDescriptor& key = *field.message_type()->map_key();
+    const pb::FieldDescriptor& value = *field.message_type()->map_value();
     std::map<std::string, const pb::Message*> entries;  // of one key twice the last one counts
     for (int i = 0; i < of.FieldSize(message, &field); ++i) {
       const pb::Message& entry = of.GetRepeatedMessage(message, &field, i);
@@ -179,18 +178,18 @@ class CborOut {
     writer_.endMap();
   }
 
-  static std::string keyOf(const pb::Message& entry, const Field& key) {
+  static std::string keyOf(const pb::Message& entry, const pb::FieldDescriptor& key) {
     const pb::Reflection& of = *entry.GetReflection();
     switch (key.cpp_type()) {
-      case Field::CPPTYPE_INT32:
+      case pb::FieldDescriptor::CPPTYPE_INT32:
         return std::to_string(of.GetInt32(entry, &key));
-      case Field::CPPTYPE_INT64:
+      case pb::FieldDescriptor::CPPTYPE_INT64:
         return std::to_string(of.GetInt64(entry, &key));
-      case Field::CPPTYPE_UINT32:
+      case pb::FieldDescriptor::CPPTYPE_UINT32:
         return std::to_string(of.GetUInt32(entry, &key));
-      case Field::CPPTYPE_UINT64:
+      case pb::FieldDescriptor::CPPTYPE_UINT64:
         return std::to_string(of.GetUInt64(entry, &key));
-      case Field::CPPTYPE_BOOL:
+      case pb::FieldDescriptor::CPPTYPE_BOOL:
         return of.GetBool(entry, &key) ? "true" : "false";
       default:
         return of.GetString(entry, &key);

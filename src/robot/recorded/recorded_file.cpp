@@ -404,3 +404,5 @@ Outcome<std::vector<map::CatalogueEntry>> RecordedFile::maps() {
 }
 
 }  // namespace mapwright::robot::recorded
+
+#include "moc_recorded_file.cpp"

@@ -234,3 +234,5 @@ void RecordedRobot::enter(ConnectionPhase phase, const map::Reason& reason) {
 }
 
 }  // namespace mapwright::robot::recorded
+
+#include "moc_recorded_robot.cpp"

@@ -89,3 +89,5 @@ void AskedMap::stop() {
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_asked_map.cpp"

@@ -126,3 +126,5 @@ std::vector<ProjectedPart> RosDispatch::projected() const {
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_dispatch_capability.cpp"

@@ -12,7 +12,6 @@ namespace mapwright::robot::ros {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t(1) << 30;
-constexpr double kFarthestM = 1e7;
 constexpr double kNearM = 1000;  // what lies nearer is exact enough as it is
 constexpr std::size_t kSampled = 1001;
 

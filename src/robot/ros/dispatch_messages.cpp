@@ -11,16 +11,14 @@
 
 #include "robot/ros/parts.h"
 #include "robot/ros/read_cells.h"
+#include "words/text.h"
 
 namespace mapwright::robot::ros {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFarthestM = 1e7;
-
 QByteArray json(const QJsonObject& object) { return QJsonDocument(object).toJson(QJsonDocument::Compact); }
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 bool hasSize(const auto& size_m) {
   return size_m.allFinite() && (size_m.array() > 0).all() && (size_m.array() <= kFarthestM * 2).all();

@@ -8,7 +8,6 @@
 namespace mapwright::robot::ros {
 namespace {
 
-constexpr std::size_t kLongestName = 256;
 constexpr std::size_t kMostAsked = 60;
 
 struct Usual {
@@ -171,7 +170,7 @@ std::vector<std::string> likeDispatchServices(const std::vector<std::string>& na
                                               const DispatchWish& wish) {
   std::vector<std::pair<std::tuple<bool, bool, std::size_t, std::string_view>, std::string>> like;
   for (const std::string& name : names) {
-    if (name.empty() || name.size() > kLongestName) continue;
+    if (name.empty() || name.size() > kLongestTopicName) continue;
     const bool named = std::any_of(wish.names.begin(), wish.names.end(),
                                    [&](const auto& one) { return one.second == name; });
     const std::string_view tail = lastPart(name);
@@ -230,7 +229,7 @@ FoundDispatch dispatchIn(const std::optional<std::vector<TypedService>>& service
   }
   if (!found.any() || !topics) return found;
   for (const FoundTopic& topic : *topics) {
-    if (topic.name.size() > kLongestName) continue;
+    if (topic.name.size() > kLongestTopicName) continue;
     const std::string type = dispatchType(topic.type);
     if (type == "nav_msgs/MapMetaData" && found.metadata.size() < 4) found.metadata.push_back(topic);
     if (type != "map_msgs/ProjectedMap") continue;

@@ -14,8 +14,6 @@ namespace {
 
 constexpr const char* kUsualFrame = "map";  // REP 105
 
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
-
 }  // namespace
 
 bool DispatchRequests::tellsProjections() const {

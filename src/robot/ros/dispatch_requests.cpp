@@ -15,8 +15,6 @@ namespace {
 
 using net::rosbridge::CallAnswer;
 
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
-
 map::Failure unreadable(const std::string& service, map::Reason why, map::AskedFor asked_for,
                         map::Applied applied) {
   map::Failure failure;
@@ -337,3 +335,5 @@ void DispatchRequests::save(const wire::ErrandPtr& errand, const std::string& fi
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_dispatch_requests.cpp"

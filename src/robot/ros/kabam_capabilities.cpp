@@ -100,3 +100,5 @@ OutcomeTo<map::CatalogueEntry> KabamAdministration::telling(OutcomeTo<map::Catal
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_kabam_capabilities.cpp"

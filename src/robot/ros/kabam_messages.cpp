@@ -13,13 +13,14 @@
 #include "map/waypoint_likeness.h"
 #include "robot/ros/transforms.h"
 #include "robot/wire/picture_facts.h"
+#include "words/text.h"
 
 namespace mapwright::robot::ros {
 namespace {
 
 constexpr int kMostNotes = 20;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+using words::text;
 
 QByteArray compact(const QJsonObject& object) { return QJsonDocument(object).toJson(QJsonDocument::Compact); }
 

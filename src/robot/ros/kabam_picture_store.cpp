@@ -31,3 +31,5 @@ Call KabamPictureStore::write(const PictureChange& change, OutcomeTo<PictureRece
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_kabam_picture_store.cpp"

@@ -16,8 +16,6 @@ using std::chrono::milliseconds;
 /// Slower than this nobody has waited for a map in the first place.
 constexpr std::int64_t kBytesPerMs = 1024;
 
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
-
 map::Failure unfit(const map::Subject& subject, map::Reason cause) {
   map::Failure failure;
   failure.kind = map::FailureKind::Unsupported;
@@ -220,3 +218,5 @@ void KabamPictures::end(const WritingPtr& writing, Outcome<PictureReceipt> outco
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_kabam_pictures.cpp"

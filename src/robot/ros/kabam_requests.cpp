@@ -13,8 +13,6 @@ namespace {
 using net::rosbridge::CallAnswer;
 using std::chrono::steady_clock;
 
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
-
 map::Failure notThere(map::Subject subject) {
   return {.kind = map::FailureKind::RejectedByRobot,
           .subject = std::move(subject),
@@ -321,3 +319,5 @@ void KabamRequests::endChange(const ChangePtr& change, Shown shown, std::optiona
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_kabam_requests.cpp"

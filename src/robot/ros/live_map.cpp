@@ -91,3 +91,5 @@ void LiveMap::endAll(const map::Failure& failure) {
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_live_map.cpp"

@@ -5,14 +5,6 @@
 #include <limits>
 
 namespace mapwright::robot::ros {
-namespace {
-
-constexpr double kFarthestM = 1e7;
-constexpr double kShortestQuaternion = 1e-6;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 Header headerOf(const Field& msg) {
   const Field header = msg["header"];
   Header read;

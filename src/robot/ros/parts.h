@@ -1,6 +1,7 @@
 // Parts that messages of ROS have in common. Private to the readers.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,11 @@
 #include "robot/ros/read_messages.h"
 
 namespace mapwright::robot::ros {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kFarthestM = 1e7;
+/// A shorter quaternion is none.
+inline constexpr double kShortestQuaternion = 1e-6;
 
 Header headerOf(const Field& msg);
 

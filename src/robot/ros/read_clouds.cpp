@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t kMostRays = 10'000'000;
 constexpr std::size_t kMostCloudBytes = std::size_t(256) << 20;
 constexpr double kLongestSweepS = 5;  // beyond it, it is no time that one scan takes
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void noteThinned(Points& points, std::size_t came) {
   if (came <= kMostPoints) return;

@@ -63,10 +63,12 @@ MaybeQuery readOptions(const QUrlQuery& typed, bool dispatcher) {
     const QString whole = ns ? value : wholeName(value, below);
     if (!fits || !isNamespace(whole) || read.hasQueryItem(name)) {
       return error(
-          dispatcher ? RosAddressText::tr("The address of a map dispatcher may only have names of ROS after its ?, "
-                                 "each once: ?ns=/NAMESPACE, or %1 with the name that it has instead.")
-                           .arg(known.join(QStringLiteral(", ")))
-                     : RosAddressText::tr("The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
+          dispatcher
+              ? RosAddressText::tr("The address of a map dispatcher may only have names of ROS after its ?, "
+                                   "each once: ?ns=/NAMESPACE, or %1 with the name that it has instead.")
+                    .arg(known.join(QStringLiteral(", ")))
+              : RosAddressText::tr(
+                    "The address of a ROS robot may only have ?ns=/NAMESPACE after the host."));
     }
     read.addQueryItem(name, withoutLastSlashes(whole));
   }

@@ -238,3 +238,5 @@ void RosApi::probeMapManager(const std::string& place, std::function<void(std::o
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_ros_api.cpp"

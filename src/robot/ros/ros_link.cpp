@@ -408,3 +408,5 @@ void RosLink::sync() {
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_ros_link.cpp"

@@ -10,8 +10,6 @@ namespace {
 
 using MaybeFailure = std::optional<map::Failure>;
 
-auto fail(map::Failure failure) { return tl::make_unexpected(std::move(failure)); }
-
 const map::MapKey kLive{map::MapKind::Live, {}};
 const map::Subject kDispatcher{std::string("map dispatcher (REP 130)")};
 

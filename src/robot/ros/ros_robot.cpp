@@ -159,3 +159,5 @@ void RosRobot::takeMail() {
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_ros_robot.cpp"

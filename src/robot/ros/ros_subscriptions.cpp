@@ -12,7 +12,6 @@ using map::Stream;
 using net::rosbridge::Subscription;
 using Compression = Subscription::Compression;
 
-constexpr std::size_t kLongestName = 256;
 constexpr int kSteadyFrom = 5;  // messages
 
 map::Subject subjectOf(const std::string& topic) { return {map::SubjectKind::Topic, topic}; }
@@ -81,7 +80,7 @@ std::map<std::string, WantedTopic> topicsFor(const TopicWish& wish, const std::v
     topic.necessary |= source.stream == Stream::WholeMap && source.form == Form::Grid && source.found;
   }
   const auto add = [&](const std::string& name) {
-    if (name.empty() || name.size() > kLongestName) return;
+    if (name.empty() || name.size() > kLongestTopicName) return;
     WantedTopic& topic = wanted[name];
     topic.necessary = true;
     if (wish.every_message) topic.subscription.throttle_ms = 0;
@@ -270,3 +269,5 @@ void RosSubscriptions::tellSilence(const std::string& topic) {
 }
 
 }  // namespace mapwright::robot::ros
+
+#include "moc_ros_subscriptions.cpp"

@@ -11,8 +11,6 @@ namespace {
 
 using map::Stream;
 
-constexpr std::size_t kLongestName = 256;
-
 /// Which topics of a type bring a stream.
 struct Rule {
   Stream stream;
@@ -150,7 +148,7 @@ std::vector<Source> sourcesOf(const std::optional<std::vector<FoundTopic>>& foun
     using Rank = std::tuple<bool, std::size_t, std::size_t, std::string_view>;
     std::vector<std::pair<Rank, const FoundTopic*>> fitting;
     for (const FoundTopic& topic : *found) {
-      if (plainType(topic.type) != rule.type || topic.name.size() > kLongestName) continue;
+      if (plainType(topic.type) != rule.type || topic.name.size() > kLongestTopicName) continue;
       if (rule.never && topic.name.find(rule.never) != std::string::npos) continue;
       std::size_t rank = 0;
       while (rank < rule.tails.size() && !endsWith(topic.name, rule.tails[rank])) ++rank;
@@ -191,7 +189,7 @@ std::optional<Form> formFor(Stream stream, const std::string& type) {
 std::vector<std::string> choicesFor(Stream stream, const std::vector<FoundTopic>& found) {
   std::vector<std::string> fitting;
   for (const FoundTopic& topic : found) {
-    if (topic.name.size() <= kLongestName && formFor(stream, topic.type)) fitting.push_back(topic.name);
+    if (topic.name.size() <= kLongestTopicName && formFor(stream, topic.type)) fitting.push_back(topic.name);
   }
   std::sort(fitting.begin(), fitting.end());
   fitting.erase(std::unique(fitting.begin(), fitting.end()), fitting.end());
@@ -233,7 +231,7 @@ std::vector<std::string> likeMapServices(const std::vector<std::string>& names, 
   using Rank = std::tuple<bool, std::size_t, std::size_t, std::string_view>;
   std::vector<std::pair<Rank, std::string>> fitting;
   for (const std::string& name : names) {
-    if (name.size() > kLongestName) continue;
+    if (name.size() > kLongestTopicName) continue;
     std::size_t rank = 0;
     while (rank < std::size(kTails) && !endsWith(name, kTails[rank])) ++rank;
     if (rank < std::size(kTails)) fitting.push_back({{!below(name, ns), rank, name.size(), name}, name});

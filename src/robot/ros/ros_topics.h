@@ -12,6 +12,9 @@
 
 namespace mapwright::robot::ros {
 
+/// Topics and services with longer names are passed over.
+inline constexpr std::size_t kLongestTopicName = 256;
+
 /// What a message of a topic is read as.
 enum class Form {
   Grid,                // nav_msgs/OccupancyGrid; chosen: also that of a map_msgs/ProjectedMap

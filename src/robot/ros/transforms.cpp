@@ -4,10 +4,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "robot/ros/parts.h"
+
 namespace mapwright::robot::ros {
 namespace {
 
-constexpr double kShortestQuaternion = 1e-6;
 /// Seconds since the epoch in a double are no finer than this.
 constexpr double kSameTimeS = 1e-6;
 constexpr std::size_t kMostLoops = 100;

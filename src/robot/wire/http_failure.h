@@ -7,6 +7,10 @@
 
 namespace mapwright::robot::wire {
 
+inline std::string_view view(const QByteArray& bytes) {
+  return {bytes.constData(), std::size_t(bytes.size())};
+}
+
 /// None for a 2xx; 401 and 403 are refusals like those of the link itself.
 map::FailureKind failureOf(const net::HttpAnswer& answer);
 
@@ -25,5 +29,9 @@ map::FailureKind unreadable(const net::HttpAnswer& answer);
 
 /// The same certificate in the words of the port.
 UntrustedCertificate untrusted(const net::CertificateFault& fault);
+/// It answers, and knows no such place or not this use of it.
+inline bool isUnknownThere(const net::HttpAnswer& answer) {
+  return answer.kind == net::HttpAnswer::Kind::Answered && (answer.status == 404 || answer.status == 405);
+}
 
 }  // namespace mapwright::robot::wire

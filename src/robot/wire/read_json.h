@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@
 #include "geometry/pose.h"
 
 namespace mapwright::robot::wire {
+
+/// A number that is missing.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Json = simdjson::dom::element;
 using JsonList = simdjson::dom::array;

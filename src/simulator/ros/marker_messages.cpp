@@ -5,7 +5,15 @@
 namespace mapwright::simulator::ros {
 namespace {
 
-enum MarkerType { kArrow = 0, kCube = 1, kSphere = 2, kCylinder = 3, kLineStrip = 4, kPoints = 8, kText = 9 };
+enum MarkerType {
+  kArrow = 0,
+  kCube = 1,
+  kSphere = 2,
+  kCylinder = 3,
+  kLineStrip = 4,
+  kPointList = 8,
+  kTextFacing = 9
+};
 constexpr std::size_t kMostNamed = 200;
 
 Value colour(double r, double g, double b, double a) {
@@ -41,20 +49,20 @@ Value markersMessage(const Moment& moment, const std::optional<KabamMap>& map) {
     for (std::size_t i = 0; i < std::min(map->waypoints.size(), kMostNamed); ++i) {
       const KabamWaypoint& waypoint = map->waypoints[i];
       markers.push_back(marker(moment, "waypoints", 2 * i, kArrow, waypoint.pose, xyz(0.6, 0.1, 0.1)));
-      Value text = marker(moment, "waypoints", 2 * i + 1, kText, waypoint.pose, xyz(0, 0, 0.3));
+      Value text = marker(moment, "waypoints", 2 * i + 1, kTextFacing, waypoint.pose, xyz(0, 0, 0.3));
       text.set("text", waypoint.name);
       markers.push_back(std::move(text));
     }
   }
   Value trail = marker(moment, "plan", 0, kLineStrip, poseOf(geometry::Pose2{}), xyz(0.05, 0, 0));
-  Value dots = marker(moment, "plan", 1, kPoints, poseOf(geometry::Pose2{}), xyz(0.1, 0.1, 0));
+  Value dots = marker(moment, "plan", 1, kPointList, poseOf(geometry::Pose2{}), xyz(0.1, 0.1, 0));
   Value::List points;
   for (double s = 0; s <= 6; s += 0.5) {
     const geometry::Pose2 at = moment.robot.poseAhead(s);
     points.push_back(xyz(at.x_m, at.y_m, 0));
   }
   const Value ahead = poseOf(moment.robot.poseAhead(6));
-  Value label = marker(moment, "plan", 3, kText, ahead, xyz(0, 0, 0.3));
+  Value label = marker(moment, "plan", 3, kTextFacing, ahead, xyz(0, 0, 0.3));
   label.set("text", "6 m ahead");
   markers.push_back(marker(moment, "plan", 2, kArrow, ahead, xyz(0.6, 0.1, 0.1)));
   markers.push_back(std::move(label));

@@ -13,7 +13,6 @@
 namespace mapwright::simulator::ros {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kRays = 720;
 constexpr std::size_t kPointStep = 16;
 
@@ -34,17 +33,17 @@ void appendFloat(std::string& out, float number, bool big_endian) {
 }  // namespace
 
 Value laserScanMessage(const Moment& moment) {
-  constexpr double kStep = 2 * kPi / kRays;
+  constexpr double kStep = 2 * std::numbers::pi / kRays;
   geometry::Pose2 pose = laserPose(moment);
-  pose.yaw_rad -= kPi;  // the first ray looks back
+  pose.yaw_rad -= std::numbers::pi;  // the first ray looks back
   const std::vector<double> found = rangesFrom(moment.robot.plan(), pose, kRays, seedOf(moment));
   Value::Float32s ranges(found.begin(), found.end()), intensities;
   for (const double range : found) {
     intensities.push_back(std::isfinite(range) ? static_cast<float>(40 + 200 * std::exp(-range / 8)) : 0.0F);
   }
   return Value::Object{{"header", headerOf("laser", moment.time_s, moment.dialect())},
-                       {"angle_min", float32(-kPi)},
-                       {"angle_max", float32(kPi - kStep)},
+                       {"angle_min", float32(-std::numbers::pi)},
+                       {"angle_max", float32(std::numbers::pi - kStep)},
                        {"angle_increment", float32(kStep)},
                        {"time_increment", 0.0},
                        {"scan_time", float32(0.1)},

@@ -8,7 +8,7 @@
 namespace mapwright::simulator::ros {
 namespace {
 
-constexpr std::size_t kMostTopics = 1000, kMostOfOne = 100, kLongestQueue = 1000;
+constexpr std::size_t kMostSubscriptions = 1000, kMostOfOne = 100, kLongestQueue = 1000;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ const std::optional<std::string>& Publication::cbor() const {
 }
 
 bool Subscriptions::add(const std::string& topic, const std::string& id, Subscription wanted) {
-  if (topics_.size() >= kMostTopics && !has(topic)) return false;
+  if (topics_.size() >= kMostSubscriptions && !has(topic)) return false;
   wanted.queue_length = std::min(wanted.queue_length, kLongestQueue);
   std::map<std::string, Subscription>& by_id = topics_[topic].by_id;
   if (by_id.size() >= kMostOfOne && !by_id.contains(id)) return false;

@@ -146,3 +146,5 @@ void AdministrationController::askForPlaces(const map::MapKey& key) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_administration_controller.cpp"

@@ -176,3 +176,5 @@ void ChangeDialog::reject() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_change_dialog.cpp"

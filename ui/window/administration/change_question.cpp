@@ -28,10 +28,11 @@ void askToLoad(ChangeQuestion& question, const map::CatalogueEntry* map, const m
   question.accept = ChangeQuestionText::tr("Load");
   question.done = ChangeQuestionText::tr("The robot works with %1 now.");
   const QString name = called(map);
-  question.text = current
-                      ? ChangeQuestionText::tr("The robot will work with %1 instead of %2. What it is doing now may end.")
-                            .arg(name, called(current))
-                      : ChangeQuestionText::tr("The robot will work with %1. What it is doing now may end.").arg(name);
+  question.text =
+      current
+          ? ChangeQuestionText::tr("The robot will work with %1 instead of %2. What it is doing now may end.")
+                .arg(name, called(current))
+          : ChangeQuestionText::tr("The robot will work with %1. What it is doing now may end.").arg(name);
 }
 
 void askToDelete(ChangeQuestion& question, const map::CatalogueEntry* map) {
@@ -39,8 +40,9 @@ void askToDelete(ChangeQuestion& question, const map::CatalogueEntry* map) {
   question.title = ChangeQuestionText::tr("Delete from the robot");
   question.accept = ChangeQuestionText::tr("Delete");
   question.done = ChangeQuestionText::tr("%1 is deleted.");
-  question.text = ChangeQuestionText::tr("%1 will be deleted from the robot, with its waypoints. It cannot be had back.")
-                      .arg(called(map));
+  question.text =
+      ChangeQuestionText::tr("%1 will be deleted from the robot, with its waypoints. It cannot be had back.")
+          .arg(called(map));
   if (map && map->is_current) {
     question.text += QLatin1Char(' ') + ChangeQuestionText::tr("The robot works with it now.");
     question.typed = called(map);
@@ -67,8 +69,8 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
       break;
     case MapChange::Archive:
       question.title = ChangeQuestionText::tr("Archive on the robot");
-      question.text =
-          ChangeQuestionText::tr("%1 will be put away. It is kept, and can be taken out again.").arg(called(map));
+      question.text = ChangeQuestionText::tr("%1 will be put away. It is kept, and can be taken out again.")
+                          .arg(called(map));
       question.accept = ChangeQuestionText::tr("Archive");
       question.done = ChangeQuestionText::tr("%1 is archived.");
       break;
@@ -84,15 +86,18 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
     case MapChange::StartMapping:
       question.ends_something = true;
       question.title = ChangeQuestionText::tr("Start mapping");
-      question.text = current ? ChangeQuestionText::tr("The robot will begin a new map and leave %1.").arg(called(current))
-                              : ChangeQuestionText::tr("The robot will begin a new map.");
+      question.text =
+          current
+              ? ChangeQuestionText::tr("The robot will begin a new map and leave %1.").arg(called(current))
+              : ChangeQuestionText::tr("The robot will begin a new map.");
       question.accept = ChangeQuestionText::tr("Start mapping");
       question.done = ChangeQuestionText::tr("The robot is mapping.");
       break;
     case MapChange::StopMapping:
       question.ends_something = true;
       question.title = ChangeQuestionText::tr("Stop mapping");
-      question.text = ChangeQuestionText::tr("The robot will end mapping. Save the map afterwards, or it may be lost.");
+      question.text =
+          ChangeQuestionText::tr("The robot will end mapping. Save the map afterwards, or it may be lost.");
       question.accept = ChangeQuestionText::tr("Stop mapping");
       question.done = ChangeQuestionText::tr("Mapping is stopped.");
       break;

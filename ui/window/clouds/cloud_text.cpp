@@ -32,9 +32,10 @@ QString cloudSumsText(const scene::CloudSums& sums) {
     lines << CloudTextText::tr("%1 points of %2 are shown.").arg(grouped(sums.shown), grouped(sums.came));
   }
   if (sums.left_out > 0) {
-    lines << sentences::counted(CloudTextText::tr("%1 more are no numbers, or absurdly far away. They are left out.",
-                                          nullptr, count(sums.left_out)),
-                                qint64(sums.left_out));
+    lines << sentences::counted(
+        CloudTextText::tr("%1 more are no numbers, or absurdly far away. They are left out.", nullptr,
+                          count(sums.left_out)),
+        qint64(sums.left_out));
   }
   if (sums.thinned > 0) {
     lines << sentences::counted(
@@ -42,14 +43,15 @@ QString cloudSumsText(const scene::CloudSums& sums) {
         qint64(sums.thinned));
   }
   if (sums.forgotten > 0) {
-    lines << sentences::counted(
-        CloudTextText::tr("%1 older clouds have been let go, to save memory.", nullptr, count(sums.forgotten)),
-        qint64(sums.forgotten));
+    lines << sentences::counted(CloudTextText::tr("%1 older clouds have been let go, to save memory.",
+                                                  nullptr, count(sums.forgotten)),
+                                qint64(sums.forgotten));
   }
   if (sums.without_z) lines << CloudTextText::tr("Some came without heights: they lie at 0 m.");
   if (sums.voxels) {
-    lines << (sums.voxel_m ? CloudTextText::tr("The cells look %1 m large.").arg(metres(*sums.voxel_m, 3))
-                           : CloudTextText::tr("How large the cells are cannot be told from where they lie."));
+    lines << (sums.voxel_m
+                  ? CloudTextText::tr("The cells look %1 m large.").arg(metres(*sums.voxel_m, 3))
+                  : CloudTextText::tr("How large the cells are cannot be told from where they lie."));
   }
   if (sums.frames.size() > 1) {
     lines << CloudTextText::tr("They come in different frames (%1) and may not fit together.")
@@ -61,17 +63,22 @@ QString cloudSumsText(const scene::CloudSums& sums) {
 
 QString sectionText(const scene::CloudSection& section) {
   if (section.points == 0) return CloudTextText::tr("No points lie in the strip.");
-  QString text = sentences::counted(
-      CloudTextText::tr("%1 points", nullptr, sentences::formOf(qint64(section.points))), qint64(section.points));
-  text = CloudTextText::tr("%1, from %2 m to %3 m").arg(text, metres(section.low_m, 2), metres(section.high_m, 2));
-  if (section.one_of > 1) text = CloudTextText::tr("%1; one of %2 is drawn").arg(text, grouped(section.one_of));
+  QString text =
+      sentences::counted(CloudTextText::tr("%1 points", nullptr, sentences::formOf(qint64(section.points))),
+                         qint64(section.points));
+  text = CloudTextText::tr("%1, from %2 m to %3 m")
+             .arg(text, metres(section.low_m, 2), metres(section.high_m, 2));
+  if (section.one_of > 1)
+    text = CloudTextText::tr("%1; one of %2 is drawn").arg(text, grouped(section.one_of));
   return text;
 }
 
 QString sectionPlaceText(const Eigen::Vector2d& at, const std::optional<Eigen::Vector2d>& nearest) {
-  const QString place = CloudTextText::tr("along %1 m, height %2 m").arg(metres(at.x(), 3), metres(at.y(), 3));
+  const QString place =
+      CloudTextText::tr("along %1 m, height %2 m").arg(metres(at.x(), 3), metres(at.y(), 3));
   if (!nearest) return place;
-  return CloudTextText::tr("%1; point at %2 m, %3 m").arg(place, metres(nearest->x(), 3), metres(nearest->y(), 3));
+  return CloudTextText::tr("%1; point at %2 m, %3 m")
+      .arg(place, metres(nearest->x(), 3), metres(nearest->y(), 3));
 }
 
 QString megabytesText(std::int64_t bytes) {

@@ -32,7 +32,7 @@ namespace {
 constexpr int kSectionPx = 280;  // a storey and its ceiling can be told apart
 
 const QString kWidthKey = QStringLiteral("clouds/section_width_m");
-const QString kFolderKey = QStringLiteral("clouds/folder");
+const QString kCloudsFolderKey = QStringLiteral("clouds/folder");
 const QString kLowKey = QStringLiteral("clouds/asked_low_m");
 const QString kHighKey = QStringLiteral("clouds/asked_high_m");
 
@@ -294,13 +294,13 @@ std::vector<Fetched> CloudsController::fetched() {
 }
 
 void CloudsController::askAndSave(std::function<void()> then) {
-  const QString folder = folderToWriteInto({context_.settings.value(kFolderKey).toString()});
+  const QString folder = folderToWriteInto({context_.settings.value(kCloudsFolderKey).toString()});
   const QString proposed = QDir(folder).filePath(QStringLiteral("cloud.pcd"));
   QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the cloud that is shown"), proposed,
                                               tr("Clouds (*.pcd *.ply *.csv)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".pcd");
-  context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
+  context_.settings.setValue(kCloudsFolderKey, QFileInfo(path).absolutePath());
   saveTo(path, std::move(then));
 }
 
@@ -339,3 +339,5 @@ void CloudsController::remember(QSettings& settings) {
 void CloudsController::reset() { section_dock_->widthBox()->setValue(0.5); }
 
 }  // namespace mapwright::window
+
+#include "moc_clouds_controller.cpp"

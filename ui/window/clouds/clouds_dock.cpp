@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFarthestM = 100'000;
 
-QLabel* wrapped(QWidget* parent) {
+QLabel* cloudText(QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
@@ -25,7 +25,7 @@ QLabel* wrapped(QWidget* parent) {
   return label;
 }
 
-QLabel* heading(const QString& text, QWidget* parent) {
+QLabel* cloudHeading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   QFont font = label->font();
   font.setBold(true);
@@ -33,7 +33,7 @@ QLabel* heading(const QString& text, QWidget* parent) {
   return label;
 }
 
-QPushButton* compact(const QString& text, QWidget* parent) {
+QPushButton* cloudButton(const QString& text, QWidget* parent) {
   auto* button = new QPushButton(text, parent);
   button->setObjectName(QStringLiteral("compact"));
   return button;
@@ -63,7 +63,7 @@ QHBoxLayout* fromTo(QDoubleSpinBox* from, QDoubleSpinBox* to, QWidget* parent) {
 }  // namespace
 
 CloudsDock::CloudsDock(QWidget* parent)
-    : QDockWidget(tr("Clouds"), parent), absence_(wrapped(this)), body_(new QWidget(this)) {
+    : QDockWidget(tr("Clouds"), parent), absence_(cloudText(this)), body_(new QWidget(this)) {
   setObjectName(QStringLiteral("clouds"));
   auto* const column = new QVBoxLayout(body_);
   column->setContentsMargins(8, 8, 8, 8);
@@ -94,7 +94,7 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   asking_ = new QWidget(body_);
   auto* const rows = new QVBoxLayout(asking_);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addWidget(heading(tr("Fetch"), asking_));
+  rows->addWidget(cloudHeading(tr("Fetch"), asking_));
   auto* const form = new QFormLayout;
   kind_ = new QComboBox(asking_);
   kind_->addItems({tr("Points"), tr("Occupied cells")});
@@ -111,19 +111,19 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   form->addRow(tr("Shape"), shape_);
   rows->addLayout(form);
   auto* const buttons = new QHBoxLayout;
-  view_ = compact(tr("In view"), asking_);
-  region_ = compact(tr("Draw region"), asking_);
-  whole_ = compact(tr("Everything…"), asking_);
+  view_ = cloudButton(tr("In view"), asking_);
+  region_ = cloudButton(tr("Draw region"), asking_);
+  whole_ = cloudButton(tr("Everything…"), asking_);
   for (QPushButton* const button : {view_, region_, whole_}) buttons->addWidget(button);
   rows->addLayout(buttons);
 
   question_ = new QWidget(asking_);
   auto* const ask = new QVBoxLayout(question_);
   ask->setContentsMargins(0, 0, 0, 0);
-  auto* const text = wrapped(question_);
+  auto* const text = cloudText(question_);
   text->setText(tr("The robot does not say how large its whole cloud is. It may take long and much memory."));
-  sure_ = compact(tr("Fetch everything"), question_);
-  auto* const no = compact(tr("Do not"), question_);
+  sure_ = cloudButton(tr("Fetch everything"), question_);
+  auto* const no = cloudButton(tr("Do not"), question_);
   auto* const answers = new QHBoxLayout;
   answers->addWidget(sure_);
   answers->addWidget(no);
@@ -138,11 +138,11 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
   auto* const line = new QHBoxLayout(under_way_);
   line->setContentsMargins(0, 0, 0, 0);
   progress_ = new PlainLabel(under_way_);
-  cancel_ = compact(tr("Cancel"), under_way_);
+  cancel_ = cloudButton(tr("Cancel"), under_way_);
   line->addWidget(progress_, 1);
   line->addWidget(cancel_);
   column->addWidget(under_way_);
-  outcome_ = wrapped(body_);
+  outcome_ = cloudText(body_);
   column->addWidget(outcome_);
 
   connect(kind_, &QComboBox::activated, this, &CloudsDock::kindChosen);
@@ -159,7 +159,7 @@ void CloudsDock::buildAsking(QVBoxLayout* column) {
 }
 
 void CloudsDock::buildLook(QVBoxLayout* column) {
-  column->addWidget(heading(tr("Show"), body_));
+  column->addWidget(cloudHeading(tr("Show"), body_));
   const scene::LayerTraits traits = scene::layerTraits(scene::Layer::DispatchedCloud);
   auto* const form = new QFormLayout;
   color_ = new QComboBox(body_);
@@ -184,7 +184,7 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
   low_ = metresBox(-1e7, 1e7, 2, tr("Shown from this height"), body_);
   high_ = metresBox(-1e7, 1e7, 2, tr("Shown up to this height"), body_);
   column->addLayout(fromTo(low_, high_, body_));
-  auto* const all = compact(tr("All heights"), body_);
+  auto* const all = cloudButton(tr("All heights"), body_);
   column->addWidget(all, 0, Qt::AlignLeft);
   connect(color_, &QComboBox::activated, this, &CloudsDock::colorChosen);
   connect(size_, &QDoubleSpinBox::valueChanged, this, &CloudsDock::sizeChosen);
@@ -197,11 +197,11 @@ void CloudsDock::buildLook(QVBoxLayout* column) {
 }
 
 void CloudsDock::buildEnd(QVBoxLayout* column) {
-  counts_ = wrapped(body_);
+  counts_ = cloudText(body_);
   column->addWidget(counts_);
   auto* const buttons = new QHBoxLayout;
-  save_ = compact(tr("Save as…"), body_);
-  clear_ = compact(tr("Clear"), body_);
+  save_ = cloudButton(tr("Save as…"), body_);
+  clear_ = cloudButton(tr("Clear"), body_);
   buttons->addWidget(save_);
   buttons->addWidget(clear_);
   buttons->addStretch();
@@ -292,3 +292,5 @@ void CloudsDock::setStyle(const scene::LayerStyle& style) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_clouds_dock.cpp"

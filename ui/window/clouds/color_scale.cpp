@@ -81,3 +81,5 @@ void ColorScale::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_color_scale.cpp"

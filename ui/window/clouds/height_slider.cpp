@@ -177,3 +177,5 @@ void HeightSlider::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_height_slider.cpp"

@@ -94,3 +94,5 @@ void RegionTool::paint(QPainter& painter) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_region_tool.cpp"

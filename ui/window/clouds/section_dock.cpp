@@ -70,3 +70,5 @@ void SectionDock::tell() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_section_dock.cpp"

@@ -119,3 +119,5 @@ void SectionTool::paint(QPainter& painter) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_section_tool.cpp"

@@ -352,3 +352,5 @@ void SectionView::paintAxes(QPainter& painter) const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_section_view.cpp"

@@ -83,3 +83,5 @@ void CompareController::compareWithAddress(const QString& address) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_compare_controller.cpp"

@@ -317,3 +317,5 @@ void ConnectionController::refreshNotices() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_connection_controller.cpp"

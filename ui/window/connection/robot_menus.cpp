@@ -72,3 +72,5 @@ void RobotMenus::addRecents(QMenu& menu, bool files, const QString& title) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_robot_menus.cpp"

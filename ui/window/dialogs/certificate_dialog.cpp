@@ -35,7 +35,7 @@ QLabel* fingerprint(const QString& sha256, QWidget* parent) {
   return label;
 }
 
-QString dayText(const QDateTime& time) {
+QString certificateDay(const QDateTime& time) {
   return time.isValid() ? time.toUTC().date().toString(Qt::ISODate) : QStringLiteral("?");
 }
 
@@ -114,10 +114,13 @@ QWidget* CertificateDialog::buildFacts() {
   row(tr("Why"), why);
   row(tr("Issued for"), plain(certificate_.subject.isEmpty() ? tr("no name") : certificate_.subject, box));
   row(tr("Issued by"), plain(certificate_.issuer.isEmpty() ? tr("no name") : certificate_.issuer, box));
-  row(tr("Valid"), plain(tr("%1 to %2").arg(dayText(certificate_.from), dayText(certificate_.until)), box));
+  row(tr("Valid"),
+      plain(tr("%1 to %2").arg(certificateDay(certificate_.from), certificateDay(certificate_.until)), box));
   if (changed) row(tr("Trusted so far (SHA-256)"), fingerprint(certificate_.pinned_sha256, box));
   row(changed ? tr("Now (SHA-256)") : tr("Fingerprint (SHA-256)"), fingerprint(certificate_.sha256, box));
   return box;
 }
 
 }  // namespace mapwright::window
+
+#include "moc_certificate_dialog.cpp"

@@ -225,3 +225,5 @@ void ConnectDialog::setError(const QString& sentence) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_connect_dialog.cpp"

@@ -291,3 +291,5 @@ QString ExportDialog::contentText() const { return content_->isHidden() ? QStrin
 QString ExportDialog::errorText() const { return error_->isHidden() ? QString() : error_->text(); }
 
 }  // namespace mapwright::window
+
+#include "moc_export_dialog.cpp"

@@ -81,3 +81,5 @@ void GoToDialog::check() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_go_to_dialog.cpp"

@@ -146,3 +146,5 @@ void PictureDialog::check() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_picture_dialog.cpp"

@@ -116,3 +116,5 @@ void InspectorControls::setColorMode(render::ColorMode mode) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_inspector_controls.cpp"

@@ -343,3 +343,5 @@ void InspectorDock::refreshDetails() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_inspector_dock.cpp"

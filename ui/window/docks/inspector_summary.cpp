@@ -116,3 +116,5 @@ void InspectorSummary::refresh(const session::Session* session) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_inspector_summary.cpp"

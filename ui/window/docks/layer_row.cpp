@@ -19,7 +19,7 @@
 namespace mapwright::window {
 
 namespace {
-constexpr int kRowPx = 24;
+constexpr int kLayerRowPx = 24;
 }
 
 LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
@@ -38,10 +38,10 @@ LayerRow::LayerRow(scene::MapScene* scene, scene::Layer layer, QWidget* parent)
   eye_->setStyleSheet(
       QStringLiteral("QToolButton:checked { background: transparent; border-color: transparent; }"));
   eye_->setIconSize({16, 16});
-  eye_->setFixedSize(kRowPx, kRowPx);
+  eye_->setFixedSize(kLayerRowPx, kLayerRowPx);
   eye_->setFocusPolicy(Qt::TabFocus);
   eye_->setAccessibleName(tr("Show %1").arg(title));
-  name_->setFixedHeight(kRowPx);
+  name_->setFixedHeight(kLayerRowPx);
   name_->setSample(QStringLiteral("xxxx"));  // the row must not force the dock's width
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   opacity_->setObjectName(QStringLiteral("opacity-") + scene::layerName(layer));
@@ -180,9 +180,11 @@ void LayerRow::paintEvent(QPaintEvent*) {
   if (!hasFocus() && !dragging_) return;
   const UiColors colors = appColors();
   QPainter painter(this);
-  const QRect head(0, 0, width(), kRowPx);
+  const QRect head(0, 0, width(), kLayerRowPx);
   painter.fillRect(head, dragging_ ? colors.selection : colors.hover);
-  painter.fillRect(QRect(0, 0, 2, kRowPx), colors.accent);
+  painter.fillRect(QRect(0, 0, 2, kLayerRowPx), colors.accent);
 }
 
 }  // namespace mapwright::window
+
+#include "moc_layer_row.cpp"

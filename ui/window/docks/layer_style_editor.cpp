@@ -149,3 +149,5 @@ void LayerStyleEditor::askForColor() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_layer_style_editor.cpp"

@@ -175,3 +175,5 @@ QToolButton* LayersDock::eye(Layer layer) const { return row(layer) ? row(layer)
 QSlider* LayersDock::opacity(Layer layer) const { return row(layer) ? row(layer)->opacity() : nullptr; }
 
 }  // namespace mapwright::window
+
+#include "moc_layers_dock.cpp"

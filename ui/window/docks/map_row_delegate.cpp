@@ -12,7 +12,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kRowPx = 56, kSectionPx = 24, kPad = 4;
+constexpr int kMapRowPx = 56, kMapSectionPx = 24, kMapPad = 4;
 // Names from robots keep to the left whatever script they are in: the eye runs down one edge.
 constexpr int kLeft = int(Qt::AlignLeft) | int(Qt::AlignAbsolute) | int(Qt::AlignVCenter);
 
@@ -25,14 +25,14 @@ MapsModel::RowKind kindOf(const QModelIndex& index) {
 QSize MapRowDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const {
   switch (kindOf(index)) {
     case MapsModel::RowKind::Section:
-      return {100, kSectionPx};
+      return {100, kMapSectionPx};
     case MapsModel::RowKind::Live:
     case MapsModel::RowKind::Fetched:
       return {100, 40};
     case MapsModel::RowKind::Map:
       break;
   }
-  return {100, kRowPx};
+  return {100, kMapRowPx};
 }
 
 void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -52,10 +52,10 @@ void MapRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   const int edge = MapsModel::kThumbnailPx;
-  const QRect box(option.rect.left() + kPad, option.rect.top() + (option.rect.height() - edge) / 2, edge,
+  const QRect box(option.rect.left() + kMapPad, option.rect.top() + (option.rect.height() - edge) / 2, edge,
                   edge);
   paintThumbnail(painter, box, index);
-  QRect text = option.rect.adjusted(2 * kPad + edge + 2, 4, -kPad, -4);
+  QRect text = option.rect.adjusted(2 * kMapPad + edge + 2, 4, -kMapPad, -4);
   const QFontMetrics metrics(option.font);
 
   // The marks stand at the right end of the first line; the name takes what is left.
@@ -138,3 +138,5 @@ void MapRowDelegate::paintThumbnail(QPainter* painter, const QRect& box, const Q
 }
 
 }  // namespace mapwright::window
+
+#include "moc_map_row_delegate.cpp"

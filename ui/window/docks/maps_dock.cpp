@@ -219,3 +219,5 @@ bool MapsDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_maps_dock.cpp"

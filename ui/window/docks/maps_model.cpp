@@ -243,3 +243,5 @@ QModelIndex MapsModel::indexOf(const map::MapKey& key) const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_maps_model.cpp"

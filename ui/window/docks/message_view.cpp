@@ -67,3 +67,5 @@ void MessageView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_message_view.cpp"

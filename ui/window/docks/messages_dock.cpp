@@ -28,7 +28,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kRefreshMs = 200, kIdleMs = 1'000;
+constexpr int kMessagesRefreshMs = 200, kIdleMs = 1'000;
 const QString kOwner = QStringLiteral("messages");
 
 std::function<qint64()> elapsedClock() {
@@ -230,7 +230,7 @@ void MessagesDock::setSession(session::Session* session) {
                 retelling_ ? TopicLog::Telling::Again : TopicLog::Telling::New);
       if (dirty_) return;
       dirty_ = true;
-      refresh_timer_.start(kRefreshMs);
+      refresh_timer_.start(kMessagesRefreshMs);
     });
   }
   updateWatching();
@@ -353,3 +353,5 @@ void MessagesDock::showMenu(const QPoint& at) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_messages_dock.cpp"

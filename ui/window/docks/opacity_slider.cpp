@@ -54,3 +54,5 @@ void OpacitySlider::follow(const QPointF& at) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_opacity_slider.cpp"

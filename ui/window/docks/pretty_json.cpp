@@ -32,7 +32,7 @@ qsizetype endOfShort(const QString& text, qsizetype at) {
   return -1;
 }
 
-qsizetype endOfString(const QString& text, qsizetype at) {
+qsizetype endOfQuoted(const QString& text, qsizetype at) {
   for (qsizetype i = at + 1; i < text.size(); ++i) {
     if (text[i] == QLatin1Char('\\')) {
       ++i;
@@ -64,7 +64,7 @@ QString prettyJson(const QByteArray& bytes, qsizetype limit, qsizetype longest_s
     if (out.size() > limit) return out + cutNote();
     const QChar c = text[i];
     if (c == QLatin1Char('"')) {
-      const qsizetype end = endOfString(text, i);
+      const qsizetype end = endOfQuoted(text, i);
       if (end - i - 2 > longest_string) {
         out += QStringView(text).mid(i, longest_string + 1);
         out += QStringLiteral("…\" (%1 characters)").arg(countText(end - i - 2));

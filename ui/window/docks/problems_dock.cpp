@@ -130,3 +130,5 @@ bool ProblemsDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_problems_dock.cpp"

@@ -173,3 +173,5 @@ QString problemLine(const session::LoggedProblem& problem) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_problems_model.cpp"

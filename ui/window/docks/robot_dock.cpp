@@ -22,7 +22,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kRefreshMs = 200, kTickMs = 1000;
+constexpr int kRobotRefreshMs = 200, kRobotTickMs = 1000;
 constexpr std::size_t kMostAlerts = 100;
 
 map::Streams statusStreams() {
@@ -31,7 +31,7 @@ map::Streams statusStreams() {
           Stream::Sensors, Stream::MapInfo, Stream::GlobalPositioning};
 }
 
-PlainLabel* heading(const QString& text, QWidget* parent) {
+PlainLabel* robotHeading(const QString& text, QWidget* parent) {
   auto* label = new PlainLabel(text, parent);
   QFont font = label->font();
   font.setWeight(QFont::DemiBold);
@@ -39,7 +39,7 @@ PlainLabel* heading(const QString& text, QWidget* parent) {
   return label;
 }
 
-QLabel* wrapped(QWidget* parent) {
+QLabel* selectable(QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
@@ -64,7 +64,7 @@ RobotDock::RobotDock(QWidget* parent)
     : QDockWidget(tr("Robot"), parent),
       link_(new StateLabel(this)),
       stale_(new PlainLabel(this)),
-      limits_(wrapped(this)),
+      limits_(selectable(this)),
       fields_(new QWidget(this)),
       alert_box_(new QWidget(this)),
       grid_(new QGridLayout(fields_)),
@@ -96,9 +96,9 @@ RobotDock::RobotDock(QWidget* parent)
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWidget(scroll);
   refresh_timer_.setSingleShot(true);
-  refresh_timer_.setInterval(kRefreshMs);
+  refresh_timer_.setInterval(kRobotRefreshMs);
   connect(&refresh_timer_, &QTimer::timeout, this, &RobotDock::refresh);
-  tick_.setInterval(kTickMs);
+  tick_.setInterval(kRobotTickMs);
   connect(&tick_, &QTimer::timeout, this, &RobotDock::refresh);
   refresh();
 }
@@ -171,7 +171,7 @@ void RobotDock::showSections(std::vector<StatusSection> sections) {
     cells_.clear();
     int line = 0;
     for (const StatusSection& section : sections) {
-      PlainLabel* title = heading(section.title, fields_);
+      PlainLabel* title = robotHeading(section.title, fields_);
       grid_->addWidget(title, line++, 0, 1, 3);
       title->setContentsMargins(0, 4, 0, 0);
       for (const StatusField& field : section.fields) {
@@ -210,7 +210,7 @@ QWidget* RobotDock::alertRow(const AlertLine& line) {
   head->setState({line.mark, QStringLiteral("%1 %2%3").arg(
                                  line.level, line.code,
                                  line.since.isEmpty() ? QString() : tr(", since ") + line.since)});
-  auto* text = wrapped(row);
+  auto* text = selectable(row);
   text->setText(line.text);
   text->setContentsMargins(20, 0, 0, 0);
   column->addWidget(head);
@@ -232,7 +232,7 @@ void RobotDock::showAlerts(std::vector<AlertLine> lines, bool known) {
   const QString title = alerts_.empty() ? tr("No alerts")
                                         : sentences::counted(tr("%1 alerts", nullptr, int(alerts_.size())),
                                                              qint64(alerts_.size()));
-  alert_column_->addWidget(heading(title, alert_box_));
+  alert_column_->addWidget(robotHeading(title, alert_box_));
   for (std::size_t i = 0; i < std::min(kMostAlerts, alerts_.size()); ++i)
     alert_column_->addWidget(alertRow(alerts_[i]));
   if (alerts_.size() > kMostAlerts) {
@@ -258,3 +258,5 @@ QString RobotDock::shownText() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_robot_dock.cpp"

@@ -21,3 +21,5 @@ bool SubmapFilterModel::filterAcceptsRow(int source_row, const QModelIndex& sour
 }
 
 }  // namespace mapwright::window
+
+#include "moc_submap_filter_model.cpp"

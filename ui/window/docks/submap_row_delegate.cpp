@@ -25,10 +25,10 @@ QColor badgeColor(const QString& name, const UiColors& colors) {
   return colors.secondary_text;
 }
 
-constexpr int kPad = 2;           // left of what the delegate paints itself
-constexpr int kIconPx = 18;       // the mark of a status with its gap
-constexpr double kBadgeGap = 3;   // between two
-constexpr double kBadgeEdge = 8;  // around its word
+constexpr int kSubmapPad = 2;      // left of what the delegate paints itself
+constexpr int kStatusIconPx = 18;  // the mark of a status with its gap
+constexpr double kBadgeGap = 3;    // between two
+constexpr double kBadgeEdge = 8;   // around its word
 constexpr int kLocatePx = 22;
 
 QFont badgeFont(QFont font) {
@@ -66,17 +66,17 @@ ColumnNeeds columnNeeds(const QTreeView& tree, const SubmapTreeModel& model) {
   const QFontMetrics metrics(tree.font());
   ColumnNeeds needs;
   needs.name = std::max(nameWidth(tree, model.widestLeaf(), 2), nameWidth(tree, model.widestGroup(), 1));
-  needs.total = metrics.horizontalAdvance(model.widestTotal()) + 2 * kPad + 4;
+  needs.total = metrics.horizontalAdvance(model.widestTotal()) + 2 * kSubmapPad + 4;
   needs.locate = kLocatePx;
   const auto heading = [&](SubmapTreeModel::Column column) { return tree.header()->sectionSizeHint(column); };
   SubmapFacts all;
   all.frozen = all.incremental = all.nearby = true;
   needs.badges_least = heading(SubmapTreeModel::BadgeColumn);
-  needs.badges_wanted = kPad + int(std::ceil(badgesWidth(tree.font(), badges(all))));
+  needs.badges_wanted = kSubmapPad + int(std::ceil(badgesWidth(tree.font(), badges(all))));
   needs.status_least = heading(SubmapTreeModel::StatusColumn);
   for (int status = 0; status <= int(session::SubmapStatus::Unplaced); ++status) {
     const int word = metrics.horizontalAdvance(statusWord(session::SubmapStatus(status)));
-    needs.status_wanted = std::max(needs.status_wanted, word + kIconPx + 3 * kPad);
+    needs.status_wanted = std::max(needs.status_wanted, word + kStatusIconPx + 3 * kSubmapPad);
   }
   return needs;
 }
@@ -132,7 +132,7 @@ void SubmapRowDelegate::paintBadges(QPainter* painter, const QStyleOptionViewIte
   const QFont font = badgeFont(option.font);
   painter->setFont(font);
   const QFontMetricsF metrics(font);
-  double x = option.rect.left() + kPad;
+  double x = option.rect.left() + kSubmapPad;
   const auto paint_one = [&](const QString& name, const QColor& color) {
     const QRectF box(x, option.rect.center().y() - 6.5, badgeWidth(metrics, name), 15);
     QColor fill = color;
@@ -163,9 +163,9 @@ void SubmapRowDelegate::paintStatus(QPainter* painter, const QStyleOptionViewIte
   const auto status = session::SubmapStatus(index.data(SubmapTreeModel::StatusRole).toInt());
   const Mark kind = statusMark(status);
   const QColor mark = markTextColor(kind, colors);
-  QRect text = option.rect.adjusted(kPad, 0, -kPad, 0);
+  QRect text = option.rect.adjusted(kSubmapPad, 0, -kSubmapPad, 0);
   paintIcon(painter, QRectF(text.left(), text.center().y() - 6.5, 14, 14), statusIcon(status), mark);
-  text.setLeft(text.left() + kIconPx);
+  text.setLeft(text.left() + kStatusIconPx);
   const QString word = index.data().toString();
   // Half a word says less than the shape beside it; the tooltip has it whole.
   if (QFontMetrics(option.font).horizontalAdvance(word) > text.width()) return;
@@ -181,7 +181,8 @@ void SubmapRowDelegate::paintTotal(QPainter* painter, const QStyleOptionViewItem
   const auto* tree = qobject_cast<const QTreeView*>(option.widget);
   if (!tree) return;
   const int left = tree->visualRect(index.siblingAtColumn(SubmapTreeModel::BadgeColumn)).left();
-  const QRect text(QPoint(left, option.rect.top()), QPoint(option.rect.left() - kPad, option.rect.bottom()));
+  const QRect text(QPoint(left, option.rect.top()),
+                   QPoint(option.rect.left() - kSubmapPad, option.rect.bottom()));
   painter->setFont(option.font);
   painter->setPen(appColors().secondary_text);
   painter->drawText(text, int(Qt::AlignRight | Qt::AlignVCenter),
@@ -189,3 +190,5 @@ void SubmapRowDelegate::paintTotal(QPainter* painter, const QStyleOptionViewItem
 }
 
 }  // namespace mapwright::window
+
+#include "moc_submap_row_delegate.cpp"

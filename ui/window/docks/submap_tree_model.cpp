@@ -355,3 +355,5 @@ int SubmapTreeModel::rowCount(const QModelIndex& parent) const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_submap_tree_model.cpp"

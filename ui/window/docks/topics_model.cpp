@@ -145,3 +145,5 @@ QVariant TopicsModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 }  // namespace mapwright::window
+
+#include "moc_topics_model.cpp"

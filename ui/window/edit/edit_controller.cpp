@@ -90,3 +90,5 @@ void EditController::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_edit_controller.cpp"

@@ -189,3 +189,5 @@ void ExportController::exportMap() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_export_controller.cpp"

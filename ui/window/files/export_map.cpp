@@ -159,3 +159,5 @@ void ExportJob::start(ExportRequest request) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_export_map.cpp"

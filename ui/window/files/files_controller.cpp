@@ -79,3 +79,5 @@ bool FilesController::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_files_controller.cpp"

@@ -38,3 +38,5 @@ void PicturePlacing::ask(const QString& path, const QStringList& named_by, const
 }
 
 }  // namespace mapwright::window
+
+#include "moc_picture_placing.cpp"

@@ -221,3 +221,5 @@ void DiagnosticsDialog::keep() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_diagnostics_dialog.cpp"

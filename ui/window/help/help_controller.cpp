@@ -74,3 +74,5 @@ void HelpController::showDiagnostics() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_help_controller.cpp"

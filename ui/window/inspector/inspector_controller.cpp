@@ -93,3 +93,5 @@ void InspectorController::goToFilter() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_inspector_controller.cpp"

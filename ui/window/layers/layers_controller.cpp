@@ -215,3 +215,5 @@ void LayersController::endMode() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_layers_controller.cpp"

@@ -146,3 +146,5 @@ QString plainToolTip(const QString& text) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_plain_label.cpp"

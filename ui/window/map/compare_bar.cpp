@@ -205,3 +205,5 @@ void CompareBar::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_compare_bar.cpp"

@@ -110,3 +110,5 @@ bool CompareControl::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_compare_control.cpp"

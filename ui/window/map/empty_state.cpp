@@ -341,3 +341,5 @@ void EmptyStateCard::changeEvent(QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_empty_state.cpp"

@@ -79,3 +79,5 @@ MapFurniture::MapFurniture(QAction* zoom_in, QAction* zoom_out, QAction* fit, QA
 }
 
 }  // namespace mapwright::window
+
+#include "moc_map_furniture.cpp"

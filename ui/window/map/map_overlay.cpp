@@ -108,3 +108,5 @@ void MapOverlay::place() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_map_overlay.cpp"

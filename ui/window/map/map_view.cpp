@@ -300,3 +300,5 @@ void MapView::updateCursor() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_map_view.cpp"

@@ -118,3 +118,5 @@ QString MeasureTool::hint() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_measure_tool.cpp"

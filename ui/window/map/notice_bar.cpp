@@ -97,3 +97,5 @@ QString lostConnectionSentence(const QDateTime& since, const QDateTime& now) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_notice_bar.cpp"

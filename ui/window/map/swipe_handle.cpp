@@ -106,3 +106,5 @@ void SwipeHandle::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_swipe_handle.cpp"

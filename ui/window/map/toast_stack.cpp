@@ -146,3 +146,5 @@ QStringList ToastStack::texts() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_toast_stack.cpp"

@@ -45,3 +45,5 @@ void ToolChoice::sync() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_tool_choice.cpp"

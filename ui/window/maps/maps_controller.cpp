@@ -159,3 +159,5 @@ void MapsController::refreshNotice() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_maps_controller.cpp"

@@ -19,3 +19,5 @@ MessagesController::MessagesController(WindowContext& context, QObject* parent)
 void MessagesController::setSession(session::Session* session) { dock_->setSession(session); }
 
 }  // namespace mapwright::window
+
+#include "moc_messages_controller.cpp"

@@ -324,3 +324,5 @@ void PictureController::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_picture_controller.cpp"

@@ -21,14 +21,14 @@ namespace mapwright::window {
 
 namespace {
 
-QLabel* wrapped(QWidget* parent) {
+QLabel* pictureText(QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   return label;
 }
 
-QLabel* heading(const QString& text, QWidget* parent) {
+QLabel* pictureHeading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   QFont font = label->font();
   font.setBold(true);
@@ -36,7 +36,7 @@ QLabel* heading(const QString& text, QWidget* parent) {
   return label;
 }
 
-QPushButton* compact(const QString& text, QWidget* parent) {
+QPushButton* pictureButton(const QString& text, QWidget* parent) {
   auto* button = new QPushButton(text, parent);
   button->setObjectName(QStringLiteral("compact"));
   return button;
@@ -66,7 +66,7 @@ PictureDock::PictureDock(PictureEditing* editing, PictureTool* tool, QWidget* pa
     : QDockWidget(tr("Edit map"), parent),
       editing_(editing),
       tool_(tool),
-      empty_(wrapped(this)),
+      empty_(pictureText(this)),
       body_(new QWidget(this)) {
   setObjectName(QStringLiteral("picture"));
   auto* column = new QVBoxLayout(body_);
@@ -102,9 +102,9 @@ void PictureDock::buildOffer(QVBoxLayout* column) {
   offer_box_ = new QWidget(body_);
   auto* rows = new QVBoxLayout(offer_box_);
   rows->setContentsMargins(0, 0, 0, 6);
-  offer_ = wrapped(offer_box_);
-  restore_ = compact(tr("Restore"), offer_box_);
-  auto* drop = compact(tr("Discard draft"), offer_box_);
+  offer_ = pictureText(offer_box_);
+  restore_ = pictureButton(tr("Restore"), offer_box_);
+  auto* drop = pictureButton(tr("Discard draft"), offer_box_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(restore_);
   buttons->addWidget(drop);
@@ -183,8 +183,8 @@ void PictureDock::buildKinds(QVBoxLayout* column) {
 
 void PictureDock::buildTidying(QVBoxLayout* column) {
   column->addSpacing(6);
-  column->addWidget(heading(tr("Tidy up"), body_));
-  tidy_where_ = wrapped(body_);
+  column->addWidget(pictureHeading(tr("Tidy up"), body_));
+  tidy_where_ = pictureText(body_);
   column->addWidget(tidy_where_);
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(8);
@@ -201,7 +201,7 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
     label->setToolTip(tidyTip(what));
     label->setBuddy(spin);
     spin->setAccessibleName(tidyName(what));
-    auto* look = compact(tr("Look"), body_);
+    auto* look = pictureButton(tr("Look"), body_);
     look->setToolTip(tr("Shows how it would be; nothing is changed yet"));
     look->setAccessibleName(tr("Look: %1").arg(tidyName(what)));
     connect(look, &QPushButton::clicked, this,
@@ -217,9 +217,9 @@ void PictureDock::buildTidying(QVBoxLayout* column) {
   preview_row_ = new QWidget(body_);
   auto* row = new QHBoxLayout(preview_row_);
   row->setContentsMargins(0, 0, 0, 0);
-  found_ = wrapped(preview_row_);
-  apply_ = compact(tr("Apply"), preview_row_);
-  drop_ = compact(tr("Cancel"), preview_row_);
+  found_ = pictureText(preview_row_);
+  apply_ = pictureButton(tr("Apply"), preview_row_);
+  drop_ = pictureButton(tr("Cancel"), preview_row_);
   row->addWidget(found_, 1);
   row->addWidget(apply_);
   row->addWidget(drop_);
@@ -248,10 +248,10 @@ void PictureDock::buildDecision(QVBoxLayout* column) {
   decision_ = new QWidget(body_);
   auto* rows = new QVBoxLayout(decision_);
   rows->setContentsMargins(0, 6, 0, 0);
-  conflict_ = wrapped(decision_);
-  mine_ = compact(tr("Keep mine"), decision_);
-  theirs_ = compact(tr("Take theirs"), decision_);
-  auto* show = compact(tr("Show"), decision_);
+  conflict_ = pictureText(decision_);
+  mine_ = pictureButton(tr("Keep mine"), decision_);
+  theirs_ = pictureButton(tr("Take theirs"), decision_);
+  auto* show = pictureButton(tr("Show"), decision_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(mine_);
   buttons->addWidget(theirs_);
@@ -266,14 +266,14 @@ void PictureDock::buildDecision(QVBoxLayout* column) {
 }
 
 void PictureDock::buildEnd(QVBoxLayout* column) {
-  status_ = wrapped(body_);
-  compare_ = compact(tr("Before…"), body_);
+  status_ = pictureText(body_);
+  compare_ = pictureButton(tr("Before…"), body_);
   compare_->setToolTip(tr("What is saved beside what it is now, divided by a line that can be dragged"));
-  discard_ = compact(tr("Discard"), body_);
+  discard_ = pictureButton(tr("Discard"), body_);
   discard_->setToolTip(tr("All as it is saved; can be undone"));
-  save_ = compact(tr("Save"), body_);
+  save_ = pictureButton(tr("Save"), body_);
   save_->setIcon(themedIcon(QStringLiteral("save")));
-  stop_ = compact(tr("Stop"), body_);
+  stop_ = pictureButton(tr("Stop"), body_);
   stop_->setToolTip(tr("The rest of it is not sent, and the robot keeps the picture that it has"));
   auto* row = new QHBoxLayout;
   row->setSpacing(6);
@@ -389,3 +389,5 @@ void PictureDock::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_picture_dock.cpp"

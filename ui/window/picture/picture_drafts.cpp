@@ -106,3 +106,5 @@ void PictureDrafts::turnDown() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_picture_drafts.cpp"

@@ -236,3 +236,5 @@ geometry::WorldRect PictureEditing::worldOf(const CellRect& rect) const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_picture_editing.cpp"

@@ -8,7 +8,7 @@
 namespace mapwright::window {
 namespace {
 
-struct Words {
+struct PictureModeText {
   Q_DECLARE_TR_FUNCTIONS(mapwright::window::Picture)
 };
 
@@ -17,19 +17,19 @@ struct Words {
 QString modeName(PaintMode mode) {
   switch (mode) {
     case PaintMode::Brush:
-      return Words::tr("Brush");
+      return PictureModeText::tr("Brush");
     case PaintMode::Eraser:
-      return Words::tr("Eraser");
+      return PictureModeText::tr("Eraser");
     case PaintMode::Line:
-      return Words::tr("Line");
+      return PictureModeText::tr("Line");
     case PaintMode::Rectangle:
-      return Words::tr("Rectangle");
+      return PictureModeText::tr("Rectangle");
     case PaintMode::Polygon:
-      return Words::tr("Polygon");
+      return PictureModeText::tr("Polygon");
     case PaintMode::Fill:
-      return Words::tr("Fill");
+      return PictureModeText::tr("Fill");
     case PaintMode::Select:
-      return Words::tr("Select");
+      return PictureModeText::tr("Select");
   }
   return {};
 }
@@ -37,19 +37,19 @@ QString modeName(PaintMode mode) {
 QString modeTip(PaintMode mode) {
   switch (mode) {
     case PaintMode::Brush:
-      return Words::tr("Brush: paint by hand");
+      return PictureModeText::tr("Brush: paint by hand");
     case PaintMode::Eraser:
-      return Words::tr("Eraser: take changes back where it goes, to what is saved");
+      return PictureModeText::tr("Eraser: take changes back where it goes, to what is saved");
     case PaintMode::Line:
-      return Words::tr("Line: a straight wall, as wide as the brush");
+      return PictureModeText::tr("Line: a straight wall, as wide as the brush");
     case PaintMode::Rectangle:
-      return Words::tr("Rectangle: filled");
+      return PictureModeText::tr("Rectangle: filled");
     case PaintMode::Polygon:
-      return Words::tr("Polygon: filled, corner by corner");
+      return PictureModeText::tr("Polygon: filled, corner by corner");
     case PaintMode::Fill:
-      return Words::tr("Fill: all of one kind that hangs together");
+      return PictureModeText::tr("Fill: all of one kind that hangs together");
     case PaintMode::Select:
-      return Words::tr("Select: a part to copy, move, paint or tidy up");
+      return PictureModeText::tr("Select: a part to copy, move, paint or tidy up");
   }
   return {};
 }
@@ -77,74 +77,77 @@ QString modeIcon(PaintMode mode) {
 QString kindName(picture::Kind kind) {
   switch (kind) {
     case picture::Kind::Free:
-      return Words::tr("Free");
+      return PictureModeText::tr("Free");
     case picture::Kind::Occupied:
-      return Words::tr("Occupied");
+      return PictureModeText::tr("Occupied");
     case picture::Kind::Unknown:
       break;
   }
-  return Words::tr("Unknown");
+  return PictureModeText::tr("Unknown");
 }
 
 QString kindTip(picture::Kind kind) {
   switch (kind) {
     case picture::Kind::Free:
-      return Words::tr("Free: where robots may drive");
+      return PictureModeText::tr("Free: where robots may drive");
     case picture::Kind::Occupied:
-      return Words::tr("Occupied: walls and all that stands");
+      return PictureModeText::tr("Occupied: walls and all that stands");
     case picture::Kind::Unknown:
       break;
   }
-  return Words::tr("Unknown: what nobody has seen");
+  return PictureModeText::tr("Unknown: what nobody has seen");
 }
 
 QString tidyName(Tidying what) {
   switch (what) {
     case Tidying::Specks:
-      return Words::tr("Specks up to");
+      return PictureModeText::tr("Specks up to");
     case Tidying::Gaps:
-      return Words::tr("Gaps in walls up to");
+      return PictureModeText::tr("Gaps in walls up to");
     case Tidying::Edges:
       break;
   }
-  return Words::tr("Frayed edges up to");
+  return PictureModeText::tr("Frayed edges up to");
 }
 
 QString tidyTip(Tidying what) {
   switch (what) {
     case Tidying::Specks:
-      return Words::tr("Removes pieces of at most this many occupied cells: they become what is around them");
+      return PictureModeText::tr(
+          "Removes pieces of at most this many occupied cells: they become what is around them");
     case Tidying::Gaps:
-      return Words::tr("Closes gaps of at most this many cells between occupied cells");
+      return PictureModeText::tr("Closes gaps of at most this many cells between occupied cells");
     case Tidying::Edges:
       break;
   }
-  return Words::tr("Smooths spikes and notches of at most this width where free ground meets unknown ground");
+  return PictureModeText::tr(
+      "Smooths spikes and notches of at most this width where free ground meets unknown ground");
 }
 
 QString cellsText(std::int64_t cells) {
-  return sentences::counted(Words::tr("%1 cells", nullptr, sentences::formOf(cells)), cells);
+  return sentences::counted(PictureModeText::tr("%1 cells", nullptr, sentences::formOf(cells)), cells);
 }
 
 QString previewText(const TidyPreview& preview) {
-  if (preview.step.patch.empty()) return Words::tr("There is nothing to tidy up.");
+  if (preview.step.patch.empty()) return PictureModeText::tr("There is nothing to tidy up.");
   if (preview.what != Tidying::Specks)
-    return Words::tr("%1 would change.").arg(cellsText(preview.found.cells));
-  const QString specks = sentences::counted(
-      Words::tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)), preview.found.pieces);
-  return Words::tr("%1 of %2 would go.").arg(specks, cellsText(preview.found.cells));
+    return PictureModeText::tr("%1 would change.").arg(cellsText(preview.found.cells));
+  const QString specks =
+      sentences::counted(PictureModeText::tr("%1 specks", nullptr, sentences::formOf(preview.found.pieces)),
+                         preview.found.pieces);
+  return PictureModeText::tr("%1 of %2 would go.").arg(specks, cellsText(preview.found.cells));
 }
 
 QString becomesText(picture::Kind kind, std::int64_t cells) {
   switch (kind) {
     case picture::Kind::Free:
-      return Words::tr("becomes free: %1").arg(cellsText(cells));
+      return PictureModeText::tr("becomes free: %1").arg(cellsText(cells));
     case picture::Kind::Occupied:
-      return Words::tr("becomes occupied: %1").arg(cellsText(cells));
+      return PictureModeText::tr("becomes occupied: %1").arg(cellsText(cells));
     case picture::Kind::Unknown:
       break;
   }
-  return Words::tr("becomes unknown: %1").arg(cellsText(cells));
+  return PictureModeText::tr("becomes unknown: %1").arg(cellsText(cells));
 }
 
 BecomesLook becomesLook(picture::Kind kind) {
@@ -160,34 +163,37 @@ BecomesLook becomesLook(picture::Kind kind) {
 }
 
 QString changedText(std::int64_t cells) {
-  if (cells == 0) return Words::tr("Nothing is changed.");
-  return Words::tr("Changed: %1.").arg(cellsText(cells));
+  if (cells == 0) return PictureModeText::tr("Nothing is changed.");
+  return PictureModeText::tr("Changed: %1.").arg(cellsText(cells));
 }
 
 QString draftText(const QDateTime& made, const QDateTime& now, std::int64_t cells) {
   const QLocale c = QLocale::c();
   const QString when = made.date() == now.date()
-                           ? Words::tr("today %1").arg(c.toString(made, QStringLiteral("HH:mm:ss")))
+                           ? PictureModeText::tr("today %1").arg(c.toString(made, QStringLiteral("HH:mm:ss")))
                            : c.toString(made, QStringLiteral("d MMMM yyyy HH:mm"));
-  return Words::tr("There is a draft of this map of %1 that was not saved: %2.").arg(when, cellsText(cells));
+  return PictureModeText::tr("There is a draft of this map of %1 that was not saved: %2.")
+      .arg(when, cellsText(cells));
 }
 
 QString conflictText(std::int64_t cells) {
-  return Words::tr("Changed here and elsewhere, differently: %1. Which is right?").arg(cellsText(cells));
+  return PictureModeText::tr("Changed here and elsewhere, differently: %1. Which is right?")
+      .arg(cellsText(cells));
 }
 
 QString obstacleText(robot::PictureObstacle obstacle) {
   switch (obstacle) {
     case robot::PictureObstacle::NotStored:
-      return Words::tr("Only maps that are kept can be edited, not what is sent at present.");
+      return PictureModeText::tr("Only maps that are kept can be edited, not what is sent at present.");
     case robot::PictureObstacle::FormatNotWritten:
       break;
   }
-  return Words::tr("Pictures of this format are only read. Export the map as PGM and YAML, and edit that.");
+  return PictureModeText::tr(
+      "Pictures of this format are only read. Export the map as PGM and YAML, and edit that.");
 }
 
 QString cellBetweenText(int percent) {
-  return Words::tr(
+  return PictureModeText::tr(
              "Some cells of this map are neither free, occupied nor unknown but in between (%1 of 100), and "
              "for these the robot's map manager names no shade: it could not be sent back. Export the map to "
              "edit it as files.")

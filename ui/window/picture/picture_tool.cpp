@@ -370,3 +370,5 @@ QString PictureTool::hint() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_picture_tool.cpp"

@@ -221,3 +221,5 @@ QStringList PlotFeed::fields() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_plot_feed.cpp"

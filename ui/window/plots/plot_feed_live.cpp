@@ -12,9 +12,9 @@ namespace mapwright::window {
 using series::Quantity;
 
 namespace {
-const QString kOwner = QStringLiteral("plots");
-constexpr int kTickMs = 500;
-constexpr qsizetype kSmall = 64 * 1024;
+const QString kPlotsOwner = QStringLiteral("plots");
+constexpr int kPlotsTickMs = 500;
+constexpr qsizetype kSmallMessage = 64 * 1024;
 constexpr std::size_t kMostTopics = 300;
 }  // namespace
 
@@ -61,13 +61,13 @@ void PlotFeed::tellWishes() {
       }
     }
     topics.removeDuplicates();
-    if (session_) session_->want(kOwner, streams, topics);
+    if (session_) session_->want(kPlotsOwner, streams, topics);
   }
   // What nobody looks at needs no clock.
   if (!live_ || replays() || entries_.empty()) {
     tick_.stop();
   } else if (!tick_.isActive()) {
-    tick_.start(kTickMs);
+    tick_.start(kPlotsTickMs);
   }
   if (std::exchange(raw_wanted_, raw) != raw) Q_EMIT rawWanted(raw);
 }
@@ -99,7 +99,7 @@ void PlotFeed::heard(const map::StampedMessage& message) {
 void PlotFeed::heardRaw(const robot::RawMessage& message) {
   if (replays()) return;
   const std::string topic = message.topic.toStdString();
-  if (message.text.size() <= kSmall && (last_raw_.size() < kMostTopics || last_raw_.contains(topic)))
+  if (message.text.size() <= kSmallMessage && (last_raw_.size() < kMostTopics || last_raw_.contains(topic)))
     last_raw_[topic] = message.text;
   std::vector<series::FieldPath> paths;
   for (const auto& [wish, entry] : entries_) {

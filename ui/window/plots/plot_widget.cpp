@@ -12,7 +12,7 @@
 namespace mapwright::window {
 
 namespace {
-constexpr double kMargin = 0.06, kShortest_s = 0.01;
+constexpr double kPlotMargin = 0.06, kShortest_s = 0.01;
 }
 
 PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
@@ -87,7 +87,7 @@ PlotWidget::Range PlotWidget::autoValues() const {
     high = std::max(std::abs(all->first) * 0.2, 1.0);
   if (!std::isfinite(high)) return {-1e300, 1e300};
   const double middle = all->first / 2 + all->second / 2;
-  const double half = high / 2 * (1 + 2 * kMargin);
+  const double half = high / 2 * (1 + 2 * kPlotMargin);
   return {middle - half, middle + half};
 }
 
@@ -164,3 +164,5 @@ void PlotWidget::changeEvent(QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_plot_widget.cpp"

@@ -59,3 +59,5 @@ void PlotsController::plot(const PlotWish& wish) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_plots_controller.cpp"

@@ -400,3 +400,5 @@ void PlotsDock::clearPlots() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_plots_dock.cpp"

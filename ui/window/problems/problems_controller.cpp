@@ -63,3 +63,5 @@ void ProblemsController::tellFirstError() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_problems_controller.cpp"

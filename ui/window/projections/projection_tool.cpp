@@ -223,3 +223,5 @@ void ProjectionTool::paint(QPainter& painter) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_projection_tool.cpp"

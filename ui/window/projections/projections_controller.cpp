@@ -304,3 +304,5 @@ void ProjectionsController::add(const geometry::WorldRect& rect) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_projections_controller.cpp"

@@ -205,3 +205,5 @@ void ProjectionsDock::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_projections_dock.cpp"

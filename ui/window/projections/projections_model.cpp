@@ -183,3 +183,5 @@ void ProjectionsModel::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_projections_model.cpp"

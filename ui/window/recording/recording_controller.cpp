@@ -26,7 +26,7 @@
 namespace mapwright::window {
 namespace {
 
-const QString kFolderKey = QStringLiteral("recording/folder");
+const QString kRecordingFolderKey = QStringLiteral("recording/folder");
 const QString kWish = QStringLiteral("recording");
 constexpr int kIconPx = 20;
 
@@ -39,7 +39,7 @@ std::string kindOf(const robot::Addresses& addresses, const QString& address) {
 }
 
 /// "1:02:03".
-QString lengthText(double seconds) {
+QString recordedFor(double seconds) {
   const qint64 whole = qint64(std::max(0.0, seconds));
   const QChar zero = QLatin1Char('0');
   const QString last = QStringLiteral("%1").arg(whole % 60, 2, 10, zero);
@@ -108,13 +108,13 @@ void RecordingController::toggle() {
 void RecordingController::askAndStart() {
   if (!session_) return;
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const QDir folder(folderToWriteInto({context_.settings.value(kFolderKey).toString(), documents}));
+  const QDir folder(folderToWriteInto({context_.settings.value(kRecordingFolderKey).toString(), documents}));
   QString path = QFileDialog::getSaveFileName(&context_.window, tr("Record into a file"),
                                               folder.filePath(fileNameFor(session_->robot().identity())),
                                               tr("Recordings (*.mcap)"));
   if (path.isEmpty()) return;
   if (!path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive)) path += QLatin1String(".mcap");
-  context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
+  context_.settings.setValue(kRecordingFolderKey, QFileInfo(path).absolutePath());
   if (const auto error = startInto(path)) context_.overlay.toasts()->add(Mark::Bad, *error);
 }
 
@@ -199,7 +199,7 @@ void RecordingController::takeLink() {
   const robot::ConnectionState link = session_->connection();
   const bool lost =
       link.phase == robot::ConnectionPhase::Interrupted || link.phase == robot::ConnectionPhase::Refused;
-  const QString after = lengthText(recorder_->progress().seconds);
+  const QString after = recordedFor(recorder_->progress().seconds);
   if (lost && !away_) {
     away_ = true;
     ++interruptions_;
@@ -250,7 +250,7 @@ void RecordingController::refresh() {
 void RecordingController::tellProgress() {
   if (!recorder_) return;
   const recorder::Recorder::Progress now = recorder_->progress();
-  QString text = tr("%1, %2").arg(lengthText(now.seconds), bytesText(qint64(now.written.bytes)));
+  QString text = tr("%1, %2").arg(recordedFor(now.seconds), bytesText(qint64(now.written.bytes)));
   if (now.written.lost > 0) text += tr(", lost: %1").arg(now.written.lost);
   if (away_) text += tr(", no connection");
   label_->setIcon(QStringLiteral("record"), appColors().error);
@@ -269,3 +269,5 @@ void RecordingController::tellProgress() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_recording_controller.cpp"

@@ -190,3 +190,5 @@ QVariant BagsModel::headerData(int section, Qt::Orientation orientation, int rol
 }
 
 }  // namespace mapwright::window
+
+#include "moc_bags_model.cpp"

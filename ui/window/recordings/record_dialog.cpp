@@ -98,3 +98,5 @@ robot::BagOrder RecordDialog::order() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_record_dialog.cpp"

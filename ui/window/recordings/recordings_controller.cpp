@@ -26,11 +26,10 @@
 namespace mapwright::window {
 
 using robot::BagKey;
-using Kind = BagNote::Kind;
 
 namespace {
 
-const QString kFolderKey = QStringLiteral("recordings/folder");
+const QString kRecordingsFolderKey = QStringLiteral("recordings/folder");
 
 QString sentence(const map::Failure& failure) { return words::plainName(sentences::sentenceOf(failure)); }
 
@@ -137,13 +136,13 @@ void RecordingsController::refresh() {
 }
 
 void RecordingsController::fail(const BagKey& key, const map::Failure& failure, const QString& path) {
-  dock_->model()->setNote(key, {Kind::Failed, sentence(failure), path});
+  dock_->model()->setNote(key, {BagNote::Kind::Failed, sentence(failure), path});
 }
 
 void RecordingsController::open(const BagKey& key) {
   robot::BagLibrary* const library = this->library();
   if (!library) return;
-  dock_->model()->setNote(key, {Kind::Opening, tr("opening…")});
+  dock_->model()->setNote(key, {BagNote::Kind::Opening, tr("opening…")});
   library->info(key, [this, key](const robot::Outcome<robot::BagInfo>& outcome) {
     if (!outcome) return fail(key, outcome.error());
     dock_->model()->setNote(key, {});
@@ -156,20 +155,20 @@ void RecordingsController::open(const BagKey& key) {
 
 void RecordingsController::askWhereTo(const BagKey& key) {
   const BagNote note = dock_->model()->note(key);
-  if (note.kind == Kind::Stopped && !note.path.isEmpty()) return download(key, note.path);
+  if (note.kind == BagNote::Kind::Stopped && !note.path.isEmpty()) return download(key, note.path);
   const QString downloads = QStandardPaths::writableLocation(QStandardPaths::DownloadLocation);
-  const QDir folder(folderToWriteInto({context_.settings.value(kFolderKey).toString(), downloads}));
+  const QDir folder(folderToWriteInto({context_.settings.value(kRecordingsFolderKey).toString(), downloads}));
   const QString path = QFileDialog::getSaveFileName(&context_.window, tr("Download %1").arg(bagCalled(key)),
                                                     folder.filePath(fileNameOf(key)));
   if (path.isEmpty()) return;
-  context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
+  context_.settings.setValue(kRecordingsFolderKey, QFileInfo(path).absolutePath());
   download(key, path);
 }
 
 void RecordingsController::download(const BagKey& key, const QString& path) {
   robot::BagLibrary* const library = this->library();
   if (!library || downloads_.contains(key)) return;
-  dock_->model()->setNote(key, {Kind::Downloading, tr("downloading…"), path});
+  dock_->model()->setNote(key, {BagNote::Kind::Downloading, tr("downloading…"), path});
   const robot::Call call =
       library->download(key, path, [this, key, path](const robot::Outcome<robot::BagDownload>& outcome) {
         takeDownload(key, path, outcome);
@@ -183,7 +182,7 @@ void RecordingsController::download(const BagKey& key, const QString& path) {
                  .arg(int(std::floor(100 * std::min(share, 1.0))))
                  .arg(text, bytesText(*progress.of_bytes));
     }
-    dock_->model()->setNote(key, {Kind::Downloading, text, path});
+    dock_->model()->setNote(key, {BagNote::Kind::Downloading, text, path});
   });
 }
 
@@ -192,12 +191,12 @@ void RecordingsController::takeDownload(const BagKey& key, const QString& path,
   downloads_.erase(key);
   if (outcome) {
     const QString where = QDir::toNativeSeparators(outcome->path);
-    dock_->model()->setNote(key,
-                            {Kind::Downloaded, tr("downloaded to %1").arg(words::plainName(where)), path});
+    dock_->model()->setNote(
+        key, {BagNote::Kind::Downloaded, tr("downloaded to %1").arg(words::plainName(where)), path});
     context_.overlay.toasts()->add(
         Mark::Good, tr("%1 is downloaded, %2.").arg(bagCalled(key), bytesText(outcome->bytes)));
   } else if (outcome.error().kind == map::FailureKind::Cancelled) {
-    dock_->model()->setNote(key, {Kind::Stopped, tr("stopped; goes on where it was"), path});
+    dock_->model()->setNote(key, {BagNote::Kind::Stopped, tr("stopped; goes on where it was"), path});
   } else {
     fail(key, outcome.error(), path);
   }
@@ -253,11 +252,11 @@ void RecordingsController::askToDelete(const BagKey& key) {
 void RecordingsController::remove(const BagKey& key) {
   robot::BagLibrary* const library = this->library();
   if (!library) return;
-  dock_->model()->setNote(key, {Kind::Deleting, tr("deleting…")});
+  dock_->model()->setNote(key, {BagNote::Kind::Deleting, tr("deleting…")});
   library->remove(key, [this, key](const robot::Outcome<BagKey>& outcome) {
     if (!outcome)
-      return dock_->model()->setNote(key,
-                                     {Kind::Failed, tr("not deleted: %1").arg(sentence(outcome.error()))});
+      return dock_->model()->setNote(
+          key, {BagNote::Kind::Failed, tr("not deleted: %1").arg(sentence(outcome.error()))});
     dock_->model()->setNote(key, {});
     context_.overlay.toasts()->add(Mark::Good, tr("%1 is deleted.").arg(bagCalled(key)));
     refresh();
@@ -265,3 +264,5 @@ void RecordingsController::remove(const BagKey& key) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_recordings_controller.cpp"

@@ -258,3 +258,5 @@ bool RecordingsDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_recordings_dock.cpp"

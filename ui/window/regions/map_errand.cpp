@@ -23,7 +23,7 @@ namespace {
 
 using scene::Layer;
 
-const QString kFolderKey = QStringLiteral("regions/folder");
+const QString kRegionsFolderKey = QStringLiteral("regions/folder");
 
 }  // namespace
 
@@ -283,13 +283,15 @@ void MapErrand::saveKept(const std::function<void()>& then) {
 }
 
 QString MapErrand::askWhere() {
-  const QDir folder(folderToWriteInto({context_.settings.value(kFolderKey).toString(),
+  const QDir folder(folderToWriteInto({context_.settings.value(kRegionsFolderKey).toString(),
                                        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}));
   const QString path = QFileDialog::getSaveFileName(&context_.window, tr("Save the region"),
                                                     folder.filePath(QStringLiteral("region.yaml")),
                                                     tr("Maps for map_server (*.yaml)"));
-  if (!path.isEmpty()) context_.settings.setValue(kFolderKey, QFileInfo(path).absolutePath());
+  if (!path.isEmpty()) context_.settings.setValue(kRegionsFolderKey, QFileInfo(path).absolutePath());
   return path;
 }
 
 }  // namespace mapwright::window
+
+#include "moc_map_errand.cpp"

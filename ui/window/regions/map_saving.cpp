@@ -45,3 +45,5 @@ void MapSaving::ask(robot::MapDispatch* dispatch) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_map_saving.cpp"

@@ -83,3 +83,5 @@ QString RectangleTool::hint() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_rectangle_tool.cpp"

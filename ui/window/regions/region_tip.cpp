@@ -30,3 +30,5 @@ bool RegionTip::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_region_tip.cpp"

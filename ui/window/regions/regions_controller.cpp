@@ -31,7 +31,7 @@ using robot::DispatchService;
 using scene::Layer;
 
 const QString kEveryKey = QStringLiteral("regions/refresh_s");
-constexpr int kLookEveryMs = 120;  // while the camera moves
+constexpr int kCameraLookMs = 120;  // while the camera moves
 constexpr std::array kEveryS{0, 10, 60, 600};
 constexpr double kBytesOfRegion = 1024 * 1024 * 4 / 3.0;
 constexpr double kFirstViewM = 60;
@@ -70,7 +70,7 @@ RegionsController::RegionsController(WindowContext& context, QObject* parent)
   status_->hide();
   context_.bar.addPermanentWidget(status_);
   look_soon_.setSingleShot(true);
-  look_soon_.setInterval(kLookEveryMs);
+  look_soon_.setInterval(kCameraLookMs);
   connect(&look_soon_, &QTimer::timeout, this, &RegionsController::look);
   connect(&refresh_timer_, &QTimer::timeout, this, [this] {
     if (map_ && online()) map_->refresh();
@@ -286,3 +286,5 @@ void RegionsController::drawRectangle() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_regions_controller.cpp"

@@ -48,7 +48,8 @@ QString regionsStatus(const regions::MapRegions& map) {
   if (counts.in_view == 0 && !map.plan().tooFar() && map.bytes() > 0)
     return MapByRegionsText::tr("regions: %1 held").arg(bytes);
   if (map.plan().tooFar()) return MapByRegionsText::tr("regions: zoom in, %1").arg(bytes);
-  return MapByRegionsText::tr("%1 of %2 regions, %3").arg(countText(counts.answered), countText(counts.in_view), bytes);
+  return MapByRegionsText::tr("%1 of %2 regions, %3")
+      .arg(countText(counts.answered), countText(counts.in_view), bytes);
 }
 
 QString areaText(const geometry::WorldRect& rect) {
@@ -79,9 +80,9 @@ QString wholeSizeText(const regions::MapRegions* map, const std::optional<robot:
                           told.contains(Eigen::Vector2d(reach.max_x, reach.max_y))))
     text += QLatin1Char(' ') + MapByRegionsText::tr("Regions beyond that have come: it is larger.");
   if (extent->most_bytes > 0 && extent->about_bytes > extent->most_bytes) {
-    text +=
-        QLatin1Char(' ') + MapByRegionsText::tr("The link takes %1 at once: it may break off, and nothing comes then.")
-                               .arg(bytesText(extent->most_bytes));
+    text += QLatin1Char(' ') +
+            MapByRegionsText::tr("The link takes %1 at once: it may break off, and nothing comes then.")
+                .arg(bytesText(extent->most_bytes));
   }
   return text;
 }
@@ -98,12 +99,14 @@ QString whyNotWhole(const std::optional<robot::MapExtent>& extent) {
 QString wholeProgressText(qint64 bytes, qint64 seconds, const std::optional<robot::MapExtent>& extent) {
   const QString time = countText(seconds);
   if (bytes <= 0)
-    return MapByRegionsText::tr("The whole map is being fetched, for %1 s. Nothing of it has come yet.").arg(time);
+    return MapByRegionsText::tr("The whole map is being fetched, for %1 s. Nothing of it has come yet.")
+        .arg(time);
   if (extent && bytes < extent->about_bytes) {
     return MapByRegionsText::tr("The whole map is being fetched: %1 of about %2 so far, for %3 s.")
         .arg(bytesText(bytes), bytesText(extent->about_bytes), time);
   }
-  return MapByRegionsText::tr("The whole map is being fetched: %1 so far, for %2 s.").arg(bytesText(bytes), time);
+  return MapByRegionsText::tr("The whole map is being fetched: %1 so far, for %2 s.")
+      .arg(bytesText(bytes), time);
 }
 
 QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& world_m, bool offered,
@@ -124,13 +127,18 @@ QString regionReason(const regions::MapRegions& map, const Eigen::Vector2d& worl
     return MapByRegionsText::tr("Nothing here: the robot says that its map has nothing in this region.");
   if (!online) return MapByRegionsText::tr("Not fetched: there is no connection to the robot.");
   if (!offered) return MapByRegionsText::tr("Not fetched: the robot gives no regions of its map any more.");
-  if (map.plan().tooFar()) return MapByRegionsText::tr("Not fetched: too much of the map is in view. Zoom in.");
+  if (map.plan().tooFar())
+    return MapByRegionsText::tr("Not fetched: too much of the map is in view. Zoom in.");
   if (region && region->state == RegionState::Failed)
-    return MapByRegionsText::tr("This region could not be fetched, and is asked for again by itself. %1").arg(why);
-  if (region && region->state == RegionState::Fetching) return MapByRegionsText::tr("This region is being fetched.");
-  if (region) return MapByRegionsText::tr("Not fetched yet: this region waits until those before it have come.");
+    return MapByRegionsText::tr("This region could not be fetched, and is asked for again by itself. %1")
+        .arg(why);
+  if (region && region->state == RegionState::Fetching)
+    return MapByRegionsText::tr("This region is being fetched.");
+  if (region)
+    return MapByRegionsText::tr("Not fetched yet: this region waits until those before it have come.");
   if (const auto& trouble = map.plan().probeTrouble(); !map.plan().resolution() && trouble.kind != kNone)
-    return MapByRegionsText::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble));
+    return MapByRegionsText::tr("No region of the map could be fetched: %1")
+        .arg(sentences::sentenceOf(trouble));
   return MapByRegionsText::tr("Not fetched yet: the first answer of the robot is waited for.");
 }
 
@@ -146,26 +154,30 @@ RegionsNotice regionsNotice(const regions::MapRegions& map, bool whole,
               "a region."),
           Offer::Region};
     }
-    if (!whole) return {Mark::Neutral, MapByRegionsText::tr("Too much of the map is in view to be fetched. Zoom in.")};
+    if (!whole)
+      return {Mark::Neutral, MapByRegionsText::tr("Too much of the map is in view to be fetched. Zoom in.")};
     // The strip is one line; the question says more.
     const QString size = shortSizeText(map, extent);
     return {Mark::Neutral,
             size.isEmpty()
                 ? MapByRegionsText::tr("Too much of the map is in view. Zoom in, or fetch all of it.")
-                : MapByRegionsText::tr("Too much of the map is in view. Zoom in, or fetch all of it: %1.").arg(size),
+                : MapByRegionsText::tr("Too much of the map is in view. Zoom in, or fetch all of it: %1.")
+                      .arg(size),
             Offer::Whole};
   }
   const auto kNone = regions::RegionTrouble::Kind::None;
   if (const auto& trouble = map.plan().probeTrouble(); !map.plan().resolution() && trouble.kind != kNone) {
-    return {Mark::Bad,
-            MapByRegionsText::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble)),
-            Offer::Retry};
+    return {
+        Mark::Bad,
+        MapByRegionsText::tr("No region of the map could be fetched: %1").arg(sentences::sentenceOf(trouble)),
+        Offer::Retry};
   }
   const int failed = map.counts().failed;
   if (failed == 0 && map.counts().smaller > 0) {
-    return {Mark::Warning, MapByRegionsText::tr("The robot's answers are smaller than the regions asked for (%1 of %2): "
-                                     "what is missing is blank.")
-                               .arg(countText(map.counts().smaller), countText(map.counts().in_view))};
+    return {Mark::Warning,
+            MapByRegionsText::tr("The robot's answers are smaller than the regions asked for (%1 of %2): "
+                                 "what is missing is blank.")
+                .arg(countText(map.counts().smaller), countText(map.counts().in_view))};
   }
   if (failed == 0) return {};
   QString why;

@@ -82,3 +82,5 @@ void SaveMapDialog::refuse(const QString& why) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_save_map_dialog.cpp"

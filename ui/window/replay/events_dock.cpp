@@ -270,3 +270,5 @@ bool EventsDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_events_dock.cpp"

@@ -200,3 +200,5 @@ std::string EventsModel::csv() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_events_model.cpp"

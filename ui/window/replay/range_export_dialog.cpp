@@ -31,21 +31,19 @@ namespace mapwright::window {
 
 namespace {
 
-using excerpt::Kind;
-
 constexpr const char* kSuffixes[] = {".mcap", ".jsonl", ".geojson", ".csv", ".tum"};
 
-const char* suffixOf(Kind kind) {
+const char* suffixOf(excerpt::Kind kind) {
   switch (kind) {
-    case Kind::Mcap:
+    case excerpt::Kind::Mcap:
       return ".mcap";
-    case Kind::Lines:
+    case excerpt::Kind::Lines:
       return ".jsonl";
-    case Kind::TrackGeoJson:
+    case excerpt::Kind::TrackGeoJson:
       return ".geojson";
-    case Kind::TrackCsv:
+    case excerpt::Kind::TrackCsv:
       return ".csv";
-    case Kind::TrackTum:
+    case excerpt::Kind::TrackTum:
       break;
   }
   return ".tum";
@@ -70,7 +68,7 @@ QString shellWord(const QString& text) {
 
 QString timeWord(double at_s) { return QStringLiteral("%1T%2Z").arg(dayText(at_s), clockText(at_s)); }
 
-QString shownTime(double at_s) { return QStringLiteral("%1 %2").arg(dayText(at_s), clockText(at_s)); }
+QString shownDayTime(double at_s) { return QStringLiteral("%1 %2").arg(dayText(at_s), clockText(at_s)); }
 
 }  // namespace
 
@@ -101,15 +99,15 @@ RangeExportDialog::RangeExportDialog(RangeOffer offer, QWidget* parent)
       said_(new QLabel(this)) {
   setWindowTitle(tr("Export a range of the bag"));
   setMinimumWidth(560);
-  kind_->addItem(tr("Messages, to be played again (MCAP)"), int(Kind::Mcap));
-  kind_->addItem(tr("Messages, one a line (JSON lines)"), int(Kind::Lines));
-  kind_->addItem(tr("Way of the robot (GeoJSON)"), int(Kind::TrackGeoJson));
-  kind_->addItem(tr("Way of the robot (CSV)"), int(Kind::TrackCsv));
-  kind_->addItem(tr("Way of the robot (TUM)"), int(Kind::TrackTum));
+  kind_->addItem(tr("Messages, to be played again (MCAP)"), int(excerpt::Kind::Mcap));
+  kind_->addItem(tr("Messages, one a line (JSON lines)"), int(excerpt::Kind::Lines));
+  kind_->addItem(tr("Way of the robot (GeoJSON)"), int(excerpt::Kind::TrackGeoJson));
+  kind_->addItem(tr("Way of the robot (CSV)"), int(excerpt::Kind::TrackCsv));
+  kind_->addItem(tr("Way of the robot (TUM)"), int(excerpt::Kind::TrackTum));
   from_s_ = offer_.loop ? offer_.loop->from_s : offer_.first_s;
   to_s_ = offer_.loop ? offer_.loop->until_s : offer_.last_s;
-  from_shown_ = shownTime(from_s_);
-  to_shown_ = shownTime(to_s_);
+  from_shown_ = shownDayTime(from_s_);
+  to_shown_ = shownDayTime(to_s_);
   from_->setText(from_shown_);
   to_->setText(to_shown_);
   const QString how =
@@ -214,12 +212,12 @@ void RangeExportDialog::takeKind() {
     path.chop(int(qstrlen(suffix)));
     break;
   }
-  path_->setText(path + QLatin1String(suffixOf(Kind(kind_->currentData().toInt()))));
+  path_->setText(path + QLatin1String(suffixOf(excerpt::Kind(kind_->currentData().toInt()))));
   say({});
 }
 
 void RangeExportDialog::browse() {
-  const QString suffix = QLatin1String(suffixOf(Kind(kind_->currentData().toInt())));
+  const QString suffix = QLatin1String(suffixOf(excerpt::Kind(kind_->currentData().toInt())));
   QString path = QFileDialog::getSaveFileName(this, tr("Export to"), path_->text(),
                                               QStringLiteral("%1 (*%2)").arg(kind_->currentText(), suffix));
   if (path.isEmpty()) return;
@@ -234,7 +232,7 @@ std::optional<QString> RangeExportDialog::whyNot(const QString& path) const {
   const auto wanted = span();
   if (!wanted)
     return tr("From and to must be times between %1 and %2.")
-        .arg(shownTime(offer_.first_s), shownTime(offer_.last_s));
+        .arg(shownDayTime(offer_.first_s), shownDayTime(offer_.last_s));
   if (wanted->from_s && *wanted->to_s < *wanted->from_s) return tr("The end lies before the beginning.");
   if (path_->text().trimmed().isEmpty()) return tr("Say which file it is to be.");
   const QFileInfo about(path);
@@ -258,7 +256,7 @@ void RangeExportDialog::start() {
     return;
   }
   excerpt::Order order;
-  order.kind = Kind(kind_->currentData().toInt());
+  order.kind = excerpt::Kind(kind_->currentData().toInt());
   order.path = path.toStdString();
   order.span = *span();
   order.address = offer_.address.toStdString();
@@ -299,8 +297,8 @@ void RangeExportDialog::take(const excerpt::Ended& ended) {
     say(tr("Cancelled. Nothing was written."));
   } else {
     const excerpt::Written& done = *ended.written;
-    const Kind kind = Kind(kind_->currentData().toInt());
-    const bool messages = kind == Kind::Mcap || kind == Kind::Lines;
+    const excerpt::Kind kind = excerpt::Kind(kind_->currentData().toInt());
+    const bool messages = kind == excerpt::Kind::Mcap || kind == excerpt::Kind::Lines;
     const QString what =
         messages
             ? sentences::counted(tr("%1 messages", nullptr, sentences::formOf(done.messages)), done.messages)
@@ -338,3 +336,5 @@ void RangeExportDialog::reject() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_range_export_dialog.cpp"

@@ -88,3 +88,5 @@ void ReplayActions::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_replay_actions.cpp"

@@ -13,7 +13,7 @@ using replay::Player;
 
 namespace {
 
-constexpr Millis kFrameMs = 16;
+constexpr Millis kReplayFrameMs = 16;
 // Moves take what they take; at least as much time is left for everything else.
 constexpr Millis kLongestPauseMs = 250;
 
@@ -201,7 +201,7 @@ void ReplayClock::proceed() {
   if (!player_) return;  // closed by what came of it
   if (moved) Q_EMIT timeChanged(at_s);
   went_ = clock_.elapsed();
-  pause_ms_ = std::clamp(went_ - began, kFrameMs, kLongestPauseMs);
+  pause_ms_ = std::clamp(went_ - began, kReplayFrameMs, kLongestPauseMs);
   noteState();
   if (player_ && player_->playing(now())) goSoon();
 }
@@ -237,3 +237,5 @@ void ReplayClock::goToFirstMessage() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_replay_clock.cpp"

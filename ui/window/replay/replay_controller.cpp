@@ -376,3 +376,5 @@ bool ReplayController::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_replay_controller.cpp"

@@ -423,3 +423,5 @@ bool TimelineDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_timeline_dock.cpp"

@@ -19,7 +19,7 @@ class TimelineEventsText {
 
 constexpr qsizetype kTextLength = 120;
 // Steps by hand end at an event, not a hair before it.
-constexpr double kHairS = 1e-6;
+constexpr double kSameInstantS = 1e-6;
 
 QString said(const std::string& text) { return words::plainName(text).left(kTextLength); }
 
@@ -56,10 +56,12 @@ QString eventText(const Event& event) {
       return text.isEmpty() ? TimelineEventsText::tr("Alert %1").arg(event.code)
                             : TimelineEventsText::tr("Alert %1: %2").arg(QString::number(event.code), text);
     case EventKind::AlertEnded:
-      return text.isEmpty() ? TimelineEventsText::tr("Alert %1 ended").arg(event.code)
-                            : TimelineEventsText::tr("Alert %1 ended: %2").arg(QString::number(event.code), text);
+      return text.isEmpty()
+                 ? TimelineEventsText::tr("Alert %1 ended").arg(event.code)
+                 : TimelineEventsText::tr("Alert %1 ended: %2").arg(QString::number(event.code), text);
     case EventKind::MoveState:
-      return text.isEmpty() ? TimelineEventsText::tr("Planner: idle") : TimelineEventsText::tr("Planner: %1").arg(text);
+      return text.isEmpty() ? TimelineEventsText::tr("Planner: idle")
+                            : TimelineEventsText::tr("Planner: %1").arg(text);
     case EventKind::PositionJump:
       return TimelineEventsText::tr("The position jumped by %1 m").arg(event.metres, 0, 'f', 1);
     case EventKind::MapChanged:
@@ -180,12 +182,12 @@ std::vector<EventCluster> clustersOf(std::span<const Event> events, const Timeli
 
 const Event* nextEvent(std::span<const Event> events, double at_s, int direction) {
   if (direction > 0) {
-    const auto found = std::partition_point(events.begin(), events.end(),
-                                            [&](const Event& event) { return event.at_s <= at_s + kHairS; });
+    const auto found = std::partition_point(
+        events.begin(), events.end(), [&](const Event& event) { return event.at_s <= at_s + kSameInstantS; });
     return found == events.end() ? nullptr : &*found;
   }
-  const auto found = std::partition_point(events.begin(), events.end(),
-                                          [&](const Event& event) { return event.at_s < at_s - kHairS; });
+  const auto found = std::partition_point(
+      events.begin(), events.end(), [&](const Event& event) { return event.at_s < at_s - kSameInstantS; });
   return found == events.begin() ? nullptr : &*std::prev(found);
 }
 

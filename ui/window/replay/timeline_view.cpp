@@ -17,10 +17,10 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr double kMarginPx = 12;
-constexpr double kNearPx = 6;       // of an event that is pointed at
-constexpr double kLeastLoopPx = 3;  // shorter ones were meant as clicks
-constexpr double kNotch = 120;      // QWheelEvent
+constexpr double kTimelineMarginPx = 12;
+constexpr double kNearPx = 6;           // of an event that is pointed at
+constexpr double kLeastLoopPx = 3;      // shorter ones were meant as clicks
+constexpr double kTimelineNotch = 120;  // QWheelEvent
 constexpr double kZoomPerNotch = 0.8;
 constexpr double kPanPerNotch = 0.1;  // of what is in view
 constexpr int kMostWords = 8;
@@ -88,8 +88,8 @@ TimelineAxis TimelineView::axis() const {
   axis.from_s = until_s_ > from_s_ ? from_s_ : content_.first_s;
   axis.until_s = until_s_ > from_s_ ? until_s_ : content_.last_s;
   if (!(axis.until_s > axis.from_s)) axis.until_s = axis.from_s + 1;
-  axis.left_px = kMarginPx;
-  axis.width_px = std::max(1.0, width() - 2 * kMarginPx);
+  axis.left_px = kTimelineMarginPx;
+  axis.width_px = std::max(1.0, width() - 2 * kTimelineMarginPx);
   return axis;
 }
 
@@ -206,7 +206,7 @@ void TimelineView::wheelEvent(QWheelEvent* event) {
   if (isEmpty()) return;
   const QPoint turned = event->angleDelta();
   const bool sideways = turned.x() != 0 && std::abs(turned.x()) > std::abs(turned.y());
-  const double notches = (sideways ? turned.x() : turned.y()) / kNotch;
+  const double notches = (sideways ? turned.x() : turned.y()) / kTimelineNotch;
   if (sideways || event->modifiers() & Qt::ShiftModifier) {
     const TimelineAxis now = axis();
     take(
@@ -308,3 +308,5 @@ bool TimelineView::event(QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_timeline_view.cpp"

@@ -61,3 +61,5 @@ void TrackOnMap::show() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_track_on_map.cpp"

@@ -104,3 +104,5 @@ void RobotController::changePlace() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_robot_controller.cpp"

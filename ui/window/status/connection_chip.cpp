@@ -89,3 +89,5 @@ void ConnectionChip::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_connection_chip.cpp"

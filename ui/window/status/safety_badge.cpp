@@ -10,7 +10,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kWidestPx = 190, kMarkPx = 12, kEdgePx = 6, kGapPx = 5;
+constexpr int kBadgeWidestPx = 190, kBadgeMarkPx = 12, kBadgeEdgePx = 6, kBadgeGapPx = 5;
 
 QFont heavy(QFont font) {
   font.setWeight(QFont::DemiBold);
@@ -22,7 +22,7 @@ QFont heavy(QFont font) {
 int safetyWidth(const SafetyText& text, const QFont& font) {
   if (text.mark == Mark::None) return 0;
   const int words = QFontMetrics(heavy(font)).horizontalAdvance(text.badge) + 2;
-  return qMin(kWidestPx, kEdgePx + kMarkPx + kGapPx + words + kEdgePx);
+  return qMin(kBadgeWidestPx, kBadgeEdgePx + kBadgeMarkPx + kBadgeGapPx + words + kBadgeEdgePx);
 }
 
 void paintSafety(QPainter* painter, const QRect& rect, const SafetyText& text, const UiColors& live) {
@@ -36,11 +36,12 @@ void paintSafety(QPainter* painter, const QRect& rect, const SafetyText& text, c
   painter->setPen(QPen(edge, 1, text.greyed ? Qt::DashLine : Qt::SolidLine));
   painter->setBrush(ground);
   painter->drawRoundedRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-  const QRectF mark(rect.left() + kEdgePx, rect.center().y() + 0.5 - kMarkPx / 2.0, kMarkPx, kMarkPx);
+  const QRectF mark(rect.left() + kBadgeEdgePx, rect.center().y() + 0.5 - kBadgeMarkPx / 2.0, kBadgeMarkPx,
+                    kBadgeMarkPx);
   paintMark(painter, mark, text.mark, colors);
   painter->setFont(heavy(painter->font()));
   painter->setPen(markTextColor(text.mark, colors));
-  const QRect words = rect.adjusted(kEdgePx + kMarkPx + kGapPx, 0, -kEdgePx, 0);
+  const QRect words = rect.adjusted(kBadgeEdgePx + kBadgeMarkPx + kBadgeGapPx, 0, -kBadgeEdgePx, 0);
   painter->drawText(words, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                     painter->fontMetrics().elidedText(text.badge, Qt::ElideMiddle, words.width()));
   painter->restore();
@@ -82,3 +83,5 @@ void SafetyBadge::changeEvent(QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_safety_badge.cpp"

@@ -11,7 +11,7 @@ namespace mapwright::window {
 
 namespace {
 
-struct Words {
+struct SafetyBadgeText {
   Q_DECLARE_TR_FUNCTIONS(mapwright::window::Safety)
 };
 
@@ -29,17 +29,17 @@ QString state(const map::SafetyCondition& condition) {
   using map::SafetyKind;
   switch (condition.kind) {
     case SafetyKind::EmergencyStop:
-      return Words::tr("Emergency stop pressed");
+      return SafetyBadgeText::tr("Emergency stop pressed");
     case SafetyKind::PositionLost:
-      return Words::tr("Position lost");
+      return SafetyBadgeText::tr("Position lost");
     case SafetyKind::WheelsReleased:
-      return Words::tr("Wheels released");
+      return SafetyBadgeText::tr("Wheels released");
     case SafetyKind::ManualControl:
-      return Words::tr("Under manual control");
+      return SafetyBadgeText::tr("Under manual control");
     case SafetyKind::PositionUncertain:
-      return Words::tr("Position uncertain");
+      return SafetyBadgeText::tr("Position uncertain");
     case SafetyKind::WheelsSlipping:
-      return Words::tr("Wheels slip");
+      return SafetyBadgeText::tr("Wheels slip");
     case SafetyKind::Alert:
       break;
   }
@@ -58,12 +58,12 @@ QString safetyWord(const map::SafetyCondition& condition) {
   using map::SafetyKind;
   switch (condition.kind) {
     case SafetyKind::EmergencyStop:
-      return Words::tr("Emergency stop");
+      return SafetyBadgeText::tr("Emergency stop");
     case SafetyKind::ManualControl:
-      return Words::tr("Manual control");
+      return SafetyBadgeText::tr("Manual control");
     case SafetyKind::Alert: {
-      const QString level =
-          condition.severity == map::Severity::Error ? Words::tr("Error") : Words::tr("Warning");
+      const QString level = condition.severity == map::Severity::Error ? SafetyBadgeText::tr("Error")
+                                                                       : SafetyBadgeText::tr("Warning");
       return condition.code == 0 ? level : QStringLiteral("%1 %2").arg(level).arg(condition.code);
     }
     default:
@@ -76,12 +76,12 @@ QString safetySentence(const map::SafetyCondition& condition, const QDateTime& n
   // A robot whose state came without a time, or a clock far off, has no "since" worth reading.
   if (condition.since_s > 0 && condition.since_s < 4e9) {
     const QDateTime since = QDateTime::fromMSecsSinceEpoch(qint64(condition.since_s * 1000), now.timeZone());
-    sentence = Words::tr("%1 since %2").arg(sentence, clock(since, now));
+    sentence = SafetyBadgeText::tr("%1 since %2").arg(sentence, clock(since, now));
   }
   if (condition.times >= map::kSafetyFlaps)
-    sentence = Words::tr("%1, on and off, %2 times").arg(sentence, countText(condition.times));
+    sentence = SafetyBadgeText::tr("%1, on and off, %2 times").arg(sentence, countText(condition.times));
   const QString text = plainWords(condition.text, kLongestText);
-  return text.isEmpty() ? sentence : Words::tr("%1: %2").arg(sentence, text);
+  return text.isEmpty() ? sentence : SafetyBadgeText::tr("%1: %2").arg(sentence, text);
 }
 
 SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
@@ -96,11 +96,11 @@ SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
   text.greyed = known.as_of.has_value();
   text.badge = safetyWord(gravest) + more(known.conditions.size());
   QStringList lines;
-  if (known.as_of) lines << Words::tr("As of %1, no longer live:").arg(clock(*known.as_of, now));
+  if (known.as_of) lines << SafetyBadgeText::tr("As of %1, no longer live:").arg(clock(*known.as_of, now));
   for (std::size_t i = 0; i < std::min(kMostLines, known.conditions.size()); ++i)
     lines << safetySentence(known.conditions[i], now);
   if (known.conditions.size() > kMostLines)
-    lines << Words::tr("and %1 more").arg(countText(qint64(known.conditions.size() - kMostLines)));
+    lines << SafetyBadgeText::tr("and %1 more").arg(countText(qint64(known.conditions.size() - kMostLines)));
   text.detail = lines.join(QLatin1Char('\n'));
   if (!error) return text;
   text.sentence = safetySentence(gravest, now);
@@ -108,9 +108,10 @@ SafetyText safetyText(const SafetyState& known, const QDateTime& now) {
   for (std::size_t i = 1; i < std::min(kMostOthers, known.conditions.size()); ++i)
     others << safetyWord(known.conditions[i]);
   if (!others.isEmpty())
-    text.sentence =
-        Words::tr("%1. Also: %2").arg(withoutStop(text.sentence), others.join(QStringLiteral(", ")));
-  if (known.as_of) text.sentence = Words::tr("As of %1: %2").arg(clock(*known.as_of, now), text.sentence);
+    text.sentence = SafetyBadgeText::tr("%1. Also: %2")
+                        .arg(withoutStop(text.sentence), others.join(QStringLiteral(", ")));
+  if (known.as_of)
+    text.sentence = SafetyBadgeText::tr("As of %1: %2").arg(clock(*known.as_of, now), text.sentence);
   return text;
 }
 

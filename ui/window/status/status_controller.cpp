@@ -39,3 +39,5 @@ void StatusController::refreshTitle() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_status_controller.cpp"

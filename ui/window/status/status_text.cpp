@@ -19,7 +19,7 @@ namespace {
 using robot::ConnectionPhase;
 using session::SubmapStatus;
 
-QString number(double value, int decimals) {
+QString decimal(double value, int decimals) {
   // No "-0.00".
   const double unit = std::pow(10.0, -decimals);
   if (std::abs(value) < unit / 2) value = 0;
@@ -176,11 +176,11 @@ QString coordinatesText(const Eigen::Vector2d& world_m, double scale_m_per_px) {
   // The last digit is never finer than about a pixel: 2 cm and 5 cm a pixel give centimetres, 2 mm gives
   // millimetres.
   const int decimals = std::clamp(int(std::ceil(-std::log10(scale_m_per_px) - 1e-9)), 0, 3);
-  return QStringLiteral("x %1 y %2 m").arg(number(world_m.x(), decimals), number(world_m.y(), decimals));
+  return QStringLiteral("x %1 y %2 m").arg(decimal(world_m.x(), decimals), decimal(world_m.y(), decimals));
 }
 
 QString coordinatesForClipboard(const Eigen::Vector2d& world_m) {
-  return QStringLiteral("%1, %2").arg(number(world_m.x(), 3), number(world_m.y(), 3));
+  return QStringLiteral("%1, %2").arg(decimal(world_m.x(), 3), decimal(world_m.y(), 3));
 }
 
 QString occupancyText(std::optional<int> occupied_percent) {
@@ -219,7 +219,7 @@ QString rotationText(double rotation_rad) {
   double degrees = geometry::degreesFromRadians(geometry::normalizeAngle(rotation_rad));
   degrees = std::round(degrees * 10) / 10;
   if (degrees <= -180) degrees += 360;
-  return QStringLiteral("%1°").arg(number(degrees, degrees == std::round(degrees) ? 0 : 1));
+  return QStringLiteral("%1°").arg(decimal(degrees, degrees == std::round(degrees) ? 0 : 1));
 }
 
 QString bytesText(qint64 bytes) {

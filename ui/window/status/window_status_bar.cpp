@@ -254,3 +254,5 @@ QString WindowStatusBar::scaleShown() const { return scale_->text(); }
 QString WindowStatusBar::rotationShown() const { return rotation_->text(); }
 
 }  // namespace mapwright::window
+
+#include "moc_window_status_bar.cpp"

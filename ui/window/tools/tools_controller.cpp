@@ -56,3 +56,5 @@ void ToolsController::remember(QSettings& settings) {
 void ToolsController::reset() { context_.tools.putAway(); }
 
 }  // namespace mapwright::window
+
+#include "moc_tools_controller.cpp"

@@ -74,3 +74,5 @@ bool AppearanceController::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_appearance_controller.cpp"

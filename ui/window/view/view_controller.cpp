@@ -217,3 +217,5 @@ void ViewController::copyCoordinates(const Eigen::Vector2d& world_m) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_view_controller.cpp"

@@ -99,3 +99,5 @@ void ConflictBox::show(const edit::WaypointDocument& document) {
 QString ConflictBox::shown() const { return isHidden() ? QString() : text_->text(); }
 
 }  // namespace mapwright::window
+
+#include "moc_conflict_box.cpp"

@@ -51,17 +51,19 @@ void fillConflictMenu(QMenu& menu, const edit::WaypointDocument& document, const
     QAction* const action = menu.addAction(text, &menu, [decided, choice] { decided(choice); });
     action->setObjectName(QLatin1String(name));
   };
-  add(conflict.mine ? ConflictMenuText::tr("Keep &mine") : ConflictMenuText::tr("&Delete it, as I did"), "conflictMine",
-      ConflictChoice::Mine);
-  add(conflict.theirs ? ConflictMenuText::tr("Take &theirs") : ConflictMenuText::tr("Delete it, as &they did"), "conflictTheirs",
-      ConflictChoice::Theirs);
+  add(conflict.mine ? ConflictMenuText::tr("Keep &mine") : ConflictMenuText::tr("&Delete it, as I did"),
+      "conflictMine", ConflictChoice::Mine);
+  add(conflict.theirs ? ConflictMenuText::tr("Take &theirs")
+                      : ConflictMenuText::tr("Delete it, as &they did"),
+      "conflictTheirs", ConflictChoice::Theirs);
   if (mayKeepBoth(conflict)) add(ConflictMenuText::tr("Keep &both"), "conflictBoth", ConflictChoice::Both);
 }
 
 void decideConflict(WaypointEditing& editing, const edit::Key& key, ConflictChoice choice) {
   edit::WaypointDocument* const document = editing.document();
   if (!document || !editing.editable() || !document->conflicts().contains(key)) return;
-  if (choice == ConflictChoice::Mine) return document->decide(key, edit::Side::Mine, ConflictMenuText::tr("keep mine"));
+  if (choice == ConflictChoice::Mine)
+    return document->decide(key, edit::Side::Mine, ConflictMenuText::tr("keep mine"));
   const bool both = choice == ConflictChoice::Both && mayKeepBoth(document->conflicts().at(key));
   const map::Waypoint* const here = document->find(key);
   std::optional<map::Waypoint> mine = both && here ? std::optional(*here) : std::nullopt;

@@ -21,7 +21,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr double kFarthestM = 1e6;
+constexpr double kFarthestShiftM = 1e6;
 constexpr int kMostTagsShown = 8;
 enum TurnHow { kTurnTo, kTurnBy, kNoTurn };
 
@@ -70,8 +70,8 @@ GroupForm::GroupForm(WaypointEditing* editing, QWidget* parent)
       editing_(editing),
       place_(new QLabel(this)),
       tags_(new QLabel(this)),
-      dx_(number(kFarthestM, 3, 0.05, QStringLiteral(" m"), tr("Shift along x"), this)),
-      dy_(number(kFarthestM, 3, 0.05, QStringLiteral(" m"), tr("Shift along y"), this)),
+      dx_(number(kFarthestShiftM, 3, 0.05, QStringLiteral(" m"), tr("Shift along x"), this)),
+      dy_(number(kFarthestShiftM, 3, 0.05, QStringLiteral(" m"), tr("Shift along y"), this)),
       yaw_(number(360, 1, 5, QString(QChar(0xb0)), tr("Heading of all"), this)),
       turn_how_(new QComboBox(this)),
       shift_(new QPushButton(tr("Shift"), this)),
@@ -206,3 +206,5 @@ void GroupForm::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_group_form.cpp"

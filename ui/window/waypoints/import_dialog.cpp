@@ -24,7 +24,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr int kMostRows = 2'000;  // the others are counted
-constexpr int kRowPx = 24;
+constexpr int kImportRowPx = 24;
 
 QString becomes(exchange::StepKind kind) {
   using exchange::StepKind;
@@ -89,7 +89,7 @@ ImportDialog::ImportDialog(ImportSource source, exchange::WaypointItems kept, co
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->resizeSection(0, 180);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(kRowPx);
+  table_->verticalHeader()->setDefaultSectionSize(kImportRowPx);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setShowGrid(false);
@@ -205,3 +205,5 @@ void ImportDialog::fill(const std::vector<exchange::WaypointStep>& steps) {
 QString ImportDialog::statusShown() const { return status_->text(); }
 
 }  // namespace mapwright::window
+
+#include "moc_import_dialog.cpp"

@@ -26,11 +26,12 @@ std::optional<LeftName> leftName(const edit::WaypointDocument& document,
   for (const edit::Key& key : document.unsaved()) {
     const map::Waypoint *const kept = document.findKept(key), *const here = document.find(key);
     if (!kept || !here || kept->name == here->name || map::permanentName(kept->name).empty()) continue;
-    return LeftName{key, LeftName::Remedy::SendRest, here->name,
-                    LeftNameText::tr("\"%1\" is a temporary name: a swap of names broke off. When the rest is sent, "
-                              "it is called \"%2\".")
-                        .arg(shown(kept->name), shown(here->name)),
-                    LeftNameText::tr("Send the rest")};
+    return LeftName{
+        key, LeftName::Remedy::SendRest, here->name,
+        LeftNameText::tr("\"%1\" is a temporary name: a swap of names broke off. When the rest is sent, "
+                         "it is called \"%2\".")
+            .arg(shown(kept->name), shown(here->name)),
+        LeftNameText::tr("Send the rest")};
   }
   for (exchange::TemporaryName& left : exchange::temporaryNamesIn(document.items())) {
     const map::Waypoint* const kept = document.findKept(left.key);

@@ -15,7 +15,7 @@
 
 namespace mapwright::window {
 namespace {
-constexpr int kMarginPx = 16;
+constexpr int kLineBarMarginPx = 16;
 }
 
 LineBar::LineBar(LineTool* tool, QWidget* map)
@@ -77,8 +77,8 @@ void LineBar::refresh() {
 void LineBar::place() {
   const QWidget* const map = parentWidget();
   const QSize size = sizeHint();
-  setGeometry((map->width() - size.width()) / 2, map->height() - size.height() - kMarginPx, size.width(),
-              size.height());
+  setGeometry((map->width() - size.width()) / 2, map->height() - size.height() - kLineBarMarginPx,
+              size.width(), size.height());
 }
 
 bool LineBar::eventFilter(QObject* watched, QEvent* event) {
@@ -96,3 +96,5 @@ void LineBar::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_line_bar.cpp"

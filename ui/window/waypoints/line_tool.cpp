@@ -12,7 +12,7 @@
 namespace mapwright::window {
 namespace {
 constexpr double kTickPx = 11;
-constexpr std::size_t kMostTicks = 500;  // more than can be told apart
+constexpr std::size_t kMostLineTicks = 500;  // more than can be told apart
 }  // namespace
 
 LineTool::LineTool(const scene::MapScene* scene, WaypointSnapping* snapping, QObject* parent)
@@ -160,7 +160,7 @@ void LineTool::paint(QPainter& painter) {
   }
   const std::vector<placing::Spot> spots = this->spots();
   // Each where it would be, with its heading.
-  if (spots.size() > kMostTicks) return;
+  if (spots.size() > kMostLineTicks) return;
   for (const placing::Spot& spot : spots) {
     const QPointF at = px(spot.position_m);
     const double heading = *spot.yaw_rad + scene_->view().rotation_rad;
@@ -179,3 +179,5 @@ QString LineTool::hint() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_line_tool.cpp"

@@ -9,7 +9,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kWidthPx = 180, kAsidePx = 12, kLongestTyped = 500;
+constexpr int kNameWidthPx = 180, kAsidePx = 12, kLongestTyped = 500;
 
 }  // namespace
 
@@ -38,10 +38,10 @@ void NameEditor::follow(const QPointF& at) {
   const int height = sizeHint().height();
   const QRect room = parentWidget()->rect().adjusted(4, 4, -4, -4);
   const int x =
-      std::clamp(int(at.x()) + kAsidePx, room.left(), std::max(room.left(), room.right() - kWidthPx));
+      std::clamp(int(at.x()) + kAsidePx, room.left(), std::max(room.left(), room.right() - kNameWidthPx));
   const int y =
       std::clamp(int(at.y()) - height / 2, room.top(), std::max(room.top(), room.bottom() - height));
-  setGeometry(x, y, kWidthPx, height);
+  setGeometry(x, y, kNameWidthPx, height);
 }
 
 void NameEditor::finish() { close(true); }
@@ -77,3 +77,5 @@ void NameEditor::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_name_editor.cpp"

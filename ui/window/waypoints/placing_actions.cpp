@@ -243,3 +243,5 @@ void PlacingActions::arrange(Arranging how, placing::Axis axis, const QString& w
 }
 
 }  // namespace mapwright::window
+
+#include "moc_placing_actions.cpp"

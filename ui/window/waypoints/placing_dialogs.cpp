@@ -14,9 +14,9 @@
 namespace mapwright::window {
 namespace {
 
-constexpr double kFarthestM = 1e6;
-constexpr double kNoHeading = -181;  // the least value of its field stands for none
-constexpr int kLongestName = 500;
+constexpr double kFarthestPlaceM = 1e6;
+constexpr double kNoPlaceHeading = -181;  // the least value of its field stands for none
+constexpr int kLongestPlaceName = 500;
 
 QDoubleSpinBox* number(double least, double most, int decimals, double step, const QString& suffix,
                        QWidget* parent) {
@@ -69,17 +69,17 @@ QFormLayout* formOf(QVBoxLayout* column) {
 NewWaypointDialog::NewWaypointDialog(const map::Waypoint& present, QWidget* parent)
     : QDialog(parent),
       name_(new QLineEdit(QString::fromStdString(present.name), this)),
-      x_(metres(-kFarthestM, kFarthestM, present.position_m.x(), this)),
-      y_(metres(-kFarthestM, kFarthestM, present.position_m.y(), this)),
-      heading_(number(kNoHeading, 180, 1, 15, QString(QChar(0xb0)), this)) {
+      x_(metres(-kFarthestPlaceM, kFarthestPlaceM, present.position_m.x(), this)),
+      y_(metres(-kFarthestPlaceM, kFarthestPlaceM, present.position_m.y(), this)),
+      heading_(number(kNoPlaceHeading, 180, 1, 15, QString(QChar(0xb0)), this)) {
   setWindowTitle(tr("New waypoint"));
   setMinimumWidth(340);
-  name_->setMaxLength(kLongestName);
+  name_->setMaxLength(kLongestPlaceName);
   name_->selectAll();
   heading_->setSpecialValueText(tr("none"));
   heading_->setValue(present.yaw_rad
                          ? geometry::degreesFromRadians(geometry::normalizeAngle(*present.yaw_rad))
-                         : kNoHeading);
+                         : kNoPlaceHeading);
   heading_->setToolTip(tr("Counter-clockwise from the x axis of the map"));
   auto* const column = new QVBoxLayout(this);
   QFormLayout* const form = formOf(column);
@@ -94,7 +94,7 @@ map::Waypoint NewWaypointDialog::waypoint() const {
   map::Waypoint point;
   point.name = name_->text().trimmed().toStdString();
   point.position_m = {x_->value(), y_->value()};
-  if (heading_->value() > kNoHeading) point.yaw_rad = geometry::radiansFromDegrees(heading_->value());
+  if (heading_->value() > kNoPlaceHeading) point.yaw_rad = geometry::radiansFromDegrees(heading_->value());
   return point;
 }
 
@@ -132,3 +132,5 @@ PlacingNumbers PlacingDialog::numbers() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_placing_dialogs.cpp"

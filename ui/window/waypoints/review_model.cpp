@@ -16,14 +16,14 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kMarkPx = 14;
+constexpr int kReviewMarkPx = 14;
 constexpr qsizetype kLongestTip = 2'000;
 
 QPixmap pixmapOf(Mark mark) {
-  QPixmap pixmap(kMarkPx, kMarkPx);
+  QPixmap pixmap(kReviewMarkPx, kReviewMarkPx);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
-  paintMark(&painter, QRectF(2, 2, kMarkPx - 4, kMarkPx - 4), mark, appColors());
+  paintMark(&painter, QRectF(2, 2, kReviewMarkPx - 4, kReviewMarkPx - 4), mark, appColors());
   return pixmap;
 }
 
@@ -186,3 +186,5 @@ QVariant ReviewModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 }  // namespace mapwright::window
+
+#include "moc_review_model.cpp"

@@ -58,3 +58,5 @@ bool TagCompleter::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_tag_completer.cpp"

@@ -208,3 +208,5 @@ QString WaypointEditing::called(const std::set<edit::Key>& keys) const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_editing.cpp"

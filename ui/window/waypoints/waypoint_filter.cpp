@@ -52,3 +52,5 @@ const QCollatorSortKey& WaypointFilter::sortKey(const QString& text) const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_filter.cpp"

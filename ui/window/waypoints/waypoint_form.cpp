@@ -18,14 +18,14 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr double kFarthestM = 1e9;
+constexpr double kFarthestFieldM = 1e9;
 constexpr double kNoHeading = -181;  // the least value of its field stands for none
 constexpr int kLongestName = 500;
 
 QDoubleSpinBox* metres(const QString& accessible, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
   box->setLocale(QLocale::c());
-  box->setRange(-kFarthestM, kFarthestM);
+  box->setRange(-kFarthestFieldM, kFarthestFieldM);
   box->setDecimals(3);
   box->setSingleStep(0.05);
   box->setSuffix(QStringLiteral(" m"));
@@ -195,3 +195,5 @@ void WaypointForm::refresh() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_form.cpp"

@@ -176,3 +176,5 @@ void WaypointPlacing::showNextWarning() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_placing.cpp"

@@ -51,3 +51,5 @@ void WaypointQuestions::askToLeave(const QString& sentence, bool may_keep,
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_questions.cpp"

@@ -25,7 +25,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kRowPx = 24;
+constexpr int kReviewRowPx = 24;
 constexpr qsizetype kNamed = 3;  // of those that differ
 
 bool areCalls(const edit::OpenWaypoints& list, const std::vector<edit::PlannedRequest>& planned,
@@ -58,7 +58,7 @@ WaypointReview::WaypointReview(QWidget* parent)
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
   }
-  showRows(*table_, model_, tr("The calls in their order"), kRowPx);
+  showRows(*table_, model_, tr("The calls in their order"), kReviewRowPx);
   QHeaderView* const header = table_->horizontalHeader();
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -310,3 +310,5 @@ QString WaypointReview::comparedShown() const {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_review.cpp"

@@ -153,3 +153,5 @@ void WaypointSnapping::paint(QPainter& painter, const placing::SnappedPlace& pla
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_snapping.cpp"

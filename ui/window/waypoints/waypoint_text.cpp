@@ -12,27 +12,28 @@
 namespace mapwright::window {
 namespace {
 
-struct Words {
+struct WaypointsText {
   Q_DECLARE_TR_FUNCTIONS(mapwright::window::Waypoints)
 };
 
-QString number(double value, int decimals) { return QLocale::c().toString(value, 'f', decimals); }
+QString fixed(double value, int decimals) { return QLocale::c().toString(value, 'f', decimals); }
 
 QString fieldsText(const std::optional<map::Waypoint>& point, edit::FieldMask fields) {
   using namespace edit::waypoint_field;
-  if (!point) return Words::tr("deleted");
+  if (!point) return WaypointsText::tr("deleted");
   QStringList parts;
-  if (fields & kName) parts << Words::tr("name “%1”").arg(shortWaypointName(*point));
+  if (fields & kName) parts << WaypointsText::tr("name “%1”").arg(shortWaypointName(*point));
   if (fields & kPosition)
-    parts << Words::tr("position %1, %2 m")
-                 .arg(number(point->position_m.x(), 3), number(point->position_m.y(), 3));
+    parts << WaypointsText::tr("position %1, %2 m")
+                 .arg(fixed(point->position_m.x(), 3), fixed(point->position_m.y(), 3));
   if (fields & kYaw)
-    parts << (point->yaw_rad ? Words::tr("heading %1").arg(yawText(point->yaw_rad))
-                             : Words::tr("no heading"));
+    parts << (point->yaw_rad ? WaypointsText::tr("heading %1").arg(yawText(point->yaw_rad))
+                             : WaypointsText::tr("no heading"));
   if (fields & kTags)
-    parts << (point->tags.empty() ? Words::tr("no tags") : Words::tr("tags %1").arg(tagsText(point->tags)));
-  if (fields & kType) parts << Words::tr("type %1").arg(words::plainName(point->type).left(40));
-  return parts.isEmpty() ? Words::tr("as it was") : parts.join(QStringLiteral(", "));
+    parts << (point->tags.empty() ? WaypointsText::tr("no tags")
+                                  : WaypointsText::tr("tags %1").arg(tagsText(point->tags)));
+  if (fields & kType) parts << WaypointsText::tr("type %1").arg(words::plainName(point->type).left(40));
+  return parts.isEmpty() ? WaypointsText::tr("as it was") : parts.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -59,21 +60,21 @@ std::vector<std::string> tagsFrom(const QString& text) {
 
 QString yawText(const std::optional<double>& yaw_rad) {
   if (!yaw_rad) return {};
-  return number(geometry::degreesFromRadians(geometry::normalizeAngle(*yaw_rad)), 1) + QChar(0xb0);
+  return fixed(geometry::degreesFromRadians(geometry::normalizeAngle(*yaw_rad)), 1) + QChar(0xb0);
 }
 
 QString waypointsText(qsizetype count) {
-  return sentences::counted(Words::tr("%1 waypoints", nullptr, sentences::formOf(count)), count);
+  return sentences::counted(WaypointsText::tr("%1 waypoints", nullptr, sentences::formOf(count)), count);
 }
 
 QString changesText(qsizetype count) {
-  return sentences::counted(Words::tr("%1 changes", nullptr, sentences::formOf(count)), count);
+  return sentences::counted(WaypointsText::tr("%1 changes", nullptr, sentences::formOf(count)), count);
 }
 
 QString stateText(const edit::ItemState& state) {
-  if (state.changed_elsewhere) return Words::tr("Changed here and elsewhere: choose which is right.");
-  if (state.sent) return Words::tr("Sent, not confirmed yet.");
-  return state.unsaved ? Words::tr("Not saved yet.") : QString();
+  if (state.changed_elsewhere) return WaypointsText::tr("Changed here and elsewhere: choose which is right.");
+  if (state.sent) return WaypointsText::tr("Sent, not confirmed yet.");
+  return state.unsaved ? WaypointsText::tr("Not saved yet.") : QString();
 }
 
 int pendingOf(const edit::ItemState& state, const map::Waypoint* kept, const map::Waypoint* now) {
@@ -92,31 +93,31 @@ int pendingOf(const edit::ItemState& state, const map::Waypoint* kept, const map
 QString pendingText(const edit::ItemState& state, int pending) {
   if (state.changed_elsewhere || state.sent || !(pending & kUnsaved)) return stateText(state);
   QStringList parts;
-  if (pending & kNew) parts << Words::tr("new");
-  if (pending & kDeleted) parts << Words::tr("deleted");
-  if (pending & kRenamed) parts << Words::tr("renamed");
-  if (pending & kMoved) parts << Words::tr("moved");
-  if (pending & kRetagged) parts << Words::tr("retagged");
+  if (pending & kNew) parts << WaypointsText::tr("new");
+  if (pending & kDeleted) parts << WaypointsText::tr("deleted");
+  if (pending & kRenamed) parts << WaypointsText::tr("renamed");
+  if (pending & kMoved) parts << WaypointsText::tr("moved");
+  if (pending & kRetagged) parts << WaypointsText::tr("retagged");
   if (parts.isEmpty()) return stateText(state);
-  return Words::tr("Not saved yet: %1.").arg(parts.join(QStringLiteral(", ")));
+  return WaypointsText::tr("Not saved yet: %1.").arg(parts.join(QStringLiteral(", ")));
 }
 
 QString changeText(const std::optional<map::Waypoint>& before, const std::optional<map::Waypoint>& after) {
   using namespace edit::waypoint_field;
   if (!before && !after) return {};
-  if (!after) return Words::tr("deleted");
+  if (!after) return WaypointsText::tr("deleted");
   if (!before) {
     const edit::FieldMask said = kPosition | (after->yaw_rad ? kYaw : 0) | (after->tags.empty() ? 0 : kTags) |
                                  (after->type.empty() ? 0 : kType);
-    return Words::tr("new: %1").arg(fieldsText(after, said));
+    return WaypointsText::tr("new: %1").arg(fieldsText(after, said));
   }
   const edit::FieldMask changed = edit::difference(*before, *after);
   QStringList parts;
   for (edit::FieldMask field = 1; field <= changed; field <<= 1) {
     if (changed & field)
-      parts << Words::tr("%1 → %2").arg(fieldsText(before, field), fieldsText(after, field));
+      parts << WaypointsText::tr("%1 → %2").arg(fieldsText(before, field), fieldsText(after, field));
   }
-  return parts.isEmpty() ? Words::tr("as it was") : parts.join(QStringLiteral("; "));
+  return parts.isEmpty() ? WaypointsText::tr("as it was") : parts.join(QStringLiteral("; "));
 }
 
 QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
@@ -125,7 +126,7 @@ QString conflictText(const edit::Conflict<map::Waypoint>& conflict) {
     mine = conflict.mine && conflict.base ? edit::difference(*conflict.mine, *conflict.base) : 0;
     theirs = conflict.theirs && conflict.base ? edit::difference(*conflict.theirs, *conflict.base) : 0;
   }
-  return Words::tr("Here: %1. Elsewhere: %2.")
+  return WaypointsText::tr("Here: %1. Elsewhere: %2.")
       .arg(fieldsText(conflict.mine, mine), fieldsText(conflict.theirs, theirs));
 }
 
@@ -148,13 +149,13 @@ QString notSavedText(const edit::OpenWaypoints& list, const map::Failure& stoppe
   const std::size_t sent = counts.applied + counts.failed + counts.unknown, all = sent + counts.not_sent;
   const QString why = whyText(stopped_by);
   if (all < 2 || counts.applied + counts.unknown == 0) {
-    return counts.unknown > 0 ? Words::tr("Whether it is saved is not known. %1").arg(why)
-                              : Words::tr("Not saved. %1").arg(why);
+    return counts.unknown > 0 ? WaypointsText::tr("Whether it is saved is not known. %1").arg(why)
+                              : WaypointsText::tr("Not saved. %1").arg(why);
   }
   const auto figure = [](std::size_t count) { return QLocale::c().toString(qulonglong(count)); };
-  QString text = Words::tr("Not all is saved: %1 of %2 requests were carried out")
+  QString text = WaypointsText::tr("Not all is saved: %1 of %2 requests were carried out")
                      .arg(figure(counts.applied), figure(all));
-  if (counts.unknown > 0) text += Words::tr(", of %1 it is not known").arg(figure(counts.unknown));
+  if (counts.unknown > 0) text += WaypointsText::tr(", of %1 it is not known").arg(figure(counts.unknown));
   return text + QStringLiteral(". ") + why;
 }
 
@@ -165,9 +166,9 @@ QString whyText(const map::Failure& failure) {
 QString offerText(const edit::WaypointDraft& draft, const QDateTime& now) {
   const bool today = draft.made.date() == now.date();
   const QString when =
-      today ? Words::tr("today %1").arg(QLocale::c().toString(draft.made, QStringLiteral("HH:mm:ss")))
+      today ? WaypointsText::tr("today %1").arg(QLocale::c().toString(draft.made, QStringLiteral("HH:mm:ss")))
             : QLocale::c().toString(draft.made, QStringLiteral("d MMMM yyyy HH:mm"));
-  return Words::tr("There is a draft of these waypoints of %1 that was not saved: %2.")
+  return WaypointsText::tr("There is a draft of these waypoints of %1 that was not saved: %2.")
       .arg(when, changesText(qsizetype(draft.changes.size())));
 }
 

@@ -315,3 +315,5 @@ bool WaypointTool::keyPressed(const MapKeyPress& press) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_tool.cpp"

@@ -16,7 +16,7 @@ constexpr double kHandleRadiusPx = 6;
 constexpr double kInsidePx = 16;            // handles stay so far from the edge of the map
 constexpr std::size_t kMostTraces = 2'000;  // of more the way of each is not drawn
 
-QString metres(double value) { return QLocale::c().toString(value, 'f', 2); }
+QString metresOf(double value) { return QLocale::c().toString(value, 'f', 2); }
 
 void haloLine(QPainter& painter, const scene::MapTheme& theme, const QPointF& a, const QPointF& b,
               Qt::PenStyle style) {
@@ -142,7 +142,7 @@ QString WaypointTool::hint() const {
         .arg(yawText(editing_->preview().at(grabbed_).yaw_rad));
   if (drag_ == Drag::Move && editing_->preview().contains(grabbed_)) {
     const Eigen::Vector2d at = editing_->preview().at(grabbed_).position_m;
-    return tr("%1, %2 m. Ctrl: to the grid, Alt: free, Esc cancels.").arg(metres(at.x()), metres(at.y()));
+    return tr("%1, %2 m. Ctrl: to the grid, Alt: free, Esc cancels.").arg(metresOf(at.x()), metresOf(at.y()));
   }
   if (editing_->selected().empty())
     return tr("Click adds a waypoint, drag moves one, Shift and drag frames several. Esc leaves.");

@@ -208,3 +208,5 @@ bool WaypointTransfer::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_transfer.cpp"

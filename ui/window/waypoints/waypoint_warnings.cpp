@@ -242,3 +242,5 @@ void WaypointWarnings::tell(const std::set<std::string>& keys) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoint_warnings.cpp"

@@ -427,3 +427,5 @@ void WaypointsController::answer(WaypointQuestions::Leaving answer, const std::f
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoints_controller.cpp"

@@ -34,7 +34,7 @@ namespace mapwright::window {
 
 namespace {
 
-constexpr int kRowPx = 24;
+constexpr int kWaypointRowPx = 24;
 
 void secondary(QLabel* label, bool bad) {
   const UiColors colors = appColors();
@@ -154,7 +154,7 @@ WaypointsDock::~WaypointsDock() {
 void WaypointsDock::buildTable() {
   sorted_->setSourceModel(model_);
   sorted_->setSortRole(WaypointsModel::kSortRole);
-  showRows(*table_, sorted_, tr("Waypoints"), kRowPx);
+  showRows(*table_, sorted_, tr("Waypoints"), kWaypointRowPx);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->setSortingEnabled(true);
   table_->sortByColumn(WaypointsModel::NameColumn, Qt::AscendingOrder);
@@ -417,3 +417,5 @@ bool WaypointsDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoints_dock.cpp"

@@ -22,7 +22,7 @@ namespace mapwright::window {
 namespace {
 
 constexpr std::size_t kManyRows = 200;  // more at once are told as a whole
-constexpr int kMarkPx = 16;
+constexpr int kWaypointMarkPx = 16;
 
 QString metresText(double metres) { return QLocale::c().toString(metres, 'f', 2); }
 
@@ -30,7 +30,7 @@ QVariant stateMark(const edit::ItemState& state, int pending) {
   if (pending == 0 && !state.sent) return {};
   const UiColors colors = appColors();
   const double ratio = qApp->devicePixelRatio();
-  QPixmap pixmap(QSize(kMarkPx, kMarkPx) * ratio);
+  QPixmap pixmap(QSize(kWaypointMarkPx, kWaypointMarkPx) * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
@@ -41,7 +41,8 @@ QVariant stateMark(const edit::ItemState& state, int pending) {
                                                            : scene::WaypointMark::Unsaved;
   const QColor color = state.changed_elsewhere ? colors.error : colors.warning;
   const QColor edge = mark == scene::WaypointMark::Deleted ? QColor(Qt::transparent) : color;
-  scene::paintWaypointMark(painter, QPointF(kMarkPx / 2.0, kMarkPx / 2.0), 5, mark, color, edge);
+  scene::paintWaypointMark(painter, QPointF(kWaypointMarkPx / 2.0, kWaypointMarkPx / 2.0), 5, mark, color,
+                           edge);
   return pixmap;
 }
 
@@ -193,7 +194,8 @@ QVariant WaypointsModel::data(const QModelIndex& index, int role) const {
       return pending(at);
     case Qt::DecorationRole:
       if (column == NameColumn && document_->find(at) && !warningsOf(at).empty())
-        return iconPixmap(QStringLiteral("problem"), kMarkPx, qApp->devicePixelRatio(), appColors().warning);
+        return iconPixmap(QStringLiteral("problem"), kWaypointMarkPx, qApp->devicePixelRatio(),
+                          appColors().warning);
       return column == StateColumn ? stateMark(document_->state(at), pending(at)) : QVariant();
     case Qt::AccessibleTextRole:
       if (column == NameColumn && document_->find(at) && !warningsOf(at).empty())
@@ -285,3 +287,5 @@ QVariant WaypointsModel::headerData(int section, Qt::Orientation orientation, in
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoints_model.cpp"

@@ -209,3 +209,5 @@ void WaypointsOnMap::draw() {
 }
 
 }  // namespace mapwright::window
+
+#include "moc_waypoints_on_map.cpp"
