@@ -316,7 +316,7 @@ class TestWindowWaypointsReview : public QObject {
     QVERIFY(desk.window->session()->wholeMap().key().id != "2");
     desk.send();
     QTRY_COMPARE(desk.window->session()->wholeMap().key().id, std::string("2"));
-    QVERIFY(!desk.review().isVisible());
+    QTRY_VERIFY(!desk.review().isVisible());
   }
 
   void whoClosesItStays() {
