@@ -54,14 +54,14 @@ struct CommandLine {
   std::vector<std::string> bench_arguments;
 };
 
-std::string layersHelp() {
+QString layersHelp() {
   QStringList names;
   for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
-  return help(CommandLineText::tr(
-                  "Comma-separated: %1; or all (but track, for which a whole bag is read, and "
-                  "dispatched-cloud, which may be large); or none (the map alone). NAME=TOPIC takes a "
-                  "grid, a path or a target of a ROS robot from another topic")
-                  .arg(names.join(QLatin1Char(','))));
+  return CommandLineText::tr(
+             "Comma-separated: %1; or all (but track, for which a whole bag is read, and "
+             "dispatched-cloud, which may be large); or none (the map alone). NAME=TOPIC takes a "
+             "grid, a path or a target of a ROS robot from another topic")
+      .arg(names.join(QLatin1Char(',')));
 }
 
 /// What a picture is asked for with, of a robot or of a bag.
@@ -107,7 +107,7 @@ void addSnapshotOptions(CLI::App* command, SnapshotWords& words) {
       ->capture_default_str();
   command->add_option("--rotate", words.rotate_deg,
                       help(CommandLineText::tr("Turn the picture counter-clockwise by this many degrees")));
-  command->add_option("--layers", words.layers, layersHelp());
+  command->add_option("--layers", words.layers, help(layersHelp()));
   command->add_option("--resolution", words.resolution,
                       help(CommandLineText::tr("Metres per pixel of a bare picture file")));
   command->add_option("--origin", words.origin,
