@@ -17,6 +17,7 @@ namespace mapwright::placing {
 struct PlacedMap {
   std::shared_ptr<const grids::GridPyramid> cells;
   map::GridReference reference;  // with the size of `cells`
+  bool is_part = false;          // of a map that may go on where it ends
   bool operator==(const PlacedMap&) const = default;
 };
 

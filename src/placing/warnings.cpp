@@ -12,14 +12,15 @@
 namespace mapwright::placing {
 namespace {
 
-Warnings warningsAt(Ground& ground, const Eigen::Vector2d& place_m, double radius_m, bool known) {
+Warnings warningsAt(Ground& ground, const Eigen::Vector2d& place_m, double radius_m, bool known,
+                    bool is_part) {
   Warnings warnings;
   const Cell cell = ground.at(place_m);
   if (cell == Cell::Occupied) {
     warnings.push_back({WarningKind::InWall});
     return warnings;
   }
-  if (cell == Cell::Outside) warnings.push_back({WarningKind::OutsideMap});
+  if (cell == Cell::Outside && !is_part) warnings.push_back({WarningKind::OutsideMap});
   if (radius_m > 0 && known) {
     if (const auto wall = ground.nearestWall(place_m, radius_m))
       warnings.push_back({WarningKind::NearWall, wall->distance_m, radius_m});
@@ -99,7 +100,7 @@ GroundWarnings groundWarnings(const std::vector<Eigen::Vector2d>& places_m, cons
   found.state = known ? GroundState::Known : GroundState::Unknown;
   for (const std::size_t i : inOrder(places_m, map.reference)) {
     if (cancelled && *cancelled) break;
-    found.of[i] = warningsAt(ground, places_m[i], radius_m, known);
+    found.of[i] = warningsAt(ground, places_m[i], radius_m, known, map.is_part);
   }
   return found;
 }

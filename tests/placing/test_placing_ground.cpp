@@ -138,6 +138,14 @@ class TestPlacingGround : public QObject {
     QCOMPARE(kindsOf(at(map, -0.1, 0.05)), (std::vector{WarningKind::OutsideMap, WarningKind::NearWall}));
   }
 
+  void wherePartOfAMapEndsNothingIsKnownOfTheMap() {
+    PlacedMap part = test::mapOf({"..........", "#........."});
+    part.is_part = true;
+    QVERIFY(at(part, 5, 5).empty());
+    QCOMPARE(kindsOf(at(part, -0.1, 0.05)), std::vector{WarningKind::NearWall});
+    QCOMPARE(kindsOf(at(part, 0.05, 0.05)), std::vector{WarningKind::InWall});
+  }
+
   void aMapThatKnowsNothingSaysSoOnce() {
     const PlacedMap map = test::mapOf({"   ", "   "});
     const auto found = groundWarnings({{0.1, 0.1}, {9, 9}}, map, 0.3, nullptr);

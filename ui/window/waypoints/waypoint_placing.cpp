@@ -120,7 +120,12 @@ void WaypointPlacing::setSession(session::Session* session) {
   actions_->refresh();
 }
 
-void WaypointPlacing::syncGround() { warnings_->setMap(mapUnder(context_.scene)); }
+void WaypointPlacing::syncGround() {
+  placing::PlacedMap under = mapUnder(context_.scene);
+  // What was fetched of a map does not tell where the map ends.
+  under.is_part = session_ && session_->wholeMap().shown().state_of;
+  warnings_->setMap(under);
+}
 
 void WaypointPlacing::lookAtBareOnes() {
   if (!session_ || !session::lacksPicture(session_->wholeMap()) || !editing_->document()) return;
