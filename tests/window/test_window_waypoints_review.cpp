@@ -99,6 +99,7 @@ class TestWindowWaypointsReview : public QObject {
     Q_EMIT desk.robot->capabilitiesChanged();
     desk.send();
     QTRY_VERIFY(!desk.control().unsaved());
+    QTRY_VERIFY(desk.review().comparedShown().contains(QLatin1String("as wanted")));
     // Of what is saved nothing is lost: it is as the robot says.
     desk.robot->waypoint_store = nullptr;
     Q_EMIT desk.robot->capabilitiesChanged();
