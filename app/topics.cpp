@@ -289,7 +289,9 @@ void addTopics(CLI::App& cli, TopicsWords& words) {
   echo->add_option("topic", words.topics, help(TopicsText::tr("As the robot calls it")))
       ->required()
       ->expected(1);
-  echo->add_option("--count", words.count, help(TopicsText::tr("Stop after so many")));
+  echo->add_option("--count", words.count,
+                   help(TopicsText::tr("Stop after so many messages; without it, when interrupted")))
+      ->check(CLI::PositiveNumber);
   timeout(echo, TopicsText::tr("Give up after this many seconds without a connection, or without a message"));
   CLI::App* const hz = add("hz", TopicsText::tr("How often topics come, and how evenly"));
   hz->add_option("topics", words.topics, help(TopicsText::tr("As the robot calls them")))->required();
