@@ -291,7 +291,7 @@ void addTopics(CLI::App& cli, TopicsWords& words) {
       ->expected(1);
   echo->add_option("--count", words.count,
                    help(TopicsText::tr("Stop after so many messages; without it, when interrupted")))
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1'000'000'000));
   timeout(echo, TopicsText::tr("Give up after this many seconds without a connection, or without a message"));
   CLI::App* const hz = add("hz", TopicsText::tr("How often topics come, and how evenly"));
   hz->add_option("topics", words.topics, help(TopicsText::tr("As the robot calls them")))->required();
