@@ -16,6 +16,7 @@
 #include "app/output_paths.h"
 #include "app/table.h"
 #include "app/waypoint_list.h"
+#include "robot/axbot/faults.h"
 #include "window/status/status_text.h"
 #include "words/file_name.h"
 #include "words/qt_plain.h"
@@ -128,7 +129,7 @@ int bagsDownload(const BagsWords& words, int& argc, char** argv) {
     if (terminal) std::fprintf(stderr, "\r%-40s\r", "");
     if (!done) {
       CommandFailure failure = bags.failure(done.error());
-      if (done.error().cause.code == map::ReasonCode::BagFileNotWritten) failure.exit_code = kUsage;
+      if (done.error().cause.code == robot::axbot::fault::BagFileNotWritten) failure.exit_code = kUsage;
       return tl::make_unexpected(failure);
     }
     if (words.json) {

@@ -13,11 +13,11 @@
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
 #include "app/waypoint_list.h"
+#include "disk/file_error.h"
 #include "excerpt/excerpt.h"
 #include "excerpt/recording_slice.h"
-#include "reasons/file_reason.h"
 #include "robot/recorded/recorded_robot.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -31,8 +31,8 @@ class BagsExportText {
 
 using words::text;
 
-CommandFailure exportFailed(const disk::Fault& fault) {
-  return {kUsage, sentences::wordsOf(reasons::notWritten(fault))};
+CommandFailure exportFailed(const disk::FileError& fault) {
+  return {kUsage, sentences::wordsOf(disk::notWritten(fault))};
 }
 
 /// What of a bag goes where, as it was asked for.
@@ -124,7 +124,7 @@ CommandResult<int> exportSlice(const BagsWords& words, MapsCommand& command, Bag
   bags.noteUnknown(words.topics);
   const map::Subject bag =
       subjectOf(robot::BagKey{robot::BagKind::File, robot::recorded::bagNameOf(text(path))});
-  for (const map::Reason& loss : done.losses)
+  for (const Fault& loss : done.losses)
     bags.robot().lack(QStringLiteral("%1: %2").arg(sentences::nameOf(bag), sentences::wordsOf(loss)));
   tell(words, order, command,
        {{QStringLiteral("messages"), qint64(done.messages)},

@@ -21,9 +21,10 @@
 #include "excerpt/recording_merge.h"
 #include "excerpt/recording_slice.h"
 #include "recording/source.h"
+#include "robot/recorded/faults.h"
 #include "robot/recorded/recorded_robot.h"
 #include "robot/recorded/recording_reasons.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -37,7 +38,7 @@ constexpr std::int64_t kMostParts = 10'000;
 
 using words::text;
 
-auto notOpened(const map::Reason& why) { return wrong(sentences::sentenceOf(why)); }
+auto notOpened(const Fault& why) { return wrong(sentences::sentenceOf(why)); }
 
 CommandResult<std::string> recordingFrom(const BagsWords& words) {
   const auto parsed = knownAddresses().parse(text(words.robot));
@@ -59,14 +60,15 @@ std::optional<CommandFailure> whyNotInto(const QString& path, const std::vector<
 }
 
 /// Its end is missing, and maybe the rest of what was being written then.
-bool isOfItsEnd(const map::Reason& loss) {
-  return loss.code == map::ReasonCode::RecordingNotFinished ||
-         loss.code == map::ReasonCode::RecordingNotBegun || loss.code == map::ReasonCode::RecordingCutOff;
+bool isOfItsEnd(const Fault& loss) {
+  return loss.code == robot::recorded::fault::RecordingNotFinished ||
+         loss.code == robot::recorded::fault::RecordingNotBegun ||
+         loss.code == robot::recorded::fault::RecordingCutOff;
 }
 
 void tell(const BagsWords& words, const QStringList& files, const excerpt::Written& done) {
   QJsonArray losses;
-  for (const map::Reason& loss : done.losses) {
+  for (const Fault& loss : done.losses) {
     const QString sentence = sentences::sentenceOf(loss);
     losses.append(sentence);
     std::fprintf(stderr, "%s\n", qUtf8Printable(oneLine(sentence)));

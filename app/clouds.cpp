@@ -19,11 +19,11 @@
 #include "app/option_words.h"
 #include "app/output_paths.h"
 #include "clouds/write_cloud.h"
+#include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
 #include "robot/map_dispatch.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -86,7 +86,7 @@ QStringList notesOf(const CroppedCloud& came) {
   add(CloudsText::tr("%1 points that the robot says it sent have not come: its answer is cut off.", nullptr,
                      form(cloud.missing)),
       cloud.missing);
-  for (const map::Reason& note : cloud.notes) notes << sentences::sentenceOf(note);
+  for (const Fault& note : cloud.notes) notes << sentences::sentenceOf(note);
   add(CloudsText::tr("%1 points that came lie beyond the region that was asked for. They are left out.",
                      nullptr, form(came.beyond)),
       came.beyond);
@@ -162,7 +162,7 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
         reading.failure(kIncomplete, CloudsText::tr("The time was over before it was written.")));
   }
   if (const auto fault = file.place()) {
-    return wrong(sentences::sentenceOf(reasons::notWritten(*fault)));
+    return wrong(sentences::sentenceOf(disk::notWritten(*fault)));
   }
   if (words.json) {
     const QByteArray json = QJsonDocument(jsonOf(words, came, *written)).toJson(QJsonDocument::Indented);

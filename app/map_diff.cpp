@@ -10,10 +10,10 @@
 #include <QCoreApplication>
 #include <spng.h>
 
+#include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
 #include "render/grid_palettes.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -48,7 +48,7 @@ class RgbPng {
   std::optional<QString> end() {
     if (!good_ && file_.good()) return MapDiffText::tr("The picture of the difference cannot be encoded.");
     const auto fault = file_.place();
-    return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
+    return fault ? std::optional(sentences::wordsOf(disk::notWritten(*fault))) : std::nullopt;
   }
 
  private:
@@ -131,7 +131,7 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
     }
   }
   for (const render::PlacedGrid* const map : {&first, &second}) {
-    if (const map::Reason trouble = map->cells->trouble(); trouble.any()) {
+    if (const Fault trouble = map->cells->trouble(); trouble.any()) {
       return tl::make_unexpected(sentences::wordsOf(trouble));
     }
   }

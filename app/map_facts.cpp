@@ -11,8 +11,8 @@
 #include "app/output_paths.h"
 #include "app/report.h"
 #include "app/table.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
-#include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -74,7 +74,7 @@ CommandResult<int> showWithoutPicture(MapReading& reading, bool json_wanted) {
         [&](robot::OutcomeTo<map::WaypointList> reply) { return source->waypoints(key, std::move(reply)); });
     if (!told) return tl::make_unexpected(reading.failure(told.error()));
     points = std::move(told->points);
-    for (const map::Reason& note : told->notes)
+    for (const Fault& note : told->notes)
       reading.note(
           QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(key)), sentences::sentenceOf(note)));
   }

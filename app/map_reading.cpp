@@ -18,8 +18,8 @@
 #include "scene/layer.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/obstacle_sentence.h"
-#include "sentences/reason_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {

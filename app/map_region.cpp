@@ -11,7 +11,7 @@
 #include "grids/grid_pyramid.h"
 #include "regions/region_answer.h"
 #include "robot/map_dispatch.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 namespace mapwright::app {
 namespace {
@@ -78,7 +78,7 @@ CommandResult<render::PlacedGrid> MapReading::part(const std::optional<map::Grid
   const auto part = ask<map::GridPart>(
       [&](robot::OutcomeTo<map::GridPart> reply) { return dispatch->grid(region, std::move(reply)); });
   if (!part) return tl::make_unexpected(failure(part.error()));
-  for (const map::Reason& note : part->notes) notes_ << failure(kDone, sentences::wordsOf(note)).sentence;
+  for (const Fault& note : part->notes) notes_ << failure(kDone, sentences::wordsOf(note)).sentence;
   if (part->grid.width == 0) {
     return tl::make_unexpected(
         failure(kIncomplete, region ? MapRegionText::tr("There is nothing of its map in this region.")

@@ -12,8 +12,8 @@
 #include "robot/sends_map.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
-#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::app {
@@ -130,7 +130,7 @@ void MapWish::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
                                                 : MapWishText::tr("Its whole map cannot be used."));
     return;
   }
-  for (const map::Reason& note : part.notes) notes_ << sentences::wordsOf(note);
+  for (const Fault& note : part.notes) notes_ << sentences::wordsOf(note);
   map::WholeMap map;
   map.key = *key_;
   for (const robot::DispatchOffer& offer : session_.robot().mapDispatch()->offers()) {

@@ -21,12 +21,12 @@
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
 #include "app/table.h"
+#include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
-#include "reasons/file_reason.h"
 #include "robot/address.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "session/lacks_picture.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -270,13 +270,13 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     if (words.world_file) {
       placing.emplace(world_file.toStdString());
       placing->write(grids::worldFileText(placed->reference));
-      if (!placing->finish()) return wrong(sentences::wordsOf(reasons::notWritten(*placing->place())));
+      if (!placing->finish()) return wrong(sentences::wordsOf(disk::notWritten(*placing->place())));
     }
     const auto error = png ? grids::writeGridPng(*placed->cells, words.output)
                            : grids::writeMapServer(*placed->cells, placed->reference, words.output);
     if (error) return wrong(sentences::wordsOf(*error));
     if (placing) {
-      if (const auto fault = placing->place()) return wrong(sentences::wordsOf(reasons::notWritten(*fault)));
+      if (const auto fault = placing->place()) return wrong(sentences::wordsOf(disk::notWritten(*fault)));
     }
     if (!printed && !isStandardOutput(text(words.report))) {
       const map::GridReference& grid = placed->reference;

@@ -17,6 +17,7 @@
 #include "app/table.h"
 #include "map/projections.h"
 #include "robot/map_dispatch.h"
+#include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -92,7 +93,7 @@ CommandResult<int> list(MapReading& reading, const ProjectionsWords& words) {
   if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
   const auto told = reading.ask<Projections>(
       [&](robot::OutcomeTo<Projections> reply) { return dispatch->projections(std::move(reply)); });
-  if (!told && told.error().cause.code == map::ReasonCode::ProjectionsNotTold) {
+  if (!told && told.error().cause.code == robot::ros::fault::ProjectionsNotTold) {
     return tl::make_unexpected(reading.failure(kIncomplete, text(sentences::sentenceOf(told.error()))));
   }
   if (!told) return tl::make_unexpected(reading.failure(told.error()));

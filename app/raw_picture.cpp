@@ -8,9 +8,9 @@
 #include <spng.h>
 
 #include "app/snapshot_picture.h"
+#include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {
@@ -46,7 +46,7 @@ std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
   if (!png) return notEncoded(failure);
   const auto fault =
       disk::writeFile(path.toStdString(), std::string_view(static_cast<const char*>(png.get()), bytes));
-  return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
+  return fault ? std::optional(sentences::wordsOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
 class RawPicture : public SnapshotPicture {

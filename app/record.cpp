@@ -25,12 +25,12 @@
 #include "app/stop_signals.h"
 #include "app/stream_words.h"
 #include "app/waypoint_list.h"
-#include "reasons/file_reason.h"
+#include "disk/file_error.h"
 #include "recorder/recorder.h"
 #include "recording/append_file.h"
 #include "robot/delivery.h"
 #include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
@@ -171,7 +171,7 @@ class RecordRun {
     const Recorder::Progress now = recorder_->progress();
     if (now.written.fault && now.written.fault != told_) {
       clearLine();
-      say(sentences::wordsOf(reasons::notWritten(withPath(*now.written.fault))));
+      say(sentences::wordsOf(disk::notWritten(withPath(*now.written.fault))));
     } else if (!now.written.fault && told_) {
       clearLine();
       say(RecordText::tr("%1 is being written again.").arg(order_.path));
@@ -195,13 +195,13 @@ class RecordRun {
     if (terminal_) std::fprintf(stderr, "\r%-70s\r", "");
   }
 
-  disk::Fault withPath(disk::Fault fault) const {
+  disk::FileError withPath(disk::FileError fault) const {
     if (fault.path.empty()) fault.path = words_.output;
     return fault;
   }
 
-  tl::unexpected<CommandFailure> notWritten(const disk::Fault& fault) const {
-    return wrong(sentences::wordsOf(reasons::notWritten(withPath(fault))));
+  tl::unexpected<CommandFailure> notWritten(const disk::FileError& fault) const {
+    return wrong(sentences::wordsOf(disk::notWritten(withPath(fault))));
   }
 
   CommandResult<int> end(std::size_t missing) {
@@ -233,7 +233,7 @@ class RecordRun {
                                                   QString::number(done.written.files))));
     }
     if (done.end_fault) {
-      say(sentences::wordsOf(reasons::notWritten(withPath(*done.end_fault))));
+      say(sentences::wordsOf(disk::notWritten(withPath(*done.end_fault))));
     } else if (refused_) {
       say(*refused_);
     } else if (done.written.lost > 0) {
@@ -261,7 +261,7 @@ class RecordRun {
   int interruptions_ = 0;
   int not_had_ = 0;
   std::optional<QString> refused_;
-  std::optional<disk::Fault> told_;
+  std::optional<disk::FileError> told_;
 };
 
 CommandResult<int> carryOut(const RecordWords& words) {

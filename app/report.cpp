@@ -10,10 +10,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/problem_sentence.h"
-#include "sentences/reason_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 
@@ -122,7 +122,7 @@ QString firstOf(const QStringList& lines) {
 std::optional<QString> writeReport(const QString& path, const QJsonObject& report) {
   const auto fault =
       disk::writeFile(path.toStdString(), words::escapedJson(QJsonDocument(report).toJson()).toStdString());
-  return fault ? std::optional(sentences::wordsOf(reasons::notWritten(*fault))) : std::nullopt;
+  return fault ? std::optional(sentences::wordsOf(disk::notWritten(*fault))) : std::nullopt;
 }
 
 bool writeReportInHaste(const QString& path, const QJsonObject& report) {

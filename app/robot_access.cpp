@@ -4,8 +4,7 @@
 #include <QFile>
 
 #include "app/robot_factory.h"
-#include "robot/wire/net_reason.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -90,8 +89,7 @@ tl::expected<RobotAccess, QString> RobotAccess::read(const AccessWords& words, c
   }
   if (!words.ca_file.empty()) {
     const auto authorities = net::readAuthorities(text(words.ca_file));
-    if (!authorities)
-      return tl::make_unexpected(sentences::wordsOf(robot::wire::reasonOf(authorities.error())));
+    if (!authorities) return tl::make_unexpected(sentences::wordsOf(authorities.error()));
     access.trust_.authorities = QSslConfiguration::systemCaCertificates() + *authorities;
   }
   return access;

@@ -11,7 +11,7 @@
 #include "scene/map_scene.h"
 #include "scene/regions_on_map.h"
 #include "scene/write_picture.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 namespace mapwright::app {
 namespace {

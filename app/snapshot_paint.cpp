@@ -12,7 +12,7 @@
 #include "app/snapshot_content.h"
 #include "app/snapshot_run.h"
 #include "replay/replay_robot.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/replay/track_on_map.h"
 
 namespace mapwright::app {

@@ -14,7 +14,7 @@
 #include "robot/bag_library.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 
 namespace mapwright::app {

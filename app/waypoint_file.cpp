@@ -7,12 +7,12 @@
 
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
+#include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "exchange/waypoint_csv.h"
 #include "exchange/waypoint_json.h"
-#include "reasons/file_reason.h"
 #include "robot/files/waypoint_file.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "words/text.h"
 
 namespace mapwright::app {
@@ -54,7 +54,7 @@ tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path
           .arg(text(path)));
 }
 
-tl::expected<std::string, disk::Fault> bytesOf(const std::string& path, std::size_t most) {
+tl::expected<std::string, disk::FileError> bytesOf(const std::string& path, std::size_t most) {
   return path == kStandardInput ? disk::readStandardInput(most + 1) : disk::readFile(path, most + 1);
 }
 
@@ -71,8 +71,8 @@ tl::expected<exchange::WantedList, QString> readWantedFile(const std::string& pa
   const QString called = inputCalled(path);
   const auto bytes = bytesOf(path, exchange::kMaxWantedBytes);
   if (!bytes)
-    return tl::make_unexpected(WaypointFileText::tr("%1 cannot be read: %2.")
-                                   .arg(called, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+    return tl::make_unexpected(
+        WaypointFileText::tr("%1 cannot be read: %2.").arg(called, sentences::wordsOf(bytes.error().cause)));
   if (bytes->size() > exchange::kMaxWantedBytes)
     return tl::make_unexpected(WaypointFileText::tr("%1 is larger than 64 MiB.").arg(called));
   if (by_content && !beginsLikeJson(*bytes)) kind = WaypointFileKind::Csv;

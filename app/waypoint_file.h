@@ -7,7 +7,7 @@
 #include <QString>
 #include <tl/expected.hpp>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 #include "exchange/wanted_waypoint.h"
 #include "map/catalogue.h"
 
@@ -19,7 +19,7 @@ tl::expected<WaypointFileKind, QString> waypointFileKind(const std::string& path
 
 /// The bytes of a file, or ("-") what comes by the standard input; a little more than `most` where there are
 /// more.
-tl::expected<std::string, disk::Fault> bytesOf(const std::string& path, std::size_t most);
+tl::expected<std::string, disk::FileError> bytesOf(const std::string& path, std::size_t most);
 /// What a sentence calls it.
 QString inputCalled(const std::string& path);
 

@@ -8,7 +8,7 @@
 #include "app/exit_code.h"
 #include "app/output_paths.h"
 #include "exchange/temporary_names.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/subject_name.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -125,7 +125,7 @@ CommandResult<ListedWaypoints> listWaypoints(MapsCommand& command, const Waypoin
   auto stored = readAll(list, robot.waypointSource());
   if (!stored) return tl::make_unexpected(list.failure(stored.error()));
   list.stored = std::move(*stored);
-  for (const map::Reason& note : list.stored.notes)
+  for (const Fault& note : list.stored.notes)
     reading.note(QStringLiteral("%1: %2").arg(sentences::nameOf(map::placesOf(list.map)),
                                               sentences::sentenceOf(note)));
   if (use == Use::Reading) {

@@ -12,6 +12,7 @@
 #include "app/one_line.h"
 #include "app/table.h"
 #include "map/temporary_name.h"
+#include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
 
@@ -94,7 +95,7 @@ class Sending {
     for (SentStep& sent : sent_.steps) {
       if (!refused.contains(sent.step.key)) continue;
       map::Failure failure{.kind = map::FailureKind::RejectedByRobot, .asked_for = map::AskedFor::Change};
-      failure.cause = {map::ReasonCode::ResultNameTaken, {sent.step.after->name}};
+      failure.cause = {robot::ros::fault::ResultNameTaken, {sent.step.after->name}};
       sent.outcome = {StepState::Failed, failure};
       sent_.failure = std::move(failure);
     }

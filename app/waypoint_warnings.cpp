@@ -8,9 +8,9 @@
 #include <QJsonObject>
 
 #include "placing/names.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
 #include "sentences/problem_sentence.h"
-#include "sentences/reason_sentence.h"
 
 namespace mapwright::app {
 namespace {

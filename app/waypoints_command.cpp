@@ -10,14 +10,14 @@
 #include "app/waypoint_file.h"
 #include "app/waypoint_list.h"
 #include "app/waypoint_warnings.h"
+#include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "exchange/waypoint_csv.h"
 #include "exchange/waypoint_json.h"
 #include "exchange/waypoint_steps.h"
 #include "geometry/pose.h"
-#include "reasons/file_reason.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -124,7 +124,7 @@ int waypointsExport(const WaypointsWords& words, int& argc, char** argv) {
             ? exchange::waypointsCsv(list->stored.points, list->mapId())
             : exchange::waypointsGeoJson(list->stored.points, list->mapId()).toStdString();
     if (const auto trouble = disk::writeFile(words.output, bytes))
-      return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
+      return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
     if (!isStandardOutput(output) && !isStandardOutput(text(words.report))) {
       const auto count = qint64(list->stored.points.size());
       std::printf("%s: %s\n", qUtf8Printable(oneLine(output)),

@@ -11,10 +11,10 @@
 #include "app/waypoint_preview.h"
 #include "app/waypoint_sending.h"
 #include "app/waypoint_warnings.h"
+#include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "exchange/waypoint_plan.h"
-#include "reasons/file_reason.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
 
@@ -120,7 +120,7 @@ int waypointsPlan(const WaypointsWords& words, int& argc, char** argv) {
                                         exchange::itemsOf(list->stored.points), *edits};
       const QByteArray bytes = exchange::planBytes(plan, callsOf(*list, *edits));
       if (const auto trouble = disk::writeFile(words.output, bytes.toStdString()))
-        return wrong(sentences::wordsOf(reasons::notWritten(*trouble)));
+        return wrong(sentences::wordsOf(disk::notWritten(*trouble)));
     }
     const bool taken = isStandardOutput(output) || isStandardOutput(text(words.report));
     const DoubtsAhead doubts = doubtsAhead(*list, *edits, *radius_m);
@@ -138,7 +138,7 @@ int waypointsApply(const WaypointsWords& words, int& argc, char** argv) {
     const auto bytes = bytesOf(words.file, kMost);
     if (!bytes)
       return wrong(WaypointsTransferText::tr("%1 cannot be read: %2.")
-                       .arg(file, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+                       .arg(file, sentences::wordsOf(bytes.error().cause)));
     if (bytes->size() > kMost)
       return wrong(WaypointsTransferText::tr("%1 is larger than 256 MiB.").arg(file));
     auto plan = exchange::planFromBytes(*bytes);

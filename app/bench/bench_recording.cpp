@@ -92,7 +92,7 @@ class SparseFile final : public AppendTarget {
   explicit SparseFile(const std::string& path)
       : fd_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {}
   ~SparseFile() override { ::close(fd_); }
-  std::optional<mapwright::disk::Fault> append(std::span<const std::uint8_t> bytes) override {
+  std::optional<mapwright::disk::FileError> append(std::span<const std::uint8_t> bytes) override {
     constexpr std::size_t kBlock = 65'536;
     static const std::vector<std::uint8_t> zeros(kBlock);
     for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
@@ -100,13 +100,13 @@ class SparseFile final : public AppendTarget {
       if (std::memcmp(block.data(), zeros.data(), block.size()) == 0 && at + block.size() < bytes.size())
         continue;
       if (::pwrite(fd_, block.data(), block.size(), off_t(size_ + at)) < 0) {
-        return mapwright::disk::systemFault("sparse", errno);
+        return mapwright::disk::systemError("sparse", errno);
       }
     }
     size_ += bytes.size();
     return std::nullopt;
   }
-  std::optional<mapwright::disk::Fault> settle() override { return std::nullopt; }
+  std::optional<mapwright::disk::FileError> settle() override { return std::nullopt; }
 
  private:
   int fd_;

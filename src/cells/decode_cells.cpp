@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "cells/faults.h"
 #include "cells/png_cells.h"
 #include "packed/unpack.h"
 #include "words/figures.h"
@@ -11,7 +12,6 @@ namespace mapwright::cells {
 
 namespace {
 
-using map::ReasonCode;
 using Texture = std::shared_ptr<const CellTexture>;
 
 constexpr double kMinResolutionM = 1e-4;
@@ -25,10 +25,10 @@ struct Shape {
   std::size_t cells() const { return std::size_t(width) * std::size_t(height); }
 };
 
-tl::unexpected<map::Reason> failure(map::Reason reason) { return tl::unexpected(std::move(reason)); }
+tl::unexpected<Fault> failure(Fault reason) { return tl::unexpected(std::move(reason)); }
 
 /// With as many bytes as are fine.
-map::Reason wrongCount(ReasonCode code, std::size_t bytes, const Shape& shape) {
+Fault wrongCount(FaultCode code, std::size_t bytes, const Shape& shape) {
   return {code,
           {words::grouped(std::int64_t(bytes)), words::grouped(std::int64_t(shape.cells())),
            words::grouped(std::int64_t(2 * shape.cells()))}};
@@ -44,8 +44,8 @@ std::array<std::uint8_t, 256> foldedByByte(int cell_format) {
   return table;
 }
 
-tl::expected<Texture, map::Reason> fromSingleBytes(std::span<const std::uint8_t> cells, const Shape& shape,
-                                                   int cell_format) {
+tl::expected<Texture, Fault> fromSingleBytes(std::span<const std::uint8_t> cells, const Shape& shape,
+                                             int cell_format) {
   if (cell_format == kLogOdds || cell_format == kTsdfDelta) {
     const std::array<std::uint8_t, 256> table = foldedByByte(cell_format);
     std::vector<std::uint8_t> folded(cells.size());
@@ -61,12 +61,12 @@ tl::expected<Texture, map::Reason> fromSingleBytes(std::span<const std::uint8_t>
     }
     return CellTexture::fromPairs(shape.width, shape.height, shape.resolution_m, pairs);
   }
-  return failure({ReasonCode::CellFormatUnknown, {words::grouped(cell_format)}});
+  return failure({fault::CellFormatUnknown, {words::grouped(cell_format)}});
 }
 
 /// Cells without a container around them.
-tl::expected<Texture, map::Reason> fromPlain(std::span<const std::uint8_t> bytes, const Shape& shape,
-                                             int cell_format) {
+tl::expected<Texture, Fault> fromPlain(std::span<const std::uint8_t> bytes, const Shape& shape,
+                                       int cell_format) {
   if (bytes.size() == shape.cells()) {
     return fromSingleBytes(bytes, shape, cell_format);
   }
@@ -75,34 +75,32 @@ tl::expected<Texture, map::Reason> fromPlain(std::span<const std::uint8_t> bytes
     const auto* pairs = reinterpret_cast<const CellPair*>(bytes.data());
     return CellTexture::fromPairs(shape.width, shape.height, shape.resolution_m, {pairs, shape.cells()});
   }
-  return failure(wrongCount(ReasonCode::BytesUnexpected, bytes.size(), shape));
+  return failure(wrongCount(fault::BytesUnexpected, bytes.size(), shape));
 }
 
-map::Reason whyNotUnpacked(packed::Container container, packed::UnpackFailure why, const Shape& shape) {
-  if (why == packed::UnpackFailure::TooLong)
-    return wrongCount(ReasonCode::BytesTooMany, 2 * shape.cells(), shape);
-  return container == packed::Container::Gzip ? ReasonCode::GzipDamaged : ReasonCode::ZlibDamaged;
+Fault whyNotUnpacked(packed::Container container, packed::UnpackFailure why, const Shape& shape) {
+  if (why == packed::UnpackFailure::TooLong) return wrongCount(fault::BytesTooMany, 2 * shape.cells(), shape);
+  return container == packed::Container::Gzip ? fault::GzipDamaged : fault::ZlibDamaged;
 }
 
 }  // namespace
 
-tl::expected<Texture, map::Reason> decodeCells(std::span<const std::uint8_t> bytes, int width, int height,
-                                               double resolution_m, int cell_format) {
+tl::expected<Texture, Fault> decodeCells(std::span<const std::uint8_t> bytes, int width, int height,
+                                         double resolution_m, int cell_format) {
   if (width < 1 || height < 1) {
-    return failure({ReasonCode::TextureEmpty, {words::dimensions(width, height)}});
+    return failure({fault::TextureEmpty, {words::dimensions(width, height)}});
   }
   if (std::int64_t(width) * std::int64_t(height) > kMaxCells) {
-    return failure(
-        {ReasonCode::TextureTooLarge, {words::dimensions(width, height), words::grouped(kMaxCells)}});
+    return failure({fault::TextureTooLarge, {words::dimensions(width, height), words::grouped(kMaxCells)}});
   }
   if (!std::isfinite(resolution_m) || resolution_m <= 0) {
-    return failure(ReasonCode::CellSizeNotPositive);
+    return failure(fault::CellSizeNotPositive);
   }
   if (resolution_m < kMinResolutionM) {
-    return failure(ReasonCode::CellSizeTooSmall);
+    return failure(fault::CellSizeTooSmall);
   }
   if (resolution_m > kMaxResolutionM) {
-    return failure(ReasonCode::CellSizeTooLarge);
+    return failure(fault::CellSizeTooLarge);
   }
   const Shape shape{width, height, resolution_m};
   const bool may_be_plain = bytes.size() == shape.cells() || bytes.size() == 2 * shape.cells();

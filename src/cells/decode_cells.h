@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "cells/cell_texture.h"
-#include "map/reason.h"
+#include "fault/fault.h"
 
 namespace mapwright::cells {
 
@@ -19,9 +19,8 @@ inline constexpr std::int64_t kMaxCells = std::int64_t(64) << 20;  // 64 Mi
 /// (1 byte: by cell_format). Never reads or allocates beyond what width*height allows, whatever the bytes
 /// claim. A payload that looks like a container but cannot be unpacked is taken as raw when its size fits
 /// exactly. The error says what is wrong: "3,200 bytes where 51,200 (or 102,400) were expected".
-tl::expected<std::shared_ptr<const CellTexture>, map::Reason> decodeCells(std::span<const std::uint8_t> bytes,
-                                                                          int width, int height,
-                                                                          double resolution_m,
-                                                                          int cell_format);
+tl::expected<std::shared_ptr<const CellTexture>, Fault> decodeCells(std::span<const std::uint8_t> bytes,
+                                                                    int width, int height,
+                                                                    double resolution_m, int cell_format);
 
 }  // namespace mapwright::cells

@@ -10,14 +10,13 @@
 #include <libdeflate.h>
 #include <spng.h>
 
+#include "cells/faults.h"
 #include "packed/png_unfilter.h"
 #include "words/figures.h"
 
 namespace mapwright::cells {
 
 namespace {
-
-using map::ReasonCode;
 
 constexpr std::size_t kHeaderBytes = 33;      // signature and IHDR
 constexpr std::size_t kAsideBytes = 1 << 20;  // for chunks that are no pixels: more than any map needs
@@ -32,7 +31,7 @@ std::uint32_t bigEndian(std::span<const std::uint8_t> bytes, std::size_t at) {
          std::uint32_t(bytes[at + 2]) << 8 | bytes[at + 3];
 }
 
-PngFailure unreadable(int error) { return {{ReasonCode::PngNotReadBy, {spng_strerror(error)}}, false}; }
+PngFailure unreadable(int error) { return {{fault::PngNotReadBy, {spng_strerror(error)}}, false}; }
 
 std::size_t channelsOf(std::uint8_t colour_type) {
   switch (colour_type) {
@@ -136,11 +135,11 @@ std::optional<packed::ByteBuffer> plainPicture(std::span<const std::uint8_t> byt
 tl::expected<PngCells, PngFailure> decodePngCells(std::span<const std::uint8_t> bytes, int width,
                                                   int height) {
   if (bytes.size() < kHeaderBytes) {
-    return tl::unexpected(PngFailure{ReasonCode::PngShort, false});
+    return tl::unexpected(PngFailure{fault::PngShort, false});
   }
   const std::unique_ptr<spng_ctx, FreeContext> context(spng_ctx_new(0));
   if (context == nullptr) {
-    return tl::unexpected(PngFailure{ReasonCode::PngWithoutMemory, true});
+    return tl::unexpected(PngFailure{fault::PngWithoutMemory, true});
   }
   // No chunk can be longer than the file; without this limit a compressed text could still be unpacked
   // without end.
@@ -148,7 +147,7 @@ tl::expected<PngCells, PngFailure> decodePngCells(std::span<const std::uint8_t> 
   if (spng_set_image_limits(context.get(), std::uint32_t(width), std::uint32_t(height)) != 0 ||
       spng_set_chunk_limits(context.get(), chunk_limit, std::max(chunk_limit, kAsideBytes)) != 0 ||
       spng_set_png_buffer(context.get(), bytes.data(), bytes.size()) != 0) {
-    return tl::unexpected(PngFailure{ReasonCode::PngNotRead, false});
+    return tl::unexpected(PngFailure{fault::PngNotRead, false});
   }
   spng_ihdr header{};
   const int header_result = spng_get_ihdr(context.get(), &header);
@@ -159,10 +158,9 @@ tl::expected<PngCells, PngFailure> decodePngCells(std::span<const std::uint8_t> 
   const std::uint32_t png_width = bigEndian(bytes, 16);
   const std::uint32_t png_height = bigEndian(bytes, 20);
   if (beyond_limits || png_width != std::uint32_t(width) || png_height != std::uint32_t(height)) {
-    return tl::unexpected(
-        PngFailure{{ReasonCode::PngOfOtherSize,
-                    {words::dimensions(png_width, png_height), words::dimensions(width, height)}},
-                   true});
+    return tl::unexpected(PngFailure{
+        {fault::PngOfOtherSize, {words::dimensions(png_width, png_height), words::dimensions(width, height)}},
+        true});
   }
 
   const std::size_t channels = channelsOf(header.color_type);
@@ -170,7 +168,7 @@ tl::expected<PngCells, PngFailure> decodePngCells(std::span<const std::uint8_t> 
   const std::size_t picture_bytes = row_bytes * std::size_t(height);
   if (picture_bytes / packed::kMaxDeflateRatio > bytes.size()) {
     return tl::unexpected(
-        PngFailure{{ReasonCode::PngBytesTooFew,
+        PngFailure{{fault::PngBytesTooFew,
                     {words::grouped(std::int64_t(bytes.size())), words::dimensions(width, height)}},
                    false});
   }

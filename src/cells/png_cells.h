@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "packed/unpack.h"
 
 namespace mapwright::cells {
@@ -18,7 +18,7 @@ struct PngCells {
 };
 
 struct PngFailure {
-  map::Reason reason;
+  Fault reason;
   bool is_png = false;  // a PNG of another size or kind, and surely not raw cells that resemble one
 };
 

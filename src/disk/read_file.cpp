@@ -21,13 +21,13 @@ int openToRead(const std::string& path) {
   return -1;
 }
 
-tl::expected<std::string, Fault> readFile(const std::string& path, std::size_t most) {
+tl::expected<std::string, FileError> readFile(const std::string& path, std::size_t most) {
   const int fd = openToRead(path);
   if (fd < 0) {
     const int why = errno;
-    Fault fault = systemFault(path, why);
-    if (why == EINVAL) fault.code = FaultCode::NotRegular;
-    return tl::make_unexpected(std::move(fault));
+    FileError error = systemError(path, why);
+    if (why == EINVAL) error.cause = fault::NotARegularFile;
+    return tl::make_unexpected(std::move(error));
   }
   constexpr std::size_t kPiece = std::size_t(1) << 20;
   // Most files are small and are what they say: a byte more tells that the end is reached.
@@ -46,11 +46,11 @@ tl::expected<std::string, Fault> readFile(const std::string& path, std::size_t m
   }
   const int why = errno;
   ::close(fd);
-  if (got < 0) return tl::make_unexpected(systemFault(path, why));
+  if (got < 0) return tl::make_unexpected(systemError(path, why));
   return bytes;
 }
 
-tl::expected<std::string, Fault> readStandardInput(std::size_t most) {
+tl::expected<std::string, FileError> readStandardInput(std::size_t most) {
   constexpr std::size_t kPiece = std::size_t(1) << 16;
   std::string bytes;
   ssize_t got = 1;
@@ -62,7 +62,7 @@ tl::expected<std::string, Fault> readStandardInput(std::size_t most) {
     } while (got < 0 && errno == EINTR);
     const int why = errno;
     bytes.resize(before + std::size_t(std::max<ssize_t>(got, 0)));
-    if (got < 0) return tl::make_unexpected(systemFault("-", why));
+    if (got < 0) return tl::make_unexpected(systemError("-", why));
   }
   return bytes;
 }

@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 
 namespace mapwright::disk {
 
@@ -15,10 +15,10 @@ namespace mapwright::disk {
 int openToRead(const std::string& path);
 
 /// Its first `most` bytes, or why it cannot be read.
-tl::expected<std::string, Fault> readFile(const std::string& path, std::size_t most);
+tl::expected<std::string, FileError> readFile(const std::string& path, std::size_t most);
 
 /// What comes by the standard input until its end, at most `most` bytes. Waits for whoever writes into it.
-tl::expected<std::string, Fault> readStandardInput(std::size_t most);
+tl::expected<std::string, FileError> readStandardInput(std::size_t most);
 
 /// Both are there and are one and the same file, whatever links lead to it.
 bool sameFile(const std::string& one, const std::string& other);

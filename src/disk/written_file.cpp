@@ -90,11 +90,11 @@ WrittenFile::WrittenFile(std::string path) : path_(std::move(path)) {
   if (!present || S_ISREG(about.st_mode)) {
     openAside();
   } else if (S_ISDIR(about.st_mode)) {
-    fail(FaultCode::IsAFolder);
+    fail(fault::IsAFolder);
   } else if (S_ISCHR(about.st_mode) || S_ISFIFO(about.st_mode)) {
     openThrough(S_ISFIFO(about.st_mode));
   } else {
-    fail(S_ISBLK(about.st_mode) ? FaultCode::IsADisk : FaultCode::IsASocket);
+    fail(S_ISBLK(about.st_mode) ? fault::IsADisk : fault::IsASocket);
   }
 }
 
@@ -117,12 +117,8 @@ void WrittenFile::openAside() {
   if (fd_ < 0) {
     const int why = errno;
     aside_.clear();
-    Fault fault = systemFault(path_, why);
-    if (why == EACCES || why == EROFS) {
-      fault.code = FaultCode::NoFileInFolder;
-      fault.folder = folderOf(target_);
-    }
-    return fail(std::move(fault));
+    if (why != EACCES && why != EROFS) return fail(why);
+    return fail({fault::NoFileInFolder, {folderOf(target_), std::strerror(why)}});
   }
   if (!replaces) return;
   // Whose it was it stays, where that may be given away.
@@ -209,23 +205,16 @@ void WrittenFile::openThrough(bool pipe) {
     fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (fd_ >= 0) return;
     if (!pipe || errno != ENXIO) return fail(errno);
-    if (std::chrono::steady_clock::now() > until) return fail(FaultCode::NobodyReads);
+    if (std::chrono::steady_clock::now() > until) return fail(fault::NobodyReadsPipe);
     std::this_thread::sleep_for(kLookForReaderEvery);
   }
 }
 
-void WrittenFile::fail(Fault fault) {
-  if (!problem_) problem_ = std::move(fault);
+void WrittenFile::fail(Fault cause) {
+  if (!problem_) problem_ = FileError{path_, std::move(cause)};
 }
 
-void WrittenFile::fail(FaultCode why) {
-  Fault fault;
-  fault.code = why;
-  fault.path = path_;
-  fail(std::move(fault));
-}
-
-void WrittenFile::fail(int error) { fail(systemFault(path_, error)); }
+void WrittenFile::fail(int error) { fail(systemError(path_, error).cause); }
 
 void WrittenFile::write(const void* bytes, std::size_t count) {
   const char* const from = static_cast<const char*>(bytes);
@@ -242,7 +231,7 @@ bool WrittenFile::waitForRoom() {
   pollfd room{fd_, POLLOUT, 0};
   const int ready = ::poll(&room, 1, patient_ ? -1 : kReaderSilentMs);
   if (ready > 0 || (ready < 0 && errno == EINTR)) return true;
-  ready == 0 ? fail(FaultCode::NothingTaken) : fail(errno);
+  ready == 0 ? fail(fault::ReaderTakesNothing) : fail(errno);
   return false;
 }
 
@@ -272,7 +261,7 @@ bool WrittenFile::finish() {
   return good();
 }
 
-std::optional<Fault> WrittenFile::place() {
+std::optional<FileError> WrittenFile::place() {
   finish();
   if (good() && !std::exchange(placed_, true) && way_ == Way::Aside) {
     const bool named = unnamed_ && giveName();
@@ -291,7 +280,7 @@ std::optional<Fault> WrittenFile::place() {
   return problem_;
 }
 
-std::optional<Fault> writeFile(const std::string& path, std::string_view bytes) {
+std::optional<FileError> writeFile(const std::string& path, std::string_view bytes) {
   WrittenFile file(path);
   file.write(bytes);
   return file.place();

@@ -8,7 +8,7 @@
 #include <sys/types.h>
 #include <vector>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 
 namespace mapwright::disk {
 
@@ -38,7 +38,7 @@ class WrittenFile {
   /// finished before the first is placed.
   bool finish();
   /// nullopt = it is in its place; else why not.
-  std::optional<Fault> place();
+  std::optional<FileError> place();
 
  private:
   enum class Way { Aside, Through };  // Through: a device, a pipe or the standard output
@@ -53,15 +53,14 @@ class WrittenFile {
   void openThrough(bool pipe);
   void flush();
   bool waitForRoom();
-  void fail(FaultCode why);
   void fail(int error);
-  void fail(Fault fault);
+  void fail(Fault cause);
 
   std::string path_;    // as given
   std::string target_;  // links followed
   std::string aside_;   // empty: there is none, or it has no name
   bool unnamed_ = false, replaces_ = false;
-  std::optional<Fault> problem_;
+  std::optional<FileError> problem_;
   Way way_ = Way::Aside;
   int fd_ = -1;
   bool patient_ = false;  // whoever reads may take as long as it likes
@@ -70,6 +69,6 @@ class WrittenFile {
 };
 
 /// The whole of a file at once; nullopt = written, else why not.
-std::optional<Fault> writeFile(const std::string& path, std::string_view bytes);
+std::optional<FileError> writeFile(const std::string& path, std::string_view bytes);
 
 }  // namespace mapwright::disk

@@ -38,12 +38,12 @@ void DraftKeeper::begin() {
   writing_ = true;
   again_ = false;
   share_.startLong([this, job = content_()] {
-    const std::optional<map::Reason> trouble = job ? file_.write(job()) : file_.remove();
+    const std::optional<Fault> trouble = job ? file_.write(job()) : file_.remove();
     QMetaObject::invokeMethod(
         this,
         [this, trouble] {
           writing_ = false;
-          setTrouble(trouble.value_or(map::Reason()));
+          setTrouble(trouble.value_or(Fault()));
           Q_EMIT written();
           // What cannot be written now may be later.
           if (again_ || trouble) beginAfter(trouble ? kRetry : kWait);
@@ -52,16 +52,16 @@ void DraftKeeper::begin() {
   });
 }
 
-std::optional<map::Reason> DraftKeeper::flush() {
+std::optional<Fault> DraftKeeper::flush() {
   waiting_ = false;
   share_.waitForDone();
   const Job job = content_();
-  const std::optional<map::Reason> trouble = job ? file_.write(job()) : file_.remove();
-  setTrouble(trouble.value_or(map::Reason()));
+  const std::optional<Fault> trouble = job ? file_.write(job()) : file_.remove();
+  setTrouble(trouble.value_or(Fault()));
   return trouble;
 }
 
-void DraftKeeper::setTrouble(map::Reason trouble) {
+void DraftKeeper::setTrouble(Fault trouble) {
   if (trouble == trouble_) return;
   trouble_ = std::move(trouble);
   Q_EMIT troubleChanged();

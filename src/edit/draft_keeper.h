@@ -37,9 +37,9 @@ class DraftKeeper : public QObject {
   /// Something has changed.
   void touch();
   /// Writes (or removes) it now and waits for it; nullopt = it is on disk, else why not.
-  std::optional<map::Reason> flush();
+  std::optional<Fault> flush();
   /// Why the draft of what is there now is not on disk; None = nothing is wrong.
-  const map::Reason& trouble() const { return trouble_; }
+  const Fault& trouble() const { return trouble_; }
 
  Q_SIGNALS:
   void troubleChanged();
@@ -48,12 +48,12 @@ class DraftKeeper : public QObject {
  private:
   void beginAfter(std::chrono::milliseconds wait);
   void begin();
-  void setTrouble(map::Reason trouble);
+  void setTrouble(Fault trouble);
 
   std::function<Job()> content_;
   Later later_;
   DraftFile file_;  // of whoever writes: never two at a time
-  map::Reason trouble_;
+  Fault trouble_;
   bool waiting_ = false, writing_ = false, again_ = false;
   work::Share share_;  // last: it waits for what is being written
 };

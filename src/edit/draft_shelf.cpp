@@ -6,14 +6,13 @@
 #include <QFileInfo>
 #include <QUuid>
 
+#include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
+#include "edit/faults.h"
 
 namespace mapwright::edit {
 namespace {
-
-using map::ReasonCode;
 
 constexpr std::size_t kLongestDraft = std::size_t(256) << 20;
 
@@ -28,7 +27,7 @@ std::unique_ptr<QLockFile> lockOf(const QString& path) {
   return lock;
 }
 
-map::Reason notRemoved(const QString& path) { return {ReasonCode::DraftNotRemoved, {path.toStdString()}}; }
+Fault notRemoved(const QString& path) { return {fault::DraftNotRemoved, {path.toStdString()}}; }
 
 }  // namespace
 
@@ -37,18 +36,18 @@ DraftFile::DraftFile(QString folder, const DraftIdentity& of)
       path_(folder_ + QLatin1Char('/') + stemOf(of) + QLatin1Char('-') +
             QUuid::createUuid().toString(QUuid::Id128) + QStringLiteral(".json")) {}
 
-std::optional<map::Reason> DraftFile::write(const QByteArray& bytes) {
-  if (!QDir().mkpath(folder_)) return map::Reason(ReasonCode::DraftFolderNotMade, {folder_.toStdString()});
+std::optional<Fault> DraftFile::write(const QByteArray& bytes) {
+  if (!QDir().mkpath(folder_)) return Fault(fault::DraftFolderNotMade, {folder_.toStdString()});
   if (!lock_) {
     auto lock = lockOf(path_);
-    if (!lock->tryLock()) return map::Reason(ReasonCode::DraftFileNotMade, {folder_.toStdString()});
+    if (!lock->tryLock()) return Fault(fault::DraftFileNotMade, {folder_.toStdString()});
     lock_ = std::move(lock);
   }
   const auto fault = disk::writeFile(path_.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
-  return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
+  return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
 }
 
-std::optional<map::Reason> DraftFile::remove() {
+std::optional<Fault> DraftFile::remove() {
   const bool gone = !QFile::exists(path_) || QFile::remove(path_);
   lock_.reset();
   return gone ? std::nullopt : std::optional(notRemoved(path_));
@@ -65,8 +64,7 @@ LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
     if (!QFile::exists(draft.path)) continue;
     auto bytes = disk::readFile(draft.path.toStdString(), kLongestDraft);
     if (!bytes) {
-      left.notes.push_back(
-          {ReasonCode::DraftNotRead, {draft.path.toStdString()}, {reasons::causeOf(bytes.error())}});
+      left.notes.push_back({fault::DraftNotRead, {draft.path.toStdString()}, {bytes.error().cause}});
       continue;
     }
     draft.bytes = QByteArray::fromStdString(*bytes);
@@ -75,17 +73,17 @@ LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of) {
   return left;
 }
 
-std::optional<map::Reason> removeDraft(LeftDraft draft) {
+std::optional<Fault> removeDraft(LeftDraft draft) {
   if (!QFile::exists(draft.path) || QFile::remove(draft.path)) return std::nullopt;
   return notRemoved(draft.path);
 }
 
-map::Reason setAside(LeftDraft draft) {
+Fault setAside(LeftDraft draft) {
   const QString aside = draft.path + QStringLiteral(".broken");
   QFile::remove(aside);
   const std::string path = draft.path.toStdString();
-  if (!QFile::rename(draft.path, aside)) return {ReasonCode::DraftBroken, {path}};
-  return {ReasonCode::DraftSetAside, {path, aside.toStdString()}};
+  if (!QFile::rename(draft.path, aside)) return {fault::DraftBroken, {path}};
+  return {fault::DraftSetAside, {path, aside.toStdString()}};
 }
 
 }  // namespace mapwright::edit

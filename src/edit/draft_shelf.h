@@ -12,7 +12,7 @@
 #include <QString>
 
 #include "edit/draft.h"
-#include "map/reason.h"
+#include "fault/fault.h"
 
 namespace mapwright::edit {
 
@@ -25,9 +25,9 @@ class DraftFile {
   ~DraftFile() = default;
 
   /// Whole and durably, or not at all; nullopt = written, else why not.
-  std::optional<map::Reason> write(const QByteArray& bytes);
+  std::optional<Fault> write(const QByteArray& bytes);
   /// Nothing is left of it; nullopt = so it is, else why not.
-  std::optional<map::Reason> remove();
+  std::optional<Fault> remove();
   QString path() const { return path_; }
 
  private:
@@ -43,15 +43,15 @@ struct LeftDraft {
 };
 
 struct LeftDrafts {
-  std::vector<LeftDraft> drafts;   // the newest first
-  std::vector<map::Reason> notes;  // what could not be read
+  std::vector<LeftDraft> drafts;  // the newest first
+  std::vector<Fault> notes;       // what could not be read
 };
 
 /// The drafts of `of` that no running program works on.
 LeftDrafts leftDrafts(const QString& folder, const DraftIdentity& of);
 /// It is taken up or not wanted; nullopt = it is gone, else why not.
-std::optional<map::Reason> removeDraft(LeftDraft draft);
+std::optional<Fault> removeDraft(LeftDraft draft);
 /// It cannot be understood: it is renamed, for people to look at, and not met again. What to tell people.
-map::Reason setAside(LeftDraft draft);
+Fault setAside(LeftDraft draft);
 
 }  // namespace mapwright::edit

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "edit/faults.h"
+
 namespace mapwright::edit {
 namespace {
 
@@ -115,7 +117,7 @@ void OpenWaypoints::take(const robot::StoredWaypoints& stored) {
     const bool gone = !stored.there && !document_.kept().empty();
     if (!gone) return document_.take(itemsOf(stored));
     document_.takeGone();
-    Q_EMIT remarked(map::ReasonCode::WaypointListGone);
+    Q_EMIT remarked(fault::WaypointListGone);
   } else {
     document_.reset(itemsOf(stored));
     lookForDrafts();
@@ -269,7 +271,7 @@ void OpenWaypoints::lookForDrafts() {
 }
 
 void OpenWaypoints::offer(LeftDrafts left) {
-  for (const map::Reason& note : left.notes) Q_EMIT remarked(note);
+  for (const Fault& note : left.notes) Q_EMIT remarked(note);
   for (LeftDraft& file : left.drafts) {
     auto draft = draftFromBytes<map::Waypoint>(file.bytes);
     if (!draft || !(draft->of == identity_)) {
@@ -317,7 +319,7 @@ void OpenWaypoints::discard() {
   read();
 }
 
-std::optional<map::Reason> OpenWaypoints::keepDraft() {
+std::optional<Fault> OpenWaypoints::keepDraft() {
   if (!keeper_) return std::nullopt;
   const auto trouble = keeper_->flush();
   if (!trouble) {
@@ -326,7 +328,7 @@ std::optional<map::Reason> OpenWaypoints::keepDraft() {
   return trouble;
 }
 
-map::Reason OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : map::Reason(); }
+Fault OpenWaypoints::draftTrouble() const { return keeper_ ? keeper_->trouble() : Fault(); }
 
 }  // namespace mapwright::edit
 

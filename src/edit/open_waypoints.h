@@ -52,7 +52,7 @@ class OpenWaypoints : public QObject {
   Phase phase() const { return phase_; }
   /// Why they could not be read the last time; nullopt when they could.
   const std::optional<map::Failure>& failure() const { return failure_; }
-  const std::vector<map::Reason>& notes() const { return notes_; }  // what is odd about them
+  const std::vector<Fault>& notes() const { return notes_; }  // what is odd about them
   /// Those that are kept with a quaternion of zero; one that has been turned here since has another yaw.
   std::set<Key> zeroTurns() const;
   const robot::KeptFields& keeps() const { return keeps_; }
@@ -96,16 +96,16 @@ class OpenWaypoints : public QObject {
   /// Everything as it is kept where it came from; the draft goes.
   void discard();
   /// The draft of what is there now is on disk when this returns; else why not.
-  std::optional<map::Reason> keepDraft();
+  std::optional<Fault> keepDraft();
   /// Why the draft is not on disk; None = nothing is wrong.
-  map::Reason draftTrouble() const;
+  Fault draftTrouble() const;
 
  Q_SIGNALS:
   void changed();  // phase, submission, offers; the document tells its own changes
   void saved();
   void draftTroubleChanged();
   /// Something about drafts that people have to know.
-  void remarked(const mapwright::map::Reason& remark);
+  void remarked(const mapwright::Fault& remark);
 
  private:
   void take(const robot::StoredWaypoints& stored);
@@ -128,7 +128,7 @@ class OpenWaypoints : public QObject {
   DraftIdentity identity_;
   Phase phase_ = Phase::Reading;
   std::optional<map::Failure> failure_;
-  std::vector<map::Reason> notes_;
+  std::vector<Fault> notes_;
   bool has_read_ = false, reading_ = false, read_again_ = false;
   int conflicts_met_ = 0;                                     // in a row, while saving
   bool looked_ = true, read_since_ = false;                   // read_since_: saving stopped

@@ -15,10 +15,10 @@ std::string schemeOf(const std::string& text) {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<BagMcap>, disk::Fault> BagMcap::create(const std::string& path,
-                                                                    const std::string& address,
-                                                                    const std::string& bag,
-                                                                    const TimeSpan& span) {
+tl::expected<std::unique_ptr<BagMcap>, disk::FileError> BagMcap::create(const std::string& path,
+                                                                        const std::string& address,
+                                                                        const std::string& bag,
+                                                                        const TimeSpan& span) {
   std::unique_ptr<BagMcap> file(new BagMcap(path, span));
   auto target = std::make_unique<WholeTarget>(path);
   file->target_ = target.get();
@@ -37,7 +37,7 @@ tl::expected<std::unique_ptr<BagMcap>, disk::Fault> BagMcap::create(const std::s
   return file;
 }
 
-std::optional<disk::Fault> BagMcap::take(const robot::BagMessage& message, std::string_view json) {
+std::optional<disk::FileError> BagMcap::take(const robot::BagMessage& message, std::string_view json) {
   const double stamp_s = message.message.received_s;
   if (span_.to_s && stamp_s > *span_.to_s) return std::nullopt;
   if (span_.from_s && stamp_s < *span_.from_s) {
@@ -51,7 +51,7 @@ std::optional<disk::Fault> BagMcap::take(const robot::BagMessage& message, std::
   return write(message.message.topic, false, stamp_s, stamp_s, json);
 }
 
-std::optional<disk::Fault> BagMcap::begin() {
+std::optional<disk::FileError> BagMcap::begin() {
   if (std::exchange(begun_, true)) return std::nullopt;
   std::vector<std::pair<std::string, Said>> said(said_.begin(), said_.end());
   std::stable_sort(said.begin(), said.end(),
@@ -64,8 +64,8 @@ std::optional<disk::Fault> BagMcap::begin() {
   return std::nullopt;
 }
 
-std::optional<disk::Fault> BagMcap::write(const std::string& topic, bool before, double log_s, double stamp_s,
-                                          std::string_view json) {
+std::optional<disk::FileError> BagMcap::write(const std::string& topic, bool before, double log_s,
+                                              double stamp_s, std::string_view json) {
   recording::Channel channel;
   channel.topic = topic;
   channel.message_encoding = "json";
@@ -74,13 +74,13 @@ std::optional<disk::Fault> BagMcap::write(const std::string& topic, bool before,
   channel.schema_data = R"({"type":"object"})";
   if (before) channel.metadata["said"] = "before";
   const auto id = writer_->addChannel(channel);
-  if (!id) return disk::systemFault(path_, ENOSPC);  // more topics than MCAP can number
+  if (!id) return disk::systemError(path_, ENOSPC);  // more topics than MCAP can number
   const std::uint32_t sequence = before ? 0 : ++sequences_[topic];
   return writer_->write(*id, {nanosecondsOf(log_s), nanosecondsOf(stamp_s), sequence},
                         {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()});
 }
 
-std::optional<disk::Fault> BagMcap::finish() {
+std::optional<disk::FileError> BagMcap::finish() {
   if (auto fault = begin()) return fault;
   recording::Metadata end{"mapwright.end",
                           {{"messages", std::to_string(messages_)}, {"lost", "0"}, {"lost_bytes", "0"}}};

@@ -12,7 +12,7 @@
 
 #include <tl/expected.hpp>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 #include "excerpt/time_span.h"
 #include "excerpt/whole_target.h"
 #include "recording/mcap_writer.h"
@@ -23,26 +23,26 @@ namespace mapwright::excerpt {
 /// One thread. The file gets its name by finish(), and nothing is left without it.
 class BagMcap {
  public:
-  static tl::expected<std::unique_ptr<BagMcap>, disk::Fault> create(const std::string& path,
-                                                                    const std::string& address,
-                                                                    const std::string& bag,
-                                                                    const TimeSpan& span);
+  static tl::expected<std::unique_ptr<BagMcap>, disk::FileError> create(const std::string& path,
+                                                                        const std::string& address,
+                                                                        const std::string& bag,
+                                                                        const TimeSpan& span);
   BagMcap(const BagMcap&) = delete;
   BagMcap& operator=(const BagMcap&) = delete;
 
   /// In the order in which they are played. What lies before the span is kept as what had been said by then,
   /// the last one of each topic; what lies after it is left out.
-  std::optional<disk::Fault> take(const robot::BagMessage& message, std::string_view json);
-  std::optional<disk::Fault> finish();
+  std::optional<disk::FileError> take(const robot::BagMessage& message, std::string_view json);
+  std::optional<disk::FileError> finish();
 
   std::int64_t messages() const { return messages_; }  // of the span
   std::int64_t saidBefore() const { return said_before_; }
 
  private:
   BagMcap(std::string path, TimeSpan span) : path_(std::move(path)), span_(span) {}
-  std::optional<disk::Fault> begin();
-  std::optional<disk::Fault> write(const std::string& topic, bool before, double log_s, double stamp_s,
-                                   std::string_view json);
+  std::optional<disk::FileError> begin();
+  std::optional<disk::FileError> write(const std::string& topic, bool before, double log_s, double stamp_s,
+                                       std::string_view json);
 
   std::string path_;
   TimeSpan span_;

@@ -21,7 +21,7 @@ class Lines : public Writing {
  public:
   explicit Lines(const Order& order) : order_(order), file_(order.path) {}
 
-  std::optional<disk::Fault> take(const replay::Chunk& chunk) override {
+  std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
     for (std::size_t place = 0; place < chunk.order.size(); ++place) {
       const robot::BagMessage& message = chunk.at(place);
@@ -34,7 +34,7 @@ class Lines : public Writing {
     // What has failed stays so, and place() says why.
     return file_.good() ? std::nullopt : file_.place();
   }
-  tl::expected<Written, disk::Fault> place() override {
+  tl::expected<Written, disk::FileError> place() override {
     if (auto fault = file_.place()) return tl::make_unexpected(std::move(*fault));
     return done_;
   }
@@ -50,7 +50,7 @@ class Mcap : public Writing {
   Mcap(std::unique_ptr<BagMcap> file, std::vector<std::string> topics)
       : file_(std::move(file)), topics_(std::move(topics)) {}
 
-  std::optional<disk::Fault> take(const replay::Chunk& chunk) override {
+  std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
     odd_ += oddIn(chunk);
     for (std::size_t place = 0; place < chunk.order.size(); ++place) {
       const robot::BagMessage& message = chunk.at(place);
@@ -59,7 +59,7 @@ class Mcap : public Writing {
     }
     return std::nullopt;
   }
-  tl::expected<Written, disk::Fault> place() override {
+  tl::expected<Written, disk::FileError> place() override {
     if (auto fault = file_->finish()) return tl::make_unexpected(std::move(*fault));
     Written done;
     done.messages = file_->messages();
@@ -78,13 +78,13 @@ class Track : public Writing {
  public:
   explicit Track(const Order& order) : order_(order), file_(order.path) {}
 
-  std::optional<disk::Fault> take(const replay::Chunk& chunk) override {
+  std::optional<disk::FileError> take(const replay::Chunk& chunk) override {
     done_.odd += oddIn(chunk);
     index_.add(replay::tickOf(chunk.from_s), replay::digestOf(chunk));
     // A place that cannot be written to is no reason to read on.
     return file_.good() ? std::nullopt : file_.place();
   }
-  tl::expected<Written, disk::Fault> place() override {
+  tl::expected<Written, disk::FileError> place() override {
     const std::vector<replay::TrackPoint> track =
         replay::within(replay::trackOf(index_.digests()), order_.span.from_s.value_or(-HUGE_VAL),
                        order_.span.to_s.value_or(HUGE_VAL));
@@ -123,7 +123,7 @@ std::optional<double> readsFrom(const Order& order) {
 
 bool wantsWholeTexts(Kind kind) { return kind == Kind::Lines; }
 
-tl::expected<std::unique_ptr<Writing>, disk::Fault> begin(const Order& order) {
+tl::expected<std::unique_ptr<Writing>, disk::FileError> begin(const Order& order) {
   std::unique_ptr<Writing> writing;
   switch (order.kind) {
     case Kind::Mcap: {

@@ -11,9 +11,9 @@
 
 #include <tl/expected.hpp>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 #include "excerpt/time_span.h"
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "replay/chunk.h"
 
 namespace mapwright::excerpt {
@@ -45,7 +45,7 @@ struct Written {
   std::int64_t attachments = 0;
   std::int64_t samples = 0, pieces = 0;  // of a track
   std::int64_t odd = 0;                  // left out: they cannot be read, or have no stamp
-  std::vector<map::Reason> losses;       // of what is damaged in a file that was read, or cut off
+  std::vector<Fault> losses;             // of what is damaged in a file that was read, or cut off
 };
 
 /// Whether it is wanted: one of the topics, or there are none.
@@ -56,13 +56,13 @@ class Writing {
  public:
   virtual ~Writing() = default;
   /// Ranges in their order, those of readsFrom() and later.
-  virtual std::optional<disk::Fault> take(const replay::Chunk& chunk) = 0;
-  virtual tl::expected<Written, disk::Fault> place() = 0;
+  virtual std::optional<disk::FileError> take(const replay::Chunk& chunk) = 0;
+  virtual tl::expected<Written, disk::FileError> place() = 0;
 };
 
 /// Fails where the file cannot be begun. Its messages should be read with whole texts where
 /// wantsWholeTexts().
-tl::expected<std::unique_ptr<Writing>, disk::Fault> begin(const Order& order);
+tl::expected<std::unique_ptr<Writing>, disk::FileError> begin(const Order& order);
 /// Where reading begins; nullopt: with the bag. What was said before a span is a part of what was so in it,
 /// and belongs into an MCAP file.
 std::optional<double> readsFrom(const Order& order);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "disk/file_error.h"
 #include "excerpt/recording_slice.h"
 #include "map/may_pass.h"
-#include "reasons/file_reason.h"
 
 namespace mapwright::excerpt {
 namespace {
@@ -82,7 +82,7 @@ void ExcerptJob::proceed() {
 void ExcerptJob::work(const replay::ChunkPtr& chunk) {
   busy_ = true;
   share_.startLong([this, chunk] {
-    std::optional<disk::Fault> fault;
+    std::optional<disk::FileError> fault;
     std::optional<Written> written;
     if (!writing_) {
       auto begun = begin(order_);
@@ -101,10 +101,10 @@ void ExcerptJob::work(const replay::ChunkPtr& chunk) {
   });
 }
 
-void ExcerptJob::worked(const std::optional<disk::Fault>& fault, const std::optional<Written>& written) {
+void ExcerptJob::worked(const std::optional<disk::FileError>& fault, const std::optional<Written>& written) {
   busy_ = false;
   Ended ended;
-  if (fault) ended.not_written = reasons::notWritten(*fault);
+  if (fault) ended.not_written = disk::notWritten(*fault);
   ended.written = written;
   if (fault || written || cancelled_) return end(std::move(ended));
   proceed();

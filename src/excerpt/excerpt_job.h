@@ -22,7 +22,7 @@ namespace mapwright::excerpt {
 struct Ended {
   std::optional<Written> written;
   std::optional<map::Failure> not_read;  // the bag, or the range below
-  std::optional<map::Reason> not_written;
+  std::optional<Fault> not_written;
   std::optional<TimeSpan> range;  // that could not be had
 };
 
@@ -53,7 +53,7 @@ class ExcerptJob : public QObject {
   void begun();
   void proceed();
   void work(const replay::ChunkPtr& chunk);
-  void worked(const std::optional<disk::Fault>& fault, const std::optional<Written>& written);
+  void worked(const std::optional<disk::FileError>& fault, const std::optional<Written>& written);
   void end(Ended ended);
 
   Source source_;

@@ -13,10 +13,11 @@
 #include <QByteArray>
 #include <QCryptographicHash>
 
+#include "disk/file_error.h"
 #include "excerpt/whole_target.h"
-#include "reasons/file_reason.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
+#include "robot/recorded/faults.h"
 #include "robot/recorded/interruption.h"
 #include "robot/recorded/recording_reasons.h"
 
@@ -139,7 +140,7 @@ class Merge {
   Merge(const std::vector<SourcePtr>& sources, recording::McapWriter& writer)
       : sources_(sources), writer_(writer), before_(numbers_) {}
 
-  std::optional<disk::Fault> describe() {
+  std::optional<disk::FileError> describe() {
     // The whole has an end only where all of them have.
     const bool whole = std::none_of(sources_.begin(), sources_.end(), [](const SourcePtr& one) {
       return robot::recorded::isInterrupted(*one);
@@ -155,7 +156,7 @@ class Merge {
     return std::nullopt;
   }
 
-  std::optional<disk::Fault> copy(const recording::Query& query) {
+  std::optional<disk::FileError> copy(const recording::Query& query) {
     for (const SourcePtr& source : sources_) before_.expectThoseOf(*source, query.topics);
     std::vector<Head> heads;
     for (const SourcePtr& source : sources_) {
@@ -171,7 +172,7 @@ class Merge {
     }
   }
 
-  std::optional<disk::Fault> attach() {
+  std::optional<disk::FileError> attach() {
     std::vector<std::pair<std::size_t, const recording::AttachmentPlace*>> places;
     for (std::size_t of = 0; of < sources_.size(); ++of) {
       for (const recording::AttachmentPlace& place : sources_[of]->attachments())
@@ -227,7 +228,7 @@ class Merge {
   };
 
   /// All of one time, file after file. What two files hold of it is one message: parts may overlap.
-  std::optional<disk::Fault> copyAt(std::int64_t at_ns, std::vector<Head>& heads) {
+  std::optional<disk::FileError> copyAt(std::int64_t at_ns, std::vector<Head>& heads) {
     const auto isAt = [&](const Head& head) { return head.message && head.message->log_time_ns == at_ns; };
     const bool shared = std::count_if(heads.begin(), heads.end(), isAt) > 1;
     // Of what a file counts for itself (the sequence) two parts say different things.
@@ -246,9 +247,9 @@ class Merge {
     return std::nullopt;
   }
 
-  std::optional<disk::Fault> write(const recording::Message& message) {
+  std::optional<disk::FileError> write(const recording::Message& message) {
     const auto id = writer_.addChannel(*message.channel);
-    if (!id) return disk::systemFault(message.channel->topic, ENOSPC);
+    if (!id) return disk::systemError(message.channel->topic, ENOSPC);
     ++done_.messages;
     return writer_.write(*id, {message.log_time_ns, message.publish_time_ns, message.sequence},
                          message.bytes);
@@ -263,15 +264,14 @@ class Merge {
 
 }  // namespace
 
-tl::expected<Written, map::Reason> mergeRecordings(const std::vector<std::string>& paths,
-                                                   const Order& order) {
+tl::expected<Written, Fault> mergeRecordings(const std::vector<std::string>& paths, const Order& order) {
   std::vector<SourcePtr> sources;
   for (const std::string& path : paths) {
     auto source = recording::openRecording(path);
     if (!source) {
-      const map::Reason why = robot::recorded::reasonOf(source.error());
-      if (why.code == map::ReasonCode::RecordingNotOpened) return tl::make_unexpected(why);
-      return tl::make_unexpected(map::Reason(map::ReasonCode::RecordingNotOpened, {path}, {why}));
+      const Fault why = robot::recorded::reasonOf(source.error());
+      if (why.code == robot::recorded::fault::RecordingNotOpened) return tl::make_unexpected(why);
+      return tl::make_unexpected(Fault(robot::recorded::fault::RecordingNotOpened, {path}, {why}));
     }
     sources.push_back(std::move(*source));
   }
@@ -282,18 +282,18 @@ tl::expected<Written, map::Reason> mergeRecordings(const std::vector<std::string
   auto made = std::make_unique<WholeTarget>(order.path);
   WholeTarget& target = *made;
   auto writer = recording::McapWriter::create(std::move(made), wholeFileOptions(profile));
-  if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
+  if (!writer) return tl::make_unexpected(disk::notWritten(writer.error()));
   recording::Query query;
   if (order.span.from_s) query.first_ns = firstNanosecondsOf(*order.span.from_s);
   if (order.span.to_s) query.last_ns = lastNanosecondsOf(*order.span.to_s);
   query.topics = order.topics;
   Merge merge(sources, **writer);
-  std::optional<disk::Fault> fault = merge.describe();
+  std::optional<disk::FileError> fault = merge.describe();
   if (!fault) fault = merge.copy(query);
   if (!fault) fault = merge.attach();
   if (!fault) fault = (*writer)->close();
   if (!fault) fault = target.place();
-  if (fault) return tl::make_unexpected(reasons::notWritten(*fault));
+  if (fault) return tl::make_unexpected(disk::notWritten(*fault));
   return merge.done();
 }
 

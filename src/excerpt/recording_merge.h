@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "excerpt/excerpt.h"
-#include "map/reason.h"
+#include "fault/fault.h"
 
 namespace mapwright::excerpt {
 
@@ -17,6 +17,6 @@ namespace mapwright::excerpt {
 /// whose content stands already, and what a part says had been said before it. So the parts of a recording,
 /// also overlapping ones, make that recording. What one file holds twice stays twice. One thread, until it is
 /// done. The error of one that cannot be opened names it.
-tl::expected<Written, map::Reason> mergeRecordings(const std::vector<std::string>& paths, const Order& order);
+tl::expected<Written, Fault> mergeRecordings(const std::vector<std::string>& paths, const Order& order);
 
 }  // namespace mapwright::excerpt

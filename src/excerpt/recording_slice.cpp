@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "disk/file_error.h"
 #include "excerpt/whole_target.h"
-#include "reasons/file_reason.h"
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
 #include "robot/recorded/interruption.h"
@@ -25,7 +25,7 @@ constexpr std::int64_t kLookEvery = 256;  // messages
 constexpr std::int64_t kEver = std::numeric_limits<std::int64_t>::max();
 constexpr std::string_view kStaticTransforms = "/tf_static", kPatches = "_updates";
 
-using Done = tl::expected<void, map::Reason>;
+using Done = tl::expected<void, Fault>;
 
 class Slice {
  public:
@@ -125,8 +125,8 @@ class Slice {
   }
 
  private:
-  static Done checked(const std::optional<disk::Fault>& fault) {
-    if (fault) return tl::make_unexpected(reasons::notWritten(*fault));
+  static Done checked(const std::optional<disk::FileError>& fault) {
+    if (fault) return tl::make_unexpected(disk::notWritten(*fault));
     return {};
   }
   void readInto(std::vector<Message>& messages, const recording::Query& query) {
@@ -136,7 +136,7 @@ class Slice {
   Done write(const recording::Channel& channel, std::int64_t log_ns, std::uint32_t sequence,
              const Message& message) {
     const auto id = writer_.addChannel(channel);
-    if (!id) return checked(disk::systemFault(channel.topic, ENOSPC));
+    if (!id) return checked(disk::systemError(channel.topic, ENOSPC));
     return checked(writer_.write(*id, {log_ns, message.publish_time_ns, sequence}, message.bytes));
   }
 
@@ -149,15 +149,15 @@ class Slice {
 
 }  // namespace
 
-tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::string& path, const Order& order,
-                                                                 const GoesOn& goes_on) {
+tl::expected<std::optional<Written>, Fault> sliceRecording(const std::string& path, const Order& order,
+                                                           const GoesOn& goes_on) {
   auto source = recording::openRecording(path);
   if (!source) return tl::make_unexpected(robot::recorded::reasonOf(source.error()));
   auto made = std::make_unique<WholeTarget>(order.path);
   WholeTarget& target = *made;
   auto writer =
       recording::McapWriter::create(std::move(made), wholeFileOptions((*source)->summary().profile));
-  if (!writer) return tl::make_unexpected(reasons::notWritten(writer.error()));
+  if (!writer) return tl::make_unexpected(disk::notWritten(writer.error()));
 
   const std::int64_t from_ns =
       order.first_ns.value_or(order.span.from_s ? firstNanosecondsOf(*order.span.from_s) : 0);
@@ -174,7 +174,7 @@ tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::stri
                           if (slice.ended()) return {};
                           auto fault = (*writer)->close();
                           if (!fault) fault = target.place();
-                          if (fault) return tl::make_unexpected(reasons::notWritten(*fault));
+                          if (fault) return tl::make_unexpected(disk::notWritten(*fault));
                           return {};
                         });
   if (!done) return tl::make_unexpected(done.error());

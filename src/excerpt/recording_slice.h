@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "excerpt/excerpt.h"
-#include "map/reason.h"
+#include "fault/fault.h"
 
 namespace mapwright::excerpt {
 
@@ -19,7 +19,7 @@ namespace mapwright::excerpt {
 /// `goes_on` is told now and then how much of it is (0..1), and ends it by false: nothing is left then. The
 /// error has no name of a file where it is about `path`; nullopt: ended by `goes_on`.
 using GoesOn = std::function<bool(double share)>;
-tl::expected<std::optional<Written>, map::Reason> sliceRecording(const std::string& path, const Order& order,
-                                                                 const GoesOn& goes_on = {});
+tl::expected<std::optional<Written>, Fault> sliceRecording(const std::string& path, const Order& order,
+                                                           const GoesOn& goes_on = {});
 
 }  // namespace mapwright::excerpt

@@ -25,13 +25,13 @@ class WholeTarget : public recording::AppendTarget {
  public:
   explicit WholeTarget(const std::string& path) : file_(path) {}
   /// What has failed once stays so.
-  std::optional<disk::Fault> append(std::span<const std::uint8_t> bytes) override {
+  std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) override {
     file_.write(bytes.data(), bytes.size());
     return file_.good() ? std::nullopt : file_.place();
   }
-  std::optional<disk::Fault> settle() override { return file_.good() ? std::nullopt : file_.place(); }
+  std::optional<disk::FileError> settle() override { return file_.good() ? std::nullopt : file_.place(); }
   /// Once the writer is closed: the file has its name.
-  std::optional<disk::Fault> place() { return file_.place(); }
+  std::optional<disk::FileError> place() { return file_.place(); }
 
  private:
   disk::WrittenFile file_;

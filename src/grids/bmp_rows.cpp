@@ -4,14 +4,13 @@
 #include <bit>
 #include <vector>
 
+#include "grids/faults.h"
 #include "grids/picture_rows.h"
 #include "packed/png_unfilter.h"
 
 namespace mapwright::grids {
 
 namespace {
-
-using map::ReasonCode;
 
 constexpr std::size_t kFileHeader = 14, kInfoHeader = 40, kMasksEnd = 56;
 constexpr std::uint32_t kCoreHeader = 12;
@@ -42,7 +41,7 @@ class BmpRows final : public PictureRows {
     const int place = header_.top_down ? done_ : header_.format.height - 1 - done_;
     if (!bytes_.readAt(header_.pixels_at + std::uint64_t(place) * header_.stored_row, stored_.data(),
                        stored_.size())) {
-      problem_ = ReasonCode::DataEnds;
+      problem_ = fault::DataEnds;
       return nullptr;
     }
     ++done_;
@@ -68,7 +67,7 @@ class BmpRows final : public PictureRows {
   int done_ = 0;
 };
 
-tl::unexpected<map::Reason> unreadable(map::Reason why) { return tl::unexpected(std::move(why)); }
+tl::unexpected<Fault> unreadable(Fault why) { return tl::unexpected(std::move(why)); }
 
 /// Only masks of whole bytes are worth reading; false for others.
 bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
@@ -85,22 +84,22 @@ bool takeMasks(const std::uint8_t* masks, bool has_alpha, BmpHeader& header) {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openBmp(ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes) {
   std::array<std::uint8_t, kFileHeader + kMasksEnd> start{};
   if (!bytes.readAt(0, start.data(), kFileHeader + kInfoHeader)) {
-    return unreadable(ReasonCode::BmpHeaderShort);
+    return unreadable(fault::BmpHeaderShort);
   }
   const std::uint8_t* info = start.data() + kFileHeader;
   const std::uint32_t info_bytes = dword(info);
   if (info_bytes == kCoreHeader || info_bytes < kInfoHeader) {
-    return unreadable({ReasonCode::BmpHeaderUnknown, {std::to_string(info_bytes)}});
+    return unreadable({fault::BmpHeaderUnknown, {std::to_string(info_bytes)}});
   }
   BmpHeader header;
   PixelFormat& format = header.format;
   const std::int32_t width = std::int32_t(dword(info + 4)), height = std::int32_t(dword(info + 8));
   header.top_down = height < 0;
   const std::int64_t rows = height < 0 ? -std::int64_t(height) : height;
-  if (width < 0) return unreadable(ReasonCode::BmpWidthNegative);
+  if (width < 0) return unreadable(fault::BmpWidthNegative);
   if (auto problem = whyNotThisSize(std::uint64_t(width), std::uint64_t(rows))) {
     return tl::unexpected(std::move(*problem));
   }
@@ -111,17 +110,17 @@ tl::expected<std::unique_ptr<PictureRows>, map::Reason> openBmp(ByteSource bytes
   const int bits = header.bits;
   const bool bits_known = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
   if (!bits_known || !(compression == kUncompressed || (compression == kBitFields && bits == 32))) {
-    return unreadable({compression == kUncompressed ? ReasonCode::BmpBitsUnknown : ReasonCode::BmpCompressed,
+    return unreadable({compression == kUncompressed ? fault::BmpBitsUnknown : fault::BmpCompressed,
                        {std::to_string(bits)}});
   }
   if (compression == kBitFields) {
     const bool in_header = info_bytes >= kMasksEnd;
     const std::size_t masks = kInfoHeader + (in_header ? 16 : 12);
     if (!bytes.readAt(0, start.data(), kFileHeader + masks)) {
-      return unreadable(ReasonCode::BmpHeaderShort);
+      return unreadable(fault::BmpHeaderShort);
     }
     if (!takeMasks(info + kInfoHeader, in_header, header)) {
-      return unreadable(ReasonCode::BmpColoursUneven);
+      return unreadable(fault::BmpColoursUneven);
     }
   }
   header.pixels_at = dword(start.data() + 10);
@@ -133,7 +132,7 @@ tl::expected<std::unique_ptr<PictureRows>, map::Reason> openBmp(ByteSource bytes
     const std::uint32_t colours = said == 0 || said > most ? most : said;
     std::vector<std::uint8_t> palette(colours * 4);
     if (!bytes.readAt(kFileHeader + info_bytes, palette.data(), palette.size())) {
-      return unreadable(ReasonCode::BmpPaletteShort);
+      return unreadable(fault::BmpPaletteShort);
     }
     format.gray = true;
     for (std::size_t n = 0; n < colours; ++n) {

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "grids/band_builder.h"
+#include "grids/faults.h"
 #include "grids/grid_pyramid.h"
 #include "grids/picture_rows.h"
 #include "words/figures.h"
@@ -167,22 +168,22 @@ class Quantiser {
 
 bool isPlainGray(const PixelFormat& format) { return format.gray && !format.has_alpha; }
 
-map::Reason tooLarge(const PixelFormat& format, std::int64_t max_cells) {
-  return {map::ReasonCode::PictureTooLargeForLayer,
+Fault tooLarge(const PixelFormat& format, std::int64_t max_cells) {
+  return {fault::PictureTooLargeForLayer,
           {words::dimensions(format.width, format.height), words::grouped(max_cells)}};
 }
 
-map::Reason brokenOff(const PixelFormat& format, int came, const map::Reason& problem) {
-  return {map::ReasonCode::PictureEndsEarlyUnused,
+Fault brokenOff(const PixelFormat& format, int came, const Fault& problem) {
+  return {fault::PictureEndsEarlyUnused,
           {words::grouped(came), words::dimensions(format.width, format.height)},
           {problem}};
 }
 
 }  // namespace
 
-tl::expected<ColoredGrid, map::Reason> decodeOccupancy(std::shared_ptr<const std::string> bytes,
-                                                       const map::CellReading& reading,
-                                                       std::int64_t max_cells, const Means& means) {
+tl::expected<ColoredGrid, Fault> decodeOccupancy(std::shared_ptr<const std::string> bytes,
+                                                 const map::CellReading& reading, std::int64_t max_cells,
+                                                 const Means& means) {
   if (!bytes) bytes = std::make_shared<const std::string>();
   const auto rows = openPicture(ByteSource(bytes));
   if (!rows) return tl::unexpected(rows.error());
@@ -201,8 +202,8 @@ tl::expected<ColoredGrid, map::Reason> decodeOccupancy(std::shared_ptr<const std
   return grid;
 }
 
-tl::expected<ColoredGrid, map::Reason> decodeColors(std::shared_ptr<const std::string> bytes,
-                                                    std::int64_t max_cells, const Means& means) {
+tl::expected<ColoredGrid, Fault> decodeColors(std::shared_ptr<const std::string> bytes,
+                                              std::int64_t max_cells, const Means& means) {
   auto rows = openPicture(ByteSource(std::move(bytes)));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();

@@ -9,30 +9,30 @@
 #include <memory>
 #include <vector>
 
+#include "disk/file_error.h"
 #include "disk/written_file.h"
+#include "grids/faults.h"
 #include "grids/png_writer.h"
-#include "reasons/file_reason.h"
 
 namespace mapwright::grids {
 
 namespace {
 
-using map::ReasonCode;
 using Proceed = std::function<bool(double done)>;
 constexpr std::uint8_t kFreeShade = 254, kOccupiedShade = 0, kUnknownShade = 205;
 
 /// Calls take(row) for every row of level 0; a band of tiles is held at a time. Why it ended before all was
 /// there.
 template <typename Take>
-std::optional<map::Reason> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
-                                   Take take) {
+std::optional<Fault> eachRow(const GridPyramid& grid, const Proceed& proceed, double from, double to,
+                             Take take) {
   const std::uint8_t unknown = unknownByte(grid.code());
   const int tiles = (grid.width() + GridPyramid::kTileEdge - 1) / GridPyramid::kTileEdge;
   std::vector<std::uint8_t> row(std::size_t(tiles) * GridPyramid::kTileEdge);
   std::vector<std::optional<GridTile>> band(static_cast<std::size_t>(tiles));
   for (int y = 0; y < grid.height(); ++y) {
     if (y % GridPyramid::kTileEdge == 0) {
-      if (proceed && !proceed(from + (to - from) * y / grid.height())) return ReasonCode::WritingStopped;
+      if (proceed && !proceed(from + (to - from) * y / grid.height())) return fault::WritingStopped;
       for (int tx = 0; tx < tiles; ++tx) band[std::size_t(tx)] = grid.tile(0, tx, y / GridPyramid::kTileEdge);
     }
     for (std::size_t tx = 0; tx < band.size(); ++tx) {
@@ -48,13 +48,13 @@ std::optional<map::Reason> eachRow(const GridPyramid& grid, const Proceed& proce
     if (!take(row.data())) return std::nullopt;
   }
   if (auto trouble = grid.trouble(); trouble.any())
-    return std::move(trouble).followedBy(map::Consequence::NothingWritten);
+    return std::move(trouble).followedBy(Consequence::NothingWritten);
   if (proceed) proceed(to);
   return std::nullopt;
 }
 
 /// Whether map_saver's three shades can tell all cells.
-tl::expected<bool, map::Reason> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
+tl::expected<bool, Fault> isTrinary(const GridPyramid& grid, const Proceed& proceed) {
   const CellMeaning& meaning = meaningOf(grid.code());
   std::array<bool, 256> seen{};
   const std::size_t width = std::size_t(grid.width());
@@ -84,8 +84,8 @@ std::array<std::uint8_t, 256> shadesOf(CellCode code, bool trinary) {
   return shades;
 }
 
-std::optional<map::Reason> told(const std::optional<disk::Fault>& fault) {
-  return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
+std::optional<Fault> told(const std::optional<disk::FileError>& fault) {
+  return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
 }
 
 /// The shortest text that reads back to the same number, and as a number and not an integer.
@@ -119,10 +119,9 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::optional<map::Reason> writeGridPng(const GridPyramid& grid, const std::string& path,
-                                        const Proceed& proceed) {
+std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& path, const Proceed& proceed) {
   const bool as_is = isGray(grid.code());
-  const tl::expected<bool, map::Reason> trinary = as_is ? false : isTrinary(grid, proceed);
+  const tl::expected<bool, Fault> trinary = as_is ? false : isTrinary(grid, proceed);
   if (!trinary) return trinary.error();
   // Grays that are all grays leave none to stand for what is not there.
   const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
@@ -146,7 +145,7 @@ std::optional<map::Reason> writeGridPng(const GridPyramid& grid, const std::stri
     return good;
   });
   if (stopped) return stopped;
-  if (!good && file.good()) return map::Reason(ReasonCode::EncoderFailed, {path});
+  if (!good && file.good()) return Fault(fault::EncoderFailed, {path});
   return told(file.place());
 }
 
@@ -158,8 +157,8 @@ MapServerFiles mapServerFiles(const std::string& path) {
   return {base.string() + ".pgm", base.string() + ".yaml"};
 }
 
-std::optional<map::Reason> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
-                                          const std::string& path, const Proceed& proceed) {
+std::optional<Fault> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+                                    const std::string& path, const Proceed& proceed) {
   const MapServerFiles paths = mapServerFiles(path);
   const auto trinary = isTrinary(grid, proceed);
   if (!trinary) return trinary.error();

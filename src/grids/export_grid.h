@@ -17,8 +17,8 @@ namespace mapwright::grids {
 /// transparent). Occupancy code: the map_saver shades
 /// (254 free, 0 occupied, 205 unknown) when the cells are only those, else gray+alpha (intensity; unknown =
 /// transparent). nullopt = written (aside, then moved into place), else why not.
-std::optional<map::Reason> writeGridPng(const GridPyramid& grid, const std::string& path,
-                                        const std::function<bool(double done)>& proceed = {});
+std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& path,
+                                  const std::function<bool(double done)>& proceed = {});
 
 /// The two files of a map for map_server, given the path of either or the name without an ending.
 struct MapServerFiles {
@@ -28,9 +28,9 @@ MapServerFiles mapServerFiles(const std::string& path);
 
 /// `base`.pgm and `base`.yaml (given the path of either). Trinary with map_saver's shades when all cells are
 /// unknown, 0 or 100; else mode raw with the cells as bytes: map_server reads both back to the same cells.
-std::optional<map::Reason> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
-                                          const std::string& path,
-                                          const std::function<bool(double done)>& proceed = {});
+std::optional<Fault> writeMapServer(const GridPyramid& grid, const map::GridReference& reference,
+                                    const std::string& path,
+                                    const std::function<bool(double done)>& proceed = {});
 
 /// The six lines of a world file (.pgw) for a picture of `reference` (rotation included): centre of the top
 /// left pixel.

@@ -77,7 +77,7 @@ class GridPyramid {
   virtual std::size_t bytes() const = 0;
 
   /// Why not all that it shows is right; empty = all is.
-  virtual map::Reason trouble() const { return {}; }
+  virtual Fault trouble() const { return {}; }
 
   /// The cell (column, row from the top) of level 0; unknown outside and where not read yet. Quick: for the
   /// thread that draws the window, too.
@@ -129,20 +129,20 @@ class GridReading {
   /// Blocks until all is read, `cancelled`, or an error. After an error the rows that came stay (the rest is
   /// unknown) and the pyramid counts as complete. `progressed` is called on this thread, about 20 times a
   /// second.
-  virtual std::optional<map::Reason> read(const std::atomic<bool>& cancelled,
-                                          const std::function<void()>& progressed) = 0;
+  virtual std::optional<Fault> read(const std::atomic<bool>& cancelled,
+                                    const std::function<void()>& progressed) = 0;
   /// After read(): the picture's later rows speak for another meaning of its grays than the first ones did.
   /// It has not been read to its end: open it again with this as GridOptions::code.
   virtual std::optional<CellCode> otherCode() const { return std::nullopt; }
   /// After read(): why no side-car could be kept; none = it is kept, or was not to be.
-  virtual map::Reason notKept() const { return {}; }
+  virtual Fault notKept() const { return {}; }
 };
 /// PNG (all types, interlaced too), PGM (P2, P5), BMP, by signature. `bytes` stays alive as long as needed.
-tl::expected<std::unique_ptr<GridReading>, map::Reason> openGrid(std::shared_ptr<const std::string> bytes,
-                                                                 const GridOptions& options);
+tl::expected<std::unique_ptr<GridReading>, Fault> openGrid(std::shared_ptr<const std::string> bytes,
+                                                           const GridOptions& options);
 /// The same from a file, read in pieces, never as a whole.
-tl::expected<std::unique_ptr<GridReading>, map::Reason> openGridFile(const std::string& path,
-                                                                     const GridOptions& options);
+tl::expected<std::unique_ptr<GridReading>, Fault> openGridFile(const std::string& path,
+                                                               const GridOptions& options);
 
 /// A small picture in colours: its cells are indices into `palette` (0xAARRGGBB, not premultiplied). Exact up
 /// to 256 colours, beyond that the nearest of a fixed set. Gray pictures: index = gray, palette empty. Costs
@@ -152,13 +152,13 @@ struct ColoredGrid {
       indices;  // code Gray (or Occupancy), reduction OccupiedWins over rank: see colored_grid.cpp
   std::vector<std::uint32_t> palette;
 };
-tl::expected<ColoredGrid, map::Reason> decodeColors(std::shared_ptr<const std::string> bytes,
-                                                    std::int64_t max_cells, const Means& means = {});
+tl::expected<ColoredGrid, Fault> decodeColors(std::shared_ptr<const std::string> bytes,
+                                              std::int64_t max_cells, const Means& means = {});
 
 /// A small picture whose bytes are read as occupancy (any mode but Picture): its cells are of
 /// CellCode::Occupancy, palette empty. Blocks until all is read.
-tl::expected<ColoredGrid, map::Reason> decodeOccupancy(std::shared_ptr<const std::string> bytes,
-                                                       const map::CellReading& reading,
-                                                       std::int64_t max_cells, const Means& means = {});
+tl::expected<ColoredGrid, Fault> decodeOccupancy(std::shared_ptr<const std::string> bytes,
+                                                 const map::CellReading& reading, std::int64_t max_cells,
+                                                 const Means& means = {});
 
 }  // namespace mapwright::grids

@@ -3,6 +3,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "grids/faults.h"
+
 namespace mapwright::grids {
 
 KeptPyramid::KeptPyramid(std::shared_ptr<const GridPyramid> kept, std::string path, Again again,
@@ -39,9 +41,9 @@ std::optional<GridTile> KeptPyramid::tileAtHand(int level, int tile_x, int tile_
   return found;
 }
 
-map::Reason KeptPyramid::trouble() const {
+Fault KeptPyramid::trouble() const {
   if (state_.load(std::memory_order_acquire) != State::Lost) return {};
-  return map::ReasonCode::CacheCopyLost;
+  return fault::CacheCopyLost;
 }
 
 }  // namespace mapwright::grids

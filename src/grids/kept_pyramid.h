@@ -32,7 +32,7 @@ class KeptPyramid final : public GridPyramid {
   int rowsReady() const override { return kept_->rowsReady(); }
   std::size_t bytes() const override;
   std::optional<GridTile> tile(int level, int tile_x, int tile_y) const override;
-  map::Reason trouble() const override;
+  Fault trouble() const override;
 
  protected:
   std::optional<GridTile> tileAtHand(int level, int tile_x, int tile_y) const override;

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "grids/band_builder.h"
+#include "grids/faults.h"
 #include "grids/gray_shades.h"
 #include "grids/grid_pyramid.h"
 #include "grids/kept_pyramid.h"
@@ -15,8 +16,6 @@
 namespace mapwright::grids {
 
 namespace {
-
-using map::ReasonCode;
 
 using Clock = std::chrono::steady_clock;
 constexpr auto kProgressEvery = std::chrono::milliseconds(50);
@@ -68,10 +67,10 @@ class PictureReading final : public GridReading {
 
   std::shared_ptr<const GridPyramid> pyramid() const override { return pyramid_; }
   bool complete() const override { return finished_; }
-  map::Reason notKept() const override { return draft_.trouble(); }
+  Fault notKept() const override { return draft_.trouble(); }
 
-  std::optional<map::Reason> read(const std::atomic<bool>& cancelled,
-                                  const std::function<void()>& progressed) override {
+  std::optional<Fault> read(const std::atomic<bool>& cancelled,
+                            const std::function<void()>& progressed) override {
     if (finished_) return std::nullopt;
     const int height = rows_->format().height;
     rows_->stopWhen(cancelled);
@@ -121,15 +120,15 @@ class PictureReading final : public GridReading {
     if (const CellCode judged = shades_.code(format.has_alpha, whole); judged != code_) other_code_ = judged;
   }
 
-  std::optional<map::Reason> whatIsWrong(int came) const {
+  std::optional<Fault> whatIsWrong(int came) const {
     const int height = rows_->format().height;
-    const map::Reason& problem = rows_->problem();
+    const Fault& problem = rows_->problem();
     if (came == height && !problem.any()) return std::nullopt;
     const std::string size = words::dimensions(rows_->format().width, height);
     if (came == height) {
-      return map::Reason{ReasonCode::PictureDoubtful, {size}, {problem}};
+      return Fault{fault::PictureDoubtful, {size}, {problem}};
     }
-    return map::Reason{ReasonCode::PictureEndsEarly, {words::grouped(came), size}, {problem}};
+    return Fault{fault::PictureEndsEarly, {words::grouped(came), size}, {problem}};
   }
 
   static SidecarKey keyOf(const GridOptions& options, const PixelFormat& format, CellCode code) {
@@ -156,8 +155,7 @@ class FinishedReading final : public GridReading {
   explicit FinishedReading(std::shared_ptr<const GridPyramid> pyramid) : pyramid_(std::move(pyramid)) {}
   std::shared_ptr<const GridPyramid> pyramid() const override { return pyramid_; }
   bool complete() const override { return true; }
-  std::optional<map::Reason> read(const std::atomic<bool>&,
-                                  const std::function<void()>& progressed) override {
+  std::optional<Fault> read(const std::atomic<bool>&, const std::function<void()>& progressed) override {
     if (progressed) progressed();
     return std::nullopt;
   }
@@ -166,10 +164,9 @@ class FinishedReading final : public GridReading {
   std::shared_ptr<const GridPyramid> pyramid_;
 };
 
-tl::expected<std::unique_ptr<GridReading>, map::Reason> openSource(ByteSource bytes,
-                                                                   const GridOptions& options) {
+tl::expected<std::unique_ptr<GridReading>, Fault> openSource(ByteSource bytes, const GridOptions& options) {
   auto reader = bytes.again();
-  if (!reader) return tl::unexpected(map::Reason(ReasonCode::NotRead, {}, {map::said(std::strerror(errno))}));
+  if (!reader) return tl::unexpected(Fault(fault::NotRead, {}, {fault::said(std::strerror(errno))}));
   auto rows = openPicture(std::move(*reader));
   if (!rows) return tl::unexpected(std::move(rows.error()));
   const PixelFormat& format = (*rows)->format();
@@ -184,7 +181,7 @@ tl::expected<std::unique_ptr<GridReading>, map::Reason> openSource(ByteSource by
     code = glimpsedCode(**rows, options.reading);
     if (!(*rows)->rewind()) {
       auto from_the_start = bytes.again();
-      if (!from_the_start) return tl::unexpected(map::Reason(ReasonCode::NotRead));
+      if (!from_the_start) return tl::unexpected(Fault(fault::NotRead));
       rows = openPicture(std::move(*from_the_start));
       if (!rows) return tl::unexpected(std::move(rows.error()));
     }
@@ -194,17 +191,16 @@ tl::expected<std::unique_ptr<GridReading>, map::Reason> openSource(ByteSource by
 
 }  // namespace
 
-tl::expected<std::unique_ptr<GridReading>, map::Reason> openGrid(std::shared_ptr<const std::string> bytes,
-                                                                 const GridOptions& options) {
+tl::expected<std::unique_ptr<GridReading>, Fault> openGrid(std::shared_ptr<const std::string> bytes,
+                                                           const GridOptions& options) {
   return openSource(ByteSource(std::move(bytes)), options);
 }
 
-tl::expected<std::unique_ptr<GridReading>, map::Reason> openGridFile(const std::string& path,
-                                                                     const GridOptions& options) {
+tl::expected<std::unique_ptr<GridReading>, Fault> openGridFile(const std::string& path,
+                                                               const GridOptions& options) {
   auto bytes = ByteSource::open(path);
   if (!bytes) {
-    return tl::unexpected(
-        map::Reason(ReasonCode::PictureFileNotOpened, {path}, {map::said(std::strerror(errno))}));
+    return tl::unexpected(Fault(fault::PictureFileNotOpened, {path}, {fault::said(std::strerror(errno))}));
   }
   return openSource(std::move(*bytes), options);
 }

@@ -3,13 +3,12 @@
 #include <cctype>
 #include <vector>
 
+#include "grids/faults.h"
 #include "grids/picture_rows.h"
 
 namespace mapwright::grids {
 
 namespace {
-
-using map::ReasonCode;
 
 constexpr std::uint64_t kLongestHeader = 1 << 16;  // comments included
 constexpr std::size_t kTextWindow = std::size_t(64) << 10;
@@ -86,7 +85,7 @@ class RawRows final : public PictureRows {
     if (window.size() < row_.size()) {  // at the end of what is buffered, or of the file
       row = row_.data();
       if (!bytes_.readAt(at_, row_.data(), row_.size())) {
-        problem_ = ReasonCode::DataEnds;
+        problem_ = fault::DataEnds;
         return nullptr;
       }
     }
@@ -114,9 +113,9 @@ class PlainRows final : public PictureRows {
     for (int u = 0; u < format_.width; ++u) {
       const long level = cursor_.number();
       if (level < 0 || level > format_.sample_max) {
-        problem_ = level >= 0                      ? ReasonCode::NumberBeyondGreatest
-                   : cursor_.at() >= bytes_.size() ? ReasonCode::DataEnds
-                                                   : ReasonCode::NotANumber;
+        problem_ = level >= 0                      ? fault::NumberBeyondGreatest
+                   : cursor_.at() >= bytes_.size() ? fault::DataEnds
+                                                   : fault::NotANumber;
         return nullptr;
       }
       if (format_.sample_bytes == 2) *out++ = std::uint8_t(level >> 8);
@@ -136,7 +135,7 @@ class PlainRows final : public PictureRows {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPgm(ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, Fault> openPgm(ByteSource bytes) {
   std::array<std::uint8_t, 2> magic{};
   bytes.readAt(0, magic.data(), magic.size());
   Cursor cursor(bytes, magic.size());
@@ -144,14 +143,14 @@ tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPgm(ByteSource bytes
   for (long& number : head) {
     number = cursor.number();
     if (number < 0 || cursor.at() > kLongestHeader) {
-      return tl::unexpected(map::Reason(ReasonCode::PgmHeaderBroken));
+      return tl::unexpected(Fault(fault::PgmHeaderBroken));
     }
   }
   if (auto problem = whyNotThisSize(std::uint64_t(head[0]), std::uint64_t(head[1]))) {
     return tl::unexpected(std::move(*problem));
   }
   if (head[2] < 1 || head[2] > kLargestMaxval) {
-    return tl::unexpected(map::Reason(ReasonCode::PgmGreatestWrong, {std::to_string(head[2])}));
+    return tl::unexpected(Fault(fault::PgmGreatestWrong, {std::to_string(head[2])}));
   }
   const PixelFormat format = formatOf(int(head[0]), int(head[1]), int(head[2]));
   const std::uint64_t at = cursor.at();

@@ -4,38 +4,36 @@
 #include <array>
 #include <cstring>
 
+#include "grids/faults.h"
 #include "words/figures.h"
 
 namespace mapwright::grids {
 
-using map::ReasonCode;
-
-std::optional<map::Reason> whyNotThisSize(std::uint64_t width, std::uint64_t height) {
+std::optional<Fault> whyNotThisSize(std::uint64_t width, std::uint64_t height) {
   if (width == 0 || height == 0) {
-    return map::Reason{ReasonCode::PictureWithoutPixels,
-                       {words::dimensions(std::int64_t(width), std::int64_t(height))}};
+    return Fault{fault::PictureWithoutPixels, {words::dimensions(std::int64_t(width), std::int64_t(height))}};
   }
   if (width > kMaxGridEdge || height > kMaxGridEdge || width * height > std::uint64_t(kMaxGridCells)) {
-    return map::Reason{ReasonCode::PictureTooLarge,
-                       {words::dimensions(std::int64_t(width), std::int64_t(height)),
-                        words::grouped(kMaxGridEdge), words::grouped(kMaxGridCells)}};
+    return Fault{fault::PictureTooLarge,
+                 {words::dimensions(std::int64_t(width), std::int64_t(height)), words::grouped(kMaxGridEdge),
+                  words::grouped(kMaxGridCells)}};
   }
   return std::nullopt;
 }
 
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPicture(ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, Fault> openPicture(ByteSource bytes) {
   static constexpr std::array<std::uint8_t, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   std::array<std::uint8_t, 8> start{};
   const std::size_t there = std::size_t(std::min<std::uint64_t>(start.size(), bytes.size()));
-  if (there == 0) return tl::unexpected(map::Reason(ReasonCode::PictureEmpty));
-  if (!bytes.readAt(0, start.data(), there)) return tl::unexpected(map::Reason(ReasonCode::NotRead));
+  if (there == 0) return tl::unexpected(Fault(fault::PictureEmpty));
+  if (!bytes.readAt(0, start.data(), there)) return tl::unexpected(Fault(fault::NotRead));
   if (std::memcmp(start.data(), kPng.data(), kPng.size()) == 0) return openPng(std::move(bytes));
   if (start[0] == 'P' && (start[1] == '2' || start[1] == '5')) return openPgm(std::move(bytes));
   if (start[0] == 'B' && start[1] == 'M') return openBmp(std::move(bytes));
   if (there < kPng.size() && std::memcmp(start.data(), kPng.data(), there) == 0) {
-    return tl::unexpected(map::Reason(ReasonCode::PngHeaderShort));
+    return tl::unexpected(Fault(fault::PngHeaderShort));
   }
-  return tl::unexpected(map::Reason(ReasonCode::PictureKindUnknown));
+  return tl::unexpected(Fault(fault::PictureKindUnknown));
 }
 
 }  // namespace mapwright::grids

@@ -52,21 +52,21 @@ class PictureRows {
   virtual void checkEnd() {}
   /// Half a sentence after "it is 60 x 60 pixels, but ": why rows are missing or not to be trusted; empty =
   /// nothing.
-  const map::Reason& problem() const { return problem_; }
+  const Fault& problem() const { return problem_; }
 
  protected:
-  map::Reason problem_;
+  Fault problem_;
 };
 
 /// By signature; reads the header only.
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPicture(ByteSource bytes);
+tl::expected<std::unique_ptr<PictureRows>, Fault> openPicture(ByteSource bytes);
 
 /// nullopt = fine, else why not.
-std::optional<map::Reason> whyNotThisSize(std::uint64_t width, std::uint64_t height);
+std::optional<Fault> whyNotThisSize(std::uint64_t width, std::uint64_t height);
 
 // The formats. Preconditions: the signature was recognised.
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPng(ByteSource bytes);
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPgm(ByteSource bytes);
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openBmp(ByteSource bytes);
+tl::expected<std::unique_ptr<PictureRows>, Fault> openPng(ByteSource bytes);
+tl::expected<std::unique_ptr<PictureRows>, Fault> openPgm(ByteSource bytes);
+tl::expected<std::unique_ptr<PictureRows>, Fault> openBmp(ByteSource bytes);
 
 }  // namespace mapwright::grids

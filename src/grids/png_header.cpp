@@ -4,13 +4,12 @@
 #include <isa-l/crc.h>
 #include <vector>
 
+#include "grids/faults.h"
 #include "words/figures.h"
 
 namespace mapwright::grids {
 
 namespace {
-
-using map::ReasonCode;
 
 constexpr std::uint64_t kSignatureBytes = 8;
 constexpr std::uint32_t kLargestLength = 0x7fffffff;
@@ -23,7 +22,7 @@ std::uint32_t bigEndian(const std::uint8_t* at) {
   return std::uint32_t(at[0]) << 24 | std::uint32_t(at[1]) << 16 | std::uint32_t(at[2]) << 8 | at[3];
 }
 
-tl::unexpected<map::Reason> refused(map::Reason why) { return tl::unexpected(std::move(why)); }
+tl::unexpected<Fault> refused(Fault why) { return tl::unexpected(std::move(why)); }
 
 bool depthFits(int colour_type, int depth) {
   switch (colour_type) {
@@ -56,15 +55,15 @@ std::optional<std::vector<std::uint8_t>> contentOf(const ByteSource& bytes, std:
   return content;
 }
 
-tl::expected<PngHeader, map::Reason> fromIhdr(const std::vector<std::uint8_t>& ihdr) {
+tl::expected<PngHeader, Fault> fromIhdr(const std::vector<std::uint8_t>& ihdr) {
   const std::uint32_t width = bigEndian(ihdr.data()), height = bigEndian(ihdr.data() + 4);
   if (auto problem = whyNotThisSize(width, height)) return tl::unexpected(std::move(*problem));
   const int depth = ihdr[8], colour_type = ihdr[9];
   if (!depthFits(colour_type, depth)) {
-    return refused({ReasonCode::PngKindUnknown, {std::to_string(colour_type), std::to_string(depth)}});
+    return refused({fault::PngKindUnknown, {std::to_string(colour_type), std::to_string(depth)}});
   }
   if (ihdr[10] != 0 || ihdr[11] != 0 || ihdr[12] > 1) {
-    return refused(ReasonCode::PngMethodUnknown);
+    return refused(fault::PngMethodUnknown);
   }
   PngHeader header;
   header.bit_depth = depth;
@@ -126,16 +125,16 @@ std::optional<PngChunk> pngChunkAt(const ByteSource& bytes, std::uint64_t offset
   return chunk;
 }
 
-tl::expected<PngHeader, map::Reason> readPngHeader(const ByteSource& bytes) {
+tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes) {
   const auto first = pngChunkAt(bytes, kSignatureBytes);
-  if (!first) return refused(ReasonCode::PngHeaderShort);
+  if (!first) return refused(fault::PngHeaderShort);
   if (!first->is("IHDR") || first->length != kHeaderLength) {
-    return refused(ReasonCode::PngHeaderMisplaced);
+    return refused(fault::PngHeaderMisplaced);
   }
   if (bytes.size() < kSignatureBytes + kHeaderLength + PngChunk::kAround)
-    return refused(ReasonCode::PngHeaderShort);
+    return refused(fault::PngHeaderShort);
   const auto ihdr = contentOf(bytes, kSignatureBytes, kHeaderLength);
-  if (!ihdr) return refused(ReasonCode::PngHeaderDamaged);
+  if (!ihdr) return refused(fault::PngHeaderDamaged);
   auto header = fromIhdr(*ihdr);
   if (!header) return header;
 
@@ -144,19 +143,19 @@ tl::expected<PngHeader, map::Reason> readPngHeader(const ByteSource& bytes) {
   std::uint64_t at = kSignatureBytes + kHeaderLength + PngChunk::kAround;
   for (;;) {
     const auto chunk = pngChunkAt(bytes, at);
-    if (!chunk) return refused(ReasonCode::PngEndsBeforePixels);
+    if (!chunk) return refused(fault::PngEndsBeforePixels);
     if (chunk->is("IDAT")) break;
     if (chunk->length > kLargestLength || chunk->is("IEND")) {
-      return refused(ReasonCode::PngWithoutPixels);
+      return refused(fault::PngWithoutPixels);
     }
     const bool is_palette = chunk->is("PLTE");
     if ((is_palette && chunk->length <= kLargestPalette) || (chunk->is("tRNS") && chunk->length <= 256)) {
       if (at + PngChunk::kAround + chunk->length > bytes.size()) {
-        return refused(ReasonCode::PngEndsBeforePixels);
+        return refused(fault::PngEndsBeforePixels);
       }
       const auto content = contentOf(bytes, at, chunk->length);
       if (!content) {
-        return refused(is_palette ? ReasonCode::PngPaletteDamaged : ReasonCode::PngTransparencyDamaged);
+        return refused(is_palette ? fault::PngPaletteDamaged : fault::PngTransparencyDamaged);
       }
       if (is_palette && palette) {
         takePalette(*content, header->format);
@@ -165,11 +164,11 @@ tl::expected<PngHeader, map::Reason> readPngHeader(const ByteSource& bytes) {
         takeTransparency(*content, palette, header->bit_depth, header->format);
       }
     } else if ((chunk->type[0] & 0x20) == 0 && !is_palette) {
-      return refused(ReasonCode::PngPartUnknown);
+      return refused(fault::PngPartUnknown);
     }
     at += PngChunk::kAround + chunk->length;
   }
-  if (palette && !has_palette) return refused(ReasonCode::PngPaletteMissing);
+  if (palette && !has_palette) return refused(fault::PngPaletteMissing);
   header->pixels_at = at;
   return header;
 }

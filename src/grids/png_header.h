@@ -34,6 +34,6 @@ struct PngChunk {
 /// Length and type of the chunk at `offset`; nullopt when the file ends there.
 std::optional<PngChunk> pngChunkAt(const ByteSource& bytes, std::uint64_t offset);
 
-tl::expected<PngHeader, map::Reason> readPngHeader(const ByteSource& bytes);
+tl::expected<PngHeader, Fault> readPngHeader(const ByteSource& bytes);
 
 }  // namespace mapwright::grids

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "grids/faults.h"
 #include "grids/png_pass.h"
 #include "grids/scratch_bytes.h"
 #include "packed/unpack.h"
@@ -12,8 +13,6 @@
 namespace mapwright::grids {
 
 namespace {
-
-using map::ReasonCode;
 
 struct Pass {
   int left, top, step_x, step_y;
@@ -56,7 +55,7 @@ class InterlacedRows final : public PictureRows {
       PngPass reader(header_, columns);
       for (int row = 0; row < rows; ++row) {
         if (cancelled_ != nullptr && cancelled_->load(std::memory_order_relaxed)) {
-          problem_ = ReasonCode::ReadingStopped;
+          problem_ = fault::ReadingStopped;
           return;
         }
         const std::uint8_t* from = reader.next(stream_, problem_);
@@ -93,27 +92,26 @@ class InterlacedRows final : public PictureRows {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openInterlacedPng(const PngHeader& header,
-                                                                          ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, Fault> openInterlacedPng(const PngHeader& header,
+                                                                    ByteSource bytes) {
   const PixelFormat& format = header.format;
   // Room is taken for the whole picture, so it must be one that these bytes can hold.
   const std::uint64_t stored =
       std::uint64_t(header.storedRowBytes(format.width)) * std::uint64_t(format.height);
   if (stored / packed::kMaxDeflateRatio > bytes.size()) {
-    return tl::unexpected(map::Reason(
-        ReasonCode::PngTooShortForPixels,
-        {words::dimensions(format.width, format.height), words::grouped(std::int64_t(bytes.size()))}));
+    return tl::unexpected(Fault(fault::PngTooShortForPixels, {words::dimensions(format.width, format.height),
+                                                              words::grouped(std::int64_t(bytes.size()))}));
   }
   const std::uint64_t unpacked = std::uint64_t(format.rowBytes()) * std::uint64_t(format.height);
   if (unpacked > kMaxInterlacedBytes) {
-    return tl::unexpected(map::Reason(
-        ReasonCode::InterlacedTooLarge,
+    return tl::unexpected(Fault(
+        fault::InterlacedTooLarge,
         {words::dimensions(format.width, format.height), words::grouped(std::int64_t(kMaxInterlacedBytes))}));
   }
   auto picture = ScratchBytes::take(format.rowBytes() * std::size_t(format.height));
   if (!picture) {
     return tl::unexpected(
-        map::Reason(ReasonCode::InterlacedWithoutRoom, {words::dimensions(format.width, format.height)}));
+        Fault(fault::InterlacedWithoutRoom, {words::dimensions(format.width, format.height)}));
   }
   return std::make_unique<InterlacedRows>(header, std::move(bytes), std::move(*picture));
 }

@@ -12,7 +12,7 @@ namespace mapwright::grids {
 inline constexpr std::uint64_t kMaxInterlacedBytes = std::uint64_t(1) << 28;
 
 /// Needs room for the whole picture: in memory up to 64 MB, beyond that in a temporary file without a name.
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openInterlacedPng(const PngHeader& header,
-                                                                          ByteSource bytes);
+tl::expected<std::unique_ptr<PictureRows>, Fault> openInterlacedPng(const PngHeader& header,
+                                                                    ByteSource bytes);
 
 }  // namespace mapwright::grids

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grids/faults.h"
 #include "packed/png_unfilter.h"
 
 namespace mapwright::grids {
@@ -15,7 +16,7 @@ PngPass::PngPass(const PngHeader& header, int width)
       above_(stored_bytes_),
       unpacked_(header.bit_depth < 8 ? std::size_t(width) : 0) {}
 
-const std::uint8_t* PngPass::next(PngStream& stream, map::Reason& problem) {
+const std::uint8_t* PngPass::next(PngStream& stream, Fault& problem) {
   const std::uint8_t* filtered = stream.take(1 + stored_bytes_);
   if (filtered == nullptr) {
     problem = stream.problem();
@@ -23,7 +24,7 @@ const std::uint8_t* PngPass::next(PngStream& stream, map::Reason& problem) {
   }
   row_.swap(above_);
   if (!packed::unfilterRow(filtered[0], filtered + 1, above_.data(), stored_bytes_, unit_, row_.data())) {
-    problem = map::ReasonCode::DataDamaged;
+    problem = fault::DataDamaged;
     return nullptr;
   }
   if (bit_depth_ >= 8) return row_.data();

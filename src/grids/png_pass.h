@@ -15,7 +15,7 @@ class PngPass {
   /// `width`: pixels of a row of this pass, at least 1.
   PngPass(const PngHeader& header, int width);
   /// The next row, unpacked to header.format's pixels; null: see `problem`.
-  const std::uint8_t* next(PngStream& stream, map::Reason& problem);
+  const std::uint8_t* next(PngStream& stream, Fault& problem);
 
  private:
   int width_, bit_depth_;

@@ -38,7 +38,7 @@ class PngRows final : public PictureRows {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PictureRows>, map::Reason> openPng(ByteSource bytes) {
+tl::expected<std::unique_ptr<PictureRows>, Fault> openPng(ByteSource bytes) {
   auto header = readPngHeader(bytes);
   if (!header) return tl::unexpected(std::move(header.error()));
   if (header->interlaced) return openInterlacedPng(*header, std::move(bytes));

@@ -6,14 +6,13 @@
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
 
+#include "grids/faults.h"
 #include "grids/png_header.h"
 #include "words/figures.h"
 
 namespace mapwright::grids {
 
 namespace {
-
-using map::ReasonCode;
 
 constexpr std::size_t kInput = std::size_t(64) << 10;  // a piece goes through checksum and inflate while hot
 constexpr std::size_t kWindow = std::size_t(256) << 10;  // unpacked at a time
@@ -31,7 +30,7 @@ PngStream::~PngStream() = default;
 bool PngStream::enterChunk() {
   const auto chunk = pngChunkAt(bytes_, at_);
   if (!chunk || !chunk->is("IDAT")) {
-    problem_ = ReasonCode::DataEnds;
+    problem_ = fault::DataEnds;
     return false;
   }
   sum_ = crc32_gzip_refl(0, reinterpret_cast<const std::uint8_t*>(chunk->type.data()), chunk->type.size());
@@ -44,13 +43,13 @@ bool PngStream::enterChunk() {
 bool PngStream::endChunk() {
   std::array<std::uint8_t, 4> stored{};
   if (!bytes_.readAt(at_, stored.data(), stored.size())) {
-    problem_ = ReasonCode::DataEnds;
+    problem_ = fault::DataEnds;
     return false;
   }
   const std::uint32_t expected = std::uint32_t(stored[0]) << 24 | std::uint32_t(stored[1]) << 16 |
                                  std::uint32_t(stored[2]) << 8 | stored[3];
   if (expected != sum_) {
-    problem_ = {ReasonCode::ChecksumWrong, {words::grouped(std::int64_t(at_))}};
+    problem_ = {fault::ChecksumWrong, {words::grouped(std::int64_t(at_))}};
     return false;
   }
   at_ += stored.size();
@@ -65,7 +64,7 @@ bool PngStream::nextInput() {
   }
   const auto piece = bytes_.window(at_, std::min<std::size_t>(kInput, left_));
   if (piece.empty()) {
-    problem_ = ReasonCode::DataEnds;
+    problem_ = fault::DataEnds;
     return false;
   }
   sum_ = crc32_gzip_refl(sum_, piece.data(), piece.size());
@@ -84,12 +83,12 @@ bool PngStream::fill(std::size_t count) {
   if (window_.size() < size) window_.resize(size);
   while (end_ < count) {
     if (state_->block_state == ISAL_BLOCK_FINISH) {
-      problem_ = ReasonCode::DataEnds;
+      problem_ = fault::DataEnds;
       return false;
     }
     if (state_->avail_in == 0 && state_->block_state != ISAL_BLOCK_INPUT_DONE && !nextInput()) {
       // What is unpacked but still held back belongs to the rows that came.
-      if (problem_.code != ReasonCode::DataEnds) return false;
+      if (problem_.code != fault::DataEnds) return false;
       state_->next_in = nullptr;
     }
     state_->next_out = window_.data() + end_;
@@ -98,7 +97,7 @@ bool PngStream::fill(std::size_t count) {
     const int result = isal_inflate(state_.get());
     end_ += before - state_->avail_out;
     if (result < 0) {
-      problem_ = result == ISAL_INCORRECT_CHECKSUM ? ReasonCode::PixelChecksumWrong : ReasonCode::DataDamaged;
+      problem_ = result == ISAL_INCORRECT_CHECKSUM ? fault::PixelChecksumWrong : fault::DataDamaged;
       return end_ >= count;
     }
     if (problem_.any() && before == state_->avail_out) return false;
@@ -116,7 +115,7 @@ const std::uint8_t* PngStream::take(std::size_t count) {
 }
 
 bool PngStream::checkEnd() {
-  if (problem_.code == ReasonCode::DataEnds)
+  if (problem_.code == fault::DataEnds)
     problem_ = {};  // the pixels are complete, only the trailer is missing
   while (!problem_.any() && state_->block_state != ISAL_BLOCK_FINISH) {
     std::array<std::uint8_t, 64> beyond;
@@ -124,7 +123,7 @@ bool PngStream::checkEnd() {
     state_->next_out = beyond.data();
     state_->avail_out = std::uint32_t(beyond.size());
     const int result = isal_inflate(state_.get());
-    if (result == ISAL_INCORRECT_CHECKSUM) problem_ = ReasonCode::PixelChecksumWrong;
+    if (result == ISAL_INCORRECT_CHECKSUM) problem_ = fault::PixelChecksumWrong;
     // More pixels than declared, or nonsense behind the last one: neither is anybody's map.
     if (result < 0 || state_->avail_out < beyond.size()) break;
   }
@@ -136,7 +135,7 @@ bool PngStream::checkEnd() {
     state_->avail_in = 0;
     if (!nextInput()) break;
   }
-  if (problem_.code == ReasonCode::DataEnds) problem_ = {};
+  if (problem_.code == fault::DataEnds) problem_ = {};
   return !problem_.any();
 }
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "fault/fault.h"
 #include "grids/byte_source.h"
-#include "map/reason.h"
 
 struct inflate_state;
 
@@ -24,7 +24,7 @@ class PngStream {
   /// Looks at the checksums behind the last byte that is needed. False: see problem().
   bool checkEnd();
   /// "its data ends", "its checksum is wrong", .. ; empty = nothing is wrong.
-  const map::Reason& problem() const { return problem_; }
+  const Fault& problem() const { return problem_; }
   std::uint64_t compressedBytes() const { return bytes_.size(); }
 
  private:
@@ -41,7 +41,7 @@ class PngStream {
   std::unique_ptr<inflate_state> state_;
   std::vector<std::uint8_t> window_;
   std::size_t begin_ = 0, end_ = 0;  // unpacked and not taken yet
-  map::Reason problem_;
+  Fault problem_;
 };
 
 }  // namespace mapwright::grids

@@ -7,19 +7,17 @@
 #include <memory>
 #include <vector>
 
+#include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "grids/byte_source.h"
+#include "grids/faults.h"
 #include "grids/picture_rows.h"
 #include "grids/picture_shades.h"
 #include "grids/png_writer.h"
-#include "reasons/file_reason.h"
 
 namespace mapwright::grids {
 
 namespace {
-
-using map::Reason;
-using map::ReasonCode;
 
 bool endsWith(const std::string& path, const char* ending) {
   const std::size_t length = std::strlen(ending);
@@ -113,14 +111,14 @@ class RowPixels {
   bool alpha_, as_is_;
 };
 
-std::optional<Reason> readBack(const GridPyramid& cells, const std::string& path,
-                               const map::CellReading& reading) {
+std::optional<Fault> readBack(const GridPyramid& cells, const std::string& path,
+                              const map::CellReading& reading) {
   GridOptions options;
   options.reading = reading;
   options.code = cells.code();
   options.reduction = cells.reduction();
-  const auto differs = [&path](std::vector<Reason> why = {}) {
-    return Reason(ReasonCode::PictureReadsOtherwise, {path}, std::move(why));
+  const auto differs = [&path](std::vector<Fault> why = {}) {
+    return Fault(fault::PictureReadsOtherwise, {path}, std::move(why));
   };
   auto opened = openGridFile(path, options);
   if (!opened) return differs({opened.error()});
@@ -149,29 +147,29 @@ bool holdsUnknown(const map::CellReading& reading, CellCode code, const std::str
   return shadesFor(reading).canBe(unknownByte(code), endsWith(path, ".png"));
 }
 
-std::optional<map::Reason> rewritePicture(const GridPyramid& cells, const std::string& path,
-                                          const map::CellReading& reading) {
-  const auto kept = [](Reason reason) { return std::move(reason).followedBy(map::Consequence::LeftAsItIs); };
+std::optional<Fault> rewritePicture(const GridPyramid& cells, const std::string& path,
+                                    const map::CellReading& reading) {
+  const auto kept = [](Fault reason) { return std::move(reason).followedBy(Consequence::LeftAsItIs); };
   auto bytes = ByteSource::open(path);
-  if (!bytes) return kept({ReasonCode::PictureFileNotOpened, {path}, {map::said(std::strerror(errno))}});
+  if (!bytes) return kept({fault::PictureFileNotOpened, {path}, {fault::said(std::strerror(errno))}});
   const Format format = formatOf(*bytes);
-  if (format == Format::Other) return kept({ReasonCode::PictureOnlyRead, {path}});
+  if (format == Format::Other) return kept({fault::PictureOnlyRead, {path}});
   auto before = openPicture(std::move(*bytes));
   if (!before) return kept(std::move(before.error()));
   const PixelFormat pixels = (*before)->format();
   if (pixels.width != cells.width() || pixels.height != cells.height())
-    return kept({ReasonCode::PictureOfOtherSize, {path}});
+    return kept({fault::PictureOfOtherSize, {path}});
 
   const PictureShades shades = shadesFor(reading);
   const bool as_is = reading.mode == map::CellReading::Mode::Picture;
   const std::array<bool, 256> seen = bytesIn(cells);
-  if (Reason trouble = cells.trouble(); trouble.any()) return kept(std::move(trouble));
+  if (Fault trouble = cells.trouble(); trouble.any()) return kept(std::move(trouble));
   bool alpha = as_is && format == Format::Png && pixels.has_alpha && seen[kTransparentGray];
   for (std::size_t cell = 0; cell < seen.size(); ++cell) {
     if (!seen[cell] || shades.shade_of[cell]) continue;
     alpha = true;
     if (format != Format::Png || cell != shades.transparent)
-      return kept({ReasonCode::CellWithoutShade, {path, std::int64_t(cell)}});
+      return kept({fault::CellWithoutShade, {path, std::int64_t(cell)}});
   }
 
   disk::WrittenFile file(path);
@@ -192,8 +190,8 @@ std::optional<map::Reason> rewritePicture(const GridPyramid& cells, const std::s
       good = png.row(out.data(), out.size());
     }
   }
-  if (!good && file.good()) return kept({ReasonCode::EncoderFailed, {path}});
-  if (const auto fault = file.place()) return reasons::notWritten(*fault);
+  if (!good && file.good()) return kept({fault::EncoderFailed, {path}});
+  if (const auto fault = file.place()) return disk::notWritten(*fault);
   return readBack(cells, path, reading);
 }
 

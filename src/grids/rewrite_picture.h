@@ -17,7 +17,7 @@ bool holdsUnknown(const map::CellReading& reading, CellCode code, const std::str
 /// whole or not at all, so that it reads back to the same cells by `reading`: then it is read back and
 /// compared. Pixels of 8-bit grays stay as they are where they read to the wanted cell already. `cells` has
 /// the picture's size and its code. nullopt = written, else why not.
-std::optional<map::Reason> rewritePicture(const GridPyramid& cells, const std::string& path,
-                                          const map::CellReading& reading);
+std::optional<Fault> rewritePicture(const GridPyramid& cells, const std::string& path,
+                                    const map::CellReading& reading);
 
 }  // namespace mapwright::grids

@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "grids/faults.h"
 #include "grids/reduce_grid.h"
 
 namespace mapwright::grids {
@@ -77,8 +78,8 @@ std::uint64_t hashOf(const std::string& text) {
   return hash;
 }
 
-map::Reason notKept(const std::string& folder, map::Reason why) {
-  return {map::ReasonCode::MapsNotKept, {folder}, {std::move(why)}, map::Consequence::ReadAnewEachTime};
+Fault notKept(const std::string& folder, Fault why) {
+  return {fault::MapsNotKept, {folder}, {std::move(why)}, Consequence::ReadAnewEachTime};
 }
 
 class SidecarPyramid final : public GridPyramid {
@@ -195,7 +196,7 @@ void SidecarDraft::begin(TileStore& store) {
   std::string name = key_.path() + kDraftMark + "XXXXXX";
   const int fd = ::mkostemp(name.data(), O_CLOEXEC);
   if (fd < 0) {
-    trouble_ = notKept(key_.folder, map::said(failed ? failed.message() : std::strerror(errno)));
+    trouble_ = notKept(key_.folder, fault::said(failed ? failed.message() : std::strerror(errno)));
     return;
   }
   aside_ = name;
@@ -228,7 +229,7 @@ void SidecarDraft::keep(TileStore& store) {
     aside_.clear();
     pruneSidecars(key_.folder, kSidecarBudget);
   } else {
-    trouble_ = notKept(key_.folder, map::ReasonCode::DiskMayBeFull);
+    trouble_ = notKept(key_.folder, fault::DiskMayBeFull);
   }
 }
 

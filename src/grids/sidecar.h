@@ -49,14 +49,14 @@ class SidecarDraft {
   /// After the last one: the file gets its name, and old ones go when the folder is too full.
   void keep(TileStore& store);
   /// Why nothing could be kept, as a sentence; empty = it is kept, or was not to be.
-  const map::Reason& trouble() const { return trouble_; }
+  const Fault& trouble() const { return trouble_; }
 
  private:
   bool writeEnds(const TileStore& store) const;
   SidecarKey key_;
   std::string aside_;  // empty: there is no file, or it has its name
   bool begun_ = false;
-  map::Reason trouble_;
+  Fault trouble_;
 };
 
 /// Removes the side-cars that were used least recently until at most `most_bytes` are left, and drafts that

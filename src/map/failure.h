@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "map/subject.h"
 
 namespace mapwright::map {
@@ -62,7 +62,7 @@ struct Failure {
   std::vector<std::string> arguments = {};  // of the sentence, in the order that its reason asks for
   AskedFor asked_for = AskedFor::All;
   FailureReason reason = FailureReason::Told;
-  Reason cause = {};  // what is wrong with what came, instead of detail
+  Fault cause = {};  // what is wrong with what came, instead of detail
   bool operator==(const Failure&) const = default;
 };
 

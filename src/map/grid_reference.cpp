@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "map/faults.h"
+
 namespace mapwright::map {
 namespace {
 
@@ -27,15 +29,15 @@ geometry::WorldRect GridReference::bounds() const {
   return rect;
 }
 
-std::optional<Reason> whyUnusable(const GridReference& grid) {
-  if (!std::isfinite(grid.resolution_m)) return ReasonCode::ResolutionNoNumber;
-  if (grid.resolution_m <= 0) return Reason(ReasonCode::ResolutionNotPositive, {grid.resolution_m});
+std::optional<Fault> whyUnusable(const GridReference& grid) {
+  if (!std::isfinite(grid.resolution_m)) return fault::ResolutionNoNumber;
+  if (grid.resolution_m <= 0) return Fault(fault::ResolutionNotPositive, {grid.resolution_m});
   if (grid.resolution_m < kFinestM || grid.resolution_m > kCoarsestM) {
-    return Reason(ReasonCode::ResolutionOutOfBounds, {grid.resolution_m});
+    return Fault(fault::ResolutionOutOfBounds, {grid.resolution_m});
   }
-  if (!std::isfinite(grid.origin.x_m) || !std::isfinite(grid.origin.y_m)) return ReasonCode::OriginNoNumber;
+  if (!std::isfinite(grid.origin.x_m) || !std::isfinite(grid.origin.y_m)) return fault::OriginNoNumber;
   if (std::abs(grid.origin.x_m) > kFarthestM || std::abs(grid.origin.y_m) > kFarthestM)
-    return ReasonCode::OriginTooFar;
+    return fault::OriginTooFar;
   return std::nullopt;
 }
 

@@ -4,9 +4,9 @@
 
 #include <optional>
 
+#include "fault/fault.h"
 #include "geometry/pose.h"
 #include "geometry/rect.h"
-#include "map/reason.h"
 
 namespace mapwright::map {
 
@@ -30,6 +30,6 @@ struct GridReference {
 /// cell." A width and height of 0 are fine. Refused: a resolution that is not finite, not positive, below 0.1
 /// mm or above 1 km; an origin that is not finite or farther than 10,000 km. A yaw that is not finite is not
 /// refused here: readers take it as 0 and say so (maps with "nan" as yaw exist).
-std::optional<Reason> whyUnusable(const GridReference& grid);
+std::optional<Fault> whyUnusable(const GridReference& grid);
 
 }  // namespace mapwright::map

@@ -261,7 +261,7 @@ struct BarcodeMessage {
 /// A message that could not be read, for the list of problems.
 struct UnreadableMessage {
   std::string topic;
-  Reason reason;
+  Fault reason;
   bool operator==(const UnreadableMessage&) const = default;
 };
 

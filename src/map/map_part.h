@@ -11,8 +11,8 @@
 
 #include <Eigen/Core>
 
+#include "fault/fault.h"
 #include "map/grid_reference.h"
-#include "map/reason.h"
 
 namespace mapwright::map {
 
@@ -37,8 +37,8 @@ struct GridPart {
   std::string frame;  // without a leading slash; empty = it did not say
   GridReference grid;
   std::shared_ptr<const std::vector<std::int8_t>>
-      cells;                  // row 0 = bottom; -1 unknown, 0 free .. 100 occupied
-  std::vector<Reason> notes;  // what is odd about it
+      cells;                 // row 0 = bottom; -1 unknown, 0 free .. 100 occupied
+  std::vector<Fault> notes;  // what is odd about it
 };
 
 /// Points of a map. Immutable once made.
@@ -51,7 +51,7 @@ struct SpatialCloud {
   bool has_z = true;                    // false: it came without z, which is 0 then
   std::uint64_t left_out = 0;           // points that are no numbers, or absurdly far
   std::uint64_t missing = 0;            // points that it says it has, and that did not come
-  std::vector<Reason> notes;
+  std::vector<Fault> notes;
 };
 
 /// What of a map in space is laid on the plane. Source: rep130.md (ProjectedMapInfo).

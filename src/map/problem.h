@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "fault/fault.h"
 #include "map/failure.h"
-#include "map/reason.h"
 #include "map/subject.h"
 
 namespace mapwright::map {
@@ -28,7 +28,7 @@ enum class ProblemCode {
 struct Problem {
   Severity severity = Severity::Error;
   Subject subject;
-  Reason reason = {};  // none: the request tells it
+  Fault reason = {};  // none: the request tells it
   ProblemCode code = ProblemCode::Unspecified;
   FailureKind failure = FailureKind::None;
   std::optional<Failure> request = {};  // that failed

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "map/faults.h"
 #include "map/live_state.h"
 
 namespace mapwright::map {
@@ -123,28 +124,28 @@ std::optional<double> safetyChangesAt(const LiveState& live, double now_s) {
 }
 
 Problem problemOf(const SafetyCondition& condition) {
-  const auto found = [&](const char* id, ReasonCode code) {
+  const auto found = [&](const char* id, FaultCode code) {
     return Problem{condition.severity, Subject(SubjectKind::Condition, id), code};
   };
   switch (condition.kind) {
     case SafetyKind::EmergencyStop:
-      return found("emergency-stop", ReasonCode::EmergencyStop);
+      return found("emergency-stop", fault::EmergencyStop);
     case SafetyKind::PositionLost:
-      return found("position-lost", ReasonCode::PositionLost);
+      return found("position-lost", fault::PositionLost);
     case SafetyKind::WheelsReleased:
-      return found("wheels-released", ReasonCode::WheelsReleased);
+      return found("wheels-released", fault::WheelsReleased);
     case SafetyKind::ManualControl:
-      return found("manual-control", ReasonCode::ManualControl);
+      return found("manual-control", fault::ManualControl);
     case SafetyKind::PositionUncertain:
-      return found("position-uncertain", ReasonCode::PositionUncertain);
+      return found("position-uncertain", fault::PositionUncertain);
     case SafetyKind::WheelsSlipping:
-      return found("wheels-slipping", ReasonCode::WheelsSlipping);
+      return found("wheels-slipping", fault::WheelsSlipping);
     case SafetyKind::Alert:
       break;
   }
   const std::string id = condition.code == 0 ? "alert" : "alert:" + std::to_string(condition.code);
   return {condition.severity, Subject(SubjectKind::Condition, id),
-          condition.text.empty() ? Reason(ReasonCode::AlertWithoutText) : said(condition.text)};
+          condition.text.empty() ? Fault(fault::AlertWithoutText) : fault::said(condition.text)};
 }
 
 }  // namespace mapwright::map

@@ -53,7 +53,7 @@ struct SubmapList {
   SlamState slam_state = SlamState::Invalid;
   std::string uuid;
   std::vector<SubmapEntry> entries;
-  std::vector<Reason> rejected;
+  std::vector<Fault> rejected;
   bool operator==(const SubmapList&) const = default;
 };
 
@@ -79,7 +79,7 @@ struct SubmapAnswer {
   };
   SubmapKey key;  // as it was asked
   Outcome outcome = Outcome::Failed;
-  Reason reason;                 // none when Ok
+  Fault reason;                  // none when Ok
   std::int32_t version = 0;      // the answer's own version; 0 = the robot did not say
   std::vector<RawSlice> slices;  // by slice id
   std::size_t bytes = 0;         // payload size

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 
 namespace mapwright::map {
 
@@ -26,7 +26,7 @@ struct Waypoint {
 /// The places of one map. `notes`: what is odd about them.
 struct WaypointList {
   std::vector<Waypoint> points;
-  std::vector<Reason> notes;
+  std::vector<Fault> notes;
 };
 
 }  // namespace mapwright::map

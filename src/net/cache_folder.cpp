@@ -118,10 +118,10 @@ CacheFolder::Read CacheFolder::read(const QByteArray& name, const QByteArray& ur
   return {std::move(record), false};
 }
 
-Reason CacheFolder::remove(const QByteArray& name) {
+Fault CacheFolder::remove(const QByteArray& name) {
   QFile file(pathOf(name));
   if (file.exists() && !file.remove()) {
-    return {ReasonCode::FileNotRemoved, {file.fileName(), file.errorString()}};
+    return faultOf(fault::FileNotRemoved, {file.fileName(), file.errorString()});
   }
   if (const auto entry = index_.find(name); entry != index_.end()) {
     bytes_ -= entry->bytes;
@@ -130,13 +130,13 @@ Reason CacheFolder::remove(const QByteArray& name) {
   return {};
 }
 
-Reason CacheFolder::makeFolder(const QString& path) const {
+Fault CacheFolder::makeFolder(const QString& path) const {
   if (QFileInfo(path).isDir()) return {};
   if (QDir().mkpath(path) && QFile::setPermissions(path, kPrivateFolder)) return {};
-  return {ReasonCode::FolderNotMade, {path}};
+  return faultOf(fault::FolderNotMade, {path});
 }
 
-Reason CacheFolder::keep(const QByteArray& name, const CacheRecord& record, qint64 now_ms) {
+Fault CacheFolder::keep(const QByteArray& name, const CacheRecord& record, qint64 now_ms) {
   QByteArray content;
   content.reserve(qsizetype(fileBytes(record)));
   QDataStream stream(&content, QIODevice::WriteOnly);
@@ -151,18 +151,18 @@ Reason CacheFolder::keep(const QByteArray& name, const CacheRecord& record, qint
   int failure = tryIt();
   if (failure == ENOENT) {
     for (const QString& folder : {folder_, QFileInfo(path).path()}) {
-      if (Reason why = makeFolder(folder); why.any()) return why;
+      if (Fault why = makeFolder(folder); why.any()) return why;
     }
     failure = tryIt();
   }
   if (failure != 0) {
-    return {ReasonCode::FileNotKept, {path, QString::fromLocal8Bit(std::strerror(failure))}};
+    return faultOf(fault::FileNotKept, {path, QString::fromLocal8Bit(std::strerror(failure))});
   }
   Entry& entry = index_[name];
   const qint64 size = kMagicBytes + kChecksumBytes + content.size();
   bytes_ += size - entry.bytes;
   entry = {size, now_ms};
-  return bytes_ > budget_bytes_ ? evict(name) : Reason();
+  return bytes_ > budget_bytes_ ? evict(name) : Fault();
 }
 
 void CacheFolder::scan() {
@@ -188,7 +188,7 @@ void CacheFolder::scan() {
   }
 }
 
-Reason CacheFolder::evict(const QByteArray& keep) {
+Fault CacheFolder::evict(const QByteArray& keep) {
   scan();  // another process may have made room, or used some
   std::vector<std::pair<qint64, QByteArray>> oldest_first;
   oldest_first.reserve(std::size_t(index_.size()));
@@ -197,10 +197,10 @@ Reason CacheFolder::evict(const QByteArray& keep) {
   }
   std::sort(oldest_first.begin(), oldest_first.end());
   const qint64 goal = budget_bytes_ - budget_bytes_ / 10;  // so that not every store has to make room
-  Reason trouble;
+  Fault trouble;
   for (const auto& [last_use_ms, name] : oldest_first) {
     if (bytes_ <= goal) break;
-    if (Reason why = remove(name); why.any()) trouble = std::move(why);
+    if (Fault why = remove(name); why.any()) trouble = std::move(why);
   }
   return trouble;
 }

@@ -10,7 +10,7 @@
 #include <QHash>
 #include <QString>
 
-#include "net/reason.h"
+#include "net/faults.h"
 
 namespace mapwright::net {
 
@@ -37,7 +37,7 @@ using WriteFile =
 int writeWhole(const std::string& path, const std::array<QByteArray, 3>& parts, qint64 now_ms);
 
 /// The folder and what is known of its files. Other processes may use it at the same time. read() and
-/// pathOf() on any thread, the others on one at a time. A Reason without a code says that all is well.
+/// pathOf() on any thread, the others on one at a time. A Fault without a code says that all is well.
 class CacheFolder {
  public:
   /// `budget_bytes` bounds the folder.
@@ -54,16 +54,16 @@ class CacheFolder {
   Read read(const QByteArray& name, const QByteArray& url, qint64 now_ms) const;
 
   /// At most budgetBytes() long (fileBytes). Makes room.
-  Reason keep(const QByteArray& name, const CacheRecord& record, qint64 now_ms);
-  Reason remove(const QByteArray& name);
+  Fault keep(const QByteArray& name, const CacheRecord& record, qint64 now_ms);
+  Fault remove(const QByteArray& name);
   /// Of all files.
   qint64 bytes();
 
  private:
   QString pathOf(const QByteArray& name) const;
-  Reason makeFolder(const QString& path) const;
+  Fault makeFolder(const QString& path) const;
   void scan();
-  Reason evict(const QByteArray& keep);
+  Fault evict(const QByteArray& keep);
 
   struct Entry {
     qint64 bytes = 0;

@@ -10,7 +10,7 @@ qint64 bytesOf(const CacheWriter::Errand& errand) { return errand.record ? fileB
 
 }  // namespace
 
-CacheWriter::CacheWriter(CacheFolder& folder, std::function<void(const Reason& why)> failed)
+CacheWriter::CacheWriter(CacheFolder& folder, std::function<void(const Fault& why)> failed)
     : folder_(folder), failed_(std::move(failed)) {}
 
 CacheWriter::~CacheWriter() {
@@ -75,9 +75,9 @@ void CacheWriter::work() {
     order_.pop_front();
     under_way_ = errands_.take(name_under_way_);
     lock.unlock();
-    const Reason why = under_way_->record
-                           ? folder_.keep(name_under_way_, *under_way_->record, under_way_->now_ms)
-                           : folder_.remove(name_under_way_);
+    const Fault why = under_way_->record
+                          ? folder_.keep(name_under_way_, *under_way_->record, under_way_->now_ms)
+                          : folder_.remove(name_under_way_);
     if (why.any()) failed_(why);
     lock.lock();
     waiting_bytes_ -= bytesOf(*under_way_);

@@ -14,7 +14,7 @@
 #include <QThread>
 
 #include "net/cache_folder.h"
-#include "net/reason.h"
+#include "net/faults.h"
 
 namespace mapwright::net {
 
@@ -34,7 +34,7 @@ class CacheWriter {
 
   /// `folder` outlives it and is left alone by others, but for what may be done on any thread. `failed` is
   /// called on the writer's thread.
-  CacheWriter(CacheFolder& folder, std::function<void(const Reason& why)> failed);
+  CacheWriter(CacheFolder& folder, std::function<void(const Fault& why)> failed);
   /// Does what waits.
   ~CacheWriter();
   CacheWriter(const CacheWriter&) = delete;
@@ -52,7 +52,7 @@ class CacheWriter {
   void work();
 
   CacheFolder& folder_;
-  const std::function<void(const Reason& why)> failed_;
+  const std::function<void(const Fault& why)> failed_;
   mutable std::mutex mutex_;
   std::condition_variable asked_, done_;
   QHash<QByteArray, Errand> errands_;  // by name

@@ -21,7 +21,7 @@ QByteArray nameOf(const QUrl& url) {
 HttpCache::HttpCache(QString folder, qint64 budget_bytes, Now now, WriteFile write)
     : now_(std::move(now)),
       folder_(std::move(folder), budget_bytes, std::move(write)),
-      writer_(folder_, [this](const Reason& why) { noteFailure(why); }) {}
+      writer_(folder_, [this](const Fault& why) { noteFailure(why); }) {}
 
 HttpCache::~HttpCache() = default;
 
@@ -117,7 +117,7 @@ qint64 HttpCache::bytes() {
   return folder_.bytes();  // the writer rests until it is asked again, and only this thread asks
 }
 
-void HttpCache::noteFailure(const Reason& why) {
+void HttpCache::noteFailure(const Fault& why) {
   const std::lock_guard lock(mutex_);
   last_error_ = why;
   if (untold_) return;  // it is under way
@@ -127,7 +127,7 @@ void HttpCache::noteFailure(const Reason& why) {
 }
 
 void HttpCache::tell() {
-  std::optional<Reason> why;
+  std::optional<Fault> why;
   {
     const std::lock_guard lock(mutex_);
     why = std::exchange(untold_, std::nullopt);
@@ -136,7 +136,7 @@ void HttpCache::tell() {
   if (const Trouble tell = std::exchange(trouble_, nullptr)) tell(*why);
 }
 
-Reason HttpCache::lastError() const {
+Fault HttpCache::lastError() const {
   const std::lock_guard lock(mutex_);
   return last_error_;
 }

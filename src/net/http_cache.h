@@ -13,7 +13,7 @@
 
 #include "net/cache_folder.h"
 #include "net/cache_writer.h"
-#include "net/reason.h"
+#include "net/faults.h"
 
 namespace mapwright::net {
 
@@ -33,7 +33,7 @@ struct CachedAnswer {
 class HttpCache {
  public:
   using Now = std::function<QDateTime()>;
-  using Trouble = std::function<void(const Reason& why)>;
+  using Trouble = std::function<void(const Fault& why)>;
   /// `budget_bytes` bounds the folder; the files used longest ago are removed first. `now` is called on the
   /// owner's thread, `write` on the writer's.
   HttpCache(QString folder, qint64 budget_bytes, Now now = &QDateTime::currentDateTimeUtc,
@@ -58,7 +58,7 @@ class HttpCache {
   void flush();
   /// Of all files, after a flush().
   qint64 bytes();
-  Reason lastError() const;
+  Fault lastError() const;
   /// Told once, the first time that something cannot be kept or removed: on the owner's thread, from its
   /// event loop or from flush() and bytes().
   void setTrouble(Trouble trouble) { trouble_ = std::move(trouble); }
@@ -67,14 +67,14 @@ class HttpCache {
  private:
   std::optional<CacheRecord> read(const QByteArray& name, const QUrl& url);
   void keep(const QByteArray& name, CacheRecord record);
-  void noteFailure(const Reason& why);  // on the writer's thread
+  void noteFailure(const Fault& why);  // on the writer's thread
   void tell();
 
   const Now now_;
   Trouble trouble_;
   mutable std::mutex mutex_;  // of the two below
-  Reason last_error_;
-  std::optional<Reason> untold_;
+  Fault last_error_;
+  std::optional<Fault> untold_;
   QObject here_;  // the owner's thread
   CacheFolder folder_;
   CacheWriter writer_;  // goes first

@@ -47,7 +47,7 @@ class HttpClient::Impl {
 
   void cancel(RequestId id) {
     if (jobs_.contains(id)) {
-      finish(id, failure(HttpAnswer::Kind::Cancelled, ReasonCode::RequestCancelled));
+      finish(id, failure(HttpAnswer::Kind::Cancelled, fault::RequestCancelled));
     }
   }
 
@@ -98,7 +98,7 @@ class HttpClient::Impl {
     const QString scheme = job->url.scheme();
     if (!job->url.isValid() || job->url.host().isEmpty() ||
         (scheme != QLatin1String("http") && scheme != QLatin1String("https"))) {
-      finish(id, failure(HttpAnswer::Kind::Refused, ReasonCode::NoWebAddress));
+      finish(id, failure(HttpAnswer::Kind::Refused, fault::NoWebAddress));
       return;
     }
     const bool unusable = unusable_.remove(job->url.toEncoded());
@@ -162,9 +162,9 @@ class HttpClient::Impl {
       job.silence->setSingleShot(true);
       QObject::connect(job.silence.get(), &QTimer::timeout, owner_, [this, id] {
         if (const HttpJob* silent = active(id)) {
-          finish(id, failure(HttpAnswer::Kind::TimedOut,
-                             Reason(ReasonCode::NoAnswerWithin,
-                                    {durationWords(silent->request.timeout.count())})));
+          finish(id,
+                 failure(HttpAnswer::Kind::TimedOut,
+                         faultOf(fault::NoAnswerWithin, {durationWords(silent->request.timeout.count())})));
         }
       });
     }
@@ -235,7 +235,7 @@ class HttpClient::Impl {
         return false;
       }
       if (!keep(*job, part)) {
-        finish(id, failure(HttpAnswer::Kind::Cancelled, ReasonCode::RequestCancelled));
+        finish(id, failure(HttpAnswer::Kind::Cancelled, fault::RequestCancelled));
         return false;
       }
     }
@@ -294,16 +294,16 @@ class HttpClient::Impl {
   void follow(RequestId id, HttpJob& job) {
     const QUrl target = job.url.resolved(QUrl::fromEncoded(job.network_reply->rawHeader("Location")));
     if (!target.isValid() || !sameOrigin(target, job.url)) {
-      finish(id, failure(HttpAnswer::Kind::Refused,
-                         Reason(ReasonCode::LeadsToAnotherServer, {hostAndPort(target)})));
+      finish(id,
+             failure(HttpAnswer::Kind::Refused, faultOf(fault::LeadsToAnotherServer, {hostAndPort(target)})));
       return;
     }
     if (job.request.method != HttpMethod::Get) {
-      finish(id, failure(HttpAnswer::Kind::Refused, ReasonCode::LeadsToAnotherAddress));
+      finish(id, failure(HttpAnswer::Kind::Refused, fault::LeadsToAnotherAddress));
       return;
     }
     if (++job.redirects > kMaxRedirects) {
-      finish(id, failure(HttpAnswer::Kind::Refused, ReasonCode::LeadsInCircles));
+      finish(id, failure(HttpAnswer::Kind::Refused, fault::LeadsInCircles));
       return;
     }
     job.network_reply->disconnect(owner_);

@@ -13,7 +13,7 @@
 #include <QString>
 #include <QUrl>
 
-#include "net/reason.h"
+#include "net/faults.h"
 #include "net/trust.h"
 
 namespace mapwright::net {
@@ -70,8 +70,8 @@ struct HttpAnswer {
   bool sent = false;
   QByteArray body;
   QByteArray content_type;
-  Reason reason;  // why it is not a 2xx; None = it is
-  QString said;   // what the robot itself said about its error; plain text likewise, empty = nothing
+  Fault reason;  // why it is not a 2xx; None = it is
+  QString said;  // what the robot itself said about its error; plain text likewise, empty = nothing
   bool from_cache = false;                      // the body did not travel: fresh on disk, or 304
   std::optional<CertificateFault> certificate;  // of Kind::Certificate
   bool ok() const { return kind == Kind::Answered && status >= 200 && status < 300; }

@@ -26,23 +26,23 @@ bool neverConnected(QNetworkReply::NetworkError error) {
 
 QString grouped(qint64 number) { return QLocale(QLocale::English).toString(number); }
 
-Reason whyUnreachable(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
+Fault whyUnreachable(QNetworkReply::NetworkError error, const QString& error_text, const QUrl& url) {
   switch (error) {
     case QNetworkReply::ConnectionRefusedError:
-      return {ReasonCode::ConnectionRefused, {hostAndPort(url)}};
+      return faultOf(fault::ConnectionRefused, {hostAndPort(url)});
     case QNetworkReply::HostNotFoundError:
-      return {ReasonCode::HostUnknown, {plainText(url.host())}};
+      return faultOf(fault::HostUnknown, {plainText(url.host())});
     case QNetworkReply::RemoteHostClosedError:
     case QNetworkReply::ContentReSendError:  // it was closed before an answer, and nothing is sent twice
-      return ReasonCode::ConnectionClosed;
+      return fault::ConnectionClosed;
     case QNetworkReply::SslHandshakeFailedError:
-      return {ReasonCode::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)}};
+      return faultOf(fault::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)});
     case QNetworkReply::TimeoutError:
-      return {ReasonCode::HostSilent, {hostAndPort(url)}};
+      return faultOf(fault::HostSilent, {hostAndPort(url)});
     case QNetworkReply::UnknownNetworkError:
-      return {ReasonCode::ConnectionBroke, {hostAndPort(url)}};
+      return faultOf(fault::ConnectionBroke, {hostAndPort(url)});
     default:
-      return {ReasonCode::HostNotReached, {hostAndPort(url), plainText(error_text)}};
+      return faultOf(fault::HostNotReached, {hostAndPort(url), plainText(error_text)});
   }
 }
 
@@ -152,7 +152,7 @@ bool maySent(const HttpJob& job, HttpAnswer::Kind kind) {
   return !has_body && !long_ago;
 }
 
-HttpAnswer failure(HttpAnswer::Kind kind, Reason reason) {
+HttpAnswer failure(HttpAnswer::Kind kind, Fault reason) {
   HttpAnswer answer;
   answer.kind = kind;
   answer.reason = std::move(reason);
@@ -165,16 +165,14 @@ HttpAnswer unreachable(const HttpJob& job) {
 }
 
 HttpAnswer tooLarge(const HttpJob& job) {
-  return failure(HttpAnswer::Kind::TooLarge,
-                 Reason(ReasonCode::AnswerTooLong, {grouped(job.request.max_bytes)}));
+  return failure(HttpAnswer::Kind::TooLarge, faultOf(fault::AnswerTooLong, {grouped(job.request.max_bytes)}));
 }
 
 HttpAnswer brokenOff(const HttpJob& job) {
   const qint64 length = declaredLength(*job.network_reply);
   return failure(HttpAnswer::Kind::Unreachable,
-                 length > 0
-                     ? Reason(ReasonCode::AnswerBrokeOffEarly, {grouped(job.received()), grouped(length)})
-                     : Reason(ReasonCode::AnswerBrokeOff, {grouped(job.received())}));
+                 length > 0 ? faultOf(fault::AnswerBrokeOffEarly, {grouped(job.received()), grouped(length)})
+                            : faultOf(fault::AnswerBrokeOff, {grouped(job.received())}));
 }
 
 HttpAnswer answerOf(HttpJob& job, int status) {
@@ -185,9 +183,9 @@ HttpAnswer answerOf(HttpJob& job, int status) {
   answer.body = std::move(job.body);
   if (!answer.ok()) {
     answer.said = errorText(answer.body, answer.content_type);
-    answer.reason = answer.said.isEmpty()
-                        ? Reason(ReasonCode::AnsweredWithStatus, {}, status)
-                        : Reason(ReasonCode::AnsweredWithStatusSaying, {answer.said}, status);
+    answer.reason = answer.said.isEmpty() ? Fault(fault::AnsweredWithStatus, {HttpStatus{status}})
+                                          : Fault(fault::AnsweredWithStatusSaying,
+                                                  {HttpStatus{status}, answer.said.toStdString()});
   }
   return answer;
 }

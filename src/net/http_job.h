@@ -52,7 +52,7 @@ bool isShort(const HttpJob& job, int status);
 /// Whether anything of the request may have left this computer, where the job ends as `kind`.
 bool maySent(const HttpJob& job, HttpAnswer::Kind kind);
 
-HttpAnswer failure(HttpAnswer::Kind kind, Reason reason);
+HttpAnswer failure(HttpAnswer::Kind kind, Fault reason);
 /// No status came: why, in the reply's own words.
 HttpAnswer unreachable(const HttpJob& job);
 HttpAnswer tooLarge(const HttpJob& job);

@@ -7,6 +7,8 @@
 #include <QJsonObject>
 #include <QRegularExpression>
 
+#include "net/faults.h"
+
 namespace mapwright::net {
 
 namespace {
@@ -127,6 +129,12 @@ QByteArray headerSafe(const QByteArray& value) {
   std::copy_if(value.begin(), value.end(), std::back_inserter(safe),
                [](char c) { return std::uint8_t(c) >= 0x20 && c != 0x7f; });
   return safe;
+}
+
+Fault faultOf(const FaultCode& code, const QStringList& arguments) {
+  Fault fault(code);
+  for (const QString& argument : arguments) fault.arguments.emplace_back(argument.toStdString());
+  return fault;
 }
 
 }  // namespace mapwright::net

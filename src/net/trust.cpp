@@ -71,33 +71,33 @@ Kind kindOf(const QSslError& error, const QSslCertificate& leaf) {
   }
 }
 
-Reason detailed(Kind kind, const QSslCertificate& leaf, const QSslError& error) {
+Fault detailed(Kind kind, const QSslCertificate& leaf, const QSslError& error) {
   switch (kind) {
     case Kind::SelfSigned:
-      return ReasonCode::SelfSigned;
+      return fault::SelfSigned;
     case Kind::UnknownAuthority: {
       const QString issuer = issuerOf(leaf);
-      if (issuer.isEmpty()) return ReasonCode::AuthorityUnnamed;
-      return {ReasonCode::AuthorityUnknown, {issuer}};
+      if (issuer.isEmpty()) return fault::AuthorityUnnamed;
+      return faultOf(fault::AuthorityUnknown, {issuer});
     }
     case Kind::Expired:
-      if (error.certificate() == leaf) return {ReasonCode::CertificateExpired, {day(leaf.expiryDate())}};
-      return {ReasonCode::AuthorityExpired, {day(error.certificate().expiryDate())}};
+      if (error.certificate() == leaf) return faultOf(fault::CertificateExpired, {day(leaf.expiryDate())});
+      return faultOf(fault::AuthorityExpired, {day(error.certificate().expiryDate())});
     case Kind::NotYetValid:
-      return {ReasonCode::CertificateNotYetValid, {day(leaf.effectiveDate())}};
+      return faultOf(fault::CertificateNotYetValid, {day(leaf.effectiveDate())});
     case Kind::OtherName: {
       const QString name = nameOf(leaf);
-      if (name.isEmpty()) return ReasonCode::CertificateWithoutName;
-      return {ReasonCode::CertificateOfOtherName, {name}};
+      if (name.isEmpty()) return fault::CertificateWithoutName;
+      return faultOf(fault::CertificateOfOtherName, {name});
     }
     case Kind::Revoked:
-      return ReasonCode::CertificateWithdrawn;
+      return fault::CertificateWithdrawn;
     case Kind::Changed:
-      return ReasonCode::CertificateIsAnother;
+      return fault::CertificateIsAnother;
     case Kind::Other:
       break;
   }
-  return {ReasonCode::Said, {plainText(error.errorString())}};
+  return faultOf(fault::Said, {plainText(error.errorString())});
 }
 
 }  // namespace
@@ -111,12 +111,12 @@ QByteArray fingerprintFrom(const QString& text) {
   return bytes.size() == kSha256Bytes ? bytes : QByteArray();
 }
 
-Reason reasonOf(const CertificateFault& fault) {
+Fault reasonOf(const CertificateFault& fault) {
   if (fault.reasons.contains(Kind::Changed)) {
-    return {ReasonCode::CertificateChanged,
-            {fault.host, fingerprintText(fault.pinned_sha256), fingerprintText(fault.sha256)}};
+    return faultOf(fault::CertificateChanged,
+                   {fault.host, fingerprintText(fault.pinned_sha256), fingerprintText(fault.sha256)});
   }
-  Reason reason(ReasonCode::CertificateUntrusted, {fault.host, fingerprintText(fault.sha256)});
+  Fault reason = faultOf(fault::CertificateUntrusted, {fault.host, fingerprintText(fault.sha256)});
   reason.because = fault.whys;
   return reason;
 }
@@ -157,16 +157,16 @@ std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificat
   return fault;
 }
 
-tl::expected<QList<QSslCertificate>, Reason> readAuthorities(const QString& file) {
+tl::expected<QList<QSslCertificate>, Fault> readAuthorities(const QString& file) {
   QFile source(file);
   if (!source.open(QIODevice::ReadOnly)) {
     return tl::make_unexpected(
-        Reason(ReasonCode::AuthoritiesNotRead, {plainText(file), plainText(source.errorString())}));
+        faultOf(fault::AuthoritiesNotRead, {plainText(file), plainText(source.errorString())}));
   }
   const QList<QSslCertificate> certificates = QSslCertificate::fromData(source.read(kLongestFile), QSsl::Pem);
   if (certificates.isEmpty() ||
       std::any_of(certificates.begin(), certificates.end(), [](const auto& one) { return one.isNull(); })) {
-    return tl::make_unexpected(Reason(ReasonCode::NoAuthoritiesInFile, {plainText(file)}));
+    return tl::make_unexpected(faultOf(fault::NoAuthoritiesInFile, {plainText(file)}));
   }
   return certificates;
 }

@@ -14,7 +14,7 @@
 #include <QUrl>
 #include <tl/expected.hpp>
 
-#include "net/reason.h"
+#include "net/faults.h"
 
 namespace mapwright::net {
 
@@ -38,9 +38,9 @@ struct CertificateFault {
     Revoked,
     Other
   };
-  QList<Reason> reasons;          // never empty
-  QString host;                   // "10.0.0.7:8443"
-  std::vector<net::Reason> whys;  // one of each of them, with its arguments: its day, a name
+  QList<Reason> reasons;    // never empty
+  QString host;             // "10.0.0.7:8443"
+  std::vector<Fault> whys;  // one of each of them, with its arguments: its day, a name
   QByteArray sha256, pinned_sha256;
   QString subject, issuer;  // untrusted plain text
   QDateTime from, until;
@@ -53,7 +53,7 @@ QString fingerprintText(const QByteArray& sha256);
 /// The reverse; blanks and colons do not matter. Empty when it is not 32 bytes.
 QByteArray fingerprintFrom(const QString& text);
 /// CertificateUntrusted or CertificateChanged, with its fingerprints.
-Reason reasonOf(const CertificateFault& fault);
+Fault reasonOf(const CertificateFault& fault);
 
 /// What to connect with. A pinned certificate is judged by acceptable() alone: no authority is asked then.
 QSslConfiguration configurationFor(const Trust& trust);
@@ -62,6 +62,6 @@ std::optional<CertificateFault> faultOf(const Trust& trust, const QSslCertificat
                                         const QList<QSslError>& errors, const QUrl& url);
 
 /// The certificates of a PEM file.
-tl::expected<QList<QSslCertificate>, Reason> readAuthorities(const QString& file);
+tl::expected<QList<QSslCertificate>, Fault> readAuthorities(const QString& file);
 
 }  // namespace mapwright::net

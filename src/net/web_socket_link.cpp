@@ -48,25 +48,25 @@ bool isForeignAnswer(QAbstractSocket::SocketError error, const QString& error_te
          error_text.contains(QLatin1String("QWebSocket"));
 }
 
-Reason whyNotConnected(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
+Fault whyNotConnected(QAbstractSocket::SocketError error, const QString& error_text, const QUrl& url) {
   if (isForeignAnswer(error, error_text)) {
-    return {ReasonCode::NoWebSocketThere, {hostAndPort(url)}};
+    return faultOf(fault::NoWebSocketThere, {hostAndPort(url)});
   }
   switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
-      return {ReasonCode::ConnectionRefused, {hostAndPort(url)}};
+      return faultOf(fault::ConnectionRefused, {hostAndPort(url)});
     case QAbstractSocket::HostNotFoundError:
-      return {ReasonCode::HostUnknown, {plainText(url.host())}};
+      return faultOf(fault::HostUnknown, {plainText(url.host())});
     case QAbstractSocket::RemoteHostClosedError:
-      return ReasonCode::ClosedBeforeOpen;
+      return fault::ClosedBeforeOpen;
     case QAbstractSocket::SslHandshakeFailedError:
-      return {ReasonCode::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)}};
+      return faultOf(fault::ConnectionNotSecure, {hostAndPort(url), plainText(error_text)});
     case QAbstractSocket::SocketTimeoutError:
-      return {ReasonCode::HostSilent, {hostAndPort(url)}};
+      return faultOf(fault::HostSilent, {hostAndPort(url)});
     case QAbstractSocket::UnknownSocketError:
-      return {ReasonCode::BrokeBeforeOpen, {hostAndPort(url)}};
+      return faultOf(fault::BrokeBeforeOpen, {hostAndPort(url)});
     default:
-      return {ReasonCode::HostNotReached, {hostAndPort(url), plainText(error_text)}};
+      return faultOf(fault::HostNotReached, {hostAndPort(url), plainText(error_text)});
   }
 }
 
@@ -89,7 +89,7 @@ class WebSocketLink::Impl {
     connect_limit_.setSingleShot(true);
     retry_.setSingleShot(true);
     QObject::connect(&connect_limit_, &QTimer::timeout, owner_,
-                     [this] { fail(Fault::TimedOut, noAnswer(options_.connect_timeout)); });
+                     [this] { fail(Failure::TimedOut, noAnswer(options_.connect_timeout)); });
     QObject::connect(&look_, &QTimer::timeout, owner_, [this] { look(); });
     QObject::connect(&retry_, &QTimer::timeout, owner_, [this] { startAttempt(); });
     if (!options_.wall) {
@@ -105,7 +105,7 @@ class WebSocketLink::Impl {
       return;
     }
     if (urls_.isEmpty()) {
-      reason_ = ReasonCode::NoAddressToConnectTo;
+      reason_ = fault::NoAddressToConnectTo;
       enter(State::Closed);
       return;
     }
@@ -123,7 +123,7 @@ class WebSocketLink::Impl {
     sayFarewell();
     silent_since_.reset();
     reason_ = {};
-    fault_ = Fault::None;
+    failure_ = Failure::None;
     certificate_.reset();
     status_ = 0;
     enter(State::Closed);
@@ -140,8 +140,8 @@ class WebSocketLink::Impl {
   qint64 unsent() const { return state_ == State::Open ? socket_->bytesToWrite() : 0; }
 
   State state() const { return state_; }
-  const Reason& reason() const { return reason_; }
-  Fault fault() const { return fault_; }
+  const Fault& reason() const { return reason_; }
+  Failure failure() const { return failure_; }
   std::optional<CertificateFault> certificate() const { return certificate_; }
   int status() const { return status_; }
   int attempt() const { return attempt_; }
@@ -156,8 +156,8 @@ class WebSocketLink::Impl {
   const std::optional<QDateTime>& silentSince() const { return silent_since_; }
 
  private:
-  static Reason noAnswer(std::chrono::milliseconds time) {
-    return {ReasonCode::NoAnswerWithin, {durationWords(time.count())}};
+  static Fault noAnswer(std::chrono::milliseconds time) {
+    return faultOf(fault::NoAnswerWithin, {durationWords(time.count())});
   }
 
   void startAttempt() {
@@ -229,7 +229,7 @@ class WebSocketLink::Impl {
     certificate_ = faultOf(trust_, encrypted.peerCertificate(), errors, urls_.at(url_));
     if (certificate_) {
       status_ = 0;
-      refuse(Fault::Certificate, reasonOf(*certificate_));
+      refuse(Failure::Certificate, reasonOf(*certificate_));
     } else if (!errors.isEmpty()) {
       encrypted.ignoreSslErrors(errors);
     }
@@ -240,7 +240,7 @@ class WebSocketLink::Impl {
     attempt_ = 0;
     status_ = 0;
     reason_ = {};
-    fault_ = Fault::None;
+    failure_ = Failure::None;
     opened_at_ = heard_at_ = options_.now();
     silent_since_.reset();
     asked_at_.reset();
@@ -306,7 +306,7 @@ class WebSocketLink::Impl {
       backoff_.reset();
     }
     if (now - heard_at_ > options_.silent_after) {
-      fail(Fault::TimedOut, noAnswer(options_.silent_after));
+      fail(Failure::TimedOut, noAnswer(options_.silent_after));
     } else {
       noteSilence(now);
     }
@@ -320,7 +320,7 @@ class WebSocketLink::Impl {
     const int status = statusIn(text);
     if (status == 401 || status == 403) {
       status_ = status;
-      refuse(Fault::Refused, {ReasonCode::ConnectionForbidden, {}, status});
+      refuse(Failure::Refused, {fault::ConnectionForbidden, {HttpStatus{status}}});
       return;
     }
     status_ = status;
@@ -332,11 +332,11 @@ class WebSocketLink::Impl {
       }
     }
     if (status >= 400) {
-      fail(status < 500 || status == 501 ? Fault::NotAWebSocket : Fault::Unreachable,
-           {ReasonCode::ConnectionRejected, {}, status});
+      fail(status < 500 || status == 501 ? Failure::NotAWebSocket : Failure::Unreachable,
+           {fault::ConnectionRejected, {HttpStatus{status}}});
       return;
     }
-    fail(isForeignAnswer(error, text) ? Fault::NotAWebSocket : Fault::Unreachable,
+    fail(isForeignAnswer(error, text) ? Failure::NotAWebSocket : Failure::Unreachable,
          whyNotConnected(error, text, urls_.at(url_)));
   }
 
@@ -356,23 +356,24 @@ class WebSocketLink::Impl {
     const QWebSocketProtocol::CloseCode code = socket_->closeCode();
     const QString words = plainText(socket_->closeReason());
     if (code == QWebSocketProtocol::CloseCodeTooMuchData) {
-      fail(Fault::Unreachable, {ReasonCode::MessageTooLong, {QString::number(options_.max_message_bytes)}});
+      fail(Failure::Unreachable,
+           faultOf(fault::MessageTooLong, {QString::number(options_.max_message_bytes)}));
     } else {
-      fail(Fault::Unreachable, words.isEmpty() ? Reason(ReasonCode::ConnectionClosed)
-                                               : Reason(ReasonCode::ConnectionClosedSaying, {words}));
+      fail(Failure::Unreachable, words.isEmpty() ? Fault(fault::ConnectionClosed)
+                                                 : faultOf(fault::ConnectionClosedSaying, {words}));
     }
   }
 
   /// Asking again by itself would not help.
-  void refuse(Fault fault, const Reason& reason) {
-    fault_ = fault;
+  void refuse(Failure failure, const Fault& reason) {
+    failure_ = failure;
     reason_ = reason;
     dropSocket();
     enter(State::Closed);
   }
 
-  void fail(Fault fault, const Reason& reason) {
-    fault_ = fault;
+  void fail(Failure failure, const Fault& reason) {
+    failure_ = failure;
     reason_ = reason;
     if (state_ == State::Open) {
       noteLastByte();
@@ -437,8 +438,8 @@ class WebSocketLink::Impl {
   qint64 frames_bytes_ = 0;         // of a message whose last frame has not come; of text: characters
   QWebSocket* socket_ = nullptr;    // a child of the owner
   State state_ = State::Closed;
-  Reason reason_;
-  Fault fault_ = Fault::None;
+  Fault reason_;
+  Failure failure_ = Failure::None;
   std::optional<CertificateFault> certificate_;
   qsizetype url_ = 0;
   int refusals_ = 0;  // of this attempt, one for every URL tried
@@ -460,8 +461,8 @@ qint64 WebSocketLink::unsentBytes() const { return impl_->unsent(); }
 qint64 WebSocketLink::arrivingBytes() const { return impl_->arriving(); }
 WebSocketLink::State WebSocketLink::state() const { return impl_->state(); }
 void WebSocketLink::setTrust(const Trust& trust) { impl_->setTrust(trust); }
-Reason WebSocketLink::reason() const { return impl_->reason(); }
-WebSocketLink::Fault WebSocketLink::fault() const { return impl_->fault(); }
+Fault WebSocketLink::reason() const { return impl_->reason(); }
+WebSocketLink::Failure WebSocketLink::failure() const { return impl_->failure(); }
 std::optional<CertificateFault> WebSocketLink::certificate() const { return impl_->certificate(); }
 std::optional<QDateTime> WebSocketLink::silentSince() const { return impl_->silentSince(); }
 int WebSocketLink::handshakeStatus() const { return impl_->status(); }

@@ -12,7 +12,7 @@
 #include <QString>
 #include <QUrl>
 
-#include "net/reason.h"
+#include "net/faults.h"
 #include "net/trust.h"
 
 namespace mapwright::net {
@@ -40,7 +40,7 @@ class WebSocketLink : public QObject {
  public:
   enum class State { Closed, Connecting, Open, Waiting };
   /// What kind of thing reason() tells of.
-  enum class Fault {
+  enum class Failure {
     None,
     Unreachable,    // no connection, or it broke off, or a server error (HTTP 5xx)
     TimedOut,       // not a byte in time
@@ -64,8 +64,8 @@ class WebSocketLink : public QObject {
   qint64 arrivingBytes() const;  // of a message that is not whole yet: here already, about. 0 unless Open
 
   State state() const;
-  Reason reason() const;  // why it is not open
-  Fault fault() const;    // None while open
+  Fault reason() const;     // why it is not open
+  Failure failure() const;  // None while open
   std::optional<CertificateFault> certificate() const;
   int handshakeStatus() const;                // HTTP status of a refused handshake, else 0
   int attempt() const;                        // tries since last open

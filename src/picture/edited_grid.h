@@ -29,7 +29,7 @@ class EditedGrid final : public grids::GridPyramid {
   std::optional<grids::GridTile> tile(int level, int tile_x, int tile_y) const override;
   int rowsReady() const override { return base_->rowsReady(); }
   std::size_t bytes() const override;
-  map::Reason trouble() const override { return base_->trouble(); }
+  Fault trouble() const override { return base_->trouble(); }
 
   const std::shared_ptr<const grids::GridPyramid>& base() const { return base_; }
   CellRect all() const { return {0, 0, width(), height()}; }

@@ -62,7 +62,7 @@ map::Streams everyStream() {
   return all;
 }
 
-tl::expected<std::unique_ptr<Recorder>, disk::Fault> Recorder::start(
+tl::expected<std::unique_ptr<Recorder>, disk::FileError> Recorder::start(
     robot::Robot& robot, std::unique_ptr<recording::AppendTarget> target, Options options) {
   if (!options.now_ns) options.now_ns = systemNs;
   auto writer = recording::McapWriter::create(std::move(target), options.writer);

@@ -42,7 +42,7 @@ class Recorder : public QObject {
   };
   /// Begins at once, with what the robot has said on this connection. `robot` outlives the recorder, or is
   /// gone before: then nothing more comes. The error: not even the start could be written.
-  static tl::expected<std::unique_ptr<Recorder>, disk::Fault> start(
+  static tl::expected<std::unique_ptr<Recorder>, disk::FileError> start(
       robot::Robot& robot, std::unique_ptr<recording::AppendTarget> target, Options options);
   /// Finishes the file and waits for that.
   ~Recorder() override;
@@ -57,7 +57,7 @@ class Recorder : public QObject {
     Written written;     // what is lost on the way to the disk included
     double seconds = 0;  // since the start
     bool finished = false;
-    std::optional<disk::Fault> end_fault;  // why the file has no end; it can be read all the same
+    std::optional<disk::FileError> end_fault;  // why the file has no end; it can be read all the same
   };
   Progress progress() const;
   /// Whether any message of this topic has come.

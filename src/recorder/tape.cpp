@@ -89,7 +89,7 @@ std::optional<recording::ChannelId> Tape::channelOf(const Entry& entry, const Me
   return added;
 }
 
-std::optional<disk::Fault> Tape::beside(const Entry& entry) {
+std::optional<disk::FileError> Tape::beside(const Entry& entry) {
   if (entry.kind == Entry::Kind::Words) {
     fault_ = writer_->note({entry.name, entry.words});
   } else {
@@ -126,7 +126,7 @@ void Tape::tick(std::int64_t now_ns) {
   }
 }
 
-std::optional<disk::Fault> Tape::finish(std::int64_t now_ns, EntryQueue::Losses elsewhere) {
+std::optional<disk::FileError> Tape::finish(std::int64_t now_ns, EntryQueue::Losses elsewhere) {
   giveUp(std::nullopt);
   fault_ = writer_->flush();
   while (!waiting_.empty() && !beside(waiting_.front())) waiting_.pop_front();

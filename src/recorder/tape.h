@@ -23,7 +23,7 @@ struct Written {
   std::uint64_t files = 0;     // attachments
   std::uint64_t lost = 0;      // messages and attachments that are in no file
   std::uint64_t lost_bytes = 0;
-  std::optional<disk::Fault> fault;  // why the disk takes nothing now
+  std::optional<disk::FileError> fault;  // why the disk takes nothing now
 };
 
 class Tape {
@@ -37,7 +37,7 @@ class Tape {
   /// To be called several times a second.
   void tick(std::int64_t now_ns);
   /// Once: writes what waits, how it ended and the index. `elsewhere`: what was lost on the way here.
-  std::optional<disk::Fault> finish(std::int64_t now_ns, EntryQueue::Losses elsewhere);
+  std::optional<disk::FileError> finish(std::int64_t now_ns, EntryQueue::Losses elsewhere);
   Written written() const;
 
   static constexpr std::size_t kMostWaitingBytes = std::size_t(64) << 20;
@@ -50,7 +50,7 @@ class Tape {
   void writeUndefined(const std::string& type);
   /// Those of types that nobody will define any more.
   void giveUp(std::optional<std::int64_t> now_ns);
-  std::optional<disk::Fault> beside(const Entry& entry);
+  std::optional<disk::FileError> beside(const Entry& entry);
   void wait(Entry entry);
   void lose(std::size_t bytes);
 
@@ -72,7 +72,7 @@ class Tape {
   std::int64_t tried_ns_ = 0;  // to write what waits
   std::uint64_t files_written_ = 0, lost_ = 0, lost_bytes_ = 0;
   bool ended_ = false;  // what is in no chunk is in no file
-  std::optional<disk::Fault> fault_;
+  std::optional<disk::FileError> fault_;
 };
 
 }  // namespace mapwright::recorder

@@ -17,9 +17,9 @@ class AppendFile final : public AppendTarget {
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
 
-  std::optional<disk::Fault> append(std::span<const std::uint8_t> bytes) override {
+  std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) override {
     // The end of a record that did not fit would stand before whatever follows.
-    if (torn_ && ::ftruncate(fd_, off_t(size_)) != 0) return disk::systemFault(path_, errno);
+    if (torn_ && ::ftruncate(fd_, off_t(size_)) != 0) return disk::systemError(path_, errno);
     torn_ = false;
     std::uint64_t at = size_;
     while (!bytes.empty()) {
@@ -28,7 +28,7 @@ class AppendFile final : public AppendTarget {
       if (wrote <= 0) {
         const int why = wrote < 0 ? errno : ENOSPC;
         torn_ = ::ftruncate(fd_, off_t(size_)) != 0;
-        return disk::systemFault(path_, why);
+        return disk::systemError(path_, why);
       }
       bytes = bytes.subspan(std::size_t(wrote));
       at += std::uint64_t(wrote);
@@ -37,9 +37,9 @@ class AppendFile final : public AppendTarget {
     return std::nullopt;
   }
 
-  std::optional<disk::Fault> settle() override {
+  std::optional<disk::FileError> settle() override {
     if (::fdatasync(fd_) == 0) return std::nullopt;
-    return disk::systemFault(path_, errno);
+    return disk::systemError(path_, errno);
   }
 
  private:
@@ -51,23 +51,23 @@ class AppendFile final : public AppendTarget {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<AppendTarget>, disk::Fault> appendFile(const std::string& path,
-                                                                    Existing existing) {
+tl::expected<std::unique_ptr<AppendTarget>, disk::FileError> appendFile(const std::string& path,
+                                                                        Existing existing) {
   const int flags =
       O_WRONLY | O_CREAT | O_CLOEXEC | O_NOCTTY | O_NONBLOCK | (existing == Existing::Refuse ? O_EXCL : 0);
   const int fd = ::open(path.c_str(), flags, 0666);
-  if (fd < 0) return tl::unexpected(disk::systemFault(path, errno));
+  if (fd < 0) return tl::unexpected(disk::systemError(path, errno));
   // Two that write the same file would both lose; where files cannot be locked, nobody can tell.
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(fd);
-    return tl::unexpected(disk::systemFault(path, ETXTBSY));
+    return tl::unexpected(disk::systemError(path, ETXTBSY));
   }
   struct stat about {};
   if (::fstat(fd, &about) != 0 || !S_ISREG(about.st_mode) || ::ftruncate(fd, 0) != 0) {
-    disk::Fault fault = disk::systemFault(path, errno);
-    if (about.st_mode != 0 && !S_ISREG(about.st_mode)) fault.code = disk::FaultCode::NotRegular;
+    disk::FileError error = disk::systemError(path, errno);
+    if (about.st_mode != 0 && !S_ISREG(about.st_mode)) error.cause = disk::fault::NotARegularFile;
     ::close(fd);
-    return tl::unexpected(std::move(fault));
+    return tl::unexpected(std::move(error));
   }
   return std::make_unique<AppendFile>(path, fd);
 }

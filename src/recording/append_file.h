@@ -9,7 +9,7 @@
 
 #include <tl/expected.hpp>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 
 namespace mapwright::recording {
 
@@ -17,15 +17,15 @@ class AppendTarget {
  public:
   virtual ~AppendTarget() = default;
   /// All of it is handed to the system, or nothing is there: what was there before is as it was.
-  virtual std::optional<disk::Fault> append(std::span<const std::uint8_t> bytes) = 0;
+  virtual std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) = 0;
   /// What was handed over survives the end of the machine too.
-  virtual std::optional<disk::Fault> settle() = 0;
+  virtual std::optional<disk::FileError> settle() = 0;
 };
 
 enum class Existing : std::uint8_t { Refuse, Replace };
 
 /// A new file; what is no regular file is refused.
-tl::expected<std::unique_ptr<AppendTarget>, disk::Fault> appendFile(const std::string& path,
-                                                                    Existing existing);
+tl::expected<std::unique_ptr<AppendTarget>, disk::FileError> appendFile(const std::string& path,
+                                                                        Existing existing);
 
 }  // namespace mapwright::recording

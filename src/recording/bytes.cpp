@@ -55,14 +55,14 @@ class HeldBytes final : public Bytes {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<Bytes>, disk::Fault> fileBytes(const std::string& path) {
+tl::expected<std::unique_ptr<Bytes>, disk::FileError> fileBytes(const std::string& path) {
   const int fd = disk::openToRead(path);
   if (fd < 0) {
     const int why = errno;
-    disk::Fault fault = disk::systemFault(path, why);
-    if (why == EINVAL) fault.code = disk::FaultCode::NotRegular;
-    if (why == EISDIR) fault.code = disk::FaultCode::IsAFolder;
-    return tl::unexpected(std::move(fault));
+    disk::FileError error = disk::systemError(path, why);
+    if (why == EINVAL) error.cause = disk::fault::NotARegularFile;
+    if (why == EISDIR) error.cause = disk::fault::IsAFolder;
+    return tl::unexpected(std::move(error));
   }
   return std::make_unique<FileBytes>(fd);
 }

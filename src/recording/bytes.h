@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 
 namespace mapwright::recording {
 
@@ -22,7 +22,7 @@ class Bytes {
 };
 
 /// A regular file. It is read and never mapped: one that is cut while it is looked at would end the program.
-tl::expected<std::unique_ptr<Bytes>, disk::Fault> fileBytes(const std::string& path);
+tl::expected<std::unique_ptr<Bytes>, disk::FileError> fileBytes(const std::string& path);
 
 /// Bytes in memory; whoever keeps the string may let it grow.
 std::unique_ptr<Bytes> heldBytes(std::shared_ptr<const std::string> bytes);

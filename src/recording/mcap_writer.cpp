@@ -27,7 +27,7 @@ std::size_t textOf(const Channel& channel) {
 McapWriter::McapWriter(std::unique_ptr<AppendTarget> target, WriterOptions options)
     : target_(std::move(target)), options_(std::move(options)) {}
 
-tl::expected<std::unique_ptr<McapWriter>, disk::Fault> McapWriter::create(
+tl::expected<std::unique_ptr<McapWriter>, disk::FileError> McapWriter::create(
     std::unique_ptr<AppendTarget> target, WriterOptions options) {
   std::unique_ptr<McapWriter> writer(new McapWriter(std::move(target), std::move(options)));
   mcap::RecordWriter start;
@@ -35,7 +35,7 @@ tl::expected<std::unique_ptr<McapWriter>, disk::Fault> McapWriter::create(
   start.begin(mcap::Op::Header);
   start.text(writer->options_.profile).text(writer->options_.library);
   start.end();
-  if (std::optional<disk::Fault> fault = writer->append(start.bytes())) {
+  if (std::optional<disk::FileError> fault = writer->append(start.bytes())) {
     writer->closed_ = true;
     return tl::unexpected(std::move(*fault));
   }
@@ -44,13 +44,13 @@ tl::expected<std::unique_ptr<McapWriter>, disk::Fault> McapWriter::create(
 
 McapWriter::~McapWriter() { close(); }
 
-disk::Fault McapWriter::refuse(int error) {
+disk::FileError McapWriter::refuse(int error) {
   ++progress_.lost;
-  return disk::systemFault({}, error);
+  return disk::systemError({}, error);
 }
 
-std::optional<disk::Fault> McapWriter::append(std::span<const std::uint8_t> bytes) {
-  if (std::optional<disk::Fault> fault = target_->append(bytes)) return fault;
+std::optional<disk::FileError> McapWriter::append(std::span<const std::uint8_t> bytes) {
+  if (std::optional<disk::FileError> fault = target_->append(bytes)) return fault;
   crc_ = packed::crc32(crc_, bytes);
   progress_.bytes += bytes.size();
   return options_.survive_power_loss ? target_->settle() : std::nullopt;
@@ -103,20 +103,20 @@ bool McapWriter::mayTry(std::int64_t now_ns) const {
   return !fault_ || now_ns < failed_ns_ || now_ns - failed_ns_ >= kPatienceNs;
 }
 
-std::optional<disk::Fault> McapWriter::seen(std::optional<disk::Fault> fault, std::int64_t now_ns) {
+std::optional<disk::FileError> McapWriter::seen(std::optional<disk::FileError> fault, std::int64_t now_ns) {
   fault_ = fault;
   failed_ns_ = now_ns;
   return fault;
 }
 
-std::optional<disk::Fault> McapWriter::write(ChannelId channel, const Stamp& stamp,
-                                             std::span<const std::uint8_t> bytes) {
+std::optional<disk::FileError> McapWriter::write(ChannelId channel, const Stamp& stamp,
+                                                 std::span<const std::uint8_t> bytes) {
   if (data_ended_ || channel == 0 || channel > channels_.size()) return refuse(EINVAL);
   if (bytes.size() > kMostMessageBytes) return refuse(EMSGSIZE);
   const std::int64_t now_ns = stamp.log_time_ns;
   const bool full = open_.records.size() >= options_.chunk_bytes;
   const bool old = open_.messages > 0 && now_ns - open_.first_ns >= options_.chunk_ns;
-  std::optional<disk::Fault> fault = fault_;
+  std::optional<disk::FileError> fault = fault_;
   if ((full || old || due_) && mayTry(now_ns)) fault = seen(full || old ? closeChunk() : writeDue(), now_ns);
   if (fault && open_.records.size() >= options_.chunk_bytes) {
     ++progress_.lost;
@@ -139,17 +139,17 @@ std::optional<disk::Fault> McapWriter::write(ChannelId channel, const Stamp& sta
   return fault;
 }
 
-std::optional<disk::Fault> McapWriter::tick(std::int64_t now_ns) {
+std::optional<disk::FileError> McapWriter::tick(std::int64_t now_ns) {
   const bool old = open_.messages > 0 && now_ns - open_.first_ns >= options_.chunk_ns;
   if (!mayTry(now_ns)) return fault_;
   if (!old && !due_) return std::nullopt;
   return seen(old ? closeChunk() : writeDue(), now_ns);
 }
 
-std::optional<disk::Fault> McapWriter::flush() { return seen(closeChunk(), failed_ns_); }
+std::optional<disk::FileError> McapWriter::flush() { return seen(closeChunk(), failed_ns_); }
 
-std::optional<disk::Fault> McapWriter::closeChunk() {
-  if (std::optional<disk::Fault> fault = writeDue()) return fault;
+std::optional<disk::FileError> McapWriter::closeChunk() {
+  if (std::optional<disk::FileError> fault = writeDue()) return fault;
   if (open_.messages == 0) return std::nullopt;
   pack();
   return writeDue();
@@ -199,10 +199,10 @@ void McapWriter::pack() {
   open_.messages = 0;
 }
 
-std::optional<disk::Fault> McapWriter::writeDue() {
+std::optional<disk::FileError> McapWriter::writeDue() {
   if (!due_) return std::nullopt;
   const std::uint64_t at = progress_.bytes;
-  std::optional<disk::Fault> fault = append(due_->bytes);
+  std::optional<disk::FileError> fault = append(due_->bytes);
   if (progress_.bytes == at) return fault;
   due_->index.offset = at;
   for (auto& [channel, offset] : due_->index.index_offsets) offset += at;
@@ -218,8 +218,8 @@ std::optional<disk::Fault> McapWriter::writeDue() {
   return fault;  // it is in the file, but did not settle
 }
 
-std::optional<disk::Fault> McapWriter::attach(const Attachment& attachment) {
-  if (data_ended_) return disk::systemFault({}, EINVAL);
+std::optional<disk::FileError> McapWriter::attach(const Attachment& attachment) {
+  if (data_ended_) return disk::systemError({}, EINVAL);
   const auto data =
       std::span(reinterpret_cast<const std::uint8_t*>(attachment.bytes.data()), attachment.bytes.size());
   mcap::RecordWriter record;
@@ -229,7 +229,7 @@ std::optional<disk::Fault> McapWriter::attach(const Attachment& attachment) {
   record.u32(packed::crc32(0, record.bytes().subspan(mcap::kRecordHead)));
   record.end();
   const std::uint64_t at = progress_.bytes;
-  std::optional<disk::Fault> fault = append(record.bytes());
+  std::optional<disk::FileError> fault = append(record.bytes());
   if (progress_.bytes == at) return fault;
   mcap::AttachmentIndex index;
   index.offset = at;
@@ -243,12 +243,12 @@ std::optional<disk::Fault> McapWriter::attach(const Attachment& attachment) {
   return fault;
 }
 
-std::optional<disk::Fault> McapWriter::note(const Metadata& metadata) {
-  if (data_ended_) return disk::systemFault({}, EINVAL);
+std::optional<disk::FileError> McapWriter::note(const Metadata& metadata) {
+  if (data_ended_) return disk::systemError({}, EINVAL);
   mcap::RecordWriter record;
   mcap::write(record, metadata);
   const std::uint64_t at = progress_.bytes;
-  std::optional<disk::Fault> fault = append(record.bytes());
+  std::optional<disk::FileError> fault = append(record.bytes());
   if (progress_.bytes != at) metadata_.emplace_back(at, record.size(), metadata.name);
   return fault;
 }
@@ -296,9 +296,9 @@ mcap::RecordWriter McapWriter::summary(std::uint64_t at) const {
   return out;
 }
 
-std::optional<disk::Fault> McapWriter::close() {
+std::optional<disk::FileError> McapWriter::close() {
   if (closed_) return std::nullopt;
-  if (std::optional<disk::Fault> fault = closeChunk()) return fault;
+  if (std::optional<disk::FileError> fault = closeChunk()) return fault;
   // Channels on which nothing came.
   for (std::size_t i = 0; i < channels_.size(); ++i) describe(ChannelId(i + 1));
   mcap::RecordWriter end = open_.records;
@@ -308,7 +308,7 @@ std::optional<disk::Fault> McapWriter::close() {
   end.end();
   end.raw(summary(progress_.bytes + end.size()).bytes());
   const std::uint64_t before = progress_.bytes;
-  std::optional<disk::Fault> fault = append(end.bytes());
+  std::optional<disk::FileError> fault = append(end.bytes());
   if (progress_.bytes == before) return fault;
   data_ended_ = closed_ = true;
   open_.records.clear();

@@ -47,8 +47,8 @@ using ChannelId = std::uint16_t;
 /// recording goes on.
 class McapWriter {
  public:
-  static tl::expected<std::unique_ptr<McapWriter>, disk::Fault> create(std::unique_ptr<AppendTarget> target,
-                                                                       WriterOptions options);
+  static tl::expected<std::unique_ptr<McapWriter>, disk::FileError> create(
+      std::unique_ptr<AppendTarget> target, WriterOptions options);
   /// close() is called, if nobody has: what it says is lost.
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
@@ -59,17 +59,17 @@ class McapWriter {
   std::optional<ChannelId> addChannel(const Channel& channel);
   /// nullopt: all is well. Else why not: progress() tells whether the message was refused (lost) or waits in
   /// memory. One beyond kMostMessageBytes, or of a channel that was not added, is refused.
-  std::optional<disk::Fault> write(ChannelId channel, const Stamp& stamp,
-                                   std::span<const std::uint8_t> bytes);
-  std::optional<disk::Fault> attach(const Attachment& attachment);
-  std::optional<disk::Fault> note(const Metadata& metadata);
+  std::optional<disk::FileError> write(ChannelId channel, const Stamp& stamp,
+                                       std::span<const std::uint8_t> bytes);
+  std::optional<disk::FileError> attach(const Attachment& attachment);
+  std::optional<disk::FileError> note(const Metadata& metadata);
   /// Closes the open chunk when it is old enough by the same clock as log times. To be called now and then,
   /// or the last messages before a silence stay in memory.
-  std::optional<disk::Fault> tick(std::int64_t now_ns);
+  std::optional<disk::FileError> tick(std::int64_t now_ns);
   /// Closes the open chunk.
-  std::optional<disk::Fault> flush();
+  std::optional<disk::FileError> flush();
   /// Writes the index and the end. Nothing can be written afterwards. One that failed may be called again.
-  std::optional<disk::Fault> close();
+  std::optional<disk::FileError> close();
 
   struct Progress {
     std::uint64_t bytes = 0;     // in the file
@@ -97,15 +97,15 @@ class McapWriter {
     std::map<ChannelId, std::uint64_t> messages_of;
   };
   McapWriter(std::unique_ptr<AppendTarget> target, WriterOptions options);
-  std::optional<disk::Fault> append(std::span<const std::uint8_t> bytes);
-  std::optional<disk::Fault> closeChunk();
-  std::optional<disk::Fault> writeDue();
+  std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes);
+  std::optional<disk::FileError> closeChunk();
+  std::optional<disk::FileError> writeDue();
   void pack();
   void describe(ChannelId channel);
   mcap::RecordWriter summary(std::uint64_t at) const;
-  disk::Fault refuse(int error);
+  disk::FileError refuse(int error);
   bool mayTry(std::int64_t now_ns) const;
-  std::optional<disk::Fault> seen(std::optional<disk::Fault> fault, std::int64_t now_ns);
+  std::optional<disk::FileError> seen(std::optional<disk::FileError> fault, std::int64_t now_ns);
 
   std::unique_ptr<AppendTarget> target_;
   WriterOptions options_;
@@ -114,8 +114,8 @@ class McapWriter {
   std::vector<bool> described_schema_, described_channel_;  // stand in the file or the open chunk
   OpenChunk open_;
   std::optional<Due> due_;
-  std::optional<disk::Fault> fault_;  // why `due_` is not written
-  std::int64_t failed_ns_ = 0;        // when
+  std::optional<disk::FileError> fault_;  // why `due_` is not written
+  std::int64_t failed_ns_ = 0;            // when
   std::vector<mcap::ChunkIndex> chunk_indexes_;
   std::vector<mcap::AttachmentIndex> attachments_;
   std::vector<std::tuple<std::uint64_t, std::uint64_t, std::string>> metadata_;  // offset, length, name

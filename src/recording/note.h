@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "disk/fault.h"
+#include "disk/file_error.h"
 
 namespace mapwright::recording {
 
@@ -61,7 +61,7 @@ struct Failure {
     Encrypted,  // a bag whose chunks are encrypted
   };
   Code code = Code::File;
-  disk::Fault file;
+  disk::FileError file;
 };
 
 }  // namespace mapwright::recording

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "grids/faults.h"
 #include "regions/region_answer.h"
 
 namespace mapwright::regions {
@@ -74,8 +75,8 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
   // Where the map has become smaller, nothing of the old one must stay.
   if (ask.key && !elsewhere) forgetOld(ask, change);
   cells_.put(part);
-  for (const map::Reason& note : part.notes) {
-    const auto* const count = note.code == map::ReasonCode::RosCellsOutOfRange && !note.arguments.empty()
+  for (const Fault& note : part.notes) {
+    const auto* const count = note.code == grids::fault::RosCellsOutOfRange && !note.arguments.empty()
                                   ? std::get_if<std::int64_t>(&note.arguments.front())
                                   : nullptr;
     if (count) odd_cells_ += *count;

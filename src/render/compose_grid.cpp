@@ -5,6 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "grids/faults.h"
+#include "render/faults.h"
+
 namespace mapwright::render {
 namespace {
 
@@ -22,27 +25,25 @@ std::array<std::uint8_t, 256> percents() {
 
 }  // namespace
 
-tl::expected<ComposedGrid, map::Reason> composeGrid(std::span<const PlacedTexture> textures,
-                                                    double resolution_m, DenseCache& cache,
-                                                    const std::function<bool(double)>& proceed,
-                                                    const grids::Means& means) {
-  const auto fail = [](map::ReasonCode code) { return tl::make_unexpected(map::Reason(code)); };
-  if (!(resolution_m > 0) || !std::isfinite(resolution_m))
-    return fail(map::ReasonCode::ResolutionNotAboveZero);
+tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> textures, double resolution_m,
+                                              DenseCache& cache, const std::function<bool(double)>& proceed,
+                                              const grids::Means& means) {
+  const auto fail = [](FaultCode code) { return tl::make_unexpected(Fault(code)); };
+  if (!(resolution_m > 0) || !std::isfinite(resolution_m)) return fail(fault::ResolutionNotAboveZero);
   std::vector<geometry::WorldRect> rects;
   geometry::WorldRect bounds;
   for (const PlacedTexture& texture : textures) {
     rects.push_back(boundsOf(texture));
     bounds.extend(rects.back());
   }
-  if (bounds.empty()) return fail(map::ReasonCode::NoSubmapToExport);
+  if (bounds.empty()) return fail(fault::NoSubmapToExport);
   const double left = std::floor(bounds.min_x / resolution_m),
                bottom = std::floor(bounds.min_y / resolution_m);
   const double columns = std::ceil(bounds.max_x / resolution_m) - left;
   const double rows = std::ceil(bounds.max_y / resolution_m) - bottom;
   if (!(columns >= 1 && rows >= 1 && columns <= grids::kMaxGridEdge && rows <= grids::kMaxGridEdge &&
         columns * rows <= double(grids::kMaxGridCells))) {
-    return fail(map::ReasonCode::ComposedTooLarge);
+    return fail(fault::ComposedTooLarge);
   }
   const int width = int(columns), height = int(rows);
   ComposedGrid made;
@@ -60,7 +61,7 @@ tl::expected<ComposedGrid, map::Reason> composeGrid(std::span<const PlacedTextur
   std::vector<std::uint8_t> strip;
   std::vector<PlacedTexture> touching;
   for (int row = 0; row < height; row += kStrip) {
-    if (proceed && !proceed(double(row) / height)) return fail(map::ReasonCode::WritingStopped);
+    if (proceed && !proceed(double(row) / height)) return fail(grids::fault::WritingStopped);
     window.first_row = row;
     window.height_px = std::min(kStrip, height - row);
     strip.assign(std::size_t(width) * std::size_t(window.height_px), grids::kUnknownOccupancy);

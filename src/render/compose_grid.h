@@ -9,9 +9,9 @@
 
 #include <tl/expected.hpp>
 
+#include "fault/fault.h"
 #include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
-#include "map/reason.h"
 #include "render/compositor.h"
 
 namespace mapwright::render {
@@ -24,9 +24,9 @@ struct ComposedGrid {
 /// Composes `textures` (ascending ids) exactly at `resolution_m`, over all that they touch. Memory: one
 /// strip of 256 rows and the compressed grid. `proceed` gets the part that is done (0..1) and ends the work
 /// by returning false. Any thread; one core and what `means` gives.
-tl::expected<ComposedGrid, map::Reason> composeGrid(std::span<const PlacedTexture> textures,
-                                                    double resolution_m, DenseCache& cache,
-                                                    const std::function<bool(double done)>& proceed = {},
-                                                    const grids::Means& means = {});
+tl::expected<ComposedGrid, Fault> composeGrid(std::span<const PlacedTexture> textures, double resolution_m,
+                                              DenseCache& cache,
+                                              const std::function<bool(double done)>& proceed = {},
+                                              const grids::Means& means = {});
 
 }  // namespace mapwright::render

@@ -25,8 +25,7 @@ Tick powerOfTwo(double ticks) {
 }
 
 bool isTooLong(const map::Failure& failure) {
-  return failure.kind == map::FailureKind::MalformedAnswer &&
-         failure.cause.code == map::ReasonCode::AnswerTooLong;
+  return failure.kind == map::FailureKind::MalformedAnswer && failure.cause.code == fault::AnswerTooLong;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QPointer>
 
 #include "replay/recorded_message.h"
+#include "robot/faults.h"
 
 namespace mapwright::replay {
 
@@ -250,8 +251,8 @@ void ReplayRobot::open(robot::BagKey key) {
 }
 
 void ReplayRobot::refuse(const map::Failure& failure) {
-  map::Reason reason = failure.cause;
-  if (!reason.any()) reason = {map::ReasonCode::ItAnswered, {failure.detail}};
+  Fault reason = failure.cause;
+  if (!reason.any()) reason = {robot::fault::ItAnswered, {failure.detail}};
   robot::ConnectionState state = inPhase(ConnectionPhase::Refused);
   state.reason = std::move(reason);
   state.failure = failure.kind;

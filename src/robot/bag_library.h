@@ -132,7 +132,7 @@ using BagChunkPtr = std::shared_ptr<const BagChunk>;
 struct BagRange {
   double from_s = 0, until_s = 0;
   std::int64_t max_bytes = std::int64_t(64) << 20;  // a longer answer is FailureKind::MalformedAnswer, with
-                                                    // map::ReasonCode::AnswerTooLong
+                                                    // fault::AnswerTooLong
   /// What lies before is not known: where that costs more than nothing (files), the last message of each
   /// topic before the range comes first, as robots add it unasked. It is what reading that far would tell.
   bool back_fill = false;

@@ -25,7 +25,7 @@ using OutcomeTo = std::function<void(Outcome<T>)>;
 inline tl::unexpected<map::Failure> fail(map::Failure failure) {
   return tl::make_unexpected(std::move(failure));
 }
-inline tl::unexpected<map::Reason> refused(map::Reason why) { return tl::make_unexpected(std::move(why)); }
+inline tl::unexpected<Fault> refused(Fault why) { return tl::make_unexpected(std::move(why)); }
 
 /// How much of a body has travelled, up or down.
 struct Progress {

@@ -45,10 +45,10 @@ enum class ConnectionPhase {
 
 /// A certificate that is not accepted, for people to decide on. Names in it are untrusted plain text.
 struct UntrustedCertificate {
-  QString host;                  // "10.0.0.7:8443"
-  std::vector<map::Reason> why;  // "it is self-signed", "it has expired on 2024-05-01"
-  QString sha256;                // "AB:CD:…"
-  QString pinned_sha256;         // of the one that was trusted so far; empty = none
+  QString host;            // "10.0.0.7:8443"
+  std::vector<Fault> why;  // "it is self-signed", "it has expired on 2024-05-01"
+  QString sha256;          // "AB:CD:…"
+  QString pinned_sha256;   // of the one that was trusted so far; empty = none
   QString subject, issuer;
   QDateTime from, until;
   bool trustable = false;  // it may be trusted all the same
@@ -58,7 +58,7 @@ struct UntrustedCertificate {
 /// The state of the link, to be visible at all times.
 struct ConnectionState {
   ConnectionPhase phase = ConnectionPhase::Offline;
-  map::Reason reason;                // why it is not online; None when online
+  Fault reason;                      // why it is not online; None when online
   int attempt = 0;                   // tries since it was last online
   std::optional<int> retry_in_ms;    // while Interrupted: how long until the next try (as of now)
   std::optional<int> round_trip_ms;  // last measured ping

@@ -22,7 +22,7 @@ namespace mapwright::robot {
 struct StoredWaypoints {
   std::vector<map::Waypoint> points;  // their ids are not empty and all different
   std::string revision;               // another one whenever the list is; opaque
-  std::vector<map::Reason> notes;     // what is odd about them
+  std::vector<Fault> notes;           // what is odd about them
   bool there = true;                  // false: there is no list, not even an empty one
   /// Ids of those that are kept with a quaternion of zero, which is no heading: their yaw is 0 here.
   std::set<std::string> zero_turns = {};

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "robot/faults.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::sentences {
@@ -101,10 +102,10 @@ QString limitsOf(robot::Robot& robot) {
   return limits.join(QLatin1Char(' '));
 }
 
-map::Reason lackOf(Capability capability, const Absence& absence) {
-  std::vector<map::Argument> arguments{std::int64_t(capability), std::int64_t(absence.reason)};
+Fault lackOf(Capability capability, const Absence& absence) {
+  std::vector<FaultArgument> arguments{std::int64_t(capability), std::int64_t(absence.reason)};
   arguments.insert(arguments.end(), absence.arguments.begin(), absence.arguments.end());
-  return {map::ReasonCode::CapabilityLacking, std::move(arguments)};
+  return {robot::fault::CapabilityLacking, std::move(arguments)};
 }
 
 }  // namespace mapwright::sentences

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "robot/robot.h"
 
 namespace mapwright::sentences {
@@ -16,6 +16,6 @@ QString whyAbsent(robot::Capability capability, const robot::Absence& absence);
 QString limitsOf(robot::Robot& robot);
 
 /// That a robot lacks it, as a value; wordsOf(it) is whyAbsent().
-map::Reason lackOf(robot::Capability capability, const robot::Absence& absence);
+Fault lackOf(robot::Capability capability, const robot::Absence& absence);
 
 }  // namespace mapwright::sentences

@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include "sentences/fault_sentence.h"
 #include "sentences/http_status.h"
-#include "sentences/reason_sentence.h"
 #include "words/sentences.h"
 #include "words/text.h"
 

@@ -1,7 +1,7 @@
 #include "sentences/problem_sentence.h"
 
 #include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 namespace mapwright::sentences {
 

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "session/faults.h"
+
 namespace mapwright::session {
 namespace {
 
-tl::expected<grids::ColoredGrid, map::Reason> decoded(const map::GridMessage& message,
-                                                      const grids::Means& means) {
+tl::expected<grids::ColoredGrid, Fault> decoded(const map::GridMessage& message, const grids::Means& means) {
   const bool colours = message.reading.mode == map::CellReading::Mode::Picture;
   return colours ? grids::decodeColors(message.png, LayerGrids::kMaxCells, means)
                  : grids::decodeOccupancy(message.png, message.reading, LayerGrids::kMaxCells, means);
@@ -38,10 +39,10 @@ void LayerGrids::take(const map::GridMessage& message) {
 void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
   rows_[kind].busy = true;
   share_.start(work::Urgency::Wanted, [this, kind, generation = generation_, message = std::move(message)] {
-    auto grid = std::make_shared<tl::expected<LayerGrid, map::Reason>>(LayerGrid{message.grid, {}});
-    using Colors = tl::expected<grids::ColoredGrid, map::Reason>;
+    auto grid = std::make_shared<tl::expected<LayerGrid, Fault>>(LayerGrid{message.grid, {}});
+    using Colors = tl::expected<grids::ColoredGrid, Fault>;
     auto colors = message.png ? decoded(message, means_)
-                              : Colors(tl::make_unexpected(map::Reason(map::ReasonCode::CameWithoutPicture)));
+                              : Colors(tl::make_unexpected(Fault(fault::CameWithoutPicture)));
     if (const auto why = map::whyUnusable(message.grid)) {
       *grid = tl::make_unexpected(*why);
     } else if (!colors) {
@@ -71,7 +72,7 @@ void LayerGrids::start(map::GridKind kind, map::GridMessage message) {
             Q_EMIT changed(kind);
           } else {
             Q_EMIT problemFound({map::Severity::Warning, subject,
-                                 std::move(grid->error()).followedBy(map::Consequence::PictureBeforeItStays),
+                                 std::move(grid->error()).followedBy(Consequence::PictureBeforeItStays),
                                  map::ProblemCode::Unreadable});
           }
         },

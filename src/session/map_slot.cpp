@@ -5,6 +5,8 @@
 #include <mutex>
 #include <utility>
 
+#include "session/faults.h"
+
 namespace mapwright::session {
 namespace {
 
@@ -17,8 +19,8 @@ struct MapSlot::Opened {
   map::WholeMap map;     // grid has the picture's own size, without the bytes
   std::unique_ptr<grids::GridReading> reading;
   std::shared_ptr<const grids::GridPyramid> cells;
-  std::optional<map::Reason> error;  // instead of all the above
-  std::vector<map::Reason> notes;
+  std::optional<Fault> error;  // instead of all the above
+  std::vector<Fault> notes;
   quint64 generation = 0;
 };
 
@@ -106,13 +108,13 @@ std::shared_ptr<MapSlot::Opened> MapSlot::open(const map::WholeMap& map, const g
   map::GridReference& grid = opened->map.grid;
   const int width = opened->cells->width(), height = opened->cells->height();
   if ((grid.width > 0 && grid.width != width) || (grid.height > 0 && grid.height != height)) {
-    opened->notes.push_back({map::ReasonCode::SizesDiffer, {grid.width, grid.height, width, height}});
+    opened->notes.push_back({fault::SizesDiffer, {grid.width, grid.height, width, height}});
   }
   grid.width = width;
   grid.height = height;
   if (!std::isfinite(grid.origin.yaw_rad)) {
     grid.origin.yaw_rad = 0;
-    opened->notes.push_back(map::ReasonCode::TurnNoNumber);
+    opened->notes.push_back(fault::TurnNoNumber);
   }
   return opened;
 }
@@ -155,7 +157,7 @@ void MapSlot::start() {
       const auto opened = open(map, options, generation);
       call([this, generation, opened] { takeOpened(generation, opened); });
       if (!opened->reading) return;
-      std::optional<map::Reason> error;
+      std::optional<Fault> error;
       if (!opened->reading->complete()) {
         error =
             opened->reading->read(*cancelled, [&] { call([this, generation] { takeRows(generation); }); });
@@ -179,7 +181,7 @@ void MapSlot::takeOpened(quint64 generation, const std::shared_ptr<Opened>& open
     return;
   }
   const bool said = reading_ && reading_->generation == generation;  // it is being read once more
-  for (const map::Reason& note : said ? std::vector<map::Reason>() : opened->notes) {
+  for (const Fault& note : said ? std::vector<Fault>() : opened->notes) {
     const map::Problem problem{map::Severity::Warning, subject(), note, map::ProblemCode::Odd};
     if (!remark_) remark_ = problem;
     Q_EMIT problemFound(problem);
@@ -202,8 +204,7 @@ void MapSlot::put(const std::shared_ptr<Opened>& opened) {
 
 void MapSlot::takeDamage(quint64 generation, grids::GridDamage damage) {
   if (damage == grids::GridDamage::Mended) {
-    Q_EMIT problemFound(
-        {map::Severity::Info, subject(), map::ReasonCode::CacheCopyDamaged, map::ProblemCode::Odd});
+    Q_EMIT problemFound({map::Severity::Info, subject(), fault::CacheCopyDamaged, map::ProblemCode::Odd});
     return;
   }
   if (generation != shown_generation_ || !shown_cells_) return;
@@ -218,10 +219,10 @@ void MapSlot::takeRows(quint64 generation) {
   if (reading_->cells == shown_cells_) Q_EMIT rowsArrived();
 }
 
-void MapSlot::takeEnd(quint64 generation, const std::optional<map::Reason>& error) {
+void MapSlot::takeEnd(quint64 generation, const std::optional<Fault>& error) {
   if (generation != generation_ || !reading_) return;
   const auto opened = std::exchange(reading_, nullptr);
-  if (const map::Reason trouble = opened->reading->notKept(); trouble.any() && !cache_told_) {
+  if (const Fault trouble = opened->reading->notKept(); trouble.any() && !cache_told_) {
     cache_told_ = true;
     Q_EMIT problemFound({map::Severity::Warning, map::SubjectKind::DiskCache, trouble});
   }
@@ -293,7 +294,7 @@ double MapSlot::progress() const {
 void MapSlot::setWaypoints(map::WaypointList waypoints) {
   const map::Subject places = map::placesOf(key_, name_.toStdString());
   Q_EMIT recovered({places});
-  for (const map::Reason& note : waypoints.notes) {
+  for (const Fault& note : waypoints.notes) {
     Q_EMIT problemFound({map::Severity::Warning, places, note, map::ProblemCode::Odd});
   }
   if (shown_cells_ && shown_.key == key_) {

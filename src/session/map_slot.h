@@ -91,7 +91,7 @@ class MapSlot : public QObject {
   void takeDamage(quint64 generation, grids::GridDamage damage);
   void takeOpened(quint64 generation, const std::shared_ptr<Opened>& opened);
   void takeRows(quint64 generation);
-  void takeEnd(quint64 generation, const std::optional<map::Reason>& error);
+  void takeEnd(quint64 generation, const std::optional<Fault>& error);
   void put(const std::shared_ptr<Opened>& opened);
   void cancel();
   map::Subject subject() const;

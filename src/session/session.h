@@ -89,7 +89,7 @@ class Session : public QObject {
   int lostPictures() const { return submaps_.lost(); }
   SubmapStatus status(map::SubmapId id) const { return submaps_.status(id); }
   /// Why Missing, Waiting, Corrupt or Unplaced; plain text.
-  map::Reason reason(map::SubmapId id) const { return submaps_.reason(id); }
+  Fault reason(map::SubmapId id) const { return submaps_.reason(id); }
   /// True when nothing more can be expected of the present list without waiting for another try of a failed
   /// one: every listed submap is on screen, missing, corrupt, unplaced, or has failed at least `tries` times.
   bool settled(int tries) const { return submaps_.settled(tries); }

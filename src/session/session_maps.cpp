@@ -11,6 +11,7 @@
 #include "robot/sends_map.h"
 #include "robot/waypoint_store.h"
 #include "sentences/absence_sentence.h"
+#include "session/faults.h"
 #include "session/lacks_picture.h"
 #include "session/session.h"
 
@@ -204,7 +205,7 @@ void Session::openInto(MapSlot& slot, const map::MapKey& key) {
     if (answer && !(answer->key == slot.key())) {
       slot.fail({map::Severity::Error,
                  map::subjectOf(slot.key()),
-                 {map::ReasonCode::AnotherMapCame, {map::toText(answer->key)}},
+                 {fault::AnotherMapCame, {map::toText(answer->key)}},
                  map::ProblemCode::Unavailable,
                  map::FailureKind::MalformedAnswer});
     } else if (answer) {

@@ -5,6 +5,8 @@
 
 #include <QPointer>
 
+#include "session/faults.h"
+
 namespace mapwright::session {
 namespace {
 
@@ -41,7 +43,7 @@ Submaps::Submaps(std::function<robot::SubmapSource*()> source, const Options& op
         [this, why] {
           Q_EMIT problemFound({map::Severity::Warning,
                                map::SubjectKind::SubmapMemory,
-                               {map::ReasonCode::MemoryUsedUp, {why}},
+                               {fault::MemoryUsedUp, {why}},
                                map::ProblemCode::Unavailable});
         },
         Qt::QueuedConnection);
@@ -193,10 +195,10 @@ void Submaps::takeAnswer(map::SubmapAnswer answer) {
       const bool missing = answer.outcome == Outcome::NotFound;
       Q_EMIT problemFound({missing ? map::Severity::Warning : map::Severity::Error,
                            map::subjectOf(key.id),
-                           {map::ReasonCode::VersionNotHad,
+                           {fault::VersionNotHad,
                             {std::int64_t(key.version)},
                             {answer.reason},
-                            missing ? map::Consequence::AskedAgainAtTheNext : map::Consequence::AskedAgain},
+                            missing ? Consequence::AskedAgainAtTheNext : Consequence::AskedAgain},
                            map::ProblemCode::Unavailable,
                            answer.failure});
     }
@@ -344,15 +346,13 @@ SubmapStatus Submaps::status(map::SubmapId id) const {
   return SubmapStatus::Queued;
 }
 
-map::Reason Submaps::reason(map::SubmapId id) const {
-  using map::ReasonCode;
+Fault Submaps::reason(map::SubmapId id) const {
   const submap::SubmapRow* row = book_.find(id);
   if (!row) return {};
-  if (row->pose_problem != ReasonCode::None) return {ReasonCode::CannotBePlaced, {}, {row->pose_problem}};
+  if (row->pose_problem != FaultCode()) return {fault::CannotBePlaced, {}, {row->pose_problem}};
   if (const auto it = failure_reasons_.find(id); it != failure_reasons_.end()) return it->second;
-  if (auto corrupt = row->corruptSlices(); !corrupt.empty())
-    return {ReasonCode::Slices, {}, std::move(corrupt)};
-  return row->stale_texture ? ReasonCode::OlderVersionListed : ReasonCode::None;
+  if (auto corrupt = row->corruptSlices(); !corrupt.empty()) return {fault::Slices, {}, std::move(corrupt)};
+  return row->stale_texture ? fault::OlderVersionListed : FaultCode();
 }
 
 SubmapCounts Submaps::counts() const {

@@ -58,7 +58,7 @@ class Submaps : public QObject {
   int lost() const { return int(lost_.size()); }
   std::size_t textureBytes() const { return textures_->bytesInMemory(); }
   SubmapStatus status(map::SubmapId id) const;
-  map::Reason reason(map::SubmapId id) const;
+  Fault reason(map::SubmapId id) const;
   bool settled(int tries) const;
   geometry::WorldRect contentBounds() const { return tally_.contentBounds(); }
 
@@ -112,7 +112,7 @@ class Submaps : public QObject {
   submap::SubmapBook book_;
   submap::FetchScheduler scheduler_;
   SubmapTally tally_;
-  std::unordered_map<map::SubmapId, map::Reason> failure_reasons_;
+  std::unordered_map<map::SubmapId, Fault> failure_reasons_;
   std::unordered_map<map::SubmapId, int> decoding_;
   std::set<map::SubmapId> lost_;
   std::unordered_map<map::SubmapId, std::int32_t> asked_again_;  // the version, after it could not be decoded

@@ -4,26 +4,26 @@
 #include <cmath>
 #include <utility>
 
+#include "submap/faults.h"
+
 namespace mapwright::submap {
 namespace {
 
-using map::ReasonCode;
-
-map::ReasonCode poseProblem(const geometry::Pose3& pose) {
+FaultCode poseProblem(const geometry::Pose3& pose) {
   if (!geometry::toIsometry(pose)) {
     const double length = std::hypot(std::hypot(pose.qx, pose.qy), std::hypot(pose.qz, pose.qw));
-    return std::isfinite(length) && length < 1e-6 ? ReasonCode::TurnIsZero : ReasonCode::PoseNotFinite;
+    return std::isfinite(length) && length < 1e-6 ? fault::TurnIsZero : fault::PoseNotFinite;
   }
   if (std::max(std::abs(pose.x), std::abs(pose.y)) > kMaxCoordinateM) {
-    return ReasonCode::PoseTooFar;
+    return fault::PoseTooFar;
   }
-  return ReasonCode::None;
+  return FaultCode();
 }
 
 void noteTwice(const map::SubmapEntry& first, const map::SubmapEntry& other, ListDifference& difference) {
   difference.listed_twice.insert(first.id);
   difference.problems.push_back({map::Severity::Warning, map::subjectOf(first.id),
-                                 first == other ? ReasonCode::ListedTwice : ReasonCode::ListedTwiceUnlike,
+                                 first == other ? fault::ListedTwice : fault::ListedTwiceUnlike,
                                  map::ProblemCode::ListedTwice});
 }
 
@@ -35,7 +35,7 @@ std::vector<map::SubmapEntry> uniqueEntries(const map::SubmapList& list, ListDif
     std::stable_sort(entries.begin(), entries.end(), before);
   }
   const auto rank = [](const map::SubmapEntry& e) {
-    return std::pair(poseProblem(e.pose) == ReasonCode::None, e.version);
+    return std::pair(poseProblem(e.pose) == FaultCode(), e.version);
   };
   std::size_t kept = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -59,7 +59,7 @@ ListDifference compareLists(const ListedBefore& before, const map::SubmapList& l
   difference.slam_state = list.slam_state;
   difference.new_session = !before.entries || before.uuid != list.uuid;
   difference.rows_rejected = !list.rejected.empty();
-  for (const map::Reason& why : list.rejected) {
+  for (const Fault& why : list.rejected) {
     difference.problems.push_back(
         {map::Severity::Warning, map::SubjectKind::SubmapList, why, map::ProblemCode::Odd});
   }

@@ -24,7 +24,7 @@ struct ListedBefore {
 /// An entry with why its pose cannot be used; None = it can.
 struct ListedEntry {
   map::SubmapEntry entry;
-  map::ReasonCode pose_problem = map::ReasonCode::None;
+  FaultCode pose_problem;
 };
 
 struct ListDifference {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "cells/decode_cells.h"
+#include "submap/faults.h"
 #include "submap/submap_book.h"
 
 namespace mapwright::submap {
@@ -14,7 +15,7 @@ Slice decodeSlice(const map::RawSlice& raw) {
   if (raw.cells.empty() && raw.width == 0 && raw.height == 0) return slice;
   const auto pose = geometry::toIsometry(raw.slice_pose);
   if (!pose || pose->translation().cwiseAbs().maxCoeff() > kMaxCoordinateM) {
-    slice.corrupt = map::ReasonCode::SlicePoseUnusable;
+    slice.corrupt = fault::SlicePoseUnusable;
     return slice;
   }
   const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(raw.cells.data()),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "submap/faults.h"
+
 namespace mapwright::submap {
 namespace {
 
@@ -19,13 +21,12 @@ bool SubmapRow::drawable(int slice) const {
          slices[std::size_t(slice)].texture;
 }
 
-std::vector<map::Reason> SubmapRow::corruptSlices() const {
-  std::vector<map::Reason> reasons;
+std::vector<Fault> SubmapRow::corruptSlices() const {
+  std::vector<Fault> reasons;
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    const map::Reason& corrupt = slices[i].corrupt;
+    const Fault& corrupt = slices[i].corrupt;
     if (!corrupt.any()) continue;
-    reasons.push_back(
-        slices.size() == 1 ? corrupt : map::Reason(map::ReasonCode::OneSlice, {std::int64_t(i)}, {corrupt}));
+    reasons.push_back(slices.size() == 1 ? corrupt : Fault(fault::OneSlice, {std::int64_t(i)}, {corrupt}));
   }
   return reasons;
 }
@@ -111,23 +112,22 @@ void SubmapBook::countSlices(std::size_t before, std::size_t now) {
 
 void SubmapBook::take(const ListedEntry& listed, BookChange& change) {
   const map::SubmapEntry& entry = listed.entry;
-  const map::ReasonCode problem = listed.pose_problem;
-  const bool usable = problem == map::ReasonCode::None;
+  const FaultCode problem = listed.pose_problem;
+  const bool usable = problem == FaultCode();
   const auto [it, added] = rows_.try_emplace(entry.id);
   SubmapRow& row = it->second;
   change.set_changed |= added;
   change.listed.push_back(entry.id);
   if (!usable && problem != row.pose_problem) {
-    change.problems.push_back(
-        {map::Severity::Error,
-         map::subjectOf(entry.id),
-         {map::ReasonCode::VersionCannotBePlaced,
-          {std::int64_t(entry.version)},
-          {problem},
-          row.pose_usable ? map::Consequence::StaysWhereItWas : map::Consequence::ShownWithoutIt},
-         map::ProblemCode::Unplaced});
+    change.problems.push_back({map::Severity::Error,
+                               map::subjectOf(entry.id),
+                               {fault::VersionCannotBePlaced,
+                                {std::int64_t(entry.version)},
+                                {problem},
+                                row.pose_usable ? Consequence::StaysWhereItWas : Consequence::ShownWithoutIt},
+                               map::ProblemCode::Unplaced});
   }
-  if (usable && row.pose_problem != map::ReasonCode::None) {
+  if (usable && row.pose_problem != FaultCode()) {
     change.recoveries.push_back({map::subjectOf(entry.id), map::ProblemCode::Unplaced});
   }
   row.pose_problem = problem;
@@ -149,11 +149,11 @@ void SubmapBook::weighVersion(map::SubmapId id, SubmapRow& row, BookChange& chan
     ahead_.insert(id);
     const int lists = ++backward_lists_[id];
     if (!row.stale_texture) {
-      change.problems.push_back({map::Severity::Warning,
-                                 map::subjectOf(id),
-                                 {map::ReasonCode::VersionWentBack,
-                                  {std::int64_t(row.shown_version), std::int64_t(row.entry.version)}},
-                                 map::ProblemCode::VersionWentBack});
+      change.problems.push_back(
+          {map::Severity::Warning,
+           map::subjectOf(id),
+           {fault::VersionWentBack, {std::int64_t(row.shown_version), std::int64_t(row.entry.version)}},
+           map::ProblemCode::VersionWentBack});
     }
     row.stale_texture = true;
     if (lists == kBackwardLists) change.restarted.push_back(id);
@@ -190,10 +190,10 @@ BookChange SubmapBook::commit(DecodedSubmap decoded) {
   if (auto reasons = row.corruptSlices(); !reasons.empty()) {
     change.problems.push_back({map::Severity::Error,
                                map::subjectOf(decoded.key.id),
-                               {map::ReasonCode::VersionBroken,
+                               {fault::VersionBroken,
                                 {std::int64_t(decoded.version)},
                                 std::move(reasons),
-                                map::Consequence::ShownWithoutItUntilTheNext},
+                                Consequence::ShownWithoutItUntilTheNext},
                                map::ProblemCode::Unreadable});
   } else {
     change.recoveries.push_back({map::subjectOf(decoded.key.id), map::ProblemCode::Unreadable});

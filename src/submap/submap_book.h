@@ -24,7 +24,7 @@ struct Slice {
   std::shared_ptr<const cells::CellTexture> texture;
   geometry::Pose3 slice_pose;
   std::int32_t z_level = 0;
-  map::Reason corrupt;  // why it cannot be drawn; none when fine or simply absent
+  Fault corrupt;  // why it cannot be drawn; none when fine or simply absent
 };
 
 /// A submap decoded off the GUI thread, waiting to be committed.
@@ -39,7 +39,7 @@ struct DecodedSubmap {
 struct SubmapRow {
   map::SubmapEntry entry;  // the newest usable list entry
   bool pose_usable = false;
-  map::ReasonCode pose_problem = map::ReasonCode::None;  // why not
+  FaultCode pose_problem;           // why not
   bool stale_texture = false;       // texture kept while a lower version was listed (see SubmapBook::apply)
   std::int32_t shown_version = -1;  // -1 = nothing held
   std::vector<Slice> slices;
@@ -50,7 +50,7 @@ struct SubmapRow {
   /// It has a place and a picture of this slice: what is counted as shown, wherever it is counted.
   bool drawable(int slice) const;
   /// Why slices are not drawn; empty when all that came are fine.
-  std::vector<map::Reason> corruptSlices() const;
+  std::vector<Fault> corruptSlices() const;
 };
 
 /// What a list or a commit changed.

@@ -115,7 +115,7 @@ class LayerWishTest : public QObject {
     wish_->ask({Layer::Path}, false);
     QVERIFY(!wish_->in());
     const std::string topic = topicOf(map::Stream::Path);
-    robot_->say(map::UnreadableMessage{topic, map::said("no list")}, topic);
+    robot_->say(map::UnreadableMessage{topic, fault::said("no list")}, topic);
     QVERIFY(wish_->in());
   }
 };

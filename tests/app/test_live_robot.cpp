@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "robot/axbot/axbot_robot.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "simulator/simulator.h"
 

@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/waypoint_sending.h"
 #include "exchange/waypoint_plan.h"
+#include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
 
 using namespace mapwright;
@@ -148,7 +149,7 @@ class WaypointSendingTest : public QObject {
     fill(store);
     map::Failure tags = failed(map::FailureKind::RejectedByRobot, map::Applied::Yes);
     tags.reason = map::FailureReason::Unfit;
-    tags.cause = {map::ReasonCode::TagsNotTaken, {"Ada"}};
+    tags.cause = {robot::ros::fault::TagsNotTaken, {"Ada"}};
     store.failures = {tags};
     store.does_what_fails = false;
     const auto robot = reading();

@@ -5,7 +5,7 @@
 
 #include "cells/decode_cells.h"
 #include "packed_samples.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::cells;

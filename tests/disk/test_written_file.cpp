@@ -119,15 +119,15 @@ class WrittenFileTest : public QObject {
   void whatDoesNotFitLeavesTheOldFile() {
     QFETCH(int, bytes);
     put(at("a"), "the old one");
-    std::optional<Fault> problem;
+    std::optional<FileError> problem;
     {
       const SmallDisk full(64);
       problem = writeFile(at("a"), std::string(std::size_t(bytes), 'x'));
     }
     QVERIFY(problem.has_value());
-    QCOMPARE(problem->code, FaultCode::System);
+    QCOMPARE(problem->cause.code, mapwright::fault::Said);
     QCOMPARE(problem->path, at("a"));
-    QVERIFY(!problem->system.empty());
+    QVERIFY(!std::get<std::string>(problem->cause.arguments.at(0)).empty());
     QCOMPARE(read(at("a")), std::string("the old one"));
     QCOMPARE(names(), QStringList{QStringLiteral("a")});
   }
@@ -139,7 +139,7 @@ class WrittenFileTest : public QObject {
   void aFullDiskIsTold() {
     QFETCH(int, bytes);
     const auto problem = writeFile("/dev/full", std::string(std::size_t(bytes), 'x'));
-    QVERIFY(problem && problem->system == "No space left on device");
+    QVERIFY(problem && problem->cause == mapwright::fault::said("No space left on device"));
     QVERIFY(S_ISCHR(modeOf("/dev/full")));
   }
 
@@ -212,7 +212,7 @@ class WrittenFileTest : public QObject {
   }
 
   void foldersAndPlacesThatAreNotThereAreRefused() {
-    QCOMPARE(writeFile(folder_->path().toStdString(), "x")->code, FaultCode::IsAFolder);
+    QCOMPARE(writeFile(folder_->path().toStdString(), "x")->cause.code, mapwright::disk::fault::IsAFolder);
     QVERIFY(writeFile(at("none/a"), "x").has_value());
     QVERIFY(writeFile("/proc/mapwright", "x").has_value());
     QVERIFY(writeFile("", "x").has_value());

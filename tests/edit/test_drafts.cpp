@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "edit/draft_keeper.h"
+#include "edit/faults.h"
 #include "edit/waypoint_fields.h"
 
 using namespace mapwright;
@@ -118,8 +119,8 @@ class TestDrafts : public QObject {
     }();
     auto left = leftDrafts(folder.path(), kOffice);
     QCOMPARE(left.drafts.size(), std::size_t(1));
-    const map::Reason reason = setAside(std::move(left.drafts[0]));
-    const auto says = [&](const map::Argument& argument) {
+    const Fault reason = setAside(std::move(left.drafts[0]));
+    const auto says = [&](const FaultArgument& argument) {
       const auto* const words = std::get_if<std::string>(&argument);
       return words && words->find(path.toStdString() + ".broken") != std::string::npos;
     };
@@ -173,7 +174,7 @@ class TestDrafts : public QObject {
     keeper.touch();
     clock.ring();
     QTRY_COMPARE(trouble.size(), 1);
-    QCOMPARE(keeper.trouble().code, map::ReasonCode::DraftFolderNotMade);
+    QCOMPARE(keeper.trouble().code, edit::fault::DraftFolderNotMade);
     blocker.remove();
     QTRY_COMPARE(clock.waiting.size(), std::size_t(1));
     clock.ring();

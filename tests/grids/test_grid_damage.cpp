@@ -3,7 +3,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;

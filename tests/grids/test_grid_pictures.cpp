@@ -6,7 +6,7 @@
 
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -297,7 +297,7 @@ class TestGridPictures : public QObject {
   void whatIsNoFileIsASentence() {
     const auto none = openGridFile("/nowhere/at/all.png", {});
     QVERIFY(!none);
-    QCOMPARE(none.error().arguments, (std::vector<map::Argument>{"/nowhere/at/all.png"}));
+    QCOMPARE(none.error().arguments, (std::vector<FaultArgument>{"/nowhere/at/all.png"}));
     QVERIFY(!openGridFile("/", {}));
     QVERIFY(!openGridFile("/dev/zero", {}));
   }

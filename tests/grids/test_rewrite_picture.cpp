@@ -2,6 +2,7 @@
 // becomes another without need.
 #include <QtTest>
 
+#include "grids/faults.h"
 #include "grids/picture_shades.h"
 #include "grids/rewrite_picture.h"
 #include "picture_samples.h"
@@ -163,8 +164,7 @@ class TestRewritePicture : public QObject {
     QVERIFY(rewritePicture(*wanted, bmp.toStdString(), reading));
     QCOMPARE(content(bmp), QByteArray("BM not really"));
     const QString other = written("o.pgm", "P5\n3 1\n255\n\xfe\xfe\xfe");
-    QCOMPARE(rewritePicture(*wanted, other.toStdString(), reading)->code,
-             map::ReasonCode::PictureOfOtherSize);
+    QCOMPARE(rewritePicture(*wanted, other.toStdString(), reading)->code, grids::fault::PictureOfOtherSize);
     QVERIFY(rewritePicture(*wanted, path("gone.pgm").toStdString(), reading));
     QVERIFY(!QFileInfo::exists(path("gone.pgm")));
     QVERIFY(canRewrite("a/MAP.PGM") && canRewrite("x.png") && !canRewrite("x.bmp") && !canRewrite("png"));

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
@@ -21,6 +22,7 @@ class TestTexts : public QObject {
   void whatPeopleReadCanBeTranslated();
   void whatIsCountedHasItsSingular();
   void oneAndManyReadWell();
+  void faultsNameTheirRoomAndEachArgumentOnce();
 };
 
 /// A text in the sources, its parts joined, with the code right before it.
@@ -73,7 +75,7 @@ bool isSentence(const QString& text) {
 
 bool isTranslated(const Literal& literal) {
   static const QRegularExpression call(QStringLiteral(
-      "(\\b(tr|QT_TR_NOOP)\\s*\\(|\\b(translate|QT_TRANSLATE_NOOP)\\s*\\(\\s*\"[^\"]*\"\\s*,)\\s*$"));
+      "(\\b(tr|QT_TR_NOOP)\\s*\\(|\\b(translate|QT_TRANSLATE_(N_)?NOOP)\\s*\\(\\s*\"[^\"]*\"\\s*,)\\s*$"));
   return literal.before.contains(call);
 }
 
@@ -151,7 +153,9 @@ void TestTexts::whatIsCountedHasItsSingular() {
   QSet<QString> counted;
   eachLiteral({QStringLiteral("ui"), QStringLiteral("app"), QStringLiteral("src")},
               [&](const QString&, const Literal& literal) {
-                if (isTranslated(literal) && literal.after == QLatin1String(",")) counted << literal.text;
+                const bool numerus = literal.after == QLatin1String(",") ||
+                                     literal.before.contains(QLatin1String("QT_TRANSLATE_N_NOOP("));
+                if (isTranslated(literal) && numerus) counted << literal.text;
               });
   QVERIFY(counted.size() > 15);
   for (const QString& text : std::as_const(counted)) {
@@ -170,6 +174,40 @@ void TestTexts::oneAndManyReadWell() {
   QCOMPARE(maps(1), QStringLiteral("1 map"));
   QCOMPARE(maps(12'480), QStringLiteral("12,480 maps"));
   QCOMPARE(maps(5'000'000'000), QStringLiteral("5,000,000,000 maps"));
+}
+
+void TestTexts::faultsNameTheirRoomAndEachArgumentOnce() {
+  static const QRegularExpression declared(
+      QStringLiteral("FaultCode (\\w+)\\{\\s*\"(\\w+)\",\\s*QT_TRANSLATE_(?:N_)?NOOP\\(\\s*\"(\\w+)\",\\s*"
+                     "((?:\"(?:\\\\.|[^\"\\\\])*\"\\s*)+)\\)")),
+      place(QStringLiteral("%([1-9])")), between(QStringLiteral("\"\\s*\""));
+  int seen = 0;
+  QSet<QString> all;
+  for (const char* const top : {"src", "ui", "app"}) {
+    QDirIterator it(QStringLiteral(MAPWRIGHT_SOURCES "/%1").arg(QLatin1String(top)),
+                    {QStringLiteral("faults.h")}, QDir::Files, QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+      QFile file(it.next());
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QString room = QFileInfo(file.fileName()).dir().dirName();
+      for (auto found = declared.globalMatch(QString::fromUtf8(file.readAll())); found.hasNext(); ++seen) {
+        const auto match = found.next();
+        QCOMPARE(match.captured(2), room);
+        QCOMPARE(match.captured(3), room);
+        QString text = match.captured(4);
+        text.remove(between);
+        // A fault is known by its room and its words.
+        QVERIFY2(!all.contains(room + text), qPrintable(text));
+        all << room + text;
+        QStringList places;
+        for (auto one = place.globalMatch(text); one.hasNext();) places << one.next().captured(1);
+        places.sort();
+        for (qsizetype i = 0; i < places.size(); ++i)
+          QVERIFY2(places[i].toInt() == int(i) + 1, qPrintable(text));
+      }
+    }
+  }
+  QVERIFY(seen > 300);
 }
 
 }  // namespace

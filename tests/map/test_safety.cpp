@@ -179,7 +179,7 @@ class SafetyTest : public QObject {
     }
     const Problem hot = problemOf({SafetyKind::Alert, Severity::Error, 6004, "hot", 0, 1, {}});
     QCOMPARE(hot.subject.id, std::string("alert:6004"));
-    QVERIFY(hot.reason == said("hot"));
+    QVERIFY(hot.reason == mapwright::fault::said("hot"));
   }
 };
 

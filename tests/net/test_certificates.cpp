@@ -7,6 +7,7 @@
 #include "net/web_socket_link.h"
 #include "secure_server.h"
 
+using namespace mapwright;
 using namespace mapwright::net;
 using testing::SecureServer;
 using Kind = CertificateFault::Reason;
@@ -17,7 +18,7 @@ namespace {
 struct Ending {
   bool connected = false;
   std::optional<CertificateFault> fault;
-  Reason reason;
+  Fault reason;
 };
 
 Ending overHttp(const SecureServer& server, const Trust& trust, const QByteArray& secret) {
@@ -38,7 +39,7 @@ Ending overWebSocket(const SecureServer& server, const Trust& trust, const QByte
   link.open();
   using State = WebSocketLink::State;
   if (!QTest::qWaitFor([&] { return link.state() != State::Connecting; }, 20'000)) return {};
-  if ((link.fault() == WebSocketLink::Fault::Certificate) != link.certificate().has_value()) return {};
+  if ((link.failure() == WebSocketLink::Failure::Certificate) != link.certificate().has_value()) return {};
   return {link.state() == State::Open, link.certificate(), link.reason()};
 }
 
@@ -100,10 +101,10 @@ class TestCertificates : public QObject {
     QCOMPARE(ending.fault->reasons.size(), reasons.size());
     QCOMPARE(ending.fault->sha256, testing::sha256(certificate));
     QVERIFY(ending.fault->trustable());
-    QCOMPARE(ending.reason.code, ReasonCode::CertificateUntrusted);
+    QCOMPARE(ending.reason.code, net::fault::CertificateUntrusted);
     QCOMPARE(ending.reason.because.size(), std::size_t(reasons.size()));
     QStringList details;
-    for (const Reason& why : ending.reason.because) details << why.arguments;
+    for (const Fault& why : ending.reason.because) details << why.arguments;
     QCOMPARE(details, words);
     QCOMPARE(ending.reason.arguments, (QStringList{QStringLiteral("127.0.0.1:%1").arg(server.port()),
                                                    fingerprintText(testing::sha256(certificate))}));
@@ -173,7 +174,7 @@ class TestCertificates : public QObject {
     QVERIFY(!ending.connected);
     QVERIFY(ending.fault);
     QCOMPARE(ending.fault->reasons, QList<Kind>{Kind::Changed});
-    QCOMPARE(ending.reason.code, ReasonCode::CertificateChanged);
+    QCOMPARE(ending.reason.code, net::fault::CertificateChanged);
     QVERIFY(ending.reason.arguments.contains(fingerprintText(trust.pinned_sha256)));
     QVERIFY(ending.reason.arguments.contains(fingerprintText(testing::sha256(certificate))));
     QVERIFY(server.seen.isEmpty());
@@ -184,13 +185,13 @@ class TestCertificates : public QObject {
     WebSocketLink link({server.url(QStringLiteral("wss"))}, {}, {});
     link.open();
     QTRY_COMPARE(link.state(), WebSocketLink::State::Closed);
-    QCOMPARE(link.fault(), WebSocketLink::Fault::Certificate);
+    QCOMPARE(link.failure(), WebSocketLink::Failure::Certificate);
     Trust trust;
     trust.pinned_sha256 = link.certificate()->sha256;
     link.setTrust(trust);
     link.open();
     QTRY_COMPARE(link.state(), WebSocketLink::State::Open);
-    QCOMPARE(link.fault(), WebSocketLink::Fault::None);
+    QCOMPARE(link.failure(), WebSocketLink::Failure::None);
     QVERIFY(!link.certificate());
   }
 
@@ -213,7 +214,7 @@ class TestCertificates : public QObject {
                                  QUrl(QStringLiteral("https://h")));
       QVERIFY(fault);
       QVERIFY(fault->subject.size() <= 40);
-      for (const Reason& why : fault->whys)
+      for (const Fault& why : fault->whys)
         QVERIFY(!why.arguments.join(QLatin1Char(' ')).contains(QLatin1Char('<')));
     }
   }
@@ -260,13 +261,13 @@ class TestCertificates : public QObject {
         socket->disconnectFromHost();
       });
     });
-    Reason reason;
+    Fault reason;
     if (web_socket) {
       WebSocketLink link({QUrl(QStringLiteral("wss://127.0.0.1:%1/").arg(plain.serverPort()))}, "hush", {});
       link.open();
       QTRY_COMPARE(link.state(), WebSocketLink::State::Waiting);
       reason = link.reason();
-      QCOMPARE(link.fault(), WebSocketLink::Fault::Unreachable);
+      QCOMPARE(link.failure(), WebSocketLink::Failure::Unreachable);
     } else {
       HttpClient client(QUrl(), {}, nullptr);
       HttpRequest request;
@@ -277,7 +278,7 @@ class TestCertificates : public QObject {
       QCOMPARE(answer->kind, HttpAnswer::Kind::Unreachable);
       reason = answer->reason;
     }
-    QCOMPARE(reason.code, ReasonCode::ConnectionNotSecure);
+    QCOMPARE(reason.code, net::fault::ConnectionNotSecure);
   }
 
  private:

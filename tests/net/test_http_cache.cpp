@@ -11,6 +11,7 @@
 #include "net/cache_control.h"
 #include "net/http_cache.h"
 
+using namespace mapwright;
 using namespace mapwright::net;
 
 namespace {
@@ -297,8 +298,8 @@ class TestHttpCache : public QObject {
     QFile in_the_way(folder_->filePath(QStringLiteral("file")));
     QVERIFY(in_the_way.open(QIODevice::WriteOnly));
     HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
-    QList<Reason> told;
-    cache.setTrouble([&](const Reason& why) { told << why; });
+    QList<Fault> told;
+    cache.setTrouble([&](const Fault& why) { told << why; });
     for (int i = 0; i < 5; ++i) cache.store(numbered(i), "body", {}, "immutable", {}, true);
     cache.flush();
     QCOMPARE(told.size(), qsizetype(1));
@@ -314,7 +315,7 @@ class TestHttpCache : public QObject {
     QVERIFY(in_the_way.open(QIODevice::WriteOnly));
     HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
     QList<QThread*> told_on;
-    cache.setTrouble([&](const Reason&) { told_on << QThread::currentThread(); });
+    cache.setTrouble([&](const Fault&) { told_on << QThread::currentThread(); });
     cache.store(kUrl, "body", {}, "immutable", {}, true);
     QVERIFY(told_on.isEmpty());  // never from within
     QTRY_COMPARE(told_on, QList<QThread*>{QThread::currentThread()});
@@ -327,7 +328,7 @@ class TestHttpCache : public QObject {
     int told = 0;
     {
       HttpCache cache(in_the_way.fileName(), 1 << 20, [this] { return now_; });
-      cache.setTrouble([&](const Reason&) { ++told; });
+      cache.setTrouble([&](const Fault&) { ++told; });
       cache.store(kUrl, "body", {}, "immutable", {}, true);
     }
     QCoreApplication::processEvents();

@@ -7,6 +7,7 @@
 #include "net/http_client.h"
 #include "scripted_server.h"
 
+using namespace mapwright;
 using namespace mapwright::net;
 using testing::ScriptedServer;
 using testing::SeenRequest;
@@ -33,8 +34,8 @@ HttpAnswer ask(HttpClient& client, HttpRequest request) {
   const bool arrived = QTest::qWaitFor([&] { return asked.replies > 0; }, 20'000);
   if (immediate || !arrived || asked.replies != 1) {
     HttpAnswer wrong;
-    wrong.reason = {ReasonCode::Said,
-                    {QStringLiteral("not answered exactly once and later: %1").arg(asked.replies)}};
+    wrong.reason =
+        faultOf(fault::Said, {QStringLiteral("not answered exactly once and later: %1").arg(asked.replies)});
     return wrong;
   }
   return asked.answer;
@@ -82,8 +83,7 @@ class TestHttpClient : public QObject {
     QCOMPARE(answer.kind, Kind::Answered);
     QCOMPARE(answer.status, 404);
     QVERIFY(!answer.ok());
-    QCOMPARE(answer.reason,
-             Reason(ReasonCode::AnsweredWithStatusSaying, {QStringLiteral("No such map")}, 404));
+    QCOMPARE(answer.reason, Fault(net::fault::AnsweredWithStatusSaying, {HttpStatus{404}, "No such map"}));
   }
 
   void everyStatusIsAnAnswer() {
@@ -117,8 +117,8 @@ class TestHttpClient : public QObject {
 
     const HttpAnswer away = ask(client, to(server.url(QStringLiteral("/away"))));
     QCOMPARE(away.kind, Kind::Refused);
-    QCOMPARE(away.reason, Reason(ReasonCode::LeadsToAnotherServer,
-                                 {QStringLiteral("127.0.0.1:%1").arg(elsewhere.port())}));
+    QCOMPARE(away.reason, faultOf(net::fault::LeadsToAnotherServer,
+                                  {QStringLiteral("127.0.0.1:%1").arg(elsewhere.port())}));
     QVERIFY(elsewhere.seen.isEmpty());
 
     const HttpAnswer here = ask(client, to(server.url(QStringLiteral("/here"))));
@@ -205,7 +205,7 @@ class TestHttpClient : public QObject {
     const HttpAnswer answer = ask(client, request);
     QCOMPARE(answer.kind, Kind::TooLarge);
     QVERIFY(answer.body.isEmpty());
-    QCOMPARE(answer.reason, Reason(ReasonCode::AnswerTooLong, {QStringLiteral("2,999,999")}));
+    QCOMPARE(answer.reason, faultOf(fault::AnswerTooLong, {QStringLiteral("2,999,999")}));
     request.max_bytes = 3'000'000;
     QCOMPARE(ask(client, request).body.size(), 3'000'000);
   }
@@ -217,7 +217,7 @@ class TestHttpClient : public QObject {
     request.timeout = std::chrono::milliseconds(50);
     const HttpAnswer answer = ask(client, request);
     QCOMPARE(answer.kind, Kind::TimedOut);
-    QCOMPARE(answer.reason, Reason(ReasonCode::NoAnswerWithin, {QStringLiteral("50 ms")}));
+    QCOMPARE(answer.reason, faultOf(net::fault::NoAnswerWithin, {QStringLiteral("50 ms")}));
     QTRY_COMPARE(server.disconnects, 1);  // and the connection is given up
   }
 
@@ -232,7 +232,7 @@ class TestHttpClient : public QObject {
     const HttpAnswer answer = ask(client, to(url));
     QCOMPARE(answer.kind, Kind::Unreachable);
     QCOMPARE(answer.reason,
-             Reason(ReasonCode::ConnectionRefused, {QStringLiteral("127.0.0.1:%1").arg(port)}));
+             faultOf(net::fault::ConnectionRefused, {QStringLiteral("127.0.0.1:%1").arg(port)}));
     QCOMPARE(answer.status, 0);
   }
 

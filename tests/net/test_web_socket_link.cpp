@@ -8,6 +8,7 @@
 #include "scripted_server.h"
 #include "secure_server.h"
 
+using namespace mapwright;
 using namespace mapwright::net;
 using testing::ScriptedServer;
 using testing::SeenRequest;
@@ -178,12 +179,12 @@ class TestWebSocketLink : public QObject {
     QTRY_COMPARE(server->peers.size(), 1);
     server->peers[0]->close(QWebSocketProtocol::CloseCodeGoingAway, QStringLiteral("<b>restart</b>"));
     QTRY_COMPARE(opened.size(), 2);
-    QCOMPARE(reasons.value(0), Reason(ReasonCode::ConnectionClosedSaying,
-                                      {QStringLiteral(u"\u2039b\u203arestart\u2039/b\u203a")}));
+    QCOMPARE(reasons.value(0), faultOf(net::fault::ConnectionClosedSaying,
+                                       {QStringLiteral(u"\u2039b\u203arestart\u2039/b\u203a")}));
     QTRY_COMPARE(server->peers.size(), 2);
     reasons.clear();
     server.reset();
-    const Reason refused(ReasonCode::ConnectionRefused, {QStringLiteral("127.0.0.1:%1").arg(port)});
+    const Fault refused = faultOf(net::fault::ConnectionRefused, {QStringLiteral("127.0.0.1:%1").arg(port)});
     QTRY_VERIFY(reasons.count(refused) >= 3);
     QVERIFY(most_attempts >= 3);
     EchoServer again(port);
@@ -222,7 +223,7 @@ class TestWebSocketLink : public QObject {
     });
     link.open();
     QTRY_VERIFY(opened.size() >= 2);  // and it tries again
-    QCOMPARE(reasons.value(0), Reason(ReasonCode::NoAnswerWithin, {QStringLiteral("60 ms")}));
+    QCOMPARE(reasons.value(0), faultOf(net::fault::NoAnswerWithin, {QStringLiteral("60 ms")}));
     QVERIFY(mute.handshakes >= 2);
   }
 
@@ -325,8 +326,8 @@ class TestWebSocketLink : public QObject {
     QTRY_COMPARE(link.silence(), milliseconds(0));
     clock.time += milliseconds(15'001);
     QTRY_COMPARE(link.state(), State::Waiting);
-    QCOMPARE(link.reason(), Reason(ReasonCode::NoAnswerWithin, {QStringLiteral("15 s")}));
-    QCOMPARE(link.fault(), WebSocketLink::Fault::TimedOut);
+    QCOMPARE(link.reason(), faultOf(net::fault::NoAnswerWithin, {QStringLiteral("15 s")}));
+    QCOMPARE(link.failure(), WebSocketLink::Failure::TimedOut);
   }
 
   void whatHasComeOfAMessageIsCounted() {
@@ -441,35 +442,35 @@ class TestWebSocketLink : public QObject {
 
   void whatKindOfFailureItWasIsTold_data() {
     QTest::addColumn<QByteArray>("answer");
-    QTest::addColumn<int>("fault");
-    using Fault = WebSocketLink::Fault;
-    const auto row = [](const char* name, const QByteArray& answer, Fault fault) {
-      QTest::addRow("%s", name) << answer << int(fault);
+    QTest::addColumn<int>("failure");
+    using Failure = WebSocketLink::Failure;
+    const auto row = [](const char* name, const QByteArray& answer, Failure failure) {
+      QTest::addRow("%s", name) << answer << int(failure);
     };
-    row("401", ScriptedServer::reply(401, {}, {}), Fault::Refused);
-    row("403", ScriptedServer::reply(403, {}, {}), Fault::Refused);
+    row("401", ScriptedServer::reply(401, {}, {}), Failure::Refused);
+    row("403", ScriptedServer::reply(403, {}, {}), Failure::Refused);
     row("a page", ScriptedServer::reply(200, "Content-Type: text/html\r\n", "<p>hello"),
-        Fault::NotAWebSocket);
-    row("404", ScriptedServer::reply(404, {}, {}), Fault::NotAWebSocket);
-    row("400", ScriptedServer::reply(400, {}, {}), Fault::NotAWebSocket);
+        Failure::NotAWebSocket);
+    row("404", ScriptedServer::reply(404, {}, {}), Failure::NotAWebSocket);
+    row("400", ScriptedServer::reply(400, {}, {}), Failure::NotAWebSocket);
     row("redirect", ScriptedServer::reply(302, "Location: http://127.0.0.1:1/\r\n", {}),
-        Fault::NotAWebSocket);
-    row("no HTTP", "SSH-2.0-OpenSSH_9\r\n\r\n", Fault::NotAWebSocket);
-    row("501", ScriptedServer::reply(501, {}, {}), Fault::NotAWebSocket);
-    row("500", ScriptedServer::reply(500, {}, {}), Fault::Unreachable);
-    row("503", ScriptedServer::reply(503, {}, {}), Fault::Unreachable);
-    row("hang up", ScriptedServer::kHangUp, Fault::Unreachable);
+        Failure::NotAWebSocket);
+    row("no HTTP", "SSH-2.0-OpenSSH_9\r\n\r\n", Failure::NotAWebSocket);
+    row("501", ScriptedServer::reply(501, {}, {}), Failure::NotAWebSocket);
+    row("500", ScriptedServer::reply(500, {}, {}), Failure::Unreachable);
+    row("503", ScriptedServer::reply(503, {}, {}), Failure::Unreachable);
+    row("hang up", ScriptedServer::kHangUp, Failure::Unreachable);
   }
   void whatKindOfFailureItWasIsTold() {
     QFETCH(QByteArray, answer);
-    QFETCH(int, fault);
+    QFETCH(int, failure);
     ScriptedServer server([answer](const SeenRequest&) { return answer; });
     WebSocketLinkOptions options = quick();
     options.backoff_first = options.backoff_limit = milliseconds(3'600'000);
     WebSocketLink link({webSocketUrl(server)}, {}, options);
     link.open();
     QTRY_VERIFY(link.state() == State::Waiting || link.state() == State::Closed);
-    QCOMPARE(int(link.fault()), fault);
+    QCOMPARE(int(link.failure()), failure);
     QVERIFY(link.reason().any());
     QVERIFY2(!argumentsOf(link).contains(QStringLiteral("nknown error")), qPrintable(argumentsOf(link)));
   }
@@ -508,7 +509,7 @@ class TestWebSocketLink : public QObject {
     WebSocketLink link({webSocketUrl(server)}, {}, options);
     link.open();
     QTRY_COMPARE(link.state(), State::Waiting);
-    QCOMPARE(link.reason(), Reason(ReasonCode::NoAnswerWithin, {QStringLiteral("50 ms")}));
+    QCOMPARE(link.reason(), faultOf(net::fault::NoAnswerWithin, {QStringLiteral("50 ms")}));
     QCOMPARE(link.attempt(), 1);
   }
 
@@ -552,7 +553,7 @@ class TestWebSocketLink : public QObject {
     link.open();
     QTRY_COMPARE(link.state(), State::Closed);
     QCOMPARE(link.handshakeStatus(), status);
-    QCOMPARE(link.reason(), Reason(ReasonCode::ConnectionForbidden, {}, status));
+    QCOMPARE(link.reason(), Fault(net::fault::ConnectionForbidden, {HttpStatus{status}}));
     QVERIFY(!argumentsOf(link).contains(QStringLiteral("hush")));
     QVERIFY(!link.retryInMs());
     QCOMPARE(server.seen.size(), 1);
@@ -597,7 +598,7 @@ class TestWebSocketLink : public QObject {
     QTRY_COMPARE(link.state(), State::Waiting);
     QCOMPARE(refusing.seen.size(), 2);
     QCOMPARE(link.handshakeStatus(), 404);
-    QCOMPARE(link.reason(), Reason(ReasonCode::ConnectionRejected, {}, 404));
+    QCOMPARE(link.reason(), Fault(net::fault::ConnectionRejected, {HttpStatus{404}}));
     QCOMPARE(link.attempt(), 1);
     link.open();
     QTRY_COMPARE(refusing.seen.size(), 4);
@@ -622,7 +623,7 @@ class TestWebSocketLink : public QObject {
     QTRY_COMPARE(binary.size(), 1);
     server.peers[0]->sendBinaryMessage(QByteArray(1001, 'x'));
     QTRY_COMPARE(link.state(), State::Waiting);
-    QCOMPARE(link.reason(), Reason(ReasonCode::MessageTooLong, {QStringLiteral("1000")}));
+    QCOMPARE(link.reason(), faultOf(net::fault::MessageTooLong, {QStringLiteral("1000")}));
     QCOMPARE(binary.size(), 1);
   }
 

@@ -31,12 +31,12 @@ class Disk final : public recording::AppendTarget {
     std::size_t room = std::size_t(1) << 40;
   };
   explicit Disk(std::shared_ptr<Place> place) : place_(std::move(place)) {}
-  std::optional<disk::Fault> append(std::span<const std::uint8_t> bytes) override {
-    if (place_->bytes.size() + bytes.size() > place_->room) return disk::systemFault("disk", ENOSPC);
+  std::optional<disk::FileError> append(std::span<const std::uint8_t> bytes) override {
+    if (place_->bytes.size() + bytes.size() > place_->room) return disk::systemError("disk", ENOSPC);
     place_->bytes.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return std::nullopt;
   }
-  std::optional<disk::Fault> settle() override { return std::nullopt; }
+  std::optional<disk::FileError> settle() override { return std::nullopt; }
 
  private:
   std::shared_ptr<Place> place_;

@@ -62,13 +62,13 @@ class MemoryDisk final : public AppendTarget {
  public:
   explicit MemoryDisk(std::shared_ptr<std::string> bytes, std::shared_ptr<std::uint64_t> room = nullptr)
       : bytes_(std::move(bytes)), room_(std::move(room)) {}
-  std::optional<mapwright::disk::Fault> append(std::span<const std::uint8_t> bytes) override {
+  std::optional<mapwright::disk::FileError> append(std::span<const std::uint8_t> bytes) override {
     if (room_ && bytes_->size() + bytes.size() > *room_)
-      return mapwright::disk::systemFault("memory", ENOSPC);
+      return mapwright::disk::systemError("memory", ENOSPC);
     bytes_->append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return std::nullopt;
   }
-  std::optional<mapwright::disk::Fault> settle() override { return std::nullopt; }
+  std::optional<mapwright::disk::FileError> settle() override { return std::nullopt; }
 
  private:
   std::shared_ptr<std::string> bytes_;

@@ -252,9 +252,9 @@ void TestMcap::otherFilesAreNoRecordings() {
   QCOMPARE(failureOf("SQLite format 3 and so on"), Failure::Code::NotOne);
   QCOMPARE(failureOf("\x89MCAP9\r\n and what that is nobody knows"), Failure::Code::Version);
   const Opened absent = openRecording(std::string("/nowhere/a.mcap"));
-  QVERIFY(!absent && absent.error().code == Failure::Code::File && !absent.error().file.system.empty());
+  QVERIFY(!absent && absent.error().code == Failure::Code::File && absent.error().file.cause.any());
   const Opened folder = openRecording(std::string("/"));
-  QVERIFY(!folder && folder.error().file.code == mapwright::disk::FaultCode::IsAFolder);
+  QVERIFY(!folder && folder.error().file.cause.code == mapwright::disk::fault::IsAFolder);
 }
 
 QTEST_GUILESS_MAIN(TestMcap)

@@ -85,7 +85,7 @@ void TestMcapWriter::aFullDiskIsToldAndLeavesTheFileSound() {
     const auto fault = writer->write(id, {i, i, 0}, bytesOf(std::string(100, 'x')));
     if (fault) {
       ++faults;
-      QVERIFY(!fault->system.empty());
+      QVERIFY(fault->cause.any());
     }
   }
   QVERIFY(faults > 700);
@@ -192,7 +192,7 @@ void TestMcapWriter::anotherRecordingIsNotWrittenOver() {
   QVERIFY(!appendFile(path, Existing::Refuse));
   QVERIFY(appendFile(path, Existing::Replace));
   const auto device = appendFile("/dev/full", Existing::Replace);
-  QVERIFY(!device && device.error().code == mapwright::disk::FaultCode::NotRegular);
+  QVERIFY(!device && device.error().cause.code == mapwright::disk::fault::NotARegularFile);
 }
 
 void TestMcapWriter::bytesThatCannotBePackedAreStoredAsTheyAre() {

@@ -5,6 +5,7 @@
 
 #include "grids.h"
 #include "render/compose_grid.h"
+#include "render/faults.h"
 #include "render/sample_grid.h"
 
 using namespace mapwright;
@@ -222,7 +223,7 @@ class SampleGridTest : public QObject {
     const Eigen::Vector2d outside = made->reference.cellFromWorld({3.04, 4.04});
     QVERIFY(!meaning.known[made->cells->at(int(outside.x()), int(outside.y()))]);
     const auto nothing = render::composeGrid({}, 0.05, cache);
-    QCOMPARE(nothing.error().code, map::ReasonCode::NoSubmapToExport);
+    QCOMPARE(nothing.error().code, render::fault::NoSubmapToExport);
   }
 };
 

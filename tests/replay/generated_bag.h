@@ -284,7 +284,7 @@ class BagRobot : public QObject, public robot::BagLibrary {
   }
 
   robot::Outcome<robot::BagChunkPtr> outcomeOf(const robot::BagKey& key, const robot::BagRange& range) {
-    const auto fail = [&](map::FailureKind kind, map::Reason cause = {}) {
+    const auto fail = [&](map::FailureKind kind, Fault cause = {}) {
       return tl::make_unexpected(
           map::Failure{.kind = kind, .subject = robot::subjectOf(key), .cause = std::move(cause)});
     };
@@ -328,7 +328,7 @@ class BagRobot : public QObject, public robot::BagLibrary {
       if (s >= range.from_s && (end_inclusive ? s <= range.until_s : s < range.until_s)) add(i);
     }
     if (chunk->messages.size() > most_messages)
-      return fail(map::FailureKind::MalformedAnswer, {map::ReasonCode::AnswerTooLong, {"1"}});
+      return fail(map::FailureKind::MalformedAnswer, {fault::AnswerTooLong, {"1"}});
     chunk->text = std::make_shared<const std::string>(std::move(text));
     return robot::BagChunkPtr(std::move(chunk));
   }

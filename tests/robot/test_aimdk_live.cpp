@@ -3,11 +3,12 @@
 #include <QTest>
 
 #include "robot/aimdk/aimdk_robot.h"
+#include "robot/aimdk/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "robot/sends_map.h"
 #include "robot/silence.h"
 #include "sentences/absence_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "simulator/simulator.h"
 
 using namespace mapwright;
@@ -56,7 +57,7 @@ class AimdkLiveTest : public QObject {
   }
   const map::Problem* away() const {
     for (const map::Problem& problem : problems_) {
-      if (problem.reason.code == map::ReasonCode::PoseSourceAway) return &problem;
+      if (problem.reason.code == robot::aimdk::fault::PoseSourceAway) return &problem;
     }
     return nullptr;
   }
@@ -111,7 +112,7 @@ class AimdkLiveTest : public QObject {
     QTRY_VERIFY(maps && *maps > 0);
     // Every try that fails alike is no news.
     const auto count = std::count_if(problems_.begin(), problems_.end(), [](const map::Problem& problem) {
-      return problem.reason.code == map::ReasonCode::PoseSourceAway;
+      return problem.reason.code == robot::aimdk::fault::PoseSourceAway;
     });
     QCOMPARE(int(count), 1);
     simulator::Options options;

@@ -1,7 +1,7 @@
 #include <QTest>
 
 #include "robot/aimdk/parse_rpc.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::aimdk;

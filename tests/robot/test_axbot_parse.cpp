@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/wire/repair_json.h"
@@ -99,7 +100,7 @@ class AxbotParseTest : public QObject {
         "submap_version":1},{"submap_index":1},7,null,{"trajectory_id":0,"submap_index":0,"submap_version":5}]})");
     QCOMPARE(list.entries.size(), std::size_t(1));
     QCOMPARE(list.rejected.size(), std::size_t(4));
-    QVERIFY(list.rejected[2] == map::Reason(map::ReasonCode::RowWithoutNumbers, {3}));
+    QVERIFY(list.rejected[2] == Fault(robot::axbot::fault::RowWithoutNumbers, {3}));
     QVERIFY2(std::isnan(list.entries[0].pose.x), "a row without a pose is kept, but cannot be placed");
   }
 
@@ -194,7 +195,7 @@ class AxbotParseTest : public QObject {
     QCOMPARE(outcome(ros_messages::slam::UUID_MISMATCH).outcome, Outcome::WrongUuid);
     QCOMPARE(outcome(ros_messages::slam::UNAVAILABLE).outcome, Outcome::Failed);
     QVERIFY(outcome(ros_messages::slam::UNAVAILABLE).reason ==
-            map::Reason(map::ReasonCode::RobotAnswered, {"UNAVAILABLE"}, {map::said("why")}));
+            Fault(robot::axbot::fault::RobotAnswered, {"UNAVAILABLE"}, {fault::said("why")}));
     QCOMPARE(outcome(ros_messages::slam::StatusCode(77)).outcome, Outcome::Failed);
   }
 

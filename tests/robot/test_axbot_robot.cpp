@@ -10,7 +10,7 @@
 #include "ros_messages/wrapper.pb.h"
 #include "scripted_robot.h"
 #include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -586,7 +586,7 @@ class AxbotRobotTest : public QObject {
     server_->serve("/ros/slam/map_image", QByteArray::fromStdString(response.SerializeAsString()));
     overview = answerTo<map::WholeMap>(ask);
     QVERIFY(!overview.has_value());
-    QVERIFY(overview.error().cause.arguments == std::vector<map::Argument>{"UNAVAILABLE"});
+    QVERIFY(overview.error().cause.arguments == std::vector<FaultArgument>{"UNAVAILABLE"});
     server_->serve("/ros/slam/map_image", "<html>");
     QVERIFY(!answerTo<map::WholeMap>(ask).has_value());
   }

@@ -7,14 +7,16 @@
 #include <QCborArray>
 #include <QTest>
 
+#include "grids/faults.h"
+#include "map/faults.h"
 #include "robot/ros/dispatch_messages.h"
 #include "robot/ros/dispatch_names.h"
+#include "robot/ros/faults.h"
 #include "ros_messages.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
 using namespace mapwright::robot::ros;
-using map::ReasonCode;
 using test::byCbor;
 using test::byJson;
 using test::Sent;
@@ -79,8 +81,8 @@ Eigen::Vector3d at(const map::SpatialCloud& cloud, std::size_t i) {
   return cloud.points.at(i).cast<double>() + cloud.origin_m;
 }
 
-bool notes(const std::vector<map::Reason>& all, ReasonCode code) {
-  return std::any_of(all.begin(), all.end(), [code](const map::Reason& one) { return one.code == code; });
+bool notes(const std::vector<Fault>& all, FaultCode code) {
+  return std::any_of(all.begin(), all.end(), [code](const Fault& one) { return one.code == code; });
 }
 
 }  // namespace
@@ -117,7 +119,7 @@ class DispatchMessagesTest : public QObject {
     QVERIFY(part);
     QVERIFY(std::abs(part->grid.origin.yaw_rad - std::acos(-1.0) / 2) < 1e-9);
     const auto none = readGridPart(byJson(grid("1", "1", "[0]", "0.1", R"({"x":0,"y":0,"z":0,"w":0})")).msg);
-    QVERIFY(none && notes(none->notes, ReasonCode::RosTurnIsZero));
+    QVERIFY(none && notes(none->notes, robot::ros::fault::RosTurnIsZero));
   }
 
   void nothingIsAnAnswer_data() {
@@ -138,25 +140,26 @@ class DispatchMessagesTest : public QObject {
 
   void aGridThatMeansNothingIsRefused_data() {
     QTest::addColumn<QByteArray>("message");
-    QTest::addColumn<ReasonCode>("why");
-    const auto row = [](const char* name, const QByteArray& message, ReasonCode why) {
+    QTest::addColumn<FaultCode>("why");
+    const auto row = [](const char* name, const QByteArray& message, FaultCode why) {
       QTest::newRow(name) << message << why;
     };
-    row("too few cells", grid("2", "2", "[1,2,3]"), ReasonCode::RosLengthDiffers);
-    row("too many cells", grid("1", "1", "[1,2,3]"), ReasonCode::RosLengthDiffers);
-    row("more than fits", grid("20000", "20000", "[1]"), ReasonCode::RosFieldWrong);
-    row("a product that overflows", grid("4294967296", "4294967296", "[1]"), ReasonCode::RosFieldWrong);
-    row("less than nothing", grid("-2", "1", "[1,2]"), ReasonCode::RosFieldWrong);
-    row("no width", grid("null", "1", "[1]"), ReasonCode::RosFieldMissing);
-    row("no resolution", grid("1", "1", "[1]", "null"), ReasonCode::ResolutionNoNumber);
-    row("a resolution of 0", grid("1", "1", "[1]", "0"), ReasonCode::ResolutionNotPositive);
-    row("no info", R"({"data":[1]})", ReasonCode::RosFieldMissing);
-    row("nothing at all", "{}", ReasonCode::RosFieldMissing);
-    row("no cells", grid("1", "1", R"("x")"), ReasonCode::RosFieldMissing);
+    row("too few cells", grid("2", "2", "[1,2,3]"), robot::ros::fault::RosLengthDiffers);
+    row("too many cells", grid("1", "1", "[1,2,3]"), robot::ros::fault::RosLengthDiffers);
+    row("more than fits", grid("20000", "20000", "[1]"), robot::ros::fault::RosFieldWrong);
+    row("a product that overflows", grid("4294967296", "4294967296", "[1]"),
+        robot::ros::fault::RosFieldWrong);
+    row("less than nothing", grid("-2", "1", "[1,2]"), robot::ros::fault::RosFieldWrong);
+    row("no width", grid("null", "1", "[1]"), robot::ros::fault::RosFieldMissing);
+    row("no resolution", grid("1", "1", "[1]", "null"), map::fault::ResolutionNoNumber);
+    row("a resolution of 0", grid("1", "1", "[1]", "0"), map::fault::ResolutionNotPositive);
+    row("no info", R"({"data":[1]})", robot::ros::fault::RosFieldMissing);
+    row("nothing at all", "{}", robot::ros::fault::RosFieldMissing);
+    row("no cells", grid("1", "1", R"("x")"), robot::ros::fault::RosFieldMissing);
   }
   void aGridThatMeansNothingIsRefused() {
     QFETCH(QByteArray, message);
-    QFETCH(ReasonCode, why);
+    QFETCH(FaultCode, why);
     const auto part = readGridPart(byJson(message).msg);
     QVERIFY(!part);
     QCOMPARE(part.error().code, why);
@@ -166,7 +169,7 @@ class DispatchMessagesTest : public QObject {
     const auto part = readGridPart(byJson(grid("4", "1", "[101,127,-7,50]")).msg);
     QVERIFY(part);
     QCOMPARE(*part->cells, (std::vector<std::int8_t>{100, 100, -1, 50}));
-    QVERIFY(notes(part->notes, ReasonCode::RosCellsOutOfRange));
+    QVERIFY(notes(part->notes, grids::fault::RosCellsOutOfRange));
     const auto large = readGridPart(byJson(grid("2", "1", "[254,null]")).msg);
     QVERIFY(large);
     QCOMPARE(*large->cells, (std::vector<std::int8_t>{100, -1}));
@@ -305,7 +308,7 @@ class DispatchMessagesTest : public QObject {
     const auto read = readSpatialCloud(cloud.sent().msg);
     QVERIFY(read);
     QCOMPARE((*read)->points.size(), std::size_t(1));
-    QCOMPARE((*read)->notes, (std::vector{map::Reason(ReasonCode::RosRowsHoldMore, {24, 12})}));
+    QCOMPARE((*read)->notes, (std::vector{Fault(robot::ros::fault::RosRowsHoldMore, {24, 12})}));
     QCOMPARE((*read)->missing, std::uint64_t(0));
   }
 
@@ -325,7 +328,7 @@ class DispatchMessagesTest : public QObject {
     const auto read = readSpatialCloud(cloud.sent().msg);
     QVERIFY(read);
     QCOMPARE((*read)->points.size(), std::size_t(points));
-    QVERIFY(notes((*read)->notes, ReasonCode::RosLengthDiffers));
+    QVERIFY(notes((*read)->notes, robot::ros::fault::RosLengthDiffers));
     QCOMPARE((*read)->missing, std::uint64_t(2 - points));
   }
 
@@ -391,7 +394,7 @@ class DispatchMessagesTest : public QObject {
     cloud.width = 3;
     const auto read = readSpatialCloud(cloud.sent().msg);
     QVERIFY(read && !(*read)->has_z);
-    QVERIFY(notes((*read)->notes, ReasonCode::RosFieldMissing));
+    QVERIFY(notes((*read)->notes, robot::ros::fault::RosFieldMissing));
   }
 
   void noPointsAreAnAnswer() {

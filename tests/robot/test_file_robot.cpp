@@ -7,12 +7,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "robot/files/faults.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/picture_yamls.h"
 #include "robot/files/read_map_yaml.h"
 #include "robot/files/yaml_shelf.h"
 #include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -217,8 +218,7 @@ class FileRobotTest : public QObject {
     write(QStringLiteral("older.yaml"), QByteArray(kYaml).replace("0.05", "0.10"));
     const auto map = fetch(*open(QStringLiteral("office.pgm")));
     QCOMPARE(map->reading.mode, map::CellReading::Mode::Picture);
-    QVERIFY(map->notes.at(1).reason ==
-            map::Reason(map::ReasonCode::SeveralYamls, {"office.yaml, older.yaml"}));
+    QVERIFY(map->notes.at(1).reason == Fault(robot::files::fault::SeveralYamls, {"office.yaml, older.yaml"}));
   }
 
   void aPictureFollowsItsYaml() {

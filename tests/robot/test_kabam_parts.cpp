@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "map/waypoint_likeness.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/kabam_book.h"
 #include "robot/ros/kabam_plan.h"
 #include "robot/ros/kabam_results.h"
@@ -16,7 +17,6 @@
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
-using map::ReasonCode;
 using robot::StoredWaypoints;
 using robot::WaypointChange;
 using robot::WaypointRequest;
@@ -151,8 +151,8 @@ class KabamPartsTest : public QObject {
     const QByteArray list = "{\"waypoints\":[" + row + "]}";
     const auto stored = readWaypoints(byJson(list).msg, "m1", {});
     QVERIFY(stored && stored->points.size() == 1);
-    QCOMPARE(stored->notes, std::vector<map::Reason>(
-                                {{ReasonCode::WaypointInOtherFrame, {stored->points.front().name, "odom"}}}));
+    QCOMPARE(stored->notes, std::vector<Fault>({{robot::ros::fault::WaypointInOtherFrame,
+                                                 {stored->points.front().name, "odom"}}}));
     QVERIFY(readWaypoints(byJson(list).msg, "m1", "odom")->notes.empty());
     QVERIFY(readWaypoints(byJson(list).msg, "m1", "map")->points.empty());
   }
@@ -163,7 +163,7 @@ class KabamPartsTest : public QObject {
     const Sent sent = byJson("{\"waypoints\":[" + row + "]}");
     auto stored = readWaypoints(sent.msg, "m1", "map");
     QVERIFY(stored && stored->notes.size() == 1);
-    QCOMPARE(stored->notes.front().code, ReasonCode::WaypointTurnIsZero);
+    QCOMPARE(stored->notes.front().code, robot::ros::fault::WaypointTurnIsZero);
     QCOMPARE(stored->zero_turns, std::set<std::string>{stored->points.front().id});
     map::Waypoint read = stored->points.front();
     QCOMPARE(read.yaw_rad, std::optional(0.0));

@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/kabam_picture.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/ros_robot.h"
@@ -15,7 +16,6 @@ using namespace mapwright;
 using namespace mapwright::robot;
 using map::Applied;
 using map::FailureKind;
-using map::ReasonCode;
 using std::chrono::milliseconds;
 using testing::ScriptedBridge;
 
@@ -348,15 +348,15 @@ class KabamPicturesTest : public QObject {
     QTest::addColumn<QByteArray>("answer");
     QTest::addColumn<int>("applied");
     QTest::addColumn<int>("cause");
-    const auto row = [](const char* answer, Applied applied, ReasonCode cause) {
+    const auto row = [](const char* answer, Applied applied, FaultCode cause) {
       QTest::newRow(answer) << QByteArray(answer) << int(applied) << int(cause);
     };
-    row(R"({"result":2})", Applied::No, ReasonCode::ResultMapUnknown);
-    row(R"({"result":3})", Applied::No, ReasonCode::ResultInvalid);
-    row(R"({"result":4})", Applied::Maybe, ReasonCode::ResultUndefined);
-    row(R"({"result":9})", Applied::Maybe, ReasonCode::ResultUnknown);
-    row(R"({})", Applied::Maybe, ReasonCode::AnswerWithoutResult);
-    row(R"({"result":0})", Applied::Maybe, ReasonCode::NotConfirmed);
+    row(R"({"result":2})", Applied::No, robot::ros::fault::ResultMapUnknown);
+    row(R"({"result":3})", Applied::No, robot::ros::fault::ResultInvalid);
+    row(R"({"result":4})", Applied::Maybe, robot::ros::fault::ResultUndefined);
+    row(R"({"result":9})", Applied::Maybe, robot::ros::fault::ResultUnknown);
+    row(R"({})", Applied::Maybe, robot::ros::fault::AnswerWithoutResult);
+    row(R"({"result":0})", Applied::Maybe, robot::ros::fault::NotConfirmed);
   }
   void eachCodeSaysWhatItMeans() {
     QFETCH(QByteArray, answer);
@@ -387,7 +387,7 @@ class KabamPicturesTest : public QObject {
     const auto receipt = write(room(), after);
     QVERIFY(!receipt);
     QCOMPARE(receipt.error().applied, Applied::Yes);
-    QVERIFY(receipt.error().cause == map::Reason(ReasonCode::PictureShownOtherwise, {std::int64_t(2)}));
+    QVERIFY(receipt.error().cause == Fault(robot::ros::fault::PictureShownOtherwise, {std::int64_t(2)}));
   }
 
   void aPublisherThatSaysItOnlyWhenAskedIsAsked() {
@@ -408,7 +408,7 @@ class KabamPicturesTest : public QObject {
     QTRY_VERIFY(!told.isEmpty());
     const auto receipt = write(room(), room());
     QVERIFY(!receipt);
-    QCOMPARE(receipt.error().cause.code, ReasonCode::OnlyCurrentMapTaken);
+    QCOMPARE(receipt.error().cause.code, robot::ros::fault::OnlyCurrentMapTaken);
     QCOMPARE(server_->timesCalled(text(kService)), 0);
   }
 
@@ -419,7 +419,7 @@ class KabamPicturesTest : public QObject {
     QVERIFY(online());
     const auto receipt = write(before, before);
     QVERIFY(!receipt);
-    QVERIFY(receipt.error().cause == map::Reason(ReasonCode::CellBetweenKinds, {std::int64_t(40)}));
+    QVERIFY(receipt.error().cause == Fault(robot::ros::fault::CellBetweenKinds, {std::int64_t(40)}));
     QCOMPARE(receipt.error().applied, Applied::No);
     QCOMPARE(server_->timesCalled(text(kService)), 0);
   }

@@ -21,6 +21,7 @@
 #include "replay/track.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/recorded/recorded_robot.h"
+#include "robot/ros/faults.h"
 #include "ros_messages/slam.pb.h"
 #include "ros_recordings.h"
 #include "sentences/failure_sentence.h"
@@ -704,7 +705,7 @@ class RecordedRobotTest : public QObject {
     QVERIFY(waitFor([&] { return !problems.empty(); }));
     QCOMPARE(problems.size(), std::size_t(1));
     QCOMPARE(problems.front().reason,
-             map::Reason(map::ReasonCode::RosFramesApart, {mounted ? "base_link" : "laser"}));
+             Fault(robot::ros::fault::RosFramesApart, {mounted ? "base_link" : "laser"}));
     QCOMPARE(problems.front().subject, map::Subject(map::SubjectKind::Topic, "/base_scan"));
   }
 
@@ -1337,7 +1338,7 @@ class RecordedRobotTest : public QObject {
     const auto chunk = answer<BagChunkPtr>([&](auto reply) {
       return robot->bagLibrary()->messages(keyOf(path), {0, 4e9, 1000}, std::move(reply));
     });
-    QVERIFY(!chunk && chunk.error().cause.code == map::ReasonCode::AnswerTooLong);
+    QVERIFY(!chunk && chunk.error().cause.code == fault::AnswerTooLong);
   }
 
   void itIsPlayedAsARobot() {

@@ -5,10 +5,11 @@
 
 #include "../net/scripted_server.h"
 #include "../net/secure_server.h"
+#include "net/faults.h"
 #include "robot/aimdk/aimdk_robot.h"
 #include "robot/axbot/axbot_robot.h"
 #include "scripted_robot.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -87,7 +88,7 @@ class RobotFailuresTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(watched.reached(ConnectionPhase::Interrupted, 5), kPatienceMs);
     for (const ConnectionState& state : watched.states) {
       if (state.phase != ConnectionPhase::Interrupted) continue;
-      QCOMPARE(state.reason.code, map::ReasonCode::ConnectionRefused);
+      QCOMPARE(state.reason.code, net::fault::ConnectionRefused);
       QCOMPARE(state.failure, FailureKind::Unreachable);
     }
   }

@@ -6,13 +6,14 @@
 
 #include <QTest>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/read_messages.h"
+#include "robot/wire/faults.h"
 #include "ros_messages.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
-using map::ReasonCode;
 using test::byCbor;
 using test::byJson;
 using test::Sent;
@@ -51,9 +52,9 @@ struct CloudText {
   Sent sent(const QByteArray& bytes) const { return byJson(text('"' + bytes.toBase64() + '"')); }
 };
 
-map::Reason whyNot(const CloudText& cloud, const QByteArray& bytes) {
+Fault whyNot(const CloudText& cloud, const QByteArray& bytes) {
   const auto read = readPointCloud2(cloud.sent(bytes).msg);
-  return read ? map::Reason() : read.error();
+  return read ? Fault() : read.error();
 }
 
 QByteArray scanText(const QByteArray& rest) {
@@ -173,11 +174,11 @@ class RosCloudsTest : public QObject {
 
   void aScanWithoutItsAnglesIsNone() {
     QCOMPARE(readLaserScan(byJson(R"({"angle_min":0,"ranges":[1]})").msg).error(),
-             map::Reason(ReasonCode::RosFieldMissing, {"angle_increment"}));
+             Fault(robot::ros::fault::RosFieldMissing, {"angle_increment"}));
     QCOMPARE(readLaserScan(byJson(R"({"angle_min":null,"ranges":[1]})").msg).error(),
-             map::Reason(ReasonCode::RosFieldMissing, {"angle_min"}));
+             Fault(robot::ros::fault::RosFieldMissing, {"angle_min"}));
     QCOMPARE(readLaserScan(byJson(scanText(R"("range_min":0)")).msg).error(),
-             map::Reason(ReasonCode::RosFieldMissing, {"ranges"}));
+             Fault(robot::ros::fault::RosFieldMissing, {"ranges"}));
   }
 
   void aCloudIsReadFromBothWires() {
@@ -311,28 +312,28 @@ class RosCloudsTest : public QObject {
   void whatDoesNotFitIsNamed() {
     const QByteArray point = floats({1, 2, 3});
     CloudText cloud;
-    QCOMPARE(whyNot(cloud, point.left(11)), map::Reason(ReasonCode::RosLengthDiffers, {"data", 11, 12}));
+    QCOMPARE(whyNot(cloud, point.left(11)), Fault(robot::ros::fault::RosLengthDiffers, {"data", 11, 12}));
     cloud.height = 2;
-    QCOMPARE(whyNot(cloud, point), map::Reason(ReasonCode::RosLengthDiffers, {"data", 12, 24}));
+    QCOMPARE(whyNot(cloud, point), Fault(robot::ros::fault::RosLengthDiffers, {"data", 12, 24}));
     cloud.row_step = 11;
-    QCOMPARE(whyNot(cloud, point + point), map::Reason(ReasonCode::RosFieldWrong, {"row_step", 11.0}));
+    QCOMPARE(whyNot(cloud, point + point), Fault(robot::ros::fault::RosFieldWrong, {"row_step", 11.0}));
     CloudText huge;
     huge.width = huge.height = huge.point_step = qint64(1) << 32;
     huge.row_step = 0;
-    QCOMPARE(whyNot(huge, point), map::Reason(ReasonCode::RosFieldWrong, {"width", 4294967296.0}));
+    QCOMPARE(whyNot(huge, point), Fault(robot::ros::fault::RosFieldWrong, {"width", 4294967296.0}));
     huge.width = huge.height = huge.point_step = qint64(1) << 28;
-    QCOMPARE(whyNot(huge, point).code, ReasonCode::RosLengthDiffers);
+    QCOMPARE(whyNot(huge, point).code, robot::ros::fault::RosLengthDiffers);
     huge.height = 1;
-    QCOMPARE(whyNot(huge, point).code, ReasonCode::RosLengthDiffers);
+    QCOMPARE(whyNot(huge, point).code, robot::ros::fault::RosLengthDiffers);
     CloudText no_step;
     no_step.point_step = 0;
-    QCOMPARE(whyNot(no_step, point), map::Reason(ReasonCode::RosFieldWrong, {"point_step", 0.0}));
+    QCOMPARE(whyNot(no_step, point), Fault(robot::ros::fault::RosFieldWrong, {"point_step", 0.0}));
     CloudText negative;
     negative.width = -1;
-    QCOMPARE(whyNot(negative, point), map::Reason(ReasonCode::RosFieldWrong, {"width", -1.0}));
-    QCOMPARE(readPointCloud2(byJson("{}").msg).error(), map::Reason(ReasonCode::RosFieldMissing, {"width"}));
+    QCOMPARE(whyNot(negative, point), Fault(robot::ros::fault::RosFieldWrong, {"width", -1.0}));
+    QCOMPARE(readPointCloud2(byJson("{}").msg).error(), Fault(robot::ros::fault::RosFieldMissing, {"width"}));
     QCOMPARE(readPointCloud2(byJson(CloudText().text("5")).msg).error(),
-             map::Reason(ReasonCode::RosFieldMissing, {"data"}));
+             Fault(robot::ros::fault::RosFieldMissing, {"data"}));
   }
 
   void aFieldThatDoesNotLieInItsRecordIsNone() {
@@ -341,7 +342,7 @@ class RosCloudsTest : public QObject {
           R"("offset":0,"datatype":0)", R"("datatype":7)", R"("offset":4294967295,"datatype":8)"}) {
       CloudText cloud;
       cloud.fields = R"([{"name":"x",)" + QByteArray(x) + R"(},{"name":"y","offset":4,"datatype":7}])";
-      QCOMPARE(whyNot(cloud, floats({1, 2, 3})).code, ReasonCode::PointsWithoutFields);
+      QCOMPARE(whyNot(cloud, floats({1, 2, 3})).code, robot::wire::fault::PointsWithoutFields);
     }
   }
 
@@ -359,7 +360,7 @@ class RosCloudsTest : public QObject {
     QVERIFY(points);
     QVERIFY(points->points.size() > kMostPoints / 2 && points->points.size() <= kMostPoints);
     QCOMPARE(points->points[1].x_m, 3.0);
-    QCOMPARE(points->notes.at(0), map::Reason(ReasonCode::RosPointsThinned, {kCount, 3}));
+    QCOMPARE(points->notes.at(0), Fault(robot::ros::fault::RosPointsThinned, {kCount, 3}));
   }
 
   void pointsArePlacedByTheFrameTheyAreIn() {

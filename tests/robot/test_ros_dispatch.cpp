@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "robot/map_dispatch.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
 
@@ -178,7 +179,7 @@ class RosDispatchTest : public QObject {
       const auto part = askGrid(region);
       QVERIFY(!part);
       QCOMPARE(part.error().kind, FailureKind::Refused);
-      QCOMPARE(part.error().cause.code, map::ReasonCode::RegionMeansNothing);
+      QCOMPARE(part.error().cause.code, robot::ros::fault::RegionMeansNothing);
     }
     for (const map::CloudRegion& region :
          {map::CloudRegion{{0, 0, 0}, -1, {1, 1, 1}}, map::CloudRegion{{0, 0, 0}, 0, {1, 1, 0}},
@@ -186,7 +187,7 @@ class RosDispatchTest : public QObject {
       const auto part = askCloud(CloudKind::Points, region);
       QVERIFY(!part);
       QCOMPARE(part.error().kind, FailureKind::Refused);
-      QCOMPARE(part.error().cause.code, map::ReasonCode::RegionMeansNothing);
+      QCOMPARE(part.error().cause.code, robot::ros::fault::RegionMeansNothing);
     }
     QCOMPARE(server_->timesCalled(text("/d/get_sub_map")), 0);
     QCOMPARE(server_->timesCalled(text("/d/get_sub_point_map")), 0);
@@ -286,7 +287,7 @@ class RosDispatchTest : public QObject {
     QVERIFY(begin());
     const auto part = askGrid(kRegion);
     QCOMPARE(part.error().kind, FailureKind::MalformedAnswer);
-    QCOMPARE(part.error().cause.code, map::ReasonCode::RosLengthDiffers);
+    QCOMPARE(part.error().cause.code, robot::ros::fault::RosLengthDiffers);
     QCOMPARE(askCloud(CloudKind::Points, std::nullopt).error().kind, FailureKind::MalformedAnswer);
   }
 
@@ -401,7 +402,7 @@ class RosDispatchTest : public QObject {
     QCOMPARE(*saved, std::string("office.png"));
     QCOMPARE(server_->argumentsOf(text("/d/save_map")), QList{json(R"({"filename":{"data":"office.png"}})")});
     QCOMPARE(save("").error().kind, FailureKind::Refused);
-    QCOMPARE(save("").error().cause.code, map::ReasonCode::FileNameMeansNothing);
+    QCOMPARE(save("").error().cause.code, robot::ros::fault::FileNameMeansNothing);
     QCOMPARE(save("a\nb.png").error().kind, FailureKind::Refused);
     QCOMPARE(server_->timesCalled(text("/d/save_map")), 1);
     serve("/d/save_map", "map_msgs/SaveMap", {{text("refused"), text("disk full")}});
@@ -458,7 +459,7 @@ class RosDispatchTest : public QObject {
     QCOMPARE(askProject({{"map", {1, 2}, {0, 1}, 0, 1}}).error().kind, FailureKind::Refused);
     const auto crossed = askProject({{"map", {1, 2}, {1, 1}, 2, 1}});
     QCOMPARE(crossed.error().kind, FailureKind::Refused);
-    QCOMPARE(crossed.error().cause.code, map::ReasonCode::ProjectionMeansNothing);
+    QCOMPARE(crossed.error().cause.code, robot::ros::fault::ProjectionMeansNothing);
   }
 
   void projectedMapsComeAndGo() {

@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
 
@@ -47,7 +48,7 @@ class RosMapServiceTest : public QObject {
     robot_->liveTopics()->setWanted({Stream::WholeMap}, {});
     robot_->connectToRobot();
   }
-  bool told(map::ReasonCode code) const {
+  bool told(FaultCode code) const {
     return std::any_of(problems_.begin(), problems_.end(),
                        [&](const map::Problem& problem) { return problem.reason.code == code; });
   }
@@ -96,7 +97,7 @@ class RosMapServiceTest : public QObject {
     QTRY_COMPARE(maps_.size(), std::size_t(1));
     QCOMPARE(maps_[0].topic, std::string("/map"));
     QCOMPARE(maps_[0].grid.width, 2);
-    QTRY_VERIFY(told(map::ReasonCode::TopicAskedInstead));
+    QTRY_VERIFY(told(robot::ros::fault::TopicAskedInstead));
     QCOMPARE(problems_.back().severity, map::Severity::Info);
     // It is asked once; a topic that speaks after all goes on from there, and all is well.
     server_->latch(text("/map"), grid(7));
@@ -136,7 +137,7 @@ class RosMapServiceTest : public QObject {
     server_->advertise(text("/map"), text("nav_msgs/OccupancyGrid"));
     serveMap(text("/static_map"), "std_srvs/Trigger");
     wantMap();
-    QTRY_VERIFY(told(map::ReasonCode::TopicSilent));
+    QTRY_VERIFY(told(robot::ros::fault::TopicSilent));
     const int looks = server_->timesCalled(text("/rosapi/topics"));
     QTRY_VERIFY(server_->timesCalled(text("/rosapi/topics")) > looks + 6);
     QCOMPARE(server_->timesCalled(text("/static_map")), 0);
@@ -149,8 +150,8 @@ class RosMapServiceTest : public QObject {
           {text("refused"), text("service [/static_map] responded with an error: b'no map yet'")}};
     });
     wantMap();
-    QTRY_VERIFY(told(map::ReasonCode::MapServiceFailed));
-    QCOMPARE(problems_.back().reason.because.at(0), map::said("no map yet"));
+    QTRY_VERIFY(told(robot::ros::fault::MapServiceFailed));
+    QCOMPARE(problems_.back().reason.because.at(0), fault::said("no map yet"));
     server_->serve(text("/static_map"), [](const QJsonObject&) {
       return QJsonObject{{text("map"), grid()}};
     });
@@ -167,7 +168,7 @@ class RosMapServiceTest : public QObject {
     wantMap();
     QTRY_COMPARE(maps_.size(), std::size_t(1));
     QVERIFY(server_->timesCalled(text("/static_map")) >= 1);
-    QVERIFY(!told(map::ReasonCode::MapServiceFailed));
+    QVERIFY(!told(robot::ros::fault::MapServiceFailed));
   }
 };
 

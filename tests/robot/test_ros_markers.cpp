@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/marker_board.h"
 #include "robot/ros/read_messages.h"
@@ -10,7 +11,6 @@
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
-using map::ReasonCode;
 using test::byJson;
 
 namespace {
@@ -51,7 +51,7 @@ class RosMarkersTest : public QObject {
       QCOMPARE(box->rgba, std::optional(0xff8000ffu));
       QVERIFY(!drawingOf(marker, Transform3{}));
     }
-    QCOMPARE(readMarkers(byJson("{}").msg).error(), map::Reason(ReasonCode::RosFieldMissing, {"markers"}));
+    QCOMPARE(readMarkers(byJson("{}").msg).error(), Fault(robot::ros::fault::RosFieldMissing, {"markers"}));
   }
 
   void allKindsOfMarkersAreDrawn_data() {

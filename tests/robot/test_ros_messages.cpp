@@ -4,14 +4,16 @@
 
 #include <QTest>
 
+#include "grids/faults.h"
 #include "grids/grid_pyramid.h"
+#include "map/faults.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/read_messages.h"
 #include "ros_messages.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
-using map::ReasonCode;
 using test::byCbor;
 using test::byJson;
 using test::Sent;
@@ -32,12 +34,12 @@ QByteArray infoOf(int width, int height, const QByteArray& resolution = "0.05000
          QByteArray::number(width) + R"(,"height":)" + QByteArray::number(height) + R"(,"origin":)" + kPose;
 }
 
-map::Reason whyNot(const QByteArray& grid) {
+Fault whyNot(const QByteArray& grid) {
   const auto read = readGrid(byJson(grid).msg);
-  return read ? map::Reason() : read.error();
+  return read ? Fault() : read.error();
 }
 
-std::optional<ReasonCode> noteOf(const Grid& grid) {
+std::optional<FaultCode> noteOf(const Grid& grid) {
   return grid.notes.empty() ? std::nullopt : std::optional(grid.notes.front().code);
 }
 
@@ -126,7 +128,7 @@ class RosMessagesTest : public QObject {
                        .msg);
       QVERIFY(grid);
       QCOMPARE(grid->origin, (geometry::Pose2{1, 2, 0}));
-      QCOMPARE(noteOf(*grid), std::optional(ReasonCode::RosTurnIsZero));
+      QCOMPARE(noteOf(*grid), std::optional(robot::ros::fault::RosTurnIsZero));
     }
   }
 
@@ -142,16 +144,17 @@ class RosMessagesTest : public QObject {
   }
 
   void aGridWithoutCellsSaysSo() {
-    QCOMPARE(whyNot(gridText(infoOf(0, 0), "[]")), map::Reason(ReasonCode::RosGridEmpty, {0, 0}));
-    QCOMPARE(whyNot(gridText(infoOf(5, 0), "[]")), map::Reason(ReasonCode::RosGridEmpty, {5, 0}));
+    QCOMPARE(whyNot(gridText(infoOf(0, 0), "[]")), Fault(robot::ros::fault::RosGridEmpty, {0, 0}));
+    QCOMPARE(whyNot(gridText(infoOf(5, 0), "[]")), Fault(robot::ros::fault::RosGridEmpty, {5, 0}));
   }
 
   void aGridOfAnotherLengthThanItSaysIsNotShown() {
     QCOMPARE(whyNot(gridText(infoOf(2, 2), "[0,0,0]")),
-             map::Reason(ReasonCode::RosLengthDiffers, {"data", 3, 4}));
+             Fault(robot::ros::fault::RosLengthDiffers, {"data", 3, 4}));
     QCOMPARE(whyNot(gridText(infoOf(2, 2), "[0,0,0,0,0]")),
-             map::Reason(ReasonCode::RosLengthDiffers, {"data", 5, 4}));
-    QCOMPARE(whyNot(gridText(infoOf(2, 2), "[]")), map::Reason(ReasonCode::RosLengthDiffers, {"data", 0, 4}));
+             Fault(robot::ros::fault::RosLengthDiffers, {"data", 5, 4}));
+    QCOMPARE(whyNot(gridText(infoOf(2, 2), "[]")),
+             Fault(robot::ros::fault::RosLengthDiffers, {"data", 0, 4}));
   }
 
   void cellsThatMeanNothingAreUnknownAndCounted() {
@@ -160,36 +163,38 @@ class RosMessagesTest : public QObject {
       const auto grid = readGrid(byJson(gridText(infoOf(6, 1), data)).msg);
       QVERIFY(grid);
       QCOMPARE(grid->cells, (Cells{0, -1, -1, -1, 100, -1}));
-      QCOMPARE(noteOf(*grid), std::optional(ReasonCode::RosCellsOutOfRange));
+      QCOMPARE(noteOf(*grid), std::optional(grids::fault::RosCellsOutOfRange));
       const bool null_counts = QByteArray(data).contains("null");
       QCOMPARE(std::get<std::int64_t>(grid->notes[0].arguments[0]), null_counts ? 4 : 3);
     }
   }
 
   void anAbsurdResolutionOrPlaceIsNamed() {
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "0"), "[0]")).code, ReasonCode::ResolutionNotPositive);
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "-0.05"), "[0]")).code, ReasonCode::ResolutionNotPositive);
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "1e9"), "[0]")).code, ReasonCode::ResolutionOutOfBounds);
-    QCOMPARE(whyNot(gridText(infoOf(1, 1, "null"), "[0]")).code, ReasonCode::ResolutionNoNumber);
+    QCOMPARE(whyNot(gridText(infoOf(1, 1, "0"), "[0]")).code, map::fault::ResolutionNotPositive);
+    QCOMPARE(whyNot(gridText(infoOf(1, 1, "-0.05"), "[0]")).code, map::fault::ResolutionNotPositive);
+    QCOMPARE(whyNot(gridText(infoOf(1, 1, "1e9"), "[0]")).code, map::fault::ResolutionOutOfBounds);
+    QCOMPARE(whyNot(gridText(infoOf(1, 1, "null"), "[0]")).code, map::fault::ResolutionNoNumber);
     QCOMPARE(whyNot(gridText(R"("resolution":1,"width":1,"height":1)", "[0]")).code,
-             ReasonCode::OriginNoNumber);
+             map::fault::OriginNoNumber);
   }
 
   void absurdSizesTakeNoMemory() {
     QCOMPARE(whyNot(gridText(infoOf(2'000'000'000, 2'000'000'000), "[0]")),
-             map::Reason(ReasonCode::RosFieldWrong, {"info.width", 2e9}));
-    QCOMPARE(whyNot(gridText(infoOf(200'000'000, 200'000'000), "[0]")).code, ReasonCode::RosFieldWrong);
+             Fault(robot::ros::fault::RosFieldWrong, {"info.width", 2e9}));
+    QCOMPARE(whyNot(gridText(infoOf(200'000'000, 200'000'000), "[0]")).code,
+             robot::ros::fault::RosFieldWrong);
     QCOMPARE(whyNot(gridText(infoOf(-1, 5), "[0]")),
-             map::Reason(ReasonCode::RosFieldWrong, {"info.width", -1.0}));
+             Fault(robot::ros::fault::RosFieldWrong, {"info.width", -1.0}));
   }
 
   void whatIsMissingIsNamed() {
-    QCOMPARE(whyNot("{}"), map::Reason(ReasonCode::RosFieldMissing, {"info"}));
+    QCOMPARE(whyNot("{}"), Fault(robot::ros::fault::RosFieldMissing, {"info"}));
     QCOMPARE(whyNot(gridText(R"("height":2)", "[0]")),
-             map::Reason(ReasonCode::RosFieldMissing, {"info.width"}));
-    QCOMPARE(whyNot(gridText(R"("width":"a","height":2)", "[0]")).arguments[0], map::Argument("info.width"));
-    QCOMPARE(whyNot(gridText(infoOf(1, 1), R"("AAAA")")), map::Reason(ReasonCode::RosFieldMissing, {"data"}));
-    QCOMPARE(whyNot(gridText(infoOf(1, 1), "{}")), map::Reason(ReasonCode::RosFieldMissing, {"data"}));
+             Fault(robot::ros::fault::RosFieldMissing, {"info.width"}));
+    QCOMPARE(whyNot(gridText(R"("width":"a","height":2)", "[0]")).arguments[0], FaultArgument("info.width"));
+    QCOMPARE(whyNot(gridText(infoOf(1, 1), R"("AAAA")")),
+             Fault(robot::ros::fault::RosFieldMissing, {"data"}));
+    QCOMPARE(whyNot(gridText(infoOf(1, 1), "{}")), Fault(robot::ros::fault::RosFieldMissing, {"data"}));
   }
 
   void aPatchGoesIntoItsGrid() {
@@ -210,12 +215,12 @@ class RosMessagesTest : public QObject {
       Grid grid = gridOf(2, 2, before);
       const auto why = applyPatch(grid, patch);
       QVERIFY(why);
-      QCOMPARE(why->code, ReasonCode::RosPatchOutside);
+      QCOMPARE(why->code, robot::ros::fault::RosPatchOutside);
       QCOMPARE(grid.cells, before);
     }
     const auto far = readGridPatch(byJson(R"({"x":1e15,"y":0,"width":1,"height":1,"data":[0]})").msg);
     QVERIFY(!far);
-    QCOMPARE(far.error().arguments[0], map::Argument("x"));
+    QCOMPARE(far.error().arguments[0], FaultArgument("x"));
   }
 
   void theCellsOfAGridComeBackExactlyFromItsPicture() {
@@ -270,7 +275,7 @@ class RosMessagesTest : public QObject {
     QVERIFY(placed == (map::Polyline{{11, 2}, {13, 4}}));
     const auto empty = readPath(byJson(R"({"poses":[]})").msg);
     QVERIFY(empty && empty->points.empty());
-    QCOMPARE(readPath(byJson("{}").msg).error(), map::Reason(ReasonCode::RosFieldMissing, {"poses"}));
+    QCOMPARE(readPath(byJson("{}").msg).error(), Fault(robot::ros::fault::RosFieldMissing, {"poses"}));
   }
 
   void aPathWithoutAFrameHasThatOfItsFirstPose() {
@@ -301,7 +306,7 @@ class RosMessagesTest : public QObject {
                         .msg);
     QVERIFY(polygon);
     QVERIFY(polygon->points == (map::Polyline{{1, 2}, {-1, 0}}));
-    QCOMPARE(readPolygon(byJson("{}").msg).error().arguments[0], map::Argument("polygon.points"));
+    QCOMPARE(readPolygon(byJson("{}").msg).error().arguments[0], FaultArgument("polygon.points"));
   }
 
   void posesOfAllKindsAreRead() {
@@ -336,9 +341,9 @@ class RosMessagesTest : public QObject {
 
   void aPoseWithoutAPlaceIsNone() {
     QCOMPARE(readPoseStamped(byJson(R"({"pose":{"position":{"x":1,"y":null}}})").msg).error(),
-             map::Reason(ReasonCode::RosFieldMissing, {"pose.position.y"}));
+             Fault(robot::ros::fault::RosFieldMissing, {"pose.position.y"}));
     QCOMPARE(readOdometry(byJson("{}").msg).error(),
-             map::Reason(ReasonCode::RosFieldMissing, {"pose.pose.position.x"}));
+             Fault(robot::ros::fault::RosFieldMissing, {"pose.pose.position.x"}));
   }
 
   void transformsAreRead() {

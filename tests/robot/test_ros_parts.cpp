@@ -1,6 +1,7 @@
 // Which topics of a ROS robot bring what, and where their messages lie; its addresses.
 #include <QTest>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_subscriptions.h"
 #include "robot/ros/ros_topics.h"
@@ -9,7 +10,6 @@
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
-using map::ReasonCode;
 using map::Stream;
 using test::byJson;
 using test::Sent;
@@ -84,7 +84,7 @@ std::optional<T> messageOf(const WorldResults& results) {
   return std::nullopt;
 }
 
-std::optional<ReasonCode> unplaced(const WorldResults& results) {
+std::optional<FaultCode> unplaced(const WorldResults& results) {
   for (const WorldResult& result : results) {
     if (result.unplaced) return result.unplaced->code;
   }
@@ -291,7 +291,7 @@ class RosPartsTest : public QObject {
   void aTransformThatDoesNotComeIsNamedAndNotGuessed() {
     RosWorld world;
     QVERIFY(!messageOf<map::LocalPathMessage>(give(world, kPath, path("odom", kNow))));
-    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(ReasonCode::RosFrameUnknown));
+    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(robot::ros::fault::RosFrameUnknown));
     QVERIFY(world.overdue(kNow + 4).empty());  // told once
     // It is not forgotten.
     QVERIFY(messageOf<map::LocalPathMessage>(give(world, kStatic, tf("map", "odom", 0, 0, 0, 0), kNow + 5)));
@@ -328,7 +328,7 @@ class RosPartsTest : public QObject {
     give(world, kStatic, tf("map", "other", 0, 0, 0, 0));
     give(world, kStatic, tf("odom", "base_link", 0, 0, 0, 0));
     give(world, kPath, path("odom", kNow));
-    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(ReasonCode::RosFramesApart));
+    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(robot::ros::fault::RosFramesApart));
   }
 
   void anUpdateChangesTheGridThatItBelongsTo() {
@@ -352,7 +352,7 @@ class RosPartsTest : public QObject {
     };
     const auto results = give(world, kPatches, patch("odom", kNow));
     QVERIFY(!messageOf<map::GridMessage>(results));
-    QCOMPARE(results.back().unreadable, map::Reason(ReasonCode::RosPatchInOtherFrame, {"odom", "map"}));
+    QCOMPARE(results.back().unreadable, Fault(robot::ros::fault::RosPatchInOtherFrame, {"odom", "map"}));
     // One from before the grid is in it already.
     const auto late = give(world, kPatches, patch("map", kNow - 1));
     QVERIFY(!messageOf<map::GridMessage>(late) && !late.back().unreadable);
@@ -372,7 +372,7 @@ class RosPartsTest : public QObject {
     const auto shown = messageOf<map::PointCloudMessage>(late);
     QVERIFY(shown);
     QCOMPARE(shown->points->front().x_m, 1.0);
-    QCOMPARE(late.front().notes, std::vector<map::Reason>({{ReasonCode::RosFramesApart, {"laser"}}}));
+    QCOMPARE(late.front().notes, std::vector<Fault>({{robot::ros::fault::RosFramesApart, {"laser"}}}));
     const WorldResults next = give(world, kScan, scan(kNow + 2), kNow + 2);
     QVERIFY(messageOf<map::PointCloudMessage>(next));
     QCOMPARE(next.back().notes.size(), std::size_t(1));  // as long as it is so
@@ -380,7 +380,7 @@ class RosPartsTest : public QObject {
     const auto gone = messageOf<map::PointCloudMessage>(give(world, kMap, grid("map", kNow + 3), kNow + 3));
     QVERIFY(gone && gone->points->empty());
     QVERIFY(!messageOf<map::PointCloudMessage>(give(world, kScan, scan(kNow + 3), kNow + 3)));
-    QCOMPARE(unplaced(world.overdue(kNow + 5)), std::optional(ReasonCode::RosFrameUnknown));
+    QCOMPARE(unplaced(world.overdue(kNow + 5)), std::optional(robot::ros::fault::RosFrameUnknown));
   }
 
   // Its frames are those of its wheels: they only took their time.
@@ -440,7 +440,7 @@ class RosPartsTest : public QObject {
     QVERIFY(seen && seen->objects.size() == 1);
     QVERIFY(std::abs(seen->objects[0].pose.x_m - 5) < 1e-9);
     QVERIFY(!unplaced(results));
-    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(ReasonCode::RosFrameUnknown));
+    QCOMPARE(unplaced(world.overdue(kNow + 2)), std::optional(robot::ros::fault::RosFrameUnknown));
     const auto later = give(world, kStatic, tf("map", "nowhere", 1, 0, 0, 0), kNow + 3);
     QCOMPARE(messageOf<map::SeenObjectsMessage>(later)->objects.size(), std::size_t(2));
     QVERIFY(!unplaced(world.overdue(kNow + 4)));
@@ -504,12 +504,12 @@ class RosPartsTest : public QObject {
     QByteArray wrong = tf("odom", "base_link", 1, 0, 0, kNow);
     wrong.replace(R"("w":1)", R"("w":0)");
     const auto noteOf = [](const WorldResults& results) {
-      return results.back().notes.empty() ? map::Reason() : results.back().notes.front();
+      return results.back().notes.empty() ? Fault() : results.back().notes.front();
     };
-    const map::Reason named(ReasonCode::RosFieldMissing, {"transforms[base_link].transform"});
+    const Fault named(robot::ros::fault::RosFieldMissing, {"transforms[base_link].transform"});
     QCOMPARE(noteOf(give(world, kTf, wrong)), named);
     QCOMPARE(noteOf(give(world, kTf, tf("map", "odom", 1, 0, 0, kNow))), named);  // that is another one
-    QCOMPARE(noteOf(give(world, kTf, tf("odom", "base_link", 1, 0, 0, kNow))), map::Reason());
+    QCOMPARE(noteOf(give(world, kTf, tf("odom", "base_link", 1, 0, 0, kNow))), Fault());
   }
 
   void whereTheRobotIsComesByTransforms() {
@@ -562,7 +562,7 @@ class RosPartsTest : public QObject {
     give(world, kTf, tf("map", "odom", 0, 0, 0, kNow));
     const WorldResults results = give(world, kTf, tf("odom", "map", 0, 0, 0, kNow));
     const bool told = std::any_of(results.begin(), results.end(), [](const WorldResult& result) {
-      return !result.notes.empty() && result.notes.front().code == ReasonCode::RosTransformLoop;
+      return !result.notes.empty() && result.notes.front().code == robot::ros::fault::RosTransformLoop;
     });
     QVERIFY(told);
   }

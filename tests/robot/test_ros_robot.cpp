@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "robot/map_administration.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
 #include "sentences/absence_sentence.h"
@@ -286,9 +287,9 @@ class RosRobotTest : public QObject {
     QTRY_VERIFY(problemOf("/quiet", map::ProblemCode::Unavailable));
     QTRY_VERIFY(problemOf("/nowhere", map::ProblemCode::Unavailable));
     QCOMPARE(problemOf("/quiet", map::ProblemCode::Unavailable)->reason.because.front().code,
-             map::ReasonCode::TopicNobodySends);
+             robot::ros::fault::TopicNobodySends);
     QCOMPARE(problemOf("/nowhere", map::ProblemCode::Unavailable)->reason.because.front().code,
-             map::ReasonCode::TopicNotListed);
+             robot::ros::fault::TopicNotListed);
     server_->send(QStringLiteral("/quiet"), json(R"({"data":1})"));
     QTRY_VERIFY(isWell("/quiet"));
     want({});
@@ -307,7 +308,7 @@ class RosRobotTest : public QObject {
     drive(20);
     QTRY_VERIFY(problemOf("/odom", map::ProblemCode::Unavailable));
     const map::Problem silent = *problemOf("/odom", map::ProblemCode::Unavailable);
-    QCOMPARE(silent.reason, map::Reason(map::ReasonCode::TopicSilent));
+    QCOMPARE(silent.reason, Fault(robot::ros::fault::TopicSilent));
     QCOMPARE(silent.severity, map::Severity::Warning);
     recoveries_.clear();
     drive(1);
@@ -476,7 +477,7 @@ class RosRobotTest : public QObject {
     makeRobot([](ros::LinkOptions& options) { options.kabam_only = true; });
     robot_->connectToRobot();
     QTRY_VERIFY(isIn(ConnectionPhase::Interrupted));
-    QVERIFY(robot_->connection().reason.code == map::ReasonCode::NoMapManagerThere);
+    QVERIFY(robot_->connection().reason.code == robot::ros::fault::NoMapManagerThere);
     QVERIFY(robot_->connection().retry_in_ms);
     const auto entries = answerTo<std::vector<map::CatalogueEntry>>(
         [&](auto reply) { return robot_->mapCatalogue()->list(reply); });
@@ -653,7 +654,7 @@ class RosRobotTest : public QObject {
     after.name = "Other";
     const auto receipt = perform({"w1", before, after});
     QVERIFY(!receipt);
-    QCOMPARE(receipt.error().cause.code, map::ReasonCode::NotConfirmed);
+    QCOMPARE(receipt.error().cause.code, robot::ros::fault::NotConfirmed);
     QCOMPARE(receipt.error().applied, map::Applied::Maybe);
     QVERIFY(sentences::sentenceOf(receipt.error()).find("not confirmed") != std::string::npos);
   }
@@ -786,7 +787,7 @@ class RosRobotTest : public QObject {
     after.tags.clear();
     const auto receipt = perform({"w1", before, after});
     QVERIFY(!receipt);
-    QCOMPARE(receipt.error().cause.code, map::ReasonCode::TagsNotTaken);
+    QCOMPARE(receipt.error().cause.code, robot::ros::fault::TagsNotTaken);
   }
 
   void changesOfAnotherMapAreLookedUp() {
@@ -825,7 +826,7 @@ class RosRobotTest : public QObject {
       QVERIFY(!outcome);
       QVERIFY(outcome.error().kind == map::FailureKind::Conflict);
       QVERIFY(outcome.error().applied == map::Applied::No);
-      QCOMPARE(outcome.error().cause, map::Reason(map::ReasonCode::ChangedMeanwhile, {"Far"}));
+      QCOMPARE(outcome.error().cause, Fault(robot::ros::fault::ChangedMeanwhile, {"Far"}));
     }
     QCOMPARE(server_->timesCalled(text("/map_manager/reposition_waypoint")), 0);
     QCOMPARE(server_->timesCalled(text("/map_manager/delete_waypoint")), 0);
@@ -962,7 +963,7 @@ class RosRobotTest : public QObject {
     stops = true;
     QVERIFY(ask(MapChange::StopMapping));
     const auto taken = ask(MapChange::Save, "One");
-    QVERIFY(!taken && taken.error().cause.code == map::ReasonCode::ResultMapNameTaken);
+    QVERIFY(!taken && taken.error().cause.code == robot::ros::fault::ResultMapNameTaken);
     const auto saved = ask(MapChange::Save, "Hall");
     QVERIFY2(saved, saved ? "" : sentences::sentenceOf(saved.error()).c_str());
     QCOMPARE(saved->key.id, std::string("m7"));

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/transforms.h"
 
 using namespace mapwright;
@@ -265,13 +266,12 @@ class RosTransformsTest : public QObject {
   }
 
   void everyLackHasAReasonThatNamesTheFrames() {
-    using map::ReasonCode;
     const auto reason = [](Kind kind) { return reasonOf(Missing{kind, "map", "base"}); };
-    QCOMPARE(reason(Kind::UnknownFrame), map::Reason(ReasonCode::RosFrameUnknown, {"base"}));
-    QCOMPARE(reason(Kind::NotConnected), map::Reason(ReasonCode::RosFramesApart, {"base", "map"}));
-    QCOMPARE(reason(Kind::TooOld), map::Reason(ReasonCode::RosTransformTooOld, {"base", "map"}));
-    QCOMPARE(reason(Kind::TooNew), map::Reason(ReasonCode::RosTransformTooNew, {"base", "map"}));
-    QCOMPARE(reason(Kind::Loop), map::Reason(ReasonCode::RosTransformLoop, {"base", "map"}));
+    QCOMPARE(reason(Kind::UnknownFrame), Fault(robot::ros::fault::RosFrameUnknown, {"base"}));
+    QCOMPARE(reason(Kind::NotConnected), Fault(robot::ros::fault::RosFramesApart, {"base", "map"}));
+    QCOMPARE(reason(Kind::TooOld), Fault(robot::ros::fault::RosTransformTooOld, {"base", "map"}));
+    QCOMPARE(reason(Kind::TooNew), Fault(robot::ros::fault::RosTransformTooNew, {"base", "map"}));
+    QCOMPARE(reason(Kind::Loop), Fault(robot::ros::fault::RosTransformLoop, {"base", "map"}));
   }
 
  private:

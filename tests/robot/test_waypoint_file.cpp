@@ -8,10 +8,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "disk/faults.h"
 #include "robot/files/file_robot.h"
 #include "robot/files/waypoint_file.h"
 #include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -290,7 +291,7 @@ class TestWaypointFile : public QObject {
     ::chmod(qPrintable(folder_->path()), 0755);
     QVERIFY(!done);
     QCOMPARE(done.error().applied, map::Applied::No);
-    QCOMPARE(done.error().cause.code, map::ReasonCode::FileNotWritten);
+    QCOMPARE(done.error().cause.code, disk::fault::FileNotWritten);
   }
 
   void inAFolderEachMapHasItsOwnAndNoIdLeadsOut() {

@@ -3,8 +3,10 @@
 #include <QtTest>
 
 #include "frames_for_tests.h"
+#include "net/faults.h"
 #include "rosbridge_server.h"
 
+using namespace mapwright;
 using namespace mapwright::net::rosbridge;
 using testing::pieceFrame;
 using testing::quick;
@@ -315,8 +317,8 @@ class TestRosbridgeTopics : public QObject {
     Heard heard(options);
     bool told = false;
     connect(&heard.client, &Client::changed, this, [&] {
-      const mapwright::net::Reason reason = heard.client.link().reason();
-      told |= reason.code == mapwright::net::ReasonCode::MessageTooLong &&
+      const Fault reason = heard.client.link().reason();
+      told |= reason.code == mapwright::net::net::fault::MessageTooLong &&
               reason.arguments.value(0) == QLatin1String("1000");
     });
     heard.client.subscribe(topic("/a"));

@@ -169,7 +169,7 @@ class FakeRobot : public robot::Robot,
     map::SubmapAnswer answer;
     answer.key = key;
     answer.outcome = outcome;
-    if (outcome != map::SubmapAnswer::Outcome::Ok) answer.reason = map::said("The robot said no.");
+    if (outcome != map::SubmapAnswer::Outcome::Ok) answer.reason = fault::said("The robot said no.");
     answer.version = version ? version : key.version;
     answer.bytes = 100;
     answer.from_cache = from_disk;

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "map/faults.h"
 #include "sentences/problem_sentence.h"
 #include "session/map_slot.h"
 
@@ -89,7 +90,7 @@ class MapSlotTest : public QObject {
     map.grid.resolution_m = 0;
     slot_->show(std::move(map));
     QTRY_VERIFY(slot_->phase() == Phase::Failed);
-    QVERIFY(slot_->remark()->reason == map::Reason(map::ReasonCode::ResolutionNotPositive, {0.0}));
+    QVERIFY(slot_->remark()->reason == Fault(map::fault::ResolutionNotPositive, {0.0}));
     slot_->show(mapOf("2", std::make_shared<const std::string>("no picture at all")));
     QTRY_VERIFY(slot_->phase() == Phase::Failed);
     QVERIFY(slot_->remark() && !slot_->cells());
@@ -133,10 +134,10 @@ class MapSlotTest : public QObject {
     slot_->show(mapOf("1", pgm(30, 20, 254)));
     QTRY_VERIFY(slot_->phase() == Phase::Ready);
     slot_->expect({map::MapKind::Stored, "1"}, QStringLiteral("again"));
-    slot_->fail({map::Severity::Error, "Map", map::said("The robot is gone.")});
+    slot_->fail({map::Severity::Error, "Map", fault::said("The robot is gone.")});
     QVERIFY(slot_->phase() == Phase::Failed && slot_->cells());
     slot_->expect({map::MapKind::Stored, "2"}, QStringLiteral("other"));
-    slot_->fail({map::Severity::Error, "Map", map::said("The robot is gone.")});
+    slot_->fail({map::Severity::Error, "Map", fault::said("The robot is gone.")});
     QVERIFY(!slot_->cells());
   }
 

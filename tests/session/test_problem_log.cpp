@@ -1,11 +1,10 @@
 #include <QTest>
 
+#include "robot/axbot/faults.h"
 #include "session/problem_log.h"
 
 using namespace mapwright;
 using map::ProblemCode;
-using map::ReasonCode;
-using map::said;
 using map::Severity;
 using map::Subject;
 using map::SubjectKind;
@@ -67,10 +66,10 @@ class ProblemLogTest : public QObject {
   void aRowIsASubjectWithACodeAndAReason() {
     const Subject topic(SubjectKind::Topic, "/x");
     const map::Problem first{
-        Severity::Warning, topic, {ReasonCode::MessageNotJson, {7}}, ProblemCode::Unreadable};
+        Severity::Warning, topic, {robot::axbot::fault::MessageNotJson, {7}}, ProblemCode::Unreadable};
     map::Problem numbers = first, reason = first, code = first, subject = first, cause = first;
     numbers.reason.arguments = {12'345};
-    reason.reason.code = ReasonCode::BinaryTooShort;
+    reason.reason.code = robot::axbot::fault::BinaryTooShort;
     code.code = ProblemCode::Odd;
     subject.subject.id = "/y";
     cause.reason.because = {said("the disk is full")};
@@ -99,8 +98,9 @@ class ProblemLogTest : public QObject {
     ProblemLog log;
     log.add(problem(1), noon_);
     for (int i = 0; i < 2 * int(ProblemLog::kLimit); ++i) {
-      log.add({Severity::Warning, Subject(SubjectKind::Topic, "/x"), {ReasonCode::MessageNotJson, {i}}},
-              after(i));
+      log.add(
+          {Severity::Warning, Subject(SubjectKind::Topic, "/x"), {robot::axbot::fault::MessageNotJson, {i}}},
+          after(i));
     }
     QCOMPARE(log.rows().size(), std::size_t(2));
     QCOMPARE(log.rows()[1].count, 2 * int(ProblemLog::kLimit));

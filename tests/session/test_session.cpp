@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "fake_robot.h"
+#include "map/faults.h"
+#include "robot/axbot/faults.h"
+#include "session/faults.h"
 #include "session/session.h"
 
 using namespace mapwright;
@@ -175,7 +178,7 @@ class SessionTest : public QObject {
     QCOMPARE(counts.failed, 1);
     QCOMPARE(counts.pending, 1);
     QCOMPARE(session_->status({0, 1}), SubmapStatus::Missing);
-    QVERIFY(session_->reason({0, 1}) == map::said("The robot said no."));
+    QVERIFY(session_->reason({0, 1}) == fault::said("The robot said no."));
     QCOMPARE(session_->status({0, 2}), SubmapStatus::Waiting);
     QCOMPARE(session_->status({0, 3}), SubmapStatus::Corrupt);
     QCOMPARE(session_->status({0, 4}), SubmapStatus::Unplaced);
@@ -357,9 +360,8 @@ class SessionTest : public QObject {
     QCOMPARE(session_->problems().rows()[0].count, 5);
     const map::Problem& problem = session_->problems().rows()[0].problem;
     QCOMPARE(problem.subject.id, std::string("0-0"));
-    QVERIFY(problem.reason == map::Reason(map::ReasonCode::VersionNotHad, {5},
-                                          {map::said("The robot said no.")},
-                                          map::Consequence::AskedAgainAtTheNext));
+    QVERIFY(problem.reason == Fault(session::fault::VersionNotHad, {5}, {fault::said("The robot said no.")},
+                                    Consequence::AskedAgainAtTheNext));
   }
 
   void aCorruptPictureRecoversWithTheNextVersion() {
@@ -394,7 +396,7 @@ class SessionTest : public QObject {
     if (trouble == 0) broken.entries[0].pose.x = std::nan("");
     if (trouble == 1) broken.entries.push_back(entry(0, 2, 4));
     if (trouble == 2) broken.entries[0].version = 1;
-    if (trouble == 3) broken.rejected = {{map::ReasonCode::RowWithoutNumbers, {7}}};
+    if (trouble == 3) broken.rejected = {{robot::axbot::fault::RowWithoutNumbers, {7}}};
     robot_->say(broken);
     QCOMPARE(session_->problems().unresolved(), 1);
     robot_->say(broken);
@@ -427,7 +429,7 @@ class SessionTest : public QObject {
 
   void aListThatComesAtLastIsNoProblemAnyMore() {
     const map::Problem none{map::Severity::Warning, map::Subject(map::SubjectKind::SubmapList, {}),
-                            map::said("None yet."), map::ProblemCode::Unavailable};
+                            fault::said("None yet."), map::ProblemCode::Unavailable};
     for (int connection = 0; connection < 2; ++connection) {
       Q_EMIT robot_->problemFound(none);
       QCOMPARE(session_->problems().unresolved(), 1);
@@ -439,8 +441,8 @@ class SessionTest : public QObject {
   void whatTheRobotTellsToBeWellIsResolved() {
     QSignalSpy changed(session_.get(), &Session::problemsChanged);
     const map::Subject topic(map::SubjectKind::Topic, "/x");
-    robot_->say(map::UnreadableMessage{"/x", map::said("It is garbage.")});
-    Q_EMIT robot_->problemFound({map::Severity::Warning, topic, map::said("Odd."), map::ProblemCode::Odd});
+    robot_->say(map::UnreadableMessage{"/x", fault::said("It is garbage.")});
+    Q_EMIT robot_->problemFound({map::Severity::Warning, topic, fault::said("Odd."), map::ProblemCode::Odd});
     QCOMPARE(session_->problems().unresolved(), 2);
     Q_EMIT robot_->recovered({topic, map::ProblemCode::Unreadable});
     QCOMPARE(session_->problems().unresolved(), 1);
@@ -452,8 +454,8 @@ class SessionTest : public QObject {
   void aTopicThatNobodyWantsAnyMoreIsNoProblem() {
     robot_->has_topics = true;
     session_->want(QStringLiteral("layers"), {}, {QStringLiteral("/x"), QStringLiteral("/y")});
-    robot_->say(map::UnreadableMessage{"/x", map::said("It is garbage.")});
-    robot_->say(map::UnreadableMessage{"/y", map::said("It is garbage.")});
+    robot_->say(map::UnreadableMessage{"/x", fault::said("It is garbage.")});
+    robot_->say(map::UnreadableMessage{"/y", fault::said("It is garbage.")});
     session_->want(QStringLiteral("layers"), {}, {QStringLiteral("/y")});
     QCOMPARE(session_->problems().unresolved(), 1);
   }
@@ -461,8 +463,8 @@ class SessionTest : public QObject {
   void aRobotThatIsConnectedAgainHasItsProblemsBehindIt() {
     robot_->setPhase(robot::ConnectionPhase::Interrupted);
     Q_EMIT robot_->problemFound({map::Severity::Error, map::Subject(map::SubjectKind::Robot, "1.2.3.4:8090"),
-                                 map::said("It is gone.")});
-    Q_EMIT robot_->problemFound({map::Severity::Error, "something else", map::said("No.")});
+                                 fault::said("It is gone.")});
+    Q_EMIT robot_->problemFound({map::Severity::Error, "something else", fault::said("No.")});
     QCOMPARE(session_->problems().unresolved(), 2);
     robot_->setPhase(robot::ConnectionPhase::Online);
     QCOMPARE(session_->problems().unresolved(), 1);
@@ -471,13 +473,13 @@ class SessionTest : public QObject {
   void problemsMayBeToldWithTheirTimes() {
     const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
     const map::Subject stop(map::SubjectKind::Condition, "emergency-stop");
-    session_->report({map::Severity::Error, stop, map::ReasonCode::EmergencyStop}, noon);
+    session_->report({map::Severity::Error, stop, map::fault::EmergencyStop}, noon);
     session_->recover({stop}, noon.addSecs(90));
     QCOMPARE(session_->problems().rows()[0].lastedMs(noon.addSecs(500)), 90'000);
   }
 
   void unreadableMessagesBecomeProblems() {
-    robot_->say(map::UnreadableMessage{"/submap_list", map::said("It is garbage.")});
+    robot_->say(map::UnreadableMessage{"/submap_list", fault::said("It is garbage.")});
     QCOMPARE(session_->problems().rows().size(), std::size_t(1));
   }
 

@@ -4,6 +4,7 @@
 #include <QTimer>
 
 #include "fake_robot.h"
+#include "robot/aimdk/faults.h"
 #include "robot/map_dispatch.h"
 #include "sentences/problem_sentence.h"
 #include "session/session.h"
@@ -292,7 +293,7 @@ class SessionMapsTest : public QObject {
     if (trouble == 2) broken.bytes = std::make_shared<const std::string>("garbage");
     if (trouble == 3) broken.bytes = std::make_shared<const std::string>(broken.bytes->substr(0, 500));
     if (trouble == 4) broken.grid.resolution_m = 0;
-    if (trouble == 5) broken.notes.push_back({map::Severity::Warning, "Whatever", map::said("It is odd.")});
+    if (trouble == 5) broken.notes.push_back({map::Severity::Warning, "Whatever", fault::said("It is odd.")});
     if (trouble == 6) broken.grid.width = 77;
     if (trouble == 0) {
       map::Failure failure = test::failed("No.");
@@ -348,7 +349,7 @@ class SessionMapsTest : public QObject {
     robot_->answerList({FakeRobot::entry("1", true)});
     map::WaypointList list;
     list.points.push_back({"3", "Door <b>", "NAVI", {1, 2}, 0.5});
-    list.notes = {{map::ReasonCode::PointOff, {"3", "Door", 4.0}}};
+    list.notes = {{robot::aimdk::fault::PointOff, {"3", "Door", 4.0}}};
     robot_->waypoint_asks[0].second(list);
     robot_->map_fetches[0].second(FakeRobot::wholeMap("1"));
     QTRY_COMPARE(session_->wholeMap().waypoints().points.size(), std::size_t(1));

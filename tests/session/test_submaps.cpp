@@ -35,7 +35,7 @@ class AskedSource : public robot::SubmapSource {
     answer.key = key;
     answer.outcome = outcome;
     answer.version = key.version;
-    answer.reason = map::said("no");
+    answer.reason = fault::said("no");
     for (int i = 0; i < (kind == 1 ? 2 : kind == 2 ? 0 : 1); ++i) {
       map::RawSlice slice;
       slice.width = slice.height = 8;

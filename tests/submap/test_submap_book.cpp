@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "submap/faults.h"
 #include "submap/submap_book.h"
 
 using namespace mapwright;
@@ -113,10 +114,10 @@ class SubmapBookTest : public QObject {
     QCOMPARE(change.problems.size(), std::size_t(3));
     QVERIFY(change.problems[1] == (map::Problem{map::Severity::Error,
                                                 map::subjectOf(map::SubmapId{0, 1}),
-                                                {map::ReasonCode::VersionCannotBePlaced,
+                                                {submap::fault::VersionCannotBePlaced,
                                                  {1},
-                                                 {map::ReasonCode::TurnIsZero},
-                                                 map::Consequence::ShownWithoutIt},
+                                                 {submap::fault::TurnIsZero},
+                                                 Consequence::ShownWithoutIt},
                                                 map::ProblemCode::Unplaced}));
     QVERIFY(!book.find({0, 0})->pose_usable);
     QVERIFY(book.find({0, 3})->pose_usable);
@@ -174,13 +175,12 @@ class SubmapBookTest : public QObject {
     book.apply(listOf({entry(0, 0, 4)}));
     const BookChange change = book.commit(submap::decode(answer));
     QCOMPARE(change.problems.size(), std::size_t(1));
-    const map::Reason& reason = change.problems[0].reason;
-    QVERIFY(reason.code == map::ReasonCode::VersionBroken);
-    QVERIFY(reason.arguments == std::vector<map::Argument>{4});
+    const Fault& reason = change.problems[0].reason;
+    QVERIFY(reason.code == submap::fault::VersionBroken);
+    QVERIFY(reason.arguments == std::vector<FaultArgument>{4});
     QCOMPARE(reason.because.size(), std::size_t(2));
-    QVERIFY(reason.because[0].arguments == std::vector<map::Argument>{0});
-    QVERIFY(reason.because[1] ==
-            map::Reason(map::ReasonCode::OneSlice, {3}, {map::ReasonCode::SlicePoseUnusable}));
+    QVERIFY(reason.because[0].arguments == std::vector<FaultArgument>{0});
+    QVERIFY(reason.because[1] == Fault(submap::fault::OneSlice, {3}, {submap::fault::SlicePoseUnusable}));
     QVERIFY(!book.placement({0, 0}, 0));
     QVERIFY(book.placement({0, 0}, 1));
     QVERIFY(!book.placement({0, 0}, 2));

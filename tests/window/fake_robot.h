@@ -12,6 +12,7 @@
 #include "../session/topic_names.h"
 #include "robot/map_administration.h"
 #include "robot/robot.h"
+#include "robot/ros/faults.h"
 #include "robot/second_server.h"
 
 namespace mapwright::test {
@@ -104,7 +105,7 @@ class FakeMaps : public QObject, public robot::MapCatalogue, public robot::Whole
         reply(tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
                                                .subject = map::subjectOf(key),
                                                .reason = map::FailureReason::Unfit,
-                                               .cause = {map::ReasonCode::OnlyCurrentMapSent}}));
+                                               .cause = {robot::ros::fault::OnlyCurrentMapSent}}));
       } else if (map_error.empty()) {
         reply(wholeMap(key, "Map " + key.id, 80, 60));
       } else {
@@ -208,12 +209,12 @@ class FakeRobot : public robot::Robot,
     made.version = key.version;
     if (missing.contains(key.id)) {
       made.outcome = map::SubmapAnswer::Outcome::NotFound;
-      made.reason = map::said("The robot does not have it.");
+      made.reason = fault::said("The robot does not have it.");
       return made;
     }
     if (failing.contains(key.id)) {
       made.outcome = map::SubmapAnswer::Outcome::Failed;
-      made.reason = map::said("The robot answered <b>500</b>.");
+      made.reason = fault::said("The robot answered <b>500</b>.");
       return made;
     }
     made.outcome = map::SubmapAnswer::Outcome::Ok;
@@ -236,7 +237,7 @@ class FakeRobot : public robot::Robot,
   void goAway(const QString& why) {
     robot::ConnectionState away;
     away.phase = robot::ConnectionPhase::Interrupted;
-    away.reason = map::said(why.toStdString());
+    away.reason = fault::said(why.toStdString());
     away.attempt = 2;
     away.retry_in_ms = 3000;
     setState(away);

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "net/faults.h"
 #include "window/dialogs/certificate_dialog.h"
 #include "window/dialogs/recent_robots.h"
 #include "window/dialogs/trusted_certificates.h"
@@ -25,10 +26,10 @@ robot::ConnectionState refused(const QString& sha256, const QString& pinned = {}
   robot::ConnectionState state;
   state.phase = robot::ConnectionPhase::Refused;
   state.failure = map::FailureKind::Certificate;
-  state.reason = map::said("the certificate of 192.0.2.7:8090 is not trusted: it is self-signed");
+  state.reason = fault::said("the certificate of 192.0.2.7:8090 is not trusted: it is self-signed");
   robot::UntrustedCertificate certificate;
   certificate.host = kHost;
-  certificate.why = {map::ReasonCode::SelfSigned};
+  certificate.why = {net::fault::SelfSigned};
   certificate.sha256 = sha256;
   certificate.pinned_sha256 = pinned;
   certificate.subject = QStringLiteral("<b>Robot</b> 7");

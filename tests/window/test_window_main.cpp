@@ -83,7 +83,7 @@ class TestWindowMain : public QObject {
              QStringLiteral("reconnecting in 3 s (attempt 2): connection refused"));
     robot::ConnectionState refused;
     refused.phase = robot::ConnectionPhase::Refused;
-    refused.reason = map::said("the certificate has changed. " + std::string(200, 'x'));
+    refused.reason = fault::said("the certificate has changed. " + std::string(200, 'x'));
     bench.robot->setState(refused);
     QVERIFY(window.overlay()->notice()->sentence().contains(QLatin1String(". The certificate")));
     for (const PlainLabel* label : window.bar()->findChildren<PlainLabel*>()) {
@@ -123,7 +123,7 @@ class TestWindowMain : public QObject {
     if (had_been_online) bench.load();
     robot::ConnectionState refused;
     refused.phase = robot::ConnectionPhase::Refused;
-    refused.reason = map::said("the robot refuses the connection");
+    refused.reason = fault::said("the robot refuses the connection");
     const auto offer = [&]() -> QPushButton* {
       for (QPushButton* button : window.findChildren<QPushButton*>()) {
         if (button->isVisible() && button->text() == QStringLiteral("Enter secret…")) return button;

@@ -50,7 +50,7 @@ class TestWindowText : public QObject {
     auto away = link(robot::ConnectionPhase::Interrupted);
     away.attempt = 2;
     away.retry_in_ms = 3000;
-    away.reason = map::said("connection refused");
+    away.reason = fault::said("connection refused");
     QCOMPARE(connectionText(away).text,
              QStringLiteral("reconnecting in 3 s (attempt 2): connection refused"));
     QCOMPARE(connectionText(away, 1001).text,
@@ -58,7 +58,7 @@ class TestWindowText : public QObject {
     QCOMPARE(connectionText(away, 9000).text,
              QStringLiteral("reconnecting now (attempt 2): connection refused"));
     auto refused = link(robot::ConnectionPhase::Refused);
-    refused.reason = map::said("wrong secret");
+    refused.reason = fault::said("wrong secret");
     QCOMPARE(connectionText(refused).text, QStringLiteral("refused: wrong secret"));
     // Every state has a shape of its own, so that colour is never alone.
     QVERIFY(connectionText(online).mark != connectionText(away).mark);
@@ -205,7 +205,7 @@ class TestWindowText : public QObject {
     session::SubmapCounts counts;
     QCOMPARE(emptyState(address, link(robot::ConnectionPhase::Connecting), &counts)->kind, Kind::Connecting);
     auto away = link(robot::ConnectionPhase::Interrupted);
-    away.reason = map::said("connection refused");
+    away.reason = fault::said("connection refused");
     const auto failed = emptyState(address, away, &counts);
     QCOMPARE(failed->kind, Kind::Failed);
     QVERIFY(failed->offers_retry);
@@ -301,7 +301,7 @@ class TestWindowText : public QObject {
     harmless(prettyJson(evil.toUtf8()));
     session::ProblemLog log;
     const QDateTime now = QDateTime::currentDateTime();
-    log.add({map::Severity::Error, evil.toStdString(), map::said(evil.toStdString())}, now);
+    log.add({map::Severity::Error, evil.toStdString(), fault::said(evil.toStdString())}, now);
     harmless(log.toText(now));
     harmless(problemLine(log.rows()[0]));
     ProblemsModel model;
@@ -318,13 +318,13 @@ class TestWindowText : public QObject {
     ProblemsModel model;
     const QDateTime noon(QDate(2026, 1, 2), QTime(12, 0), Qt::UTC);
     const map::Subject topic(map::SubjectKind::Topic, "/x"), other(map::SubjectKind::Topic, "/y");
-    log.add({map::Severity::Error, topic, map::said("7 bytes.")}, noon);
-    log.add({map::Severity::Error, other, map::said("Odd.")}, noon);
+    log.add({map::Severity::Error, topic, fault::said("7 bytes.")}, noon);
+    log.add({map::Severity::Error, other, fault::said("Odd.")}, noon);
     model.sync(log.rows());
     const QPersistentModelIndex first(model.index(0, ProblemsModel::SentenceColumn));
     QSignalSpy removed(&model, &QAbstractItemModel::rowsRemoved);
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-    log.add({map::Severity::Error, topic, map::said("8 bytes.")}, noon.addSecs(5));
+    log.add({map::Severity::Error, topic, fault::said("8 bytes.")}, noon.addSecs(5));
     model.sync(log.rows());
     QCOMPARE(removed.size(), 0);
     QCOMPARE(changed.size(), 1);
@@ -338,7 +338,7 @@ class TestWindowText : public QObject {
     QVERIFY(tip.contains(QLatin1String("12:00:00")) && tip.contains(QLatin1String("12:00:05")) &&
             tip.contains(QLatin1String("12:01:05")));
     log.clear();
-    log.add({map::Severity::Error, topic, map::said("9 bytes.")}, noon.addSecs(70));
+    log.add({map::Severity::Error, topic, fault::said("9 bytes.")}, noon.addSecs(70));
     model.sync(log.rows());
     QCOMPARE(model.rowCount(), 1);
     QVERIFY(!first.isValid());

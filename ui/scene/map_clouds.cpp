@@ -14,9 +14,9 @@
 #include "clouds/shades.h"
 #include "clouds/voxel_size.h"
 #include "clouds/write_cloud.h"
+#include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
 #include "work/workers.h"
 
@@ -150,7 +150,7 @@ class MapClouds::Impl {
           if (*stop) return;
           const auto fault = file.place();
           tl::expected<std::uint64_t, QString> outcome = written ? written->points : 0;
-          if (fault) outcome = tl::make_unexpected(sentences::sentenceOf(reasons::notWritten(*fault)));
+          if (fault) outcome = tl::make_unexpected(sentences::sentenceOf(disk::notWritten(*fault)));
           QMetaObject::invokeMethod(
               &owner_, [reply, outcome] { reply(outcome); }, Qt::QueuedConnection);
         });

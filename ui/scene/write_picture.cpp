@@ -3,22 +3,22 @@
 #include <QBuffer>
 #include <QImageWriter>
 
+#include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
+#include "scene/faults.h"
 
 namespace mapwright::scene {
 
-std::optional<map::Reason> writePicture(const QImage& picture, const QString& path) {
+std::optional<Fault> writePicture(const QImage& picture, const QString& path) {
   QBuffer png;
   png.open(QIODevice::WriteOnly);
   QImageWriter writer(&png, "png");
   if (!writer.write(picture)) {
-    return map::Reason(map::ReasonCode::PictureNotEncoded,
-                       {path.toStdString(), writer.errorString().toStdString()});
+    return Fault(fault::PictureNotEncoded, {path.toStdString(), writer.errorString().toStdString()});
   }
   const auto fault = disk::writeFile(
       path.toStdString(), std::string_view(png.data().constData(), std::size_t(png.data().size())));
-  return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
+  return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
 }
 
 }  // namespace mapwright::scene

@@ -6,11 +6,11 @@
 #include <QImage>
 #include <QString>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 
 namespace mapwright::scene {
 
 /// Whole or not at all; what a path may be says disk::WrittenFile. nullopt = written, else why not.
-std::optional<map::Reason> writePicture(const QImage& picture, const QString& path);
+std::optional<Fault> writePicture(const QImage& picture, const QString& path);
 
 }  // namespace mapwright::scene

@@ -209,8 +209,8 @@ class Client::Impl {
     if (refused && sharing_ == Sharing::No && quick_.ready()) share(Sharing::UntilReconnect, link.reason());
   }
 
-  void share(Sharing how, const Reason& why) {
-    const Reason reason = why;  // closing forgets it
+  void share(Sharing how, const Fault& why) {
+    const Fault reason = why;  // closing forgets it
     for (auto& [topic, state] : topics_) {
       if (state.wanted.large) state.id.clear();
     }

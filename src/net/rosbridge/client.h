@@ -70,7 +70,7 @@ class Client : public QObject {
   void opened();   // the quick one is (again) open: its subscriptions have been sent again
   void received(const mapwright::net::rosbridge::TopicMessage& message);
   /// The server takes no second connection; told once. `why`: what became of it.
-  void sharesOneConnection(const mapwright::net::Reason& why);
+  void sharesOneConnection(const Fault& why);
   /// The server's opinion: level ("error", "warning", …), words, and the id of what it is about. Untrusted.
   void statusReceived(const QString& level, const QString& words, const QString& id);
   void frameReceived(std::string_view bytes, bool binary,

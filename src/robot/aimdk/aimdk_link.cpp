@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/aimdk/faults.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
-#include "robot/wire/net_reason.h"
 #include "sentences/failure_sentence.h"
 
 namespace mapwright::robot::aimdk {
@@ -168,10 +168,9 @@ void AimdkLink::attempt() {
       const bool json = answer.body.trimmed().startsWith('{');
       map::Failure failure = said(answer, catalogueSubject(map::kMapsPart), maps.error());
       if (!json) failure.kind = map::FailureKind::NotARobot;
-      interrupt(map::said(sentences::sentenceOf(failure)), failure.kind);
+      interrupt(fault::said(sentences::sentenceOf(failure)), failure.kind);
     } else if (answer.kind == net::HttpAnswer::Kind::Answered && knowsNoSuchCall(answer.status)) {
-      interrupt({map::ReasonCode::NoAgibotRobotThere, {}, {wire::reasonOf(answer.reason)}},
-                map::FailureKind::NotARobot);
+      interrupt({fault::NoAgibotRobotThere, {}, {answer.reason}}, map::FailureKind::NotARobot);
     } else {
       interrupt(answer);
     }
@@ -217,10 +216,10 @@ void AimdkLink::noteCurrent(const std::string& id) {
 
 void AimdkLink::interrupt(const net::HttpAnswer& answer) {
   if (answer.certificate) certificate_ = wire::untrusted(*answer.certificate);
-  interrupt(wire::reasonOf(answer.reason), wire::failureOf(answer));
+  interrupt(answer.reason, wire::failureOf(answer));
 }
 
-void AimdkLink::interrupt(const map::Reason& reason, map::FailureKind failure) {
+void AimdkLink::interrupt(const Fault& reason, map::FailureKind failure) {
   if (!wanted_) return;
   healthy_->stop();
   quiet_->stop();

@@ -72,7 +72,7 @@ class AimdkLink : public QObject {
   void hear();
   void noteSilence();
   void interrupt(const net::HttpAnswer& answer);
-  void interrupt(const map::Reason& reason, map::FailureKind failure);
+  void interrupt(const Fault& reason, map::FailureKind failure);
   void noteCurrent(const std::string& id);
   void enter(ConnectionPhase phase, std::optional<int> retry_in_ms = {});
   void askPoints(const wire::ErrandPtr& errand, const map::MapKey& key, const QByteArray& body,
@@ -94,7 +94,7 @@ class AimdkLink : public QObject {
   QDateTime heard_at_;                    // the last answer; invalid before the first
   std::optional<QDateTime> silent_since_;
   ConnectionPhase phase_ = ConnectionPhase::Offline;
-  map::Reason reason_;  // why it is not online
+  Fault reason_;  // why it is not online
   std::optional<UntrustedCertificate> certificate_;
   map::FailureKind failure_ = map::FailureKind::None;
   std::optional<std::string> current_;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "robot/aimdk/faults.h"
 #include "robot/silence.h"
 
 namespace mapwright::robot::aimdk {
@@ -79,7 +80,7 @@ void LiveBeside::noteLink() {
   map::Problem problem;
   problem.severity = map::Severity::Warning;
   problem.subject = subject_;
-  problem.reason = {map::ReasonCode::PoseSourceAway, {subject_.id}, {state.reason}};
+  problem.reason = {fault::PoseSourceAway, {subject_.id}, {state.reason}};
   problem.code = map::ProblemCode::Unavailable;
   Q_EMIT problemFound(problem);
 }

@@ -52,8 +52,8 @@ class LiveBeside : public QObject, public LiveTopics, public Delivers {
   std::unique_ptr<Robot> source_;
   map::Subject subject_;
   bool wanted_ = false;
-  QString trusted_;                  // SHA-256 that is still to be told; empty = none
-  std::optional<map::Reason> told_;  // why it is away
+  QString trusted_;            // SHA-256 that is still to be told; empty = none
+  std::optional<Fault> told_;  // why it is away
   std::optional<UntrustedCertificate> certificate_;
   QDateTime silent_since_;
 };

@@ -8,14 +8,15 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "robot/aimdk/faults.h"
 #include "robot/wire/base64.h"
+#include "robot/wire/faults.h"
 #include "robot/wire/picture_facts.h"
 #include "robot/wire/read_json.h"
 
 namespace mapwright::robot::aimdk {
 namespace {
 
-using map::ReasonCode;
 using wire::Json;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -23,7 +24,7 @@ constexpr std::size_t kMaxPictureBytes = std::size_t(256) << 20;
 constexpr std::size_t kMaxNotes = 20;
 
 /// It cannot be read.
-auto refused(map::Reason cause) { return tl::make_unexpected(RpcError{false, {}, {}, std::move(cause)}); }
+auto refused(Fault cause) { return tl::make_unexpected(RpcError{false, {}, {}, std::move(cause)}); }
 
 auto passed(RpcError error) { return tl::make_unexpected(std::move(error)); }
 
@@ -57,7 +58,7 @@ std::optional<RpcError> failure(const Json& root) {
 Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
   const auto root = reader.readKeepingDigits(body);
   if (!root || !root->is_object()) {
-    return refused({ReasonCode::AnswerIsNoJson, {"Agibot"}});
+    return refused({fault::AnswerIsNoJson, {"Agibot"}});
   }
   if (auto why = failure(*root)) return passed(std::move(*why));
   const auto data = wire::member(*root, {"data"});
@@ -65,7 +66,7 @@ Read<Json> dataOf(wire::JsonReader& reader, std::string_view body) {
   if (!data || data->get(members) || members.size() == 0) {
     // This is how it refuses, too.
     const std::string why = explanation(*root);
-    return passed({true, {}, why, why.empty() ? ReasonCode::AnswerHoldsNoData : ReasonCode::None});
+    return passed({true, {}, why, why.empty() ? fault::AnswerHoldsNoData : FaultCode()});
   }
   return *data;
 }
@@ -117,7 +118,7 @@ Read<std::vector<map::CatalogueEntry>> parseMapNames(std::string_view body) {
   const auto member = wire::member(*data, {"map_lists", "map_list", "maps"});
   if (!member) return entries;  // an empty list is left out by some encoders
   const auto rows = wire::asList(*member);
-  if (!rows) return refused(ReasonCode::MapsAreNoList);
+  if (!rows) return refused(fault::MapsAreNoList);
   for (const Json row : *rows) {
     map::CatalogueEntry entry;
     entry.key = {map::MapKind::Stored, wire::text(row, {"map_id", "id"})};
@@ -148,17 +149,17 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
   parsed.u0 = wire::number(*data, {"origin_x"}).value_or(kNaN);
   parsed.v0 = wire::number(*data, {"origin_y"}).value_or(kNaN);
   if (!(parsed.pixels_per_m > 0) || !std::isfinite(parsed.pixels_per_m)) {
-    return refused(ReasonCode::ScaleNotPositive);
+    return refused(fault::ScaleNotPositive);
   }
   const std::string given = wire::text(*data, {"map_id"});
   if (!given.empty() && given != asked.id) {
-    return refused({ReasonCode::WrongMapSent, {given.substr(0, 100)}});
+    return refused({fault::WrongMapSent, {given.substr(0, 100)}});
   }
   const auto base64 = wire::member(*data, {"map_data"});
   std::string_view text;
-  if (!base64 || base64->get(text) || text.empty()) return refused(ReasonCode::NoPictureOfItSent);
+  if (!base64 || base64->get(text) || text.empty()) return refused(fault::NoPictureOfItSent);
   auto picture = wire::fromBase64(text, kMaxPictureBytes);
-  if (!picture || picture->empty()) return refused(ReasonCode::PictureNotBase64);
+  if (!picture || picture->empty()) return refused(fault::PictureNotBase64);
   const int width = wire::smallInteger(*data, {"width"}).value_or(0);
   const int height = wire::smallInteger(*data, {"height"}).value_or(0);
   whole.grid.width = width;
@@ -168,10 +169,10 @@ Read<ParsedMap> parseWholeMap(std::string_view body, const map::MapKey& asked) {
     if (*size != std::pair(width, height)) {
       whole.notes.push_back({map::Severity::Warning,
                              map::subjectOf(asked),
-                             {ReasonCode::SizesDisagree, {size->first, size->second, width, height}}});
+                             {fault::SizesDisagree, {size->first, size->second, width, height}}});
     }
   } else if (width <= 0 || height <= 0) {
-    return refused(ReasonCode::HeightNotSaid);
+    return refused(fault::HeightNotSaid);
   }
   // Pixel (origin_x, origin_y) is the world's origin and pixel rows run down: the lower-left corner lies
   // (height - origin_y) rows below it.
@@ -195,10 +196,10 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
   const auto member = wire::member(*data, {"points"});
   if (!member) return list;
   const auto rows = wire::asList(*member);
-  if (!rows) return refused(ReasonCode::PointsAreNoList);
+  if (!rows) return refused(robot::wire::fault::PointsAreNoList);
   const bool degrees = anglesAreDegrees(*rows);
   std::size_t unplaced = 0, unsaid = 0;
-  const auto note = [&](map::Reason odd) {
+  const auto note = [&](Fault odd) {
     if (list.notes.size() < kMaxNotes) {
       list.notes.push_back(std::move(odd));
     } else {
@@ -216,12 +217,12 @@ Read<map::WaypointList> parseTopology(std::string_view body, const ParsedMap* fr
                         wire::text(row, {"point_type", "type"}), *position, headingOf(row, degrees)};
     const auto off = frame ? pixelsOff(row, *position, *frame) : std::nullopt;
     if (off && !(*off <= 1)) {
-      note({ReasonCode::PointOff, {point.id, point.name, *off}});
+      note({fault::PointOff, {point.id, point.name, *off}});
     }
     list.points.push_back(std::move(point));
   }
-  if (unplaced > 0) list.notes.push_back({ReasonCode::PointsUnplaced, {std::int64_t(unplaced)}});
-  if (unsaid > 0) list.notes.push_back({ReasonCode::MorePointsOff, {std::int64_t(unsaid)}});
+  if (unplaced > 0) list.notes.push_back({robot::wire::fault::PointsUnplaced, {std::int64_t(unplaced)}});
+  if (unsaid > 0) list.notes.push_back({fault::MorePointsOff, {std::int64_t(unsaid)}});
   return list;
 }
 

@@ -19,7 +19,7 @@ struct RpcError {
   bool refused = false;  // the robot says that the call failed; else it cannot be read
   std::string code;      // the robot's own; empty = none
   std::string detail;    // refused: its words, may be empty
-  map::Reason cause;     // what is wrong with what came, in place of detail
+  Fault cause;           // what is wrong with what came, in place of detail
 };
 template <typename T>
 using Read = tl::expected<T, RpcError>;

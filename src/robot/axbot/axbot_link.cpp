@@ -8,13 +8,14 @@
 #include <QUrlQuery>
 
 #include "net/http_cache.h"
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/stream_topics.h"
+#include "robot/faults.h"
 #include "robot/wire/http_failure.h"
 #include "robot/wire/link_state.h"
-#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::axbot {
 namespace {
@@ -77,13 +78,10 @@ void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
     cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
-    cache_->setTrouble([this](const net::Reason& why) {
+    cache_->setTrouble([this](const Fault& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
-                           {map::ReasonCode::AnswersNotKept,
-                            {},
-                            {wire::reasonOf(why)},
-                            map::Consequence::AskedAgainEachTime}});
+                           {fault::AnswersNotKept, {}, {why}, Consequence::AskedAgainEachTime}});
     });
   }
   http_ = std::make_unique<net::HttpClient>(options_.base, options_.secret, cache_.get());
@@ -134,7 +132,7 @@ void AxbotLink::start() {
   connect(list_timer_.get(), &QTimer::timeout, this, [this] {
     Q_EMIT problemFound({map::Severity::Warning,
                          map::SubjectKind::SubmapList,
-                         {map::ReasonCode::NoListYet, {"/submap_list"}},
+                         {fault::NoListYet, {"/submap_list"}},
                          map::ProblemCode::Unavailable});
   });
   connect(subscribe_timer_.get(), &QTimer::timeout, this, [this] {
@@ -195,7 +193,7 @@ QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const
   return url;
 }
 
-map::Problem AxbotLink::problem(map::Severity severity, map::Reason reason) const {
+map::Problem AxbotLink::problem(map::Severity severity, Fault reason) const {
   const QString host = QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port());
   return {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)};
 }
@@ -223,8 +221,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    Q_EMIT problemFound(problem(map::Severity::Info,
-                                {map::ReasonCode::DoesNotSayWhatItIs, {}, {wire::reasonOf(answer.reason)}}));
+    Q_EMIT problemFound(problem(map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}}));
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -342,7 +339,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
                     [&](const std::string& name) { return asked.contains(QString::fromStdString(name)); });
   } else if (!frame.error.empty()) {
     Q_EMIT problemFound(
-        problem(map::Severity::Warning, {map::ReasonCode::ItAnswered, {frame.error.substr(0, 300)}}));
+        problem(map::Severity::Warning, {robot::fault::ItAnswered, {frame.error.substr(0, 300)}}));
   }
 }
 
@@ -488,7 +485,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
   } else {
     answer.key = key;
     answer.bytes = std::size_t(http.body.size());
-    answer.reason = wire::reasonOf(http.reason);
+    answer.reason = http.reason;
     answer.failure = wire::failureOf(http);
     answer.outcome = http.kind == net::HttpAnswer::Kind::Cancelled ? Outcome::Cancelled
                      : http.status == 404                          ? Outcome::NotFound
@@ -511,11 +508,11 @@ void AxbotLink::cancelAll() {
   for (const auto& [ticket, fetch] : under_way_) http_->cancel(fetch.request);
 }
 
-map::Reason AxbotLink::whyNot() const {
-  if (socket_->fault() != net::WebSocketLink::Fault::NotAWebSocket) return wire::reasonOf(socket_->reason());
+Fault AxbotLink::whyNot() const {
+  if (socket_->failure() != net::WebSocketLink::Failure::NotAWebSocket) return socket_->reason();
   const std::string host =
       QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port()).toStdString();
-  return {map::ReasonCode::NoAutoxingRobotThere, {host}, {wire::reasonOf(socket_->reason())}};
+  return {fault::NoAutoxingRobotThere, {host}, {socket_->reason()}};
 }
 
 void AxbotLink::trust(const QByteArray& pinned_sha256) {

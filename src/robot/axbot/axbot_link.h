@@ -116,9 +116,9 @@ class AxbotLink : public QObject {
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
-  map::Reason whyNot() const;
+  Fault whyNot() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
-  map::Problem problem(map::Severity severity, map::Reason reason) const;
+  map::Problem problem(map::Severity severity, Fault reason) const;
 
   LinkOptions options_;
   std::shared_ptr<wire::TopicMailbox> mailbox_;

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "robot/axbot/faults.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 
@@ -72,7 +73,7 @@ struct Download {
     return {.kind = map::FailureKind::Unsupported,
             .subject = subjectOf(key),
             .reason = map::FailureReason::Unfit,
-            .cause = {map::ReasonCode::BagFileNotWritten, {path.toStdString(), why.toStdString()}}};
+            .cause = {fault::BagFileNotWritten, {path.toStdString(), why.toStdString()}}};
   }
   void end(map::Failure failure) {
     // A part without anything in it is none.
@@ -131,7 +132,7 @@ void place(Download& download) {
     download.end({.kind = map::FailureKind::MalformedAnswer,
                   .subject = subjectOf(download.key),
                   .reason = map::FailureReason::Unfit,
-                  .cause = {map::ReasonCode::BagFileOfOtherSize, {bytes, *download.of_bytes}}});
+                  .cause = {fault::BagFileOfOtherSize, {bytes, *download.of_bytes}}});
     return;
   }
   if (!download.part.flush()) {
@@ -158,7 +159,7 @@ void beginAnew(const DownloadPtr& download, const net::HttpAnswer& answer) {
     download->end({.kind = map::FailureKind::MalformedAnswer,
                    .subject = subjectOf(download->key),
                    .reason = map::FailureReason::Unfit,
-                   .cause = {map::ReasonCode::BagFileOfOtherSize,
+                   .cause = {fault::BagFileOfOtherSize,
                              {std::int64_t(0), std::int64_t(download->of_bytes.value_or(0))}}});
     return;
   }

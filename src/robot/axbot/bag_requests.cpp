@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_bags.h"
 #include "robot/axbot/robot_urls.h"
 #include "robot/wire/http_errand.h"
@@ -35,7 +36,7 @@ map::Failure notAsked(const BagKey& key, const BagRange& range) {
   return {.kind = map::FailureKind::Unsupported,
           .subject = subjectOf(key),
           .reason = map::FailureReason::Unfit,
-          .cause = {map::ReasonCode::BagNotAsked, {words.toStdString()}}};
+          .cause = {fault::BagNotAsked, {words.toStdString()}}};
 }
 
 }  // namespace
@@ -167,7 +168,7 @@ void BagRequests::picture(Errand errand, const std::string& topic, const std::st
     reply(fail({.kind = map::FailureKind::MalformedAnswer,
                 .subject = subject,
                 .reason = map::FailureReason::Unfit,
-                .cause = map::ReasonCode::PictureAddressInvalid}));
+                .cause = fault::PictureAddressInvalid}));
     return;
   }
   wire::send(errand, http_, request,

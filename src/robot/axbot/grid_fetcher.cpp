@@ -1,7 +1,7 @@
 #include "robot/axbot/grid_fetcher.h"
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/robot_urls.h"
-#include "robot/wire/net_reason.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::axbot {
@@ -22,8 +22,8 @@ void GridFetcher::start(const GridToFetch& wanted) {
   net::HttpRequest request;
   request.url = robotUrl(base_, wanted.data_url);
   if (!request.url.isValid()) {
-    take_(map::UnreadableMessage{wanted.grid.topic, map::Reason(map::ReasonCode::PictureAddressInvalid)
-                                                        .followedBy(map::Consequence::PictureBeforeStays)});
+    take_(map::UnreadableMessage{
+        wanted.grid.topic, Fault(fault::PictureAddressInvalid).followedBy(Consequence::PictureBeforeStays)});
     return;
   }
   request.accept = "image/png,image/*;q=0.8,*/*;q=0.5";
@@ -50,13 +50,10 @@ void GridFetcher::finish(const GridToFetch& wanted, const QUrl& url, const net::
     return;
   }
   if (answer.ok()) http_.discard(url);
-  const map::Reason why =
-      answer.ok() ? map::Reason(map::ReasonCode::AnswerIsEmpty) : wire::reasonOf(answer.reason);
-  take_(map::UnreadableMessage{grid.topic,
-                               {map::ReasonCode::PictureNotHad,
-                                {url.path().left(120).toStdString()},
-                                {why},
-                                map::Consequence::PictureBeforeStays}});
+  const Fault why = answer.ok() ? Fault(fault::AnswerIsEmpty) : answer.reason;
+  take_(map::UnreadableMessage{
+      grid.topic,
+      {fault::PictureNotHad, {url.path().left(120).toStdString()}, {why}, Consequence::PictureBeforeStays}});
 }
 
 void GridFetcher::discardPicture(const std::string& fingerprint) {

@@ -5,10 +5,11 @@
 
 #include <QJsonDocument>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/robot_urls.h"
+#include "robot/wire/faults.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
-#include "robot/wire/net_reason.h"
 #include "robot/wire/picture_facts.h"
 
 namespace mapwright::robot::axbot {
@@ -161,7 +162,7 @@ void MapRequests::addRows(Listing& listing, const net::HttpAnswer& answer, map::
   if (rows->without_id > 0) {
     report_({map::Severity::Warning,
              subject,
-             {map::ReasonCode::RowsWithoutId, {rows->without_id}},
+             {robot::wire::fault::RowsWithoutId, {rows->without_id}},
              map::ProblemCode::Odd});
   }
   (maps ? listing.maps : listing.mappings) = std::move(rows->entries);
@@ -271,7 +272,7 @@ void MapRequests::fetchParts(const std::shared_ptr<Fetch>& fetch, const MapDetai
   if (!detail.overlays_readable) {
     fetch->map.notes.push_back({map::Severity::Warning,
                                 map::subjectOf(fetch->map.key),
-                                {map::ReasonCode::MemberIsNoList, {"overlays"}},
+                                {fault::MemberIsNoList, {"overlays"}},
                                 map::ProblemCode::Odd});
   }
   fetch->usual_picture = urlOnRobot(base_, pathOf(key) + QStringLiteral(".png"));
@@ -323,12 +324,11 @@ void MapRequests::fetchExtra(const std::shared_ptr<Fetch>& fetch, const std::str
                if (answer.ok()) {
                  add(fetch->map, wire::view(answer.body));
                } else {
-                 fetch->map.notes.push_back(
-                     {map::Severity::Info,
-                      map::subjectOf(fetch->map.key),
-                      {map::ReasonCode::FileNotHad, {file.toStdString()}, {wire::reasonOf(answer.reason)}},
-                      map::ProblemCode::Unavailable,
-                      wire::failureOf(answer)});
+                 fetch->map.notes.push_back({map::Severity::Info,
+                                             map::subjectOf(fetch->map.key),
+                                             {fault::FileNotHad, {file.toStdString()}, {answer.reason}},
+                                             map::ProblemCode::Unavailable,
+                                             wire::failureOf(answer)});
                }
                fetch->finishPart();
              });

@@ -6,6 +6,7 @@
 #include <QDateTime>
 #include <QLocale>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/plain_messages.h"
 #include "robot/wire/json_cursor.h"
@@ -14,11 +15,9 @@
 namespace mapwright::robot::axbot {
 namespace {
 
-auto wrong(map::Reason reason) { return tl::make_unexpected(std::move(reason)); }
+auto wrong(Fault reason) { return tl::make_unexpected(std::move(reason)); }
 
-map::Reason notJson(std::string_view utf8) {
-  return {map::ReasonCode::MessageNotJson, {std::int64_t(utf8.size())}};
-}
+Fault notJson(std::string_view utf8) { return {fault::MessageNotJson, {std::int64_t(utf8.size())}}; }
 
 /// "31-Oct-2023 14:36:17", in the robot's language of English whatever is spoken here.
 std::optional<double> listedTime(const std::string& text) {
@@ -185,10 +184,10 @@ bool readQuickly(BagChunk& chunk) {
 }
 
 /// The same of any JSON; what is wrong with the text as a whole. On failure there are no messages.
-std::optional<map::Reason> readMessages(BagChunk& chunk) {
+std::optional<Fault> readMessages(BagChunk& chunk) {
   namespace ondemand = simdjson::ondemand;
   clear(chunk);
-  const map::Reason no_json = notJson(*chunk.text);
+  const Fault no_json = notJson(*chunk.text);
   ondemand::parser parser;
   ondemand::document document;
   const simdjson::padded_string_view text(chunk.text->data(), chunk.text->size(), chunk.text->capacity());
@@ -198,7 +197,7 @@ std::optional<map::Reason> readMessages(BagChunk& chunk) {
   ondemand::array messages;
   if (const auto error = root.find_field_unordered("messages").get_array().get(messages)) {
     const bool absent = error == simdjson::NO_SUCH_FIELD || error == simdjson::INCORRECT_TYPE;
-    return absent ? map::Reason(map::ReasonCode::BagWithoutMessages) : no_json;
+    return absent ? Fault(fault::BagWithoutMessages) : no_json;
   }
   ChunkReader reader(chunk);
   for (auto each : messages) {
@@ -219,12 +218,12 @@ std::optional<map::Reason> readMessages(BagChunk& chunk) {
 
 }  // namespace
 
-tl::expected<std::vector<BagEntry>, map::Reason> parseBagRows(std::string_view utf8, BagKind kind) {
+tl::expected<std::vector<BagEntry>, Fault> parseBagRows(std::string_view utf8, BagKind kind) {
   wire::JsonReader json;
   const auto root = json.read(utf8);
   if (!root) return wrong(notJson(utf8));
   const auto rows = wire::asList(*root, {"bags", "recordings", "files"});
-  if (!rows) return wrong(map::ReasonCode::AnswerIsNoList);
+  if (!rows) return wrong(fault::AnswerIsNoList);
   std::vector<BagEntry> entries;
   for (const wire::Json row : *rows) {
     if (auto entry = readRow(row, kind)) entries.push_back(std::move(*entry));
@@ -238,7 +237,7 @@ std::optional<BagEntry> parseBagRow(std::string_view utf8, BagKind kind) {
   return root ? readRow(*root, kind) : std::nullopt;
 }
 
-tl::expected<BagInfo, map::Reason> parseBagInfo(std::string_view utf8) {
+tl::expected<BagInfo, Fault> parseBagInfo(std::string_view utf8) {
   wire::JsonReader json;
   const auto root = json.read(utf8);
   if (!root) return wrong(notJson(utf8));
@@ -246,14 +245,14 @@ tl::expected<BagInfo, map::Reason> parseBagInfo(std::string_view utf8) {
   const auto messages = wire::integer(*root, {"total_messages"});
   const auto start_s = wire::number(*root, {"start_time"}), end_s = wire::number(*root, {"end_time"});
   // Of a bag without messages there is nothing that could begin or end.
-  if (!(start_s && end_s) && messages != 0) return wrong(map::ReasonCode::BagWithoutTimes);
+  if (!(start_s && end_s) && messages != 0) return wrong(fault::BagWithoutTimes);
   info.messages = std::max<std::int64_t>(messages.value_or(0), 0);
   info.start_s = start_s.value_or(0);
   info.end_s = end_s.value_or(info.start_s);
   return info;
 }
 
-tl::expected<BagChunk, map::Reason> parseBagChunk(std::string_view utf8, const BagRange& range) {
+tl::expected<BagChunk, Fault> parseBagChunk(std::string_view utf8, const BagRange& range) {
   BagChunk chunk;
   chunk.from_s = range.from_s;
   chunk.until_s = range.until_s;

@@ -6,6 +6,7 @@
 #include <google/protobuf/descriptor.pb.h>
 
 #include "packed/unpack.h"
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_binary_cloud.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
@@ -38,8 +39,8 @@ std::string topicOfBinaryFrame(std::string_view bytes) {
 tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_view bytes) {
   const std::size_t length = bytes.empty() ? 0 : std::uint8_t(bytes[0]);
   if (bytes.size() < length + 2) {
-    return tl::make_unexpected(map::UnreadableMessage{
-        kUnknownTopic, {map::ReasonCode::BinaryTooShort, {std::int64_t(bytes.size())}}});
+    return tl::make_unexpected(
+        map::UnreadableMessage{kUnknownTopic, {fault::BinaryTooShort, {std::int64_t(bytes.size())}}});
   }
   BinaryFrame frame;
   frame.topic = bytes.substr(1, length);
@@ -50,7 +51,7 @@ tl::expected<BinaryFrame, map::UnreadableMessage> unpackBinaryFrame(std::string_
   }
   auto content = unpacked(body);
   if (!content) {
-    return tl::make_unexpected(map::UnreadableMessage{frame.topic, map::ReasonCode::NotUnpacked});
+    return tl::make_unexpected(map::UnreadableMessage{frame.topic, fault::NotUnpacked});
   }
   frame.body = std::move(*content);
   return frame;
@@ -76,11 +77,10 @@ std::optional<map::TopicMessage> parseBinaryBody(const std::string& topic, std::
                     wrapper.ParseFromArray(body.data(), int(body.size()));
   if (isCloudTopic(topic)) {
     if (read && wrapper.has_point_cloud()) return readCloud(topic, wrapper.point_cloud());
-    return map::UnreadableMessage{topic, map::ReasonCode::BinaryWithoutPoints};
+    return map::UnreadableMessage{topic, fault::BinaryWithoutPoints};
   }
   if (topic != "/submap_list") return std::nullopt;
-  if (!read || !wrapper.has_submap_list())
-    return map::UnreadableMessage{topic, map::ReasonCode::BinaryWithoutList};
+  if (!read || !wrapper.has_submap_list()) return map::UnreadableMessage{topic, fault::BinaryWithoutList};
   return toSubmapList(wrapper.submap_list());
 }
 

@@ -5,9 +5,11 @@
 #include <cstring>
 
 #include "robot/axbot/cloud_points.h"
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_binary_cloud.h"
 #include "robot/axbot/topic_subjects.h"
 #include "robot/wire/base64.h"
+#include "robot/wire/faults.h"
 #include "ros_messages/wrapper.pb.h"
 
 namespace mapwright::robot::axbot {
@@ -150,14 +152,14 @@ bool isByte(const Field* field) {
   return field && (field->type == FieldType::U8 || field->type == FieldType::I8);
 }
 
-map::TopicMessage unreadable(const std::string& topic, map::Reason why,
-                             map::Consequence then = map::Consequence::TheyWereLeftOut) {
+map::TopicMessage unreadable(const std::string& topic, Fault why,
+                             Consequence then = Consequence::TheyWereLeftOut) {
   return map::UnreadableMessage{topic, std::move(why).followedBy(then)};
 }
 
 map::TopicMessage packedPoints(const std::string& topic, const Layout& layout, std::string_view base64) {
   const auto bytes = wire::fromBase64(base64, kMaxCloudBytes);
-  if (!bytes) return unreadable(topic, map::ReasonCode::PointsNotBase64);
+  if (!bytes) return unreadable(topic, fault::PointsNotBase64);
   const Field *x = layout.find("x"), *y = layout.find("y"), *z = layout.find("z");
   const Field* bright = layout.brightness();
   CloudPoints cloud;
@@ -214,9 +216,9 @@ MaybeMessage readCloudTopic(const std::string& topic, const Json& message) {
       wire::JsonList rows;
       if (!data->get(rows)) return tabledPoints(topic, *layout, rows);
     }
-    return unreadable(topic, map::ReasonCode::PointsWithoutFields, map::Consequence::ItsPointsWereLeftOut);
+    return unreadable(topic, robot::wire::fault::PointsWithoutFields, Consequence::ItsPointsWereLeftOut);
   }
-  return unreadable(topic, map::ReasonCode::NoReadablePoints);
+  return unreadable(topic, fault::NoReadablePoints);
 }
 
 map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointCloud& message) {
@@ -224,7 +226,7 @@ map::TopicMessage readCloud(const std::string& topic, const ros_messages::PointC
   const double resolution = message.resolution() == 0 ? 1 : double(message.resolution());
   if (!std::isfinite(resolution) || !std::isfinite(message.center_x()) ||
       !std::isfinite(message.center_y())) {
-    return unreadable(topic, map::ReasonCode::PointsWithoutScale);
+    return unreadable(topic, fault::PointsWithoutScale);
   }
   const int count = std::min(message.xs_size(), message.ys_size());
   const std::string& brightness =

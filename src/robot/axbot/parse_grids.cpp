@@ -1,6 +1,7 @@
 #include <limits>
 #include <tuple>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/topic_subjects.h"
 #include "robot/wire/base64.h"
 #include "robot/wire/picture_facts.h"
@@ -60,9 +61,9 @@ std::optional<map::GridKind> gridKindOf(const std::string& topic) {
 }
 
 void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
-  const auto refuse = [&](map::Reason why) {
+  const auto refuse = [&](Fault why) {
     frame.message =
-        map::UnreadableMessage{frame.topic, std::move(why).followedBy(map::Consequence::PictureBeforeStays)};
+        map::UnreadableMessage{frame.topic, std::move(why).followedBy(Consequence::PictureBeforeStays)};
   };
   map::GridMessage grid;
   grid.topic = frame.topic;
@@ -76,7 +77,7 @@ void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
   if (!data.empty()) {
     auto picture = wire::fromBase64(data, kMaxPictureBytes);
     if (!picture || picture->empty()) {
-      return refuse(map::ReasonCode::PictureInMessageNotBase64);
+      return refuse(fault::PictureInMessageNotBase64);
     }
     grid.fingerprint = wire::fingerprint(*picture);
     grid.png = std::make_shared<const std::string>(std::move(*picture));
@@ -84,7 +85,7 @@ void readGridTopic(map::GridKind kind, const Json& message, TextFrame& frame) {
   } else if (!url.empty()) {
     frame.grid_to_fetch = GridToFetch{std::move(grid), std::string(url)};
   } else {
-    refuse(map::ReasonCode::NoPictureNorAddress);
+    refuse(fault::NoPictureNorAddress);
   }
 }
 

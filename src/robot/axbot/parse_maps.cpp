@@ -3,14 +3,15 @@
 #include <limits>
 #include <tuple>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_overlays.h"
+#include "robot/wire/faults.h"
 #include "robot/wire/picture_facts.h"
 #include "ros_messages/slam.pb.h"
 
 namespace mapwright::robot::axbot {
 namespace {
 
-using map::ReasonCode;
 using wire::Json;
 
 map::GridReference listedGrid(const Json& row) {
@@ -39,11 +40,11 @@ map::CatalogueEntry entryOf(const Json& row, map::MapKind kind) {
 
 }  // namespace
 
-tl::expected<MapRows, map::Reason> parseMapRows(std::string_view body, map::MapKind kind) {
+tl::expected<MapRows, Fault> parseMapRows(std::string_view body, map::MapKind kind) {
   wire::JsonReader reader;
   const auto root = reader.readKeepingDigits(body);
   const auto rows = root ? wire::asList(*root, {"maps", "mappings"}) : std::nullopt;
-  if (!rows) return refused(ReasonCode::AnswerIsNoList);
+  if (!rows) return refused(fault::AnswerIsNoList);
   MapRows read;
   for (const Json row : *rows) {
     auto entry = entryOf(row, kind);
@@ -56,13 +57,13 @@ tl::expected<MapRows, map::Reason> parseMapRows(std::string_view body, map::MapK
   return read;
 }
 
-tl::expected<MapDetail, map::Reason> parseMapDetail(std::string_view body, const map::MapKey& key) {
+tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::MapKey& key) {
   wire::JsonReader reader;
   auto root = reader.readKeepingDigits(body);
   if (root && root->is_object() && !wire::member(*root, {"id", "grid_resolution"})) {
     if (const auto inner = wire::member(*root, {"data"})) root = inner;
   }
-  if (!root || !root->is_object()) return refused(ReasonCode::AnswerIsNoMap);
+  if (!root || !root->is_object()) return refused(robot::wire::fault::AnswerIsNoMap);
   MapDetail detail;
   detail.entry = entryOf(*root, key.kind);
   detail.entry.key = key;
@@ -119,24 +120,24 @@ std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body) {
   return landmarks;
 }
 
-tl::expected<map::WholeMap, map::Reason> parseOverview(std::string_view body, double asked_resolution_m) {
+tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double asked_resolution_m) {
   ros_messages::slam::GetMapImageResponse response;
   if (body.empty() || body.size() > std::size_t(std::numeric_limits<int>::max()) ||
       !response.ParseFromArray(body.data(), int(body.size()))) {
-    return refused(ReasonCode::AnswerIsNoPicture);
+    return refused(fault::AnswerIsNoPicture);
   }
   if (response.status_code() != ros_messages::slam::OK) {
     const std::string& name = ros_messages::slam::StatusCode_Name(response.status_code());
-    return refused({ReasonCode::RobotAnswered,
+    return refused({fault::RobotAnswered,
                     {name.empty() ? "code " + std::to_string(response.status_code()) : name},
-                    {map::said(response.status_message().substr(0, 300))}});
+                    {fault::said(response.status_message().substr(0, 300))}});
   }
   map::WholeMap whole;
   whole.key = {map::MapKind::Live, {}};
   whole.grid.resolution_m = response.resolution() == 0 ? asked_resolution_m : response.resolution();
   whole.grid.origin = {response.origin_x(), response.origin_y(), 0};
   if (const auto why = map::whyUnusable(whole.grid)) return refused(*why);
-  if (response.png_bytes().empty()) return refused(ReasonCode::NoPictureSent);
+  if (response.png_bytes().empty()) return refused(fault::NoPictureSent);
   whole.bytes = std::make_shared<const std::string>(std::move(*response.mutable_png_bytes()));
   if (const auto size = wire::pngSize(*whole.bytes)) {
     std::tie(whole.grid.width, whole.grid.height) = *size;

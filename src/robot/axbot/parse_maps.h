@@ -18,7 +18,7 @@ struct MapRows {
   std::vector<map::CatalogueEntry> entries;
   int without_id = 0;
 };
-tl::expected<MapRows, map::Reason> parseMapRows(std::string_view body, map::MapKind kind);
+tl::expected<MapRows, Fault> parseMapRows(std::string_view body, map::MapKind kind);
 
 /// One map or mapping with everything that leads to its picture. Addresses as the robot wrote them.
 struct MapDetail {
@@ -28,7 +28,7 @@ struct MapDetail {
   std::vector<map::OverlayFeature> overlays;
   bool overlays_readable = true;
 };
-tl::expected<MapDetail, map::Reason> parseMapDetail(std::string_view body, const map::MapKey& key);
+tl::expected<MapDetail, Fault> parseMapDetail(std::string_view body, const map::MapKey& key);
 
 /// Who the current map is: id is empty when it was set from data (-1).
 struct CurrentMap {
@@ -42,6 +42,6 @@ std::vector<std::vector<Eigen::Vector2d>> parseTrajectories(std::string_view bod
 std::vector<map::WholeMap::Landmark> parseLandmarks(std::string_view body);
 
 /// A GetMapImageResponse: the picture with its place.
-tl::expected<map::WholeMap, map::Reason> parseOverview(std::string_view body, double asked_resolution_m);
+tl::expected<map::WholeMap, Fault> parseOverview(std::string_view body, double asked_resolution_m);
 
 }  // namespace mapwright::robot::axbot

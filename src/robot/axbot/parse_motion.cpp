@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/topic_subjects.h"
 
 namespace mapwright::robot::axbot {
@@ -14,9 +15,8 @@ map::TopicMessage trackedPose(const Json& message) {
   // A heading that was left out is 0; one that is there and is no number spoils the pose.
   const bool spoilt = !message["ori"].get(heading) && !wire::asNumber(heading);
   if (!pose || spoilt) {
-    return map::UnreadableMessage{
-        "/tracked_pose",
-        map::Reason(map::ReasonCode::PoseWithoutNumbers).followedBy(map::Consequence::StaysWhereItWas)};
+    return map::UnreadableMessage{"/tracked_pose",
+                                  Fault(fault::PoseWithoutNumbers).followedBy(Consequence::StaysWhereItWas)};
   }
   return map::TrackedPose{*pose};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_overlays.h"
 #include "robot/axbot/topic_subjects.h"
 
@@ -53,8 +54,8 @@ map::TopicMessage alerts(const Json& message) {
   if (!rows) return alerts;
   wire::JsonList list;
   if (rows->get(list)) {
-    return map::UnreadableMessage{
-        "/alerts", {map::ReasonCode::MemberIsNoList, {"alerts"}, {}, map::Consequence::AlertsBeforeStay}};
+    return map::UnreadableMessage{"/alerts",
+                                  {fault::MemberIsNoList, {"alerts"}, {}, Consequence::AlertsBeforeStay}};
   }
   for (const Json row : list) {
     if (!row.is_object()) continue;

@@ -1,5 +1,7 @@
 #include "robot/axbot/parse_submap.h"
 
+#include "robot/axbot/faults.h"
+
 namespace mapwright::robot::axbot {
 namespace {
 
@@ -21,12 +23,12 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
   answer.bytes = body.size();
   ros_messages::slam::SubmapQueryV2Response response;
   if (body.empty()) {
-    answer.reason = map::ReasonCode::EmptyAnswer;
+    answer.reason = fault::EmptyAnswer;
     return answer;
   }
   if (body.size() > std::size_t(std::numeric_limits<int>::max()) ||
       !response.ParseFromArray(body.data(), int(body.size()))) {
-    answer.reason = {map::ReasonCode::AnswerIsNoSubmap, {std::int64_t(body.size())}};
+    answer.reason = {fault::AnswerIsNoSubmap, {std::int64_t(body.size())}};
     return answer;
   }
   answer.version = response.submap_version();
@@ -35,9 +37,8 @@ map::SubmapAnswer parseSubmapResponse(const map::SubmapKey& key, std::string_vie
     answer.outcome = code == ros_messages::slam::NOT_FOUND       ? Outcome::NotFound
                      : code == ros_messages::slam::UUID_MISMATCH ? Outcome::WrongUuid
                                                                  : Outcome::Failed;
-    answer.reason = {map::ReasonCode::RobotAnswered,
-                     {codeName(code)},
-                     {map::said(response.status().message().substr(0, 300))}};
+    answer.reason = {
+        fault::RobotAnswered, {codeName(code)}, {fault::said(response.status().message().substr(0, 300))}};
     return answer;
   }
   answer.outcome = Outcome::Ok;

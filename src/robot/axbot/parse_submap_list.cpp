@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/topic_subjects.h"
 
 namespace mapwright::robot::axbot {
@@ -51,7 +52,7 @@ MaybeMessage readSubmapTopic(const std::string& topic, const Json& message) {
   const auto member = wire::member(message, {"submap", "submaps"});
   if (!member) return list;
   wire::JsonList rows;
-  if (member->get(rows)) return map::UnreadableMessage{topic, {map::ReasonCode::MemberIsNoList, {"submap"}}};
+  if (member->get(rows)) return map::UnreadableMessage{topic, {fault::MemberIsNoList, {"submap"}}};
   list.entries.reserve(rows.size());
   std::size_t position = 0;
   for (const Json row : rows) {
@@ -60,7 +61,7 @@ MaybeMessage readSubmapTopic(const std::string& topic, const Json& message) {
     const auto index = wire::smallInteger(row, {"submap_index"});
     const auto version = wire::smallInteger(row, {"submap_version"});
     if (!trajectory || !index || !version) {
-      list.rejected.push_back({map::ReasonCode::RowWithoutNumbers, {std::int64_t(position)}});
+      list.rejected.push_back({fault::RowWithoutNumbers, {std::int64_t(position)}});
       continue;
     }
     list.entries.push_back({{*trajectory, *index},

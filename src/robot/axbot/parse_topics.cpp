@@ -1,5 +1,6 @@
 #include "robot/axbot/parse_topics.h"
 
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_overlays.h"
 #include "robot/axbot/topic_subjects.h"
 
@@ -32,7 +33,7 @@ TextFrame readFrame(const wire::Json& root, const std::string& of_topic) {
     const bool of_the_map = frame.message && std::holds_alternative<map::MapInfo>(*frame.message);
     const auto overlays = of_the_map ? wire::member(root, {"overlays"}) : std::nullopt;
     if (overlays && !readableOverlays(*overlays))
-      frame.left_out = map::UnreadableMessage{frame.topic, {map::ReasonCode::MemberIsNoList, {"overlays"}}};
+      frame.left_out = map::UnreadableMessage{frame.topic, {fault::MemberIsNoList, {"overlays"}}};
     return frame;
   }
   if (const auto topics = wire::list(root, {"enabled_topics"})) {
@@ -57,8 +58,7 @@ TextFrame TopicReader::read(std::string_view utf8) {
     if (!frame.topic.empty()) frame.stamp_s = wire::epochSeconds(*root, {"stamp"});
     return frame;
   }
-  frame.message =
-      map::UnreadableMessage{kUnknownTopic, {map::ReasonCode::MessageNotJson, {std::int64_t(utf8.size())}}};
+  frame.message = map::UnreadableMessage{kUnknownTopic, {fault::MessageNotJson, {std::int64_t(utf8.size())}}};
   return frame;
 }
 

@@ -23,7 +23,7 @@ FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
   connect(&thread_, &QThread::finished, files_, &QObject::deleteLater);
   connect(&thread_, &QThread::finished, waypoint_files_, &QObject::deleteLater);
   connect(&thread_, &QThread::finished, picture_files_, &QObject::deleteLater);
-  connect(files_, &MapFiles::looked, this, [this](bool folder, const map::Reason& trouble) {
+  connect(files_, &MapFiles::looked, this, [this](bool folder, const Fault& trouble) {
     if (!wanted_) return;
     if (std::exchange(folder_, folder) != folder) Q_EMIT identityChanged();
     enter(!trouble.any() ? ConnectionPhase::Online : ConnectionPhase::Refused, trouble);
@@ -60,7 +60,7 @@ void FileRobot::disconnectFromRobot() {
   enter(ConnectionPhase::Offline);
 }
 
-void FileRobot::enter(ConnectionPhase phase, const map::Reason& reason) {
+void FileRobot::enter(ConnectionPhase phase, const Fault& reason) {
   const ConnectionState state{phase, reason, 0, {}, {}};
   if (state == state_) return;
   state_ = state;

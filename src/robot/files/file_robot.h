@@ -64,7 +64,7 @@ class FileRobot : public Robot {
   Absence whyNot(Capability) const override { return {Absence::Reason::LocalFiles, {}}; }
 
  private:
-  void enter(ConnectionPhase phase, const map::Reason& reason = {});
+  void enter(ConnectionPhase phase, const Fault& reason = {});
 
   QString address_, path_;
   bool folder_;          // as far as is known

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "robot/files/faults.h"
 #include "robot/files/picture_yamls.h"
 #include "robot/files/yaml_shelf.h"
 
@@ -25,8 +26,6 @@ bool hasSuffix(const QString& path, std::initializer_list<const char*> suffixes)
 
 bool isYaml(const QString& path) { return hasSuffix(path, {".yaml", ".yml"}); }
 
-using map::ReasonCode;
-
 /// Where a file really lies, links followed as far as they lead.
 QString trueFolder(const QString& path) {
   const QFileInfo info(path);
@@ -44,20 +43,20 @@ std::string readingText(const map::CellReading& reading) {
          std::to_string(reading.occupied_thresh) + " " + std::to_string(reading.free_thresh);
 }
 
-void note(map::WholeMap& whole, map::Severity severity, map::Reason odd) {
+void note(map::WholeMap& whole, map::Severity severity, Fault odd) {
   whole.notes.push_back({severity, map::subjectOf(whole.key, whole.name), std::move(odd)});
 }
 
-std::optional<map::Reason> whyUnreadable(const QString& path) {
+std::optional<Fault> whyUnreadable(const QString& path) {
   const QFileInfo info(path);
   const std::string name = path.toStdString();
-  if (!info.exists()) return map::Reason(ReasonCode::NoSuchFile, {name});
-  if (!info.isFile()) return map::Reason(ReasonCode::NotAFile, {name});
-  if (!info.isReadable()) return map::Reason(ReasonCode::FileNotReadable, {name});
+  if (!info.exists()) return Fault(fault::NoSuchFile, {name});
+  if (!info.isFile()) return Fault(fault::NotAFile, {name});
+  if (!info.isReadable()) return Fault(fault::FileNotReadable, {name});
   return std::nullopt;
 }
 
-tl::expected<map::WholeMap, map::Reason> fromYaml(const QString& path, YamlShelf& yamls) {
+tl::expected<map::WholeMap, Fault> fromYaml(const QString& path, YamlShelf& yamls) {
   auto yaml = yamls.read(path.toStdString());
   if (!yaml) return refused(yaml.error());
   map::WholeMap whole;
@@ -66,22 +65,22 @@ tl::expected<map::WholeMap, map::Reason> fromYaml(const QString& path, YamlShelf
   whole.reading = yaml->reading;
   const QString folder = QFileInfo(path).absolutePath();
   const QString picture = QDir::cleanPath(QDir(folder).absoluteFilePath(QString::fromStdString(yaml->image)));
-  if (auto why = whyUnreadable(picture)) return refused({ReasonCode::PictureNotReadable, {}, {*why}});
+  if (auto why = whyUnreadable(picture)) return refused({fault::PictureNotReadable, {}, {*why}});
   whole.path = picture.toStdString();
-  for (map::Reason& odd : yaml->notes) note(whole, map::Severity::Warning, std::move(odd));
+  for (Fault& odd : yaml->notes) note(whole, map::Severity::Warning, std::move(odd));
   if (!liesBelow(trueFolder(picture), trueFolder(path))) {
-    note(whole, map::Severity::Info, {ReasonCode::PictureOutsideFolder, {whole.path}});
+    note(whole, map::Severity::Info, {fault::PictureOutsideFolder, {whole.path}});
   }
   return whole;
 }
 
-map::Reason several(const QStringList& yamls) {
+Fault several(const QStringList& yamls) {
   constexpr qsizetype kMostNames = 3;
   QStringList names;
   for (const QString& path : yamls.mid(0, kMostNames)) names << QFileInfo(path).fileName();
   const std::string first = names.join(QStringLiteral(", ")).toStdString();
-  if (yamls.size() <= kMostNames) return {ReasonCode::SeveralYamls, {first}};
-  return {ReasonCode::SeveralYamlsAndMore, {first, std::int64_t(yamls.size() - kMostNames)}};
+  if (yamls.size() <= kMostNames) return {fault::SeveralYamls, {first}};
+  return {fault::SeveralYamlsAndMore, {first, std::int64_t(yamls.size() - kMostNames)}};
 }
 
 map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const QStringList& named_by) {
@@ -91,14 +90,13 @@ map::WholeMap fromPicture(const QString& path, const PicturePlace& place, const 
   whole.grid.resolution_m = place.resolution_m.value_or(kUsualResolutionM);
   whole.grid.origin = place.origin.value_or(geometry::Pose2{});
   if (!place.resolution_m) {
-    note(whole, map::Severity::Warning, ReasonCode::ResolutionAssumed);
+    note(whole, map::Severity::Warning, fault::ResolutionAssumed);
   }
   const QString stem = QFileInfo(path).absolutePath() + QLatin1Char('/') + QFileInfo(path).completeBaseName();
   for (const char* suffix : {".yaml", ".yml"}) {
     const QString beside = stem + QLatin1String(suffix);
     if (!named_by.isEmpty() || place.resolution_m || !QFileInfo::exists(beside)) continue;
-    note(whole, map::Severity::Info,
-         {ReasonCode::YamlBesideUnused, {QFileInfo(beside).fileName().toStdString()}});
+    note(whole, map::Severity::Info, {fault::YamlBesideUnused, {QFileInfo(beside).fileName().toStdString()}});
     break;
   }
   if (!named_by.isEmpty()) {
@@ -138,17 +136,17 @@ QString mapPathOf(const QString& path, const map::MapKey& key) {
   return plain && QFileInfo(inside).isFile() ? inside : QString();
 }
 
-tl::expected<map::WholeMap, map::Reason> readLocalMap(const QString& path, const PicturePlace& place,
-                                                      YamlShelf& yamls, const PictureYamls* beside) {
+tl::expected<map::WholeMap, Fault> readLocalMap(const QString& path, const PicturePlace& place,
+                                                YamlShelf& yamls, const PictureYamls* beside) {
   if (auto why = whyUnreadable(path)) return refused(std::move(*why));
   QStringList named_by;
   if (!isYaml(path) && !place.resolution_m && !place.origin)
     named_by =
         beside ? beside->naming(path) : PictureYamls(QFileInfo(path).absolutePath(), yamls).naming(path);
   const bool described = named_by.size() == 1;
-  tl::expected<map::WholeMap, map::Reason> whole = isYaml(path) ? fromYaml(path, yamls)
-                                                   : described  ? fromYaml(named_by.front(), yamls)
-                                                                : fromPicture(path, place, named_by);
+  tl::expected<map::WholeMap, Fault> whole = isYaml(path) ? fromYaml(path, yamls)
+                                             : described  ? fromYaml(named_by.front(), yamls)
+                                                          : fromPicture(path, place, named_by);
   if (!whole) return whole;
   if (auto why = map::whyUnusable(whole->grid)) return refused(std::move(*why));
   whole->fingerprint = stampOf(QString::fromStdString(whole->path)) + "|" + readingText(whole->reading);

@@ -33,8 +33,8 @@ QStringList mapFilesIn(const QString& folder);
 /// The map of a map.yaml or a picture, its picture not opened. `path` is absolute. A picture whose place is
 /// not said lies where the one map.yaml beside it says that names it as its image; `beside` knows those of
 /// its folder (null: looked up). The error says why not.
-tl::expected<map::WholeMap, map::Reason> readLocalMap(const QString& path, const PicturePlace& place,
-                                                      YamlShelf& yamls, const PictureYamls* beside = nullptr);
+tl::expected<map::WholeMap, Fault> readLocalMap(const QString& path, const PicturePlace& place,
+                                                YamlShelf& yamls, const PictureYamls* beside = nullptr);
 
 /// What a catalogue can tell of it.
 map::CatalogueEntry entryOf(const map::MapKey& key, const QString& path, const PicturePlace& place,

@@ -4,6 +4,8 @@
 #include <QSet>
 #include <QThread>
 
+#include "robot/files/faults.h"
+
 namespace mapwright::robot::files {
 namespace {
 
@@ -45,12 +47,11 @@ bool MapFiles::isFolder() const { return QFileInfo(options_.path).isDir(); }
 void MapFiles::look() {
   if (isFolder()) {
     const bool any = !mapFilesIn(options_.path).isEmpty();
-    Q_EMIT looked(true, any ? map::Reason()
-                            : map::Reason(map::ReasonCode::FolderWithoutMaps, {options_.path.toStdString()}));
+    Q_EMIT looked(true, any ? Fault() : Fault(fault::FolderWithoutMaps, {options_.path.toStdString()}));
     return;
   }
   const auto whole = readLocalMap(options_.path, options_.place, yamls_);
-  Q_EMIT looked(false, whole ? map::Reason() : whole.error());
+  Q_EMIT looked(false, whole ? Fault() : whole.error());
 }
 
 QStringList MapFiles::watchAndStamp() {

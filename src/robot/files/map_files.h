@@ -33,7 +33,7 @@ class MapFiles : public QObject {
 
  Q_SIGNALS:
   /// `trouble` is None when there is something to show.
-  void looked(bool folder, const mapwright::map::Reason& trouble);
+  void looked(bool folder, const mapwright::Fault& trouble);
   void changed();
 
  private:

@@ -4,11 +4,12 @@
 
 #include "disk/folder_lock.h"
 #include "grids/rewrite_picture.h"
+#include "robot/files/faults.h"
 
 namespace mapwright::robot::files {
 namespace {
 
-map::Failure failure(const map::MapKey& key, const QString& path, map::FailureKind kind, map::Reason cause) {
+map::Failure failure(const map::MapKey& key, const QString& path, map::FailureKind kind, Fault cause) {
   map::Failure failed;
   failed.kind = kind;
   failed.subject = map::subjectOf(key, QFileInfo(path).fileName().toStdString());
@@ -24,15 +25,15 @@ PictureFiles::PictureFiles(FileOptions options) : options_(std::move(options)) {
 
 Outcome<PictureReceipt> PictureFiles::write(const PictureChange& change) {
   const QString path = mapPathOf(options_.path, change.map);
-  const auto fails = [&](map::FailureKind kind, map::Reason cause) {
+  const auto fails = [&](map::FailureKind kind, Fault cause) {
     return tl::make_unexpected(failure(change.map, path, kind, std::move(cause)));
   };
-  if (path.isEmpty()) return fails(map::FailureKind::RejectedByRobot, map::ReasonCode::NoSuchMap);
+  if (path.isEmpty()) return fails(map::FailureKind::RejectedByRobot, fault::NoSuchMap);
   const disk::FolderLock lock(QFileInfo(path).absolutePath().toStdString());
   const auto now = readLocalMap(path, options_.place, yamls_);
   if (!now) return fails(map::FailureKind::MalformedAnswer, now.error());
   if (now->fingerprint != change.revision)
-    return fails(map::FailureKind::Conflict, {map::ReasonCode::FileChanged, {now->path}});
+    return fails(map::FailureKind::Conflict, {fault::FileChanged, {now->path}});
   if (auto trouble = grids::rewritePicture(*change.cells, now->path, now->reading))
     return fails(map::FailureKind::RejectedByRobot, std::move(*trouble));
   const auto written = readLocalMap(path, options_.place, yamls_);

@@ -7,10 +7,11 @@
 #include <optional>
 #include <yaml-cpp/yaml.h>
 
+#include "map/faults.h"
+#include "robot/files/faults.h"
+
 namespace mapwright::robot::files {
 namespace {
-
-using map::ReasonCode;
 
 std::string lower(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
@@ -33,50 +34,50 @@ std::optional<double> numberOf(const YAML::Node& node) {
 }
 
 /// What is wrong with the origin, or nothing.
-std::optional<map::Reason> readOrigin(const YAML::Node& node, MapYaml& yaml) {
-  if (!node) return ReasonCode::YamlWithoutOrigin;
-  if (!node.IsSequence() || node.size() < 2) return ReasonCode::OriginNoList;
+std::optional<Fault> readOrigin(const YAML::Node& node, MapYaml& yaml) {
+  if (!node) return fault::YamlWithoutOrigin;
+  if (!node.IsSequence() || node.size() < 2) return fault::OriginNoList;
   const auto x = numberOf(node[0]), y = numberOf(node[1]);
-  if (!x || !y) return ReasonCode::OriginHoldsNoNumber;
+  if (!x || !y) return fault::OriginHoldsNoNumber;
   double yaw = 0;
   if (node.size() >= 3) {
     const auto given = numberOf(node[2]);
     if (given && std::isfinite(*given)) {
       yaw = *given;
     } else {
-      yaml.notes.push_back(ReasonCode::OriginTurnNoNumber);
+      yaml.notes.push_back(fault::OriginTurnNoNumber);
     }
   }
   yaml.grid.origin = {*x, *y, yaw};
   return std::nullopt;
 }
 
-std::optional<map::Reason> readNegate(const YAML::Node& node, MapYaml& yaml) {
+std::optional<Fault> readNegate(const YAML::Node& node, MapYaml& yaml) {
   if (!node) return std::nullopt;
   const std::string text = node.IsScalar() ? lower(node.Scalar()) : std::string();
   if (text == "1" || text == "true" || text == "yes" || text == "on") {
     yaml.reading.negate = true;
   } else if (text != "0" && text != "false" && text != "no" && text != "off") {
-    return ReasonCode::NegateUnknown;
+    return fault::NegateUnknown;
   }
   return std::nullopt;
 }
 
-std::optional<map::Reason> readThreshold(const YAML::Node& node, const char* name, double& threshold,
-                                         MapYaml& yaml) {
+std::optional<Fault> readThreshold(const YAML::Node& node, const char* name, double& threshold,
+                                   MapYaml& yaml) {
   if (!node) {
-    yaml.notes.push_back({ReasonCode::ThresholdMissing, {name, std::to_string(threshold).substr(0, 5)}});
+    yaml.notes.push_back({fault::ThresholdMissing, {name, std::to_string(threshold).substr(0, 5)}});
     return std::nullopt;
   }
   const auto value = numberOf(node);
   if (!value || !(*value >= 0 && *value <= 1)) {
-    return map::Reason(ReasonCode::ThresholdNoNumber, {name});
+    return Fault(fault::ThresholdNoNumber, {name});
   }
   threshold = *value;
   return std::nullopt;
 }
 
-std::optional<map::Reason> readMode(const YAML::Node& node, MapYaml& yaml) {
+std::optional<Fault> readMode(const YAML::Node& node, MapYaml& yaml) {
   const std::string mode = !node ? "trinary" : node.IsScalar() ? lower(node.Scalar()) : std::string();
   if (mode == "trinary") {
     yaml.reading.mode = map::CellReading::Mode::Trinary;
@@ -85,19 +86,19 @@ std::optional<map::Reason> readMode(const YAML::Node& node, MapYaml& yaml) {
   } else if (mode == "raw") {
     yaml.reading.mode = map::CellReading::Mode::Raw;
   } else {
-    return ReasonCode::ModeUnknown;
+    return fault::ModeUnknown;
   }
   return std::nullopt;
 }
 
-std::optional<map::Reason> readAll(const YAML::Node& root, MapYaml& yaml) {
+std::optional<Fault> readAll(const YAML::Node& root, MapYaml& yaml) {
   const YAML::Node image = root["image"];
-  if (!image || !image.IsScalar() || image.Scalar().empty()) return ReasonCode::YamlWithoutImage;
+  if (!image || !image.IsScalar() || image.Scalar().empty()) return fault::YamlWithoutImage;
   yaml.image = image.Scalar();
   const YAML::Node resolution = root["resolution"];
-  if (!resolution) return ReasonCode::YamlWithoutResolution;
+  if (!resolution) return fault::YamlWithoutResolution;
   const auto metres = numberOf(resolution);
-  if (!metres) return ReasonCode::ResolutionNoNumber;
+  if (!metres) return map::fault::ResolutionNoNumber;
   yaml.grid.resolution_m = *metres;
   if (auto why = readOrigin(root["origin"], yaml)) return why;
   if (auto why = map::whyUnusable(yaml.grid)) return why;
@@ -110,22 +111,22 @@ std::optional<map::Reason> readAll(const YAML::Node& root, MapYaml& yaml) {
   if (auto why = readThreshold(root["free_thresh"], "free_thresh", yaml.reading.free_thresh, yaml))
     return why;
   if (yaml.reading.free_thresh >= yaml.reading.occupied_thresh) {
-    yaml.notes.push_back(ReasonCode::ThresholdsCrossed);
+    yaml.notes.push_back(fault::ThresholdsCrossed);
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-tl::expected<MapYaml, map::Reason> parseMapYaml(const std::string& text) {
-  if (text.size() > kMaxYamlBytes) return refused(ReasonCode::YamlTooLong);
+tl::expected<MapYaml, Fault> parseMapYaml(const std::string& text) {
+  if (text.size() > kMaxYamlBytes) return refused(fault::YamlTooLong);
   MapYaml yaml;
   try {
     const YAML::Node root = YAML::Load(text);
-    if (!root.IsMap()) return refused(ReasonCode::YamlIsNone);
+    if (!root.IsMap()) return refused(fault::YamlIsNone);
     if (auto why = readAll(root, yaml)) return refused(std::move(*why));
   } catch (const YAML::Exception& broken) {
-    return refused({ReasonCode::YamlBroken, {broken.mark.line + 1}});
+    return refused({fault::YamlBroken, {broken.mark.line + 1}});
   }
   return yaml;
 }

@@ -11,11 +11,12 @@
 #include <simdjson.h>
 
 #include "map/waypoint_likeness.h"
+#include "robot/files/faults.h"
+#include "robot/wire/faults.h"
 
 namespace mapwright::robot::files {
 namespace {
 
-using map::ReasonCode;
 using simdjson::dom::element;
 
 /// One member of an object, as it is written.
@@ -138,7 +139,7 @@ std::string number(double value) {
 struct Understood {
   map::Waypoint point;
   bool has_id = false;  // the feature says it itself, and no other one does
-  std::vector<map::ReasonCode> odd;
+  std::vector<FaultCode> odd;
 };
 
 std::optional<double> finite(const simdjson::simdjson_result<element>& value) {
@@ -173,7 +174,7 @@ std::optional<Understood> understand(const element& feature) {
   element yaw;
   if (properties["yaw_rad"].get(yaw) == simdjson::SUCCESS && !yaw.is_null()) {
     read.point.yaw_rad = finite(properties["yaw_rad"]);
-    if (!read.point.yaw_rad) read.odd.push_back(map::ReasonCode::WaypointTurnNoNumber);
+    if (!read.point.yaw_rad) read.odd.push_back(fault::WaypointTurnNoNumber);
   }
   simdjson::dom::array tags;
   if (properties["tags"].get(tags) == simdjson::SUCCESS) {
@@ -203,25 +204,25 @@ struct Collection {
   std::vector<Member> members;  // of the file
   std::vector<std::string_view> features;
   std::vector<std::optional<Understood>> understood;  // of each
-  std::vector<map::Reason> notes;
+  std::vector<Fault> notes;
 };
 
 std::string_view withoutMark(std::string_view json) {
   return json.starts_with("\xef\xbb\xbf") ? json.substr(3) : json;
 }
 
-tl::expected<Collection, map::Reason> cut(std::string_view json) {
+tl::expected<Collection, Fault> cut(std::string_view json) {
   // Read twice: once by a parser that finds every fault, once to keep every letter.
   simdjson::dom::parser parser;
   const simdjson::padded_string padded(json);
   element file;
   if (const auto error = parser.parse(padded).get(file); error != simdjson::SUCCESS)
-    return refused({ReasonCode::FileNotJson, {simdjson::error_message(error)}});
+    return refused({fault::FileNotJson, {simdjson::error_message(error)}});
   std::string_view type;
   simdjson::dom::array features;
   if (file["type"].get(type) != simdjson::SUCCESS || type != "FeatureCollection" ||
       file["features"].get(features) != simdjson::SUCCESS) {
-    return refused(ReasonCode::NotAFeatureCollection);
+    return refused(fault::NotAFeatureCollection);
   }
   Collection collection;
   collection.members = Cutter(json).members();
@@ -231,25 +232,25 @@ tl::expected<Collection, map::Reason> cut(std::string_view json) {
     ++lists;
     collection.features = Cutter(member.raw_value).elements();
   }
-  if (lists != 1) return refused(ReasonCode::SeveralFeatureLists);
+  if (lists != 1) return refused(fault::SeveralFeatureLists);
   Names names;
   std::size_t points = 0;
   for (const element& feature : features) {
     auto read = understand(feature);
     if (read) {
       if (++points > kMaxWaypoints) {
-        return refused({ReasonCode::WaypointsTooMany, {std::to_string(kMaxWaypoints)}});
+        return refused({fault::WaypointsTooMany, {std::to_string(kMaxWaypoints)}});
       }
       const std::string id = names.take(*read);
       if (read->has_id && id != read->point.id)
-        collection.notes.push_back({map::ReasonCode::WaypointIdTwice, {read->point.id.substr(0, 80)}});
+        collection.notes.push_back({robot::wire::fault::WaypointIdTwice, {read->point.id.substr(0, 80)}});
       read->has_id = read->has_id && id == read->point.id;
       read->point.id = id;
-      for (const map::ReasonCode odd : read->odd) collection.notes.push_back({odd, {id.substr(0, 80)}});
+      for (const FaultCode odd : read->odd) collection.notes.push_back({odd, {id.substr(0, 80)}});
     }
     collection.understood.push_back(std::move(read));
   }
-  if (collection.understood.size() != collection.features.size()) return refused(ReasonCode::TwoFeatureLists);
+  if (collection.understood.size() != collection.features.size()) return refused(fault::TwoFeatureLists);
   for (std::size_t i = 0; i < collection.features.size(); ++i) {
     if (collection.understood[i]) collection.understood[i]->point.source = collection.features[i];
   }
@@ -370,7 +371,7 @@ std::string waypointPathOf(const std::string& map_path) {
   return (suffix ? map_path.substr(0, dot) : map_path) + ".waypoints.geojson";
 }
 
-tl::expected<StoredWaypoints, map::Reason> parseWaypoints(std::string_view json) {
+tl::expected<StoredWaypoints, Fault> parseWaypoints(std::string_view json) {
   auto collection = cut(withoutMark(json));
   if (!collection) return tl::make_unexpected(collection.error());
   StoredWaypoints stored;
@@ -381,8 +382,8 @@ tl::expected<StoredWaypoints, map::Reason> parseWaypoints(std::string_view json)
   return stored;
 }
 
-tl::expected<std::string, map::Reason> patchWaypoints(std::string_view json,
-                                                      const std::vector<WaypointChange>& changes) {
+tl::expected<std::string, Fault> patchWaypoints(std::string_view json,
+                                                const std::vector<WaypointChange>& changes) {
   constexpr std::string_view kEmpty = R"({"type": "FeatureCollection", "features": []})";
   const std::string_view mark = json.substr(0, json.size() - withoutMark(json).size());
   const std::string_view file = json.empty() ? kEmpty : withoutMark(json);

@@ -3,15 +3,14 @@
 #include <QCryptographicHash>
 #include <QFileInfo>
 
+#include "disk/file_error.h"
 #include "disk/folder_lock.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
+#include "robot/files/faults.h"
 
 namespace mapwright::robot::files {
 namespace {
-
-using map::ReasonCode;
 
 std::string revisionOf(const std::string& bytes) {
   return QCryptographicHash::hash({bytes.data(), qsizetype(bytes.size())}, QCryptographicHash::Sha256)
@@ -28,7 +27,7 @@ WaypointFiles::WaypointFiles(FileOptions options) : options_(std::move(options))
 Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) const {
   Place place{key, mapPathOf(options_.path, key), {}};
   if (place.map.isEmpty())
-    return tl::make_unexpected(failure(place, map::FailureKind::RejectedByRobot, ReasonCode::NoSuchMap));
+    return tl::make_unexpected(failure(place, map::FailureKind::RejectedByRobot, fault::NoSuchMap));
   // A picture that is described by a map.yaml and that map.yaml are one map.
   const QStringList described_by = yamlsNaming(place.map);
   const QString& named = described_by.size() == 1 ? described_by.front() : place.map;
@@ -36,7 +35,7 @@ Outcome<WaypointFiles::Place> WaypointFiles::placeOf(const map::MapKey& key) con
   return place;
 }
 
-map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, map::Reason cause) const {
+map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, Fault cause) const {
   map::Failure failure{kind, map::placesOf(place.key, QFileInfo(place.map).fileName().toStdString())};
   failure.cause = std::move(cause);
   failure.reason = map::FailureReason::Unfit;
@@ -46,16 +45,16 @@ map::Failure WaypointFiles::failure(const Place& place, map::FailureKind kind, m
 Outcome<WaypointFiles::Content> WaypointFiles::look(const Place& place) const {
   const std::string path = place.path.toStdString();
   Content content;
-  const auto unreadable = [&](map::Reason why) {
+  const auto unreadable = [&](Fault why) {
     return tl::make_unexpected(
         failure(place, map::FailureKind::MalformedAnswer,
-                {ReasonCode::WaypointFileNotRead, {path}, {std::move(why)}, map::Consequence::LeftAsItIs}));
+                {fault::WaypointFileNotRead, {path}, {std::move(why)}, Consequence::LeftAsItIs}));
   };
   if (QFileInfo::exists(place.path) || QFileInfo(place.path).isSymLink()) {
     auto bytes = disk::readFile(path, kMaxWaypointBytes + 1);
-    if (!bytes) return unreadable(reasons::causeOf(bytes.error()));
-    if (bytes->size() > kMaxWaypointBytes) return unreadable({ReasonCode::FileTooLarge, {"64 MiB"}});
-    if (bytes->empty()) return unreadable(ReasonCode::FileEmpty);
+    if (!bytes) return unreadable(bytes.error().cause);
+    if (bytes->size() > kMaxWaypointBytes) return unreadable({fault::FileTooLarge, {"64 MiB"}});
+    if (bytes->empty()) return unreadable(fault::FileEmpty);
     auto waypoints = parseWaypoints(*bytes);
     if (!waypoints) return unreadable(waypoints.error());
     content.bytes = std::move(*bytes);
@@ -83,13 +82,12 @@ Outcome<WaypointReceipt> WaypointFiles::write(const map::MapKey& key, const Wayp
   if (!content) return tl::make_unexpected(content.error());
   if (content->waypoints.revision != request.revision) {
     return tl::make_unexpected(
-        failure(*place, map::FailureKind::Conflict, {ReasonCode::FileChanged, {place->path.toStdString()}}));
+        failure(*place, map::FailureKind::Conflict, {fault::FileChanged, {place->path.toStdString()}}));
   }
   const auto bytes = patchWaypoints(content->bytes, request.changes);
   if (!bytes) return tl::make_unexpected(failure(*place, map::FailureKind::MalformedAnswer, bytes.error()));
   if (const auto fault = disk::writeFile(place->path.toStdString(), *bytes))
-    return tl::make_unexpected(
-        failure(*place, map::FailureKind::RejectedByRobot, reasons::notWritten(*fault)));
+    return tl::make_unexpected(failure(*place, map::FailureKind::RejectedByRobot, disk::notWritten(*fault)));
   watch(place->path);
   return WaypointReceipt{};
 }

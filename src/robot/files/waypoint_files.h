@@ -32,7 +32,7 @@ class WaypointFiles : public QObject {
     QString map, path;  // path: of the list
   };
   Outcome<Place> placeOf(const map::MapKey& key) const;
-  map::Failure failure(const Place& place, map::FailureKind kind, map::Reason cause) const;
+  map::Failure failure(const Place& place, map::FailureKind kind, Fault cause) const;
   struct Content {
     std::string bytes;  // empty: there is no file
     StoredWaypoints waypoints;

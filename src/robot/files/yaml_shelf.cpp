@@ -4,8 +4,9 @@
 #include <ctime>
 #include <sys/stat.h>
 
+#include "disk/file_error.h"
 #include "disk/read_file.h"
-#include "reasons/file_reason.h"
+#include "robot/files/faults.h"
 
 namespace mapwright::robot::files {
 namespace {
@@ -25,7 +26,7 @@ std::int64_t YamlShelf::timeOfDayNs() {
   return nanoseconds(now);
 }
 
-tl::expected<MapYaml, map::Reason> YamlShelf::read(const std::string& path) {
+tl::expected<MapYaml, Fault> YamlShelf::read(const std::string& path) {
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) about = {};
   const Stamp stamp{std::uint64_t(about.st_dev), std::uint64_t(about.st_ino), std::uint64_t(about.st_size),
@@ -35,10 +36,9 @@ tl::expected<MapYaml, map::Reason> YamlShelf::read(const std::string& path) {
   }
   ++reads_;
   const auto text = disk::readFile(path, kMaxYamlBytes + 1);
-  tl::expected<MapYaml, map::Reason> yaml =
+  tl::expected<MapYaml, Fault> yaml =
       text ? parseMapYaml(*text)
-           : tl::make_unexpected(
-                 map::Reason(map::ReasonCode::FileNotOpened, {path}, {reasons::causeOf(text.error())}));
+           : tl::make_unexpected(Fault(fault::FileNotOpened, {path}, {text.error().cause}));
   const bool settled = now_ns_() - std::max(stamp.modified_ns, stamp.changed_ns) > kCoarsestTimeNs;
   kept_.erase(path);
   if (!settled || !text) return yaml;

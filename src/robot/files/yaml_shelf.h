@@ -20,7 +20,7 @@ class YamlShelf {
   /// `now_ns`: the time of day, by the clock that files are dated by.
   explicit YamlShelf(std::function<std::int64_t()> now_ns = &timeOfDayNs) : now_ns_(std::move(now_ns)) {}
   /// Never waits for a named pipe.
-  tl::expected<MapYaml, map::Reason> read(const std::string& path);
+  tl::expected<MapYaml, Fault> read(const std::string& path);
   /// How often a file was really read, for tests.
   int reads() const { return reads_; }
 
@@ -32,7 +32,7 @@ class YamlShelf {
   };
   struct Kept {
     Stamp stamp;
-    tl::expected<MapYaml, map::Reason> yaml;
+    tl::expected<MapYaml, Fault> yaml;
   };
   static std::int64_t timeOfDayNs();
   std::function<std::int64_t()> now_ns_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "recording/seconds.h"
+#include "robot/ros/faults.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -251,7 +252,7 @@ ros::WorldResults BlockPlacing::take(const recording::Message& message, const Fr
 }
 
 bool BlockPlacing::isOfBeginning(const ros::WorldResult& result, std::int64_t at_ns) const {
-  if (!result.unplaced || result.unplaced->code != map::ReasonCode::RosTransformTooOld) return false;
+  if (!result.unplaced || result.unplaced->code != robot::ros::fault::RosTransformTooOld) return false;
   const std::vector<ros::Transforms::Newest> newest = ahead_.transforms().newest();
   if (at_ns - start_ns_ > kMissingNs || newest.empty() || !result.recorded_s) return false;
   // By the clock of the robot.

@@ -15,12 +15,15 @@
 #include <QCborMap>
 #include <QCborValue>
 
+#include "robot/ros/faults.h"
+#include "robot/wire/faults.h"
+
 namespace mapwright::robot::recorded {
 namespace {
 
 using net::rosbridge::Field;
 template <typename T>
-using Read = tl::expected<T, map::Reason>;
+using Read = tl::expected<T, Fault>;
 
 constexpr std::size_t kMostBytes = std::size_t(256) << 20;  // of the cells and points of one
 constexpr std::size_t kMostNumbers = 10'000'000;
@@ -40,8 +43,8 @@ constexpr KindName kKinds[] = {{FoxgloveKind::Grid, "Grid"},
                                {FoxgloveKind::FrameTransform, "FrameTransform"},
                                {FoxgloveKind::FrameTransforms, "FrameTransforms"}};
 
-tl::unexpected<map::Reason> missing(const char* member) {
-  return tl::unexpected(map::Reason(map::ReasonCode::RosFieldMissing, {member}));
+tl::unexpected<Fault> missing(const char* member) {
+  return tl::unexpected(Fault(robot::ros::fault::RosFieldMissing, {member}));
 }
 
 /// NumericType; the numbers are those of the schema.
@@ -240,7 +243,7 @@ Read<QByteArray> cloud(const Field& message) {
   const auto fields = packedFields(message["fields"], std::size_t(*stride));
   const auto x = called(fields, "x"), y = called(fields, "y"), z = called(fields, "z");
   auto strength = called(fields, "intensity");
-  if (!x || !y) return tl::unexpected(map::Reason(map::ReasonCode::PointsWithoutFields));
+  if (!x || !y) return tl::unexpected(Fault(robot::wire::fault::PointsWithoutFields));
   const std::size_t count = data->size() / std::size_t(*stride);
   Points points(message["pose"]);
   points.reserve(std::min(count, kMostNumbers));

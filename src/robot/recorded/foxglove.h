@@ -9,7 +9,7 @@
 #include <QByteArray>
 #include <tl/expected.hpp>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "net/rosbridge/field.h"
 #include "recording/message.h"
 
@@ -35,6 +35,6 @@ const char* rosTypeOf(FoxgloveKind kind);
 
 /// The message as CBOR. Lists of numbers are typed arrays (RFC 8746). The reason: a member that is needed is
 /// not there, or lies.
-tl::expected<QByteArray, map::Reason> foxgloveToRos(FoxgloveKind kind, const net::rosbridge::Field& message);
+tl::expected<QByteArray, Fault> foxgloveToRos(FoxgloveKind kind, const net::rosbridge::Field& message);
 
 }  // namespace mapwright::robot::recorded

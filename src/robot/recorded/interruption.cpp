@@ -8,11 +8,10 @@
 #include <QDateTime>
 
 #include "recording/seconds.h"
+#include "robot/recorded/faults.h"
 
 namespace mapwright::robot::recorded {
 namespace {
-
-using map::ReasonCode;
 
 constexpr const char* kMadeHere = "mapwright";
 constexpr const char* kEndMark = "mapwright.end";
@@ -62,9 +61,9 @@ std::optional<BagRepair> repairOf(const recording::Source& file) {
   return repair;
 }
 
-map::Reason interruptionOf(const recording::Summary& summary) {
-  if (!summary.end_ns) return ReasonCode::RecordingNotBegun;
-  return {ReasonCode::RecordingNotFinished, {timeWords(*summary.end_ns)}};
+Fault interruptionOf(const recording::Summary& summary) {
+  if (!summary.end_ns) return fault::RecordingNotBegun;
+  return {fault::RecordingNotFinished, {timeWords(*summary.end_ns)}};
 }
 
 std::vector<BagAway> awayIn(const recording::Source& file) {
@@ -86,10 +85,10 @@ std::vector<BagAway> awayIn(const recording::Source& file) {
   return all;
 }
 
-map::Reason reasonOf(const BagAway& away) {
+Fault reasonOf(const BagAway& away) {
   const std::string from = timeWords(recording::nanosecondsOf(away.from_s));
-  if (!away.until_s) return {ReasonCode::RecordingLinkGone, {from}};
-  return {ReasonCode::RecordingLinkAway, {from, timeWords(recording::nanosecondsOf(*away.until_s))}};
+  if (!away.until_s) return {fault::RecordingLinkGone, {from}};
+  return {fault::RecordingLinkAway, {from, timeWords(recording::nanosecondsOf(*away.until_s))}};
 }
 
 std::string timeWords(std::int64_t epoch_ns) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "recording/source.h"
 #include "robot/bag_library.h"
 
@@ -25,10 +25,10 @@ recording::Metadata repairMark(const recording::Summary& interrupted);
 /// Such a file; nullopt: it is none.
 std::optional<BagRepair> repairOf(const recording::Source& file);
 /// The same in words, with the time of the last message.
-map::Reason interruptionOf(const recording::Summary& summary);
+Fault interruptionOf(const recording::Summary& summary);
 /// In the order of time.
 std::vector<BagAway> awayIn(const recording::Source& file);
-map::Reason reasonOf(const BagAway& away);
+Fault reasonOf(const BagAway& away);
 
 /// "2024-06-03 09:00:00.250 UTC".
 std::string timeWords(std::int64_t epoch_ns);

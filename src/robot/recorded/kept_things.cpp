@@ -8,6 +8,7 @@
 #include <QByteArray>
 
 #include "robot/axbot/parse_submap.h"
+#include "robot/recorded/faults.h"
 #include "robot/wire/picture_facts.h"
 #include "robot/wire/read_json.h"
 
@@ -89,7 +90,7 @@ map::Failure notThere(map::Subject subject) {
           .reason = map::FailureReason::NotThere};
 }
 
-map::Failure unfit(map::Subject subject, map::Reason cause) {
+map::Failure unfit(map::Subject subject, Fault cause) {
   return {.kind = map::FailureKind::MalformedAnswer,
           .subject = std::move(subject),
           .reason = map::FailureReason::Unfit,
@@ -186,7 +187,7 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
   map::SubmapAnswer answer;
   answer.key = key;
   answer.outcome = map::SubmapAnswer::Outcome::NotFound;
-  answer.reason = map::ReasonCode::RecordingLacksSubmap;
+  answer.reason = fault::RecordingLacksSubmap;
   const auto found = submaps_.find({key.uuid, key.id.trajectory, key.id.index});
   if (found == submaps_.end()) return answer;
   auto version = found->second.upper_bound(key.version);
@@ -194,7 +195,7 @@ map::SubmapAnswer KeptThings::submap(const map::SubmapKey& key) {
   const auto bytes = bytesAt(version->second);
   if (!bytes) {
     answer.outcome = map::SubmapAnswer::Outcome::Failed;
-    answer.reason = {map::ReasonCode::RecordingFileInItCorrupt, {file_.attachments()[version->second].name}};
+    answer.reason = {fault::RecordingFileInItCorrupt, {file_.attachments()[version->second].name}};
     answer.failure = map::FailureKind::MalformedAnswer;
     return answer;
   }
@@ -208,8 +209,7 @@ Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
   const map::Subject subject = map::subjectOf(key);
   if (!by_name_.contains(name)) return tl::make_unexpected(notThere(subject));
   auto picture = lastOf(name);
-  if (!picture)
-    return tl::make_unexpected(unfit(subject, {map::ReasonCode::RecordingFileInItCorrupt, {name}}));
+  if (!picture) return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {name}}));
   map::WholeMap whole;
   whole.key = key;
   whole.fingerprint = wire::fingerprint(*picture);
@@ -220,7 +220,7 @@ Outcome<map::WholeMap> KeptThings::wholeMap(const map::MapKey& key) {
   const std::string text = lastOf(name + ".json").value_or(std::string());
   const auto facts = json.read(text);
   if (!facts || !facts->is_object())
-    return tl::make_unexpected(unfit(subject, {map::ReasonCode::RecordingFileInItCorrupt, {name + ".json"}}));
+    return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {name + ".json"}}));
   whole.name = wire::text(*facts, {"name"});
   readGrid(*facts, whole);
   if (auto why = map::whyUnusable(whole.grid)) return tl::make_unexpected(unfit(subject, std::move(*why)));
@@ -239,7 +239,7 @@ Outcome<map::WaypointList> KeptThings::waypoints(const map::MapKey& key) {
   wire::JsonReader json;
   const auto root = json.readKeepingDigits(text);
   const auto rows = root ? wire::list(*root, {"waypoints"}) : std::nullopt;
-  if (!rows) return tl::make_unexpected(unfit(subject, {map::ReasonCode::RecordingFileInItCorrupt, {name}}));
+  if (!rows) return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {name}}));
   map::WaypointList list;
   for (const wire::Json row : *rows) {
     const auto x = wire::number(row, {"x_m"}), y = wire::number(row, {"y_m"});
@@ -310,12 +310,10 @@ Outcome<std::shared_ptr<const std::string>> KeptThings::picture(const std::strin
       mark == std::string::npos ? std::nullopt : number(std::string_view(name).substr(mark + 1));
   const auto found = by_name_.find("pictures/" + url);
   const map::Subject subject(map::SubjectKind::Topic, topic);
-  if (found == by_name_.end())
-    return tl::make_unexpected(unfit(subject, map::ReasonCode::RecordingLacksPicture));
+  if (found == by_name_.end()) return tl::make_unexpected(unfit(subject, fault::RecordingLacksPicture));
   const std::size_t place = std::min(std::size_t(std::max(which.value_or(0), 0)), found->second.size() - 1);
   auto bytes = bytesAt(found->second[place]);
-  if (!bytes)
-    return tl::make_unexpected(unfit(subject, {map::ReasonCode::RecordingFileInItCorrupt, {found->first}}));
+  if (!bytes) return tl::make_unexpected(unfit(subject, {fault::RecordingFileInItCorrupt, {found->first}}));
   return std::make_shared<const std::string>(std::move(*bytes));
 }
 

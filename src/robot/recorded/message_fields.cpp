@@ -3,8 +3,11 @@
 #include <utility>
 
 #include "recording/ros_cbor.h"
+#include "robot/axbot/faults.h"
+#include "robot/recorded/faults.h"
 #include "robot/recorded/foxglove.h"
 #include "robot/recorded/recording_reasons.h"
+#include "robot/ros/faults.h"
 
 namespace mapwright::robot::recorded {
 
@@ -14,21 +17,19 @@ namespace {
 
 constexpr const char* kPlainJson = "mapwright.Message";  // recorder/layout.h
 
-tl::expected<FramePtr, map::Reason> frameOf(const QByteArray& bytes, Frame::Wire wire) {
+tl::expected<FramePtr, Fault> frameOf(const QByteArray& bytes, Frame::Wire wire) {
   FramePtr frame = Frame::read(bytes, wire);
   switch (frame->fault()) {
     case Frame::Fault::None:
       return frame;
     case Frame::Fault::NotJson:
-      return tl::unexpected(map::Reason(map::ReasonCode::MessageNotJson, {std::int64_t(bytes.size())}));
+      return tl::unexpected(Fault(robot::axbot::fault::MessageNotJson, {std::int64_t(bytes.size())}));
     default:
-      return tl::unexpected(map::Reason(map::ReasonCode::MessageNotUnderstood));
+      return tl::unexpected(Fault(robot::ros::fault::MessageNotUnderstood));
   }
 }
 
-map::Reason missing(const recording::Channel& channel) {
-  return {map::ReasonCode::RosSchemaMissing, {channel.schema_name}};
-}
+Fault missing(const recording::Channel& channel) { return {fault::RosSchemaMissing, {channel.schema_name}}; }
 
 /// What a message without members may take: CDR has a head, a byte in the place of members, and padding.
 std::size_t bytesOfNothing(recording::RosWire wire) { return wire == recording::RosWire::Cdr ? 8 : 0; }
@@ -56,8 +57,8 @@ const MessageFields::Schema& MessageFields::schemaOf(const recording::ChannelPtr
     const auto dialect = recording::rosDialect(channel->schema_encoding);
     if (channel->schema_data.empty() && !dialect) return tl::unexpected(missing(*channel));
     if (!dialect) {
-      return tl::unexpected(map::Reason(map::ReasonCode::RosEncodingUnknown,
-                                        {channel->message_encoding, channel->schema_encoding}));
+      return tl::unexpected(
+          Fault(fault::RosEncodingUnknown, {channel->message_encoding, channel->schema_encoding}));
     }
     return recording::parseRosSchema(channel->schema_name, channel->schema_data, *dialect)
         .map_error(
@@ -79,7 +80,7 @@ const MessageFields::Protobuf& MessageFields::protobufOf(const recording::Channe
       .first->second.schema;
 }
 
-tl::expected<FramePtr, map::Reason> MessageFields::read(const recording::Message& message) {
+tl::expected<FramePtr, Fault> MessageFields::read(const recording::Message& message) {
   auto frame = readAsItIs(message);
   const auto kind = frame ? foxgloveKind(*message.channel) : std::nullopt;
   if (!kind) return frame;
@@ -88,7 +89,7 @@ tl::expected<FramePtr, map::Reason> MessageFields::read(const recording::Message
   return frameOf(*cbor, Frame::Wire::Binary);
 }
 
-tl::expected<FramePtr, map::Reason> MessageFields::readAsItIs(const recording::Message& message) {
+tl::expected<FramePtr, Fault> MessageFields::readAsItIs(const recording::Message& message) {
   if (message.channel->message_encoding == "protobuf") {
     const Protobuf& schema = protobufOf(message.channel);
     if (!schema) return tl::unexpected(schema.error());

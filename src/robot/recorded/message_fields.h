@@ -9,7 +9,7 @@
 
 #include <tl/expected.hpp>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "net/rosbridge/frame.h"
 #include "recording/message.h"
 #include "recording/ros_schema.h"
@@ -32,14 +32,14 @@ std::string rosTypeOf(const recording::Channel& channel);
 class MessageFields {
  public:
   /// Its root is the message. The definition of each channel is read once.
-  tl::expected<FramePtr, map::Reason> read(const recording::Message& message);
+  tl::expected<FramePtr, Fault> read(const recording::Message& message);
   /// The same, but what says it by a schema of Foxglove is no message of ROS yet.
-  tl::expected<FramePtr, map::Reason> readAsItIs(const recording::Message& message);
+  tl::expected<FramePtr, Fault> readAsItIs(const recording::Message& message);
 
  private:
-  using Schema = tl::expected<recording::RosSchema, map::Reason>;
+  using Schema = tl::expected<recording::RosSchema, Fault>;
   const Schema& schemaOf(const recording::ChannelPtr& channel);
-  using Protobuf = tl::expected<ProtobufSchema, map::Reason>;
+  using Protobuf = tl::expected<ProtobufSchema, Fault>;
   const Protobuf& protobufOf(const recording::ChannelPtr& channel);
   struct Known {
     recording::ChannelPtr channel;

@@ -60,8 +60,7 @@ std::string MessageText::whole(const FramePtr& frame) const {
   return wrapped("msg", viewOf(frame->root().toWholeJson()));
 }
 
-std::string MessageText::ofRos(const tl::expected<FramePtr, map::Reason>& frame,
-                               MessageFields& fields) const {
+std::string MessageText::ofRos(const tl::expected<FramePtr, Fault>& frame, MessageFields& fields) const {
   if (programs_) {
     // What was recorded, not the message of ROS that layers make of it.
     const auto recorded = foxgloveKind(*message_.channel) ? fields.readAsItIs(message_) : frame;

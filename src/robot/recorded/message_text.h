@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "recording/message.h"
 #include "robot/recorded/message_fields.h"
 #include "robot/wire/read_json.h"
@@ -31,7 +31,7 @@ class MessageText {
 
   std::string_view bytes() const;
   /// `frame` is what MessageFields::read() made of it.
-  std::string ofRos(const tl::expected<FramePtr, map::Reason>& frame, MessageFields& fields) const;
+  std::string ofRos(const tl::expected<FramePtr, Fault>& frame, MessageFields& fields) const;
   /// A JSON object that it is already, as it was recorded: what it lacks is added behind its own members.
   std::string ofFrame(const wire::Json& root) const;
   /// A frame of Autoxing's that is not text.

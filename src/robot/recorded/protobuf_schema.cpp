@@ -13,6 +13,9 @@
 #include <google/protobuf/reflection.h>
 #include <google/protobuf/stubs/logging.h>
 
+#include "robot/recorded/faults.h"
+#include "robot/ros/faults.h"
+
 namespace mapwright::robot::recorded {
 namespace {
 
@@ -218,11 +221,11 @@ ProtobufSchema& ProtobufSchema::operator=(ProtobufSchema&&) noexcept = default;
 
 ProtobufSchema::~ProtobufSchema() = default;
 
-tl::expected<ProtobufSchema, map::Reason> ProtobufSchema::of(const recording::Channel& channel) {
-  const map::Reason none(map::ReasonCode::RosSchemaMissing, {channel.schema_name});
+tl::expected<ProtobufSchema, Fault> ProtobufSchema::of(const recording::Channel& channel) {
+  const Fault none(fault::RosSchemaMissing, {channel.schema_name});
   if (channel.schema_encoding != "protobuf")
-    return tl::unexpected(map::Reason(map::ReasonCode::RosEncodingUnknown,
-                                      {channel.message_encoding, channel.schema_encoding}));
+    return tl::unexpected(
+        Fault(fault::RosEncodingUnknown, {channel.message_encoding, channel.schema_encoding}));
   const pb::LogSilencer silent;
   pb::FileDescriptorSet files;
   if (channel.schema_data.size() > std::size_t(std::numeric_limits<int>::max()) ||
@@ -241,16 +244,16 @@ tl::expected<ProtobufSchema, map::Reason> ProtobufSchema::of(const recording::Ch
   return ProtobufSchema(std::move(parts));
 }
 
-tl::expected<QByteArray, map::Reason> ProtobufSchema::toCbor(std::span<const std::uint8_t> bytes) const {
+tl::expected<QByteArray, Fault> ProtobufSchema::toCbor(std::span<const std::uint8_t> bytes) const {
   const std::unique_ptr<pb::Message> message(parts_->messages->GetPrototype(parts_->type)->New());
   const bool fits = bytes.size() <= std::size_t(std::numeric_limits<int>::max());
   // What is required and not there is not needed here.
   if (!fits || !message->ParsePartialFromArray(bytes.data(), int(bytes.size())))
-    return tl::unexpected(map::Reason(map::ReasonCode::MessageNotUnderstood));
+    return tl::unexpected(Fault(robot::ros::fault::MessageNotUnderstood));
   QByteArray cbor;
   CborOut out(cbor);
   out.message(*message);
-  if (out.tooDeep()) return tl::unexpected(map::Reason(map::ReasonCode::MessageNotUnderstood));
+  if (out.tooDeep()) return tl::unexpected(Fault(robot::ros::fault::MessageNotUnderstood));
   return cbor;
 }
 

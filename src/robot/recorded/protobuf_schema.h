@@ -9,7 +9,7 @@
 #include <QByteArray>
 #include <tl/expected.hpp>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "recording/message.h"
 
 namespace mapwright::robot::recorded {
@@ -17,7 +17,7 @@ namespace mapwright::robot::recorded {
 class ProtobufSchema {
  public:
   /// Of the channel's message type. The reason: its definition is not there, or does not hold together.
-  static tl::expected<ProtobufSchema, map::Reason> of(const recording::Channel& channel);
+  static tl::expected<ProtobufSchema, Fault> of(const recording::Channel& channel);
   ProtobufSchema(ProtobufSchema&&) noexcept;
   ProtobufSchema& operator=(ProtobufSchema&&) noexcept;
   ~ProtobufSchema();
@@ -25,7 +25,7 @@ class ProtobufSchema {
   /// As CBOR: members by their names, in the order of the definition. What has no presence is there with its
   /// zero or empty, all else where it was set. Bytes are a byte string, enumerations numbers, lists of
   /// numbers typed arrays, maps objects.
-  tl::expected<QByteArray, map::Reason> toCbor(std::span<const std::uint8_t> bytes) const;
+  tl::expected<QByteArray, Fault> toCbor(std::span<const std::uint8_t> bytes) const;
 
  private:
   struct Parts;

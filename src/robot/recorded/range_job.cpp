@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "recording/seconds.h"
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/recorded/message_text.h"
 
@@ -83,7 +84,7 @@ RangeJob::Step RangeJob::step(const Parts& parts) {
     const bool too_long = bytes_ > std::size_t(std::max<std::int64_t>(range_.max_bytes, 0));
     if (too_long && range_.until_s - range_.from_s > kShortestS) return Step::TooLong;
     if (bytes_ > kMostAtAll) {
-      note({}, map::ProblemCode::Unreadable, {map::ReasonCode::AnswerTooLong, {std::int64_t(kMostAtAll)}});
+      note({}, map::ProblemCode::Unreadable, {fault::AnswerTooLong, {std::int64_t(kMostAtAll)}});
       return Step::Done;
     }
   }
@@ -169,7 +170,7 @@ void RangeJob::keepLastPose() {
   }
 }
 
-void RangeJob::note(const std::string& topic, map::ProblemCode code, map::Reason reason) {
+void RangeJob::note(const std::string& topic, map::ProblemCode code, Fault reason) {
   if (problems_.size() >= kMostProblems) return;
   map::Problem problem{map::Severity::Warning, map::Subject(map::SubjectKind::Topic, topic),
                        std::move(reason), code};
@@ -236,7 +237,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
   std::string text;
   if (parts.shape.isRos(channel)) {
     const bool read = placed || range_.whole_texts || message.bytes.size() <= kMostUnknown;
-    const auto frame = read ? parts.fields.read(message) : tl::unexpected(map::Reason());
+    const auto frame = read ? parts.fields.read(message) : tl::unexpected(Fault());
     text = texts.ofRos(frame, parts.fields);
     if (frame) {
       if (placed) addResults(placing->take(message, *frame), &told);
@@ -267,7 +268,7 @@ void RangeJob::take(const Parts& parts, const recording::Message& message, Block
       text = texts.ofFrame(*root);
     } else {
       note(channel.topic, map::ProblemCode::Unreadable,
-           {map::ReasonCode::MessageNotJson, {std::int64_t(texts.bytes().size())}});
+           {robot::axbot::fault::MessageNotJson, {std::int64_t(texts.bytes().size())}});
       if (!range_.whole_texts) {
         ++chunk_->unreadable;
         return;

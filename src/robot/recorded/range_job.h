@@ -58,7 +58,7 @@ class RangeJob {
   /// Messages of one time come in any order: where the robot was then is what they come to together.
   void keepLastPose();
   void addResults(ros::WorldResults results, BagMessage* told);
-  void note(const std::string& topic, map::ProblemCode code, map::Reason reason);
+  void note(const std::string& topic, map::ProblemCode code, Fault reason);
 
   BagKey key_;
   BagRange range_;

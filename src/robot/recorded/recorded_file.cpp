@@ -9,6 +9,7 @@
 #include <QThread>
 
 #include "recording/seconds.h"
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/stream_topics.h"
 #include "robot/recorded/interruption.h"
@@ -327,7 +328,7 @@ void RecordedFile::messages(const wire::ErrandPtr& errand, const BagKey& key, co
     reply(tl::make_unexpected(map::Failure{.kind = map::FailureKind::Unsupported,
                                            .subject = subjectOf(key),
                                            .reason = map::FailureReason::Unfit,
-                                           .cause = {map::ReasonCode::BagNotAsked, {words}}}));
+                                           .cause = {robot::axbot::fault::BagNotAsked, {words}}}));
     return;
   }
   if (auto failure = whyNot(subjectOf(key))) {
@@ -361,10 +362,10 @@ void RecordedFile::proceed(const std::shared_ptr<Job>& job) {
           this, [this, job] { proceed(job); }, Qt::QueuedConnection);
       return;
     case RangeJob::Step::TooLong:
-      return end(tl::make_unexpected(
-          map::Failure{.kind = map::FailureKind::MalformedAnswer,
-                       .subject = subjectOf(job->range.key()),
-                       .cause = {map::ReasonCode::AnswerTooLong, {job->range.range().max_bytes}}}));
+      return end(
+          tl::make_unexpected(map::Failure{.kind = map::FailureKind::MalformedAnswer,
+                                           .subject = subjectOf(job->range.key()),
+                                           .cause = {fault::AnswerTooLong, {job->range.range().max_bytes}}}));
     case RangeJob::Step::Done:
       tellNotes();
       return end(job->range.chunk(newlyUntimed()));

@@ -59,7 +59,7 @@ class RecordedFile : public QObject {
 
  Q_SIGNALS:
   void opened(const mapwright::robot::recorded::RecordingFacts& facts);
-  void refused(const mapwright::map::Reason& why);
+  void refused(const mapwright::Fault& why);
   void problemFound(const mapwright::map::Problem& problem);
   void recovered(const mapwright::map::Recovery& recovery);
 
@@ -95,7 +95,7 @@ class RecordedFile : public QObject {
   RecordedOptions options_;
   ros::Choices choices_;
   std::unique_ptr<Parts> parts_;
-  std::optional<map::Reason> trouble_;
+  std::optional<Fault> trouble_;
   std::optional<BagInfo> told_info_;  // of the file as it was last
   bool info_is_old_ = false;          // the file has grown since it was told
   std::optional<std::int64_t> counted_until_ns_;

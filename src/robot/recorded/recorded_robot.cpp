@@ -9,6 +9,7 @@
 
 #include "recording/mcap_reader.h"
 #include "recording/ros1_bag.h"
+#include "robot/recorded/faults.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -18,7 +19,7 @@ map::Failure onlyRead(map::Subject subject) {
           .subject = std::move(subject),
           .asked_for = map::AskedFor::Change,
           .reason = map::FailureReason::Told,
-          .cause = {map::ReasonCode::RecordingOnlyRead}};
+          .cause = {fault::RecordingOnlyRead}};
 }
 
 }  // namespace
@@ -170,7 +171,7 @@ RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* 
       whole_maps_({this, file_}),
       waypoints_({this, file_}) {
   qRegisterMetaType<RecordingFacts>();
-  qRegisterMetaType<map::Reason>();
+  qRegisterMetaType<Fault>();
   qRegisterMetaType<map::Problem>();
   qRegisterMetaType<map::Recovery>();
   identity_.model = tr("Recording");
@@ -190,7 +191,7 @@ RecordedRobot::RecordedRobot(QString address, RecordedOptions options, QObject* 
     Q_EMIT capabilitiesChanged();
     if (wanted_) enter(ConnectionPhase::Online);
   });
-  connect(file_, &RecordedFile::refused, this, [this](const map::Reason& why) {
+  connect(file_, &RecordedFile::refused, this, [this](const Fault& why) {
     if (wanted_) enter(ConnectionPhase::Refused, why);
   });
   thread_.start();
@@ -226,7 +227,7 @@ void RecordedRobot::choose(const TopicChoices& choices) {
   QMetaObject::invokeMethod(file_, [file = file_, names] { file->choose(names); });
 }
 
-void RecordedRobot::enter(ConnectionPhase phase, const map::Reason& reason) {
+void RecordedRobot::enter(ConnectionPhase phase, const Fault& reason) {
   const ConnectionState state{phase, reason, 0, {}, {}};
   if (state == state_) return;
   state_ = state;

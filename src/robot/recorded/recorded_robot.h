@@ -136,7 +136,7 @@ class RecordedRobot : public Robot, public OffersTopics {
   TopicChoices chosen() const override { return chosen_; }
 
  private:
-  void enter(ConnectionPhase phase, const map::Reason& reason = {});
+  void enter(ConnectionPhase phase, const Fault& reason = {});
 
   QString address_;
   bool wanted_ = false;

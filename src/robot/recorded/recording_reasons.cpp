@@ -1,52 +1,51 @@
 #include "robot/recorded/recording_reasons.h"
 
-#include "reasons/file_reason.h"
+#include "disk/file_error.h"
+#include "robot/recorded/faults.h"
 
 namespace mapwright::robot::recorded {
 
-using map::ReasonCode;
-
-map::Reason reasonOf(const recording::Note& note) {
+Fault reasonOf(const recording::Note& note) {
   using Code = recording::NoteCode;
-  const std::vector<map::Argument> counted{std::int64_t(note.count), std::int64_t(note.offset)};
+  const std::vector<FaultArgument> counted{std::int64_t(note.count), std::int64_t(note.offset)};
   const std::int64_t place(static_cast<std::int64_t>(note.offset));
   switch (note.code) {
     case Code::NotFinished:
       break;  // reasonOf(Interruption)
     case Code::NoIndex:
-      return ReasonCode::RecordingWithoutIndex;
+      return fault::RecordingWithoutIndex;
     case Code::IndexUnusable:
-      return ReasonCode::RecordingIndexUnusable;
+      return fault::RecordingIndexUnusable;
     case Code::CutOff:
-      return {ReasonCode::RecordingCutOff, {place}};
+      return {fault::RecordingCutOff, {place}};
     case Code::BytesSkipped:
-      return {ReasonCode::RecordingBytesSkipped, counted};
+      return {fault::RecordingBytesSkipped, counted};
     case Code::ChunkCorrupt:
-      return {ReasonCode::RecordingChunksCorrupt, counted};
+      return {fault::RecordingChunksCorrupt, counted};
     case Code::ChunkChecksum:
-      return {ReasonCode::RecordingChunksChanged, counted};
+      return {fault::RecordingChunksChanged, counted};
     case Code::ChunkTooLarge:
-      return {ReasonCode::RecordingChunksTooLarge, counted};
+      return {fault::RecordingChunksTooLarge, counted};
     case Code::ChunkCompression:
-      return {ReasonCode::RecordingChunksPacked, {std::int64_t(note.count), place, note.name}};
+      return {fault::RecordingChunksPacked, {std::int64_t(note.count), place, note.name}};
     case Code::ChunkTimes:
-      return {ReasonCode::RecordingChunkTimesWrong, counted};
+      return {fault::RecordingChunkTimesWrong, counted};
     case Code::IndexLies:
-      return {ReasonCode::RecordingIndexLies, counted};
+      return {fault::RecordingIndexLies, counted};
     case Code::RecordTooLarge:
-      return {ReasonCode::RecordingRecordsTooLarge, counted};
+      return {fault::RecordingRecordsTooLarge, counted};
     case Code::RecordCorrupt:
-      return {ReasonCode::RecordingRecordsCorrupt, counted};
+      return {fault::RecordingRecordsCorrupt, counted};
     case Code::UnknownChannel:
-      return {ReasonCode::RecordingChannelsUnknown, counted};
+      return {fault::RecordingChannelsUnknown, counted};
     case Code::ChannelChanged:
-      return {ReasonCode::RecordingChannelsChanged, counted};
+      return {fault::RecordingChannelsChanged, counted};
     case Code::AttachmentCorrupt:
-      return {ReasonCode::RecordingFileInItCorrupt, {note.name}};
+      return {fault::RecordingFileInItCorrupt, {note.name}};
     case Code::TimeUnusable:
       break;  // they are counted where messages are read (BagChunk::without_stamp)
     case Code::Unreadable:
-      return {ReasonCode::RecordingNotReadByDisk, {place}};
+      return {fault::RecordingNotReadByDisk, {place}};
   }
   return {};
 }
@@ -58,47 +57,47 @@ bool isLoss(recording::NoteCode code) {
          code != Code::ChannelChanged;
 }
 
-map::Reason reasonOf(const recording::Failure& failure) {
+Fault reasonOf(const recording::Failure& failure) {
   using Code = recording::Failure::Code;
   switch (failure.code) {
     case Code::File:
       break;
     case Code::NotOne:
-      return ReasonCode::RecordingIsNone;
+      return fault::RecordingIsNone;
     case Code::Version:
-      return ReasonCode::RecordingOfOtherVersion;
+      return fault::RecordingOfOtherVersion;
     case Code::Encrypted:
-      return ReasonCode::RecordingEncrypted;
+      return fault::RecordingEncrypted;
   }
-  return {ReasonCode::RecordingNotOpened, {failure.file.path}, {reasons::causeOf(failure.file)}};
+  return {fault::RecordingNotOpened, {failure.file.path}, {failure.file.cause}};
 }
 
-map::Reason reasonOf(const recording::RosSchemaFault& fault, const std::string& type) {
+Fault reasonOf(const recording::RosSchemaFault& fault, const std::string& type) {
   using Code = recording::RosSchemaFault::Code;
   switch (fault.code) {
     case Code::TooLong:
-      return {ReasonCode::RosSchemaTooLong, {type}};
+      return {fault::RosSchemaTooLong, {type}};
     case Code::NotAField:
-      return {ReasonCode::RosSchemaBroken, {type, std::int64_t(fault.line), fault.word}};
+      return {fault::RosSchemaBroken, {type, std::int64_t(fault.line), fault.word}};
     case Code::UnknownType:
-      return {ReasonCode::RosSchemaTypeUnknown, {type, fault.word}};
+      return {fault::RosSchemaTypeUnknown, {type, fault.word}};
     case Code::HoldsItself:
-      return {ReasonCode::RosSchemaHoldsItself, {type, fault.word}};
+      return {fault::RosSchemaHoldsItself, {type, fault.word}};
   }
   return {};
 }
 
-map::Reason reasonOf(const recording::RosDecodeFault& fault, const std::string& encoding) {
+Fault reasonOf(const recording::RosDecodeFault& fault, const std::string& encoding) {
   using Code = recording::RosDecodeFault::Code;
   switch (fault.code) {
     case Code::NotThisEncoding:
-      return {ReasonCode::RosMessageOtherwise, {encoding}};
+      return {fault::RosMessageOtherwise, {encoding}};
     case Code::CutOff:
-      return {ReasonCode::RosMessageCutOff, {fault.field}};
+      return {fault::RosMessageCutOff, {fault.field}};
     case Code::TooMany:
-      return {ReasonCode::RosMessageTooLarge, {fault.field}};
+      return {fault::RosMessageTooLarge, {fault.field}};
     case Code::NotSupported:
-      return {ReasonCode::RosMessageWideText, {fault.field}};
+      return {fault::RosMessageWideText, {fault.field}};
   }
   return {};
 }

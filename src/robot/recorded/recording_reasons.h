@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "recording/note.h"
 #include "recording/ros_decode.h"
 #include "recording/ros_schema.h"
@@ -11,13 +11,13 @@
 namespace mapwright::robot::recorded {
 
 /// What was found in a file that is read all the same.
-map::Reason reasonOf(const recording::Note& note);
+Fault reasonOf(const recording::Note& note);
 /// Whether what is missing was there: messages are lost. Else the file is only unfinished or slow to open.
 bool isLoss(recording::NoteCode code);
 /// Why it cannot be opened.
-map::Reason reasonOf(const recording::Failure& failure);
+Fault reasonOf(const recording::Failure& failure);
 /// Why messages of `type` cannot be read.
-map::Reason reasonOf(const recording::RosSchemaFault& fault, const std::string& type);
-map::Reason reasonOf(const recording::RosDecodeFault& fault, const std::string& encoding);
+Fault reasonOf(const recording::RosSchemaFault& fault, const std::string& type);
+Fault reasonOf(const recording::RosDecodeFault& fault, const std::string& encoding);
 
 }  // namespace mapwright::robot::recorded

@@ -4,16 +4,19 @@
 
 #include <QPointer>
 
+#include "robot/ros/faults.h"
+#include "robot/wire/faults.h"
+
 namespace mapwright::robot::ros {
 namespace {
 
 using net::rosbridge::CallAnswer;
 
-map::Reason whyNot(const CallAnswer& answer) {
-  if (answer.kind == CallAnswer::Kind::TimedOut) return map::ReasonCode::NoAnswerInTime;
-  if (answer.kind == CallAnswer::Kind::LinkLost) return map::ReasonCode::LinkBrokeOff;
-  if (!answer.words.empty()) return map::said(answer.words.substr(0, 300));
-  return map::ReasonCode::AnswerIsNoMap;
+Fault whyNot(const CallAnswer& answer) {
+  if (answer.kind == CallAnswer::Kind::TimedOut) return fault::NoAnswerInTime;
+  if (answer.kind == CallAnswer::Kind::LinkLost) return fault::LinkBrokeOff;
+  if (!answer.words.empty()) return fault::said(answer.words.substr(0, 300));
+  return robot::wire::fault::AnswerIsNoMap;
 }
 
 }  // namespace

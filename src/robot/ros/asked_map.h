@@ -12,7 +12,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 #include "net/rosbridge/client.h"
 
 namespace mapwright::robot::ros {
@@ -43,7 +43,7 @@ class AskedMap : public QObject {
  Q_SIGNALS:
   /// `answer` keeps the map alive: its values' member `map` is a nav_msgs/OccupancyGrid.
   void came(const std::string& service, const mapwright::net::rosbridge::CallAnswer& answer);
-  void failed(const std::string& service, const mapwright::map::Reason& why);
+  void failed(const std::string& service, const mapwright::Fault& why);
 
  private:
   void begin();
@@ -57,8 +57,8 @@ class AskedMap : public QObject {
   Services services_;
   bool wanted_ = false, by_topic_ = false, had_ = false;
   std::optional<quint64> call_;
-  std::size_t next_ = 0;                                          // of the services
-  std::optional<std::pair<std::string, map::Reason>> first_why_;  // of this round
+  std::size_t next_ = 0;                                    // of the services
+  std::optional<std::pair<std::string, Fault>> first_why_;  // of this round
 };
 
 }  // namespace mapwright::robot::ros

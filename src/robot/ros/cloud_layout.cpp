@@ -6,7 +6,9 @@
 #include <cstring>
 #include <string>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
+#include "robot/wire/faults.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -59,7 +61,7 @@ Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
   // More would not fit into the data; products of two of them are numbers still.
   const auto most = std::int64_t(most_bytes);
   CloudLayout layout;
-  const auto take = [&](const char* name, std::size_t& to) -> std::optional<map::Reason> {
+  const auto take = [&](const char* name, std::size_t& to) -> std::optional<Fault> {
     const auto value = msg[name].integer();
     if (!value) return fieldMissing(name).value();
     if (*value < 0 || *value > most) return fieldWrong(name, double(*value)).value();
@@ -105,15 +107,14 @@ Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes) {
     if (color && kTypeBytes[std::size_t(*type)] != 4) return;
     *wanted = NumberPlace{NumberType(*type), std::size_t(*offset)};
   });
-  if (!layout.x || !layout.y) return tl::unexpected(map::Reason(map::ReasonCode::PointsWithoutFields));
+  if (!layout.x || !layout.y) return tl::unexpected(Fault(robot::wire::fault::PointsWithoutFields));
   return layout;
 }
 
-map::Reason cloudCutShort(const CloudLayout& layout, std::size_t bytes) {
+Fault cloudCutShort(const CloudLayout& layout, std::size_t bytes) {
   const double needed =
       double(layout.height - 1) * double(layout.row_step) + double(layout.width) * double(layout.point_step);
-  return {map::ReasonCode::RosLengthDiffers,
-          {"data", std::int64_t(bytes), std::int64_t(std::min(needed, 9e18))}};
+  return {fault::RosLengthDiffers, {"data", std::int64_t(bytes), std::int64_t(std::min(needed, 9e18))}};
 }
 
 }  // namespace mapwright::robot::ros

@@ -38,6 +38,6 @@ struct CloudLayout {
 Read<CloudLayout> readCloudLayout(const Field& msg, std::size_t most_bytes);
 
 /// There are fewer bytes than the layout says.
-map::Reason cloudCutShort(const CloudLayout& layout, std::size_t bytes);
+Fault cloudCutShort(const CloudLayout& layout, std::size_t bytes);
 
 }  // namespace mapwright::robot::ros

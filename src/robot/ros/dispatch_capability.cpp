@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/ros/dispatch_messages.h"
+#include "robot/ros/faults.h"
 
 namespace mapwright::robot::ros {
 
@@ -37,8 +38,7 @@ map::Subject RosDispatch::subjectOf(DispatchService service) const {
 }
 
 /// Nobody is asked for what means nothing (rep130.md: "never send it").
-map::Failure RosDispatch::refused(DispatchService service, map::AskedFor asked_for,
-                                  map::ReasonCode why) const {
+map::Failure RosDispatch::refused(DispatchService service, map::AskedFor asked_for, FaultCode why) const {
   map::Failure failure;
   failure.kind = map::FailureKind::Refused;
   failure.subject = subjectOf(service);
@@ -53,7 +53,7 @@ Call RosDispatch::grid(const std::optional<map::GridRegion>& region, OutcomeTo<m
   if (region && !isSound(*region)) {
     return wire::endLater<map::GridPart>(
         this, grids_, std::move(reply),
-        tl::make_unexpected(refused(service, map::AskedFor::All, map::ReasonCode::RegionMeansNothing)));
+        tl::make_unexpected(refused(service, map::AskedFor::All, fault::RegionMeansNothing)));
   }
   return wire::askAcross(this, link_, grids_, subjectOf(service), std::move(reply),
                          [region](RosLink& link, auto errand, auto answer) {
@@ -69,7 +69,7 @@ Call RosDispatch::cloud(CloudKind kind, const std::optional<map::CloudRegion>& r
   if (region && !isSound(*region)) {
     return wire::endLater<std::shared_ptr<const map::SpatialCloud>>(
         this, clouds_, std::move(reply),
-        tl::make_unexpected(refused(service, map::AskedFor::All, map::ReasonCode::RegionMeansNothing)));
+        tl::make_unexpected(refused(service, map::AskedFor::All, fault::RegionMeansNothing)));
   }
   return wire::askAcross(this, link_, clouds_, subjectOf(service), std::move(reply),
                          [kind, region](RosLink& link, auto errand, auto answer) {
@@ -84,7 +84,7 @@ Call RosDispatch::save(const std::string& filename, OutcomeTo<std::string> reply
     return wire::endLater<std::string>(
         this, saves_, std::move(reply),
         tl::make_unexpected(
-            refused(DispatchService::Save, map::AskedFor::Change, map::ReasonCode::FileNameMeansNothing)));
+            refused(DispatchService::Save, map::AskedFor::Change, fault::FileNameMeansNothing)));
   }
   return wire::askAcross(
       this, link_, saves_, subjectOf(DispatchService::Save), std::move(reply),
@@ -109,7 +109,7 @@ Call RosDispatch::project(const std::vector<map::Projection>& wanted,
     return wire::endLater<std::vector<map::Projection>>(
         this, projections_, std::move(reply),
         tl::make_unexpected(refused(DispatchService::ChangeProjections, map::AskedFor::Change,
-                                    map::ReasonCode::ProjectionMeansNothing)));
+                                    fault::ProjectionMeansNothing)));
   }
   return wire::askAcross(
       this, link_, projections_, subjectOf(DispatchService::ChangeProjections), std::move(reply),

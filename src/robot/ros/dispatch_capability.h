@@ -32,7 +32,7 @@ class RosDispatch : public MapDispatch {
 
  private:
   map::Subject subjectOf(DispatchService service) const;
-  map::Failure refused(DispatchService service, map::AskedFor asked_for, map::ReasonCode why) const;
+  map::Failure refused(DispatchService service, map::AskedFor asked_for, FaultCode why) const;
 
   RosLink* link_;
   FoundDispatch found_;

@@ -6,6 +6,7 @@
 
 #include "robot/ros/cloud_layout.h"
 #include "robot/ros/dispatch_messages.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
 
 namespace mapwright::robot::ros {
@@ -96,18 +97,16 @@ Read<std::shared_ptr<const map::SpatialCloud>> readSpatialCloud(const Field& msg
     cloud->notes.push_back(cloudCutShort(of, data->size()));
   // Rows may be filled up, but not by whole points.
   else if (double(data->size()) == most && double(of.row_step) - packed >= double(of.point_step))
-    cloud->notes.push_back(
-        {map::ReasonCode::RosRowsHoldMore, {std::int64_t(of.row_step), std::int64_t(packed)}});
+    cloud->notes.push_back({fault::RosRowsHoldMore, {std::int64_t(of.row_step), std::int64_t(packed)}});
   cloud->missing = said - std::min(said, records.count());
   for (const std::string& name : of.outside)
-    cloud->notes.push_back({map::ReasonCode::RosFieldMissing, {"fields." + name}});
+    cloud->notes.push_back({fault::RosFieldMissing, {"fields." + name}});
   cloud->has_z = of.z.has_value();
   cloud->origin_m = originOf(records);
 
   const std::size_t stride = std::max<std::size_t>(1, strideFor(records.count(), kMostPartPoints));
   if (stride > 1) {
-    cloud->notes.push_back(
-        {map::ReasonCode::RosPointsThinned, {std::int64_t(records.count()), std::int64_t(stride)}});
+    cloud->notes.push_back({fault::RosPointsThinned, {std::int64_t(records.count()), std::int64_t(stride)}});
   }
   const std::size_t kept = records.count() / stride + 1;
   cloud->points.reserve(kept);

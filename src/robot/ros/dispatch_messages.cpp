@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
 #include "robot/ros/read_cells.h"
 #include "words/text.h"
@@ -111,7 +112,7 @@ Read<map::GridPart> readGridPart(const Field& msg) {
     return part;
   }
   if (why) return tl::unexpected(*why);
-  if (origin.upright) part.notes.push_back(map::ReasonCode::RosTurnIsZero);
+  if (origin.upright) part.notes.push_back(fault::RosTurnIsZero);
   auto cells = readCells(msg["data"], size->width, size->height, OddCells::Nearest);
   if (!cells) return tl::unexpected(cells.error());
   part.cells = std::make_shared<const std::vector<std::int8_t>>(std::move(cells->cells));
@@ -134,7 +135,7 @@ Read<std::vector<map::Projection>> readProjections(const Field& values) {
   if (!list.isList()) list = values["projected_maps"];
   if (!list.isList()) return fieldMissing("projected_maps_info");
   std::vector<map::Projection> all;
-  std::optional<map::Reason> wrong;
+  std::optional<Fault> wrong;
   list.each([&](const Field& row) {
     if (wrong || all.size() >= kMostProjections) return;
     const auto number = [&](const char* name) {

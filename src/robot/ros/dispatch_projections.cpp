@@ -8,6 +8,7 @@
 
 #include "robot/ros/dispatch_messages.h"
 #include "robot/ros/dispatch_requests.h"
+#include "robot/ros/faults.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -225,7 +226,7 @@ void DispatchRequests::end(const WatchPtr& watch, std::optional<map::Failure> fa
       failure.emplace();
       failure->kind = map::FailureKind::Unsupported;
       failure->reason = map::FailureReason::Unfit;
-      failure->cause = {map::ReasonCode::ProjectionsNotTold};
+      failure->cause = {fault::ProjectionsNotTold};
     }
   }
   if (!failure) return watch->reply(shown());

@@ -8,6 +8,7 @@
 #include <QPointer>
 
 #include "robot/ros/dispatch_messages.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/ros_calls.h"
 
 namespace mapwright::robot::ros {
@@ -15,7 +16,7 @@ namespace {
 
 using net::rosbridge::CallAnswer;
 
-map::Failure unreadable(const std::string& service, map::Reason why, map::AskedFor asked_for,
+map::Failure unreadable(const std::string& service, Fault why, map::AskedFor asked_for,
                         map::Applied applied) {
   map::Failure failure;
   failure.kind = map::FailureKind::MalformedAnswer;
@@ -121,7 +122,7 @@ void DispatchRequests::lose() {
   for (const WatchPtr& watch : watches) {
     map::Failure failure;
     failure.kind = map::FailureKind::Unreachable;
-    failure.cause = {map::ReasonCode::LinkBrokeOff};
+    failure.cause = {fault::LinkBrokeOff};
     if (watch->answered) end(watch, std::move(failure));
   }
 }
@@ -188,7 +189,7 @@ std::vector<FoundTopic> DispatchRequests::topics() const {
   return all;
 }
 
-std::optional<map::Reason> DispatchRequests::hear(const std::string& topic, const Field& msg) {
+std::optional<Fault> DispatchRequests::hear(const std::string& topic, const Field& msg) {
   for (const FoundTopic& metadata : found_.metadata) {
     if (metadata.name != topic) continue;
     const QByteArray now = msg.toJson(10'000);
@@ -207,7 +208,7 @@ std::optional<map::Reason> DispatchRequests::hear(const std::string& topic, cons
   return std::nullopt;
 }
 
-std::optional<map::Reason> DispatchRequests::hearProjected(int index, const Field& msg) {
+std::optional<Fault> DispatchRequests::hearProjected(int index, const Field& msg) {
   auto read = readProjectedPart(msg, index);
   if (!read) return read.error();
   const auto part = std::make_shared<const ProjectedPart>(std::move(*read));

@@ -53,7 +53,7 @@ class DispatchRequests : public QObject {
   /// That one of them that is asked for by its usual name, as nobody tells whether it is there; or empty.
   std::string triedTopic() const;
   /// A message of one of these; else nothing. Why it cannot be read.
-  std::optional<map::Reason> hear(const std::string& topic, const Field& msg);
+  std::optional<Fault> hear(const std::string& topic, const Field& msg);
   /// The map that somebody subscribed to has come.
   void sawMap(const std::string& fingerprint);
 
@@ -117,7 +117,7 @@ class DispatchRequests : public QObject {
   std::string knownFrame() const;
   void setMost(std::optional<int> most);
   void forgetProjected(const std::function<bool(int)>& whether);
-  std::optional<map::Reason> hearProjected(int index, const Field& msg);
+  std::optional<Fault> hearProjected(int index, const Field& msg);
   void withdraw(DispatchService service);
   void tellExtent();
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "robot/ros/faults.h"
+
 namespace mapwright::robot::ros {
 
 map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within) {
@@ -10,7 +12,7 @@ map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within)
   failure.subject = std::move(subject);
   failure.applied = map::Applied::Maybe;
   failure.asked_for = map::AskedFor::Change;
-  failure.cause = {map::ReasonCode::NotConfirmed, {std::int64_t((within.count() + 999) / 1000)}};
+  failure.cause = {fault::NotConfirmed, {std::int64_t((within.count() + 999) / 1000)}};
   return failure;
 }
 

@@ -11,7 +11,9 @@
 
 #include "geometry/pose.h"
 #include "map/waypoint_likeness.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/transforms.h"
+#include "robot/wire/faults.h"
 #include "robot/wire/picture_facts.h"
 #include "words/text.h"
 
@@ -140,7 +142,7 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
   StoredWaypoints stored;
   std::set<std::string> ids;
   std::int64_t nameless = 0, placeless = 0;
-  const auto note = [&](map::ReasonCode code, std::vector<map::Argument> arguments) {
+  const auto note = [&](FaultCode code, std::vector<FaultArgument> arguments) {
     if (int(stored.notes.size()) < kMostNotes) stored.notes.push_back({code, std::move(arguments)});
   };
   rows.each([&](const Field& row) {
@@ -150,26 +152,25 @@ std::optional<StoredWaypoints> readWaypoints(const Field& msg, const std::string
     auto read = waypointOf(row);
     map::Waypoint* const point = read ? &read->point : nullptr;
     if (read && read->zero_turn)
-      note(map::ReasonCode::WaypointTurnIsZero, {point->name.empty() ? point->id : point->name});
+      note(fault::WaypointTurnIsZero, {point->name.empty() ? point->id : point->name});
     if (!point) {
       ++placeless;
     } else if (point->id.empty()) {
       ++nameless;
     } else if (!frame.empty() && !fixed_frame.empty() && frame != fixed_frame) {
-      note(map::ReasonCode::WaypointInOtherFrame,
-           {point->name.empty() ? point->id : point->name, frame, fixed_frame});
+      note(fault::WaypointInOtherFrame, {point->name.empty() ? point->id : point->name, frame, fixed_frame});
     } else if (!ids.insert(point->id).second) {
-      note(map::ReasonCode::WaypointIdTwice, {point->id});
+      note(robot::wire::fault::WaypointIdTwice, {point->id});
     } else {
       // Without a map nobody says which frame is its own: it is usually called so.
       if (!frame.empty() && fixed_frame.empty() && frame != "map")
-        note(map::ReasonCode::WaypointInOtherFrame, {point->name.empty() ? point->id : point->name, frame});
+        note(fault::WaypointFrameUnknown, {point->name.empty() ? point->id : point->name, frame});
       if (read->zero_turn) stored.zero_turns.insert(point->id);
       stored.points.push_back(std::move(*point));
     }
   });
-  if (nameless > 0) note(map::ReasonCode::RowsWithoutId, {nameless});
-  if (placeless > 0) note(map::ReasonCode::PointsUnplaced, {placeless});
+  if (nameless > 0) note(robot::wire::fault::RowsWithoutId, {nameless});
+  if (placeless > 0) note(robot::wire::fault::PointsUnplaced, {placeless});
   stored.revision = revisionOf(stored.points);
   return stored;
 }

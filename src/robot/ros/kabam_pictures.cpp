@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/kabam_failures.h"
 #include "robot/ros/kabam_results.h"
 #include "robot/ros/ros_calls.h"
@@ -16,7 +17,7 @@ using std::chrono::milliseconds;
 /// Slower than this nobody has waited for a map in the first place.
 constexpr std::int64_t kBytesPerMs = 1024;
 
-map::Failure unfit(const map::Subject& subject, map::Reason cause) {
+map::Failure unfit(const map::Subject& subject, Fault cause) {
   map::Failure failure;
   failure.kind = map::FailureKind::Unsupported;
   failure.subject = subject;
@@ -50,7 +51,7 @@ void KabamPictures::write(const wire::ErrandPtr& errand, const PictureChange& ch
     }
     writing->name = entry->name;
     if (!entry->is_current)
-      return end(writing, fail(unfit(writing->subject(), {map::ReasonCode::OnlyCurrentMapTaken})));
+      return end(writing, fail(unfit(writing->subject(), {fault::OnlyCurrentMapTaken})));
     readAgain(writing);
   });
 }
@@ -79,7 +80,7 @@ void KabamPictures::readAgain(const WritingPtr& writing) {
 std::optional<map::Failure> KabamPictures::conflict(const Writing& writing) const {
   const KabamBook& book = means_.requests.book();
   if (book.current() && !book.isCurrent(writing.change.map.id))
-    return unfit(writing.subject(), {map::ReasonCode::OnlyCurrentMapTaken});
+    return unfit(writing.subject(), {fault::OnlyCurrentMapTaken});
   const auto& last = means_.live_map.last();
   const grids::GridPyramid& cells = *writing.change.cells;
   const bool fits = !last || (last->fingerprint == writing.change.revision &&
@@ -89,7 +90,7 @@ std::optional<map::Failure> KabamPictures::conflict(const Writing& writing) cons
   failure.kind = map::FailureKind::Conflict;
   failure.subject = writing.subject();
   failure.asked_for = map::AskedFor::Change;
-  failure.cause = {map::ReasonCode::PictureChangedMeanwhile, {writing.name}};
+  failure.cause = {fault::PictureChangedMeanwhile, {writing.name}};
   return failure;
 }
 
@@ -125,7 +126,7 @@ void KabamPictures::takeAnswer(const WritingPtr& writing, const CallAnswer& answ
   const bool answered = answer.kind == CallAnswer::Kind::Answered;
   if (!answer.sent) {
     if (const auto cell = writing->args->cellBetween()) {
-      return end(writing, fail(unfit(subject, {map::ReasonCode::CellBetweenKinds, {std::int64_t(*cell)}})));
+      return end(writing, fail(unfit(subject, {fault::CellBetweenKinds, {std::int64_t(*cell)}})));
     }
     if (writing->changed_meanwhile) {
       if (auto failure = conflict(*writing)) return end(writing, fail(std::move(*failure)));
@@ -191,7 +192,7 @@ void KabamPictures::giveUp(const WritingPtr& writing) {
                      means_.requests.book().isCurrent(writing->change.map.id);
   const auto cells = other ? differingCells(*writing->change.cells, *last->png) : std::nullopt;
   if (!cells) return end(writing, fail(unconfirmed(writing->subject(), writing->within)));
-  map::Failure failure = unfit(writing->subject(), {map::ReasonCode::PictureShownOtherwise, {*cells}});
+  map::Failure failure = unfit(writing->subject(), {fault::PictureShownOtherwise, {*cells}});
   failure.kind = map::FailureKind::RejectedByRobot;
   failure.applied = map::Applied::Yes;
   end(writing, fail(std::move(failure)));

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/kabam_failures.h"
 #include "robot/ros/kabam_results.h"
 #include "robot/ros/ros_calls.h"
+#include "robot/wire/faults.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -25,7 +27,7 @@ map::Failure tagsKept(map::Subject subject, const std::string& name) {
   failure.subject = std::move(subject);
   failure.applied = map::Applied::Yes;
   failure.reason = map::FailureReason::Unfit;
-  failure.cause = {map::ReasonCode::TagsNotTaken, {name}};
+  failure.cause = {fault::TagsNotTaken, {name}};
   return failure;
 }
 
@@ -48,7 +50,7 @@ std::optional<map::Failure> conflictIn(const StoredWaypoints& stored, const Wayp
   failure.kind = map::FailureKind::Conflict;
   failure.subject = subject;
   failure.asked_for = map::AskedFor::Change;
-  failure.cause = {map::ReasonCode::ChangedMeanwhile, {change.before->name}};
+  failure.cause = {fault::ChangedMeanwhile, {change.before->name}};
   return failure;
 }
 
@@ -118,7 +120,7 @@ void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject
         failure.kind = map::FailureKind::Cancelled;
         if (how == Awaited::TooLate) {
           failure.kind = map::FailureKind::TimedOut;
-          failure.cause = {map::ReasonCode::ListsNotTold};
+          failure.cause = {fault::ListsNotTold};
         }
         then(std::move(failure));
       });
@@ -161,7 +163,7 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
       reply(fail({.kind = map::FailureKind::MalformedAnswer,
                   .subject = subject,
                   .reason = map::FailureReason::Unfit,
-                  .cause = {map::ReasonCode::PointsAreNoList}}));
+                  .cause = {robot::wire::fault::PointsAreNoList}}));
     });
   });
 }

@@ -2,22 +2,23 @@
 
 #include <utility>
 
+#include "robot/ros/faults.h"
+
 namespace mapwright::robot::ros {
 namespace {
 
 using map::Applied;
 using map::FailureKind;
-using map::ReasonCode;
 using net::rosbridge::Field;
 
 struct Meaning {
   FailureKind kind = FailureKind::RejectedByRobot;
   Applied applied = Applied::No;
-  map::Reason cause;
+  Fault cause;
 };
 
 /// What is not known to have been refused may have been done.
-Meaning undefined() { return {FailureKind::RejectedByRobot, Applied::Maybe, {ReasonCode::ResultUndefined}}; }
+Meaning undefined() { return {FailureKind::RejectedByRobot, Applied::Maybe, {fault::ResultUndefined}}; }
 
 map::Failure failure(map::Subject subject, std::int64_t code, Meaning meaning) {
   map::Failure failure;
@@ -36,12 +37,12 @@ map::Failure withoutCode(map::Subject subject) {
   failure.subject = std::move(subject);
   failure.applied = Applied::Maybe;
   failure.asked_for = map::AskedFor::Change;
-  failure.cause = {ReasonCode::AnswerWithoutResult};
+  failure.cause = {fault::AnswerWithoutResult};
   return failure;
 }
 
 Meaning unknown(std::int64_t code) {
-  return {FailureKind::RejectedByRobot, Applied::Maybe, {ReasonCode::ResultUnknown, {code}}};
+  return {FailureKind::RejectedByRobot, Applied::Maybe, {fault::ResultUnknown, {code}}};
 }
 
 }  // namespace
@@ -57,14 +58,14 @@ std::optional<map::Failure> waypointResult(const Field& values, map::Subject sub
     case 5:  // deleted
       return std::nullopt;
     case 1:
-      meaning.cause = {ReasonCode::ResultMapUnknown};
+      meaning.cause = {fault::ResultMapUnknown};
       break;
     case 2:
-      meaning.cause = {ReasonCode::ResultNameTaken, {name}};
+      meaning.cause = {fault::ResultNameTaken, {name}};
       break;
     case 4:  // somebody else has deleted it
       meaning.kind = FailureKind::Conflict;
-      meaning.cause = {ReasonCode::ResultWaypointUnknown};
+      meaning.cause = {fault::ResultWaypointUnknown};
       break;
     case 6:
       meaning = undefined();
@@ -84,10 +85,10 @@ std::optional<map::Failure> updateMapResult(const Field& values, map::Subject su
     case 1:  // deleted
       return std::nullopt;
     case 2:
-      meaning.cause = {ReasonCode::ResultMapUnknown};
+      meaning.cause = {fault::ResultMapUnknown};
       break;
     case 3:
-      meaning.cause = {ReasonCode::ResultInvalid};
+      meaning.cause = {fault::ResultInvalid};
       break;
     case 4:
       meaning = undefined();
@@ -106,13 +107,13 @@ std::optional<map::Failure> loadMapResult(const Field& values, map::Subject subj
     case 0:  // loaded
       return std::nullopt;
     case 1:
-      meaning.cause = {ReasonCode::ResultMapUnknown};
+      meaning.cause = {fault::ResultMapUnknown};
       break;
     case 2:
-      meaning.cause = {ReasonCode::ResultAlreadyLoaded};
+      meaning.cause = {fault::ResultAlreadyLoaded};
       break;
     case 3:
-      meaning.cause = {ReasonCode::ResultInvalidLoad};
+      meaning.cause = {fault::ResultInvalidLoad};
       break;
     case 4:
       meaning = undefined();
@@ -132,10 +133,10 @@ std::optional<map::Failure> saveMapResult(const Field& values, map::Subject subj
     case 0:  // saved
       return std::nullopt;
     case 1:
-      meaning.cause = {ReasonCode::ResultNothingToSave};
+      meaning.cause = {fault::ResultNothingToSave};
       break;
     case 2:
-      meaning.cause = {ReasonCode::ResultMapNameTaken, {name}};
+      meaning.cause = {fault::ResultMapNameTaken, {name}};
       break;
     case 3:
       meaning = undefined();

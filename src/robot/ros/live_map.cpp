@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/ros/faults.h"
+
 namespace mapwright::robot::ros {
 namespace {
 
@@ -18,7 +20,7 @@ map::WholeMap wholeMap(const map::GridMessage& grid, const map::MapKey& key, con
   return map;
 }
 
-map::Failure failure(const map::MapKey& key, map::FailureKind kind, map::ReasonCode cause) {
+map::Failure failure(const map::MapKey& key, map::FailureKind kind, FaultCode cause) {
   map::Failure failure;
   failure.kind = kind;
   failure.subject = map::subjectOf(key);
@@ -55,16 +57,16 @@ void LiveMap::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, const
   entry->errand = errand;
   entry->patience = std::make_unique<QTimer>();
   entry->patience->setSingleShot(true);
-  const auto endAs = [this, held = std::weak_ptr(entry)](map::FailureKind kind, map::ReasonCode cause) {
+  const auto endAs = [this, held = std::weak_ptr(entry)](map::FailureKind kind, FaultCode cause) {
     if (const Entry now = held.lock()) end(now, tl::make_unexpected(failure(now->key, kind, cause)));
   };
   connect(entry->patience.get(), &QTimer::timeout, this,
-          [endAs] { endAs(map::FailureKind::TimedOut, map::ReasonCode::NoAnswerInTime); });
+          [endAs] { endAs(map::FailureKind::TimedOut, fault::NoAnswerInTime); });
   entry->patience->start(patience_ + longer);
   waiting_.push_back(entry);
   entry->number = errand->begun([this, endAs] {
     QMetaObject::invokeMethod(
-        this, [endAs] { endAs(map::FailureKind::Cancelled, map::ReasonCode::None); }, Qt::QueuedConnection);
+        this, [endAs] { endAs(map::FailureKind::Cancelled, FaultCode()); }, Qt::QueuedConnection);
   });
   Q_EMIT wantedChanged();
 }

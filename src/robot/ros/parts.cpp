@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/ros/faults.h"
+
 namespace mapwright::robot::ros {
 Header headerOf(const Field& msg) {
   const Field header = msg["header"];
@@ -14,12 +16,12 @@ Header headerOf(const Field& msg) {
   return read;
 }
 
-tl::unexpected<map::Reason> fieldMissing(std::string name) {
-  return tl::unexpected(map::Reason(map::ReasonCode::RosFieldMissing, {std::move(name)}));
+tl::unexpected<Fault> fieldMissing(std::string name) {
+  return tl::unexpected(Fault(fault::RosFieldMissing, {std::move(name)}));
 }
 
-tl::unexpected<map::Reason> fieldWrong(std::string name, double value) {
-  return tl::unexpected(map::Reason(map::ReasonCode::RosFieldWrong, {std::move(name), value}));
+tl::unexpected<Fault> fieldWrong(std::string name, double value) {
+  return tl::unexpected(Fault(fault::RosFieldWrong, {std::move(name), value}));
 }
 
 double numberOr(const Field& field, double fallback) { return field.number().value_or(fallback); }

@@ -18,8 +18,8 @@ inline constexpr double kShortestQuaternion = 1e-6;
 Header headerOf(const Field& msg);
 
 /// The field cannot be had. `name` as people who know ROS write it: "info.width".
-tl::unexpected<map::Reason> fieldMissing(std::string name);
-tl::unexpected<map::Reason> fieldWrong(std::string name, double value);
+tl::unexpected<Fault> fieldMissing(std::string name);
+tl::unexpected<Fault> fieldWrong(std::string name, double value);
 
 /// A number, NaN where it is absent or null.
 double numberOr(const Field& field, double fallback);

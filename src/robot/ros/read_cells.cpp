@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "grids/faults.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
 
 namespace mapwright::robot::ros {
@@ -24,8 +26,8 @@ Read<Cells> readCells(const Field& data, std::int64_t width, std::int64_t height
   if (none) return Cells{};
   if (!data.isList()) return fieldMissing("data");
   if (data.size() != needed) {
-    return tl::unexpected(map::Reason(map::ReasonCode::RosLengthDiffers,
-                                      {"data", std::int64_t(data.size()), std::int64_t(needed)}));
+    return tl::unexpected(
+        Fault(fault::RosLengthDiffers, {"data", std::int64_t(data.size()), std::int64_t(needed)}));
   }
   Cells read;
   if (auto bytes = data.int8s(needed)) {
@@ -58,14 +60,14 @@ Read<GridSize> readGridSize(const Field& of, const std::string& prefix, std::int
   if (*height < 0 || *height > most) return fieldWrong(prefix + "height", double(*height));
   if (*width == 0 || *height == 0) {
     if (empty == EmptyGrids::Taken) return GridSize{0, 0};
-    return tl::unexpected(map::Reason(map::ReasonCode::RosGridEmpty, {*width, *height}));
+    return tl::unexpected(Fault(fault::RosGridEmpty, {*width, *height}));
   }
   if (*height > most / *width) return fieldWrong(prefix + "height", double(*height));
   return GridSize{*width, *height};
 }
 
-void noteOddCells(std::vector<map::Reason>& notes, std::size_t odd) {
-  if (odd > 0) notes.push_back({map::ReasonCode::RosCellsOutOfRange, {std::int64_t(odd)}});
+void noteOddCells(std::vector<Fault>& notes, std::size_t odd) {
+  if (odd > 0) notes.push_back({grids::fault::RosCellsOutOfRange, {std::int64_t(odd)}});
 }
 
 double resolutionOf(const Field& info) {

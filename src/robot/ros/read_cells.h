@@ -32,7 +32,7 @@ enum class EmptyGrids { Refused, Taken };
 /// `prefix` as people who know ROS write the place of the two: "info."
 Read<GridSize> readGridSize(const Field& of, const std::string& prefix, std::int64_t most, EmptyGrids empty);
 
-void noteOddCells(std::vector<map::Reason>& notes, std::size_t odd);
+void noteOddCells(std::vector<Fault>& notes, std::size_t odd);
 
 /// The edge of a cell in metres; no number where it is none. It is sent as 32 bits, and what was 0.05 arrives
 /// as 0.05000000074505806: a kilometre away that is a cell's edge on the wrong side. It is taken as the

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "robot/ros/cloud_layout.h"
+#include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
 
 namespace mapwright::robot::ros {
@@ -16,7 +17,7 @@ constexpr double kLongestSweepS = 5;  // beyond it, it is no time that one scan 
 void noteThinned(Points& points, std::size_t came) {
   if (came <= kMostPoints) return;
   points.notes.push_back(
-      {map::ReasonCode::RosPointsThinned, {std::int64_t(came), std::int64_t(strideFor(came, kMostPoints))}});
+      {fault::RosPointsThinned, {std::int64_t(came), std::int64_t(strideFor(came, kMostPoints))}});
 }
 
 }  // namespace

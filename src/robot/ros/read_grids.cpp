@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
 #include "robot/ros/read_cells.h"
 
@@ -26,7 +27,7 @@ Read<Grid> readGrid(const Field& whole) {
   grid.height = int(size->height);
   grid.resolution_m = resolutionOf(info);
   grid.origin = origin.pose.flat();
-  if (origin.upright) grid.notes.push_back(map::ReasonCode::RosTurnIsZero);
+  if (origin.upright) grid.notes.push_back(fault::RosTurnIsZero);
   if (const auto why = map::whyUnusable({grid.width, grid.height, grid.resolution_m, grid.origin}))
     return tl::unexpected(*why);
   auto cells = readCells(msg["data"], size->width, size->height, OddCells::Unknown);
@@ -58,14 +59,14 @@ Read<GridPatch> readGridPatch(const Field& msg) {
   return patch;
 }
 
-std::optional<map::Reason> applyPatch(Grid& grid, const GridPatch& patch) {
+std::optional<Fault> applyPatch(Grid& grid, const GridPatch& patch) {
   const bool lies_in = patch.x >= 0 && patch.y >= 0 && patch.width > 0 && patch.height > 0 &&
                        patch.width <= grid.width - patch.x && patch.height <= grid.height - patch.y;
   const bool whole = patch.cells.size() == std::size_t(std::int64_t(patch.width) * patch.height) &&
                      grid.cells.size() == std::size_t(std::int64_t(grid.width) * grid.height);
   if (!lies_in || !whole) {
-    return map::Reason(map::ReasonCode::RosPatchOutside,
-                       {patch.width, patch.height, patch.x, patch.y, grid.width, grid.height});
+    return Fault(fault::RosPatchOutside,
+                 {patch.width, patch.height, patch.x, patch.y, grid.width, grid.height});
   }
   for (int row = 0; row < patch.height; ++row) {
     std::copy_n(patch.cells.begin() + std::ptrdiff_t(row) * patch.width, patch.width,

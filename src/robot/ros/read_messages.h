@@ -3,7 +3,7 @@
 // geometry_msgs, sensor_msgs, tf2_msgs, visualization_msgs; rosbridge v2 ("JSON details": NaN and infinities
 // come as null).
 //
-// Pure; any thread. Nothing of a message is trusted: what is missing or absurd is a map::Reason that names
+// Pure; any thread. Nothing of a message is trusted: what is missing or absurd is a Fault that names
 // the field, sizes are checked before memory is taken, texts are plain and untrusted.
 #pragma once
 
@@ -16,9 +16,9 @@
 
 #include <tl/expected.hpp>
 
+#include "fault/fault.h"
 #include "geometry/pose.h"
 #include "map/live_topics.h"
-#include "map/reason.h"
 #include "net/rosbridge/field.h"
 #include "robot/ros/transforms.h"
 
@@ -27,7 +27,7 @@ namespace mapwright::robot::ros {
 using net::rosbridge::Field;
 
 template <class T>
-using Read = tl::expected<T, map::Reason>;
+using Read = tl::expected<T, Fault>;
 
 /// std_msgs/Header. The frame without a leading slash, empty where there is none. A stamp of 0 is none: to
 /// ROS it means "the latest".
@@ -43,7 +43,7 @@ struct Grid {
   double resolution_m = 0;         // usable (map::whyUnusable)
   geometry::Pose2 origin;          // usable
   std::vector<std::int8_t> cells;  // row 0 = bottom, as sent; -1 unknown, 0..100
-  std::vector<map::Reason> notes;  // what is odd about it
+  std::vector<Fault> notes;        // what is odd about it
 };
 
 /// map_msgs/OccupancyGridUpdate: a rectangle of a grid that was sent before, from the cell (x, y) on.
@@ -51,7 +51,7 @@ struct GridPatch {
   Header header;
   int x = 0, y = 0, width = 0, height = 0;
   std::vector<std::int8_t> cells;
-  std::vector<map::Reason> notes;
+  std::vector<Fault> notes;
 };
 
 /// A pose in the plane.
@@ -74,7 +74,7 @@ struct Points {
   Header header;
   std::vector<map::CloudPoint> points;  // at most kMostPoints
   std::size_t left_out = 0;             // no number, out of range, absurdly far
-  std::vector<map::Reason> notes;       // that it was thinned
+  std::vector<Fault> notes;             // that it was thinned
   /// Of a scan that was taken while time went on: how long, and when each point was (0..1 of it). The stamp
   /// is that of its beginning. 0 and empty: all at once.
   double sweep_s = 0;
@@ -133,7 +133,7 @@ struct TfRow {
 Read<Grid> readGrid(const Field& msg);
 Read<GridPatch> readGridPatch(const Field& msg);
 /// Puts the patch into the grid. Why not, when it does not lie in it whole: the grid is as it was then.
-std::optional<map::Reason> applyPatch(Grid& grid, const GridPatch& patch);
+std::optional<Fault> applyPatch(Grid& grid, const GridPatch& patch);
 
 /// nav_msgs/Path. Without a frame of its own it has that of its first pose.
 Read<Outline> readPath(const Field& msg);

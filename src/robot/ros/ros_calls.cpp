@@ -3,6 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "robot/ros/faults.h"
+
 namespace mapwright::robot::ros {
 
 using net::rosbridge::CallAnswer;
@@ -36,11 +38,11 @@ map::Failure failed(const CallAnswer& answer, map::Subject subject, map::AskedFo
       break;
     case Kind::TimedOut:
       failure.kind = map::FailureKind::TimedOut;
-      if (failure.detail.empty()) failure.cause = {map::ReasonCode::NoAnswerInTime};
+      if (failure.detail.empty()) failure.cause = {fault::NoAnswerInTime};
       break;
     case Kind::LinkLost:
       failure.kind = map::FailureKind::Unreachable;
-      if (failure.detail.empty()) failure.cause = {map::ReasonCode::LinkBrokeOff};
+      if (failure.detail.empty()) failure.cause = {fault::LinkBrokeOff};
       break;
     case Kind::Cancelled:
       failure.kind = map::FailureKind::Cancelled;

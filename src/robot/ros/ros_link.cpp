@@ -5,9 +5,10 @@
 
 #include <QDateTime>
 
+#include "robot/faults.h"
 #include "robot/ros/dispatch_messages.h"
+#include "robot/ros/faults.h"
 #include "robot/wire/link_state.h"
-#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::ros {
 
@@ -84,14 +85,13 @@ void RosLink::wireClient() {
           });
   connect(client_.get(), &Client::statusReceived, this, [this](const QString& level, const QString& words) {
     const bool serious = level == QLatin1String("error") || level == QLatin1String("warning");
-    if (serious)
-      report(map::Severity::Warning, {map::ReasonCode::ItAnswered, {words.left(300).toStdString()}});
+    if (serious) report(map::Severity::Warning, {robot::fault::ItAnswered, {words.left(300).toStdString()}});
   });
-  connect(client_.get(), &Client::sharesOneConnection, this, [this](const net::Reason& why) {
-    report(map::Severity::Info, {map::ReasonCode::RosOneConnection, {}, {wire::reasonOf(why)}});
+  connect(client_.get(), &Client::sharesOneConnection, this, [this](const Fault& why) {
+    report(map::Severity::Info, {fault::RosOneConnection, {}, {why}});
   });
   connect(client_.get(), &Client::odd, this,
-          [this] { report(map::Severity::Info, {map::ReasonCode::MessageNotUnderstood}); });
+          [this] { report(map::Severity::Info, {fault::MessageNotUnderstood}); });
 }
 
 void RosLink::wireParts() {
@@ -107,11 +107,9 @@ void RosLink::wireParts() {
     if (std::exchange(wish_.whole_map, live_map_->wanted()) != live_map_->wanted()) sync();
   });
   connect(asked_map_.get(), &AskedMap::came, this, &RosLink::takeAskedMap);
-  connect(asked_map_.get(), &AskedMap::failed, this,
-          [this](const std::string& service, const map::Reason& why) {
-            note(service, map::ProblemCode::Unavailable,
-                 map::Reason(map::ReasonCode::MapServiceFailed, {service}, {why}));
-          });
+  connect(asked_map_.get(), &AskedMap::failed, this, [this](const std::string& service, const Fault& why) {
+    note(service, map::ProblemCode::Unavailable, Fault(fault::MapServiceFailed, {service}, {why}));
+  });
   connect(dispatch_.get(), &DispatchRequests::offersChanged, this, [this] {
     Q_EMIT dispatchKnown(dispatch_->found());
     sync();  // whoever gives the map by region is not asked for all of it
@@ -253,7 +251,7 @@ void RosLink::noteLink() {
     if (client_->link().state() != WebSocketLink::State::Connecting) {
       const auto early = early_;
       for (const EarlyPtr& one : early) endEarly(one, map::FailureKind::Unreachable);
-      live_map_->endAll({.kind = map::FailureKind::Unreachable, .cause = {map::ReasonCode::LinkBrokeOff}});
+      live_map_->endAll({.kind = map::FailureKind::Unreachable, .cause = {fault::LinkBrokeOff}});
     }
   }
   publishState();
@@ -266,19 +264,19 @@ void RosLink::publishState() {
   const std::string host =
       QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port()).toStdString();
   if (state.failure == map::FailureKind::NotARobot) {
-    state.reason = {map::ReasonCode::NoRosbridgeThere, {host}, {state.reason}};
+    state.reason = {fault::NoRosbridgeThere, {host}, {state.reason}};
   }
   if (awaits_manager_) {
     state.phase = ConnectionPhase::Interrupted;
     state.failure = map::FailureKind::NotARobot;
-    state.reason = {map::ReasonCode::NoMapManagerThere, {host}};
+    state.reason = {fault::NoMapManagerThere, {host}};
     state.retry_in_ms = std::max(0, look_timer_->remainingTime());
   }
   Q_EMIT silenceChanged(client_ ? client_->link().silentSince().value_or(QDateTime()) : QDateTime());
   Q_EMIT stateChanged(state);
 }
 
-void RosLink::report(map::Severity severity, map::Reason reason) {
+void RosLink::report(map::Severity severity, Fault reason) {
   const QString host = QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port());
   Q_EMIT problemFound(
       {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)});

@@ -131,7 +131,7 @@ class RosLink : public QObject {
  private:
   /// What was told of a topic last, and when: the same is not told at the rate of its messages.
   struct Trouble {
-    map::Reason reason;
+    Fault reason;
     qint64 told_ms = 0;
   };
   /// A question that waits until it is known what the robot can do.
@@ -170,13 +170,13 @@ class RosLink : public QObject {
   void takeOfManager(const net::rosbridge::TopicMessage& message);
   void comparePicture();
   void tell(WorldResult result);
-  void note(const std::string& topic, map::ProblemCode code, const std::optional<map::Reason>& reason);
+  void note(const std::string& topic, map::ProblemCode code, const std::optional<Fault>& reason);
   void forgetTrouble(const std::string& topic);
   void tellPose();
   bool framesComplete() const;
   void emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
                  std::optional<double> recorded_s);
-  void report(map::Severity severity, map::Reason reason);
+  void report(map::Severity severity, Fault reason);
   void whenKnown(const wire::ErrandPtr& errand, map::Subject subject, map::AskedFor asked_for,
                  std::function<void(std::optional<map::Failure>)> then);
   void endEarly(const EarlyPtr& early, std::optional<map::FailureKind> failure);

@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/ros_link.h"
 
 namespace mapwright::robot::ros {
@@ -191,8 +192,8 @@ void RosLink::takeOfManager(const TopicMessage& message) {
   KabamBook& book = kabam_->book();
   const KabamBook::Taken taken = book.take(message.topic, message.frame, message.msg);
   if (!taken.own) return;
-  const std::optional<map::Reason> odd =
-      taken.readable ? std::nullopt : std::optional<map::Reason>(map::ReasonCode::MessageNotUnderstood);
+  const std::optional<Fault> odd =
+      taken.readable ? std::nullopt : std::optional<Fault>(fault::MessageNotUnderstood);
   note(message.topic, map::ProblemCode::Unreadable, odd);
   if (taken.maps && book.current() && !book.current()->map.id.empty())
     emitTopic(book.topics().front(), book.mapInfo(), message.received_s, std::nullopt);
@@ -209,7 +210,7 @@ void RosLink::tell(WorldResult result) {
   const std::string topic = result.topic;
   if (result.message || result.unreadable) note(topic, map::ProblemCode::Unreadable, result.unreadable);
   if (result.message || result.unplaced) note(topic, map::ProblemCode::Unplaced, result.unplaced);
-  std::optional<map::Reason> odd;
+  std::optional<Fault> odd;
   if (!result.notes.empty()) odd = result.notes.front();
   if (!result.unreadable) note(topic, map::ProblemCode::Odd, odd);
   if (!result.message) return;
@@ -237,8 +238,7 @@ void RosLink::comparePicture() {
   if (other) Q_EMIT pictureChanged(QString::fromStdString(id));
 }
 
-void RosLink::note(const std::string& topic, map::ProblemCode code,
-                   const std::optional<map::Reason>& reason) {
+void RosLink::note(const std::string& topic, map::ProblemCode code, const std::optional<Fault>& reason) {
   if (reason) {
     Trouble& trouble = troubles_[topic][code];
     const qint64 now = clock_.elapsed();

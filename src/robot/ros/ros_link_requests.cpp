@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/projected_maps.h"
 #include "robot/ros/ros_link.h"
 
@@ -19,7 +20,7 @@ map::Failure notThere(const map::MapKey& key) {
           .reason = map::FailureReason::NotThere};
 }
 
-map::Failure unsupported(map::Subject subject, map::Reason cause) {
+map::Failure unsupported(map::Subject subject, Fault cause) {
   map::Failure failure;
   failure.kind = map::FailureKind::Unsupported;
   failure.subject = std::move(subject);
@@ -38,7 +39,7 @@ void RosLink::endEarly(const EarlyPtr& early, std::optional<map::FailureKind> ki
   if (!kind) return early->then(std::nullopt);
   map::Failure failure;
   failure.kind = *kind;
-  if (*kind != map::FailureKind::Cancelled) failure.cause = {map::ReasonCode::NotConnected};
+  if (*kind != map::FailureKind::Cancelled) failure.cause = {fault::NotConnected};
   early->then(std::move(failure));
 }
 
@@ -161,8 +162,7 @@ void RosLink::fetch(const wire::ErrandPtr& errand, const map::MapKey& key, Outco
   describe(errand, key, [this, errand, key, reply = std::move(reply)](Outcome<map::CatalogueEntry> entry) {
     if (!entry) return reply(fail(entry.error()));
     if (const auto projected = findProjected(key)) return reply(projectedMap(*projected));
-    if (!entry->is_current)
-      return reply(fail(unsupported(map::subjectOf(key), {map::ReasonCode::OnlyCurrentMapSent})));
+    if (!entry->is_current) return reply(fail(unsupported(map::subjectOf(key), {fault::OnlyCurrentMapSent})));
     if (sourcesFor(map::Stream::WholeMap, sources_).empty())
       return reply(fail(unsupported(map::subjectOf(key), {})));
     live_map_->fetch(errand, key, entry->name, reply);

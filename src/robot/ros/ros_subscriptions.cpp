@@ -5,6 +5,8 @@
 
 #include <QPointer>
 
+#include "robot/ros/faults.h"
+
 namespace mapwright::robot::ros {
 namespace {
 
@@ -196,7 +198,7 @@ void RosSubscriptions::replacedBy(const std::string& topic, const std::string& s
   found->second.told = found->second.replaced = true;
   Q_EMIT problemFound({map::Severity::Info,
                        subjectOf(topic),
-                       {map::ReasonCode::TopicAskedInstead, {service}},
+                       {fault::TopicAskedInstead, {service}},
                        map::ProblemCode::Unavailable});
 }
 
@@ -247,24 +249,23 @@ void RosSubscriptions::tellSilence(const std::string& topic) {
   // Looked at again: another one of the same stream may have been told meanwhile.
   if (mayBeSilent(topic, silent)) return;
   silent.told = true;
-  const auto tell = [self = QPointer<RosSubscriptions>(this), topic](map::ReasonCode why) {
-    using Code = map::ReasonCode;
+  const auto tell = [self = QPointer<RosSubscriptions>(this), topic](FaultCode why) {
     if (!self) return;
     const auto asked = self->asked_.find(topic);
     if (asked == self->asked_.end() || !asked->second.told || asked->second.replaced) return;
     // What has stopped is shown still, as if it were so now.
     const bool stopped = asked->second.heard();
     const bool serious = stopped || asked->second.wanted.necessary;
-    map::Reason reason(Code::TopicSilent);
+    Fault reason(fault::TopicSilent);
     // Of one that did come before, neither the server nor a missing list is the cause.
-    if (!stopped || (why != Code::TopicListedOnly && why != Code::TopicsNotTold)) reason.because = {why};
+    if (!stopped || (why != fault::TopicListedOnly && why != fault::TopicsNotTold)) reason.because = {why};
     Q_EMIT self->problemFound({serious ? map::Severity::Warning : map::Severity::Info, subjectOf(topic),
                                std::move(reason), map::ProblemCode::Unavailable});
   };
-  if (!found_.topics) return tell(map::ReasonCode::TopicsNotTold);
-  if (!lists(found_, topic)) return tell(map::ReasonCode::TopicNotListed);
+  if (!found_.topics) return tell(fault::TopicsNotTold);
+  if (!lists(found_, topic)) return tell(fault::TopicNotListed);
   api_.countPublishers(topic, [tell](std::optional<std::size_t> publishers) {
-    tell(publishers == std::size_t(0) ? map::ReasonCode::TopicNobodySends : map::ReasonCode::TopicListedOnly);
+    tell(publishers == std::size_t(0) ? fault::TopicNobodySends : fault::TopicListedOnly);
   });
 }
 

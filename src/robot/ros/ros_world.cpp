@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/map_values.h"
 #include "robot/ros/parts.h"
 #include "robot/wire/picture_facts.h"
@@ -130,7 +131,7 @@ std::string RosWorld::fixedFrame() const {
 void RosWorld::noteOwnFrame(const Source& source, WorldResult& result) {
   if (!inOwnFrame() || source.stream != Stream::Cloud) return;
   in_own_frame_.insert(source.topic);
-  result.notes.emplace_back(map::ReasonCode::RosFramesApart, std::vector<map::Argument>{own_frame_});
+  result.notes.emplace_back(fault::RosFrameAlone, std::vector<FaultArgument>{own_frame_});
 }
 
 /// Something tells now: what was shown before lies nowhere any more, unless it is where it was.
@@ -150,8 +151,7 @@ void RosWorld::leaveOwnFrame(double now_s, WorldResults& results) {
 Read<bool> patchGrid(Grid& grid, const GridPatch& patch) {
   const Header &of_grid = grid.header, &of_patch = patch.header;
   if (!of_patch.frame.empty() && !of_grid.frame.empty() && of_patch.frame != of_grid.frame) {
-    return tl::unexpected(
-        map::Reason(map::ReasonCode::RosPatchInOtherFrame, {of_patch.frame, of_grid.frame}));
+    return tl::unexpected(Fault(fault::RosPatchInOtherFrame, {of_patch.frame, of_grid.frame}));
   }
   // The two topics overtake one another: what the grid holds already would set it back.
   if (of_patch.stamp_s && of_grid.stamp_s && *of_patch.stamp_s < *of_grid.stamp_s) return false;
@@ -167,13 +167,13 @@ tl::expected<geometry::Pose2, Missing> RosWorld::inFixedFrame(const Placed& plac
   return placedIn(placed, *found);
 }
 
-std::optional<tl::expected<geometry::Pose2, map::Reason>> RosWorld::pose() const {
+std::optional<tl::expected<geometry::Pose2, Fault>> RosWorld::pose() const {
   std::optional<Located> found = located();
   return found ? std::optional(std::move(found->pose)) : std::nullopt;
 }
 
 std::optional<RosWorld::Located> RosWorld::located() const {
-  std::optional<map::Reason> why;
+  std::optional<Fault> why;
   if (const std::string robot = robotFrame(); !robot.empty()) {
     const std::string fixed = fixedFrame();
     const auto found = transforms_.find(fixed, robot, {});

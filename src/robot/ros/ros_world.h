@@ -24,9 +24,9 @@ struct WorldResult {
   double received_s = 0;             // when the message came (seconds since the epoch)
   std::optional<double> recorded_s;  // its own stamp
   std::optional<map::TopicMessage> message;
-  std::optional<map::Reason> unreadable;  // it cannot be read
-  std::optional<map::Reason> unplaced;    // there is no transform for it (yet): which one
-  std::vector<map::Reason> notes;         // what is odd about it
+  std::optional<Fault> unreadable;  // it cannot be read
+  std::optional<Fault> unplaced;    // there is no transform for it (yet): which one
+  std::vector<Fault> notes;         // what is odd about it
 };
 using WorldResults = std::vector<WorldResult>;
 
@@ -82,9 +82,9 @@ class RosWorld {
   std::string robotFrame() const;
   /// Where the robot is in the fixed frame, now: by transforms, else by the best topic that tells. nullopt:
   /// nothing was told so far.
-  std::optional<tl::expected<geometry::Pose2, map::Reason>> pose() const;
+  std::optional<tl::expected<geometry::Pose2, Fault>> pose() const;
   struct Located {
-    tl::expected<geometry::Pose2, map::Reason> pose;
+    tl::expected<geometry::Pose2, Fault> pose;
     std::string topic;           // that tells it; empty: transforms do
     std::optional<double> at_s;  // the stamp for which the transforms tell it; nullopt: they never change
     bool operator==(const Located&) const = default;

@@ -12,8 +12,7 @@ namespace {
 constexpr std::size_t kMany = 300;
 
 /// Why the newest of it has no place; nullopt: it has one.
-std::optional<map::Reason> place(MarkerBoard::Row& row, const Transforms& transforms,
-                                 const std::string& fixed) {
+std::optional<Fault> place(MarkerBoard::Row& row, const Transforms& transforms, const std::string& fixed) {
   const Marker& newest = row.next ? *row.next : row.marker;
   const bool stays = !newest.frame_locked;
   if (!row.next && stays && row.placed && row.fixed_frame == fixed) return std::nullopt;

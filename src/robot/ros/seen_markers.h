@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "fault/fault.h"
 #include "map/live_topics.h"
-#include "map/reason.h"
 #include "robot/ros/marker_board.h"
 #include "robot/ros/transforms.h"
 
@@ -24,8 +24,8 @@ class SeenMarkers {
   std::vector<std::string> topics() const;
 
   struct Look {
-    bool changed = false;                         // seen() is another
-    std::map<std::string, map::Reason> unplaced;  // by topic: why a marker that has waited has no place
+    bool changed = false;                   // seen() is another
+    std::map<std::string, Fault> unplaced;  // by topic: why a marker that has waited has no place
   };
   /// Places what has no place yet, moves what goes with its frame, takes away what has lived its time.
   Look look(const Transforms& transforms, const std::string& fixed_frame, double now_s);

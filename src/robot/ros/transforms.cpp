@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "robot/ros/faults.h"
 #include "robot/ros/parts.h"
 
 namespace mapwright::robot::ros {
@@ -260,21 +261,21 @@ std::vector<std::string> Transforms::roots() const {
   return names;
 }
 
-map::Reason reasonOf(const Transforms::Missing& missing) {
+Fault reasonOf(const Transforms::Missing& missing) {
   using Kind = Transforms::Missing::Kind;
   switch (missing.kind) {
     case Kind::UnknownFrame:
-      return {map::ReasonCode::RosFrameUnknown, {missing.child}};
+      return {fault::RosFrameUnknown, {missing.child}};
     case Kind::NotConnected:
-      return {map::ReasonCode::RosFramesApart, {missing.child, missing.parent}};
+      return {fault::RosFramesApart, {missing.child, missing.parent}};
     case Kind::TooOld:
-      return {map::ReasonCode::RosTransformTooOld, {missing.child, missing.parent}};
+      return {fault::RosTransformTooOld, {missing.child, missing.parent}};
     case Kind::TooNew:
-      return {map::ReasonCode::RosTransformTooNew, {missing.child, missing.parent}};
+      return {fault::RosTransformTooNew, {missing.child, missing.parent}};
     case Kind::Loop:
       break;
   }
-  return {map::ReasonCode::RosTransformLoop, {missing.child, missing.parent}};
+  return {fault::RosTransformLoop, {missing.child, missing.parent}};
 }
 
 }  // namespace mapwright::robot::ros

@@ -13,8 +13,8 @@
 #include <Eigen/Geometry>
 #include <tl/expected.hpp>
 
+#include "fault/fault.h"
 #include "geometry/pose.h"
-#include "map/reason.h"
 
 namespace mapwright::robot::ros {
 
@@ -128,6 +128,6 @@ class Transforms {
   std::size_t refused_ = 0;
 };
 
-map::Reason reasonOf(const Transforms::Missing& missing);
+Fault reasonOf(const Transforms::Missing& missing);
 
 }  // namespace mapwright::robot::ros

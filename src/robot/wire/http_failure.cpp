@@ -1,7 +1,5 @@
 #include "robot/wire/http_failure.h"
 
-#include "robot/wire/net_reason.h"
-
 namespace mapwright::robot::wire {
 
 map::FailureKind failureOf(const net::HttpAnswer& answer) {
@@ -49,12 +47,12 @@ map::Failure failed(const net::HttpAnswer& answer, map::Subject subject, map::As
   if (answered) {
     failure.detail = answer.said.toStdString();
   } else if (failure.kind != map::FailureKind::Cancelled) {
-    failure.cause = reasonOf(answer.reason);
+    failure.cause = answer.reason;
   }
   return failure;
 }
 
-map::Failure misread(const net::HttpAnswer& answer, map::Subject subject, map::Reason cause,
+map::Failure misread(const net::HttpAnswer& answer, map::Subject subject, Fault cause,
                      map::FailureReason reason, map::AskedFor asked_for) {
   map::Failure failure;
   failure.kind = unreadable(answer);
@@ -74,7 +72,7 @@ map::FailureKind unreadable(const net::HttpAnswer& answer) {
 UntrustedCertificate untrusted(const net::CertificateFault& fault) {
   UntrustedCertificate certificate;
   certificate.host = fault.host;
-  for (const net::Reason& why : fault.whys) certificate.why.push_back(reasonOf(why));
+  for (const Fault& why : fault.whys) certificate.why.push_back(why);
   certificate.sha256 = net::fingerprintText(fault.sha256);
   certificate.pinned_sha256 = net::fingerprintText(fault.pinned_sha256);
   certificate.subject = fault.subject;

@@ -21,7 +21,7 @@ map::Applied appliedOf(const net::HttpAnswer& answer);
 map::Failure failed(const net::HttpAnswer& answer, map::Subject subject,
                     map::AskedFor asked_for = map::AskedFor::All);
 /// The answer came (2xx) and cannot be read; `cause` is what is wrong with it.
-map::Failure misread(const net::HttpAnswer& answer, map::Subject subject, map::Reason cause,
+map::Failure misread(const net::HttpAnswer& answer, map::Subject subject, Fault cause,
                      map::FailureReason reason = map::FailureReason::Told,
                      map::AskedFor asked_for = map::AskedFor::All);
 /// Of an answer that came (2xx) but cannot be read: a web page is not what a robot sends.

@@ -1,24 +1,23 @@
 #include "robot/wire/link_state.h"
 
 #include "robot/wire/http_failure.h"
-#include "robot/wire/net_reason.h"
 
 namespace mapwright::robot::wire {
 
-map::FailureKind failureOf(net::WebSocketLink::Fault fault) {
-  using Fault = net::WebSocketLink::Fault;
+map::FailureKind failureOf(net::WebSocketLink::Failure fault) {
+  using Failure = net::WebSocketLink::Failure;
   switch (fault) {
-    case Fault::None:
+    case Failure::None:
       break;
-    case Fault::Unreachable:
+    case Failure::Unreachable:
       return map::FailureKind::Unreachable;
-    case Fault::TimedOut:
+    case Failure::TimedOut:
       return map::FailureKind::TimedOut;
-    case Fault::Refused:
+    case Failure::Refused:
       return map::FailureKind::Refused;
-    case Fault::NotAWebSocket:
+    case Failure::NotAWebSocket:
       return map::FailureKind::NotARobot;
-    case Fault::Certificate:
+    case Failure::Certificate:
       return map::FailureKind::Certificate;
   }
   return map::FailureKind::None;
@@ -27,8 +26,8 @@ map::FailureKind failureOf(net::WebSocketLink::Fault fault) {
 ConnectionState stateOf(const net::WebSocketLink& link, bool wanted) {
   using State = net::WebSocketLink::State;
   ConnectionState state;
-  state.reason = reasonOf(link.reason());
-  state.failure = failureOf(link.fault());
+  state.reason = link.reason();
+  state.failure = failureOf(link.failure());
   if (const auto fault = link.certificate()) state.certificate = untrusted(*fault);
   state.attempt = link.attempt();
   state.retry_in_ms = link.retryInMs();

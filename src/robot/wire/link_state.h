@@ -7,7 +7,7 @@
 namespace mapwright::robot::wire {
 
 /// What a link that does not work is a case of; None of one that does.
-map::FailureKind failureOf(net::WebSocketLink::Fault fault);
+map::FailureKind failureOf(net::WebSocketLink::Failure fault);
 
 /// `wanted`: somebody has asked to be connected, so a closed link is one that was refused.
 ConnectionState stateOf(const net::WebSocketLink& link, bool wanted);

@@ -9,8 +9,8 @@
 
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "window/clouds/cloud_text.h"
 #include "window/clouds/clouds_dock.h"
 #include "window/clouds/region_tool.h"
@@ -234,7 +234,7 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
     const auto points = qint64(cloud.points.size());
     said << sentences::counted(tr("%1 points have come.", nullptr, sentences::formOf(points)), points);
   }
-  for (const map::Reason& note : cloud.notes) said << sentences::sentenceOf(note);
+  for (const Fault& note : cloud.notes) said << sentences::sentenceOf(note);
   dock_->setOutcome(said.join(QLatin1Char('\n')), false);
   const bool first = clouds_.empty() && !cloud.points.empty();
   if (!cloud.points.empty()) unsaved_ = true;

@@ -6,7 +6,7 @@
 
 #include "robot/second_server.h"
 #include "sentences/absence_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/connection/robot_menus.h"
 #include "window/current_session.h"
 #include "window/dialogs/certificate_dialog.h"

@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/look/ui_colors.h"
 
 namespace mapwright::window {

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "map/grid_reference.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/look/ui_colors.h"
 
 namespace mapwright::window {

@@ -3,8 +3,8 @@
 #include <QStringList>
 
 #include "geometry/pose.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "window/docks/inspector_dock.h"
 #include "window/status/status_text.h"
 

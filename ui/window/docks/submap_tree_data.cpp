@@ -1,5 +1,5 @@
 // SubmapTreeModel: what a row shows, and its check box.
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/docks/submap_tree_model.h"
 #include "window/look/plain_label.h"
 #include "window/status/status_text.h"

@@ -17,7 +17,7 @@
 
 #include "robot/address.h"
 #include "scene/write_picture.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/current_session.h"
 #include "window/dialogs/export_dialog.h"
 #include "window/files/export_map.h"

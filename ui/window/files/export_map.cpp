@@ -8,13 +8,13 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 
+#include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
-#include "reasons/file_reason.h"
 #include "render/compose_grid.h"
 #include "scene/write_picture.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {
@@ -26,12 +26,12 @@ using Problem = std::optional<QString>;
 
 constexpr double kComposePart = 0.7;  // of the work, when submaps have to be composed first
 
-Problem told(const std::optional<map::Reason>& reason) {
+Problem told(const std::optional<Fault>& reason) {
   return reason ? std::optional(sentences::wordsOf(*reason)) : std::nullopt;
 }
 
-Problem told(const std::optional<disk::Fault>& fault) {
-  return fault ? told(std::optional(reasons::notWritten(*fault))) : std::nullopt;
+Problem told(const std::optional<disk::FileError>& fault) {
+  return fault ? told(std::optional(disk::notWritten(*fault))) : std::nullopt;
 }
 
 Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const Proceed& proceed) {

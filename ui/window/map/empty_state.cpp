@@ -13,9 +13,9 @@
 
 #include "robot/map_dispatch.h"
 #include "robot/sends_map.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
 #include "sentences/problem_sentence.h"
-#include "sentences/reason_sentence.h"
 #include "session/lacks_picture.h"
 #include "window/look/icons.h"
 #include "window/look/ui_colors.h"

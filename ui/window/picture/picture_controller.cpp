@@ -6,7 +6,7 @@
 #include <QMessageBox>
 
 #include "sentences/absence_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/look/plain_label.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"

@@ -69,7 +69,7 @@ class PictureController : public Controller {
   void askToSend();
   void send();
   void write();
-  void noteCopied(const std::optional<map::Reason>& trouble);
+  void noteCopied(const std::optional<Fault>& trouble);
   void noteNotWritten(const QString& sentence);
   QString copiesHere() const;
   void watchDrafts();

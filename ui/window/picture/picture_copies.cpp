@@ -32,8 +32,8 @@ QString copyPath(const QString& folder, const QDateTime& now) {
                                QStringLiteral(".yaml"));
 }
 
-std::optional<map::Reason> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
-                                    const QString& path) {
+std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
+                              const QString& path) {
   const QDir folder = QFileInfo(path).dir();
   QDir().mkpath(folder.path());  // where that fails, so does what follows, and says why
   if (auto trouble = grids::writeMapServer(cells, reference, QFile::encodeName(path).toStdString()))

@@ -7,9 +7,9 @@
 #include <QDateTime>
 #include <QString>
 
+#include "fault/fault.h"
 #include "grids/grid_pyramid.h"
 #include "map/grid_reference.h"
-#include "map/reason.h"
 
 namespace mapwright::window {
 
@@ -21,7 +21,7 @@ QString copiesFolder(const QString& drafts_folder, const QString& robot, const Q
 /// The map.yaml of a copy of that time; its picture lies beside it.
 QString copyPath(const QString& folder, const QDateTime& now);
 /// Writes it, whole or not at all, and lets the oldest of its folder go; nullopt = it is there, else why not.
-std::optional<map::Reason> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
-                                    const QString& path);
+std::optional<Fault> keepCopy(const grids::GridPyramid& cells, const map::GridReference& reference,
+                              const QString& path);
 
 }  // namespace mapwright::window

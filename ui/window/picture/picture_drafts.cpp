@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/picture/picture_text.h"
 
 namespace mapwright::window {
@@ -44,7 +44,7 @@ PictureDrafts::Found PictureDrafts::look(const QString& folder, const edit::Draf
                                          const picture::EditedGrid& grid) {
   Found found;
   edit::LeftDrafts left = edit::leftDrafts(folder, of);
-  for (const map::Reason& note : left.notes) found.remarks << sentences::wordsOf(note);
+  for (const Fault& note : left.notes) found.remarks << sentences::wordsOf(note);
   for (edit::LeftDraft& file : left.drafts) {
     auto draft = pictureDraftFrom(file.bytes);
     const auto taken = draft ? takeDraft(*draft, grid) : std::nullopt;
@@ -70,7 +70,7 @@ QString PictureDrafts::trouble() const {
       .arg(sentences::wordsOf(keeper_.trouble()));
 }
 
-std::optional<map::Reason> PictureDrafts::keep() {
+std::optional<Fault> PictureDrafts::keep() {
   const auto trouble = keeper_.flush();
   forgetTakenUp();
   return trouble;

@@ -25,7 +25,7 @@ class PictureDrafts : public QObject {
   /// Something has changed.
   void touch() { keeper_.touch(); }
   /// What is not saved is on disk now; else why not.
-  std::optional<map::Reason> keep();
+  std::optional<Fault> keep();
   /// Why it is not on disk; empty = nothing is wrong.
   QString trouble() const;
 

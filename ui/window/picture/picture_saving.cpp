@@ -6,7 +6,7 @@
 #include <QPushButton>
 
 #include "sentences/failure_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
 #include "window/on_screen.h"
@@ -105,7 +105,7 @@ QString PictureController::copiesHere() const {
 }
 
 /// Without it nothing is overwritten.
-void PictureController::noteCopied(const std::optional<map::Reason>& trouble) {
+void PictureController::noteCopied(const std::optional<Fault>& trouble) {
   if (!saving_) return;
   if (!trouble) return write();
   saving_ = false;

@@ -9,10 +9,10 @@
 #include <QIcon>
 #include <QStandardPaths>
 
-#include "reasons/file_reason.h"
+#include "disk/file_error.h"
 #include "recording/append_file.h"
 #include "robot/delivery.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/current_session.h"
 #include "window/files/folders.h"
 #include "window/look/icons.h"
@@ -121,12 +121,12 @@ void RecordingController::askAndStart() {
 std::optional<QString> RecordingController::startInto(const QString& path) {
   if (!session_ || recorder_) return tr("There is no robot to record.");
   auto target = recording::appendFile(path.toStdString(), recording::Existing::Replace);
-  if (!target) return sentences::wordsOf(reasons::notWritten(target.error()));
+  if (!target) return sentences::wordsOf(disk::notWritten(target.error()));
   recorder::Recorder::Options options;
   options.kind = kindOf(context_.addresses, session_->robot().address());
   options.recorded_by = std::string("mapwright ") + MAPWRIGHT_VERSION;
   auto started = recorder::Recorder::start(session_->robot(), std::move(*target), std::move(options));
-  if (!started) return sentences::wordsOf(reasons::notWritten(started.error()));
+  if (!started) return sentences::wordsOf(disk::notWritten(started.error()));
   recorder_ = std::move(*started);
   path_ = path;
   told_.reset();
@@ -166,9 +166,9 @@ recorder::Recorder* RecordingController::conclude() {
   ToastStack* const toasts = context_.overlay.toasts();
   const ToastOffer play{tr("Play"), [this, path = path_] { Q_EMIT playWanted(path); }};
   if (done.end_fault) {
-    disk::Fault fault = *done.end_fault;
+    disk::FileError fault = *done.end_fault;
     if (fault.path.empty()) fault.path = path_.toStdString();
-    toasts->add(Mark::Bad, sentences::wordsOf(reasons::notWritten(fault)));
+    toasts->add(Mark::Bad, sentences::wordsOf(disk::notWritten(fault)));
   } else if (const QStringList lacks = this->lacks(done); !lacks.isEmpty()) {
     toasts->add(Mark::Warning,
                 tr("Recorded into %1, which is not complete: %2")
@@ -257,11 +257,11 @@ void RecordingController::tellProgress() {
   label_->setText(text);
   ToastStack* const toasts = context_.overlay.toasts();
   if (now.written.fault && now.written.fault != told_) {
-    disk::Fault fault = *now.written.fault;
+    disk::FileError fault = *now.written.fault;
     if (fault.path.empty()) fault.path = path_.toStdString();
     toasts->add(
         Mark::Bad,
-        tr("%1 Recording goes on when there is room.").arg(sentences::wordsOf(reasons::notWritten(fault))));
+        tr("%1 Recording goes on when there is room.").arg(sentences::wordsOf(disk::notWritten(fault))));
   } else if (!now.written.fault && told_) {
     toasts->add(Mark::Good, tr("The recording is being written again."));
   }

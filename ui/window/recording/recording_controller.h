@@ -53,8 +53,8 @@ class RecordingController : public Controller {
   QPointer<session::Session> session_;
   std::unique_ptr<recorder::Recorder> recorder_;
   QString path_;
-  std::optional<disk::Fault> told_;  // why nothing is being written
-  bool away_ = false;                // the link is lost
+  std::optional<disk::FileError> told_;  // why nothing is being written
+  bool away_ = false;                    // the link is lost
   int interruptions_ = 0;
   int not_had_ = 0;  // what was asked for besides
 };

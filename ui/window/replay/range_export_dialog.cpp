@@ -18,8 +18,8 @@
 #include <QVBoxLayout>
 
 #include "sentences/failure_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "window/files/export_map.h"
 #include "window/look/dialog_look.h"
 #include "window/look/plain_label.h"
@@ -307,7 +307,7 @@ void RangeExportDialog::take(const excerpt::Ended& ended) {
     QStringList lacks;
     if (done.odd > 0)
       lacks << tr("Messages that cannot be read, or have no stamp, were left out: %1.").arg(done.odd);
-    for (const map::Reason& loss : done.losses) lacks << sentences::sentenceOf(loss);
+    for (const Fault& loss : done.losses) lacks << sentences::sentenceOf(loss);
     Q_EMIT exported(QFileInfo(path).absoluteFilePath(), sentence);
     if (lacks.isEmpty()) return accept();
     lacks.prepend(words::asSentence(sentence));

@@ -11,10 +11,10 @@
 #include <QKeyEvent>
 #include <QStandardPaths>
 
+#include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "reasons/file_reason.h"
 #include "scene/pose_between.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/clipboard.h"
 #include "window/current_session.h"
 #include "window/files/folders.h"
@@ -140,7 +140,7 @@ void ReplayController::saveEvents() {
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1String(".csv");
   context_.settings.setValue(kEventsFolderKey, QFileInfo(path).absolutePath());
   if (const auto fault = disk::writeFile(path.toStdString(), events_->model()->csv())) {
-    context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(reasons::notWritten(*fault)));
+    context_.overlay.toasts()->add(Mark::Bad, sentences::wordsOf(disk::notWritten(*fault)));
   } else {
     context_.overlay.toasts()->add(Mark::Good, tr("Saved %1").arg(QDir::toNativeSeparators(path)));
   }

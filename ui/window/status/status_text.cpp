@@ -8,8 +8,8 @@
 #include <QStringList>
 
 #include "geometry/pose.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 
 namespace mapwright::window {

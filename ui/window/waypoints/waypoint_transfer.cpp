@@ -10,12 +10,12 @@
 #include <QKeyEvent>
 #include <QMimeData>
 
+#include "disk/file_error.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "exchange/waypoint_csv.h"
 #include "exchange/waypoint_json.h"
-#include "reasons/file_reason.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "window/files/folders.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -165,8 +165,7 @@ void WaypointTransfer::importFile(const QString& path) {
   const QString name = words::plainName(QFileInfo(path).fileName()).left(120);
   auto bytes = disk::readFile(path.toStdString(), exchange::kMaxWantedBytes + 1);
   if (!bytes)
-    return say(false,
-               tr("%1 cannot be read: %2.").arg(name, sentences::wordsOf(reasons::causeOf(bytes.error()))));
+    return say(false, tr("%1 cannot be read: %2.").arg(name, sentences::wordsOf(bytes.error().cause)));
   if (bytes->size() > exchange::kMaxWantedBytes) return say(false, tr("%1 is larger than 64 MiB.").arg(name));
   ask({isCsv(path) ? ImportSource::Kind::Table : ImportSource::Kind::GeoJson, name, std::move(*bytes)});
 }
@@ -192,7 +191,7 @@ void WaypointTransfer::exportTo(const QString& path) {
   const std::string bytes = isCsv(path) ? exchange::waypointsCsv(points, map)
                                         : exchange::waypointsGeoJson(points, map).toStdString();
   if (const auto fault = disk::writeFile(path.toStdString(), bytes))
-    return say(false, sentences::wordsOf(reasons::notWritten(*fault)));
+    return say(false, sentences::wordsOf(disk::notWritten(*fault)));
   say(true, tr("%1 written to %2")
                 .arg(waypointsText(qsizetype(points.size())),
                      words::plainName(QFileInfo(path).fileName()).left(80)));

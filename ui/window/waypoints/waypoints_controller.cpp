@@ -6,7 +6,7 @@
 
 #include "scene/layer_item.h"
 #include "sentences/absence_sentence.h"
-#include "sentences/reason_sentence.h"
+#include "sentences/fault_sentence.h"
 #include "session/lacks_picture.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
@@ -186,7 +186,7 @@ void WaypointsController::openList(const map::MapKey& key) {
                                                 session_->robot().address(), context_.edit);
   connect(list_.get(), &edit::OpenWaypoints::changed, this, &WaypointsController::noteSaving);
   connect(list_.get(), &edit::OpenWaypoints::draftTroubleChanged, this, &WaypointsController::refresh);
-  connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const map::Reason& remark) {
+  connect(list_.get(), &edit::OpenWaypoints::remarked, this, [this](const Fault& remark) {
     context_.overlay.toasts()->add(Mark::Warning, sentences::wordsOf(remark));
   });
   connect(list_.get(), &edit::OpenWaypoints::saved, this, [this] {

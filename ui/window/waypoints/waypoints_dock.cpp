@@ -15,9 +15,9 @@
 #include <QVBoxLayout>
 
 #include "edit/open_waypoints.h"
+#include "sentences/fault_sentence.h"
 #include "sentences/placing_sentence.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "window/docks/row_table.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"

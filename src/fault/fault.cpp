@@ -1,6 +1,6 @@
-#include "map/reason.h"
+#include "fault/fault.h"
 
-namespace mapwright::map {
+namespace mapwright {
 namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -41,14 +41,14 @@ std::string withoutNumbers(const std::string& text) {
   return pattern;
 }
 
-std::string patternOf(const Reason& reason) {
-  std::string pattern = std::to_string(int(reason.code)) + '/' + std::to_string(int(reason.then));
-  for (const Argument& argument : reason.arguments) {
+std::string patternOf(const Fault& fault) {
+  std::string pattern = std::string(fault.code.room) + "/" + fault.code.text + '/' + std::to_string(int(fault.then));
+  for (const FaultArgument& argument : fault.arguments) {
     const auto* const text = std::get_if<std::string>(&argument);
     pattern += '|' + (text ? withoutNumbers(*text) : std::string("#"));
   }
-  for (const Reason& cause : reason.because) pattern += '(' + patternOf(cause) + ')';
+  for (const Fault& cause : fault.because) pattern += '(' + patternOf(cause) + ')';
   return pattern;
 }
 
-}  // namespace mapwright::map
+}  // namespace mapwright

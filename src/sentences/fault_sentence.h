@@ -5,23 +5,21 @@
 
 #include <QString>
 
-#include "map/reason.h"
+#include "fault/fault.h"
 
 namespace mapwright::sentences {
 
 /// "Version 5 is broken: 3,200 bytes where 51,200 were expected. Shown without it." Plain text, without its
 /// subject. Most are whole sentences; causes of others ("its pose lies …") begin small and have no stop.
-QString wordsOf(const map::Reason& reason);
+QString wordsOf(const Fault& fault);
 
 /// Several in one, "; " between them.
-QString wordsOf(const std::vector<map::Reason>& reasons);
+QString wordsOf(const std::vector<Fault>& faults);
 
 /// The same as a sentence in any case: "Its pose lies …."; empty for none.
-QString sentenceOf(const map::Reason& reason);
+QString sentenceOf(const Fault& fault);
 
-/// The words before arguments are put in, for `count` of what the code counts: "It names no image.".
-QString templateOf(map::ReasonCode code, int count = 2);
 /// What follows, as a sentence; empty for None.
-QString consequenceOf(map::Consequence consequence);
+QString consequenceOf(Consequence consequence);
 
 }  // namespace mapwright::sentences

@@ -1,0 +1,27 @@
+// What is found to be wrong here, with its words. Arguments are named in their order (%1 is the first).
+#pragma once
+
+#include "fault/fault.h"
+
+namespace mapwright::disk::fault {
+
+using namespace mapwright::fault;  // what all rooms share
+
+// Files of any kind.
+/// path; because: why
+inline constexpr FaultCode FileNotWritten{"disk", QT_TRANSLATE_NOOP("disk", "%1 cannot be written")};
+/// because: why
+inline constexpr FaultCode OutputNotWritten{
+    "disk", QT_TRANSLATE_NOOP("disk", "The standard output cannot be written")};
+inline constexpr FaultCode IsAFolder{"disk", QT_TRANSLATE_NOOP("disk", "it is a folder")};
+inline constexpr FaultCode IsADisk{"disk", QT_TRANSLATE_NOOP("disk", "it is a disk, not a file")};
+inline constexpr FaultCode IsASocket{"disk", QT_TRANSLATE_NOOP("disk", "it is a socket, not a file")};
+inline constexpr FaultCode NotARegularFile{"disk", QT_TRANSLATE_NOOP("disk", "it is not a regular file")};
+/// folder, the system's words
+inline constexpr FaultCode NoFileInFolder{"disk",
+                                          QT_TRANSLATE_NOOP("disk", "no file can be made in %1 (%2)")};
+inline constexpr FaultCode NobodyReadsPipe{"disk", QT_TRANSLATE_NOOP("disk", "nobody reads from this pipe")};
+inline constexpr FaultCode ReaderTakesNothing{
+    "disk", QT_TRANSLATE_NOOP("disk", "whoever reads from it takes nothing")};
+
+}  // namespace mapwright::disk::fault

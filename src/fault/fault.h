@@ -1,0 +1,108 @@
+// What was found to be wrong, or odd, as a value: a code with its arguments. Each room declares its codes,
+// with their English words, in its own faults.h; sentences::wordsOf makes sentences of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+// As Qt defines them, for rooms that know no Qt: what lupdate finds.
+#ifndef QT_TRANSLATE_NOOP
+#define QT_TRANSLATE_NOOP(scope, x) x
+#endif
+#ifndef QT_TRANSLATE_N_NOOP
+#define QT_TRANSLATE_N_NOOP(scope, x) x
+#endif
+
+namespace mapwright {
+
+/// What can be wrong: its room and its words there. Two codes of a room never have the same words.
+struct FaultCode {
+  /// Where the words of its causes go, when its own words have no place for them (behind those of the
+  /// arguments).
+  enum class Causes {
+    AfterColon,  // "It cannot be had: no answer", without a stop
+    Continued,   // the same, and others may follow: "slice 0: no data; slice 1: …"
+    Capital,     // "Version 3: The robot does not answer."
+    Sentence,    // a sentence of their own, behind it
+    Alone,       // they are all there is to say
+  };
+
+  const char* room = "";  // the context of the translation too
+  const char* text = "";  // English; %1 is the first argument
+  Causes causes = Causes::AfterColon;
+
+  constexpr bool any() const { return *text != '\0'; }
+  friend constexpr bool operator==(const FaultCode& a, const FaultCode& b) {
+    return std::string_view(a.text) == b.text && std::string_view(a.room) == b.room;
+  }
+};
+
+/// What follows from it.
+enum class Consequence {
+  None,
+  ShownWithoutIt,
+  ShownWithoutItUntilTheNext,  // and asked for again at the next version
+  StaysWhereItWas,
+  AskedAgain,
+  AskedAgainAtTheNext,  // version
+  PictureBeforeStays,
+  PictureBeforeItStays,
+  AlertsBeforeStay,
+  TheyWereLeftOut,
+  ItsPointsWereLeftOut,
+  AskedAgainEachTime,
+  ReadAnewEachTime,
+  LeftAsItIs,
+  NothingWritten,
+};
+inline constexpr Consequence kLastConsequence = Consequence::NothingWritten;
+
+struct HttpStatus {
+  int code = 0;
+  bool operator==(const HttpStatus&) const = default;
+};
+
+/// Texts are untrusted plain text. Numbers that are to be grouped ("51,200") are texts.
+using FaultArgument = std::variant<std::int64_t, double, std::string, HttpStatus>;
+
+struct Fault {
+  FaultCode code;
+  std::vector<FaultArgument> arguments;
+  std::vector<Fault> because;  // what lies behind it
+  Consequence then = Consequence::None;
+
+  Fault() = default;
+  Fault(const FaultCode& its_code, std::vector<FaultArgument> its_arguments = {},
+        std::vector<Fault> behind_it = {}, Consequence follows = Consequence::None)
+      : code(its_code), arguments(std::move(its_arguments)), because(std::move(behind_it)), then(follows) {}
+  bool any() const { return code.any(); }
+  Fault followedBy(Consequence follows) && {
+    then = follows;
+    return std::move(*this);
+  }
+  bool operator==(const Fault&) const = default;
+};
+
+/// What equal faults share when their numbers differ: names what is one row in a list of problems.
+std::string patternOf(const Fault& fault);
+/// A text with every number replaced: what "Row 12 is 3.5 m off" and "Row 7 is 1,200 m off" share.
+std::string withoutNumbers(const std::string& text);
+
+}  // namespace mapwright
+
+/// What every room can find.
+namespace mapwright::fault {
+
+/// The words of somebody else: of a robot, the system, a library.
+inline constexpr FaultCode Said{"fault", "%1"};
+/// the most bytes
+inline constexpr FaultCode AnswerTooLong{
+    "fault", QT_TRANSLATE_NOOP("fault", "the answer is longer than the %1 bytes allowed")};
+
+inline Fault said(std::string words) { return {Said, {std::move(words)}}; }
+
+}  // namespace mapwright::fault

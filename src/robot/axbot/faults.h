@@ -1,0 +1,103 @@
+// What is found to be wrong here, with its words. Arguments are named in their order (%1 is the first).
+#pragma once
+
+#include "fault/fault.h"
+
+namespace mapwright::robot::axbot::fault {
+
+using namespace mapwright::fault;  // what all rooms share
+
+// The list of submaps.
+/// position in the list
+inline constexpr FaultCode RowWithoutNumbers{
+    "axbot", QT_TRANSLATE_NOOP(
+                 "axbot", "Row %1 has no usable trajectory_id, submap_index or submap_version. Left out.")};
+/// topic
+inline constexpr FaultCode NoListYet{
+    "axbot", QT_TRANSLATE_NOOP("axbot",
+                               "The robot has not sent one yet. It may have no SLAM session, or its firmware "
+                               "may not know the topic %1. Still listening.")};
+
+// The pictures of submaps.
+inline constexpr FaultCode EmptyAnswer{"axbot",
+                                       QT_TRANSLATE_NOOP("axbot", "The robot sent an empty answer.")};
+/// bytes
+inline constexpr FaultCode AnswerIsNoSubmap{
+    "axbot", QT_TRANSLATE_N_NOOP("axbot", "The robot's answer (%1 bytes) is cut off or is not a submap.")};
+/// its code; because: its words
+inline constexpr FaultCode RobotAnswered{"axbot", QT_TRANSLATE_NOOP("axbot", "The robot answered %1")};
+
+// Whole maps.
+/// its name; because: why
+inline constexpr FaultCode FileNotHad{"axbot", QT_TRANSLATE_NOOP("axbot", "Shown without %1")};
+inline constexpr FaultCode AnswerIsNoList{"axbot", QT_TRANSLATE_NOOP("axbot", "its answer is not a list")};
+inline constexpr FaultCode AnswerIsNoPicture{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's answer is no map picture, or is cut off.")};
+inline constexpr FaultCode NoPictureSent{"axbot", QT_TRANSLATE_NOOP("axbot", "The robot sent no picture.")};
+
+// Live messages.
+/// bytes
+inline constexpr FaultCode MessageNotJson{
+    "axbot", QT_TRANSLATE_N_NOOP("axbot", "A message of %1 bytes is not a JSON object. It was left out.")};
+/// bytes
+inline constexpr FaultCode BinaryTooShort{
+    "axbot",
+    QT_TRANSLATE_N_NOOP("axbot", "A binary message of %1 bytes is too short to be read. It was left out.")};
+inline constexpr FaultCode NotUnpacked{
+    "axbot",
+    QT_TRANSLATE_NOOP("axbot", "A compressed message could not be unpacked. What was shown before stays.")};
+inline constexpr FaultCode BinaryWithoutPoints{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "A binary message holds no points that can be read.")};
+inline constexpr FaultCode BinaryWithoutList{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "A binary message could not be read. The list before it stays.")};
+inline constexpr FaultCode PoseWithoutNumbers{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The robot's pose holds no usable numbers.")};
+/// member
+inline constexpr FaultCode MemberIsNoList{"axbot",
+                                          QT_TRANSLATE_NOOP("axbot", "Its \"%1\" member is not a list.")};
+inline constexpr FaultCode PictureInMessageNotBase64{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The picture in its message is not base64, or too large.")};
+inline constexpr FaultCode NoPictureNorAddress{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "It holds neither a picture nor the address of one.")};
+inline constexpr FaultCode PictureAddressInvalid{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "The address of its picture is not one.")};
+/// path; because: why
+inline constexpr FaultCode PictureNotHad{"axbot", QT_TRANSLATE_NOOP("axbot", "Its picture %1 cannot be had")};
+inline constexpr FaultCode AnswerIsEmpty{"axbot", QT_TRANSLATE_NOOP("axbot", "the answer is empty")};
+inline constexpr FaultCode PointsNotBase64{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "Its points are not base64, or too many.")};
+inline constexpr FaultCode NoReadablePoints{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "It holds no points that can be read.")};
+inline constexpr FaultCode PointsWithoutScale{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "Its points have no usable scale or centre.")};
+
+// The robot itself.
+/// because: why
+inline constexpr FaultCode AnswersNotKept{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "What the robot answers cannot be kept on disk")};
+/// because: why
+inline constexpr FaultCode DoesNotSayWhatItIs{"axbot",
+                                              QT_TRANSLATE_NOOP("axbot", "It does not say what it is")};
+
+// Bags.
+inline constexpr FaultCode BagWithoutTimes{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the answer does not say when it begins and ends")};
+inline constexpr FaultCode BagWithoutMessages{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "the answer holds no list of messages")};
+/// what is wrong with the range that was asked for
+inline constexpr FaultCode BagNotAsked{"axbot", QT_TRANSLATE_NOOP("axbot", "%1 is no range of time")};
+/// path, the system's words
+inline constexpr FaultCode BagFileNotWritten{"axbot", QT_TRANSLATE_NOOP("axbot", "%1 cannot be written: %2")};
+/// bytes that came, bytes as announced
+inline constexpr FaultCode BagFileOfOtherSize{
+    "axbot", QT_TRANSLATE_NOOP("axbot", "%1 bytes came, and the robot says that it has %2")};
+
+// What goes over the network. Hosts come with their ports.
+/// host; because: how it answers
+inline constexpr FaultCode NoAutoxingRobotThere{
+    "axbot",
+    QT_TRANSLATE_NOOP(
+        "axbot",
+        "something answers at %1, but not as an Autoxing robot: %2. Check the address and the port.")};
+
+}  // namespace mapwright::robot::axbot::fault

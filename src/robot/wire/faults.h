@@ -1,0 +1,33 @@
+// What is found to be wrong here, with its words. Arguments are named in their order (%1 is the first).
+#pragma once
+
+#include "fault/fault.h"
+
+namespace mapwright::robot::wire::fault {
+
+using namespace mapwright::fault;  // what all rooms share
+
+// Whole maps.
+/// how many
+inline constexpr FaultCode RowsWithoutId{"wire",
+                                         QT_TRANSLATE_N_NOOP("wire", "%1 rows without an id were left out.")};
+inline constexpr FaultCode AnswerIsNoMap{"wire",
+                                         QT_TRANSLATE_NOOP("wire", "the robot's answer is not a map")};
+
+// Whole maps by remote calls.
+inline constexpr FaultCode PointsAreNoList{
+    "wire", QT_TRANSLATE_NOOP("wire", "The robot's list of points is not a list.")};
+/// how many
+inline constexpr FaultCode PointsUnplaced{
+    "wire", QT_TRANSLATE_N_NOOP("wire", "%1 points without a place were left out.")};
+
+// Map files.
+/// id
+inline constexpr FaultCode WaypointIdTwice{"wire",
+                                           QT_TRANSLATE_NOOP("wire", "Two waypoints have the id %1.")};
+
+// Live messages.
+inline constexpr FaultCode PointsWithoutFields{
+    "wire", QT_TRANSLATE_NOOP("wire", "Its fields name no x and y, or a type that is not known.")};
+
+}  // namespace mapwright::robot::wire::fault

@@ -1,0 +1,164 @@
+#include "sentences/fault_sentence.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "robot/faults.h"
+#include "sentences/absence_sentence.h"
+#include "sentences/http_status.h"
+#include "sentences/plural.h"
+#include "words/sentences.h"
+
+namespace mapwright::sentences {
+namespace {
+
+class FaultSentenceText {
+  Q_DECLARE_TR_FUNCTIONS(Fault)
+};
+
+QString textOf(const FaultArgument& argument) {
+  if (const auto* const whole = std::get_if<std::int64_t>(&argument)) return QString::number(*whole);
+  if (const auto* const number = std::get_if<double>(&argument)) return QString::number(*number, 'g', 6);
+  if (const auto* const status = std::get_if<HttpStatus>(&argument)) return statusWords(status->code);
+  return QString::fromStdString(std::get<std::string>(argument));
+}
+
+/// What the sentence counts, where it counts anything: a number, or one that is grouped.
+int countIn(const Fault& fault) {
+  constexpr int kMany = 2;
+  if (fault.arguments.empty()) return kMany;
+  if (const auto* const count = std::get_if<std::int64_t>(&fault.arguments[0])) return formOf(*count);
+  const auto* const text = std::get_if<std::string>(&fault.arguments[0]);
+  bool is_number = false;
+  const qint64 count =
+      text ? QString::fromStdString(*text).remove(QLatin1Char(',')).toLongLong(&is_number) : 0;
+  return is_number ? formOf(count) : kMany;
+}
+
+QString placeAfter(const std::vector<FaultArgument>& arguments) {
+  return QLatin1Char('%') + QString::number(arguments.size() + 1);
+}
+
+/// Arguments are put in at once: what they hold is no template.
+QString filled(const QString& text, const std::vector<FaultArgument>& arguments) {
+  QString full;
+  full.reserve(text.size());
+  for (qsizetype i = 0; i < text.size(); ++i) {
+    const int place = text[i] == QLatin1Char('%') && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
+    if (place < 1) {
+      full += text[i];
+      continue;
+    }
+    ++i;
+    if (std::size_t(place) <= arguments.size()) full += textOf(arguments[std::size_t(place) - 1]);
+  }
+  return full;
+}
+
+QString lackWords(const Fault& fault) {
+  robot::Absence absence;
+  const auto number = [&](std::size_t at) {
+    const auto* const given =
+        at < fault.arguments.size() ? std::get_if<std::int64_t>(&fault.arguments[at]) : nullptr;
+    return given ? int(*given) : 0;
+  };
+  absence.reason = robot::Absence::Reason(number(1));
+  for (std::size_t i = 2; i < fault.arguments.size(); ++i)
+    absence.arguments.push_back(textOf(fault.arguments[i]).toStdString());
+  return whyAbsent(robot::Capability(number(0)), absence);
+}
+
+std::string causesOf(const Fault& fault) { return wordsOf(fault.because).toStdString(); }
+
+QString withCauses(const Fault& fault, const QString& text) {
+  if (fault.because.empty()) return text;
+  const std::string causes = causesOf(fault);
+  switch (fault.code.causes) {
+    case FaultCode::Causes::AfterColon:
+      break;
+    case FaultCode::Causes::Continued:
+      return QStringLiteral("%1: %2").arg(text, QString::fromStdString(causes));
+    case FaultCode::Causes::Capital:
+      return QString::fromStdString(words::because(text.toStdString(), words::asSentence(causes)));
+    case FaultCode::Causes::Sentence:
+      return text + QLatin1Char(' ') + QString::fromStdString(words::asSentence(causes));
+    case FaultCode::Causes::Alone:
+      return QString::fromStdString(words::asSentence(causes));
+  }
+  return QString::fromStdString(words::because(text.toStdString(), causes));
+}
+
+/// With what follows from it.
+QString ended(const Fault& fault, const QString& whole) {
+  if (fault.then == Consequence::None || whole.isEmpty()) return whole + consequenceOf(fault.then);
+  QString ended = QString::fromStdString(words::asSentence(whole.toStdString()));
+  ended[0] = whole[0];  // it may be a name
+  return ended + QLatin1Char(' ') + consequenceOf(fault.then);
+}
+
+}  // namespace
+
+QString consequenceOf(Consequence consequence) {
+  switch (consequence) {
+    case Consequence::None:
+      break;
+    case Consequence::ShownWithoutIt:
+      return FaultSentenceText::tr("Shown without it.");
+    case Consequence::ShownWithoutItUntilTheNext:
+      return FaultSentenceText::tr("Shown without it. It will be asked for again at the next version.");
+    case Consequence::StaysWhereItWas:
+      return FaultSentenceText::tr("It stays where it was.");
+    case Consequence::AskedAgain:
+      return FaultSentenceText::tr("It will be asked for again.");
+    case Consequence::AskedAgainAtTheNext:
+      return FaultSentenceText::tr("It will be asked for again at the next version.");
+    case Consequence::PictureBeforeStays:
+      return FaultSentenceText::tr("The picture before stays.");
+    case Consequence::PictureBeforeItStays:
+      return FaultSentenceText::tr("The picture before it stays.");
+    case Consequence::AlertsBeforeStay:
+      return FaultSentenceText::tr("The alerts before stay.");
+    case Consequence::TheyWereLeftOut:
+      return FaultSentenceText::tr("They were left out.");
+    case Consequence::ItsPointsWereLeftOut:
+      return FaultSentenceText::tr("Its points were left out.");
+    case Consequence::AskedAgainEachTime:
+      return FaultSentenceText::tr("It is asked for again each time.");
+    case Consequence::ReadAnewEachTime:
+      return FaultSentenceText::tr("They are read anew each time.");
+    case Consequence::LeftAsItIs:
+      return FaultSentenceText::tr("It is left as it is.");
+    case Consequence::NothingWritten:
+      return FaultSentenceText::tr("Nothing was written.");
+  }
+  return {};
+}
+
+QString wordsOf(const Fault& fault) {
+  if (fault.code == robot::fault::CapabilityLacking) return ended(fault, withCauses(fault, lackWords(fault)));
+  const QString text = QCoreApplication::translate(fault.code.room, fault.code.text, nullptr, countIn(fault));
+  if (fault.because.empty() || !text.contains(placeAfter(fault.arguments)))
+    return ended(fault, withCauses(fault, filled(text, fault.arguments)));
+  std::vector<FaultArgument> arguments = fault.arguments;
+  arguments.emplace_back(words::withoutStop(causesOf(fault)));
+  return ended(fault, filled(text, arguments));
+}
+
+QString wordsOf(const std::vector<Fault>& faults) {
+  QStringList words;
+  for (const Fault& fault : faults) words << wordsOf(fault);
+  return words.join(QStringLiteral("; "));
+}
+
+QString sentenceOf(const Fault& fault) {
+  const std::string words = wordsOf(fault).toStdString();
+  std::string sentence = words::asSentence(words);
+  // A name at its beginning (of a file) stays as it is written.
+  const auto* const name =
+      fault.arguments.empty() ? nullptr : std::get_if<std::string>(&fault.arguments.front());
+  const bool begins = name && !name->empty() && words.starts_with(*name) && words.size() > name->size();
+  if (begins && fault.code != fault::Said && !sentence.empty()) sentence[0] = (*name)[0];
+  return QString::fromStdString(sentence);
+}
+
+}  // namespace mapwright::sentences

@@ -1,0 +1,50 @@
+// What is found to be wrong here, with its words. Arguments are named in their order (%1 is the first).
+#pragma once
+
+#include "fault/fault.h"
+
+namespace mapwright::session::fault {
+
+using namespace mapwright::fault;  // what all rooms share
+
+// The place of a submap.
+/// because: why
+inline constexpr FaultCode CannotBePlaced{"session", QT_TRANSLATE_NOOP("session", "It cannot be placed")};
+
+// The list of submaps.
+inline constexpr FaultCode OlderVersionListed{
+    "session", QT_TRANSLATE_NOOP("session", "The robot lists an older version than the one shown.")};
+
+// The pictures of submaps.
+/// because: what is wrong with each
+inline constexpr FaultCode Slices{"session", "%1", FaultCode::Causes::Alone};
+/// version; because: why
+inline constexpr FaultCode VersionNotHad{"session", QT_TRANSLATE_NOOP("session", "Version %1"),
+                                         FaultCode::Causes::Capital};
+/// why no file can be written
+inline constexpr FaultCode MemoryUsedUp{
+    "session", QT_TRANSLATE_NOOP("session",
+                                 "It is used up, and a file for the others cannot be written: %1. They stay "
+                                 "in memory; make room on the disk.")};
+
+// Whole maps.
+/// width and height as said, width and height of the picture
+inline constexpr FaultCode SizesDiffer{
+    "session",
+    QT_TRANSLATE_NOOP(
+        "session",
+        "It is said to have %1 x %2 cells, but its picture has %3 x %4. It is shown as the picture has it.")};
+inline constexpr FaultCode TurnNoNumber{
+    "session", QT_TRANSLATE_NOOP("session", "The turn of its origin is not a number. It is shown unturned.")};
+inline constexpr FaultCode CacheCopyDamaged{
+    "session", QT_TRANSLATE_NOOP(
+                   "session", "Its copy in the cache was damaged. The map was read again from its picture.")};
+/// its key
+inline constexpr FaultCode AnotherMapCame{
+    "session", QT_TRANSLATE_NOOP("session", "The robot answered with another map, %1. It is not shown.")};
+
+// Live messages.
+inline constexpr FaultCode CameWithoutPicture{"session",
+                                              QT_TRANSLATE_NOOP("session", "It came without a picture.")};
+
+}  // namespace mapwright::session::fault

@@ -1,0 +1,45 @@
+// What is found to be wrong here, with its words. Arguments are named in their order (%1 is the first).
+#pragma once
+
+#include "fault/fault.h"
+
+namespace mapwright::submap::fault {
+
+using namespace mapwright::fault;  // what all rooms share
+
+// The place of a submap.
+inline constexpr FaultCode TurnIsZero{"submap",
+                                      QT_TRANSLATE_NOOP("submap", "its orientation is a zero quaternion")};
+inline constexpr FaultCode PoseNotFinite{
+    "submap", QT_TRANSLATE_NOOP("submap", "its pose holds numbers that are not finite")};
+inline constexpr FaultCode PoseTooFar{
+    "submap", QT_TRANSLATE_NOOP("submap", "its pose lies more than 1,000 km from the map's origin")};
+/// version; because: why
+inline constexpr FaultCode VersionCannotBePlaced{"submap",
+                                                 QT_TRANSLATE_NOOP("submap", "Version %1 cannot be placed")};
+
+// The list of submaps.
+inline constexpr FaultCode ListedTwice{"submap",
+                                       QT_TRANSLATE_NOOP("submap", "It is listed twice. Counted once.")};
+inline constexpr FaultCode ListedTwiceUnlike{
+    "submap",
+    QT_TRANSLATE_NOOP("submap",
+                      "It is listed twice, differently. The highest version with a usable pose is used.")};
+/// from, to
+inline constexpr FaultCode VersionWentBack{
+    "submap",
+    QT_TRANSLATE_NOOP(
+        "submap", "Its version went back from %1 to %2. The newer picture stays unless the robot insists.")};
+
+// The pictures of submaps.
+inline constexpr FaultCode SlicePoseUnusable{
+    "submap",
+    QT_TRANSLATE_NOOP("submap",
+                      "its slice pose is not usable (a number that is not finite, or a zero quaternion)")};
+/// slice; because: what is wrong with it
+inline constexpr FaultCode OneSlice{"submap", QT_TRANSLATE_NOOP("submap", "slice %1"),
+                                    FaultCode::Causes::Continued};
+/// version; because: what is wrong with its slices
+inline constexpr FaultCode VersionBroken{"submap", QT_TRANSLATE_NOOP("submap", "Version %1 is broken")};
+
+}  // namespace mapwright::submap::fault

@@ -1,0 +1,15 @@
+// What is found to be wrong here, with its words. Arguments are named in their order (%1 is the first).
+#pragma once
+
+#include "fault/fault.h"
+
+namespace mapwright::scene::fault {
+
+using namespace mapwright::fault;  // what all rooms share
+
+// Making and writing pictures.
+/// path, the library's words
+inline constexpr FaultCode PictureNotEncoded{
+    "scene", QT_TRANSLATE_NOOP("scene", "The picture for %1 cannot be encoded: %2.")};
+
+}  // namespace mapwright::scene::fault
