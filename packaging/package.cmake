@@ -1,4 +1,4 @@
-# What is installed.
+# What is installed, and how cpack makes a Debian package of it (./run package).
 include(GNUInstallDirs)
 
 set(packaging ${CMAKE_CURRENT_LIST_DIR})
@@ -17,6 +17,7 @@ add_custom_target(installed_files ALL DEPENDS mapwright ${made}/mapwright.1.gz $
 # Whatever the umask is.
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS ${CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS})
 
 install(TARGETS mapwright RUNTIME)
 install(FILES ${made}/mapwright.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
@@ -28,3 +29,13 @@ install(FILES ${packaging}/mapwright.bash
 install(FILES resources/mapwright.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES ${packaging}/copyright ${made}/NEWS.gz docs/window.md docs/command-line.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# CPack's own generator of Debian packages lists files in the order of the disk: other bytes on another machine.
+set(CPACK_GENERATOR External)
+set(CPACK_EXTERNAL_ENABLE_STAGING ON)
+set(CPACK_EXTERNAL_PACKAGE_SCRIPT ${packaging}/deb.cmake)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_MAPWRIGHT_SOURCES ${CMAKE_SOURCE_DIR})
+include(CPack)
