@@ -1,7 +1,7 @@
 # Sourced by run, test and .ci/run: installs missing packages, configures and builds. Expects $top.
 
-# missing_packages KIND: packages of packages.txt that dpkg does not report as installed; those for the benchmarks
-# only when KIND is bench.
+# missing_packages KIND: packages of packages.txt that dpkg does not report as installed; those that are marked, only
+# when KIND is their mark.
 missing_packages() {
   local kind=$1 wanted
   mapfile -t wanted < <(awk -v kind="$kind" '!/^#/ && NF && (NF == 1 || $2 == kind) { print $1 }' "$top/packaging/packages.txt")
@@ -13,7 +13,7 @@ missing_packages() {
   done
 }
 
-# ensure_packages [bench]
+# ensure_packages [KIND]
 ensure_packages() {
   # The stamp spares the question to dpkg on every start; it is void when the list or dpkg's state changes.
   local kind=${1:-build}
