@@ -1,4 +1,4 @@
-// The words of every command that speaks to a robot: secrets and certificates (cli.md).
+// The words of every command that speaks to a robot: secrets and certificates (docs/command-line.md).
 #pragma once
 
 #include "app/robot_access.h"

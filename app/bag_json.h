@@ -1,4 +1,4 @@
-// Bags as JSON (cli.md) and as rows for people. Pure.
+// Bags as JSON (docs/command-line.md) and as rows for people. Pure.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ namespace mapwright::app {
 
 /// {"name","kind","size_bytes","end"}: size and end are null where the robot does not tell them.
 QJsonObject bagJson(const robot::BagEntry& entry);
-/// What a robot, or a file, tells of it as a whole (docs/command-line.md, `bags info`).
+/// What a robot, or a file, tells of it as a whole (docs/command-line.md, "mapwright bags").
 QJsonObject infoJson(const std::string& name, const robot::BagInfo& info);
 std::vector<QStringList> infoRows(const std::string& name, const robot::BagInfo& info);
 /// What a file holds by which topic; empty: it is none, or nothing is in it.
 std::vector<QStringList> topicRows(const robot::BagInfo& info);
-/// The world of a time (cli.md, `bags state`).
+/// The world of a time (docs/command-line.md, "mapwright bags").
 QJsonObject stateJson(double at_s, const replay::Moment& moment, const robot::BagInfo& bag);
 std::vector<QStringList> stateRows(double at_s, const replay::Moment& moment, const robot::BagInfo& bag);
 /// [{"at","kind"}] with "code", "text" or "metres" where it has them.

@@ -1,4 +1,4 @@
-// `mapwright bags …`: what a robot has recorded (cli.md).
+// `mapwright bags …`: what a robot has recorded (docs/command-line.md).
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct BagsWords {
   bool json = false, yes = false, force = false;
 };
 
-/// The exit code (cli.md).
+/// The exit code (docs/command-line.md).
 int bagsList(const BagsWords& words, int& argc, char** argv);
 int bagsInfo(const BagsWords& words, int& argc, char** argv);
 int bagsFrames(const BagsWords& words, int& argc, char** argv);

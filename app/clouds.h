@@ -1,4 +1,4 @@
-// `mapwright clouds export`: the cloud of a robot's map, into a file (cli.md).
+// `mapwright clouds export`: the cloud of a robot's map, into a file (docs/command-line.md).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// One program for the window and its headless twin (cli.md).
+// One program for the window and its headless twin (docs/command-line.md).
 #pragma once
 
 namespace mapwright::app {

@@ -1,4 +1,4 @@
-// Exit codes of every subcommand (cli.md).
+// Exit codes of every subcommand (docs/command-line.md).
 #pragma once
 
 #include "map/failure.h"

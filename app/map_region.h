@@ -1,4 +1,4 @@
-// Regions of maps on the command line. Source: rep130.md.
+// Regions of maps on the command line. Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <string>

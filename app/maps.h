@@ -1,4 +1,4 @@
-// `mapwright maps …`: the catalogue of a robot or a folder, exports and differences (cli.md).
+// `mapwright maps …`: the catalogue of a robot or a folder, exports and differences (docs/command-line.md).
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct MapsWords {
   bool yes = false;    // delete: it may go
 };
 
-/// The exit code (cli.md).
+/// The exit code (docs/command-line.md).
 int mapsList(const MapsWords& words, int& argc, char** argv);
 int mapsShow(const MapsWords& words, int& argc, char** argv);
 int mapsCurrent(const MapsWords& words, int& argc, char** argv);

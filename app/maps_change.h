@@ -1,5 +1,5 @@
 // `mapwright maps rename|load|archive|unarchive|delete|start-mapping|stop-mapping|save`: what changes
-// something on the robot (cli.md).
+// something on the robot (docs/command-line.md).
 #pragma once
 
 #include "app/maps.h"
@@ -7,7 +7,7 @@
 
 namespace mapwright::app {
 
-/// The exit code (cli.md). What the robot makes of it is printed as it tells it afterwards.
+/// The exit code (docs/command-line.md). What the robot makes of it is printed as it tells it afterwards.
 int mapsChange(robot::MapChange change, const MapsWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

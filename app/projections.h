@@ -1,5 +1,5 @@
 // `mapwright projections …`: what of a map in space is laid on the plane; and maps that a robot writes into a
-// file of its own. Source: rep130.md.
+// file of its own. Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct ProjectionsWords {
 
 /// The subcommand and its own ones; `words` outlives them.
 void addProjections(CLI::App& cli, ProjectionsWords& words);
-/// The one that was given; the exit code (cli.md).
+/// The one that was given; the exit code (docs/command-line.md).
 int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

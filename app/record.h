@@ -1,4 +1,4 @@
-// `mapwright record`: what a robot sends, into an MCAP file (cli.md; recorder/layout.h).
+// `mapwright record`: what a robot sends, into an MCAP file (docs/command-line.md; recorder/layout.h).
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ struct RecordWords {
 
 void addRecord(CLI::App& cli, RecordWords& words);
 
-/// Until the time is over, or SIGINT or SIGTERM. The exit code (cli.md).
+/// Until the time is over, or SIGINT or SIGTERM. The exit code (docs/command-line.md).
 int record(const RecordWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

@@ -1,5 +1,5 @@
 // What robots are spoken to with: secrets and certificates, from files or the environment, never from an
-// argument (cli.md, "Robot addresses").
+// argument (docs/command-line.md, "Addresses").
 #pragma once
 
 #include <chrono>

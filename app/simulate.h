@@ -1,4 +1,4 @@
-// mapwright simulate: the embedded robot on its own (cli.md).
+// mapwright simulate: the embedded robot on its own (docs/command-line.md).
 #pragma once
 
 #include <string>

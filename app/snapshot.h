@@ -1,4 +1,4 @@
-// mapwright snapshot (cli.md): a picture of a robot's map without a window.
+// mapwright snapshot (docs/command-line.md): a picture of a robot's map without a window.
 #pragma once
 
 #include "app/snapshot_options.h"

@@ -1,4 +1,5 @@
-// What `mapwright snapshot` was asked for, from the words of the command line to values (cli.md).
+// What `mapwright snapshot` was asked for, from the words of the command line to values
+// (docs/command-line.md).
 #pragma once
 
 #include <optional>

@@ -52,8 +52,8 @@ class SnapshotPicture : public QObject {
 std::unique_ptr<SnapshotPicture> makeScenePicture(const SnapshotOptions& options, session::Session& session,
                                                   const SnapshotContent& content,
                                                   std::shared_ptr<work::Workers> workers);
-/// The cells alone: gray = intensity, alpha 0 = not observed (cli.md, snapshot --raw). Of a whole map gray
-/// pictures keep their gray levels, also where they mean "unknown".
+/// The cells alone: gray = intensity, alpha 0 = not observed (docs/command-line.md, "mapwright snapshot"). Of
+/// a whole map gray pictures keep their gray levels, also where they mean "unknown".
 std::unique_ptr<SnapshotPicture> makeRawPicture(const SnapshotContent& content,
                                                 std::shared_ptr<work::Workers> workers);
 

@@ -1,4 +1,5 @@
-// What is said of a snapshot as JSON (cli.md, "Subcommands"), and how one stands while it is made.
+// What is said of a snapshot as JSON (docs/command-line.md, "mapwright snapshot"), and how one stands while
+// it is made.
 #pragma once
 
 #include <mutex>

@@ -42,7 +42,7 @@ class SnapshotRun : public QObject {
   ~SnapshotRun() override;
 
   void start();
-  QJsonObject report() const;               // cli.md, "Subcommands"
+  QJsonObject report() const;               // docs/command-line.md, "mapwright snapshot"
   QString error() const { return error_; }  // the sentence when nothing could be made
   QStringList warnings() const;
   /// What is said of a picture that shows something else than was expected; empty = it does not.

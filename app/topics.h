@@ -1,4 +1,4 @@
-// `mapwright topics list|echo|hz`: what a robot sends, by its own names (cli.md).
+// `mapwright topics list|echo|hz`: what a robot sends, by its own names (docs/command-line.md).
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct TopicsWords {
 
 void addTopics(CLI::App& cli, TopicsWords& words);
 
-/// The exit code (cli.md).
+/// The exit code (docs/command-line.md).
 int runTopics(const CLI::App& cli, const TopicsWords& words, int& argc, char** argv);
 
 }  // namespace mapwright::app

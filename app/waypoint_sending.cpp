@@ -231,7 +231,7 @@ QString wordOf(StepState state) {
   return WaypointSendingText::tr("not sent");
 }
 
-/// For scripts (cli.md).
+/// For scripts (docs/command-line.md).
 const char* stableWordOf(StepState state) {
   switch (state) {
     case StepState::Applied:

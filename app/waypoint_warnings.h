@@ -31,7 +31,7 @@ DoubtfulWaypoints doubtsOf(const ListedWaypoints& list, const std::vector<map::W
                            std::optional<double> radius_m);
 
 /// [{"kind","sentence"}], and "distance_m" and "radius_m" of near_wall; kinds are in_wall, outside_map,
-/// near_wall, on_unknown, name_twice, zero_turn (cli.md).
+/// near_wall, on_unknown, name_twice, zero_turn (docs/command-line.md).
 QJsonArray warningsJson(const placing::Warnings& warnings);
 /// A line: all sentences, the gravest first.
 QString warningsLine(const placing::Warnings& warnings);

@@ -1,5 +1,5 @@
-// `mapwright waypoints …`: the waypoints of one map of a robot or a folder (cli.md, "Words of waypoints and
-// maps").
+// `mapwright waypoints …`: the waypoints of one map of a robot or a folder (docs/command-line.md, "mapwright
+// waypoints").
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ struct WaypointsWords {
   bool stop_at_failure = false, go_on = false;  // apply, import
 };
 
-/// The exit code (cli.md) of each.
+/// The exit code (docs/command-line.md) of each.
 int waypointsList(const WaypointsWords& words, int& argc, char** argv);
 int waypointsGet(const WaypointsWords& words, int& argc, char** argv);
 int waypointsExport(const WaypointsWords& words, int& argc, char** argv);

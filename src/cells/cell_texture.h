@@ -12,7 +12,8 @@ namespace mapwright::cells {
 class TextureStore;
 
 /// One cell as Cartographer paints it: premultiplied value (0..255) and alpha (0..255).
-/// Observed iff not (0, 0). Source: submap-textures.md, "cells" and "Composition".
+/// Observed iff not (0, 0). Source: docs/protocols/cartographer-submaps.md, "Containers and cell layouts",
+/// "Composition".
 struct CellPair {
   std::uint8_t value = 0;
   std::uint8_t alpha = 0;

@@ -1,5 +1,5 @@
 // From the bytes of a slice to its cells: container, layout, bounds.
-// Source: submap-textures.md, "`cells`: containers and cell layouts". Pure functions, any thread.
+// Source: docs/protocols/cartographer-submaps.md, "Containers and cell layouts". Pure functions, any thread.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Cells out of a PNG. Pure function, any thread.
-// Source: submap-textures.md, "`cells`: containers and cell layouts".
+// Source: docs/protocols/cartographer-submaps.md, "Containers and cell layouts".
 #pragma once
 
 #include <cstdint>

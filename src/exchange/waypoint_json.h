@@ -1,4 +1,5 @@
-// Waypoints as JSON and GeoJSON, in the shape of `waypoints list --json` (cli.md). Pure functions.
+// Waypoints as JSON and GeoJSON, in the shape of `waypoints list --json` (docs/command-line.md). Pure
+// functions.
 #pragma once
 
 #include <string>

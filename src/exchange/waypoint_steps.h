@@ -24,7 +24,7 @@ using WaypointConflicts = std::map<edit::Key, edit::Conflict<map::Waypoint>>;
 WaypointItems itemsOf(const std::vector<map::Waypoint>& points);
 
 enum class StepKind { Create, Move, Rename, Retag, Retype, Delete };
-/// "create", "move", …: stable (cli.md).
+/// "create", "move", …: stable (docs/command-line.md).
 QString wordOf(StepKind kind);
 
 /// One thing that is done to one waypoint. `before` and `after` are the whole edit's.

@@ -42,7 +42,8 @@ std::string withoutNumbers(const std::string& text) {
 }
 
 std::string patternOf(const Fault& fault) {
-  std::string pattern = std::string(fault.code.room) + "/" + fault.code.text + '/' + std::to_string(int(fault.then));
+  std::string pattern =
+      std::string(fault.code.room) + "/" + fault.code.text + '/' + std::to_string(int(fault.then));
   for (const FaultArgument& argument : fault.arguments) {
     const auto* const text = std::get_if<std::string>(&argument);
     pattern += '|' + (text ? withoutNumbers(*text) : std::string("#"));

@@ -8,7 +8,7 @@
 namespace mapwright::geometry {
 
 /// A pose as it came over the wire: metres, and a quaternion that may be un-normalised, zero or NaN.
-/// Source: submap-textures.md, "Messages".
+/// Source: docs/protocols/cartographer-submaps.md, "Messages".
 struct Pose3 {
   double x = 0, y = 0, z = 0;
   double qx = 0, qy = 0, qz = 0, qw = 1;
@@ -31,7 +31,8 @@ struct Pose2 {
 std::optional<Eigen::Isometry3d> toIsometry(const Pose3& pose);
 
 /// Where a 3D transform puts things on the plane z = 0: the yaw is that of the projected x axis.
-/// Source: submap-textures.md, "Geometry" (multiply the full transforms first, project last).
+/// Source: docs/protocols/cartographer-submaps.md, "Geometry" (multiply the full transforms first, project
+/// last).
 Pose2 projectToPlane(const Eigen::Isometry3d& transform);
 
 /// A wire pose at (x, y) with the given yaw.

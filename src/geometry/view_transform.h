@@ -12,7 +12,7 @@ namespace mapwright::geometry {
 ///
 /// pixel = size/2 + R * (world - center) / scale with y flipped; rotation_rad > 0 turns the picture
 /// counter-clockwise. Unrotated, pixel (0,0)'s corner lies at world (center.x - w/2*scale, center.y +
-/// h/2*scale) (cli.md, "Subcommands").
+/// h/2*scale) (docs/command-line.md, "mapwright snapshot").
 struct ViewTransform {
   Eigen::Vector2d center_m{0, 0};
   double scale_m_per_px = 0.05;

@@ -1,5 +1,5 @@
 // The maps that a robot (or a folder) keeps, and one whole map as a picture.
-// Source: axbot.md ("Requests"), aimdk.md, ROS map_server (map.yaml).
+// Source: docs/protocols/autoxing.md, "Requests", docs/protocols/agibot-aimdk.md, ROS map_server (map.yaml).
 #pragma once
 
 #include <compare>

@@ -1,5 +1,5 @@
 // How a request to a robot failed, as a value: code acts on it, people get a sentence that is made of it in
-// one place. Source: design ("Port that can write").
+// one place. Why: docs/decisions/0005-failures-and-problems-are-values.md.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Where a picture of cells lies in the world. Source: axbot.md (grid_origin, origin), ROS map_server
-// (origin).
+// Where a picture of cells lies in the world. Source: docs/protocols/autoxing.md, "Requests", "Topics that
+// the map shows", ROS map_server (origin).
 #pragma once
 
 #include <optional>

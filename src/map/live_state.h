@@ -1,5 +1,5 @@
 // The live world of a robot, and the one reducer that builds it from topic messages, live or replayed
-// (architecture, decision 2).
+// (docs/decisions/0012-one-reducer-makes-the-world.md).
 #pragma once
 
 #include <deque>

@@ -1,5 +1,6 @@
 // What a robot says about its world, as typed values: one struct per topic that the map or the status panel
-// shows. Source: axbot.md, "Topics that the map shows". World metres and radians; texts are untrusted.
+// shows. Source: docs/protocols/autoxing.md, "Topics that the map shows". World metres and radians; texts are
+// untrusted.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Parts of large maps, as they were asked for by region. Source: rep130.md.
+// Parts of large maps, as they were asked for by region. Source: docs/protocols/rep130-map-dispatcher.md.
 //
 // Metres; the frame is that of the map, whose name comes with each part. What came is placed by itself, never
 // by the region that was asked for: an answer may be larger, smaller, empty, padded or turned.
@@ -24,7 +24,7 @@ struct GridRegion {
 };
 
 /// A sphere where `radius_m` is more than 0, else a box along the axes. Never less than 0: that means nothing
-/// (rep130.md).
+/// (docs/protocols/rep130-map-dispatcher.md).
 struct CloudRegion {
   Eigen::Vector3d centre_m{0, 0, 0};
   double radius_m = 0;
@@ -54,7 +54,8 @@ struct SpatialCloud {
   std::vector<Fault> notes;
 };
 
-/// What of a map in space is laid on the plane. Source: rep130.md (ProjectedMapInfo).
+/// What of a map in space is laid on the plane. Source: docs/protocols/rep130-map-dispatcher.md,
+/// "Projections".
 struct Projection {
   std::string frame;               // empty = that of the map
   Eigen::Vector2d corner_m{0, 0};  // lower left

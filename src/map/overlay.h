@@ -1,4 +1,4 @@
-// Overlay features as the map draws them (read only). Source: axbot.md, "Overlays".
+// Overlay features as the map draws them (read only). Source: docs/protocols/autoxing.md, "Overlays".
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // What of a map in space is laid on the plane, as lists: which make sense, and which are alike. Pure.
-// Source: rep130.md (ProjectedMapInfo).
+// Source: docs/protocols/rep130-map-dispatcher.md, "Projections".
 #pragma once
 
 #include <vector>

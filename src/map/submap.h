@@ -1,5 +1,6 @@
 // Cartographer submaps as plain values: who they are, where they lie, what a robot answers when asked for
-// one. Source: submap-textures.md ("Messages", "Versions, cache and fetch rules"), axbot.md (/submap_list).
+// one. Source: docs/protocols/cartographer-submaps.md, "Messages", "Versions, caching and fetching",
+// docs/protocols/autoxing.md, "Live topics".
 #pragma once
 
 #include <compare>

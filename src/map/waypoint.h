@@ -1,4 +1,5 @@
-// Named places that a robot can be sent to. Source: aimdk.md (GetTopoMsgs), kabam.md (MapWaypoint).
+// Named places that a robot can be sent to. Source: docs/protocols/agibot-aimdk.md, "Methods",
+// docs/protocols/kabam-map-manager.md, "Topics".
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // All that a robot has said of its world, as one value; and the one reducer that makes it, whether the
-// messages come from a robot or out of a recording (architecture, decision 2).
+// messages come from a robot or out of a recording (docs/decisions/0012-one-reducer-makes-the-world.md).
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // HTTP to one robot: bounded, cancellable, secret kept to its own origin, answers cached on disk, what
-// changes something never sent twice. Source: axbot.md "Requests"; submap-textures.md "Versions, cache and
-// fetch rules".
+// changes something never sent twice. Source: docs/protocols/autoxing.md, "Requests";
+// docs/protocols/cartographer-submaps.md, "Versions, caching and fetching".
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // Recognising and unpacking the containers that cells and messages travel in. Pure functions, any thread.
-// Source: submap-textures.md, "`cells`: containers and cell layouts".
+// Source: docs/protocols/cartographer-submaps.md, "Containers and cell layouts".
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// A whole map with changes over it: tiles that are copied when they are changed. Source: design ("Map picture
-// editor").
+// A whole map with changes over it: tiles that are copied when they are changed. Why:
+// docs/decisions/0015-edits-are-documents-with-drafts.md.
 #pragma once
 
 #include <cstdint>

@@ -23,8 +23,9 @@
 //     without a topic (answers, errors): topic "/axbot/answer".
 //   Autoxing, binary frames: topic as the frame says ("/axbot/binary" where it says none), message_encoding
 //     "protobuf", schema "ros_messages.RosMessageWrapper" with its definition: what the frame holds behind
-//     its topic and its gzip flag, unpacked (axbot.md, "WebSocket"). One that cannot be unpacked:
-//     message_encoding "json", schema name "mapwright.axbot.BinaryFrame", {"base64": the frame as sent}.
+//     its topic and its gzip flag, unpacked (docs/protocols/autoxing.md, "Binary frames"). One that cannot be
+//     unpacked: message_encoding "json", schema name "mapwright.axbot.BinaryFrame", {"base64": the frame as
+//     sent}.
 //   ROS: topic = the topic, schema_name = its ROS type as the server writes it. Where rosapi tells what the
 //     type is made of: message_encoding "ros1" with schema_encoding "ros1msg", or "cdr" with "ros2msg", the
 //     message as ROS itself writes it. Where it does not, or where a message is not what its definition says:
@@ -46,9 +47,9 @@
 // Attachments. Each once; one whose content has changed comes again under the same name with a later log
 // time: at a time T the last one that is not later than T counts, or else the first. Log time: when it was
 // fetched (started_ns, where that was before).
-//   submaps/UUID/TRAJECTORY/INDEX/VERSION   the answer's body, "application/x-protobuf" (SubmapQuery
-//   response,
-//                                           submap-textures.md); VERSION is what the answer says of itself
+//   submaps/UUID/TRAJECTORY/INDEX/VERSION   the answer's body, "application/x-protobuf"
+//                                           (docs/protocols/cartographer-submaps.md, "Messages"); VERSION is
+//                                           what the answer says of itself
 //   maps/KIND/ID                            the picture of a whole map, its own media type
 //   maps/KIND/ID.json                       what belongs to it, see below
 //   pictures/URL                            the picture that a message only names, URL exactly as the message

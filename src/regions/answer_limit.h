@@ -1,5 +1,5 @@
 // How much a dispatcher gives in one answer, as far as it has shown: some leave out what is too much, answer
-// with nothing, or with an error. Pure values. Source: rep130.md ("at most a bounded area per call").
+// with nothing, or with an error. Pure values. Source: docs/protocols/rep130-map-dispatcher.md, "Left open".
 #pragma once
 
 #include <cstdint>

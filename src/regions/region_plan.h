@@ -1,5 +1,5 @@
 // Which regions of the view to ask for next. Pure state with the time handed in.
-// Source: rep130.md ("ROI requests are the way to see a large map").
+// Source: docs/protocols/rep130-map-dispatcher.md, "Regions".
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // How far a map reaches into a square that was answered with nothing. A dispatcher may answer a region that
-// is partly beyond its map with 0 x 0 cells (rep130.md): the rim of its map is found by asking for less. Pure
-// value.
+// is partly beyond its map with 0 x 0 cells (docs/protocols/rep130-map-dispatcher.md): the rim of its map is
+// found by asking for less. Pure value.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The composition of overlapping, rotated submap textures, exactly as specified: pure functions, any thread.
-// Source: submap-textures.md, "Geometry" and "Composition".
+// The composition of overlapping, rotated submap textures, exactly: pure functions, any thread.
+// Source: docs/protocols/cartographer-submaps.md, "Geometry", "Composition".
 #pragma once
 
 #include <atomic>

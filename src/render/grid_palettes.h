@@ -1,5 +1,5 @@
 // The colours of raster layers by cell byte: premultiplied 0xAARRGGBB. Pure.
-// Source: window.md, "Colours"; axbot.md (costmaps: dark red obstacles, light red around them; incremental
+// Source: docs/protocols/autoxing.md (costmaps: dark red obstacles, light red around them; incremental
 // map: red obstacles, light blue free ground; environment match: red where the world has changed).
 #pragma once
 

@@ -1,6 +1,6 @@
 // The inner loops of the compositor: one texture painted over one small block of samples.
 // Private to this room. All variants run the same integer and float operations per sample and so give the
-// same bytes. Source: submap-textures.md, "Composition".
+// same bytes. Source: docs/protocols/cartographer-submaps.md, "Composition".
 #pragma once
 
 #include <cstdint>

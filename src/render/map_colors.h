@@ -1,4 +1,4 @@
-// The palette of the map raster. Source: window.md, "Colours".
+// The palette of the map raster.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Where a texture lies in the pixels of a grid. Private to this room.
-// Source: submap-textures.md, "Geometry".
+// Source: docs/protocols/cartographer-submaps.md, "Geometry".
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The world-aligned pyramid of exact tiles: what is known, what is being made, what has to be made again.
-// Private to this room; lives in the GUI thread. Source: architecture.md, decision 3.
+// Private to this room; lives in the GUI thread. Why: docs/decisions/0007-the-view-is-drawn-in-tiles.md.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // World-aligned tiles of the reduced exact picture, and what is computed from them. Pure functions, any
-// thread. Private to this room. Source: architecture.md, decision 3.
+// thread. Private to this room. Why: docs/decisions/0007-the-view-is-drawn-in-tiles.md.
 #pragma once
 
 #include <array>

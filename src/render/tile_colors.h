@@ -1,5 +1,4 @@
 // Intensities and flags become colours. Pure; any thread.
-// Source: window.md, "Colours".
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Keeps the tiles of the current view up to date on worker threads (architecture, decisions 3 and 4).
+// Keeps the tiles of the current view up to date on worker threads
+// (docs/decisions/0007-the-view-is-drawn-in-tiles.md).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Decides which piece of tile work is done next and takes in what was done. Private to this room; GUI thread.
-// Source: architecture.md, decisions 3 and 4.
+// Why: docs/decisions/0007-the-view-is-drawn-in-tiles.md.
 #pragma once
 
 #include <cstdint>

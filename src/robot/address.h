@@ -1,5 +1,5 @@
-// Robot addresses as people type them (cli.md, "Robot addresses"). What the addresses of one kind of robot
-// look like is told by its adapter; which kinds there are, by the composition root.
+// Robot addresses as people type them (docs/command-line.md, "Addresses"). What the addresses of one kind of
+// robot look like is told by its adapter; which kinds there are, by the composition root.
 #pragma once
 
 #include <functional>

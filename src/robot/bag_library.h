@@ -1,4 +1,4 @@
-// Capability: what a robot has recorded, to be looked at again. Source: axbot.md (bags), seed 002.
+// Capability: what a robot has recorded, to be looked at again. Source: docs/protocols/autoxing.md, "Bags".
 //
 // A bag is asked for range by range. What a range answers is handed over as it came: in the order of the
 // answer, with the messages of before that a robot adds so that the state is known (back-filled), and with

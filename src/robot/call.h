@@ -1,5 +1,5 @@
-// A request to a robot that is under way: how far it is, and how to stop it. Source: design ("Port that can
-// write"). Everything here happens on the thread that asked.
+// A request to a robot that is under way: how far it is, and how to stop it. Why:
+// docs/decisions/0004-a-thread-for-each-adapter.md. Everything here happens on the thread that asked.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The port: the maps that a robot keeps, changed. Source: axbot.md (maps), kabam.md (UpdateMap, SaveMap,
-// LoadMap, start_mapping, stop_mapping).
+// The port: the maps that a robot keeps, changed. Source: docs/protocols/autoxing.md, "Requests",
+// docs/protocols/kabam-map-manager.md, "Services".
 #pragma once
 
 #include <optional>

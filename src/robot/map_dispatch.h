@@ -1,5 +1,5 @@
 // The port: maps that are too large to be moved whole, in the plane and in space, asked for by region.
-// Source: rep130.md (REP 130, map_dispatcher).
+// Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <cstdint>

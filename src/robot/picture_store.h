@@ -1,5 +1,4 @@
-// The port: pictures of maps that can be changed. Source: design ("Map picture editor"), kabam.md
-// (update_map_image).
+// The port: pictures of maps that can be changed. Source: docs/protocols/kabam-map-manager.md, "Pictures".
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,11 @@
 // The port: what mapwright can ask of any robot. Adapters live in src/robot/<backend>/.
 //
-// A robot is a set of capabilities (architecture, decision 1), each an object of its own that the robot owns.
-// A capability that a robot lacks is a null pointer; whyNot() says why, for a tooltip. Capabilities may come
-// and go while connected: whoever keeps a pointer asks again after capabilitiesChanged(). All members are
-// called on the thread that made the robot (the GUI thread, or the command line's main thread), all signals
-// and callbacks arrive there; adapters do their network work on threads of their own.
+// A robot is a set of capabilities (docs/decisions/0003-one-port-for-all-robots.md), each an object of its
+// own that the robot owns. A capability that a robot lacks is a null pointer; whyNot() says why, for a
+// tooltip. Capabilities may come and go while connected: whoever keeps a pointer asks again after
+// capabilitiesChanged(). All members are called on the thread that made the robot (the GUI thread, or the
+// command line's main thread), all signals and callbacks arrive there; adapters do their network work on
+// threads of their own.
 //
 // Every question answers with a Call and ends exactly once, later: in a value, or in a map::Failure that says
 // of which kind it is and, of a request that changes something, whether it was applied (robot/call.h).

@@ -1,4 +1,4 @@
-// The port: waypoints that can be changed. Source: design ("Port that can write"), kabam.md (ManageWaypoint).
+// The port: waypoints that can be changed. Source: docs/protocols/kabam-map-manager.md, "Services".
 //
 // Made for robots with a service for every single change (create, rename, move, delete) as well as for lists
 // that are written as a whole: plan() says how many requests a set of changes takes.

@@ -1,4 +1,4 @@
-// What people call the features of an overlay. Source: axbot.md, "Overlays".
+// What people call the features of an overlay. Source: docs/protocols/autoxing.md, "Overlays".
 #pragma once
 
 #include <QString>

@@ -15,7 +15,8 @@
 
 namespace mapwright::session {
 
-/// GUI-thread object; pictures are read on a thread beyond the crew (architecture, decision 4).
+/// GUI-thread object; pictures are read on a thread beyond the crew
+/// (docs/decisions/0008-one-pool-of-threads-one-budget.md).
 class MapSlot : public QObject {
   Q_OBJECT
  public:

@@ -1,5 +1,6 @@
 // The submaps of one robot: listed, fetched, decoded, placed and counted. A service of the session;
-// GUI-thread object. Decoding, and comparing long lists, runs on the crew (architecture, decision 4).
+// GUI-thread object. Decoding, and comparing long lists, runs on the crew
+// (docs/decisions/0008-one-pool-of-threads-one-budget.md).
 #pragma once
 
 #include <functional>

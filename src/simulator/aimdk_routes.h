@@ -1,5 +1,5 @@
-// What the simulated Agibot robot answers (aimdk.md): JSON by POST to /rpc/<service>/<method>. Pure of
-// sockets. Its building is the Autoxing robot's.
+// What the simulated Agibot robot answers (docs/protocols/agibot-aimdk.md): JSON by POST to
+// /rpc/<service>/<method>. Pure of sockets. Its building is the Autoxing robot's.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a bag holds: the robot's own topics, as they were at their times (axbot.md, the bag player).
+// What a bag holds: the robot's own topics, as they were at their times (docs/protocols/autoxing.md, "Bags").
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Bags, recordings and the bag player over HTTP (axbot.md, "Requests"): pure of sockets.
+// Bags, recordings and the bag player over HTTP (docs/protocols/autoxing.md, "Requests"): pure of sockets.
 #pragma once
 
 #include <list>

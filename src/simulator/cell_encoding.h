@@ -1,4 +1,5 @@
-// The ways in which robots of different firmware pack a submap's cells (submap-textures.md, "cells").
+// The ways in which robots of different firmware pack a submap's cells
+// (docs/protocols/cartographer-submaps.md, "Containers and cell layouts").
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The current map, the pose, the live overlays and what the wheels are told, over HTTP (axbot.md,
-// "Requests"): pure of sockets.
+// The current map, the pose, the live overlays and what the wheels are told, over HTTP
+// (docs/protocols/autoxing.md, "Requests"): pure of sockets.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// What the simulated robot tells about its make over HTTP (axbot.md, "Requests"): pure of sockets.
+// What the simulated robot tells about its make over HTTP (docs/protocols/autoxing.md, "Requests"): pure of
+// sockets.
 #pragma once
 
 #include <cstdint>

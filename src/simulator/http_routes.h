@@ -1,4 +1,5 @@
-// What the simulated Autoxing robot answers over HTTP (axbot.md, "Requests"): pure of sockets.
+// What the simulated Autoxing robot answers over HTTP (docs/protocols/autoxing.md, "Requests"): pure of
+// sockets.
 #pragma once
 
 #include <string>

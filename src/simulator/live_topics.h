@@ -1,5 +1,6 @@
 // What the robot tells about itself: where it goes, how it is. And about what is around it
-// (axbot.md, "Topics that the map shows"). Pure functions of the robot's state at the moment.
+// (docs/protocols/autoxing.md, "Topics that the map shows"). Pure functions of the robot's state at the
+// moment.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What is drawn over a stored map (axbot.md, "Overlays").
+// What is drawn over a stored map (docs/protocols/autoxing.md, "Overlays").
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Stored maps and static files over HTTP (axbot.md, "Requests"): pure of sockets.
+// Stored maps and static files over HTTP (docs/protocols/autoxing.md, "Requests"): pure of sockets.
 #pragma once
 
 #include <optional>

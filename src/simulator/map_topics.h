@@ -1,4 +1,4 @@
-// The topics that are pictures (axbot.md, "Topics that the map shows").
+// The topics that are pictures (docs/protocols/autoxing.md, "Topics that the map shows").
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Mapping tasks over HTTP (axbot.md, "Requests"): pure of sockets.
+// Mapping tasks over HTTP (docs/protocols/autoxing.md, "Requests"): pure of sockets.
 #pragma once
 
 #include <optional>

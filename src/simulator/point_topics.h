@@ -1,5 +1,5 @@
 // The lidar's topics in the three shapes that robots send: JSON points, packed fields, binary clouds
-// (axbot.md, "WebSocket").
+// (docs/protocols/autoxing.md, "Live topics").
 #pragma once
 
 #include <cstdint>

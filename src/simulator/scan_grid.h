@@ -1,5 +1,5 @@
 // From a drive past solids to a submap's cells: what a lidar sees, as a probability grid.
-// Axes and cell values: submap-textures.md, "Geometry" and "cells".
+// Axes and cell values: docs/protocols/cartographer-submaps.md, "Geometry", "Containers and cell layouts".
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // An Autoxing robot, an Agibot one and a ROS one with KABAM's map manager on three loopback ports, for demos
-// and tests. All live in the same building. Written from the specification (axbot.md, submap-textures.md,
-// aimdk.md, rosbridge.md, kabam.md); shares no code with the client except the generated protobuf classes and
-// the map's value types.
+// and tests. All live in the same building. Written from the documents (docs/protocols/autoxing.md,
+// docs/protocols/cartographer-submaps.md, docs/protocols/agibot-aimdk.md, docs/protocols/rosbridge.md,
+// docs/protocols/kabam-map-manager.md); shares no code with the client except the generated protobuf classes
+// and the map's value types.
 #pragma once
 
 #include <cstdint>

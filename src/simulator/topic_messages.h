@@ -1,4 +1,4 @@
-// The messages of /ws/v2/topics (axbot.md, "WebSocket"), as the bytes of one frame each.
+// The messages of /ws/v2/topics (docs/protocols/autoxing.md, "Live topics"), as the bytes of one frame each.
 #pragma once
 
 #include <memory>

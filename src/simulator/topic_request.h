@@ -1,4 +1,4 @@
-// What a client of /ws/v2/topics asks for (axbot.md, "WebSocket").
+// What a client of /ws/v2/topics asks for (docs/protocols/autoxing.md, "Live topics").
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Which submap to ask for next. Pure state with the time handed in; no clocks, no threads, no network.
-// Source: submap-textures.md, "Versions, cache and fetch rules".
+// Source: docs/protocols/cartographer-submaps.md, "Versions, caching and fetching".
 #pragma once
 
 #include <chrono>

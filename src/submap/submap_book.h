@@ -1,5 +1,6 @@
 // The submaps of the present SLAM session: what the robot lists, what is held, and where it lies.
-// Pure state on the GUI thread. Source: submap-textures.md, "Geometry" and "Versions, cache and fetch rules".
+// Pure state on the GUI thread. Source: docs/protocols/cartographer-submaps.md, "Geometry", "Versions,
+// caching and fetching".
 #pragma once
 
 #include <cstdint>

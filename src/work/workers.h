@@ -1,5 +1,6 @@
 // The threads that work in the background: one crew for all of the program, so that many sessions, maps and
-// pictures share the processors instead of fighting for them. Source: design ("Workers, Budgets").
+// pictures share the processors instead of fighting for them. Why:
+// docs/decisions/0008-one-pool-of-threads-one-budget.md.
 #pragma once
 
 #include <chrono>

@@ -16,7 +16,7 @@ namespace {
 
 enum CellFormat { LogOdds = 0, TsdfDelta = 1, Intensity = 2 };
 
-/// The table of the specification, read literally.
+/// The table of docs/protocols/cartographer-submaps.md, read literally.
 CellPair expectedCell(int v, int cell_format) {
   if (v == 0) {
     return {};

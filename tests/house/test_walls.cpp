@@ -83,6 +83,7 @@ class TestWalls : public QObject {
   void noFileStepsAroundTheWalls();
   void noTopicAndNoBackEndIsNamedWhereRobotsAreAlike();
   void theDocumentTellsTheSameWalls();
+  void thePictureShowsTheSameRooms();
   void noControllerOfTheWindowKnowsAnother();
 };
 
@@ -215,6 +216,26 @@ void TestWalls::theDocumentTellsTheSameWalls() {
     QCOMPARE(room.folder + QLatin1Char(' ') + sorted(told[room.folder]).join(QLatin1Char(' ')),
              room.folder + QLatin1Char(' ') + sorted(room.uses).join(QLatin1Char(' ')));
   }
+}
+
+void TestWalls::thePictureShowsTheSameRooms() {
+  QMap<QString, QString> drawn;
+  const QByteArray picture = contentOf(QStringLiteral(MAPWRIGHT_SOURCES "/docs/rooms.svg"));
+  static const QRegularExpression drawn_room(QStringLiteral("data-room=\"(\\w+)\" data-uses=\"([a-z ]*)\""));
+  for (auto it = drawn_room.globalMatch(QString::fromUtf8(picture)); it.hasNext();) {
+    const auto match = it.next();
+    drawn[match.captured(1)] = match.captured(2);
+  }
+  QStringList used;
+  for (const Room& room : roomsOfTheBuild()) {
+    QVERIFY2(drawn.contains(room.name), qPrintable(room.name + QLatin1String(": run docs/draw-rooms")));
+    used << room.uses;
+    QCOMPARE(room.name + QLatin1Char(' ') + drawn.take(room.name),
+             room.name + QLatin1Char(' ') + sorted(room.uses).join(QLatin1Char(' ')));
+  }
+  for (const QString& name : std::as_const(used))
+    drawn.remove(name);  // made otherwise: the messages of proto
+  QCOMPARE(drawn.keys().join(QLatin1Char(' ')), QString());
 }
 
 }  // namespace

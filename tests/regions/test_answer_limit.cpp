@@ -1,4 +1,5 @@
-// Dispatchers that give no more than so many cells in one answer. Source: rep130.md.
+// Dispatchers that give no more than so many cells in one answer. Source:
+// docs/protocols/rep130-map-dispatcher.md.
 #include <QtTest>
 
 #include "fake_dispatch.h"

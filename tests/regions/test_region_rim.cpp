@@ -1,5 +1,5 @@
 // The rim of a map whose dispatcher answers what is partly beyond it with nothing, and answers that lie
-// elsewhere. Source: rep130.md ("a region beyond the map may be cut, padded with -1 or empty (0 x 0)").
+// elsewhere. Source: docs/protocols/rep130-map-dispatcher.md, "Left open".
 #include <random>
 
 #include <QtTest>

@@ -1,5 +1,5 @@
-// An independent double-precision composition, written straight from submap-textures.md, to hold the product
-// against.
+// An independent double-precision composition, written straight from docs/protocols/cartographer-submaps.md,
+// to hold the product against.
 #pragma once
 
 #include <cstdint>

@@ -82,7 +82,7 @@ map::World folded(const BagChunk& all, double at_s) {
 class AxbotBagsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  // The shapes of the document (seed 002).
+  // The shapes of docs/protocols/autoxing.md, "Bags".
 
   void aRowOfTheListIsRead() {
     const auto rows =

@@ -62,7 +62,8 @@ bool isZlib(const std::string& cells) {
   return (0x78 * 256 + static_cast<unsigned char>(cells[1])) % 31 == 0;
 }
 
-/// A value of one byte per cell as a pair (submap-textures.md, "cells").
+/// A value of one byte per cell as a pair (docs/protocols/cartographer-submaps.md, "Containers and cell
+/// layouts").
 std::array<unsigned char, 2> pairOf(int v, int format) {
   if (v == 0) return {0, 0};
   if (format == 2) return {static_cast<unsigned char>(v), 255};

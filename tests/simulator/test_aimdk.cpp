@@ -1,4 +1,4 @@
-// The Agibot robot beside the Autoxing one: aimdk.md.
+// The Agibot robot beside the Autoxing one: docs/protocols/agibot-aimdk.md.
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>

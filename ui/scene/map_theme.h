@@ -1,4 +1,4 @@
-// The colours and the type of the map, light and dark (window.md, "Colours").
+// The colours and the type of the map, light and dark.
 #pragma once
 
 #include <QColor>

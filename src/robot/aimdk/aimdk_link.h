@@ -1,5 +1,5 @@
 // The network half of an Agibot robot. Lives on a thread of its own; values go in and out by queued calls.
-// Source: aimdk.md.
+// Source: docs/protocols/agibot-aimdk.md.
 #pragma once
 
 #include <chrono>

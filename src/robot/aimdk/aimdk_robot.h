@@ -1,5 +1,5 @@
 // An Agibot robot behind the port: maps and waypoints to look at; where it is, if a rosbridge beside it
-// tells. Source: aimdk.md.
+// tells. Source: docs/protocols/agibot-aimdk.md.
 #pragma once
 
 #include <QThread>

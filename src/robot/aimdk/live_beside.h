@@ -1,5 +1,5 @@
 // What an Agibot robot does by the rosbridge beside its interface: where it is, where it goes, what it sees.
-// Source: aimdk.md ("The robot's live pose is the transform map -> base_link on ROS topic /tf").
+// Source: docs/protocols/agibot-aimdk.md, "Where the robot is".
 #pragma once
 
 #include <memory>

@@ -81,7 +81,7 @@ std::optional<double> angleOf(const Json& point) {
   return pixel_pose ? wire::number(*pixel_pose, {"angle"}) : std::nullopt;
 }
 
-/// Seed 001 names an angle without its unit. Where no point of a list turns further than once around in
+/// The maker names an angle without its unit. Where no point of a list turns further than once around in
 /// radians they are taken as radians, else all of them as degrees; counter-clockwise either way.
 bool anglesAreDegrees(const wire::JsonList& points) {
   for (const Json point : points) {

@@ -1,4 +1,4 @@
-// From AimDK answers to values. Pure functions, any thread. Source: aimdk.md; seed 001.
+// From AimDK answers to values. Pure functions, any thread. Source: docs/protocols/agibot-aimdk.md.
 #pragma once
 
 #include <optional>

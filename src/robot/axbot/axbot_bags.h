@@ -1,4 +1,4 @@
-// The bags of an Autoxing robot, on the thread of the robot. Source: axbot.md (bags).
+// The bags of an Autoxing robot, on the thread of the robot. Source: docs/protocols/autoxing.md, "Bags".
 #pragma once
 
 #include "robot/axbot/axbot_capabilities.h"

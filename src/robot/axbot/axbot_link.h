@@ -1,5 +1,5 @@
 // The network half of an Autoxing robot. Lives on a thread of its own; values go in and out by queued calls.
-// Source: axbot.md, "Requests" and "WebSocket".
+// Source: docs/protocols/autoxing.md, "Requests", "Live topics".
 #pragma once
 
 #include <map>

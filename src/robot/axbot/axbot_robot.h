@@ -1,4 +1,4 @@
-// An Autoxing robot behind the port. Source: axbot.md.
+// An Autoxing robot behind the port. Source: docs/protocols/autoxing.md.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A bag on its way into a file. On the link's thread. Source: axbot.md (bags, download_url).
+// A bag on its way into a file. On the link's thread. Source: docs/protocols/autoxing.md, "Bags".
 #pragma once
 
 #include <QString>

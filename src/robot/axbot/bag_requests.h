@@ -1,5 +1,5 @@
 // Asks an Autoxing robot for its bags. Lives on the link's thread; replies arrive there from its event loop.
-// Source: axbot.md (bags), seed 002.
+// Source: docs/protocols/autoxing.md, "Bags".
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // Fetches the pictures of picture topics that only name them. Lives on the link's thread.
-// Source: axbot.md, `data_url`.
+// Source: docs/protocols/autoxing.md, "Addresses that a robot names".
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // Asks an Autoxing robot for its maps. Lives on the link's thread; replies arrive there from its event loop.
-// Source: axbot.md, "Requests".
+// Source: docs/protocols/autoxing.md, "Requests".
 #pragma once
 
 #include <chrono>

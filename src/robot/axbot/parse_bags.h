@@ -1,5 +1,5 @@
 // What a robot says of its bags, and the messages in them. Pure functions, any thread.
-// Source: axbot.md (bags), seed 002.
+// Source: docs/protocols/autoxing.md, "Bags".
 #pragma once
 
 #include <string>

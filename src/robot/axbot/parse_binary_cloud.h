@@ -1,4 +1,4 @@
-// Binary point clouds. Pure function, any thread. Source: axbot.md, "PointCloud".
+// Binary point clouds. Pure function, any thread. Source: docs/protocols/autoxing.md, "Point clouds".
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // From the robot's answers about its maps to values. Pure functions, any thread.
-// Source: axbot.md, "Requests" (/maps, /mappings, /chassis/current-map, /ros/slam/map_image).
+// Source: docs/protocols/autoxing.md, "Requests" (/maps, /mappings, /chassis/current-map,
+// /ros/slam/map_image).
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// From GeoJSON to overlay features. Pure functions, any thread. Source: axbot.md, "Overlays"; RFC 7946.
+// From GeoJSON to overlay features. Pure functions, any thread. Source: docs/protocols/autoxing.md,
+// "Overlays"; RFC 7946.
 #pragma once
 
 #include <string_view>

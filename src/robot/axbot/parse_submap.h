@@ -1,4 +1,5 @@
-// From protobuf to submap values. Pure functions, any thread. Source: submap-textures.md, "Messages".
+// From protobuf to submap values. Pure functions, any thread. Source: docs/protocols/cartographer-submaps.md,
+// "Messages".
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // From WebSocket frames to typed topic messages. Pure functions, any thread.
-// Source: axbot.md, "WebSocket"; seed 000 (/submap_list).
+// Source: docs/protocols/autoxing.md, "Live topics", "Binary frames".
 #pragma once
 
 #include <optional>

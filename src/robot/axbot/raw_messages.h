@@ -1,4 +1,4 @@
-// Messages for the raw-message inspector. Source: axbot.md, "WebSocket".
+// Messages for the raw-message inspector. Source: docs/protocols/autoxing.md, "Live topics".
 #pragma once
 
 #include <string>

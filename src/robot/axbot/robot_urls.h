@@ -1,4 +1,4 @@
-// Addresses on one robot. Pure functions. Source: axbot.md, "Requests" (`*_url` fields).
+// Addresses on one robot. Pure functions. Source: docs/protocols/autoxing.md, "Addresses that a robot names".
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,5 @@
-// Which topics of an Autoxing robot bring which kind of data. Source: axbot.md, "Topics that the map shows".
+// Which topics of an Autoxing robot bring which kind of data. Source: docs/protocols/autoxing.md, "Topics
+// that the map shows".
 #pragma once
 
 #include <QStringList>

@@ -1,5 +1,6 @@
 // Topic messages by subject. Each function answers nullopt for topics of other subjects, and an
-// UnreadableMessage when a message of its own cannot be used. Source: axbot.md, "Topics that the map shows".
+// UnreadableMessage when a message of its own cannot be used. Source: docs/protocols/autoxing.md, "Topics
+// that the map shows".
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Which topics a robot is asked for, and how. Pure; any thread. Source: axbot.md, "WebSocket".
+// Which topics a robot is asked for, and how. Pure; any thread. Source: docs/protocols/autoxing.md, "Live
+// topics".
 #pragma once
 
 #include <QString>

@@ -1,5 +1,5 @@
 // A map dispatcher behind a rosbridge server, as the port has it. On the thread of the robot.
-// Source: rep130.md.
+// Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <map>

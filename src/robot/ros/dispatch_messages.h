@@ -1,4 +1,5 @@
-// What map dispatchers are asked and what they answer, as values. Source: rep130.md; map_msgs, nav_msgs.
+// What map dispatchers are asked and what they answer, as values. Source:
+// docs/protocols/rep130-map-dispatcher.md; map_msgs, nav_msgs.
 //
 // Pure; any thread. Nothing of a message is trusted, and nothing is placed by what was asked for. Memory is
 // bounded before it is taken.

@@ -1,5 +1,5 @@
 // What of a robot's services and topics is a map dispatcher: by their types where the server tells them, else
-// by their usual names. Pure. Source: rep130.md.
+// by their usual names. Pure. Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <map>

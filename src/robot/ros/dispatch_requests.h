@@ -1,5 +1,5 @@
 // A map dispatcher behind a rosbridge server: what it is asked, what its topics tell. Lives on the link's
-// thread, where answers are read, too. Source: rep130.md.
+// thread, where answers are read, too. Source: docs/protocols/rep130-map-dispatcher.md.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // What a KABAM map manager has told by its latched topics: its maps, the current one, its waypoints. Pure.
-// Source: kabam.md, "Topics".
+// Source: docs/protocols/kabam-map-manager.md, "Topics".
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// KabamRequests: the maps, changed. Source: kabam.md (UpdateMap, LoadMap, SaveMap, Trigger).
+// KabamRequests: the maps, changed. Source: docs/protocols/kabam-map-manager.md, "Services".
 #include <utility>
 
 #include "robot/ros/kabam_failures.h"

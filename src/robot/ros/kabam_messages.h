@@ -1,4 +1,5 @@
-// The messages of KABAM's MapManagerV2, read and written. Pure. Source: kabam.md (kabam_msgs).
+// The messages of KABAM's MapManagerV2, read and written. Pure. Source: docs/protocols/kabam-map-manager.md,
+// "Topics", "Services".
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// The picture of a map as KABAM's update_map_image wants it. Source: kabam.md (UpdateMap, sensor_msgs/Image:
-// mono8, row 0 on top, base64), ROS map_server (its shades of free, occupied and unknown).
+// The picture of a map as KABAM's update_map_image wants it. Source: docs/protocols/kabam-map-manager.md,
+// "Pictures", ROS map_server (its shades of free, occupied and unknown).
 #pragma once
 
 #include <functional>

@@ -1,5 +1,6 @@
 // The pictures of a KABAM map manager's maps, replaced: of the map that the robot works with, which is the
-// only one that it sends. On the thread of the robot. Source: kabam.md (update_map_image).
+// only one that it sends. On the thread of the robot. Source: docs/protocols/kabam-map-manager.md,
+// "Pictures".
 #pragma once
 
 #include "robot/picture_store.h"

@@ -1,5 +1,5 @@
-// The picture of the map that a KABAM robot works with, replaced. On the link's thread. Source: kabam.md
-// (update_map_image; what the topics tell is the truth).
+// The picture of the map that a KABAM robot works with, replaced. On the link's thread. Source:
+// docs/protocols/kabam-map-manager.md, "Pictures".
 #pragma once
 
 #include <chrono>

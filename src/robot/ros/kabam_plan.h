@@ -1,5 +1,5 @@
 // Which services of KABAM's MapManagerV2 a change of waypoints takes, in an order in which no name is ever
-// used twice. Pure. Source: kabam.md (ManageWaypoint).
+// used twice. Pure. Source: docs/protocols/kabam-map-manager.md, "Services".
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // What a KABAM map manager can be asked for, on the link's thread. What it tells by its topics is the truth:
-// after a change they are waited for. Source: kabam.md.
+// after a change they are waited for. Source: docs/protocols/kabam-map-manager.md.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// What the result codes of KABAM's services mean. Pure. Source: kabam.md (each service has an enum of its
-// own).
+// What the result codes of KABAM's services mean. Pure. Source: docs/protocols/kabam-map-manager.md,
+// "Results".
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // What a map dispatcher projects onto the plane, as maps of the robot that are opened, compared and exported
-// like any other. Pure. Source: rep130.md (projected_map_0 … n-1).
+// like any other. Pure. Source: docs/protocols/rep130-map-dispatcher.md, "Projections".
 #pragma once
 
 #include <optional>

@@ -36,7 +36,7 @@ void noteOddCells(std::vector<Fault>& notes, std::size_t odd);
 
 /// The edge of a cell in metres; no number where it is none. It is sent as 32 bits, and what was 0.05 arrives
 /// as 0.05000000074505806: a kilometre away that is a cell's edge on the wrong side. It is taken as the
-/// shortest number that is written so (rosbridge.md: 0.05 in float32).
+/// shortest number that is written so (docs/protocols/rosbridge.md, "JSON details").
 double resolutionOf(const Field& info);
 
 }  // namespace mapwright::robot::ros

@@ -1,5 +1,5 @@
 // What a rosbridge server tells of the robot behind it, by its node rosapi, which may be absent.
-// Source: rosbridge.md (rosapi).
+// Source: docs/protocols/rosbridge.md, "What the robot has (rosapi)".
 #pragma once
 
 #include <chrono>

@@ -12,7 +12,7 @@ void call(const wire::ErrandPtr& errand, net::rosbridge::Client& client, net::ro
           net::rosbridge::Client::Reply reply);
 
 /// Of an answer that is not Answered. What a server refuses may have been done all the same
-/// (rosbridge.md: "`result:false` does not prove that nothing was done").
+/// (docs/protocols/rosbridge.md, "Calls").
 map::Failure failed(const net::rosbridge::CallAnswer& answer, map::Subject subject,
                     map::AskedFor asked_for = map::AskedFor::All);
 

@@ -1,5 +1,5 @@
 // The network half of a ROS robot behind a rosbridge server. Lives on a thread of its own; values go in and
-// out by queued calls. Source: rosbridge.md, kabam.md.
+// out by queued calls. Source: docs/protocols/rosbridge.md, docs/protocols/kabam-map-manager.md.
 #pragma once
 
 #include <chrono>

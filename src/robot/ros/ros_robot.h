@@ -1,5 +1,5 @@
 // A ROS robot with a rosbridge server behind the port, with or without a KABAM map manager.
-// Source: rosbridge.md, kabam.md.
+// Source: docs/protocols/rosbridge.md, docs/protocols/kabam-map-manager.md.
 #pragma once
 
 #include <QThread>

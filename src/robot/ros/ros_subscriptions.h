@@ -1,5 +1,6 @@
 // The topics that a ROS robot is asked for, and those of them that stay silent. Lives on the link's thread.
-// Source: rosbridge.md, "Topics": nothing is ever confirmed, so silence has to be noticed here.
+// Source: docs/protocols/rosbridge.md, "Topics": nothing is ever confirmed, so silence has to be noticed
+// here.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,6 @@
 // Which topics of a ROS robot bring which kind of data: by what the server says of them, else by their usual
-// names. Pure. Source: rosbridge.md; REP 105; the names of map_server, move_base, nav2, amcl, slam_toolbox.
+// names. Pure. Source: docs/protocols/rosbridge.md; REP 105; the names of map_server, move_base, nav2, amcl,
+// slam_toolbox.
 #pragma once
 
 #include <map>

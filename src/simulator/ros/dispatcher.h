@@ -1,5 +1,5 @@
-// A map dispatcher of REP 130 beside the simulated ROS robot (rep130.md): regions of a Building as grids and
-// clouds, its projections, and what dispatchers do differently.
+// A map dispatcher of REP 130 beside the simulated ROS robot (docs/protocols/rep130-map-dispatcher.md):
+// regions of a Building as grids and clouds, its projections, and what dispatchers do differently.
 #pragma once
 
 #include <mutex>

@@ -87,7 +87,7 @@ void KabamStore::furnish(int waypoints) {
                                          has_name ? named[at].name : "Waypoint " + std::to_string(i + 1),
                                          has_name ? named[at].tags : std::vector<std::string>()));
   }
-  if (waypoints > 3) first.waypoints[3].frame_id.clear();  // as in the document's own example
+  if (waypoints > 3) first.waypoints[3].frame_id.clear();  // as some managers send it
   current_ = first.id;
   state_ = ManagerState::Active;
 }

@@ -1,4 +1,5 @@
-// The maps and waypoints of the simulated KABAM MapManagerV2, and the state that it is in (kabam.md).
+// The maps and waypoints of the simulated KABAM MapManagerV2, and the state that it is in
+// (docs/protocols/kabam-map-manager.md).
 #pragma once
 
 #include <cstdint>

@@ -26,7 +26,7 @@ void KabamStore::takeTags(KabamWaypoint& waypoint, const Value& info) const {
 
 WaypointResult KabamStore::find(const Value& info, Place& place) {
   const std::string &map_id = info["map_id"].text(), &id = info["id"].text();
-  // The document needs the map's id for creating alone: without it, the waypoint's own has to do.
+  // Only creating needs the map's id: without it, the waypoint's own has to do.
   if (!map_id.empty() && mapOf(map_id) == nullptr) return WaypointResult::NoSuchMap;
   for (KabamMap& map : maps_) {
     if (!map_id.empty() && map.id != map_id) continue;

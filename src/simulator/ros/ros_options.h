@@ -1,4 +1,5 @@
-// How the simulated ROS robot speaks, and what may go wrong with it (rosbridge.md, kabam.md).
+// How the simulated ROS robot speaks, and what may go wrong with it (docs/protocols/rosbridge.md,
+// docs/protocols/kabam-map-manager.md).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,8 @@ enum class RosWriter {
   Plain     // no blanks, "/" and UTF-8
 };
 
-/// A map dispatcher beside the robot, of a building of five storeys (rep130.md). Then nobody sends the map as
-/// one.
+/// A map dispatcher beside the robot, of a building of five storeys
+/// (docs/protocols/rep130-map-dispatcher.md). Then nobody sends the map as one.
 struct DispatcherOptions {
   bool there = false;
   double edge_m = 1000;       // of the building, whole metres 10..2000: 1000 is 20,000 x 20,000 cells and

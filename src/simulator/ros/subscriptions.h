@@ -1,4 +1,4 @@
-// What one client has subscribed to, and when it gets which message (rosbridge.md, "Topics").
+// What one client has subscribed to, and when it gets which message (docs/protocols/rosbridge.md, "Topics").
 #pragma once
 
 #include <chrono>

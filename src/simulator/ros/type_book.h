@@ -1,5 +1,5 @@
 // The types of messages and requests that the simulated robot takes, and how strictly it reads them
-// (rosbridge.md, "Calls": "Types are strict").
+// (docs/protocols/rosbridge.md, "Calls").
 #pragma once
 
 #include <map>

@@ -10,7 +10,7 @@
 namespace mapwright::simulator::ros {
 
 /// Typed arrays are tagged little-endian byte strings. nullopt when a list of texts is not empty: servers
-/// lose such messages (rosbridge.md, "Fragments, compression").
+/// lose such messages (docs/protocols/rosbridge.md, "Compression").
 std::optional<std::string> toCbor(const Value& value);
 
 /// {"op":"png","data":...}: the bytes of `json`, padded with newlines, are the pixels of an RGB picture.

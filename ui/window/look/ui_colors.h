@@ -1,4 +1,4 @@
-// The colours of the interface around the map (window.md, "Colours"), light and dark.
+// The colours of the interface around the map, light and dark.
 #pragma once
 
 #include <QColor>

@@ -1,0 +1,118 @@
+// What sources and documents refer to is there: every page that is named, and every heading of it.
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QHash>
+#include <QRegularExpression>
+#include <QSet>
+#include <QtTest>
+
+namespace {
+
+const QDir& repository() {
+  static const QDir kRepository(QStringLiteral(MAPWRIGHT_SOURCES));
+  return kRepository;
+}
+
+QString textOf(const QString& path) {
+  QFile file(repository().filePath(path));
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// Paths from the repository's root.
+QStringList filesNamed(const QStringList& patterns) {
+  QStringList files;
+  for (const char* top :
+       {"app", "cmake", "docs", "packaging", "proto", "resources", "src", "tests", "ui", ".github"}) {
+    QDirIterator it(repository().filePath(QLatin1String(top)), patterns, QDir::Files,
+                    QDirIterator::Subdirectories);
+    while (it.hasNext()) files << repository().relativeFilePath(it.next());
+  }
+  for (const QString& name : repository().entryList(patterns, QDir::Files)) files << name;
+  return files;
+}
+
+QSet<QString> headingsOf(const QString& page) {
+  static const QRegularExpression heading(QStringLiteral("^#+ (.+)$"), QRegularExpression::MultilineOption);
+  QSet<QString> headings;
+  for (auto it = heading.globalMatch(textOf(page)); it.hasNext();) {
+    headings << it.next().captured(1).remove(QLatin1Char('`')).trimmed();
+  }
+  return headings;
+}
+
+/// What of a source's references leads nowhere: `docs/protocols/rosbridge.md, "Calls", "Topics"`, also over
+/// the end of a line of a comment.
+QStringList deadReferences(QString source) {
+  static const QRegularExpression line_of_comment(QStringLiteral("\\n\\s*(//+|#) *"));
+  source.replace(line_of_comment, QStringLiteral(" "));
+  static const QRegularExpression reference(QStringLiteral("(\\w[\\w./-]*\\.md)\\b((?:, \"[^\"\\n]+\")*)"));
+  static const QRegularExpression quoted(QStringLiteral("\"([^\"]+)\""));
+  QStringList dead;
+  for (auto it = reference.globalMatch(source); it.hasNext();) {
+    const QRegularExpressionMatch match = it.next();
+    const QString page = match.captured(1);
+    if (!QFile::exists(repository().filePath(page))) {
+      dead << page;
+      continue;
+    }
+    const QSet<QString> headings = headingsOf(page);
+    for (auto named = quoted.globalMatch(match.captured(2)); named.hasNext();) {
+      const QString heading = named.next().captured(1);
+      if (!headings.contains(heading)) dead << page + QStringLiteral(", \"%1\"").arg(heading);
+    }
+  }
+  return dead;
+}
+
+class TestDocuments : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void deadReferencesAreFound();
+  void whatSourcesNameIsThere();
+  void linksOfDocumentsLeadSomewhere();
+};
+
+void TestDocuments::deadReferencesAreFound() {
+  const QString page = QStringLiteral("docs/protocols/rosbridge") + QStringLiteral(".md");
+  QCOMPARE(deadReferences(QStringLiteral("// Source: %1, \"Calls\",\n// \"JSON\n// details\".").arg(page)),
+           QStringList());
+  QCOMPARE(deadReferences(QStringLiteral("// Source: %1, \"Call\".").arg(page)),
+           QStringList{page + QStringLiteral(", \"Call\"")});
+  const QString none = QStringLiteral("nowhere") + QStringLiteral(".md");
+  QCOMPARE(deadReferences(QStringLiteral("/// As they say (%1).").arg(none)), QStringList{none});
+}
+
+void TestDocuments::whatSourcesNameIsThere() {
+  const QStringList sources =
+      filesNamed({QStringLiteral("*.h"), QStringLiteral("*.cpp"), QStringLiteral("*.proto"),
+                  QStringLiteral("*.cmake"), QStringLiteral("CMakeLists.txt")});
+  QVERIFY(sources.size() > 500);
+  QStringList dead;
+  for (const QString& path : sources) {
+    for (const QString& reference : deadReferences(textOf(path)))
+      dead << path + QLatin1String(": ") + reference;
+  }
+  QVERIFY2(dead.isEmpty(), qPrintable(QLatin1Char('\n') + dead.join(QLatin1Char('\n'))));
+}
+
+void TestDocuments::linksOfDocumentsLeadSomewhere() {
+  static const QRegularExpression link(QStringLiteral("\\]\\(([^)#:]+)(#[^)]*)?\\)|`(docs/[\\w./-]+\\.md)`"));
+  QStringList dead;
+  for (const QString& page : filesNamed({QStringLiteral("*.md")})) {
+    const QString folder = QFileInfo(page).path();
+    for (auto it = link.globalMatch(textOf(page)); it.hasNext();) {
+      const QRegularExpressionMatch match = it.next();
+      const QString from_root = match.captured(3);
+      const QString target =
+          from_root.isEmpty() ? QDir::cleanPath(folder + QLatin1Char('/') + match.captured(1)) : from_root;
+      if (!QFileInfo::exists(repository().filePath(target))) dead << page + QLatin1String(": ") + target;
+    }
+  }
+  QVERIFY2(dead.isEmpty(), qPrintable(QLatin1Char('\n') + dead.join(QLatin1Char('\n'))));
+}
+
+}  // namespace
+
+QTEST_APPLESS_MAIN(TestDocuments)
+#include "test_documents.moc"
