@@ -8,10 +8,10 @@
 #include <vector>
 
 #include <QCoreApplication>
-#include <spng.h>
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
+#include "grids/png_writer.h"
 #include "render/grid_palettes.h"
 #include "sentences/fault_sentence.h"
 
@@ -25,25 +25,14 @@ class MapDiffText {
 constexpr int kStrip = 256;  // rows
 constexpr double kMostCells = double(std::int64_t(1) << 34);
 
-/// Writes RGB rows into a PNG.
-class RgbPng {
+/// RGB rows of a picture in its place, once all of them have come.
+class DifferencePicture {
  public:
-  RgbPng(const QString& path, int width, int height)
-      : file_(path.toStdString()), encoder_(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free) {
-    spng_ihdr header{};
-    header.width = std::uint32_t(width);
-    header.height = std::uint32_t(height);
-    header.bit_depth = 8;
-    header.color_type = SPNG_COLOR_TYPE_TRUECOLOR;
-    good_ = encoder_ && spng_set_png_stream(encoder_.get(), &RgbPng::take, &file_) == 0 &&
-            spng_set_ihdr(encoder_.get(), &header) == 0 &&
-            spng_encode_image(encoder_.get(), nullptr, 0, SPNG_FMT_PNG,
-                              SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE) == 0;
-  }
-  bool row(const std::vector<std::uint8_t>& rgb) {
-    const int result = good_ ? spng_encode_row(encoder_.get(), rgb.data(), rgb.size()) : SPNG_IO_ERROR;
-    return good_ = result == 0 || result == SPNG_EOI;
-  }
+  DifferencePicture(const QString& path, int width, int height)
+      : file_(path.toStdString()),
+        png_{file_},
+        good_(png_.begin(width, height, grids::PngPixels::Rgb, grids::PngContent::Any)) {}
+  bool row(const std::vector<std::uint8_t>& rgb) { return good_ = good_ && png_.row(rgb.data(), rgb.size()); }
   /// nullopt = the picture is in its place.
   std::optional<QString> end() {
     if (!good_ && file_.good()) return MapDiffText::tr("The picture of the difference cannot be encoded.");
@@ -52,14 +41,9 @@ class RgbPng {
   }
 
  private:
-  static int take(spng_ctx*, void* file, void* bytes, std::size_t count) {
-    auto& out = *static_cast<disk::WrittenFile*>(file);
-    out.write(bytes, count);
-    return out.good() ? 0 : int(SPNG_IO_ERROR);
-  }
   disk::WrittenFile file_;
-  std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder_;
-  bool good_ = false;
+  grids::PngWriter png_;
+  bool good_;
 };
 
 }  // namespace
@@ -105,8 +89,9 @@ tl::expected<MapDiff, QString> diffMaps(const render::PlacedGrid& first, const r
 
   const render::GridPalette palette = render::differencePalette(false);
   std::vector<std::uint8_t> rgb(std::size_t(diff.width) * 3);
-  std::unique_ptr<RgbPng> picture;
-  if (!picture_path.isEmpty()) picture = std::make_unique<RgbPng>(picture_path, diff.width, diff.height);
+  std::unique_ptr<DifferencePicture> picture;
+  if (!picture_path.isEmpty())
+    picture = std::make_unique<DifferencePicture>(picture_path, diff.width, diff.height);
   for (int row = 0; row < diff.height; row += kStrip) {
     strip.first_row = row;
     strip.height_px = std::min(kStrip, diff.height - row);

@@ -11,6 +11,7 @@
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "sentences/fault_sentence.h"
+#include "grids/png_writer.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {
@@ -29,23 +30,14 @@ constexpr std::uint8_t kUndecided = 128;
 
 std::optional<QString> writeGrayAlpha(const geometry::ViewTransform& view,
                                       const std::vector<std::uint8_t>& pixels, const QString& path) {
-  const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> encoder(spng_ctx_new(SPNG_CTX_ENCODER),
-                                                                    &spng_ctx_free);
-  spng_ihdr header{};
-  header.width = std::uint32_t(view.width_px);
-  header.height = std::uint32_t(view.height_px);
-  header.bit_depth = 8;
-  header.color_type = SPNG_COLOR_TYPE_GRAYSCALE_ALPHA;
-  spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1);
-  spng_set_ihdr(encoder.get(), &header);
-  int failure =
-      spng_encode_image(encoder.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-  std::size_t bytes = 0;
-  const std::unique_ptr<void, decltype(&std::free)> png(
-      failure ? nullptr : spng_get_png_buffer(encoder.get(), &bytes, &failure), &std::free);
-  if (!png) return notEncoded(failure);
-  const auto fault =
-      disk::writeFile(path.toStdString(), std::string_view(static_cast<const char*>(png.get()), bytes));
+  disk::WrittenFile file(path.toStdString());
+  grids::PngWriter png{file};
+  const std::size_t row_bytes = std::size_t(view.width_px) * 2;
+  bool good = png.begin(view.width_px, view.height_px, grids::PngPixels::GrayAlpha, grids::PngContent::Any);
+  for (std::size_t at = 0; good && at < pixels.size(); at += row_bytes)
+    good = png.row(pixels.data() + at, row_bytes);
+  if (!good && file.good()) return notEncoded(png.failure);
+  const auto fault = file.place();
   return fault ? std::optional(sentences::wordsOf(disk::notWritten(*fault))) : std::nullopt;
 }
 

@@ -127,7 +127,7 @@ std::optional<Fault> writeGridPng(const GridPyramid& grid, const std::string& pa
   const bool has_alpha = grid.code() == CellCode::ClearGray || (!as_is && !*trinary);
   disk::WrittenFile file(path);
   PngWriter png{file};
-  bool good = png.begin(grid.width(), grid.height(), has_alpha);
+  bool good = png.begin(grid.width(), grid.height(), has_alpha ? PngPixels::GrayAlpha : PngPixels::Gray);
   const CellMeaning& meaning = meaningOf(grid.code());
   const std::array<std::uint8_t, 256> shades = shadesOf(grid.code(), true);
   const std::size_t width = std::size_t(grid.width());

@@ -177,7 +177,8 @@ std::optional<Fault> rewritePicture(const GridPyramid& cells, const std::string&
   const std::size_t width = std::size_t(cells.width());
   if (format == Format::Pgm)
     file.write("P5\n" + std::to_string(cells.width()) + " " + std::to_string(cells.height()) + "\n255\n");
-  bool good = format == Format::Pgm || png.begin(cells.width(), cells.height(), alpha);
+  bool good = format == Format::Pgm ||
+              png.begin(cells.width(), cells.height(), alpha ? PngPixels::GrayAlpha : PngPixels::Gray);
   const bool keeps = !alpha && pixels.indexed && pixels.gray && !pixels.has_alpha;
   const RowPixels rows(shades, alpha, as_is);
   std::vector<std::uint8_t> out(width * (alpha ? 2 : 1));

@@ -10,6 +10,8 @@
 namespace mapwright::regions {
 namespace {
 
+using Kind = RegionRequest::Kind;
+
 constexpr double kMostCovered = 4096;    // regions that one answer may speak for
 constexpr std::size_t kMostRows = 8192;  // regions that anything is known of
 
@@ -33,11 +35,15 @@ void MapRegions::setView(std::optional<geometry::WorldRect> rect, const Eigen::V
   plan_.setView(rect, centre_m);
 }
 
+void MapRegions::setExtent(const std::optional<map::GridReference>& extent) {
+  plan_.setExtent(extent && extent->origin.yaw_rad == 0 ? std::optional(extent->bounds()) : std::nullopt);
+}
+
 MapRegions::Change MapRegions::answered(std::uint64_t id, robot::Outcome<map::GridPart> outcome, Millis now) {
   Change change;
-  const RegionAsk* const found = plan_.find(id);
+  const RegionRequest* const found = plan_.find(id);
   if (!found) return change;
-  const RegionAsk ask = *found;
+  const RegionRequest request = *found;
   if (!outcome) {
     if (outcome.error().kind == map::FailureKind::Cancelled) {
       plan_.cancelled(id);
@@ -48,32 +54,31 @@ MapRegions::Change MapRegions::answered(std::uint64_t id, robot::Outcome<map::Gr
   }
   const std::size_t sheets_before = cells_.sheets().size();
   const RegionSheet* const last_before = sheets_before > 0 ? cells_.sheets().back().get() : nullptr;
-  place(ask, *outcome, now, change);
+  place(request, *outcome, now, change);
   keepToBudget(change);
   const auto& sheets = cells_.sheets();
   change.sheets = sheets.size() != sheets_before || (!sheets.empty() && sheets.back().get() != last_before);
   return change;
 }
 
-void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis now, Change& change) {
+void MapRegions::place(const RegionRequest& request, const map::GridPart& part, Millis now, Change& change) {
   const map::GridReference& grid = part.grid;
   if (grid.width == 0 || grid.height == 0) {
     if (tellsCells(grid)) plan_.setCells(grid.resolution_m, anchorOf(grid));
-    // While the rim of the map is looked for, nothing tells what is beyond.
-    if (ask.key && !plan_.row(*ask.key).rim) forgetOld(ask, change);
-    plan_.answered(ask.id, true);
+    if (request.kind == Kind::Square || request.kind == Kind::Part) forgetOld(request, change);
+    plan_.answered(request.id, true);
     return;
   }
   if (const Misfit misfit = cells_.misfitOf(part); misfit != Misfit::None) {
-    plan_.failed(ask.id, misplaced(misfit), now);
+    plan_.failed(request.id, misplaced(misfit), now);
     return;
   }
   const geometry::WorldRect bounds = grid.bounds();
-  const bool elsewhere = liesElsewhere(grid, ask.asking);
+  const bool elsewhere = liesElsewhere(grid, request.rect);
   plan_.gave(grid.width, grid.height);
   plan_.setCells(grid.resolution_m, anchorOf(grid));
   // Where the map has become smaller, nothing of the old one must stay.
-  if (ask.key && !elsewhere) forgetOld(ask, change);
+  if (request.isOfSquare() && !elsewhere) forgetOld(request, change);
   cells_.put(part);
   for (const Fault& note : part.notes) {
     const auto* const count = note.code == grids::fault::RosCellsOutOfRange && !note.arguments.empty()
@@ -82,23 +87,23 @@ void MapRegions::place(const RegionAsk& ask, const map::GridPart& part, Millis n
     if (count) odd_cells_ += *count;
   }
   change.cells.extend(bounds);
-  if (elsewhere && ask.key) {
-    plan_.failed(ask.id, {RegionTrouble::Kind::Elsewhere, {}, Misfit::None}, now);
+  if (elsewhere && request.isOfSquare()) {
+    plan_.failed(request.id, {RegionTrouble::Kind::Elsewhere, {}, Misfit::None}, now);
   } else {
-    plan_.answered(ask.id, false, commonGround(grid, ask.asking));
+    plan_.answered(request.id, false, commonGround(grid, request.rect));
   }
-  noteCovered(ask, grid);
-  noteAim(ask, grid, elsewhere);
+  noteCovered(request, grid);
+  noteAim(request, grid, elsewhere);
 }
 
-void MapRegions::noteAim(const RegionAsk& ask, const map::GridReference& grid, bool elsewhere) {
-  const bool aimed = !ask.aim.isZero();
+void MapRegions::noteAim(const RegionRequest& request, const map::GridReference& grid, bool elsewhere) {
+  const bool aimed = !request.aim.isZero();
   if (reading_ == Reading::Suspected && aimed) {
     // The next answer tells: where that lies beside, too, places are asked for as they are.
     reading_ = elsewhere ? Reading::Given : Reading::Corner;
     if (elsewhere) plan_.aim({0, 0});
   } else if (reading_ == Reading::NotKnown && elsewhere) {
-    const auto aim = aimAgainst(grid, ask.asking);
+    const auto aim = aimAgainst(grid, request.rect);
     if (!aim) return;
     reading_ = Reading::Suspected;
     plan_.aim(*aim);
@@ -111,22 +116,19 @@ bool MapRegions::holdsAnyOf(const geometry::WorldRect& rect) const {
                      [&](const auto& sheet) { return sheet->holdsAnyOf(rect); });
 }
 
-void MapRegions::forgetOld(const RegionAsk& ask, Change& change) {
-  if (!plan_.isOfThisCut(ask.id)) return;
-  const RegionRow& row = plan_.row(*ask.key);
-  const bool some_is_new = row.came_in == ask.round && !row.came.empty();
-  // What a part overlaps of the square beside it belongs there.
-  const geometry::WorldRect square = plan_.lattice().rectOf(*ask.key);
-  const geometry::WorldRect own{
-      std::max(ask.rect.min_x, square.min_x), std::max(ask.rect.min_y, square.min_y),
-      std::min(ask.rect.max_x, square.max_x), std::min(ask.rect.max_y, square.max_y)};
+void MapRegions::forgetOld(const RegionRequest& request, Change& change) {
+  if (!plan_.isOfThisCut(request.id)) return;
+  const RegionRow& row = plan_.row(request.key);
+  const bool some_is_new = row.came_in == request.round && !row.came.empty();
+  // What a margin overlaps of the square beside it belongs there.
+  const geometry::WorldRect own = common(plan_.lattice().rectOf(request.key), request.rect);
   for (const geometry::WorldRect& rect :
        some_is_new ? without(own, row.came) : std::vector<geometry::WorldRect>{own}) {
     if (cells_.forget(rect)) change.cells.extend(rect);
   }
 }
 
-void MapRegions::noteCovered(const RegionAsk& ask, const map::GridReference& grid) {
+void MapRegions::noteCovered(const RegionRequest& request, const map::GridReference& grid) {
   const geometry::WorldRect bounds = grid.bounds();
   const RegionLattice& lattice = plan_.lattice();
   if (lattice.countIn(bounds) > kMostCovered) return;
@@ -142,7 +144,7 @@ void MapRegions::noteCovered(const RegionAsk& ask, const map::GridReference& gri
         all = all && at.x() >= -slack && at.y() >= -slack && at.x() <= wide && at.y() <= high;
       }
     }
-    plan_.came(key, commonGround(grid, rect), all, ask.round);
+    plan_.came(key, commonGround(grid, rect), all, request.round);
   });
 }
 
@@ -154,7 +156,7 @@ void MapRegions::keepToBudget(Change& change) {
   };
   std::vector<Old> old;
   for (const auto& [key, row] : plan_.rows()) {
-    if (row.ask == 0 && !plan_.isInView(key)) old.push_back({row.seen, key});
+    if (row.request == 0 && !plan_.inView().contains(key)) old.push_back({row.seen, key});
   }
   std::sort(old.begin(), old.end(),
             [](const Old& a, const Old& b) { return a.seen != b.seen ? a.seen < b.seen : a.key < b.key; });
@@ -173,21 +175,21 @@ RegionView MapRegions::viewOf(const RegionKey& key) const {
 
 RegionCounts MapRegions::counts() const {
   RegionCounts counts;
-  for (const RegionKey& key : plan_.inView()) {
+  for (const RegionKey& key : plan_.inView().keys()) {
     const RegionRow& row = plan_.row(key);
     ++counts.in_view;
     counts.answered += row.answered;
-    counts.nothing += row.answered && row.nothing;
-    counts.fetching += row.ask != 0;
-    counts.failed += row.ask == 0 && row.failures > 0;
-    counts.smaller += plan_.hasSeam(key);
+    counts.nothing += row.nothing();
+    counts.fetching += row.request != 0;
+    counts.failed += row.request == 0 && row.failures > 0;
+    counts.smaller += plan_.leftOut(key);
   }
   return counts;
 }
 
 std::vector<RegionView> MapRegions::inView() const {
   std::vector<RegionView> views;
-  for (const RegionKey& key : plan_.inView()) views.push_back(viewOf(key));
+  for (const RegionKey& key : plan_.inView().keys()) views.push_back(viewOf(key));
   return views;
 }
 
@@ -200,12 +202,8 @@ std::vector<RegionView> MapRegions::answeredIn(const geometry::WorldRect& rect) 
 }
 
 std::optional<RegionView> MapRegions::at(const Eigen::Vector2d& world_m) const {
-  if (plan_.inView().empty() || !world_m.allFinite()) return std::nullopt;
-  std::optional<RegionView> found;
-  plan_.lattice().eachIn({world_m.x(), world_m.y(), world_m.x(), world_m.y()}, [&](const RegionKey& key) {
-    if (plan_.isInView(key)) found = viewOf(key);
-  });
-  return found;
+  const auto key = plan_.inView().at(world_m);
+  return key ? std::optional(viewOf(*key)) : std::nullopt;
 }
 
 std::optional<double> MapRegions::cellsOf(const geometry::WorldRect& rect) const {

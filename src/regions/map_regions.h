@@ -36,9 +36,11 @@ class MapRegions {
   explicit MapRegions(Options options);
 
   void setView(std::optional<geometry::WorldRect> rect, const Eigen::Vector2d& centre_m);
+  /// How large the map is, as the robot tells.
+  void setExtent(const std::optional<map::GridReference>& extent);
   void refresh() { plan_.refresh(); }
   void retryNow() { plan_.retryNow(); }
-  std::vector<RegionAsk> take(Millis now) { return plan_.take(now); }
+  std::vector<RegionRequest> take(Millis now) { return plan_.take(now); }
   std::vector<std::uint64_t> unwanted() { return plan_.unwanted(); }
   std::optional<Millis> nextDue(Millis now) const { return plan_.nextDue(now); }
 
@@ -74,13 +76,13 @@ class MapRegions {
 
  private:
   RegionView viewOf(const RegionKey& key) const;
-  void place(const RegionAsk& ask, const map::GridPart& part, Millis now, Change& change);
+  void place(const RegionRequest& request, const map::GridPart& part, Millis now, Change& change);
   /// The cells of what was asked for, but those that came since all was asked for anew.
-  void forgetOld(const RegionAsk& ask, Change& change);
-  void noteCovered(const RegionAsk& ask, const map::GridReference& grid);
+  void forgetOld(const RegionRequest& request, Change& change);
+  void noteCovered(const RegionRequest& request, const map::GridReference& grid);
   void keepToBudget(Change& change);
   /// Learns how the robot reads places, where answers lie elsewhere in a way that can be met.
-  void noteAim(const RegionAsk& ask, const map::GridReference& grid, bool elsewhere);
+  void noteAim(const RegionRequest& request, const map::GridReference& grid, bool elsewhere);
 
   Options options_;
   RegionPlan plan_;

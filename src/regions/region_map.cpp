@@ -23,7 +23,9 @@ RegionMap::RegionMap(robot::MapDispatch& dispatch, Options options, QObject* par
   connect(&due_, &QTimer::timeout, this, &RegionMap::look);
   connect(dispatch_, &robot::MapDispatch::mapChanged, this, &RegionMap::refresh);
   connect(dispatch_, &robot::MapDispatch::offersChanged, this, &RegionMap::takeOffers);
+  connect(dispatch_, &robot::MapDispatch::extentChanged, this, &RegionMap::takeExtent);
   was_offered_ = offered();
+  takeExtent();
   connect(dispatch_, &QObject::destroyed, this, &RegionMap::look);
 }
 
@@ -54,6 +56,12 @@ void RegionMap::standStill() {
   for (const auto& [id, call] : std::exchange(calls_, {})) call.cancel();
 }
 
+void RegionMap::takeExtent() {
+  const auto extent = dispatch_->extent();
+  regions_.setExtent(extent ? std::optional(extent->grid) : std::nullopt);
+  look();
+}
+
 void RegionMap::takeOffers() {
   if (still_) return;
   const bool was_offered = std::exchange(was_offered_, offered());
@@ -68,12 +76,13 @@ void RegionMap::look() {
     if (const auto call = calls_.find(id); call != calls_.end()) call->second.cancel();
   }
   if (offered()) {
-    for (const RegionAsk& ask : regions_.take(monotonic_())) {
+    for (const RegionRequest& request : regions_.take(monotonic_())) {
       // The robot may answer when this is gone.
-      calls_[ask.id] = dispatch_->grid(
-          questionOf(ask), [self = QPointer(this), id = ask.id](robot::Outcome<map::GridPart> outcome) {
-            if (self) self->take(id, std::move(outcome));
-          });
+      calls_[request.id] =
+          dispatch_->grid(questionOf(request),
+                          [self = QPointer(this), id = request.id](robot::Outcome<map::GridPart> outcome) {
+                            if (self) self->take(id, std::move(outcome));
+                          });
     }
     if (const auto due = regions_.nextDue(monotonic_()))
       due_.start(int(std::clamp(*due - monotonic_(), kLeastWait, Millis(3'600'000)).count()));

@@ -53,6 +53,7 @@ class RegionMap : public QObject {
   void sheetsChanged();  // others, or in another order; comes before cellsChanged()
 
  private:
+  void takeExtent();
   void take(std::uint64_t id, robot::Outcome<map::GridPart> outcome);
 
   QPointer<robot::MapDispatch> dispatch_;

@@ -1,12 +1,15 @@
-// Squares and rectangles beside each other. Private to this room.
+// Squares and rectangles beside each other.
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "regions/region_lattice.h"
-#include "regions/region_rim.h"
 
 namespace mapwright::regions {
+
+enum class Side { Left, Right, Bottom, Top };
+inline constexpr std::array kSides{Side::Left, Side::Right, Side::Bottom, Side::Top};
 
 inline std::size_t at(Side side) { return std::size_t(side); }
 

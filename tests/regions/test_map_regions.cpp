@@ -34,7 +34,7 @@ void settle(MapRegions& regions, const FakeGround& ground, Millis now = kStart) 
   for (int i = 0; i < 1000; ++i) {
     const auto asks = regions.take(now);
     if (asks.empty()) return;
-    for (const RegionAsk& ask : asks) regions.answered(ask.id, ground.part(askedFor(ask.asking)), now);
+    for (const RegionRequest& ask : asks) regions.answered(ask.id, ground.part(askedFor(ask.rect)), now);
   }
 }
 
@@ -91,7 +91,7 @@ class TestMapRegions : public QObject {
     for (int i = 0; i < 100; ++i) {
       const auto asks = regions.take(kStart);
       asked += int(asks.size());
-      for (const RegionAsk& ask : asks) regions.answered(ask.id, ground.all(), kStart);
+      for (const RegionRequest& ask : asks) regions.answered(ask.id, ground.all(), kStart);
     }
     verifyShows(regions, ground, view);
     QCOMPARE(asked, 1);
@@ -115,7 +115,7 @@ class TestMapRegions : public QObject {
     const geometry::WorldRect view{1, 1, 9, 9};
     regions.setView(view, view.center());
     const auto probe = regions.take(kStart);
-    regions.answered(probe[0].id, ground.part(askedFor(probe[0].asking)), kStart);
+    regions.answered(probe[0].id, ground.part(askedFor(probe[0].rect)), kStart);
     const auto asks = regions.take(kStart);
     QVERIFY(!asks.empty());
     regions.answered(asks[0].id, ground.part({{-25, -15}, {4, 4}}), kStart);
@@ -132,8 +132,8 @@ class TestMapRegions : public QObject {
     settle(regions, ground);
     regions.refresh();
     for (int i = 0; i < 20; ++i) {
-      for (const RegionAsk& ask : regions.take(kStart)) {
-        if (!ask.part)
+      for (const RegionRequest& ask : regions.take(kStart)) {
+        if (ask.kind == RegionRequest::Kind::Square)
           QVERIFY(shown(regions, ask.rect.center()) != kNotFetched);  // the old stays until the new is there
         regions.answered(ask.id, map::GridPart{}, kStart);
       }
@@ -165,8 +165,8 @@ class TestMapRegions : public QObject {
     for (int i = 0; i < 5000; ++i) {
       const auto asks = regions.take(kStart);
       if (asks.empty()) break;
-      for (const RegionAsk& ask : asks)
-        regions.answered(ask.id, (asked++ % 2 == 0 ? one : other).part(askedFor(ask.asking)), kStart);
+      for (const RegionRequest& ask : asks)
+        regions.answered(ask.id, (asked++ % 2 == 0 ? one : other).part(askedFor(ask.rect)), kStart);
     }
     QVERIFY2(asked < 400, qPrintable(QString::number(asked)));
     QVERIFY(regions.plan().settled(1) || regions.plan().tooFar());
@@ -191,26 +191,26 @@ class TestMapRegions : public QObject {
     options.plan.most_in_view = 24;
     options.budget_bytes = std::size_t(12) << 20;
     MapRegions regions(options);
-    std::vector<RegionAsk> under_way;
+    std::vector<RegionRequest> under_way;
     std::set<std::uint64_t> cancelled;
     Millis now = kStart;
     Eigen::Vector2d at(0, 0);
     std::size_t most_bytes = 0;
     int failures = 0;
     const auto step = [&](bool may_fail) {
-      for (const RegionAsk& ask : regions.take(now)) {
-        for (const RegionAsk& other : under_way)
-          QVERIFY(!(other.key && other.key == ask.key && !cancelled.contains(other.id)));
+      for (const RegionRequest& ask : regions.take(now)) {
+        for (const RegionRequest& other : under_way)
+          QVERIFY(!(other.isOfSquare() && other.key == ask.key && !cancelled.contains(other.id)));
         // What has an answer of this round is not asked for.
-        if (ask.key && !ask.part) QVERIFY(!regions.plan().row(*ask.key).answered);
-        if (ask.key) QVERIFY(regions.plan().isInView(*ask.key));
+        if (ask.kind == RegionRequest::Kind::Square) QVERIFY(!regions.plan().row(ask.key).answered);
+        if (ask.isOfSquare()) QVERIFY(regions.plan().inView().contains(ask.key));
         under_way.push_back(ask);
       }
       QVERIFY(int(under_way.size()) <= options.plan.most_under_way);
       for (const std::uint64_t id : regions.unwanted()) cancelled.insert(id);
       if (under_way.empty()) return;
       const std::size_t which = random() % under_way.size();
-      const RegionAsk ask = under_way[which];
+      const RegionRequest ask = under_way[which];
       under_way.erase(under_way.begin() + std::ptrdiff_t(which));
       if (cancelled.contains(ask.id) && number(0, 1) < 0.5) {
         regions.answered(ask.id, tl::unexpected(map::Failure{.kind = map::FailureKind::Cancelled}), now);
@@ -218,7 +218,7 @@ class TestMapRegions : public QObject {
         ++failures;
         regions.answered(ask.id, tl::unexpected(map::Failure{.kind = map::FailureKind::TimedOut}), now);
       } else {
-        regions.answered(ask.id, ground.part(askedFor(ask.asking)), now);
+        regions.answered(ask.id, ground.part(askedFor(ask.rect)), now);
       }
       if (regions.counts().in_view > 0) most_bytes = std::max(most_bytes, regions.bytes());
     };

@@ -7,7 +7,6 @@
 #include "fake_dispatch.h"
 #include "map_shown.h"
 #include "regions/region_answer.h"
-#include "regions/region_rim.h"
 
 using namespace mapwright;
 using namespace mapwright::regions;
@@ -71,8 +70,8 @@ int settle(MapRegions& regions, const Answer& answer) {
   while (asked < 5000) {
     const auto asks = regions.take(kNow);
     if (asks.empty()) break;
-    for (const RegionAsk& ask : asks) {
-      regions.answered(ask.id, answer(askedFor(ask.asking)), kNow);
+    for (const RegionRequest& ask : asks) {
+      regions.answered(ask.id, answer(askedFor(ask.rect)), kNow);
       ++asked;
     }
   }
@@ -134,6 +133,34 @@ class TestRegionRim : public QObject {
       settle(regions, [&](const auto& region) { return strictly(ground, region); });
       QCOMPARE(wrongIn(regions, ground, rect.grown(-0.1)), 0);
       QCOMPARE(regions.counts().answered, regions.counts().in_view);
+    }
+  }
+
+  void whereTheRobotTellsHowLargeItsMapIsOnlyThatIsAskedFor() {
+    const FakeGround ground = hall(3000, 2000);
+    const WorldRect view{-60, -30, 40, 60};
+    MapRegions searched = regionsOf(512), told = regionsOf(512);
+    const auto strict = [&](const auto& region) { return strictly(ground, region); };
+    look(searched, view);
+    const int asked = settle(searched, strict);
+    told.setExtent(ground.all().grid);
+    look(told, view);
+    const int asked_told = settle(told, strict);
+    QCOMPARE(wrongIn(told, ground, view), 0);
+    QVERIFY2(asked_told < asked, qPrintable(QString::number(asked_told)));
+    // What is told may be wrong.
+    for (const int cells : {300, 900, 4000}) {
+      FakeGround other = ground;
+      other.width = other.height = cells;
+      for (const bool cuts : {true, false}) {
+        MapRegions misled = regionsOf(512);
+        misled.setExtent(map::GridReference{cells, cells, ground.resolution_m, ground.origin});
+        look(misled, view);
+        settle(misled,
+               [&](const auto& region) { return cuts ? ground.part(region) : strictly(ground, region); });
+        QCOMPARE(wrongIn(misled, ground, view), 0);
+        QCOMPARE(misled.counts().smaller, 0);
+      }
     }
   }
 
@@ -228,11 +255,11 @@ class TestRegionRim : public QObject {
     std::mt19937 random(3);
     Millis now = kNow;
     for (int i = 0; i < 5000 && (!regions.plan().settled(100) || i == 0); ++i, now += Millis(60'000)) {
-      for (const RegionAsk& ask : regions.take(now)) {
+      for (const RegionRequest& ask : regions.take(now)) {
         if (random() % 3 == 0) {
           regions.answered(ask.id, tl::unexpected(map::Failure{.kind = map::FailureKind::TimedOut}), now);
         } else {
-          regions.answered(ask.id, strictly(ground, askedFor(ask.asking)), now);
+          regions.answered(ask.id, strictly(ground, askedFor(ask.rect)), now);
         }
       }
     }
@@ -280,7 +307,7 @@ class TestRegionRim : public QObject {
     regions.setView(view, {0, 0});
     int asked = 0;
     for (auto asks = regions.take(kNow); !asks.empty() && asked < 1000; asks = regions.take(kNow)) {
-      for (const RegionAsk& ask : asks) {
+      for (const RegionRequest& ask : asks) {
         ++asked;
         map::GridRegion region = questionOf(ask);
         region.centre_m += region.size_m.cwiseProduct(Eigen::Vector2d(x, y));
@@ -323,14 +350,14 @@ class TestRegionRim : public QObject {
       MapRegions regions = regionsOf(512);
       look(regions, view);
       std::mt19937 random{unsigned(order)};
-      std::vector<RegionAsk> waiting;
+      std::vector<RegionRequest> waiting;
       for (int i = 0; i < 1000; ++i) {
-        for (const RegionAsk& ask : regions.take(kNow)) waiting.push_back(ask);
+        for (const RegionRequest& ask : regions.take(kNow)) waiting.push_back(ask);
         if (waiting.empty()) break;
         const auto one = waiting.begin() + std::ptrdiff_t(random() % waiting.size());
-        const RegionAsk ask = *one;
+        const RegionRequest ask = *one;
         waiting.erase(one);
-        regions.answered(ask.id, answer(askedFor(ask.asking)), kNow);
+        regions.answered(ask.id, answer(askedFor(ask.rect)), kNow);
       }
       std::vector<std::uint8_t> cells;
       for (double x = view.min_x; x < view.max_x; x += 0.31) {

@@ -4,14 +4,14 @@
 #include <QTest>
 
 #include "robot/axbot/faults.h"
+#include "net/json_numbers.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
-#include "robot/wire/repair_json.h"
 #include "ros_messages/wrapper.pb.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
-using mapwright::robot::wire::repairNumbers;
+using mapwright::net::repairNumbers;
 using Outcome = map::SubmapAnswer::Outcome;
 
 namespace {

@@ -1,17 +1,17 @@
 #include <QTest>
 
+#include "net/json_numbers.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/topic_subscriptions.h"
 #include "robot/wire/base64.h"
 #include "robot/wire/raw_limit.h"
-#include "robot/wire/repair_json.h"
 #include "robot/wire/topic_mailbox.h"
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
+using net::quoteLongNumbers;
 using robot::wire::fromBase64;
-using robot::wire::quoteLongNumbers;
 using robot::wire::RawLimit;
 using robot::wire::TopicMailbox;
 

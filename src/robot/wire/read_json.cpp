@@ -6,7 +6,7 @@
 
 #include <QDateTime>
 
-#include "robot/wire/repair_json.h"
+#include "net/json_numbers.h"
 
 namespace mapwright::robot::wire {
 namespace {
@@ -30,13 +30,13 @@ std::optional<Json> JsonReader::read(std::string_view utf8) {
   if (parser_.capacity() > kKept) parser_ = simdjson::dom::parser();
   Json root;
   if (!parser_.parse(utf8.data(), utf8.size()).get(root)) return root;
-  const std::string repaired = repairNumbers(utf8);
+  const std::string repaired = net::repairNumbers(utf8);
   if (!parser_.parse(repaired.data(), repaired.size()).get(root)) return root;
   return std::nullopt;
 }
 
 std::optional<Json> JsonReader::readKeepingDigits(std::string_view utf8) {
-  return read(quoteLongNumbers(utf8));
+  return read(net::quoteLongNumbers(utf8));
 }
 
 std::optional<Json> member(const Json& object, Names names) {

@@ -1,10 +1,10 @@
-// Makes the nearly-JSON of some robots readable.
+// Makes the numbers of nearly-JSON readable. Pure functions.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-namespace mapwright::robot::wire {
+namespace mapwright::net {
 
 /// The text with NaN, Infinity, -Infinity and numbers that no type holds replaced by null, outside of
 /// strings.
@@ -14,4 +14,4 @@ std::string repairNumbers(std::string_view text);
 /// through a double.
 std::string quoteLongNumbers(std::string_view text);
 
-}  // namespace mapwright::robot::wire
+}  // namespace mapwright::net
