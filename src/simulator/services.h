@@ -5,13 +5,11 @@
 #include "simulator/http_answer.h"
 #include "simulator/request_log.h"
 #include "simulator/topic_messages.h"
-#include "simulator/web_socket_hub.h"
-
-namespace boost::asio {
-class thread_pool;
-}
+#include "simulator/web_socket_link.h"
 
 namespace mapwright::simulator {
+
+class WebSocketSession;
 
 struct Services {
   const Options& options;
@@ -20,8 +18,8 @@ struct Services {
   RequestLog& log;
   Answerer& routes;
   TopicMessages& messages;
-  WebSocketHub& hub;
-  boost::asio::thread_pool& workers;  // for what takes milliseconds to make
+  Links<WebSocketSession>& links;
+  Loop& loop;
 };
 
 }  // namespace mapwright::simulator
