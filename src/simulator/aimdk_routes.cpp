@@ -1,14 +1,12 @@
-#include "simulator/aimdk_routes.h"
-
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include <simdjson.h>
-
 #include "simulator/json_text.h"
 #include "simulator/map_answers.h"
+#include "simulator/routes.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -123,21 +121,17 @@ HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
   const Faults faults = faults_.faults();
   if (faults.map_list_error && call == 0) return jsonAnswer(500, error(500, "The map store is locked."));
 
-  simdjson::dom::parser parser;
-  simdjson::dom::element document;
-  std::string_view command;
-  if (parser.parse(question.body.data(), question.body.size()).get(document) != simdjson::SUCCESS ||
-      document["command"].get(command) != simdjson::SUCCESS) {
-    return jsonAnswer(400, error(400, "The request is no JSON object with a command."));
-  }
+  const Value request = fromJson(question.body).value_or(Value());
+  const auto* command = request["command"].as<std::string>();
+  if (command == nullptr) return jsonAnswer(400, error(400, "The request is no JSON object with a command."));
   HttpAnswer answer;
-  if (command != kCalls[call].command) {
+  if (*command != kCalls[call].command) {
     answer = jsonAnswer(200, error(-32602, "The command does not belong to this method."));
   } else {
     answer = jsonAnswer(200, call == 0   ? storedMapNames()
                              : call == 1 ? currentMap()
-                             : call == 2 ? wholeMap(question.body)
-                                         : topoMessages(question.body));
+                             : call == 2 ? wholeMap(request["map_id"])
+                                         : topoMessages(request["map_id"]));
   }
   answer.delay_ms = faults.map_latency_ms;
   return answer;
@@ -164,13 +158,11 @@ std::string AimdkRoutes::currentMap() const {
   return out + "}}";
 }
 
-std::string AimdkRoutes::wholeMap(std::string_view body) {
-  simdjson::dom::parser parser;
-  std::string_view id;
+std::string AimdkRoutes::wholeMap(const Value& map_id) {
   // The id is a text in this call.
-  if (parser.parse(body.data(), body.size())["map_id"].get(id) != simdjson::SUCCESS)
-    return error(-32602, "map_id has to be a string.");
-  const AimdkMap* map = find(id);
+  const auto* id = map_id.as<std::string>();
+  if (id == nullptr) return error(-32602, "map_id has to be a string.");
+  const AimdkMap* map = find(*id);
   const MapPicturePtr picture = map == nullptr ? nullptr : library_.pictures().picture(wishOf(*map));
   if (!picture) return R"({"data":{}})";
   const Faults faults = faults_.faults();
@@ -198,13 +190,11 @@ std::string AimdkRoutes::wholeMap(std::string_view body) {
   return out + R"(,"map_url":""}})";
 }
 
-std::string AimdkRoutes::topoMessages(std::string_view body) {
-  simdjson::dom::parser parser;
-  std::int64_t id = 0;
+std::string AimdkRoutes::topoMessages(const Value& map_id) {
   // The id is a number in this call.
-  if (parser.parse(body.data(), body.size())["map_id"].get(id) != simdjson::SUCCESS)
-    return error(-32602, "map_id has to be a number.");
-  const AimdkMap* map = find(std::to_string(id));
+  const auto* id = map_id.as<std::int64_t>();
+  if (id == nullptr) return error(-32602, "map_id has to be a number.");
+  const AimdkMap* map = find(std::to_string(*id));
   const Trajectory* way = map == nullptr ? nullptr : wayOf(library_.scene(), *map);
   const MapPicturePtr picture = way == nullptr ? nullptr : library_.pictures().picture(wishOf(*map));
   if (!picture) return error(-1, "There is no topology for this map.");

@@ -1,10 +1,9 @@
-#include "simulator/bag_routes.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "simulator/json_text.h"
 #include "simulator/request_fields.h"
+#include "simulator/routes.h"
 #include "simulator/whole_text.h"
 
 namespace mapwright::simulator {
@@ -21,7 +20,7 @@ HttpAnswer playerError(std::string_view sentence) {
   return jsonAnswer(400, body + "}");
 }
 
-HttpAnswer noSuchFile() { return jsonAnswer(404, jsonDetail("There is no such file.")); }
+HttpAnswer noSuchFile() { return errorAnswer(404, "There is no such file."); }
 
 void appendFile(std::string& out, BagFolder folder, const Bag& bag) {
   const std::size_t bytes = bagBytes(bag).size();
@@ -86,16 +85,16 @@ HttpAnswer BagRoutes::collection(BagFolder folder, const HttpQuestion& question)
 
 HttpAnswer BagRoutes::record(const HttpQuestion& question) {
   const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
-  if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
+  if (!fields) return errorAnswer(400, "The request is no JSON object.");
   const std::optional<std::string> suffix =
       fields->has("filename_suffix") ? fields->text("filename_suffix") : std::string();
   if (!suffix || !isSuffix(*suffix))
-    return jsonAnswer(400, jsonDetail("filename_suffix: must be at most 64 letters, digits, - and _."));
+    return errorAnswer(400, "filename_suffix: must be at most 64 letters, digits, - and _.");
   const std::optional<double> duration_s =
       fields->has("duration") ? secondsFrom(fields->text("duration").value_or("")) : kUsualRecordingS;
-  if (!duration_s) return jsonAnswer(400, jsonDetail("duration: must be such as \"2m\", at most \"5m\"."));
+  if (!duration_s) return errorAnswer(400, "duration: must be such as \"2m\", at most \"5m\".");
   if (fields->has("category") && fields->text("category") != "pos")
-    return jsonAnswer(400, jsonDetail("category: only \"pos\" is supported."));
+    return errorAnswer(400, "category: only \"pos\" is supported.");
   std::string body;
   appendFile(body, BagFolder::Recordings, store_.record(*suffix, *duration_s, fields->has("category")));
   return jsonAnswer(201, std::move(body));
@@ -126,7 +125,7 @@ HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQu
     case BagStore::Removal::Removed:
       return noContent();
     case BagStore::Removal::Recording:
-      return jsonAnswer(400, jsonDetail("This bag is still being recorded."));
+      return errorAnswer(400, "This bag is still being recorded.");
     case BagStore::Removal::Missing:
       break;
   }
@@ -138,7 +137,7 @@ HttpAnswer BagRoutes::download(std::string bytes, std::string_view range) const 
   answer.content_type = "application/octet-stream";
   answer.headers = {{"Content-Disposition", "attachment"}};
   constexpr std::string_view kUnit = "bytes=";
-  const bool asked = options_.ranges && range.starts_with(kUnit) && range.ends_with('-');
+  const bool asked = robot_.options.bags.ranges && range.starts_with(kUnit) && range.ends_with('-');
   const auto from = asked
                         ? numberFrom<std::size_t>(range.substr(kUnit.size(), range.size() - kUnit.size() - 1))
                         : std::nullopt;
@@ -166,8 +165,9 @@ std::shared_ptr<const BagRecording> BagRoutes::recordingOf(const Bag& bag) {
     recordings_.splice(recordings_.begin(), recordings_, known);
     return recordings_.front().second;
   }
-  recordings_.emplace_front(
-      bag.span, std::make_shared<const BagRecording>(state_, library_.atFirst(), seed_, bag.span));
+  recordings_.emplace_front(bag.span,
+                            std::make_shared<const BagRecording>(robot_.state, robot_.library.atFirst(),
+                                                                 robot_.options.seed, bag.span));
   if (recordings_.size() > kKeptRecordings) recordings_.pop_back();
   return recordings_.front().second;
 }
@@ -193,8 +193,9 @@ HttpAnswer BagRoutes::player(const std::optional<Bag>& bag, const HttpQuestion& 
                      ",\"end_time\":" + std::to_string(recording->endTime());
   if (!whole)
     body += ",\"messages\":" + recording->messagesJson(*from, *until,
-                                                       options_.end_exclusive ? BagRecording::End::Exclusive
-                                                                              : BagRecording::End::Inclusive);
+                                                       robot_.options.bags.end_exclusive
+                                                           ? BagRecording::End::Exclusive
+                                                           : BagRecording::End::Inclusive);
   HttpAnswer answer = jsonAnswer(200, body + "}");
   answer.headers = {{"Cache-Control", "public, max-age=2592000"}};
   return answer;

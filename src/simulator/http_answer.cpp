@@ -26,7 +26,13 @@ HttpAnswer jsonAnswer(int status, std::string body) {
   return answer;
 }
 
-HttpAnswer notFound() { return jsonAnswer(404, jsonDetail("Not found.")); }
+HttpAnswer errorAnswer(int status, std::string_view sentence) {
+  std::string body = "{\"detail\":";
+  appendJsonText(body, sentence);
+  return jsonAnswer(status, body + '}');
+}
+
+HttpAnswer notFound() { return errorAnswer(404, "Not found."); }
 
 HttpAnswer noContent() {
   HttpAnswer answer;
@@ -41,8 +47,7 @@ std::optional<HttpAnswer> refusedMethod(const HttpQuestion& question, std::strin
     if (rest.substr(0, comma) == question.method) return std::nullopt;
     rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
   }
-  HttpAnswer answer =
-      jsonAnswer(405, jsonDetail("Method \"" + std::string(question.method) + "\" not allowed."));
+  HttpAnswer answer = errorAnswer(405, "Method \"" + std::string(question.method) + "\" not allowed.");
   answer.headers = {{"Allow", std::string(allowed)}};
   return answer;
 }

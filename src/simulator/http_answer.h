@@ -31,7 +31,8 @@ struct HttpAnswer {
 };
 
 HttpAnswer jsonAnswer(int status, std::string body);
-
+/// {"detail":"..."}: how the Autoxing robot reports an error.
+HttpAnswer errorAnswer(int status, std::string_view sentence);
 HttpAnswer notFound();
 /// 204 without a body.
 HttpAnswer noContent();

@@ -5,8 +5,8 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 
 #include "simulator/boost_sockets.h"
-#include "simulator/http_routes.h"
 #include "simulator/json_text.h"
+#include "simulator/routes.h"
 #include "simulator/web_socket_session.h"
 
 namespace mapwright::simulator {
@@ -75,7 +75,7 @@ void HttpSession::read() {
     const int status = error == http::error::header_limit ? 431
                        : error == http::error::body_limit ? 413
                                                           : 400;
-    self->answer_ = jsonAnswer(status, jsonDetail("The request is too large or no HTTP."));
+    self->answer_ = errorAnswer(status, "The request is too large or no HTTP.");
     self->keep_alive_ = false;
     self->respond();
   });
@@ -108,7 +108,7 @@ void HttpSession::take() {
       std::make_shared<WebSocketSession>(connection, services_, target)->accept({request});
       return;
     }
-    answer_ = jsonAnswer(400, jsonDetail("This address speaks WebSocket only."));
+    answer_ = errorAnswer(400, "This address speaks WebSocket only.");
   } else if (services_.routes.isSlow(path)) {
     work(question);
     return;

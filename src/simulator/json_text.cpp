@@ -55,11 +55,4 @@ void appendOwnUrl(std::string& out, std::string_view key, std::string_view path)
   appendJsonText(out, "http://192.168.25.25:8090" + std::string(path));
 }
 
-std::string jsonDetail(std::string_view sentence) {
-  std::string out = "{\"detail\":";
-  appendJsonText(out, sentence);
-  out += '}';
-  return out;
-}
-
 }  // namespace mapwright::simulator

@@ -17,7 +17,4 @@ void appendJsonFixed(std::string& out, double number, int digits);
 /// whatever address was connected to.
 void appendOwnUrl(std::string& out, std::string_view key, std::string_view path);
 
-/// {"detail":"..."}: how these robots report an error.
-std::string jsonDetail(std::string_view sentence);
-
 }  // namespace mapwright::simulator

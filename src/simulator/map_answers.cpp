@@ -25,7 +25,7 @@ std::string faultyPng(const std::string& png, const Faults& faults) {
 
 HttpAnswer pictureAnswer(const MapPicturePtr& picture, const HttpQuestion& question, bool for_ever,
                          const Faults& faults) {
-  if (!picture) return jsonAnswer(404, jsonDetail("There is no such picture."));
+  if (!picture) return errorAnswer(404, "There is no such picture.");
   // Static files carry their tag without quotes, as these robots send it.
   const std::string tag = for_ever ? picture->hash : quoted(picture->hash);
   HttpAnswer answer;

@@ -4,9 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include <simdjson.h>
-
 #include "simulator/json_text.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -88,11 +87,8 @@ std::string noOverlays() { return Collection().finished(); }
 
 bool isOverlays(std::string_view text) {
   if (text.empty()) return true;
-  simdjson::dom::parser parser;
-  simdjson::dom::element document;
-  simdjson::dom::array features;
-  return parser.parse(text.data(), text.size()).get(document) == simdjson::SUCCESS && document.is_object() &&
-         document["features"].get(features) == simdjson::SUCCESS;
+  const std::optional<Value> overlays = fromJson(text);
+  return overlays && (*overlays)["features"].as<Value::List>() != nullptr;
 }
 
 std::string overlaysAlong(const Scene& scene, int id) {

@@ -1,5 +1,3 @@
-#include "simulator/mapping_routes.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -7,6 +5,7 @@
 #include "simulator/json_text.h"
 #include "simulator/map_answers.h"
 #include "simulator/request_fields.h"
+#include "simulator/routes.h"
 #include "simulator/whole_text.h"
 
 namespace mapwright::simulator {
@@ -63,115 +62,17 @@ std::string landmarksJson(const DrivenWay& way) {
   return out + "]";
 }
 
-HttpAnswer noSuchTask() { return jsonAnswer(404, jsonDetail("There is no such mapping task.")); }
+HttpAnswer noSuchTask() { return errorAnswer(404, "There is no such mapping task."); }
 
 HttpAnswer removed(MappingBook::Removal removal) {
   if (removal == MappingBook::Removal::Missing) return noSuchTask();
   if (removal == MappingBook::Removal::Running)
-    return jsonAnswer(400, jsonDetail("A mapping task is running. Finish or cancel it first."));
+    return errorAnswer(400, "A mapping task is running. Finish or cancel it first.");
   return noContent();
 }
 
-}  // namespace
-
-std::optional<HttpAnswer> MappingRoutes::answer(const HttpQuestion& question) {
-  const std::string_view path = pathOf(question.target);
-  HttpAnswer answer;
-  if (path == "/mappings" || path == "/mappings/") {
-    answer = collection(question);
-  } else if (path == "/mappings/current" || path == "/mappings/current/") {
-    answer = current(question);
-  } else if (path.starts_with("/mappings/")) {
-    answer = task(path.substr(10), question);
-  } else {
-    return std::nullopt;
-  }
-  answer.delay_ms += faults_.faults().map_latency_ms;
-  return answer;
-}
-
-HttpAnswer MappingRoutes::collection(const HttpQuestion& question) {
-  if (auto refused = refusedMethod(question, "GET, POST, DELETE")) return *refused;
-  if (question.method == "POST") return start(question);
-  if (question.method == "DELETE") return removed(mappings_.removeAll());
-  std::string body = "[";
-  for (const MappingTask& task : mappings_.tasks()) {
-    if (body.size() > 1) body += ',';
-    append(body, task);
-  }
-  return jsonAnswer(200, body + "]");
-}
-
-HttpAnswer MappingRoutes::start(const HttpQuestion& question) {
-  const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
-  if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
-  const std::optional<bool> continues =
-      fields->has("continue_mapping") ? fields->flag("continue_mapping") : std::optional(false);
-  if (!continues) return jsonAnswer(400, jsonDetail("continue_mapping: must be true or false."));
-  const std::string from =
-      fields->has("start_pose_type") ? fields->text("start_pose_type").value_or("") : "zero";
-  if (from != "zero" && from != "current_pose")
-    return jsonAnswer(400, jsonDetail("start_pose_type: must be \"zero\" or \"current_pose\"."));
-  if (!state_.canMap()) return jsonAnswer(400, jsonDetail("This robot has nothing to map."));
-  if (*continues && !library_.current())
-    return jsonAnswer(400, jsonDetail("There is no current map that could be continued."));
-  const std::optional<MappingTask> task = mappings_.start(*continues ? Mapping::Continue : Mapping::New);
-  if (!task) return jsonAnswer(400, jsonDetail("A mapping task is running already."));
-  return shown(201, *task);
-}
-
-HttpAnswer MappingRoutes::current(const HttpQuestion& question) {
-  if (auto refused = refusedMethod(question, "GET, PATCH")) return *refused;
-  if (question.method == "GET") {
-    const std::optional<MappingTask> task = mappings_.running();
-    return task ? shown(200, *task) : jsonAnswer(404, jsonDetail("No mapping task is running."));
-  }
-  const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
-  if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
-  const std::string state = fields->text("state").value_or("");
-  if (state != "finished" && state != "cancelled")
-    return jsonAnswer(400, jsonDetail("state: must be \"finished\" or \"cancelled\"."));
-  const std::optional<bool> new_only =
-      fields->has("new_map_only") ? fields->flag("new_map_only") : std::optional(false);
-  if (!new_only) return jsonAnswer(400, jsonDetail("new_map_only: must be true or false."));
-  const std::optional<MappingTask> task = mappings_.end(state == "cancelled" ? MappingBook::End::Cancelled
-                                                        : *new_only ? MappingBook::End::FinishedNewOnly
-                                                                    : MappingBook::End::Finished);
-  return task ? shown(200, *task) : jsonAnswer(404, jsonDetail("No mapping task is running."));
-}
-
-HttpAnswer MappingRoutes::task(std::string_view rest, const HttpQuestion& question) {
-  const std::size_t end = rest.find_first_of("./");
-  const std::optional<int> id = numberFrom<int>(rest.substr(0, end));
-  const std::string_view part = end == std::string_view::npos ? std::string_view() : rest.substr(end);
-  const std::optional<MappingTask> task = id ? mappings_.find(*id) : std::nullopt;
-  if (!task) return noSuchTask();
-  if (part.empty() || part == "/") {
-    if (auto refused = refusedMethod(question, "GET, DELETE")) return *refused;
-    return question.method == "DELETE" ? removed(mappings_.remove(*id)) : shown(200, *task);
-  }
-  if (part != ".png" && part != "/thumbnail" && part != "/trajectories.json" && part != "/landmarks.json" &&
-      part != ".pbstream")
-    return notFound();
-  if (auto refused = refusedMethod(question, "GET")) return *refused;
-  const std::optional<DrivenWay> way = wayOf(library_.scene(), task->wish);
-  if (!way) return jsonAnswer(404, jsonDetail("This mapping task made no map."));
-  if (part == "/trajectories.json") return jsonAnswer(200, trajectoriesJson(*way));
-  if (part == "/landmarks.json") return jsonAnswer(200, landmarksJson(*way));
-  if (part == ".pbstream") return bytesAnswer(pbstreamOf(library_.pictures().picture(*task->wish)), question);
-  return pictureAnswer(
-      part == ".png" ? library_.pictures().picture(*task->wish) : library_.pictures().thumbnail(*task->wish),
-      question, false, faults_.faults());
-}
-
-HttpAnswer MappingRoutes::shown(int status, const MappingTask& task) {
-  std::string body;
-  append(body, task);
-  return jsonAnswer(status, std::move(body));
-}
-
-void MappingRoutes::append(std::string& out, const MappingTask& task) {
-  const MapPicturePtr picture = task.wish ? library_.pictures().picture(*task.wish) : nullptr;
+void appendTask(const Robot& robot, std::string& out, const MappingTask& task) {
+  const MapPicturePtr picture = task.wish ? robot.library.pictures().picture(*task.wish) : nullptr;
   const std::string path = "/mappings/" + std::to_string(task.id);
   out += "{\"id\":" + std::to_string(task.id);
   if (picture) {
@@ -191,6 +92,106 @@ void MappingRoutes::append(std::string& out, const MappingTask& task) {
          ",\"state\":";
   appendJsonText(out, task.state);
   out += R"(,"bag_id":null,"bag_url":null,"download_url":null})";
+}
+
+HttpAnswer shownTask(const Robot& robot, int status, const MappingTask& task) {
+  std::string body;
+  appendTask(robot, body, task);
+  return jsonAnswer(status, std::move(body));
+}
+
+HttpAnswer startMapping(const Robot& robot, const HttpQuestion& question) {
+  const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
+  if (!fields) return errorAnswer(400, "The request is no JSON object.");
+  const std::optional<bool> continues =
+      fields->has("continue_mapping") ? fields->flag("continue_mapping") : std::optional(false);
+  if (!continues) return errorAnswer(400, "continue_mapping: must be true or false.");
+  const std::string from =
+      fields->has("start_pose_type") ? fields->text("start_pose_type").value_or("") : "zero";
+  if (from != "zero" && from != "current_pose")
+    return errorAnswer(400, "start_pose_type: must be \"zero\" or \"current_pose\".");
+  if (!robot.state.canMap()) return errorAnswer(400, "This robot has nothing to map.");
+  if (*continues && !robot.library.current())
+    return errorAnswer(400, "There is no current map that could be continued.");
+  const std::optional<MappingTask> task = robot.mappings.start(*continues ? Mapping::Continue : Mapping::New);
+  if (!task) return errorAnswer(400, "A mapping task is running already.");
+  return shownTask(robot, 201, *task);
+}
+
+HttpAnswer mappingCollection(const Robot& robot, const HttpQuestion& question) {
+  if (auto refused = refusedMethod(question, "GET, POST, DELETE")) return *refused;
+  if (question.method == "POST") return startMapping(robot, question);
+  if (question.method == "DELETE") return removed(robot.mappings.removeAll());
+  std::string body = "[";
+  for (const MappingTask& task : robot.mappings.tasks()) {
+    if (body.size() > 1) body += ',';
+    appendTask(robot, body, task);
+  }
+  return jsonAnswer(200, body + "]");
+}
+
+HttpAnswer currentMapping(const Robot& robot, const HttpQuestion& question) {
+  if (auto refused = refusedMethod(question, "GET, PATCH")) return *refused;
+  if (question.method == "GET") {
+    const std::optional<MappingTask> task = robot.mappings.running();
+    return task ? shownTask(robot, 200, *task) : errorAnswer(404, "No mapping task is running.");
+  }
+  const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
+  if (!fields) return errorAnswer(400, "The request is no JSON object.");
+  const std::string state = fields->text("state").value_or("");
+  if (state != "finished" && state != "cancelled")
+    return errorAnswer(400, "state: must be \"finished\" or \"cancelled\".");
+  const std::optional<bool> new_only =
+      fields->has("new_map_only") ? fields->flag("new_map_only") : std::optional(false);
+  if (!new_only) return errorAnswer(400, "new_map_only: must be true or false.");
+  const std::optional<MappingTask> task =
+      robot.mappings.end(state == "cancelled" ? MappingBook::End::Cancelled
+                         : *new_only          ? MappingBook::End::FinishedNewOnly
+                                              : MappingBook::End::Finished);
+  return task ? shownTask(robot, 200, *task) : errorAnswer(404, "No mapping task is running.");
+}
+
+HttpAnswer mappingTask(const Robot& robot, std::string_view rest, const HttpQuestion& question) {
+  const std::size_t end = rest.find_first_of("./");
+  const std::optional<int> id = numberFrom<int>(rest.substr(0, end));
+  const std::string_view part = end == std::string_view::npos ? std::string_view() : rest.substr(end);
+  const std::optional<MappingTask> task = id ? robot.mappings.find(*id) : std::nullopt;
+  if (!task) return noSuchTask();
+  if (part.empty() || part == "/") {
+    if (auto refused = refusedMethod(question, "GET, DELETE")) return *refused;
+    return question.method == "DELETE" ? removed(robot.mappings.remove(*id)) : shownTask(robot, 200, *task);
+  }
+  if (part != ".png" && part != "/thumbnail" && part != "/trajectories.json" && part != "/landmarks.json" &&
+      part != ".pbstream")
+    return notFound();
+  if (auto refused = refusedMethod(question, "GET")) return *refused;
+  const std::optional<DrivenWay> way = wayOf(robot.library.scene(), task->wish);
+  if (!way) return errorAnswer(404, "This mapping task made no map.");
+  if (part == "/trajectories.json") return jsonAnswer(200, trajectoriesJson(*way));
+  if (part == "/landmarks.json") return jsonAnswer(200, landmarksJson(*way));
+  if (part == ".pbstream")
+    return bytesAnswer(pbstreamOf(robot.library.pictures().picture(*task->wish)), question);
+  return pictureAnswer(part == ".png" ? robot.library.pictures().picture(*task->wish)
+                                      : robot.library.pictures().thumbnail(*task->wish),
+                       question, false, robot.faults.faults());
+}
+
+}  // namespace
+
+std::optional<HttpAnswer> mappingAnswer(const Robot& robot, const HttpQuestion& question) {
+  const std::string_view path = pathOf(question.target);
+  HttpAnswer answer;
+  if (path == "/mappings" || path == "/mappings/") {
+    answer = mappingCollection(robot, question);
+  } else if (path == "/mappings/current" || path == "/mappings/current/") {
+    answer = currentMapping(robot, question);
+  } else if (path.starts_with("/mappings/")) {
+    answer = mappingTask(robot, path.substr(10), question);
+  } else {
+    return std::nullopt;
+  }
+  answer.delay_ms += robot.faults.faults().map_latency_ms;
+  return answer;
 }
 
 }  // namespace mapwright::simulator

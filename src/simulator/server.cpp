@@ -13,16 +13,12 @@ constexpr auto kListAtMost = std::chrono::seconds(1);
 
 }  // namespace
 
-Server::Server(const Options& options, RobotState& state, MapLibrary& library, MappingBook& mappings,
-               FaultPlan& faults, RequestLog& log)
-    : options_(options),
-      state_(state),
-      library_(library),
-      faults_(faults),
+Server::Server(const Robot& robot, RequestLog& log)
+    : robot_(robot),
       log_(log),
-      routes_(state, library, mappings, faults, options),
-      aimdk_routes_(library, faults),
-      messages_(state, library, faults, options) {}
+      routes_(robot),
+      aimdk_routes_(robot),
+      messages_(robot.state, robot.library, robot.faults, robot.options) {}
 
 Server::~Server() {
   loop_.stop();
@@ -30,7 +26,7 @@ Server::~Server() {
 }
 
 std::optional<std::string> Server::open(Door& door, std::uint16_t port) {
-  const Services services{options_, state_, faults_, log_, door.routes, messages_, links_, loop_};
+  const Services services{robot_, log_, door.routes, messages_, links_, loop_};
   const auto opened = loop_.listen(port, "The simulated robot",
                                    [services](Connection& connection) { serveHttp(connection, services); });
   if (!opened) return opened.error();
@@ -45,11 +41,11 @@ void Server::publish(std::string_view topic) {
 std::optional<std::string> Server::start(std::uint16_t port, std::uint16_t aimdk_port) {
   if (std::optional<std::string> failure = open(axbot_, port)) return failure;
   if (std::optional<std::string> failure = open(aimdk_, aimdk_port)) return failure;
-  published_ = state_.stamp();
-  published_maps_ = library_.edits();
-  published_mapping_ = state_.mapping().has_value();
+  published_ = robot_.state.stamp();
+  published_maps_ = robot_.library.edits();
+  published_mapping_ = robot_.state.mapping().has_value();
   list_at_ = tick_at_ = dropped_at_ = restarted_at_ = steady_clock::now();
-  periodic_ = periodicTopics(options_, tick_at_);
+  periodic_ = periodicTopics(robot_.options, tick_at_);
   tick();
   loop_.start();
   return std::nullopt;
@@ -68,13 +64,13 @@ void Server::tick() {
 }
 
 void Server::publishChanges(steady_clock::time_point now) {
-  const bool mapping = state_.mapping().has_value();
+  const bool mapping = robot_.state.mapping().has_value();
   for (PeriodicTopic& topic : periodic_) {
     if (now < topic.due) continue;
     topic.due = std::max(topic.due + topic.period, now);
     if (mapping || !growsWhileMapping(topic.topic)) publish(topic.topic);
   }
-  const MapEdits edits = library_.edits();
+  const MapEdits edits = robot_.library.edits();
   if (edits.info != published_maps_.info) publish("/map/info");
   if (edits.pictures != published_maps_.pictures || mapping != published_mapping_) {
     for (const std::string_view topic : mapTopics()) publish(topic);
@@ -82,7 +78,7 @@ void Server::publishChanges(steady_clock::time_point now) {
   published_maps_ = edits;
   published_mapping_ = mapping;
   if (now - list_at_ < kListAtMost) return;
-  ListStamp stamp = state_.stamp();
+  ListStamp stamp = robot_.state.stamp();
   if (stamp == published_) return;
   published_ = std::move(stamp);
   list_at_ = now;
@@ -90,7 +86,7 @@ void Server::publishChanges(steady_clock::time_point now) {
 }
 
 void Server::keepFaultSchedule(steady_clock::time_point now) {
-  const Faults faults = faults_.faults();
+  const Faults faults = robot_.faults.faults();
   if (faults.websocket_drop_every_s > 0 &&
       now - dropped_at_ >= std::chrono::seconds(faults.websocket_drop_every_s)) {
     dropped_at_ = now;
@@ -99,14 +95,14 @@ void Server::keepFaultSchedule(steady_clock::time_point now) {
   if (faults.uuid_change_every_s > 0 &&
       now - restarted_at_ >= std::chrono::seconds(faults.uuid_change_every_s)) {
     restarted_at_ = now;
-    state_.restartSlam();
+    robot_.state.restartSlam();
     publish(kSubmapListTopic);
   }
 }
 
 void Server::publishList() {
   loop_.post([this] {
-    published_ = state_.stamp();
+    published_ = robot_.state.stamp();
     list_at_ = steady_clock::now();
     publish(kSubmapListTopic);
   });

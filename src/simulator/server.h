@@ -5,9 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "simulator/aimdk_routes.h"
-#include "simulator/http_routes.h"
 #include "simulator/loop.h"
+#include "simulator/routes.h"
 #include "simulator/services.h"
 #include "simulator/topic_schedule.h"
 
@@ -17,8 +16,7 @@ namespace mapwright::simulator {
 /// waits; two workers make what takes milliseconds.
 class Server {
  public:
-  Server(const Options& options, RobotState& state, MapLibrary& library, MappingBook& mappings,
-         FaultPlan& faults, RequestLog& log);
+  Server(const Robot& robot, RequestLog& log);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -47,10 +45,7 @@ class Server {
   void publishChanges(std::chrono::steady_clock::time_point now);
   void keepFaultSchedule(std::chrono::steady_clock::time_point now);
 
-  const Options& options_;
-  RobotState& state_;
-  MapLibrary& library_;
-  FaultPlan& faults_;
+  const Robot robot_;
   RequestLog& log_;
   HttpRoutes routes_;
   AimdkRoutes aimdk_routes_;

@@ -93,8 +93,8 @@ std::optional<std::string> Simulator::start() {
   if (impl_->problem) return impl_->problem;
   const std::lock_guard lock(impl_->server_mutex);
   if (impl_->server) return std::nullopt;
-  auto server = std::make_unique<Server>(impl_->options, impl_->state, impl_->library, impl_->mappings,
-                                         impl_->faults, impl_->log);
+  auto server = std::make_unique<Server>(
+      Robot{impl_->options, impl_->state, impl_->library, impl_->mappings, impl_->faults}, impl_->log);
   if (std::optional<std::string> failure = server->start(impl_->options.port, impl_->options.aimdk_port))
     return failure;
   auto ros_server = std::make_unique<ros::RosServer>(impl_->options, impl_->state, impl_->faults, impl_->log,

@@ -25,8 +25,8 @@ std::string errorMessage(std::string_view sentence) {
 WebSocketSession::WebSocketSession(Connection& connection, Services services, std::string_view target)
     : WebSocketLink(connection, kMostMessageBytes, kMostQueuedBytes),
       services_(services),
-      binary_(services.options.binary_topics && queryValue(target, "pb") == "1"),
-      silent_(services.faults.faults().silent_websocket) {}
+      binary_(services.robot.options.binary_topics && queryValue(target, "pb") == "1"),
+      silent_(services.robot.faults.faults().silent_websocket) {}
 
 bool WebSocketSession::opened() {
   services_.links.join(self());
@@ -40,7 +40,7 @@ void WebSocketSession::gone() {
 
 void WebSocketSession::take(const std::string& text, bool is_text) {
   if (!is_text) return send(textFrame(errorMessage("Binary messages are not understood.")));
-  const TopicRequest request = parseTopicRequest(text, services_.options.enable_topic_list);
+  const TopicRequest request = parseTopicRequest(text, services_.robot.options.enable_topic_list);
   if (!request.problem.empty()) return send(textFrame(errorMessage(request.problem)));
   for (const std::string& topic : request.enable) {
     if (topics_.size() < kMostTopics) topics_.insert(topic);
@@ -59,7 +59,7 @@ void WebSocketSession::take(const std::string& text, bool is_text) {
 
 void WebSocketSession::publish(std::string_view topic) {
   if (!topics_.contains(topic)) return;
-  const Faults faults = services_.faults.faults();
+  const Faults faults = services_.robot.faults.faults();
   if (silent_ || faults.silent_websocket) return;
   if (mayBeLeftOut(topic) && queued() > kMostQueued) return;
   if (isSlow(topic)) {

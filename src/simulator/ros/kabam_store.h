@@ -12,7 +12,7 @@
 #include "simulator/map_pictures.h"
 #include "simulator/robot_state.h"
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 

@@ -5,7 +5,7 @@
 
 #include "simulator/ros/fragments.h"
 #include "simulator/ros/ros_server.h"
-#include "simulator/ros/value_json.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator::ros {
 namespace {
@@ -35,10 +35,7 @@ bool isWholeAuth(const Value& message) {
   for (const char* name : {"mac", "client", "dest", "rand", "level"}) {
     if (message[name].as<std::string>() == nullptr) return false;
   }
-  const auto isNumber = [&](const char* name) {
-    return message[name].as<std::int64_t>() != nullptr || message[name].as<double>() != nullptr;
-  };
-  return isNumber("t") && isNumber("end");
+  return message["t"].isNumber() && message["end"].isNumber();
 }
 
 std::string idText(const Value& id) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "simulator/ros/value_json.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator::ros {
 namespace {
@@ -181,7 +181,7 @@ TypeBook::Read TypeBook::single(std::string_view type, const Field& field, const
   }
   if (field.type == "float64") {
     if (given == nullptr) return Value(0.0);
-    if (given->as<double>() == nullptr && given->as<std::int64_t>() == nullptr) return refuse();
+    if (!given->isNumber()) return refuse();
     return Value(given->number());
   }
   if (const std::optional<Range> range = rangeOf(field.type)) {

@@ -10,7 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 

@@ -1,4 +1,4 @@
-// A message of ROS as a value, whatever it will be written as.
+// A message as a value, whatever it will be written as.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 
 class Value {
  public:
@@ -55,6 +55,7 @@ class Value {
     return std::get_if<T>(&data_);
   }
   bool isNull() const { return std::holds_alternative<std::monostate>(data_); }
+  bool isNumber() const { return as<std::int64_t>() != nullptr || as<double>() != nullptr; }
 
   /// A member of an object; null where there is none.
   const Value& operator[](std::string_view name) const;
@@ -76,4 +77,4 @@ class Value {
 /// A lone float32, as robots' single precision has it: 0.05000000074505806.
 Value float32(double number);
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator

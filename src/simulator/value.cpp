@@ -1,8 +1,8 @@
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 #include <algorithm>
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 
 const Value* Value::find(std::string_view name) const {
   const Object* members = as<Object>();
@@ -49,4 +49,4 @@ bool Value::flag() const {
 
 Value float32(double number) { return {static_cast<double>(static_cast<float>(number))}; }
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 
 /// What is not finite becomes null.
 std::string toJson(const Value& value, RosWriter writer);
@@ -19,4 +19,4 @@ std::optional<Value> fromJson(std::string_view text);
 /// nullopt when it is no base64.
 std::optional<std::string> fromBase64(std::string_view text);
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator

@@ -1,4 +1,4 @@
-#include "simulator/ros/value_json.h"
+#include "simulator/value_json.h"
 
 #include <array>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include "simulator/json_text.h"
 #include "simulator/png_writing.h"
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 namespace {
 
 /// The code point that begins at `at`, which goes on to the next one. The text is UTF-8.
@@ -187,4 +187,4 @@ std::optional<std::string> fromBase64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator
