@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/json_text.h"
+#include "simulator/json_shapes.h"
 #include "simulator/request_fields.h"
 #include "simulator/routes.h"
 #include "simulator/whole_text.h"
@@ -15,25 +15,19 @@ constexpr std::size_t kKeptRecordings = 4;
 
 /// The player reports its errors under another name than the rest of the robot.
 HttpAnswer playerError(std::string_view sentence) {
-  std::string body = "{\"error\":";
-  appendJsonText(body, sentence);
-  return jsonAnswer(400, body + "}");
+  return valueAnswer(400, Value::Object{{"error", sentence}});
 }
 
 HttpAnswer noSuchFile() { return errorAnswer(404, "There is no such file."); }
 
-void appendFile(std::string& out, BagFolder folder, const Bag& bag) {
+Value fileValue(BagFolder folder, const Bag& bag) {
   const std::size_t bytes = bagBytes(bag).size();
-  out += "{\"filename\":";
-  appendJsonText(out, bag.name);
-  out += ",\"size\":";
-  appendJsonText(out, listedSize(bytes));
-  out += ",\"size_bytes\":" + std::to_string(bytes) + ",\"end\":";
-  appendJsonText(out, listedTime(bag.span.until_s));
-  appendOwnUrl(
-      out, "download_url",
-      (folder == BagFolder::Bags ? "/bags/" : "/recording/") + percentEncoded(bag.name) + "/download");
-  out += '}';
+  const char* const place = folder == BagFolder::Bags ? "/bags/" : "/recording/";
+  return Value::Object{{"filename", bag.name},
+                       {"size", listedSize(bytes)},
+                       {"size_bytes", bytes},
+                       {"end", listedTime(bag.span.until_s)},
+                       {"download_url", ownUrl(place + percentEncoded(bag.name) + "/download")}};
 }
 
 /// "90s", "2m".
@@ -75,12 +69,9 @@ HttpAnswer BagRoutes::collection(BagFolder folder, const HttpQuestion& question)
     store_.removeAll(folder);
     return noContent();
   }
-  std::string body = "[";
-  for (const Bag& bag : store_.list(folder)) {
-    if (body.size() > 1) body += ',';
-    appendFile(body, folder, bag);
-  }
-  return jsonAnswer(200, body + "]");
+  Value::List files;
+  for (const Bag& bag : store_.list(folder)) files.push_back(fileValue(folder, bag));
+  return valueAnswer(200, files);
 }
 
 HttpAnswer BagRoutes::record(const HttpQuestion& question) {
@@ -95,9 +86,8 @@ HttpAnswer BagRoutes::record(const HttpQuestion& question) {
   if (!duration_s) return errorAnswer(400, "duration: must be such as \"2m\", at most \"5m\".");
   if (fields->has("category") && fields->text("category") != "pos")
     return errorAnswer(400, "category: only \"pos\" is supported.");
-  std::string body;
-  appendFile(body, BagFolder::Recordings, store_.record(*suffix, *duration_s, fields->has("category")));
-  return jsonAnswer(201, std::move(body));
+  return valueAnswer(
+      201, fileValue(BagFolder::Recordings, store_.record(*suffix, *duration_s, fields->has("category"))));
 }
 
 HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQuestion& question) {
@@ -116,11 +106,7 @@ HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQu
   }
   if (!part.empty() && part != "/") return notFound();
   if (auto refused = refusedMethod(question, "GET, DELETE")) return *refused;
-  if (question.method == "GET") {
-    std::string body;
-    appendFile(body, folder, *bag);
-    return jsonAnswer(200, std::move(body));
-  }
+  if (question.method == "GET") return valueAnswer(200, fileValue(folder, *bag));
   switch (store_.remove(folder, bag->name)) {
     case BagStore::Removal::Removed:
       return noContent();
@@ -188,15 +174,13 @@ HttpAnswer BagRoutes::player(const std::optional<Bag>& bag, const HttpQuestion& 
     if (*until < *from) return playerError("end_time lies before start_time.");
   }
   const std::shared_ptr<const BagRecording> recording = recordingOf(*bag);
-  std::string body = "{\"total_messages\":" + std::to_string(recording->messages()) +
-                     ",\"start_time\":" + std::to_string(recording->startTime()) +
-                     ",\"end_time\":" + std::to_string(recording->endTime());
-  if (!whole)
-    body += ",\"messages\":" + recording->messagesJson(*from, *until,
-                                                       robot_.options.bags.end_exclusive
-                                                           ? BagRecording::End::Exclusive
-                                                           : BagRecording::End::Inclusive);
-  HttpAnswer answer = jsonAnswer(200, body + "}");
+  Value body = Value::Object{{"total_messages", recording->messages()},
+                             {"start_time", recording->startTime()},
+                             {"end_time", recording->endTime()}};
+  const auto end_of =
+      robot_.options.bags.end_exclusive ? BagRecording::End::Exclusive : BagRecording::End::Inclusive;
+  if (!whole) body.set("messages", Value::Json{recording->messagesJson(*from, *until, end_of)});
+  HttpAnswer answer = valueAnswer(200, body);
   answer.headers = {{"Cache-Control", "public, max-age=2592000"}};
   return answer;
 }

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "simulator/json_text.h"
 #include "simulator/map_answers.h"
 #include "simulator/map_overlays.h"
 #include "simulator/map_upload.h"
@@ -32,9 +31,7 @@ HttpAnswer setCurrentMap(const Robot& robot, const HttpQuestion& question) {
   } else {
     return errorAnswer(400, "Either map_id, map_uid or the data of a map is required.");
   }
-  std::string body;
-  appendMap(body, robot.library.current().value_or(StoredMap{}));
-  return jsonAnswer(200, body + "}");
+  return valueAnswer(200, mapValue(robot.library.current().value_or(StoredMap{})));
 }
 
 HttpAnswer currentMap(const Robot& robot, const HttpQuestion& question) {
@@ -45,9 +42,7 @@ HttpAnswer currentMap(const Robot& robot, const HttpQuestion& question) {
     return jsonAnswer(
         200, R"({"id":-1,"uid":"","map_name":"","create_time":0,"map_version":0,"overlays_version":0})");
   }
-  std::string body;
-  appendMap(body, *map);
-  return jsonAnswer(200, body + "}");
+  return valueAnswer(200, mapValue(*map));
 }
 
 HttpAnswer pose(const Robot& robot, const HttpQuestion& question) {

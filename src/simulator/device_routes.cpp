@@ -1,7 +1,7 @@
-#include "simulator/json_text.h"
 #include "simulator/noise.h"
 #include "simulator/routes.h"
 #include "simulator/topic_schedule.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -10,11 +10,9 @@ std::string deviceText(const Robot& robot) {
   std::string sn = "71822";
   Dice dice(hashOf(robot.options.seed, 61));
   for (int i = 0; i < 8; ++i) sn += static_cast<char>('0' + dice.integer(0, 9));
-  std::string out = R"(,"device":{"model":"hygeia","sn":)";
-  appendJsonText(out, sn);
-  out += R"(,"name":)";
-  appendJsonText(out, "robot-" + sn);
-  return out + R"(,"nickname":"Simulated robot"})";
+  return ",\"device\":" +
+         toJson(Value::Object{
+             {"model", "hygeia"}, {"sn", sn}, {"name", "robot-" + sn}, {"nickname", "Simulated robot"}});
 }
 
 std::string deviceInfo(const Robot& robot) {
@@ -51,12 +49,8 @@ std::optional<HttpAnswer> deviceAnswer(const Robot& robot, const HttpQuestion& q
         R"({"depth_cameras":[],"laser_scanners":[{"name":"lidar_node","scan_topic":"/left_laser_2d/matched"}],)"
         R"("rgb_cameras":[]})";
   } else if (path == "/ros/rosmaster/topics/published_names") {
-    body = "{\"names\":[";
-    for (const std::string_view topic : publishedTopics()) {
-      if (body.back() != '[') body += ',';
-      appendJsonText(body, topic);
-    }
-    body += "]}";
+    const std::vector<std::string_view> topics = publishedTopics();
+    body = toJson(Value::Object{{"names", Value::List(topics.begin(), topics.end())}});
   } else {
     return std::nullopt;
   }

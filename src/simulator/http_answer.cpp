@@ -1,6 +1,6 @@
 #include "simulator/http_answer.h"
 
-#include "simulator/json_text.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -26,10 +26,10 @@ HttpAnswer jsonAnswer(int status, std::string body) {
   return answer;
 }
 
+HttpAnswer valueAnswer(int status, const Value& value) { return jsonAnswer(status, toJson(value)); }
+
 HttpAnswer errorAnswer(int status, std::string_view sentence) {
-  std::string body = "{\"detail\":";
-  appendJsonText(body, sentence);
-  return jsonAnswer(status, body + '}');
+  return valueAnswer(status, Value::Object{{"detail", sentence}});
 }
 
 HttpAnswer notFound() { return errorAnswer(404, "Not found."); }

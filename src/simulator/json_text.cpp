@@ -48,11 +48,4 @@ void appendJsonFixed(std::string& out, double number, int digits) {
   out.append(buffer.data(), result.ptr);
 }
 
-void appendOwnUrl(std::string& out, std::string_view key, std::string_view path) {
-  out += ",\"";
-  out += key;
-  out += "\":";
-  appendJsonText(out, "http://192.168.25.25:8090" + std::string(path));
-}
-
 }  // namespace mapwright::simulator

@@ -1,23 +1,22 @@
-#include "simulator/json_text.h"
+#include "simulator/json_shapes.h"
 #include "simulator/map_answers.h"
 #include "simulator/map_overlays.h"
 #include "simulator/map_upload.h"
-#include "simulator/png_writing.h"
 #include "simulator/routes.h"
 #include "simulator/whole_text.h"
 
 namespace mapwright::simulator {
 namespace {
 
-void appendFaultyGrid(std::string& out, const MapPicturePtr& picture, const std::string& fault) {
-  const std::size_t from = out.size();
-  appendGrid(out, picture);
-  const std::size_t resolution = out.find(",\"grid_resolution\":", from);
-  if (fault == "zero-resolution") out.replace(resolution, std::string::npos, ",\"grid_resolution\":0");
-  if (fault == "negative-resolution")
-    out.replace(resolution, std::string::npos, ",\"grid_resolution\":-0.05");
-  if (fault == "no-resolution") out.erase(resolution);
-  if (fault == "no-origin") out.erase(from, resolution - from);
+void addFaultyGrid(Value& value, const MapPicturePtr& picture, const std::string& fault) {
+  Value grid;
+  addGrid(grid, picture);
+  if (fault == "zero-resolution") grid.set("grid_resolution", 0);
+  if (fault == "negative-resolution") grid.set("grid_resolution", -0.05);
+  for (const auto& [name, number] : *grid.as<Value::Object>()) {
+    const bool left_out = name == "grid_resolution" ? fault == "no-resolution" : fault == "no-origin";
+    if (!left_out) value.set(name, number);
+  }
 }
 
 std::shared_ptr<const std::string> pbstreamOf(MapLibrary& library, const StoredMap& map) {
@@ -47,9 +46,7 @@ HttpAnswer createMap(const Robot& robot, const HttpQuestion& question) {
   }
   const std::optional<StoredMap> kept = robot.library.add(std::move(map));
   if (!kept) return errorAnswer(400, "uid: there is a map with this uid already.");
-  std::string body;
-  appendMapRow(body, *kept);
-  return jsonAnswer(201, std::move(body));
+  return valueAnswer(201, mapRow(*kept));
 }
 
 HttpAnswer mapCollection(const Robot& robot, const HttpQuestion& question) {
@@ -60,30 +57,25 @@ HttpAnswer mapCollection(const Robot& robot, const HttpQuestion& question) {
     return noContent();
   }
   if (robot.faults.faults().map_list_error) return errorAnswer(500, "The database is locked.");
-  std::string body = "[";
-  for (const StoredMap& map : robot.library.maps()) {
-    if (body.size() > 1) body += ',';
-    appendMapRow(body, map);
-  }
-  return jsonAnswer(200, body + "]");
+  Value::List rows;
+  for (const StoredMap& map : robot.library.maps()) rows.push_back(mapRow(map));
+  return valueAnswer(200, rows);
 }
 
 HttpAnswer mapDetail(const Robot& robot, const StoredMap& map) {
   const MapPicturePtr picture = robot.library.pictureOf(map);
   const std::string path = "/maps/" + std::to_string(map.id);
-  std::string body;
-  appendMap(body, map);
-  body += ",\"last_modified_time\":" + std::to_string(map.modified_s);
-  appendFaultyGrid(body, picture, robot.faults.faults().grid_fault);
-  body += ",\"overlays\":";
-  appendJsonText(body, map.overlays ? *map.overlays : "");
-  body += ",\"image_size\":" + std::to_string(picture ? picture->png->size() : 0) +
-          ",\"pbstream_size\":" + std::to_string(pbstreamOf(robot.library, map)->size());
-  appendOwnUrl(body, "thumbnail_url", path + "/thumbnail");
-  appendOwnUrl(body, "image_url", path + ".png");
-  appendOwnUrl(body, "download_url", path + "/download");
-  appendOwnUrl(body, "pbstream_url", path + ".pbstream");
-  return jsonAnswer(200, body + "}");
+  Value body = mapValue(map);
+  body.set("last_modified_time", map.modified_s);
+  addFaultyGrid(body, picture, robot.faults.faults().grid_fault);
+  body.set("overlays", map.overlays ? *map.overlays : "");
+  body.set("image_size", picture ? picture->png->size() : 0);
+  body.set("pbstream_size", pbstreamOf(robot.library, map)->size());
+  body.set("thumbnail_url", ownUrl(path + "/thumbnail"));
+  body.set("image_url", ownUrl(path + ".png"));
+  body.set("download_url", ownUrl(path + "/download"));
+  body.set("pbstream_url", ownUrl(path + ".pbstream"));
+  return valueAnswer(200, body);
 }
 
 HttpAnswer changeMap(const Robot& robot, const StoredMap& map, const HttpQuestion& question) {
@@ -102,14 +94,12 @@ HttpAnswer changeMap(const Robot& robot, const StoredMap& map, const HttpQuestio
 HttpAnswer downloadMap(const Robot& robot, const StoredMap& map) {
   const MapPicturePtr picture = robot.library.pictureOf(map);
   if (!picture) return notFound();
-  std::string body;
-  appendMap(body, map);
-  appendGrid(body, picture);
-  body += ",\"overlays\":";
-  appendJsonText(body, map.overlays ? *map.overlays : "");
-  body += ",\"carto_map\":\"" + base64(*pbstreamOf(robot.library, map)) + "\",\"occupancy_grid\":\"" +
-          base64(faultyPng(*picture->png, robot.faults.faults()));
-  return jsonAnswer(200, body + "\"}");
+  Value body = mapValue(map);
+  addGrid(body, picture);
+  body.set("overlays", map.overlays ? *map.overlays : "");
+  body.set("carto_map", Value::Bytes{*pbstreamOf(robot.library, map)});
+  body.set("occupancy_grid", Value::Bytes{faultyPng(*picture->png, robot.faults.faults())});
+  return valueAnswer(200, body);
 }
 
 HttpAnswer storedMap(const Robot& robot, std::string_view rest, const HttpQuestion& question) {

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "simulator/json_shapes.h"
-#include "simulator/json_text.h"
 #include "simulator/map_answers.h"
 #include "simulator/request_fields.h"
 #include "simulator/routes.h"
@@ -32,34 +31,28 @@ std::optional<DrivenWay> wayOf(const Scene& scene, const std::optional<PictureWi
 }
 
 /// The way that made the map, in two parts as after a pause.
-std::string trajectoriesJson(const DrivenWay& way) {
+Value trajectoriesOf(const DrivenWay& way) {
   const double length = way.length_m();
   const double step = std::max(kTrailStepM, length / kMostTrailPoints);
-  std::string out = "[";
+  Value::List parts;
   for (int part = 0; part < 2; ++part) {
-    if (part > 0) out += ',';
-    out += "{\"id\":" + std::to_string(part) + ",\"coordinates\":[";
     const double from = part == 0 ? 0 : length * 0.6, to = part == 0 ? length * 0.6 : length;
-    for (double s = from; s <= to; s += step) {
-      if (s > from) out += ',';
-      const geometry::Pose2 pose = way.drive->at(way.from_m + s);
-      appendPoint(out, {pose.x_m, pose.y_m});
-    }
-    out += "]}";
+    std::vector<Eigen::Vector2d> points;
+    for (double s = from; s <= to; s += step) points.push_back(way.drive->at(way.from_m + s).apply({0, 0}));
+    parts.push_back(Value::Object{{"id", part}, {"coordinates", pointsOf(points)}});
   }
-  return out + "]";
+  return parts;
 }
 
-std::string landmarksJson(const DrivenWay& way) {
-  std::string out = "[";
+Value landmarksOf(const DrivenWay& way) {
+  Value::List list;
   for (int i = 0; i < 6; ++i) {
-    if (i > 0) out += ',';
-    out += "{\"id\":\"landmark_" + std::to_string(i + 1) + "\",\"pos\":";
     const geometry::Pose2 by = way.drive->at(way.from_m + way.length_m() * (i + 0.5) / 6);
-    appendPoint(out, by.apply({0, i % 2 == 0 ? 1.1 : -1.1}));
-    out += i % 3 == 2 ? ",\"in_use\":false}" : ",\"in_use\":true}";
+    list.push_back(Value::Object{{"id", "landmark_" + std::to_string(i + 1)},
+                                 {"pos", pointOf(by.apply({0, i % 2 == 0 ? 1.1 : -1.1}))},
+                                 {"in_use", i % 3 != 2}});
   }
-  return out + "]";
+  return list;
 }
 
 HttpAnswer noSuchTask() { return errorAnswer(404, "There is no such mapping task."); }
@@ -71,33 +64,28 @@ HttpAnswer removed(MappingBook::Removal removal) {
   return noContent();
 }
 
-void appendTask(const Robot& robot, std::string& out, const MappingTask& task) {
+Value taskValue(const Robot& robot, const MappingTask& task) {
   const MapPicturePtr picture = task.wish ? robot.library.pictures().picture(*task.wish) : nullptr;
   const std::string path = "/mappings/" + std::to_string(task.id);
-  out += "{\"id\":" + std::to_string(task.id);
-  if (picture) {
-    appendOwnUrl(out, "thumbnail_url", path + "/thumbnail");
-    appendOwnUrl(out, "image_url", path + ".png");
-    appendOwnUrl(out, "trajectories_url", path + "/trajectories.json");
-    appendOwnUrl(out, "landmark_url", path + "/landmarks.json");
-    appendOwnUrl(out, "pbstream_url", path + ".pbstream");
-  } else {
-    out += R"(,"thumbnail_url":null,"image_url":null,"trajectories_url":null,"landmark_url":null)";
-  }
-  appendGrid(out, picture);
-  appendOwnUrl(out, "url", path);
-  out += task.continues ? ",\"continue_mapping\":true" : ",\"continue_mapping\":false";
-  out += ",\"start_time\":" + std::to_string(task.started_s) +
-         ",\"end_time\":" + (task.ended_s ? std::to_string(*task.ended_s) : std::string("null")) +
-         ",\"state\":";
-  appendJsonText(out, task.state);
-  out += R"(,"bag_id":null,"bag_url":null,"download_url":null})";
+  const auto url = [&](const char* of) { return picture ? ownUrl(path + of) : Value(); };
+  Value value = Value::Object{{"id", task.id},
+                              {"thumbnail_url", url("/thumbnail")},
+                              {"image_url", url(".png")},
+                              {"trajectories_url", url("/trajectories.json")},
+                              {"landmark_url", url("/landmarks.json")}};
+  if (picture) value.set("pbstream_url", url(".pbstream"));
+  addGrid(value, picture);
+  value.set("url", ownUrl(path));
+  value.set("continue_mapping", task.continues);
+  value.set("start_time", task.started_s);
+  value.set("end_time", task.ended_s ? Value(*task.ended_s) : Value());
+  value.set("state", task.state);
+  for (const char* name : {"bag_id", "bag_url", "download_url"}) value.set(name, {});
+  return value;
 }
 
 HttpAnswer shownTask(const Robot& robot, int status, const MappingTask& task) {
-  std::string body;
-  appendTask(robot, body, task);
-  return jsonAnswer(status, std::move(body));
+  return valueAnswer(status, taskValue(robot, task));
 }
 
 HttpAnswer startMapping(const Robot& robot, const HttpQuestion& question) {
@@ -122,12 +110,9 @@ HttpAnswer mappingCollection(const Robot& robot, const HttpQuestion& question) {
   if (auto refused = refusedMethod(question, "GET, POST, DELETE")) return *refused;
   if (question.method == "POST") return startMapping(robot, question);
   if (question.method == "DELETE") return removed(robot.mappings.removeAll());
-  std::string body = "[";
-  for (const MappingTask& task : robot.mappings.tasks()) {
-    if (body.size() > 1) body += ',';
-    appendTask(robot, body, task);
-  }
-  return jsonAnswer(200, body + "]");
+  Value::List tasks;
+  for (const MappingTask& task : robot.mappings.tasks()) tasks.push_back(taskValue(robot, task));
+  return valueAnswer(200, tasks);
 }
 
 HttpAnswer currentMapping(const Robot& robot, const HttpQuestion& question) {
@@ -167,8 +152,8 @@ HttpAnswer mappingTask(const Robot& robot, std::string_view rest, const HttpQues
   if (auto refused = refusedMethod(question, "GET")) return *refused;
   const std::optional<DrivenWay> way = wayOf(robot.library.scene(), task->wish);
   if (!way) return errorAnswer(404, "This mapping task made no map.");
-  if (part == "/trajectories.json") return jsonAnswer(200, trajectoriesJson(*way));
-  if (part == "/landmarks.json") return jsonAnswer(200, landmarksJson(*way));
+  if (part == "/trajectories.json") return valueAnswer(200, trajectoriesOf(*way));
+  if (part == "/landmarks.json") return valueAnswer(200, landmarksOf(*way));
   if (part == ".pbstream")
     return bytesAnswer(pbstreamOf(robot.library.pictures().picture(*task->wish)), question);
   return pictureAnswer(part == ".png" ? robot.library.pictures().picture(*task->wish)

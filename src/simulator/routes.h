@@ -94,10 +94,10 @@ class AimdkRoutes : public Answerer {
   bool opensTopics(std::string_view) const override { return false; }
 
  private:
-  std::string storedMapNames() const;
-  std::string currentMap() const;
-  std::string wholeMap(const Value& map_id);
-  std::string topoMessages(const Value& map_id);
+  Value storedMapNames() const;
+  Value currentMap() const;
+  Value wholeMap(const Value& map_id);
+  Value topoMessages(const Value& map_id);
 
   MapLibrary& library_;
   const FaultPlan& faults_;

@@ -97,6 +97,7 @@ class CborWriter {
     }
     return true;
   }
+  bool put(const Value::Json&) { return put(std::monostate()); }
   bool put(const Value::Bytes& data) {
     bytes(data.data.data(), data.data.size());
     return true;

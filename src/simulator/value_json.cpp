@@ -88,6 +88,7 @@ class JsonWriter {
       appendAscii(out_, text, writer_ == RosWriter::Escaped);
     }
   }
+  void put(const Value::Json& json) { out_ += json.text; }
   void put(const Value::Bytes& bytes) { put(base64(bytes.data)); }
   void put(const Value::Object& members) {
     out_ += '{';
@@ -142,7 +143,7 @@ Value valueOf(const simdjson::dom::element& element) {
   }
   if (element.get(object) == simdjson::SUCCESS) {
     Value::Object members;
-    for (const auto& [name, item] : object) members.emplace_back(std::string(name), valueOf(item));
+    for (const auto& [name, item] : object) members.emplace_back(name, valueOf(item));
     return {std::move(members)};
   }
   return {};

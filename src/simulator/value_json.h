@@ -11,7 +11,7 @@
 namespace mapwright::simulator {
 
 /// What is not finite becomes null.
-std::string toJson(const Value& value, RosWriter writer);
+std::string toJson(const Value& value, RosWriter writer = RosWriter::Plain);
 
 /// Whole numbers and others are told apart (2 and 2.0). nullopt when the text is no JSON.
 std::optional<Value> fromJson(std::string_view text);

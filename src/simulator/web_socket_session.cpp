@@ -1,9 +1,9 @@
 #include "simulator/web_socket_session.h"
 
 #include "simulator/http_answer.h"
-#include "simulator/json_text.h"
 #include "simulator/topic_request.h"
 #include "simulator/topic_schedule.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -13,12 +13,7 @@ constexpr std::size_t kMostTopics = 256;
 constexpr std::size_t kMostQueued = 32;                           // beyond it, what comes again is left out
 constexpr std::size_t kMostQueuedBytes = std::size_t{256} << 20;  // beyond it, the reader is given up
 
-std::string errorMessage(std::string_view sentence) {
-  std::string out = "{\"error\":";
-  appendJsonText(out, sentence);
-  out += '}';
-  return out;
-}
+Frame errorFrame(std::string_view sentence) { return textFrame(toJson(Value::Object{{"error", sentence}})); }
 
 }  // namespace
 
@@ -39,19 +34,14 @@ void WebSocketSession::gone() {
 }
 
 void WebSocketSession::take(const std::string& text, bool is_text) {
-  if (!is_text) return send(textFrame(errorMessage("Binary messages are not understood.")));
+  if (!is_text) return send(errorFrame("Binary messages are not understood."));
   const TopicRequest request = parseTopicRequest(text, services_.robot.options.enable_topic_list);
-  if (!request.problem.empty()) return send(textFrame(errorMessage(request.problem)));
+  if (!request.problem.empty()) return send(errorFrame(request.problem));
   for (const std::string& topic : request.enable) {
     if (topics_.size() < kMostTopics) topics_.insert(topic);
   }
   for (const std::string& topic : request.disable) topics_.erase(topic);
-  std::string reply = "{\"enabled_topics\":[";
-  for (const std::string& topic : topics_) {
-    if (reply.back() != '[') reply += ',';
-    appendJsonText(reply, topic);
-  }
-  send(textFrame(reply + "]}"));
+  send(textFrame(toJson(Value::Object{{"enabled_topics", Value::List(topics_.begin(), topics_.end())}})));
   for (const std::string& topic : request.enable) {
     if (isLatched(topic)) publish(topic);
   }

@@ -69,8 +69,8 @@ std::optional<Range> rangeOf(std::string_view type) {
 }
 
 std::string kindOf(const Value& value) {
-  static constexpr const char* kNames[] = {"NoneType", "bool", "int",  "float", "str", "list",
-                                           "dict",     "str",  "list", "list",  "list"};
+  static constexpr const char* kNames[] = {"NoneType", "bool", "int",  "float", "str",  "list",
+                                           "dict",     "str",  "list", "list",  "list", "str"};
   return kNames[value.data().index()];
 }
 
