@@ -58,18 +58,11 @@ PixelFrame frameOf(const MapPicture& picture) {
   return frame;
 }
 
-PictureWish wishOf(const AimdkMap& map) {
-  PictureWish wish;
-  wish.trajectory = map.trajectory;
-  wish.resolution_m = map.resolution_m;
-  return wish;
-}
-
-const Trajectory* wayOf(const Scene& scene, const AimdkMap& map) {
-  for (const Trajectory& trajectory : scene.trajectories) {
-    if (trajectory.id == map.trajectory) return &trajectory;
-  }
-  return nullptr;
+PictureSpec specOf(const AimdkMap& map) {
+  PictureSpec spec;
+  spec.trajectory = map.trajectory;
+  spec.resolution_m = map.resolution_m;
+  return spec;
 }
 
 Value navigationPoint(int number, const geometry::Pose2& pose, const PixelFrame& frame) {
@@ -134,7 +127,7 @@ HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
 Value AimdkRoutes::storedMapNames() const {
   Value::List maps;
   for (const AimdkMap& map : kMaps) {
-    if (wayOf(library_.scene(), map) == nullptr) continue;
+    if (library_.scene().find(map.trajectory) == nullptr) continue;
     maps.push_back(Value::Object{{"map_id", map.id}, {"map_name", map.name}, {"map_index", map.index}});
   }
   return data({{"map_lists", std::move(maps)}});
@@ -150,7 +143,7 @@ Value AimdkRoutes::wholeMap(const Value& map_id) {
   const auto* id = map_id.as<std::string>();
   if (id == nullptr) return error(-32602, "map_id has to be a string.");
   const AimdkMap* map = find(*id);
-  const MapPicturePtr picture = map == nullptr ? nullptr : library_.pictures().picture(wishOf(*map));
+  const MapPicturePtr picture = map == nullptr ? nullptr : library_.pictures().picture(specOf(*map));
   if (!picture) return data({});
   const Faults faults = faults_.faults();
   const PixelFrame frame = frameOf(*picture);
@@ -180,8 +173,8 @@ Value AimdkRoutes::topoMessages(const Value& map_id) {
   const auto* id = map_id.as<std::int64_t>();
   if (id == nullptr) return error(-32602, "map_id has to be a number.");
   const AimdkMap* map = find(std::to_string(*id));
-  const Trajectory* way = map == nullptr ? nullptr : wayOf(library_.scene(), *map);
-  const MapPicturePtr picture = way == nullptr ? nullptr : library_.pictures().picture(wishOf(*map));
+  const Trajectory* way = map == nullptr ? nullptr : library_.scene().find(map->trajectory);
+  const MapPicturePtr picture = way == nullptr ? nullptr : library_.pictures().picture(specOf(*map));
   if (!picture) return error(-1, "There is no topology for this map.");
   const PixelFrame frame = frameOf(*picture);
   Value::List points;

@@ -116,25 +116,25 @@ bool HttpRoutes::isSlow(std::string_view path) const { return path != "/device/i
 
 HttpAnswer HttpRoutes::image(const HttpQuestion& question) {
   const std::string_view asked = queryValue(question.target, "resolution");
-  PictureWish wish;
+  PictureSpec spec;
   const std::optional<MappingSpan> span = robot_.state.mapping();
   const bool new_only = queryValue(question.target, "new_trajectory_only") == "true";
-  if (span) wish = wishOf(*span, new_only);
-  const std::optional<double> resolution = asked.empty() ? wish.resolution_m : numberFrom<double>(asked);
+  if (span) spec = specOf(*span, new_only);
+  const std::optional<double> resolution = asked.empty() ? spec.resolution_m : numberFrom<double>(asked);
   if (!resolution || !std::isfinite(*resolution) || *resolution < kFinestM || *resolution > kCoarsestM) {
     return errorAnswer(400, "The resolution must lie between 0.005 and 10 metres.");
   }
-  wish.resolution_m = *resolution;
+  spec.resolution_m = *resolution;
   if (const std::string_view id = queryValue(question.target, "trajectory_id"); !id.empty()) {
     const std::optional<int> number = numberFrom<int>(id);
     if (!number) return errorAnswer(400, "Invalid query parameters.");
-    if (*number >= 0 && *number != wish.trajectory) {
-      wish = PictureWish();
-      wish.resolution_m = *resolution;
-      wish.trajectory = *number;
+    if (*number >= 0 && *number != spec.trajectory) {
+      spec = PictureSpec();
+      spec.resolution_m = *resolution;
+      spec.trajectory = *number;
     }
   }
-  const MapPicturePtr made = robot_.library.pictures().picture(wish);
+  const MapPicturePtr made = robot_.library.pictures().picture(spec);
   if (!made) return errorAnswer(502, "The ROS service call failed.");
   ros_messages::slam::GetMapImageResponse response;
   response.set_origin_x(made->origin_m.x());

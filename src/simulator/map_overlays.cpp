@@ -66,10 +66,7 @@ bool isOverlays(std::string_view text) {
 
 std::string overlaysAlong(const Scene& scene, int id) {
   Collection all;
-  const Trajectory* way = nullptr;
-  for (const Trajectory& trajectory : scene.trajectories) {
-    if (trajectory.id == id) way = &trajectory;
-  }
+  const Trajectory* way = scene.find(id);
   if (way == nullptr) return all.finished();
   const double step = way->drive.length_m() / 40;
   const auto at = [&](int i) { return way->drive.at(step * i); };

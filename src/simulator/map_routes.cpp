@@ -32,12 +32,12 @@ HttpAnswer createMap(const Robot& robot, const HttpQuestion& question) {
     const std::optional<MappingTask> task =
         id && *id > 0 && *id < 1'000'000'000 ? robot.mappings.find(static_cast<int>(*id)) : std::nullopt;
     if (!task) return errorAnswer(400, "mapping_id: there is no such mapping task.");
-    if (!task->wish) return errorAnswer(400, "mapping_id: this mapping task made no map.");
+    if (!task->spec) return errorAnswer(400, "mapping_id: this mapping task made no map.");
     const std::optional<std::string> name = fields->text("map_name");
     if (!name || name->empty() || name->size() > kLongestMapName)
       return errorAnswer(400, "map_name: must be a text of 1 to 255 bytes.");
     map.name = *name;
-    map.wish = task->wish;
+    map.spec = task->spec;
     map.overlays = std::make_shared<const std::string>(noOverlays());
   } else {
     auto handed_in = readMapUpload(*fields);

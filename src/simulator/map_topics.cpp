@@ -6,7 +6,7 @@
 #include "simulator/cost_maps.h"
 #include "simulator/json_shapes.h"
 #include "simulator/map_answers.h"
-#include "simulator/mapping_book.h"
+#include "simulator/mapping_tasks.h"
 #include "simulator/noise.h"
 #include "simulator/stamp.h"
 
@@ -68,9 +68,9 @@ std::optional<Frame> MapTopics::messageOf(std::string_view topic) {
 MapPicturePtr MapTopics::pictureOf(std::string_view topic) {
   if (topic == "/map" || topic == "/map_v2") {
     if (const std::optional<MappingSpan> span = state_.mapping()) {
-      PictureWish wish = wishOf(*span, false);
-      wish.bits = 4;
-      return library_.pictures().picture(wish);
+      PictureSpec spec = specOf(*span, false);
+      spec.bits = 4;
+      return library_.pictures().picture(spec);
     }
     return library_.livePicture();
   }
@@ -111,19 +111,19 @@ MapPicturePtr MapTopics::costsOfWholeMap() {
 }
 
 MapPicturePtr MapTopics::incremental() {
-  PictureWish wish;
-  wish.trajectory = 2;
-  wish.scans = state_.scansOf(wish.trajectory);
-  if (wish.scans == 0) return nullptr;
-  return library_.pictures().picture(wish);
+  PictureSpec spec;
+  spec.trajectory = 2;
+  spec.scans = state_.scansOf(spec.trajectory);
+  if (spec.scans == 0) return nullptr;
+  return library_.pictures().picture(spec);
 }
 
 MapPicturePtr MapTopics::environment(bool symmetry) {
   const std::optional<StoredMap> current = library_.current();
-  if (!current || !current->wish) return nullptr;
-  PictureWish wish = *current->wish;
-  wish.resolution_m = std::max(wish.resolution_m, kEnvironmentM);
-  const std::shared_ptr<const FloorCells> floor = library_.pictures().cells(wish);
+  if (!current || !current->spec) return nullptr;
+  PictureSpec spec = *current->spec;
+  spec.resolution_m = std::max(spec.resolution_m, kEnvironmentM);
+  const std::shared_ptr<const FloorCells> floor = library_.pictures().cells(spec);
   if (!floor) return nullptr;
   const std::string of = current->uid + "/" + std::to_string(current->map_version);
   const std::lock_guard lock(mutex_);

@@ -20,14 +20,12 @@ struct DrivenWay {
   double length_m() const { return to_m - from_m; }
 };
 
-std::optional<DrivenWay> wayOf(const Scene& scene, const std::optional<PictureWish>& wish) {
-  for (const Trajectory& trajectory : scene.trajectories) {
-    if (!wish || trajectory.id != wish->trajectory) continue;
-    const double to_m =
-        wish->scans < 0 ? trajectory.drive.length_m() : wish->from_m + kScanStepM * wish->scans;
-    return DrivenWay{&trajectory.drive, wish->from_m, to_m};
-  }
-  return std::nullopt;
+std::optional<DrivenWay> wayOf(const Scene& scene, const std::optional<PictureSpec>& spec) {
+  const Trajectory* trajectory = spec ? scene.find(spec->trajectory) : nullptr;
+  if (trajectory == nullptr) return std::nullopt;
+  const double to_m =
+      spec->scans < 0 ? trajectory->drive.length_m() : spec->from_m + kScanStepM * spec->scans;
+  return DrivenWay{&trajectory->drive, spec->from_m, to_m};
 }
 
 /// The way that made the map, in two parts as after a pause.
@@ -57,15 +55,15 @@ Value landmarksOf(const DrivenWay& way) {
 
 HttpAnswer noSuchTask() { return errorAnswer(404, "There is no such mapping task."); }
 
-HttpAnswer removed(MappingBook::Removal removal) {
-  if (removal == MappingBook::Removal::Missing) return noSuchTask();
-  if (removal == MappingBook::Removal::Running)
+HttpAnswer removed(MappingTasks::Removal removal) {
+  if (removal == MappingTasks::Removal::Missing) return noSuchTask();
+  if (removal == MappingTasks::Removal::Running)
     return errorAnswer(400, "A mapping task is running. Finish or cancel it first.");
   return noContent();
 }
 
 Value taskValue(const Robot& robot, const MappingTask& task) {
-  const MapPicturePtr picture = task.wish ? robot.library.pictures().picture(*task.wish) : nullptr;
+  const MapPicturePtr picture = task.spec ? robot.library.pictures().picture(*task.spec) : nullptr;
   const std::string path = "/mappings/" + std::to_string(task.id);
   const auto url = [&](const char* of) { return picture ? ownUrl(path + of) : Value(); };
   Value value = Value::Object{{"id", task.id},
@@ -130,9 +128,9 @@ HttpAnswer currentMapping(const Robot& robot, const HttpQuestion& question) {
       fields->has("new_map_only") ? fields->flag("new_map_only") : std::optional(false);
   if (!new_only) return errorAnswer(400, "new_map_only: must be true or false.");
   const std::optional<MappingTask> task =
-      robot.mappings.end(state == "cancelled" ? MappingBook::End::Cancelled
-                         : *new_only          ? MappingBook::End::FinishedNewOnly
-                                              : MappingBook::End::Finished);
+      robot.mappings.end(state == "cancelled" ? MappingTasks::End::Cancelled
+                         : *new_only          ? MappingTasks::End::FinishedNewOnly
+                                              : MappingTasks::End::Finished);
   return task ? shownTask(robot, 200, *task) : errorAnswer(404, "No mapping task is running.");
 }
 
@@ -150,14 +148,14 @@ HttpAnswer mappingTask(const Robot& robot, std::string_view rest, const HttpQues
       part != ".pbstream")
     return notFound();
   if (auto refused = refusedMethod(question, "GET")) return *refused;
-  const std::optional<DrivenWay> way = wayOf(robot.library.scene(), task->wish);
+  const std::optional<DrivenWay> way = wayOf(robot.library.scene(), task->spec);
   if (!way) return errorAnswer(404, "This mapping task made no map.");
   if (part == "/trajectories.json") return valueAnswer(200, trajectoriesOf(*way));
   if (part == "/landmarks.json") return valueAnswer(200, landmarksOf(*way));
   if (part == ".pbstream")
-    return bytesAnswer(pbstreamOf(robot.library.pictures().picture(*task->wish)), question);
-  return pictureAnswer(part == ".png" ? robot.library.pictures().picture(*task->wish)
-                                      : robot.library.pictures().thumbnail(*task->wish),
+    return bytesAnswer(pbstreamOf(robot.library.pictures().picture(*task->spec)), question);
+  return pictureAnswer(part == ".png" ? robot.library.pictures().picture(*task->spec)
+                                      : robot.library.pictures().thumbnail(*task->spec),
                        question, false, robot.faults.faults());
 }
 

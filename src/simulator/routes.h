@@ -13,7 +13,7 @@
 #include "simulator/fault_plan.h"
 #include "simulator/http_answer.h"
 #include "simulator/map_library.h"
-#include "simulator/mapping_book.h"
+#include "simulator/mapping_tasks.h"
 #include "simulator/robot_state.h"
 #include "simulator/simulator.h"
 #include "simulator/submap_source.h"
@@ -26,7 +26,7 @@ struct Robot {
   const Options& options;
   RobotState& state;
   MapLibrary& library;
-  MappingBook& mappings;
+  MappingTasks& mappings;
   FaultPlan& faults;
 };
 

@@ -15,9 +15,9 @@
 namespace mapwright::simulator::ros {
 
 /// Immutable, safe from any thread. Types are named without the word in the middle: "nav_msgs/Path".
-class TypeBook {
+class MessageTypes {
  public:
-  explicit TypeBook(RosDialect dialect);
+  explicit MessageTypes(RosDialect dialect);
 
   bool knows(std::string_view type) const { return types_.find(type) != types_.end(); }
   /// `given` as a whole message of `type`: what was omitted is zero, and every number is of its field's kind.
