@@ -1,14 +1,12 @@
-#include "simulator/aimdk_routes.h"
-
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include <simdjson.h>
-
-#include "simulator/json_text.h"
 #include "simulator/map_answers.h"
+#include "simulator/png_writing.h"
+#include "simulator/routes.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -34,11 +32,11 @@ constexpr std::array<AimdkMap, 3> kMaps{{{"1764137567113", "River Park", 5, 3, 0
                                          {"1762584133656", "e2-8 <b>大厅</b> 🏭", 2, 2, 0.1, 90, false, 2}}};
 constexpr std::string_view kCurrent = "1764059676131";
 
-std::string error(int code, std::string_view message) {
-  std::string out = "{\"error\":{\"code\":" + std::to_string(code) + ",\"message\":";
-  appendJsonText(out, message);
-  return out + "}}";
+Value error(int code, std::string_view message) {
+  return Value::Object{{"error", Value::Object{{"code", code}, {"message", message}}}};
 }
+
+Value data(Value::Object members) { return Value::Object{{"data", std::move(members)}}; }
 
 const AimdkMap* find(std::string_view id) {
   for (const AimdkMap& map : kMaps) {
@@ -60,49 +58,35 @@ PixelFrame frameOf(const MapPicture& picture) {
   return frame;
 }
 
-PictureWish wishOf(const AimdkMap& map) {
-  PictureWish wish;
-  wish.trajectory = map.trajectory;
-  wish.resolution_m = map.resolution_m;
-  return wish;
+PictureSpec specOf(const AimdkMap& map) {
+  PictureSpec spec;
+  spec.trajectory = map.trajectory;
+  spec.resolution_m = map.resolution_m;
+  return spec;
 }
 
-const Trajectory* wayOf(const Scene& scene, const AimdkMap& map) {
-  for (const Trajectory& trajectory : scene.trajectories) {
-    if (trajectory.id == map.trajectory) return &trajectory;
-  }
-  return nullptr;
-}
-
-void appendNumber(std::string& out, std::string_view key, double value) {
-  out += key;
-  appendJsonNumber(out, value);
-}
-
-void appendNavigationPoint(std::string& out, int number, const geometry::Pose2& pose,
-                           const PixelFrame& frame) {
+Value navigationPoint(int number, const geometry::Pose2& pose, const PixelFrame& frame) {
   constexpr std::array<std::string_view, 3> kTypes{"NaviPointType_NAVI_POINT", "NaviPointType_CHARGE_POINT",
                                                    "NaviPointType_ELEVATOR_POINT"};
   const double off = number == kMisplacedPoint ? kMisplacedPixels : 0;
-  out += "{\"point_id\":" + std::to_string(number) + ",\"name\":";
-  appendJsonText(out, number == 3 ? "展台 <3>" : "Navigation Point " + std::to_string(number));
-  out += ",\"point_type\":";
-  appendJsonText(out, number == 2 ? kTypes[1] : number == 7 ? kTypes[2] : kTypes[0]);
   const double x = std::round(pose.x_m * 1000) / 1000, y = std::round(pose.y_m * 1000) / 1000;
-  appendNumber(out, R"(,"pixel_pose":{"position":{"u":)",
-               std::round(frame.origin_u + x * frame.per_metre + off));
-  appendNumber(out, ",\"v\":", std::round(frame.origin_v - y * frame.per_metre));
-  appendNumber(out, "},\"angle\":", std::round(pose.yaw_rad * kDegreesOfTurn * 10) / 10);
-  appendNumber(out, R"(},"pose":{"position":{"x":)", x);
-  appendNumber(out, ",\"y\":", y);
-  out += ",\"z\":0}}}";
+  const Value pixel = Value::Object{{"u", std::round(frame.origin_u + x * frame.per_metre + off)},
+                                    {"v", std::round(frame.origin_v - y * frame.per_metre)}};
+  const double degrees = std::round(pose.yaw_rad * kDegreesOfTurn * 10) / 10;
+  return Value::Object{{"point_id", number},
+                       {"name", number == 3 ? "展台 <3>" : "Navigation Point " + std::to_string(number)},
+                       {"point_type", number == 2   ? kTypes[1]
+                                      : number == 7 ? kTypes[2]
+                                                    : kTypes[0]},
+                       {"pixel_pose", Value::Object{{"position", pixel}, {"angle", degrees}}},
+                       {"pose", Value::Object{{"position", Value::Object{{"x", x}, {"y", y}, {"z", 0}}}}}};
 }
 
 }  // namespace
 
 HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
   const std::string_view path = pathOf(question.target);
-  if (!path.starts_with(kPrefix)) return jsonAnswer(404, error(404, "There is no such service."));
+  if (!path.starts_with(kPrefix)) return valueAnswer(404, error(404, "There is no such service."));
   const std::string_view method = path.substr(kPrefix.size());
   struct Call {
     std::string_view method, command;
@@ -114,107 +98,91 @@ HttpAnswer AimdkRoutes::answer(const HttpQuestion& question) {
        {"LocalizationService/GetTopoMsgs", "TopoCommand_GET_TOPO_MSG"}}};
   std::size_t call = 0;
   while (call < kCalls.size() && kCalls[call].method != method) ++call;
-  if (call == kCalls.size()) return jsonAnswer(404, error(404, "There is no such method."));
+  if (call == kCalls.size()) return valueAnswer(404, error(404, "There is no such method."));
   if (question.method != "POST") {
-    HttpAnswer answer = jsonAnswer(405, error(405, "Only POST is understood here."));
+    HttpAnswer answer = valueAnswer(405, error(405, "Only POST is understood here."));
     answer.headers = {{"Allow", "POST"}};
     return answer;
   }
   const Faults faults = faults_.faults();
-  if (faults.map_list_error && call == 0) return jsonAnswer(500, error(500, "The map store is locked."));
+  if (faults.map_list_error && call == 0) return valueAnswer(500, error(500, "The map store is locked."));
 
-  simdjson::dom::parser parser;
-  simdjson::dom::element document;
-  std::string_view command;
-  if (parser.parse(question.body.data(), question.body.size()).get(document) != simdjson::SUCCESS ||
-      document["command"].get(command) != simdjson::SUCCESS) {
-    return jsonAnswer(400, error(400, "The request is no JSON object with a command."));
-  }
+  const Value request = fromJson(question.body).value_or(Value());
+  const auto* command = request["command"].as<std::string>();
+  if (command == nullptr)
+    return valueAnswer(400, error(400, "The request is no JSON object with a command."));
   HttpAnswer answer;
-  if (command != kCalls[call].command) {
-    answer = jsonAnswer(200, error(-32602, "The command does not belong to this method."));
+  if (*command != kCalls[call].command) {
+    answer = valueAnswer(200, error(-32602, "The command does not belong to this method."));
   } else {
-    answer = jsonAnswer(200, call == 0   ? storedMapNames()
-                             : call == 1 ? currentMap()
-                             : call == 2 ? wholeMap(question.body)
-                                         : topoMessages(question.body));
+    answer = valueAnswer(200, call == 0   ? storedMapNames()
+                              : call == 1 ? currentMap()
+                              : call == 2 ? wholeMap(request["map_id"])
+                                          : topoMessages(request["map_id"]));
   }
   answer.delay_ms = faults.map_latency_ms;
   return answer;
 }
 
-std::string AimdkRoutes::storedMapNames() const {
-  std::string out = R"({"data":{"map_lists":[)";
+Value AimdkRoutes::storedMapNames() const {
+  Value::List maps;
   for (const AimdkMap& map : kMaps) {
-    if (wayOf(library_.scene(), map) == nullptr) continue;
-    if (out.back() != '[') out += ',';
-    out += "{\"map_id\":";
-    appendJsonText(out, map.id);
-    out += ",\"map_name\":";
-    appendJsonText(out, map.name);
-    out += ",\"map_index\":" + std::to_string(map.index) + "}";
+    if (library_.scene().find(map.trajectory) == nullptr) continue;
+    maps.push_back(Value::Object{{"map_id", map.id}, {"map_name", map.name}, {"map_index", map.index}});
   }
-  return out + "]}}";
+  return data({{"map_lists", std::move(maps)}});
 }
 
-std::string AimdkRoutes::currentMap() const {
-  if (library_.scene().trajectories.empty()) return R"({"data":{}})";
-  std::string out = R"({"data":{"map_id":)";
-  appendJsonText(out, kCurrent);
-  return out + "}}";
+Value AimdkRoutes::currentMap() const {
+  if (library_.scene().trajectories.empty()) return data({});
+  return data({{"map_id", kCurrent}});
 }
 
-std::string AimdkRoutes::wholeMap(std::string_view body) {
-  simdjson::dom::parser parser;
-  std::string_view id;
+Value AimdkRoutes::wholeMap(const Value& map_id) {
   // The id is a text in this call.
-  if (parser.parse(body.data(), body.size())["map_id"].get(id) != simdjson::SUCCESS)
-    return error(-32602, "map_id has to be a string.");
-  const AimdkMap* map = find(id);
-  const MapPicturePtr picture = map == nullptr ? nullptr : library_.pictures().picture(wishOf(*map));
-  if (!picture) return R"({"data":{}})";
+  const auto* id = map_id.as<std::string>();
+  if (id == nullptr) return error(-32602, "map_id has to be a string.");
+  const AimdkMap* map = find(*id);
+  const MapPicturePtr picture = map == nullptr ? nullptr : library_.pictures().picture(specOf(*map));
+  if (!picture) return data({});
   const Faults faults = faults_.faults();
   const PixelFrame frame = frameOf(*picture);
-  std::string out = R"({"data":{"map_id":)";
-  appendJsonText(out, map->id);
-  out += ",\"map_name\":";
-  appendJsonText(out, map->name);
-  out += ",\"width\":" + std::to_string(picture->width + map->wrong_size) +
-         ",\"height\":" + std::to_string(picture->height + map->wrong_size);
+  Value::Object members{{"map_id", map->id},
+                        {"map_name", map->name},
+                        {"width", picture->width + map->wrong_size},
+                        {"height", picture->height + map->wrong_size}};
   if (faults.grid_fault != "no-resolution") {
-    appendNumber(out, ",\"resolution\":",
-                 faults.grid_fault == "zero-resolution"       ? 0
-                 : faults.grid_fault == "negative-resolution" ? -frame.per_metre
-                                                              : frame.per_metre);
+    members.emplace_back("resolution", faults.grid_fault == "zero-resolution"       ? 0
+                                       : faults.grid_fault == "negative-resolution" ? -frame.per_metre
+                                                                                    : frame.per_metre);
   }
   if (faults.grid_fault != "no-origin") {
-    appendNumber(out, ",\"origin_x\":", frame.origin_u);
-    appendNumber(out, ",\"origin_y\":", frame.origin_v);
+    members.emplace_back("origin_x", frame.origin_u);
+    members.emplace_back("origin_y", frame.origin_v);
   }
-  out += ",\"map_data\":\"";
-  if (map->data_url) out += "data:image/png;base64,";
-  out += faults.garbage_base64 ? "*** this is no base64 ***" : base64(faultyPng(*picture->png, faults));
-  appendNumber(out, "\",\"rotate_angle\":", map->rotate_deg);
-  return out + R"(,"map_url":""}})";
+  const std::string png =
+      faults.garbage_base64 ? "*** this is no base64 ***" : base64(faultyPng(*picture->png, faults));
+  members.emplace_back("map_data", (map->data_url ? "data:image/png;base64," : "") + png);
+  members.emplace_back("rotate_angle", map->rotate_deg);
+  members.emplace_back("map_url", "");
+  return data(std::move(members));
 }
 
-std::string AimdkRoutes::topoMessages(std::string_view body) {
-  simdjson::dom::parser parser;
-  std::int64_t id = 0;
+Value AimdkRoutes::topoMessages(const Value& map_id) {
   // The id is a number in this call.
-  if (parser.parse(body.data(), body.size())["map_id"].get(id) != simdjson::SUCCESS)
-    return error(-32602, "map_id has to be a number.");
-  const AimdkMap* map = find(std::to_string(id));
-  const Trajectory* way = map == nullptr ? nullptr : wayOf(library_.scene(), *map);
-  const MapPicturePtr picture = way == nullptr ? nullptr : library_.pictures().picture(wishOf(*map));
+  const auto* id = map_id.as<std::int64_t>();
+  if (id == nullptr) return error(-32602, "map_id has to be a number.");
+  const AimdkMap* map = find(std::to_string(*id));
+  const Trajectory* way = map == nullptr ? nullptr : library_.scene().find(map->trajectory);
+  const MapPicturePtr picture = way == nullptr ? nullptr : library_.pictures().picture(specOf(*map));
   if (!picture) return error(-1, "There is no topology for this map.");
   const PixelFrame frame = frameOf(*picture);
-  std::string out = R"({"data":{"points":[)";
+  Value::List points;
   for (int i = 1; i <= kNavigationPoints; ++i) {
-    if (i > 1) out += ',';
-    appendNavigationPoint(out, i, way->drive.at(way->drive.length_m() * i / (kNavigationPoints + 1)), frame);
+    const geometry::Pose2 at = way->drive.at(way->drive.length_m() * i / (kNavigationPoints + 1));
+    points.push_back(navigationPoint(i, at, frame));
   }
-  return out + R"(],"paths":[],"regions":[]}})";
+  return data({{"points", std::move(points)}, {"paths", Value::List{}}, {"regions", Value::List{}}});
 }
 
 }  // namespace mapwright::simulator

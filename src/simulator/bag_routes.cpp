@@ -1,10 +1,9 @@
-#include "simulator/bag_routes.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/json_text.h"
+#include "simulator/json_shapes.h"
 #include "simulator/request_fields.h"
+#include "simulator/routes.h"
 #include "simulator/whole_text.h"
 
 namespace mapwright::simulator {
@@ -16,25 +15,19 @@ constexpr std::size_t kKeptRecordings = 4;
 
 /// The player reports its errors under another name than the rest of the robot.
 HttpAnswer playerError(std::string_view sentence) {
-  std::string body = "{\"error\":";
-  appendJsonText(body, sentence);
-  return jsonAnswer(400, body + "}");
+  return valueAnswer(400, Value::Object{{"error", sentence}});
 }
 
-HttpAnswer noSuchFile() { return jsonAnswer(404, jsonDetail("There is no such file.")); }
+HttpAnswer noSuchFile() { return errorAnswer(404, "There is no such file."); }
 
-void appendFile(std::string& out, BagFolder folder, const Bag& bag) {
+Value fileValue(BagFolder folder, const Bag& bag) {
   const std::size_t bytes = bagBytes(bag).size();
-  out += "{\"filename\":";
-  appendJsonText(out, bag.name);
-  out += ",\"size\":";
-  appendJsonText(out, listedSize(bytes));
-  out += ",\"size_bytes\":" + std::to_string(bytes) + ",\"end\":";
-  appendJsonText(out, listedTime(bag.span.until_s));
-  appendOwnUrl(
-      out, "download_url",
-      (folder == BagFolder::Bags ? "/bags/" : "/recording/") + percentEncoded(bag.name) + "/download");
-  out += '}';
+  const char* const place = folder == BagFolder::Bags ? "/bags/" : "/recording/";
+  return Value::Object{{"filename", bag.name},
+                       {"size", listedSize(bytes)},
+                       {"size_bytes", bytes},
+                       {"end", listedTime(bag.span.until_s)},
+                       {"download_url", ownUrl(place + percentEncoded(bag.name) + "/download")}};
 }
 
 /// "90s", "2m".
@@ -76,29 +69,25 @@ HttpAnswer BagRoutes::collection(BagFolder folder, const HttpQuestion& question)
     store_.removeAll(folder);
     return noContent();
   }
-  std::string body = "[";
-  for (const Bag& bag : store_.list(folder)) {
-    if (body.size() > 1) body += ',';
-    appendFile(body, folder, bag);
-  }
-  return jsonAnswer(200, body + "]");
+  Value::List files;
+  for (const Bag& bag : store_.list(folder)) files.push_back(fileValue(folder, bag));
+  return valueAnswer(200, files);
 }
 
 HttpAnswer BagRoutes::record(const HttpQuestion& question) {
   const std::optional<RequestFields> fields = RequestFields::read({}, question.body);
-  if (!fields) return jsonAnswer(400, jsonDetail("The request is no JSON object."));
+  if (!fields) return errorAnswer(400, "The request is no JSON object.");
   const std::optional<std::string> suffix =
       fields->has("filename_suffix") ? fields->text("filename_suffix") : std::string();
   if (!suffix || !isSuffix(*suffix))
-    return jsonAnswer(400, jsonDetail("filename_suffix: must be at most 64 letters, digits, - and _."));
+    return errorAnswer(400, "filename_suffix: must be at most 64 letters, digits, - and _.");
   const std::optional<double> duration_s =
       fields->has("duration") ? secondsFrom(fields->text("duration").value_or("")) : kUsualRecordingS;
-  if (!duration_s) return jsonAnswer(400, jsonDetail("duration: must be such as \"2m\", at most \"5m\"."));
+  if (!duration_s) return errorAnswer(400, "duration: must be such as \"2m\", at most \"5m\".");
   if (fields->has("category") && fields->text("category") != "pos")
-    return jsonAnswer(400, jsonDetail("category: only \"pos\" is supported."));
-  std::string body;
-  appendFile(body, BagFolder::Recordings, store_.record(*suffix, *duration_s, fields->has("category")));
-  return jsonAnswer(201, std::move(body));
+    return errorAnswer(400, "category: only \"pos\" is supported.");
+  return valueAnswer(
+      201, fileValue(BagFolder::Recordings, store_.record(*suffix, *duration_s, fields->has("category"))));
 }
 
 HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQuestion& question) {
@@ -117,16 +106,12 @@ HttpAnswer BagRoutes::file(BagFolder folder, std::string_view rest, const HttpQu
   }
   if (!part.empty() && part != "/") return notFound();
   if (auto refused = refusedMethod(question, "GET, DELETE")) return *refused;
-  if (question.method == "GET") {
-    std::string body;
-    appendFile(body, folder, *bag);
-    return jsonAnswer(200, std::move(body));
-  }
+  if (question.method == "GET") return valueAnswer(200, fileValue(folder, *bag));
   switch (store_.remove(folder, bag->name)) {
     case BagStore::Removal::Removed:
       return noContent();
     case BagStore::Removal::Recording:
-      return jsonAnswer(400, jsonDetail("This bag is still being recorded."));
+      return errorAnswer(400, "This bag is still being recorded.");
     case BagStore::Removal::Missing:
       break;
   }
@@ -138,7 +123,7 @@ HttpAnswer BagRoutes::download(std::string bytes, std::string_view range) const 
   answer.content_type = "application/octet-stream";
   answer.headers = {{"Content-Disposition", "attachment"}};
   constexpr std::string_view kUnit = "bytes=";
-  const bool asked = options_.ranges && range.starts_with(kUnit) && range.ends_with('-');
+  const bool asked = robot_.options.bags.ranges && range.starts_with(kUnit) && range.ends_with('-');
   const auto from = asked
                         ? numberFrom<std::size_t>(range.substr(kUnit.size(), range.size() - kUnit.size() - 1))
                         : std::nullopt;
@@ -166,8 +151,9 @@ std::shared_ptr<const BagRecording> BagRoutes::recordingOf(const Bag& bag) {
     recordings_.splice(recordings_.begin(), recordings_, known);
     return recordings_.front().second;
   }
-  recordings_.emplace_front(
-      bag.span, std::make_shared<const BagRecording>(state_, library_.atFirst(), seed_, bag.span));
+  recordings_.emplace_front(bag.span,
+                            std::make_shared<const BagRecording>(robot_.state, robot_.library.atFirst(),
+                                                                 robot_.options.seed, bag.span));
   if (recordings_.size() > kKeptRecordings) recordings_.pop_back();
   return recordings_.front().second;
 }
@@ -188,14 +174,13 @@ HttpAnswer BagRoutes::player(const std::optional<Bag>& bag, const HttpQuestion& 
     if (*until < *from) return playerError("end_time lies before start_time.");
   }
   const std::shared_ptr<const BagRecording> recording = recordingOf(*bag);
-  std::string body = "{\"total_messages\":" + std::to_string(recording->messages()) +
-                     ",\"start_time\":" + std::to_string(recording->startTime()) +
-                     ",\"end_time\":" + std::to_string(recording->endTime());
-  if (!whole)
-    body += ",\"messages\":" + recording->messagesJson(*from, *until,
-                                                       options_.end_exclusive ? BagRecording::End::Exclusive
-                                                                              : BagRecording::End::Inclusive);
-  HttpAnswer answer = jsonAnswer(200, body + "}");
+  Value body = Value::Object{{"total_messages", recording->messages()},
+                             {"start_time", recording->startTime()},
+                             {"end_time", recording->endTime()}};
+  const auto end_of =
+      robot_.options.bags.end_exclusive ? BagRecording::End::Exclusive : BagRecording::End::Inclusive;
+  if (!whole) body.set("messages", Value::Json{recording->messagesJson(*from, *until, end_of)});
+  HttpAnswer answer = valueAnswer(200, body);
   answer.headers = {{"Cache-Control", "public, max-age=2592000"}};
   return answer;
 }

@@ -1,6 +1,6 @@
 #include "simulator/http_answer.h"
 
-#include "simulator/json_text.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -26,7 +26,13 @@ HttpAnswer jsonAnswer(int status, std::string body) {
   return answer;
 }
 
-HttpAnswer notFound() { return jsonAnswer(404, jsonDetail("Not found.")); }
+HttpAnswer valueAnswer(int status, const Value& value) { return jsonAnswer(status, toJson(value)); }
+
+HttpAnswer errorAnswer(int status, std::string_view sentence) {
+  return valueAnswer(status, Value::Object{{"detail", sentence}});
+}
+
+HttpAnswer notFound() { return errorAnswer(404, "Not found."); }
 
 HttpAnswer noContent() {
   HttpAnswer answer;
@@ -41,8 +47,7 @@ std::optional<HttpAnswer> refusedMethod(const HttpQuestion& question, std::strin
     if (rest.substr(0, comma) == question.method) return std::nullopt;
     rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
   }
-  HttpAnswer answer =
-      jsonAnswer(405, jsonDetail("Method \"" + std::string(question.method) + "\" not allowed."));
+  HttpAnswer answer = errorAnswer(405, "Method \"" + std::string(question.method) + "\" not allowed.");
   answer.headers = {{"Allow", std::string(allowed)}};
   return answer;
 }

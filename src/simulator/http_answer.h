@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "simulator/value.h"
+
 namespace mapwright::simulator {
 
 struct HttpQuestion {
@@ -31,7 +33,9 @@ struct HttpAnswer {
 };
 
 HttpAnswer jsonAnswer(int status, std::string body);
-
+HttpAnswer valueAnswer(int status, const Value& value);
+/// {"detail":"..."}: how the Autoxing robot reports an error.
+HttpAnswer errorAnswer(int status, std::string_view sentence);
 HttpAnswer notFound();
 /// 204 without a body.
 HttpAnswer noContent();

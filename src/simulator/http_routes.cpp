@@ -1,5 +1,3 @@
-#include "simulator/http_routes.h"
-
 #include <array>
 #include <cmath>
 #include <optional>
@@ -7,6 +5,7 @@
 #include "ros_messages/slam.pb.h"
 #include "simulator/json_text.h"
 #include "simulator/map_answers.h"
+#include "simulator/routes.h"
 #include "simulator/whole_text.h"
 
 namespace mapwright::simulator {
@@ -58,21 +57,14 @@ std::string_view sentenceOf(int status) {
 
 bool isSubmapPath(std::string_view path) { return path.starts_with(kSubmapPrefix); }
 
-HttpRoutes::HttpRoutes(RobotState& state, MapLibrary& library, MappingBook& mappings, FaultPlan& faults,
-                       const Options& options)
-    : state_(state),
-      library_(library),
-      faults_(faults),
-      secret_(options.secret),
-      bodies_(kBodyBudget),
-      device_(options.seed, options.enable_topic_list),
-      maps_(library, mappings, faults),
-      mappings_(state, mappings, library, faults),
-      chassis_(state, library, faults),
-      bags_(state, library, options.seed, options.bags) {}
+HttpRoutes::HttpRoutes(const Robot& robot) : robot_(robot), bodies_(kBodyBudget), bags_(robot) {}
+
+bool HttpRoutes::opensTopics(std::string_view secret) const {
+  return robot_.options.secret.empty() || secret == robot_.options.secret;
+}
 
 HttpAnswer HttpRoutes::answer(const HttpQuestion& question) {
-  if (!allows(question.secret)) return jsonAnswer(401, jsonDetail("A valid Secret header is required."));
+  if (!opensTopics(question.secret)) return errorAnswer(401, "A valid Secret header is required.");
   if (question.method == "GET") return routed(question);
   if (question.method == "HEAD") {
     HttpQuestion get = question;
@@ -85,12 +77,11 @@ HttpAnswer HttpRoutes::answer(const HttpQuestion& question) {
 HttpAnswer HttpRoutes::write(const HttpQuestion& question) {
   std::uint64_t dice = 0;
   const WriteFault fault =
-      faults_.drawWrite(std::string(question.method) + " " + std::string(question.target), dice);
+      robot_.faults.drawWrite(std::string(question.method) + " " + std::string(question.target), dice);
   HttpAnswer answer;
   if (fault == WriteFault::Error) {
     constexpr std::array kStatuses{500, 502, 503};
-    answer =
-        jsonAnswer(kStatuses[dice % kStatuses.size()], jsonDetail("The request could not be carried out."));
+    answer = errorAnswer(kStatuses[dice % kStatuses.size()], "The request could not be carried out.");
     if (answer.status == 502) {  // as a proxy in front of the robot writes it
       answer.content_type = "text/html";
       answer.body = std::make_shared<const std::string>(
@@ -100,7 +91,7 @@ HttpAnswer HttpRoutes::write(const HttpQuestion& question) {
     answer = routed(question);
   }
   answer.drop = answer.drop || fault == WriteFault::Drop || fault == WriteFault::LoseAnswer;
-  answer.delay_ms += faults_.faults().write_latency_ms;
+  answer.delay_ms += robot_.faults.faults().write_latency_ms;
   return answer;
 }
 
@@ -110,12 +101,12 @@ HttpAnswer HttpRoutes::routed(const HttpQuestion& question) {
     if (auto refused = refusedMethod(question, "GET")) return *refused;
     return isSubmapPath(path) ? submap(question) : image(question);
   }
-  if (auto answer = device_.answer(question)) return *answer;
-  if (auto answer = maps_.answer(question)) return *answer;
-  if (auto answer = mappings_.answer(question)) return *answer;
-  if (auto answer = chassis_.answer(question)) return *answer;
+  if (auto answer = deviceAnswer(robot_, question)) return *answer;
+  if (auto answer = mapAnswer(robot_, question)) return *answer;
+  if (auto answer = mappingAnswer(robot_, question)) return *answer;
+  if (auto answer = chassisAnswer(robot_, question)) return *answer;
   if (auto answer = bags_.answer(question)) {
-    answer->delay_ms += faults_.faults().map_latency_ms;
+    answer->delay_ms += robot_.faults.faults().map_latency_ms;
     return *answer;
   }
   return notFound();
@@ -125,34 +116,34 @@ bool HttpRoutes::isSlow(std::string_view path) const { return path != "/device/i
 
 HttpAnswer HttpRoutes::image(const HttpQuestion& question) {
   const std::string_view asked = queryValue(question.target, "resolution");
-  PictureWish wish;
-  const std::optional<MappingSpan> span = state_.mapping();
+  PictureSpec spec;
+  const std::optional<MappingSpan> span = robot_.state.mapping();
   const bool new_only = queryValue(question.target, "new_trajectory_only") == "true";
-  if (span) wish = wishOf(*span, new_only);
-  const std::optional<double> resolution = asked.empty() ? wish.resolution_m : numberFrom<double>(asked);
+  if (span) spec = specOf(*span, new_only);
+  const std::optional<double> resolution = asked.empty() ? spec.resolution_m : numberFrom<double>(asked);
   if (!resolution || !std::isfinite(*resolution) || *resolution < kFinestM || *resolution > kCoarsestM) {
-    return jsonAnswer(400, jsonDetail("The resolution must lie between 0.005 and 10 metres."));
+    return errorAnswer(400, "The resolution must lie between 0.005 and 10 metres.");
   }
-  wish.resolution_m = *resolution;
+  spec.resolution_m = *resolution;
   if (const std::string_view id = queryValue(question.target, "trajectory_id"); !id.empty()) {
     const std::optional<int> number = numberFrom<int>(id);
-    if (!number) return jsonAnswer(400, jsonDetail("Invalid query parameters."));
-    if (*number >= 0 && *number != wish.trajectory) {
-      wish = PictureWish();
-      wish.resolution_m = *resolution;
-      wish.trajectory = *number;
+    if (!number) return errorAnswer(400, "Invalid query parameters.");
+    if (*number >= 0 && *number != spec.trajectory) {
+      spec = PictureSpec();
+      spec.resolution_m = *resolution;
+      spec.trajectory = *number;
     }
   }
-  const MapPicturePtr made = library_.pictures().picture(wish);
-  if (!made) return jsonAnswer(502, jsonDetail("The ROS service call failed."));
+  const MapPicturePtr made = robot_.library.pictures().picture(spec);
+  if (!made) return errorAnswer(502, "The ROS service call failed.");
   ros_messages::slam::GetMapImageResponse response;
   response.set_origin_x(made->origin_m.x());
   response.set_origin_y(made->origin_m.y());
   response.set_resolution(made->resolution_m);
-  response.set_png_bytes(faultyPng(*made->png, faults_.faults()));
+  response.set_png_bytes(faultyPng(*made->png, robot_.faults.faults()));
   HttpAnswer answer = protobufAnswer(std::make_shared<const std::string>(response.SerializeAsString()));
   answer.headers = {{"Cache-Control", "no-cache"}};
-  answer.delay_ms = faults_.faults().map_latency_ms;
+  answer.delay_ms = robot_.faults.faults().map_latency_ms;
   return answer;
 }
 
@@ -165,14 +156,14 @@ HttpAnswer HttpRoutes::submap(const HttpQuestion& question) {
     rest = slash == std::string_view::npos ? std::string_view() : rest.substr(slash + 1);
   }
   const auto trajectory = numberFrom<std::int32_t>(parts[1]), index = numberFrom<std::int32_t>(parts[2]);
-  if (!isUuid(parts[0]) || !trajectory || !index) return jsonAnswer(400, jsonDetail(sentenceOf(400)));
+  if (!isUuid(parts[0]) || !trajectory || !index) return errorAnswer(400, sentenceOf(400));
 
-  const Fault fault = faults_.draw(std::string(question.target));
-  const std::string uuid = state_.uuid();
+  const Fault fault = robot_.faults.draw(std::string(question.target));
+  const std::string uuid = robot_.state.uuid();
   const bool versioned = !queryValue(question.target, "ver").empty();
   const auto answered = [&]() -> HttpAnswer {
     if (fault.kind == FaultKind::HttpError)
-      return jsonAnswer(fault.http_status, jsonDetail(sentenceOf(fault.http_status)));
+      return errorAnswer(fault.http_status, sentenceOf(fault.http_status));
     if (fault.kind == FaultKind::StatusError) {
       using namespace ros_messages::slam;
       constexpr std::array kCodes{INTERNAL, UNAVAILABLE, DEADLINE_EXCEEDED, RESOURCE_EXHAUSTED};
@@ -181,8 +172,8 @@ HttpAnswer HttpRoutes::submap(const HttpQuestion& question) {
     if (parts[0] != uuid) {
       return statusErrorAnswer(ros_messages::slam::UUID_MISMATCH, "The SLAM session has another uuid.");
     }
-    const std::optional<SubmapSource> source = state_.find({*trajectory, *index});
-    if (!source) return jsonAnswer(404, jsonDetail(sentenceOf(404)));
+    const std::optional<SubmapSource> source = robot_.state.find({*trajectory, *index});
+    if (!source) return errorAnswer(404, sentenceOf(404));
 
     const std::string tag = '"' + uuid + '-' + std::to_string(*trajectory) + '-' + std::to_string(*index) +
                             '-' + std::to_string(source->version) + '"';
@@ -192,7 +183,7 @@ HttpAnswer HttpRoutes::submap(const HttpQuestion& question) {
       answer.status = 304;
       answer.content_type.clear();
     } else {
-      answer = protobufAnswer(bodies_.bodyOf(state_.plan(), *source));
+      answer = protobufAnswer(bodies_.bodyOf(robot_.state.plan(), *source));
     }
     answer.headers = {{"Cache-Control", versioned ? "public, max-age=31536000, immutable" : "no-cache"},
                       {"ETag", versioned ? tag : "W/" + tag}};

@@ -1,4 +1,4 @@
-// The small shapes that many topics share.
+// The small shapes that many of the Autoxing robot's messages share.
 #pragma once
 
 #include <string>
@@ -8,18 +8,23 @@
 #include <Eigen/Core>
 
 #include "geometry/pose.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator {
 
-/// {"topic":"...", with the brace left open.
-std::string openMessage(std::string_view topic);
 /// [x,y]
-void appendPoint(std::string& out, const Eigen::Vector2d& point);
+Value pointOf(const Eigen::Vector2d& point);
 /// [[x,y],...]
-void appendPoints(std::string& out, const std::vector<Eigen::Vector2d>& points);
+Value pointsOf(const std::vector<Eigen::Vector2d>& points);
 /// {"pos":[x,y],"ori":rad}
-void appendPose(std::string& out, const geometry::Pose2& pose);
+Value placeOf(const geometry::Pose2& pose);
 /// The corners of a rectangle around a pose, not closed.
 std::vector<Eigen::Vector2d> cornersOf(const geometry::Pose2& pose, double length_m, double width_m);
+
+/// {"topic":"...",...}
+std::string messageJson(std::string_view topic, Value::Object members);
+/// The address that the robot knows itself by, and a path: these robots put it into their answers whatever
+/// address was connected to.
+Value ownUrl(std::string_view path);
 
 }  // namespace mapwright::simulator

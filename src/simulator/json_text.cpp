@@ -48,18 +48,4 @@ void appendJsonFixed(std::string& out, double number, int digits) {
   out.append(buffer.data(), result.ptr);
 }
 
-void appendOwnUrl(std::string& out, std::string_view key, std::string_view path) {
-  out += ",\"";
-  out += key;
-  out += "\":";
-  appendJsonText(out, "http://192.168.25.25:8090" + std::string(path));
-}
-
-std::string jsonDetail(std::string_view sentence) {
-  std::string out = "{\"detail\":";
-  appendJsonText(out, sentence);
-  out += '}';
-  return out;
-}
-
 }  // namespace mapwright::simulator

@@ -13,11 +13,4 @@ void appendJsonNumber(std::string& out, double number);
 /// Appends `number` with `digits` behind the point; null when it is not finite.
 void appendJsonFixed(std::string& out, double number, int digits);
 
-/// Appends ,"key":"<the address that the robot knows itself by>/path": these robots put it into their answers
-/// whatever address was connected to.
-void appendOwnUrl(std::string& out, std::string_view key, std::string_view path);
-
-/// {"detail":"..."}: how these robots report an error.
-std::string jsonDetail(std::string_view sentence);
-
 }  // namespace mapwright::simulator

@@ -1,6 +1,6 @@
 #include "simulator/map_answers.h"
 
-#include "simulator/json_text.h"
+#include "simulator/json_shapes.h"
 #include "simulator/png_writing.h"
 
 namespace mapwright::simulator {
@@ -25,7 +25,7 @@ std::string faultyPng(const std::string& png, const Faults& faults) {
 
 HttpAnswer pictureAnswer(const MapPicturePtr& picture, const HttpQuestion& question, bool for_ever,
                          const Faults& faults) {
-  if (!picture) return jsonAnswer(404, jsonDetail("There is no such picture."));
+  if (!picture) return errorAnswer(404, "There is no such picture.");
   // Static files carry their tag without quotes, as these robots send it.
   const std::string tag = for_ever ? picture->hash : quoted(picture->hash);
   HttpAnswer answer;
@@ -61,32 +61,28 @@ std::shared_ptr<const std::string> pbstreamOf(const MapPicturePtr& picture) {
                                              (picture ? picture->hash : "nothing"));
 }
 
-void appendMap(std::string& out, const StoredMap& map) {
-  out += "{\"id\":" + std::to_string(map.id) + ",\"uid\":";
-  appendJsonText(out, map.uid);
-  out += ",\"map_name\":";
-  appendJsonText(out, map.name);
-  out += ",\"create_time\":" + std::to_string(map.created_s) +
-         ",\"map_version\":" + std::to_string(map.map_version) +
-         ",\"overlays_version\":" + std::to_string(map.overlays_version);
+Value mapValue(const StoredMap& map) {
+  return Value::Object{{"id", map.id},
+                       {"uid", map.uid},
+                       {"map_name", map.name},
+                       {"create_time", map.created_s},
+                       {"map_version", map.map_version},
+                       {"overlays_version", map.overlays_version}};
 }
 
-void appendGrid(std::string& out, const MapPicturePtr& picture) {
-  out += ",\"grid_origin_x\":";
-  appendJsonNumber(out, picture ? picture->origin_m.x() : 0);
-  out += ",\"grid_origin_y\":";
-  appendJsonNumber(out, picture ? picture->origin_m.y() : 0);
-  out += ",\"grid_resolution\":";
-  appendJsonNumber(out, picture ? picture->resolution_m : 0);
+void addGrid(Value& value, const MapPicturePtr& picture) {
+  value.set("grid_origin_x", picture ? picture->origin_m.x() : 0);
+  value.set("grid_origin_y", picture ? picture->origin_m.y() : 0);
+  value.set("grid_resolution", picture ? picture->resolution_m : 0);
 }
 
-void appendMapRow(std::string& out, const StoredMap& map) {
+Value mapRow(const StoredMap& map) {
   const std::string path = "/maps/" + std::to_string(map.id);
-  appendMap(out, map);
-  appendOwnUrl(out, "thumbnail_url", path + "/thumbnail");
-  appendOwnUrl(out, "image_url", path + ".png");
-  appendOwnUrl(out, "url", path);
-  out += '}';
+  Value row = mapValue(map);
+  row.set("thumbnail_url", ownUrl(path + "/thumbnail"));
+  row.set("image_url", ownUrl(path + ".png"));
+  row.set("url", ownUrl(path));
+  return row;
 }
 
 }  // namespace mapwright::simulator

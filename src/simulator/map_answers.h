@@ -21,11 +21,11 @@ HttpAnswer bytesAnswer(std::shared_ptr<const std::string> bytes, const HttpQuest
 /// The binary map of a handed-in or drawn picture: what the robot would position itself by.
 std::shared_ptr<const std::string> pbstreamOf(const MapPicturePtr& picture);
 
-/// {"id":...,"uid":... with the brace left open.
-void appendMap(std::string& out, const StoredMap& map);
-/// ,"grid_origin_x":...; zeros without a picture.
-void appendGrid(std::string& out, const MapPicturePtr& picture);
+/// What every answer about a map begins with.
+Value mapValue(const StoredMap& map);
+/// Adds grid_origin_x, grid_origin_y and grid_resolution; zeros without a picture.
+void addGrid(Value& value, const MapPicturePtr& picture);
 /// One row of the list of maps.
-void appendMapRow(std::string& out, const StoredMap& map);
+Value mapRow(const StoredMap& map);
 
 }  // namespace mapwright::simulator

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t kStaticFilesKept = 32;
 
-PictureWish wishFor(int trajectory, double resolution_m) {
-  PictureWish wish;
-  wish.trajectory = trajectory;
-  wish.resolution_m = resolution_m;
-  return wish;
+PictureSpec wishFor(int trajectory, double resolution_m) {
+  PictureSpec spec;
+  spec.trajectory = trajectory;
+  spec.resolution_m = resolution_m;
+  return spec;
 }
 
 std::vector<StoredMap> mapsAtFirst(const Scene& scene) {
@@ -44,7 +44,7 @@ std::vector<StoredMap> mapsAtFirst(const Scene& scene) {
     map.map_version = one.map_version;
     map.overlays_version = one.overlays_version;
     map.overlays = std::make_shared<const std::string>(overlaysAlong(scene, one.trajectory));
-    map.wish = wishFor(one.trajectory, one.resolution_m);
+    map.spec = wishFor(one.trajectory, one.resolution_m);
     maps.push_back(std::move(map));
   }
   return maps;
@@ -187,7 +187,7 @@ void MapLibrary::change() {
   if (!current_) return;
   ++current_->map_version;
   current_->modified_s += 60;
-  if (current_->wish) ++current_->wish->crates;
+  if (current_->spec) ++current_->spec->crates;
   if (StoredMap* map = stored(current_->id)) *map = *current_;
   ++edits_.info;
   ++edits_.pictures;
@@ -199,17 +199,17 @@ MapEdits MapLibrary::edits() const {
 }
 
 MapPicturePtr MapLibrary::pictureOf(const StoredMap& map) {
-  return map.wish ? pictures_.picture(*map.wish) : map.picture;
+  return map.spec ? pictures_.picture(*map.spec) : map.picture;
 }
 
 MapPicturePtr MapLibrary::thumbnailOf(const StoredMap& map) {
-  return map.wish ? pictures_.thumbnail(*map.wish) : map.thumbnail;
+  return map.spec ? pictures_.thumbnail(*map.spec) : map.thumbnail;
 }
 
 MapPicturePtr MapLibrary::livePicture() {
   std::optional<StoredMap> map = current();
   if (!map) return nullptr;
-  if (map->wish) map->wish->bits = 4;
+  if (map->spec) map->spec->bits = 4;
   return pictureOf(*map);
 }
 

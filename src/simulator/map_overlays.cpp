@@ -4,9 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include <simdjson.h>
-
-#include "simulator/json_text.h"
+#include "simulator/json_shapes.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -15,71 +14,44 @@ using Eigen::Vector2d;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-void appendPlace(std::string& out, const Vector2d& point) {
-  out += '[';
-  appendJsonFixed(out, point.x(), 3);
-  out += ',';
-  appendJsonFixed(out, point.y(), 3);
-  out += ']';
-}
-
-void appendPlaces(std::string& out, const std::vector<Vector2d>& points) {
-  out += '[';
-  for (const Vector2d& point : points) {
-    if (out.back() != '[') out += ',';
-    appendPlace(out, point);
-  }
-  out += ']';
-}
-
-/// Writes features one after the other. `properties` is JSON without its braces.
+/// Puts features one after the other.
 class Collection {
  public:
-  void add(std::string_view shape, const std::string& coordinates, const std::string& properties,
-           bool with_id = true) {
-    text_ += text_.empty() ? "{" : ",{";
-    if (with_id) text_ += "\"id\":\"65a0000000000000000000" + std::to_string(10 + count_) + "\",";
-    ++count_;
-    text_ += R"("type":"Feature","geometry":{"type":")";
-    text_ += shape;
-    text_ += R"(","coordinates":)" + coordinates + R"(},"properties":{)" + properties + "}}";
+  void add(const char* shape, Value coordinates, Value::Object properties, bool with_id = true) {
+    Value feature;
+    if (with_id) feature.set("id", "65a0000000000000000000" + std::to_string(10 + features_.size()));
+    feature.set("type", "Feature");
+    feature.set("geometry", Value::Object{{"type", shape}, {"coordinates", std::move(coordinates)}});
+    feature.set("properties", std::move(properties));
+    features_.push_back(std::move(feature));
   }
-  void point(const geometry::Pose2& at, const std::string& properties, bool with_id = true) {
-    std::string coordinates;
-    appendPlace(coordinates, {at.x_m, at.y_m});
-    add("Point", coordinates, properties, with_id);
+  void point(const geometry::Pose2& at, Value::Object properties, bool with_id = true) {
+    add("Point", pointOf({at.x_m, at.y_m}), std::move(properties), with_id);
   }
-  void line(const std::vector<Vector2d>& points, const std::string& properties) {
-    std::string coordinates;
-    appendPlaces(coordinates, points);
-    add("LineString", coordinates, properties);
+  void line(const std::vector<Vector2d>& points, Value::Object properties) {
+    add("LineString", pointsOf(points), std::move(properties));
   }
-  void ring(const std::vector<Vector2d>& points, const std::string& properties) {
-    std::string coordinates = "[";
-    appendPlaces(coordinates, points);
-    add("Polygon", coordinates + "]", properties);
+  void ring(const std::vector<Vector2d>& points, Value::Object properties) {
+    add("Polygon", Value::List{pointsOf(points)}, std::move(properties));
   }
-  std::string finished() const { return R"({"type":"FeatureCollection","features":[)" + text_ + "]}"; }
+  std::string finished() const {
+    return toJson(Value::Object{{"type", "FeatureCollection"}, {"features", features_}});
+  }
 
  private:
-  std::string text_;
-  int count_ = 0;
+  Value::List features_;
 };
 
 /// A rectangle around a place on the way, in its direction; closed as GeoJSON wants unless `open`.
 std::vector<Vector2d> box(const geometry::Pose2& at, double length, double width, bool open = false) {
-  const double l = length / 2, w = width / 2;
-  std::vector<Vector2d> ring{at.apply({-l, -w}), at.apply({l, -w}), at.apply({l, w}), at.apply({-l, w})};
+  std::vector<Vector2d> ring = cornersOf(at, length, width);
   if (!open) ring.push_back(ring.front());
   return ring;
 }
 
-std::string yawOf(const geometry::Pose2& pose, bool as_text) {
-  std::string yaw;
-  if (as_text) yaw += '"';
-  appendJsonFixed(yaw, pose.yaw_rad * kDegrees, 2);
-  if (as_text) yaw += '"';
-  return yaw;
+Value yawOf(const geometry::Pose2& pose, bool as_text) {
+  const Value yaw = fixed(pose.yaw_rad * kDegrees, 2);
+  return as_text ? Value(toJson(yaw)) : yaw;
 }
 
 }  // namespace
@@ -88,19 +60,13 @@ std::string noOverlays() { return Collection().finished(); }
 
 bool isOverlays(std::string_view text) {
   if (text.empty()) return true;
-  simdjson::dom::parser parser;
-  simdjson::dom::element document;
-  simdjson::dom::array features;
-  return parser.parse(text.data(), text.size()).get(document) == simdjson::SUCCESS && document.is_object() &&
-         document["features"].get(features) == simdjson::SUCCESS;
+  const std::optional<Value> overlays = fromJson(text);
+  return overlays && (*overlays)["features"].as<Value::List>() != nullptr;
 }
 
 std::string overlaysAlong(const Scene& scene, int id) {
   Collection all;
-  const Trajectory* way = nullptr;
-  for (const Trajectory& trajectory : scene.trajectories) {
-    if (trajectory.id == id) way = &trajectory;
-  }
+  const Trajectory* way = scene.find(id);
   if (way == nullptr) return all.finished();
   const double step = way->drive.length_m() / 40;
   const auto at = [&](int i) { return way->drive.at(step * i); };
@@ -108,68 +74,60 @@ std::string overlaysAlong(const Scene& scene, int id) {
   struct PointKind {
     int type;
     const char* name;
-    const char* more;
   };
-  constexpr std::array<PointKind, 14> kPoints{
-      {{9, "Charger", R"(,"dockingPointId":"65a000000000000000000011")"},
-       {36, "Docking point", ""},
-       {6, "Elevator A", R"(,"deviceIds":["el-1","el-2"])"},
-       {10, "Standby", ""},
-       {11, "Table 1", ""},
-       {11, "餐桌 2", ""},
-       {19, "Reception <main>", ""},
-       {25, "Waypoint", ""},
-       {27, "Exchange", ""},
-       {28, "Wait for the elevator", ""},
-       {29, "Dispatch", ""},
-       {34, "Rack 🏭", ""},
-       {3, "Other", ""},
-       {77, "Nobody knows", ""}}};
+  constexpr std::array<PointKind, 14> kPoints{{{9, "Charger"},
+                                               {36, "Docking point"},
+                                               {6, "Elevator A"},
+                                               {10, "Standby"},
+                                               {11, "Table 1"},
+                                               {11, "餐桌 2"},
+                                               {19, "Reception <main>"},
+                                               {25, "Waypoint"},
+                                               {27, "Exchange"},
+                                               {28, "Wait for the elevator"},
+                                               {29, "Dispatch"},
+                                               {34, "Rack 🏭"},
+                                               {3, "Other"},
+                                               {77, "Nobody knows"}}};
   int place = 1;
   for (const PointKind& kind : kPoints) {
-    const geometry::Pose2 pose = at(place);
-    std::string properties = R"("type":)";
-    const char* quote = place % 3 == 0 ? "\"" : "";
-    properties.append(quote).append(std::to_string(kind.type)).append(quote);
-    properties += R"(,"yaw":)" + yawOf(pose, place % 2 == 0) + R"(,"name":)";
-    appendJsonText(properties, kind.name);
-    all.point(pose, properties + kind.more, place != 7);
+    const Value type = place % 3 == 0 ? Value(std::to_string(kind.type)) : Value(kind.type);
+    Value::Object properties{{"type", type}, {"yaw", yawOf(at(place), place % 2 == 0)}, {"name", kind.name}};
+    if (place == 1) properties.emplace_back("dockingPointId", "65a000000000000000000011");
+    if (place == 3) properties.emplace_back("deviceIds", Value::List{"el-1", "el-2"});
+    all.point(at(place), std::move(properties), place != 7);
     ++place;
   }
-  all.point(at(16), R"("type":"37","barcodeId":"D2_125","name":"","yaw":)" + yawOf(at(16), true));
-  all.point(at(17), R"("type":39,"landmarkId":"landmark_1")");
+  all.point(at(16), {{"type", "37"}, {"barcodeId", "D2_125"}, {"name", ""}, {"yaw", yawOf(at(16), true)}});
+  all.point(at(17), {{"type", 39}, {"landmarkId", "landmark_1"}});
 
-  all.line({at(1).apply({0, 0}), at(2).apply({0, 0}), at(3).apply({0, 0})},
-           R"("lineType":"1","name":"Track","lineName":"Track")");
+  const auto between = [&](int from, int to) {
+    std::vector<Vector2d> points;
+    for (int i = from; i <= to; ++i) points.push_back(at(i).apply({0, 0}));
+    return points;
+  };
+  all.line(between(1, 3), {{"lineType", "1"}, {"name", "Track"}, {"lineName", "Track"}});
   all.line({at(18).apply({-1, 0.9}), at(18).apply({1, 0.9}), at(18).apply({1.4, 0.5})},
-           R"("lineType":"2","name":"Virtual wall")");
-  all.line({at(20).apply({0, 0}), at(21).apply({0, 0})}, R"("lineType":3)");
-  all.line({at(22).apply({0, 0}), at(23).apply({0, 0}), at(24).apply({0, 0})},
-           R"("lineType":4,"name":"Patrol")");
-  all.line({at(24).apply({0, 0}), at(25).apply({0, 0})}, R"("lineType":88)");
+           {{"lineType", "2"}, {"name", "Virtual wall"}});
+  all.line(between(20, 21), {{"lineType", 3}});
+  all.line(between(22, 24), {{"lineType", 4}, {"name", "Patrol"}});
+  all.line(between(24, 25), {{"lineType", 88}});
 
-  constexpr std::array kRegions{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17, 99};
   int region_place = 20;
-  for (const int region : kRegions) {
-    const std::string number = std::to_string(region);
-    std::string properties = R"("regionType":)";
-    properties.append(number).append(R"(,"name":"Region )").append(number).append("\"");
-    if (region == 2) properties += R"(,"speed":0.4)";
-    if (region == 4 || region == 5) properties += R"(,"mac":"30:AE:A4:00:11:22")";
+  for (const int region : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17, 99}) {
+    Value::Object properties{{"regionType", region}, {"name", "Region " + std::to_string(region)}};
+    if (region == 2) properties.emplace_back("speed", 0.4);
+    if (region == 4 || region == 5) properties.emplace_back("mac", "30:AE:A4:00:11:22");
     // Robots leave some rings open.
-    all.ring(box(at(region_place), 1.6, 1.1, region == 12 || region == 8), properties);
+    all.ring(box(at(region_place), 1.6, 1.1, region == 12 || region == 8), std::move(properties));
     ++region_place;
   }
   // A ring with a hole, a collection of shapes that no robot draws, and a feature without a place.
-  std::string with_hole = "[";
-  appendPlaces(with_hole, box(at(37), 2.4, 1.8));
-  with_hole += ',';
-  appendPlaces(with_hole, box(at(37), 1.0, 0.6));
-  all.add("Polygon", with_hole + "]", R"("regionType":1,"name":"With a hole")");
-  std::string many;
-  appendPlaces(many, {at(38).apply({0, 0}), at(39).apply({0, 0})});
-  all.add("MultiPoint", many, R"("type":25,"future":{"a":[1,2,{"b":null}]})");
-  all.add("Polygon", "[]", R"("regionType":1,"name":"Empty")");
+  all.add("Polygon", Value::List{pointsOf(box(at(37), 2.4, 1.8)), pointsOf(box(at(37), 1.0, 0.6))},
+          {{"regionType", 1}, {"name", "With a hole"}});
+  all.add("MultiPoint", pointsOf(between(38, 39)),
+          {{"type", 25}, {"future", Value::Json{R"({"a":[1,2,{"b":null}]})"}}});
+  all.add("Polygon", Value::List{}, {{"regionType", 1}, {"name", "Empty"}});
   return all.finished();
 }
 

@@ -21,13 +21,6 @@ constexpr std::size_t kCellsKept = 3;
 constexpr int kThumbnailPixels = 160;
 constexpr std::uint8_t kOccupiedFrom = 136;  // beyond the grain that a cell seen free once may have
 
-const Trajectory* find(const Scene& scene, int id) {
-  for (const Trajectory& trajectory : scene.trajectories) {
-    if (trajectory.id == id) return &trajectory;
-  }
-  return nullptr;
-}
-
 /// Where `scans` scans (all of them when negative) were taken, not all of which are worth their time.
 std::vector<ScanPlace> placesOf(const Trajectory& trajectory, int scans, double from_m) {
   const int whole = kScansPerSubmapStart * (trajectory.submaps + 1);
@@ -40,11 +33,11 @@ std::vector<ScanPlace> placesOf(const Trajectory& trajectory, int scans, double 
   return places;
 }
 
-std::vector<ScanPlace> placesOf(const Scene& scene, const PictureWish& wish) {
+std::vector<ScanPlace> placesOf(const Scene& scene, const PictureSpec& spec) {
   std::vector<ScanPlace> places;
-  if (const Trajectory* base = find(scene, wish.base)) places = placesOf(*base, -1, 0);
-  if (const Trajectory* trajectory = find(scene, wish.trajectory)) {
-    const std::vector<ScanPlace> more = placesOf(*trajectory, wish.scans, wish.from_m);
+  if (const Trajectory* base = scene.find(spec.base)) places = placesOf(*base, -1, 0);
+  if (const Trajectory* trajectory = scene.find(spec.trajectory)) {
+    const std::vector<ScanPlace> more = placesOf(*trajectory, spec.scans, spec.from_m);
     places.insert(places.end(), more.begin(), more.end());
   }
   return places;
@@ -96,20 +89,20 @@ std::uint8_t levelOf(FloorCell cell, int bits) {
 
 }  // namespace
 
-FloorCells drawFloor(const Scene& scene, const PictureWish& wish) {
+FloorCells drawFloor(const Scene& scene, const PictureSpec& spec) {
   FloorCells floor;
-  const Trajectory* trajectory = find(scene, wish.trajectory);
+  const Trajectory* trajectory = scene.find(spec.trajectory);
   if (trajectory == nullptr) return floor;
-  const std::vector<ScanPlace> places = placesOf(scene, wish);
+  const std::vector<ScanPlace> places = placesOf(scene, spec);
   if (places.empty()) return floor;
 
   ScanSettings settings;
-  settings.resolution_m = affordable(wish.resolution_m, places);
+  settings.resolution_m = affordable(spec.resolution_m, places);
   settings.range_m = kRangeM;
   settings.rays = kRays;
   settings.seed = 5;
   // A slice frame turned by a quarter has its columns along +x and its rows along -y of the world.
-  const ScanGrid grid = scanGrid(scene.plan, cratesAlong(*trajectory, wish.crates), places, {0, 0},
+  const ScanGrid grid = scanGrid(scene.plan, cratesAlong(*trajectory, spec.crates), places, {0, 0},
                                  std::numbers::pi / 2, settings);
   floor.width = grid.width;
   floor.height = grid.height;
@@ -170,8 +163,8 @@ MapPicturePtr encode(const FloorCells& cells, const GrayPicture& picture, int bi
   return std::make_shared<const MapPicture>(std::move(encoded));
 }
 
-std::shared_ptr<const FloorCells> MapPictures::cells(const PictureWish& wish) {
-  PictureWish key = wish;
+std::shared_ptr<const FloorCells> MapPictures::cells(const PictureSpec& spec) {
+  PictureSpec key = spec;
   key.bits = 8;  // cells have none
   {
     const std::lock_guard lock(mutex_);
@@ -188,31 +181,31 @@ std::shared_ptr<const FloorCells> MapPictures::cells(const PictureWish& wish) {
   return made;
 }
 
-MapPicturePtr MapPictures::picture(const PictureWish& wish) {
+MapPicturePtr MapPictures::picture(const PictureSpec& spec) {
   {
     const std::lock_guard lock(mutex_);
-    if (const auto found = pictures_.find(wish); found != pictures_.end()) return found->second;
+    if (const auto found = pictures_.find(spec); found != pictures_.end()) return found->second;
   }
-  const std::shared_ptr<const FloorCells> floor = cells(wish);
-  MapPicturePtr made = floor ? encode(*floor, grayOf(*floor, wish.bits), wish.bits) : nullptr;
+  const std::shared_ptr<const FloorCells> floor = cells(spec);
+  MapPicturePtr made = floor ? encode(*floor, grayOf(*floor, spec.bits), spec.bits) : nullptr;
   const std::lock_guard lock(mutex_);
   if (pictures_.size() >= kPicturesKept) pictures_.clear();
-  pictures_[wish] = made;
+  pictures_[spec] = made;
   return made;
 }
 
-MapPicturePtr MapPictures::thumbnail(const PictureWish& wish) {
+MapPicturePtr MapPictures::thumbnail(const PictureSpec& spec) {
   {
     const std::lock_guard lock(mutex_);
-    if (const auto found = thumbnails_.find(wish); found != thumbnails_.end()) return found->second;
+    if (const auto found = thumbnails_.find(spec); found != thumbnails_.end()) return found->second;
   }
-  const std::shared_ptr<const FloorCells> floor = cells(wish);
+  const std::shared_ptr<const FloorCells> floor = cells(spec);
   if (!floor) return nullptr;
   const GrayPicture small = thumbnailOf(grayOf(*floor, 8), levelOf(FloorCell::Unknown, 8));
   MapPicturePtr made = encode(*floor, small, 8);
   const std::lock_guard lock(mutex_);
   if (thumbnails_.size() >= kPicturesKept) thumbnails_.clear();
-  thumbnails_[wish] = made;
+  thumbnails_[spec] = made;
   return made;
 }
 

@@ -37,7 +37,7 @@ struct MapPicture {
 using MapPicturePtr = std::shared_ptr<const MapPicture>;
 
 /// Which picture.
-struct PictureWish {
+struct PictureSpec {
   int trajectory = 0;
   double resolution_m = 0.05;  // made coarser where the picture would get too large
   int bits = 8;                // 4: 0 occupied, 7 unknown, 15 free; 8: 0, 128, 255
@@ -45,12 +45,12 @@ struct PictureWish {
   int scans = -1;              // >= 0: only what the first scans saw
   double from_m = 0;           // where along the way the first scan was
   int base = -1;               // >= 0: on top of all that this trajectory saw
-  auto operator<=>(const PictureWish&) const = default;
+  auto operator<=>(const PictureSpec&) const = default;
 };
 
-/// What the scans of `wish.trajectory` saw. No cells when there is no such trajectory or no scan. Takes about
+/// What the scans of `spec.trajectory` saw. No cells when there is no such trajectory or no scan. Takes about
 /// a tenth of a second for an office at 5 cm.
-FloorCells drawFloor(const Scene& scene, const PictureWish& wish);
+FloorCells drawFloor(const Scene& scene, const PictureSpec& spec);
 
 /// At most 160 pixels wide and high; thin walls stay. `unknown` is the level of what nobody saw.
 GrayPicture thumbnailOf(const GrayPicture& picture, std::uint8_t unknown);
@@ -64,17 +64,17 @@ class MapPictures {
   explicit MapPictures(const Scene& scene) : scene_(scene) {}
 
   /// Null when there is nothing to see.
-  MapPicturePtr picture(const PictureWish& wish);
+  MapPicturePtr picture(const PictureSpec& spec);
   /// At most 160 pixels wide and high, 8 bits; thin walls stay.
-  MapPicturePtr thumbnail(const PictureWish& wish);
+  MapPicturePtr thumbnail(const PictureSpec& spec);
   /// The newest cells asked for are kept, too. Null when there is nothing to see.
-  std::shared_ptr<const FloorCells> cells(const PictureWish& wish);
+  std::shared_ptr<const FloorCells> cells(const PictureSpec& spec);
 
  private:
   const Scene& scene_;
   std::mutex mutex_;
-  std::map<PictureWish, MapPicturePtr> pictures_, thumbnails_;
-  std::list<std::pair<PictureWish, std::shared_ptr<const FloorCells>>> cells_;  // newest first
+  std::map<PictureSpec, MapPicturePtr> pictures_, thumbnails_;
+  std::list<std::pair<PictureSpec, std::shared_ptr<const FloorCells>>> cells_;  // newest first
 };
 
 }  // namespace mapwright::simulator

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "simulator/cost_maps.h"
-#include "simulator/json_text.h"
+#include "simulator/json_shapes.h"
 #include "simulator/map_answers.h"
-#include "simulator/mapping_book.h"
+#include "simulator/mapping_tasks.h"
 #include "simulator/noise.h"
 #include "simulator/stamp.h"
 
@@ -31,26 +31,17 @@ MapPicturePtr encodeAt(const GridPlace& place, const GrayPicture& picture) {
   return std::make_shared<const MapPicture>(std::move(made));
 }
 
-void appendPair(std::string& out, std::string_view key, double a, double b) {
-  out += key;
-  out += '[';
-  appendJsonNumber(out, a);
-  out += ',';
-  appendJsonNumber(out, b);
-  out += ']';
-}
-
-void appendGrid(std::string& out, const MapPicture& picture, const std::string& fault) {
-  if (fault != "no-resolution") {
-    out += ",\"resolution\":";
-    const double resolution = fault == "zero-resolution"       ? 0
-                              : fault == "negative-resolution" ? -picture.resolution_m
-                                                               : picture.resolution_m;
-    // As the robots' single precision has it: 0.05000000074505806.
-    appendJsonNumber(out, static_cast<double>(static_cast<float>(resolution)));
-  }
-  appendPair(out, ",\"size\":", picture.width, picture.height);
-  if (fault != "no-origin") appendPair(out, ",\"origin\":", picture.origin_m.x(), picture.origin_m.y());
+/// As the faults leave it.
+Value::Object messageAt(double time_s, const MapPicture& picture, const std::string& fault) {
+  Value::Object message{{"stamp", fixed(stampOf(time_s), 3)}};
+  const double resolution = fault == "zero-resolution"       ? 0
+                            : fault == "negative-resolution" ? -picture.resolution_m
+                                                             : picture.resolution_m;
+  if (fault != "no-resolution") message.emplace_back("resolution", float32(resolution));
+  message.emplace_back("size", Value::List{picture.width, picture.height});
+  if (fault != "no-origin")
+    message.emplace_back("origin", Value::Float64s{picture.origin_m.x(), picture.origin_m.y()});
+  return message;
 }
 
 }  // namespace
@@ -59,38 +50,27 @@ std::optional<Frame> MapTopics::messageOf(std::string_view topic) {
   const MapPicturePtr picture = pictureOf(topic);
   if (!picture) return std::nullopt;
   const Faults faults = faults_.faults();
-  std::string out = "{\"topic\":";
-  appendJsonText(out, topic);
-  out += ",\"stamp\":";
-  appendJsonFixed(out, stampOf(state_.time()), 3);
-  appendGrid(out, *picture, faults.grid_fault);
+  Value::Object message = messageAt(state_.time(), *picture, faults.grid_fault);
   if (hasDataUrl(topic)) {
     const std::string path = library_.publishStatic(topic == "/map_v2"           ? "map"
                                                     : topic == "/map/costmap_v2" ? "costmap"
                                                                                  : "incremental",
                                                     picture);
-    out += ",\"data_url\":";
-    appendJsonText(out, faults.foreign_data_url ? "http://127.0.0.2:1/" + path : path);
+    message.emplace_back("data_url", faults.foreign_data_url ? "http://127.0.0.2:1/" + path : path);
+  } else if (faults.garbage_base64) {
+    message.emplace_back("data", "iVBORw0KGgo*** this is no base64 ***");
   } else {
-    out += ",\"data\":\"";
-    if (faults.garbage_base64) {
-      out += "iVBORw0KGgo*** this is no base64 ***";
-    } else if (faults.truncated_maps || faults.lying_map_size) {
-      out += base64(faultyPng(*picture->png, faults));
-    } else {
-      out += base64(*picture->png);
-    }
-    out += '"';
+    message.emplace_back("data", Value::Bytes{faultyPng(*picture->png, faults)});
   }
-  return textFrame(out + "}");
+  return textFrame(messageJson(topic, std::move(message)));
 }
 
 MapPicturePtr MapTopics::pictureOf(std::string_view topic) {
   if (topic == "/map" || topic == "/map_v2") {
     if (const std::optional<MappingSpan> span = state_.mapping()) {
-      PictureWish wish = wishOf(*span, false);
-      wish.bits = 4;
-      return library_.pictures().picture(wish);
+      PictureSpec spec = specOf(*span, false);
+      spec.bits = 4;
+      return library_.pictures().picture(spec);
     }
     return library_.livePicture();
   }
@@ -131,19 +111,19 @@ MapPicturePtr MapTopics::costsOfWholeMap() {
 }
 
 MapPicturePtr MapTopics::incremental() {
-  PictureWish wish;
-  wish.trajectory = 2;
-  wish.scans = state_.scansOf(wish.trajectory);
-  if (wish.scans == 0) return nullptr;
-  return library_.pictures().picture(wish);
+  PictureSpec spec;
+  spec.trajectory = 2;
+  spec.scans = state_.scansOf(spec.trajectory);
+  if (spec.scans == 0) return nullptr;
+  return library_.pictures().picture(spec);
 }
 
 MapPicturePtr MapTopics::environment(bool symmetry) {
   const std::optional<StoredMap> current = library_.current();
-  if (!current || !current->wish) return nullptr;
-  PictureWish wish = *current->wish;
-  wish.resolution_m = std::max(wish.resolution_m, kEnvironmentM);
-  const std::shared_ptr<const FloorCells> floor = library_.pictures().cells(wish);
+  if (!current || !current->spec) return nullptr;
+  PictureSpec spec = *current->spec;
+  spec.resolution_m = std::max(spec.resolution_m, kEnvironmentM);
+  const std::shared_ptr<const FloorCells> floor = library_.pictures().cells(spec);
   if (!floor) return nullptr;
   const std::string of = current->uid + "/" + std::to_string(current->map_version);
   const std::lock_guard lock(mutex_);

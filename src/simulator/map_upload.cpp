@@ -1,6 +1,5 @@
 #include "simulator/map_upload.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +7,7 @@
 
 #include "simulator/map_overlays.h"
 #include "simulator/png_writing.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator {
 namespace {
@@ -40,12 +40,26 @@ std::optional<GrayPicture> decoded(const std::string& png) {
   return picture;
 }
 
+/// nullopt for what is no base64. White space is skipped, a data-URL prefix too.
+std::optional<std::string> fromUploadedBase64(std::string text) {
+  if (text.starts_with("data:")) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) return std::nullopt;
+    text.erase(0, comma + 1);
+  }
+  std::erase_if(text, [](char c) { return c == '\n' || c == '\r' || c == ' ' || c == '\t'; });
+  // Padding may be left out, but not be wrong.
+  const std::size_t digits = text.find_last_not_of('=') + 1, padding = text.size() - digits;
+  if (padding > 2 || (padding > 0 && text.size() % 4 != 0)) return std::nullopt;
+  return fromBase64(text);
+}
+
 /// Bytes of a form's part, or base64 of either kind of request.
 std::optional<std::string> bytesOf(const RequestFields& fields, std::string_view key,
                                    std::string_view magic) {
   std::optional<std::string> text = fields.text(key);
   if (!text || (!magic.empty() && text->starts_with(magic))) return text;
-  return fromBase64(*text);
+  return fromUploadedBase64(std::move(*text));
 }
 
 /// A number that a version can be.
@@ -69,45 +83,6 @@ MapPicturePtr placed(const GrayPicture& picture, std::string png, double resolut
 }
 
 }  // namespace
-
-std::optional<std::string> fromBase64(std::string_view text) {
-  if (text.starts_with("data:")) {
-    const std::size_t comma = text.find(',');
-    text = comma == std::string_view::npos ? std::string_view("*") : text.substr(comma + 1);
-  }
-  static constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<std::int8_t, 256> values{};
-  values.fill(-1);
-  for (std::size_t i = 0; i < kDigits.size(); ++i)
-    values[static_cast<unsigned char>(kDigits[i])] = static_cast<std::int8_t>(i);
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  std::uint32_t bits = 0;
-  int digits = 0, padding = 0;
-  for (const char c : text) {
-    if (c == '\n' || c == '\r' || c == ' ' || c == '\t') continue;
-    if (c == '=') {
-      ++padding;
-      continue;
-    }
-    const std::int8_t value = values[static_cast<unsigned char>(c)];
-    if (value < 0 || padding > 0) return std::nullopt;
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    if (++digits % 4 == 0) {
-      for (const int shift : {16, 8, 0}) bytes += static_cast<char>(bits >> shift & 0xFF);
-      bits = 0;
-    }
-  }
-  const int rest = digits % 4;
-  if (rest == 1 || padding > 2 || (padding > 0 && (rest + padding) != 4)) return std::nullopt;
-  if (rest == 2) bytes += static_cast<char>(bits >> 4 & 0xFF);
-  if (rest == 3) {
-    bytes += static_cast<char>(bits >> 10 & 0xFF);
-    bytes += static_cast<char>(bits >> 2 & 0xFF);
-  }
-  return bytes;
-}
 
 tl::expected<StoredMap, std::string> readMapUpload(const RequestFields& fields) {
   const auto fail = [](std::string sentence) { return tl::make_unexpected(std::move(sentence)); };

@@ -17,7 +17,4 @@ inline constexpr std::size_t kLongestMapName = 255;
 /// The error is a sentence for the client.
 tl::expected<StoredMap, std::string> readMapUpload(const RequestFields& fields);
 
-/// nullopt for what is no base64. White space is skipped, a data-URL prefix too.
-std::optional<std::string> fromBase64(std::string_view text);
-
 }  // namespace mapwright::simulator

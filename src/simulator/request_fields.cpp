@@ -1,9 +1,9 @@
 #include "simulator/request_fields.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include <simdjson.h>
-
+#include "simulator/value_json.h"
 #include "simulator/whole_text.h"
 
 namespace mapwright::simulator {
@@ -27,46 +27,17 @@ std::string_view parameterOf(std::string_view field, std::string_view key) {
   return {};
 }
 
-std::optional<std::vector<double>> numbersOf(simdjson::dom::array list) {
-  std::vector<double> numbers;
-  for (const simdjson::dom::element one : list) {
-    double number = 0;
-    if (one.get(number) != simdjson::SUCCESS) return std::nullopt;
-    numbers.push_back(number);
-  }
-  return numbers;
-}
-
 }  // namespace
 
 std::optional<RequestFields> RequestFields::read(std::string_view content_type, std::string_view body) {
   if (content_type.starts_with("multipart/form-data"))
     return readForm(parameterOf(content_type, "boundary"), body);
-  return readJson(body);
-}
-
-std::optional<RequestFields> RequestFields::readJson(std::string_view body) {
-  simdjson::dom::parser parser;
-  simdjson::dom::object object;
-  if (parser.parse(body.data(), body.size()).get(object) != simdjson::SUCCESS) return std::nullopt;
+  std::optional<Value> read = fromJson(body);
+  Value::Object* members = read ? read->as<Value::Object>() : nullptr;
+  if (members == nullptr) return std::nullopt;
   RequestFields fields;
-  for (const auto [key, element] : object) {
-    Value value;
-    simdjson::dom::array list;
-    if (std::string_view text; element.get(text) == simdjson::SUCCESS) {
-      value = std::string(text);
-    } else if (bool flag = false; element.get(flag) == simdjson::SUCCESS) {
-      value = flag;
-    } else if (std::int64_t integer = 0; element.get(integer) == simdjson::SUCCESS) {
-      value = integer;
-    } else if (double number = 0; element.get(number) == simdjson::SUCCESS) {
-      value = number;
-    } else if (element.is_null()) {
-      continue;
-    } else if (element.get(list) == simdjson::SUCCESS) {
-      if (auto numbers = numbersOf(list)) value = std::move(*numbers);
-    }
-    fields.values_.insert_or_assign(std::string(key), std::move(value));
+  for (auto& [key, value] : *members) {
+    if (!value.isNull()) fields.values_.insert_or_assign(std::move(key), std::move(value));
   }
   return fields;
 }
@@ -98,51 +69,50 @@ std::optional<RequestFields> RequestFields::readForm(std::string_view boundary, 
   return std::nullopt;
 }
 
-const RequestFields::Value* RequestFields::find(std::string_view key) const {
+const Value& RequestFields::find(std::string_view key) const {
+  static const Value null;
   const auto found = values_.find(key);
-  return found == values_.end() ? nullptr : &found->second;
+  return found == values_.end() ? null : found->second;
 }
 
-bool RequestFields::has(std::string_view key) const { return find(key) != nullptr; }
+bool RequestFields::has(std::string_view key) const { return !find(key).isNull(); }
 
 std::optional<std::string> RequestFields::text(std::string_view key) const {
-  const Value* value = find(key);
-  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
+  const auto* text = find(key).as<std::string>();
   return text == nullptr ? std::nullopt : std::optional(*text);
 }
 
 std::optional<double> RequestFields::number(std::string_view key) const {
-  const Value* value = find(key);
+  const Value& value = find(key);
   std::optional<double> number;
-  if (value == nullptr) return number;
-  if (const auto* real = std::get_if<double>(value)) number = *real;
-  if (const auto* whole = std::get_if<std::int64_t>(value)) number = static_cast<double>(*whole);
-  if (const auto* text = std::get_if<std::string>(value); text != nullptr && is_form_)
+  if (value.isNumber()) number = value.number();
+  if (const auto* text = value.as<std::string>(); text != nullptr && is_form_)
     number = numberFrom<double>(*text);
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 std::optional<std::int64_t> RequestFields::integer(std::string_view key) const {
-  const Value* value = find(key);
-  if (value == nullptr) return std::nullopt;
-  if (const auto* whole = std::get_if<std::int64_t>(value)) return *whole;
-  const auto* text = std::get_if<std::string>(value);
+  const Value& value = find(key);
+  if (const auto* whole = value.as<std::int64_t>()) return *whole;
+  const auto* text = value.as<std::string>();
   return text != nullptr && is_form_ ? numberFrom<std::int64_t>(*text) : std::nullopt;
 }
 
 std::optional<bool> RequestFields::flag(std::string_view key) const {
-  const Value* value = find(key);
-  if (value == nullptr) return std::nullopt;
-  if (const auto* flag = std::get_if<bool>(value)) return *flag;
-  const auto* text = std::get_if<std::string>(value);
-  if (text == nullptr || !is_form_ || (*text != "true" && *text != "false")) return std::nullopt;
-  return *text == "true";
+  const Value& value = find(key);
+  if (const auto* flag = value.as<bool>()) return *flag;
+  if (!is_form_ || (value.text() != "true" && value.text() != "false")) return std::nullopt;
+  return value.text() == "true";
 }
 
 std::optional<std::vector<double>> RequestFields::numbers(std::string_view key) const {
-  const Value* value = find(key);
-  const auto* list = value == nullptr ? nullptr : std::get_if<std::vector<double>>(value);
-  return list == nullptr ? std::nullopt : std::optional(*list);
+  const auto* list = find(key).as<Value::List>();
+  if (list == nullptr ||
+      !std::all_of(list->begin(), list->end(), [](const Value& one) { return one.isNumber(); }))
+    return std::nullopt;
+  std::vector<double> numbers;
+  for (const Value& one : *list) numbers.push_back(one.number());
+  return numbers;
 }
 
 }  // namespace mapwright::simulator

@@ -6,8 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
+
+#include "simulator/value.h"
 
 namespace mapwright::simulator {
 
@@ -25,12 +26,8 @@ class RequestFields {
   std::optional<std::vector<double>> numbers(std::string_view key) const;  // a list of nothing else
 
  private:
-  struct Other {};  // objects, mixed lists
-  using Value = std::variant<Other, std::string, double, std::int64_t, bool, std::vector<double>>;
-
-  static std::optional<RequestFields> readJson(std::string_view body);
   static std::optional<RequestFields> readForm(std::string_view boundary, std::string_view body);
-  const Value* find(std::string_view key) const;
+  const Value& find(std::string_view key) const;
 
   std::map<std::string, Value, std::less<>> values_;
   bool is_form_ = false;  // where numbers are texts

@@ -45,6 +45,8 @@ struct Trajectory {
 struct Scene {
   FloorPlan plan;
   std::vector<Trajectory> trajectories;  // ascending by id
+
+  const Trajectory* find(int id) const;
 };
 
 /// At most this many submaps can be asked for.

@@ -4,15 +4,9 @@
 #include <chrono>
 #include <optional>
 #include <string>
-#include <thread>
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/thread_pool.hpp>
-
-#include "simulator/aimdk_routes.h"
-#include "simulator/http_routes.h"
+#include "simulator/loop.h"
+#include "simulator/routes.h"
 #include "simulator/services.h"
 #include "simulator/topic_schedule.h"
 
@@ -22,8 +16,7 @@ namespace mapwright::simulator {
 /// waits; two workers make what takes milliseconds.
 class Server {
  public:
-  Server(const Options& options, RobotState& state, MapLibrary& library, MappingBook& mappings,
-         FaultPlan& faults, RequestLog& log);
+  Server(const Robot& robot, RequestLog& log);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -32,7 +25,7 @@ class Server {
   std::optional<std::string> start(std::uint16_t port, std::uint16_t aimdk_port);
   std::uint16_t port() const { return axbot_.port; }
   std::uint16_t aimdkPort() const { return aimdk_.port; }
-  int openWebSockets() const { return hub_.open(); }
+  int openWebSockets() const { return links_.open(); }
 
   /// From any thread: sends the list to all that have it enabled.
   void publishList();
@@ -42,37 +35,30 @@ class Server {
  private:
   /// One robot's door.
   struct Door {
-    boost::asio::ip::tcp::acceptor acceptor;
     Answerer& routes;
     std::uint16_t port = 0;
   };
 
   std::optional<std::string> open(Door& door, std::uint16_t port);
-  void accept(Door& door);
+  void publish(std::string_view topic);
   void tick();
   void publishChanges(std::chrono::steady_clock::time_point now);
   void keepFaultSchedule(std::chrono::steady_clock::time_point now);
 
-  const Options& options_;
-  RobotState& state_;
-  MapLibrary& library_;
-  FaultPlan& faults_;
+  const Robot robot_;
   RequestLog& log_;
   HttpRoutes routes_;
   AimdkRoutes aimdk_routes_;
   TopicMessages messages_;
-  WebSocketHub hub_;
-  boost::asio::io_context io_{1};
-  boost::asio::thread_pool workers_{2};
-  Door axbot_{boost::asio::ip::tcp::acceptor(io_), routes_};
-  Door aimdk_{boost::asio::ip::tcp::acceptor(io_), aimdk_routes_};
-  boost::asio::steady_timer timer_{io_};
+  Links<WebSocketSession> links_;
+  Door axbot_{routes_};
+  Door aimdk_{aimdk_routes_};
   ListStamp published_;
   MapEdits published_maps_;
   bool published_mapping_ = false;
   std::chrono::steady_clock::time_point list_at_, tick_at_, dropped_at_, restarted_at_;
   std::vector<PeriodicTopic> periodic_;
-  std::thread thread_;
+  Loop loop_{2};
 };
 
 }  // namespace mapwright::simulator

@@ -1,27 +1,22 @@
 // What every connection of the simulated robot works with. Outlives all connections.
 #pragma once
 
-#include "simulator/fault_plan.h"
-#include "simulator/http_answer.h"
 #include "simulator/request_log.h"
+#include "simulator/routes.h"
 #include "simulator/topic_messages.h"
-#include "simulator/web_socket_hub.h"
-
-namespace boost::asio {
-class thread_pool;
-}
+#include "simulator/web_socket_link.h"
 
 namespace mapwright::simulator {
 
+class WebSocketSession;
+
 struct Services {
-  const Options& options;
-  const RobotState& state;
-  FaultPlan& faults;
+  Robot robot;
   RequestLog& log;
   Answerer& routes;
   TopicMessages& messages;
-  WebSocketHub& hub;
-  boost::asio::thread_pool& workers;  // for what takes milliseconds to make
+  Links<WebSocketSession>& links;
+  Loop& loop;
 };
 
 }  // namespace mapwright::simulator

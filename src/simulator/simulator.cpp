@@ -55,11 +55,23 @@ class Simulator::Impl {
     if (ros_server) ros_server->refresh();
   }
 
+  /// Does something with a server; `otherwise` while none runs.
+  template <typename Server, typename Result>
+  Result with(const std::unique_ptr<Server>& one, Result (Server::*does)() const, Result otherwise) const {
+    const std::lock_guard lock(server_mutex);
+    return one ? (one.get()->*does)() : otherwise;
+  }
+  template <typename... Arguments>
+  void tellRos(void (ros::RosServer::*what)(Arguments...), Arguments... arguments) {
+    const std::lock_guard lock(server_mutex);
+    if (ros_server) (ros_server.get()->*what)(arguments...);
+  }
+
   const Options options;
   const std::optional<std::string> problem;
   RobotState state;
   MapLibrary library;
-  MappingBook mappings;
+  MappingTasks mappings;
   FaultPlan faults;
   RequestLog log;
   MapPictures ros_pictures;
@@ -93,8 +105,8 @@ std::optional<std::string> Simulator::start() {
   if (impl_->problem) return impl_->problem;
   const std::lock_guard lock(impl_->server_mutex);
   if (impl_->server) return std::nullopt;
-  auto server = std::make_unique<Server>(impl_->options, impl_->state, impl_->library, impl_->mappings,
-                                         impl_->faults, impl_->log);
+  auto server = std::make_unique<Server>(
+      Robot{impl_->options, impl_->state, impl_->library, impl_->mappings, impl_->faults}, impl_->log);
   if (std::optional<std::string> failure = server->start(impl_->options.port, impl_->options.aimdk_port))
     return failure;
   auto ros_server = std::make_unique<ros::RosServer>(impl_->options, impl_->state, impl_->faults, impl_->log,
@@ -111,16 +123,12 @@ void Simulator::stop() {
   impl_->ros_server.reset();
 }
 
-std::uint16_t Simulator::port() const {
-  const std::lock_guard lock(impl_->server_mutex);
-  return impl_->server ? impl_->server->port() : 0;
-}
+std::uint16_t Simulator::port() const { return impl_->with(impl_->server, &Server::port, std::uint16_t{0}); }
 
 std::string Simulator::address() const { return "axbot+http://127.0.0.1:" + std::to_string(port()); }
 
 std::uint16_t Simulator::aimdkPort() const {
-  const std::lock_guard lock(impl_->server_mutex);
-  return impl_->server ? impl_->server->aimdkPort() : 0;
+  return impl_->with(impl_->server, &Server::aimdkPort, std::uint16_t{0});
 }
 
 std::string Simulator::aimdkAddress() const {
@@ -128,8 +136,7 @@ std::string Simulator::aimdkAddress() const {
 }
 
 std::uint16_t Simulator::rosPort() const {
-  const std::lock_guard lock(impl_->server_mutex);
-  return impl_->ros_server ? impl_->ros_server->port() : 0;
+  return impl_->with(impl_->ros_server, &ros::RosServer::port, std::uint16_t{0});
 }
 
 std::string Simulator::rosAddress() const { return "ros+ws://127.0.0.1:" + std::to_string(rosPort()); }
@@ -168,15 +175,9 @@ void Simulator::dropWebSockets() {
   if (impl_->ros_server) impl_->ros_server->dropLinks();
 }
 
-void Simulator::stallRos() {
-  const std::lock_guard lock(impl_->server_mutex);
-  if (impl_->ros_server) impl_->ros_server->stall(true);
-}
+void Simulator::stallRos() { impl_->tellRos(&ros::RosServer::stall, true); }
 
-void Simulator::unstallRos() {
-  const std::lock_guard lock(impl_->server_mutex);
-  if (impl_->ros_server) impl_->ros_server->stall(false);
-}
+void Simulator::unstallRos() { impl_->tellRos(&ros::RosServer::stall, false); }
 
 void Simulator::removeSubmap(int trajectory, int index) {
   impl_->state.remove({trajectory, index});
@@ -194,24 +195,12 @@ bool Simulator::setCurrentMap(int id) { return impl_->library.setCurrent(id); }
 
 std::string Simulator::uuid() const { return impl_->state.uuid(); }
 
-int Simulator::openWebSockets() const {
-  const std::lock_guard lock(impl_->server_mutex);
-  return impl_->server ? impl_->server->openWebSockets() : 0;
-}
+int Simulator::openWebSockets() const { return impl_->with(impl_->server, &Server::openWebSockets, 0); }
 
-int Simulator::openRosLinks() const {
-  const std::lock_guard lock(impl_->server_mutex);
-  return impl_->ros_server ? impl_->ros_server->openLinks() : 0;
-}
+int Simulator::openRosLinks() const { return impl_->with(impl_->ros_server, &ros::RosServer::openLinks, 0); }
 
-void Simulator::otherPainter() {
-  const std::lock_guard lock(impl_->server_mutex);
-  if (impl_->ros_server) impl_->ros_server->otherPainter();
-}
+void Simulator::otherPainter() { impl_->tellRos(&ros::RosServer::otherPainter); }
 
-void Simulator::otherOperator() {
-  const std::lock_guard lock(impl_->server_mutex);
-  if (impl_->ros_server) impl_->ros_server->otherOperator();
-}
+void Simulator::otherOperator() { impl_->tellRos(&ros::RosServer::otherOperator); }
 
 }  // namespace mapwright::simulator

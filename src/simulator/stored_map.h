@@ -17,7 +17,7 @@ struct StoredMap {
   std::int64_t created_s = 0, modified_s = 0;  // epoch
   int map_version = 1, overlays_version = 1;
   std::shared_ptr<const std::string> overlays;   // GeoJSON as it was written, byte for byte; may be empty
-  std::optional<PictureWish> wish;               // drawn from the building,
+  std::optional<PictureSpec> spec;               // drawn from the building,
   MapPicturePtr picture, thumbnail;              // or handed in
   std::shared_ptr<const std::string> carto_map;  // what the robot positions itself by
 };

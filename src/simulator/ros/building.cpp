@@ -16,11 +16,11 @@ constexpr std::array<std::uint32_t, Building::kStoreys> kColors{0xd04040, 0xd0a0
 std::int64_t whole(double value) { return static_cast<std::int64_t>(std::floor(value)); }
 
 /// The wall line nearest to a coordinate: its number and how far it is.
-struct Line {
+struct WallLine {
   std::int64_t number;
   double off_m;
 };
-Line lineNear(double at_m) {
+WallLine lineNear(double at_m) {
   const double number = std::round(at_m / kRoomM);
   return {static_cast<std::int64_t>(number), std::abs(at_m - number * kRoomM)};
 }
@@ -55,7 +55,7 @@ Columns columnsIn(double edge_m, const Eigen::Vector3d& low_m, const Eigen::Vect
 
 bool Building::wallAt(double x_m, double y_m, int storey) const {
   const auto solid = [&](double across, double along, int side) {
-    const Line line = lineNear(across);
+    const WallLine line = lineNear(across);
     if (line.off_m > kWallM) return false;
     const std::int64_t room = whole(along / kRoomM);
     const std::uint64_t lot = hashOf(seed_, 7, line.number, room, storey, side);
@@ -105,7 +105,7 @@ void Building::pointsNear(const Eigen::Vector3d& low_m, const Eigen::Vector3d& h
       for (int storey = columns.from_storey; storey <= columns.to_storey; ++storey) {
         Dice dice(hashOf(seed_, 10, x, y, storey));
         const double floor_m = storey * kStoreyM;
-        const Line wall_x = lineNear(double(x) + 0.5), wall_y = lineNear(double(y) + 0.5);
+        const WallLine wall_x = lineNear(double(x) + 0.5), wall_y = lineNear(double(y) + 0.5);
         for (int i = 0; i < kEach; ++i) {
           Point point{{double(x) + dice.uniform(0, 1), double(y) + dice.uniform(0, 1), floor_m}, 0, 0};
           double height = dice.uniform(0, kStoreyM - 0.3);

@@ -6,7 +6,7 @@
 
 #include "simulator/ros/building.h"
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 

@@ -11,7 +11,7 @@
 #include "simulator/fault_plan.h"
 #include "simulator/ros/building.h"
 #include "simulator/ros/shapes.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 

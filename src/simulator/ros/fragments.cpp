@@ -1,6 +1,6 @@
 #include "simulator/ros/fragments.h"
 
-#include "simulator/ros/value_json.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator::ros {
 namespace {

@@ -14,13 +14,6 @@ constexpr int kScansAtStart = 8;
 constexpr std::size_t kMostMaps = 1000;
 constexpr double kDayS = 86'400;
 
-const Trajectory* trajectoryOf(const Scene& scene, int id) {
-  for (const Trajectory& trajectory : scene.trajectories) {
-    if (trajectory.id == id) return &trajectory;
-  }
-  return nullptr;
-}
-
 bool isUsable(std::string_view name) { return !name.empty() && name.size() <= 255; }
 
 }  // namespace
@@ -56,8 +49,8 @@ void KabamStore::furnish(int waypoints) {
     map.created_s = one.created_days * kDayS;
     map.updated_s = one.updated_days * kDayS;
     map.archived = one.archived;
-    map.wish.trajectory = one.trajectory;
-    map.wish.resolution_m = one.resolution_m;
+    map.spec.trajectory = one.trajectory;
+    map.spec.resolution_m = one.resolution_m;
     map.waypoints.push_back(waypointAt(map, 2, "Start", {"localisation", "map_entry"}));
     maps_.push_back(std::move(map));
   }
@@ -78,7 +71,7 @@ void KabamStore::furnish(int waypoints) {
                          {"<b>Bold</b> & co", {"x y"}}};
   KabamMap& first = maps_.front();
   first.waypoints.resize(static_cast<std::size_t>(std::min(waypoints, 1)));
-  const Trajectory* way = trajectoryOf(robot_.scene(), 0);
+  const Trajectory* way = robot_.scene().find(0);
   const double step = way == nullptr ? 0 : (way->drive.length_m() - 4) / std::max(1, waypoints);
   for (int i = 1; i < waypoints; ++i) {
     const auto at = static_cast<std::size_t>(i - 1);
@@ -106,7 +99,7 @@ std::string KabamStore::newId() {
 KabamWaypoint KabamStore::waypointAt(const KabamMap& map, double metres, std::string name,
                                      std::vector<std::string> tags) {
   KabamWaypoint waypoint{std::move(name), newId(), "map", {}, std::move(tags)};
-  const Trajectory* way = trajectoryOf(robot_.scene(), map.wish.trajectory);
+  const Trajectory* way = robot_.scene().find(map.spec.trajectory);
   waypoint.pose = poseOf(way == nullptr ? geometry::Pose2{} : way->drive.at(metres));
   return waypoint;
 }
@@ -138,15 +131,15 @@ std::optional<RasterSource> KabamStore::raster() const {
   const std::lock_guard lock(mutex_);
   if (state_ == ManagerState::Mapping) {
     RasterSource source;
-    source.wish.trajectory = 1;
-    source.wish.from_m = kSpeedMPerS * *mapping_since_s_;
-    source.wish.scans =
+    source.spec.trajectory = 1;
+    source.spec.from_m = kSpeedMPerS * *mapping_since_s_;
+    source.spec.scans =
         kScansAtStart + static_cast<int>(kScansPerS * std::floor(robot_.time() - *mapping_since_s_));
     return source;
   }
   for (const KabamMap& map : maps_) {
     if (!current_.empty() && map.id == current_)
-      return RasterSource{map.id, map.picture_edits, map.wish, map.image};
+      return RasterSource{map.id, map.picture_edits, map.spec, map.image};
   }
   return std::nullopt;
 }
@@ -192,10 +185,10 @@ SaveResult KabamStore::save(const std::string& name, std::string& id) {
   id = map.id = newId();
   map.name = map.label = name;
   map.created_s = map.updated_s = robot_.time();
-  map.wish.trajectory = 1;
-  map.wish.from_m = kSpeedMPerS * *mapping_since_s_;
+  map.spec.trajectory = 1;
+  map.spec.from_m = kSpeedMPerS * *mapping_since_s_;
   const double until_s = state_ == ManagerState::Mapping ? robot_.time() : mapping_until_s_;
-  map.wish.scans = kScansAtStart + static_cast<int>(kScansPerS * std::floor(until_s - *mapping_since_s_));
+  map.spec.scans = kScansAtStart + static_cast<int>(kScansPerS * std::floor(until_s - *mapping_since_s_));
   maps_.push_back(std::move(map));
   ++edits_.lists;
   if (state_ != ManagerState::Mapping) mapping_since_s_.reset();
@@ -267,7 +260,7 @@ UpdateResult KabamStore::replaceImage(const std::string& id, const Value& image)
     if (const KabamMap* found = mapOf(id)) map = *found;
   }
   if (!map) return UpdateResult::NoSuchMap;
-  const std::shared_ptr<const FloorCells> cells = pictures_.cells(map->wish);  // may take a while
+  const std::shared_ptr<const FloorCells> cells = pictures_.cells(map->spec);  // may take a while
   const auto width = static_cast<std::size_t>(image["width"].number());
   const auto height = static_cast<std::size_t>(image["height"].number());
   const auto step = static_cast<std::size_t>(image["step"].number());
@@ -296,7 +289,7 @@ UpdateResult KabamStore::replaceImage(const std::string& id, const Value& image)
 void KabamStore::otherPainter() {
   constexpr int kSpot = 6;
   const std::optional<KabamMap> map = current();
-  const std::shared_ptr<const FloorCells> cells = map ? pictures_.cells(map->wish) : nullptr;
+  const std::shared_ptr<const FloorCells> cells = map ? pictures_.cells(map->spec) : nullptr;
   if (!cells || cells->width < 4 * kSpot || cells->height < 4 * kSpot) return;
   auto picture = std::make_shared<GrayPicture>();
   if (map->image) {

@@ -13,7 +13,7 @@
 #include "simulator/map_pictures.h"
 #include "simulator/robot_state.h"
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 
@@ -29,7 +29,7 @@ struct KabamMap {
   std::string id, name, label;
   double created_s = 0, updated_s = 0;  // simulated; what was there before is negative
   bool archived = false;
-  PictureWish wish;                          // what the raster is drawn from,
+  PictureSpec spec;                          // what the raster is drawn from,
   std::shared_ptr<const GrayPicture> image;  // or what was handed in: as large, 0 = occupied, 255 = free
   std::uint64_t picture_edits = 0;           // with the id it names a raster
   std::vector<KabamWaypoint> waypoints;
@@ -39,7 +39,7 @@ struct KabamMap {
 struct RasterSource {
   std::string map_id;  // empty while mapping
   std::uint64_t picture_edits = 0;
-  PictureWish wish;
+  PictureSpec spec;
   std::shared_ptr<const GrayPicture> image;
   bool operator==(const RasterSource&) const = default;
 };

@@ -68,7 +68,7 @@ constexpr MessageText kMessages[] = {
     {"time", "int32 secs,int32 nsecs"},
     {"duration", "int32 secs,int32 nsecs"}};
 
-struct ToldFields {
+struct FieldLists {
   Value::List names, types, lengths, examples;
 };
 
@@ -88,7 +88,7 @@ void listTypes(Value::List& all, std::set<std::string>& seen, const std::string&
   }
   if (found == nullptr || !seen.insert(type).second) return;
   const bool ros2 = dialect == RosDialect::Ros2;
-  ToldFields told;
+  FieldLists lists;
   std::vector<std::string> inside;
   std::string_view rest = found->fields;
   while (!rest.empty()) {
@@ -107,16 +107,16 @@ void listTypes(Value::List& all, std::set<std::string>& seen, const std::string&
       name.insert(0, "_");
     }
     inside.push_back(of);
-    told.names.emplace_back(std::move(name));
-    told.types.emplace_back(std::move(of));
-    told.lengths.emplace_back(length);
-    told.examples.emplace_back(length < 0 ? "0" : "[]");
+    lists.names.emplace_back(std::move(name));
+    lists.types.emplace_back(std::move(of));
+    lists.lengths.emplace_back(length);
+    lists.examples.emplace_back(length < 0 ? "0" : "[]");
   }
   all.push_back(Value::Object{{"type", type},
-                              {"fieldnames", std::move(told.names)},
-                              {"fieldtypes", std::move(told.types)},
-                              {"fieldarraylen", std::move(told.lengths)},
-                              {"examples", std::move(told.examples)},
+                              {"fieldnames", std::move(lists.names)},
+                              {"fieldtypes", std::move(lists.types)},
+                              {"fieldarraylen", std::move(lists.lengths)},
+                              {"examples", std::move(lists.examples)},
                               {"constnames", Value::List{}},
                               {"constvalues", Value::List{}}});
   for (const std::string& of : inside) listTypes(all, seen, of, dialect);

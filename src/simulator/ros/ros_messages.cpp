@@ -79,7 +79,7 @@ Moment Messages::momentOf(const RosFaults& faults) const {
 
 std::optional<OccupancyCells> Messages::mapCells() {
   const std::optional<RasterSource> source = kabam_.raster();
-  const std::shared_ptr<const FloorCells> floor = source ? pictures_.cells(source->wish) : nullptr;
+  const std::shared_ptr<const FloorCells> floor = source ? pictures_.cells(source->spec) : nullptr;
   if (!floor) return std::nullopt;
   return occupancyOf(*floor, source->image.get());
 }
@@ -98,7 +98,7 @@ std::shared_ptr<const OccupancyCells> Messages::costsOfMap() {
     const std::lock_guard lock(mutex_);
     if (costs_ && costs_->source == *source) return costs_->grid;
   }
-  const std::shared_ptr<const FloorCells> floor = pictures_.cells(source->wish);
+  const std::shared_ptr<const FloorCells> floor = pictures_.cells(source->spec);
   if (!floor) return nullptr;
   const GridPlace place{floor->width, floor->height, floor->resolution_m, floor->origin_m};
   auto made = std::make_shared<const OccupancyCells>(occupancyOf(costsOf(robot_.plan(), {}, place), place));

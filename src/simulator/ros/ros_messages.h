@@ -10,7 +10,7 @@
 #include "simulator/cost_maps.h"
 #include "simulator/fault_plan.h"
 #include "simulator/ros/kabam_store.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <future>
 
-#include <boost/asio/post.hpp>
-
 #include "simulator/ros/garbage.h"
 #include "simulator/ros/ros_session.h"
 
 namespace mapwright::simulator::ros {
 namespace {
 
-using boost::asio::ip::tcp;
 using std::chrono::steady_clock;
 
 constexpr auto kTick = std::chrono::milliseconds(20);
@@ -34,25 +31,16 @@ RosServer::RosServer(const Options& options, const RobotState& robot, const Faul
 
 RosServer::~RosServer() {
   stall(false);
-  io_.stop();
-  if (thread_.joinable()) thread_.join();
-  workers_.stop();
-  workers_.join();
-  for (const auto& [address, session] : std::map(sessions_)) session->cut();  // must go before the io_context
+  loop_.stop();
+  links_.cut();  // sessions must go before the loop
 }
 
 std::optional<std::string> RosServer::start(std::uint16_t port) {
-  boost::system::error_code error;
-  const tcp::endpoint endpoint(boost::asio::ip::address_v4::loopback(), port);
-  acceptor_.open(endpoint.protocol(), error);
-  if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) acceptor_.bind(endpoint, error);
-  if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);
-  if (!error) port_ = acceptor_.local_endpoint(error).port();
-  if (error) {
-    return "The simulated ROS robot could not open port " + std::to_string(port) +
-           " on 127.0.0.1: " + error.message() + ". Choose another port, or 0 for a free one.";
-  }
+  const auto opened = loop_.listen(port, "The simulated ROS robot", [this](Connection& connection) {
+    std::make_shared<RosSession>(connection, *this)->accept();
+  });
+  if (!opened) return opened.error();
+  port_ = *opened;
   published_ = kabam_.edits();
   if (faults().waypoints_lag_ms > 0) {
     const std::string topic(kWaypointsTopic);
@@ -65,34 +53,9 @@ std::optional<std::string> RosServer::start(std::uint16_t port) {
         std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(row.period_s));
     periodic_.push_back({row.name, period, tick_at_ + period});
   }
-  accept();
   tick();
-  thread_ = std::thread([this] { io_.run(); });
+  loop_.start();
   return std::nullopt;
-}
-
-void RosServer::accept() {
-  acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
-    if (error == boost::asio::error::operation_aborted) return;
-    if (!error) {
-      socket.set_option(tcp::no_delay(true), error);
-      std::make_shared<RosSession>(std::move(socket), *this)->accept();
-    }
-    accept();
-  });
-}
-
-void RosServer::join(const std::shared_ptr<RosSession>& session) {
-  sessions_[session.get()] = session;
-  open_ = static_cast<int>(sessions_.size());
-}
-
-void RosServer::leave(const RosSession* session) {
-  const auto found = sessions_.find(session);
-  if (found == sessions_.end()) return;
-  const std::shared_ptr<RosSession> last = std::move(found->second);  // goes when the books are in order
-  sessions_.erase(found);
-  open_ = static_cast<int>(sessions_.size());
 }
 
 void RosServer::note(std::string_view method, std::string_view target, int status, std::size_t bytes) {
@@ -103,17 +66,15 @@ void RosServer::note(std::string_view method, std::string_view target, int statu
 }
 
 void RosServer::tick() {
-  const steady_clock::duration step = sessions_.empty() ? kIdleTick : kTick;
+  const steady_clock::duration step = links_.open() == 0 ? kIdleTick : kTick;
   tick_at_ = std::max(tick_at_ + step, steady_clock::now());
-  timer_.expires_at(tick_at_);
-  timer_.async_wait([this](boost::system::error_code error) {
-    if (error) return;
+  loop_.postAt(tick_at_, [this] {
     const steady_clock::time_point now = steady_clock::now();
     keepFaultSchedule(now);
     publishChanges();
     publishDue(now);
     publishLate(now);
-    for (const auto& [address, session] : std::map(sessions_)) session->tick(now);
+    for (const auto& session : links_.all()) session->tick(now);
     tick();
   });
 }
@@ -131,7 +92,7 @@ void RosServer::keepFaultSchedule(steady_clock::time_point now) {
   const RosFaults faults = this->faults();
   if (faults.restart_every_s > 0 && now - restarted_at_ >= std::chrono::seconds(faults.restart_every_s)) {
     restarted_at_ = now;
-    for (const auto& [address, session] : std::map(sessions_)) session->cut();
+    links_.cut();
     last_.clear();
   }
   if (faults.other_operator_every_s > 0 &&
@@ -147,7 +108,8 @@ void RosServer::keepFaultSchedule(steady_clock::time_point now) {
   if (faults.garbage && now - garbage_at_ >= kGarbageEvery) {
     garbage_at_ = now;
     const Garbage piece = garbageOf(garbage_++);
-    for (const auto& [address, session] : std::map(sessions_)) session->sendRaw(piece.bytes, piece.binary);
+    for (const auto& session : links_.all())
+      session->send({std::make_shared<const std::string>(piece.bytes), piece.binary});
   }
 }
 
@@ -229,8 +191,9 @@ void RosServer::deliverLatched(const std::shared_ptr<RosSession>& session, const
 }
 
 void RosServer::publish(std::string_view topic) {
-  const bool wanted = std::any_of(sessions_.begin(), sessions_.end(),
-                                  [&](const auto& entry) { return entry.second->wants(topic); });
+  const std::vector<std::shared_ptr<RosSession>> sessions = links_.all();
+  const bool wanted = std::any_of(sessions.begin(), sessions.end(),
+                                  [&](const auto& session) { return session->wants(topic); });
   if (const auto kept = last_.find(topic); kept != last_.end()) last_.erase(kept);
   if (wanted && !isSilent(topic)) make(std::string(topic), {}, true);
 }
@@ -257,9 +220,9 @@ void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_fo
       return;
     }
   }
-  boost::asio::post(workers_, [this, topic, for_all, done] {
+  loop_.work([this, topic, for_all, done] {
     PublicationPtr message = publicationOf(topic, messageOf(topic));
-    boost::asio::post(io_, [this, topic, for_all, done, message = std::move(message)] {
+    loop_.post([this, topic, for_all, done, message = std::move(message)] {
       const bool again = for_all && making_.extract(topic).mapped();
       done(message);
       if (again) publish(topic);
@@ -268,7 +231,7 @@ void RosServer::make(const std::string& topic, std::weak_ptr<RosSession> only_fo
 }
 
 void RosServer::deliverAll(const PublicationPtr& message) {
-  for (const auto& [address, session] : std::map(sessions_)) session->deliver(message, false);
+  for (const auto& session : links_.all()) session->deliver(message, false);
 }
 
 void RosServer::advertise(const std::string& topic, const std::string& type) {
@@ -292,20 +255,15 @@ std::string RosServer::publishFrom(const std::string& topic, const Value& msg) {
 }
 
 void RosServer::runAndWait(const std::function<void()>& action) {
-  auto promise = std::make_shared<std::promise<void>>();
-  const std::future<void> done = promise->get_future();
-  boost::asio::post(io_, [action, promise] {
-    action();
-    promise->set_value();
-  });
-  if (!stalled_) done.wait();
+  if (stalled_) return loop_.post(action);
+  loop_.postAndWait(action);
 }
 
 void RosServer::stall(bool on) {
-  if (!thread_.joinable() || stalled_ == on) return;
+  if (!loop_.isStarted() || stalled_ == on) return;
   if (on) {
     const auto standing = std::make_shared<std::promise<void>>();
-    boost::asio::post(io_, [this, standing] {
+    loop_.post([this, standing] {
       stalled_ = true;
       standing->set_value();
       stalled_.wait(true);
@@ -318,9 +276,7 @@ void RosServer::stall(bool on) {
 }
 
 void RosServer::dropLinks() {
-  runAndWait([this] {
-    for (const auto& [address, session] : std::map(sessions_)) session->cut();
-  });
+  runAndWait([this] { links_.cut(); });
 }
 
 void RosServer::refresh() {

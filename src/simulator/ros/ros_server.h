@@ -10,19 +10,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
-
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <boost/asio/thread_pool.hpp>
 
 #include "simulator/request_log.h"
 #include "simulator/ros/ros_messages.h"
 #include "simulator/ros/ros_services.h"
 #include "simulator/ros/subscriptions.h"
 #include "simulator/ros/topic_table.h"
+#include "simulator/web_socket_link.h"
 
 namespace mapwright::simulator::ros {
 
@@ -41,7 +36,7 @@ class RosServer {
   /// Opens the port of 127.0.0.1 (0 = a free one) and starts the thread. nullopt when it runs.
   std::optional<std::string> start(std::uint16_t port);
   std::uint16_t port() const { return port_; }
-  int openLinks() const { return open_; }
+  int openLinks() const { return links_.open(); }
 
   // From any thread; they return when it is done.
   void dropLinks();
@@ -55,8 +50,8 @@ class RosServer {
   // For the sessions, on the server's thread.
   const Options& options() const { return options_; }
   RosFaults faults() const { return fault_plan_.faults().ros; }
-  void join(const std::shared_ptr<RosSession>& session);
-  void leave(const RosSession* session);
+  Links<RosSession>& links() { return links_; }
+  Loop& loop() { return loop_; }
   void note(std::string_view method, std::string_view target, int status, std::size_t bytes);
   CallOutcome call(const std::string& service, const Value& args) { return services_.call(service, args); }
   /// Publishes what a call has changed.
@@ -75,7 +70,6 @@ class RosServer {
     std::chrono::steady_clock::time_point due;
   };
 
-  void accept();
   void tick();
   void publishDue(std::chrono::steady_clock::time_point now);
   void keepFaultSchedule(std::chrono::steady_clock::time_point now);
@@ -97,15 +91,11 @@ class RosServer {
   Messages messages_;
   Dispatcher dispatcher_;
   Services services_;
-  boost::asio::io_context io_{1};
-  boost::asio::thread_pool workers_{1};
-  boost::asio::ip::tcp::acceptor acceptor_{io_};
-  boost::asio::steady_timer timer_{io_};
   std::uint16_t port_ = 0;
   const std::vector<TopicRow> rows_;
   std::vector<Periodic> periodic_;
   std::map<std::string, std::string> advertised_;
-  std::map<const RosSession*, std::shared_ptr<RosSession>> sessions_;
+  Links<RosSession> links_;
   std::map<std::string, PublicationPtr, std::less<>> last_;                            // of latched topics
   std::deque<std::pair<std::chrono::steady_clock::time_point, PublicationPtr>> late_;  // of waypoints
   std::map<std::string, bool> making_;  // true: once more when it is done
@@ -113,9 +103,8 @@ class RosServer {
   Dispatcher::Edits dispatched_;
   std::chrono::steady_clock::time_point tick_at_, restarted_at_, edited_at_, painted_at_, garbage_at_;
   std::size_t garbage_ = 0;
-  std::atomic<int> open_ = 0;
   std::atomic<bool> stalled_ = false;
-  std::thread thread_;
+  Loop loop_{1};
 };
 
 }  // namespace mapwright::simulator::ros

@@ -7,9 +7,9 @@
 
 #include "simulator/ros/dispatcher.h"
 #include "simulator/ros/kabam_store.h"
+#include "simulator/ros/message_types.h"
 #include "simulator/ros/ros_messages.h"
 #include "simulator/ros/topic_table.h"
-#include "simulator/ros/type_book.h"
 
 namespace mapwright::simulator::ros {
 
@@ -34,7 +34,7 @@ class Services {
   bool has(std::string_view service) const;
   /// `args` as the client sent them: an object, a list in the order of the fields, or nothing.
   CallOutcome call(std::string_view name, const Value& args);
-  const TypeBook& types() const { return types_; }
+  const MessageTypes& types() const { return types_; }
 
  private:
   struct Row {
@@ -53,7 +53,7 @@ class Services {
   KabamStore& kabam_;
   Messages& messages_;
   Dispatcher& dispatcher_;
-  const TypeBook types_;
+  const MessageTypes types_;
 };
 
 }  // namespace mapwright::simulator::ros

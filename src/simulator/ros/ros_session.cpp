@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <optional>
 
-#include <boost/asio/steady_timer.hpp>
-
 #include "simulator/ros/fragments.h"
 #include "simulator/ros/ros_server.h"
-#include "simulator/ros/value_json.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator::ros {
 namespace {
-
-namespace beast = boost::beast;
-namespace websocket = boost::beast::websocket;
 
 constexpr std::size_t kMostMessageBytes = std::size_t{128} << 20;  // a map's picture as base64
 constexpr std::size_t kMostQueued = 64;  // beyond it, messages of topics are left out
@@ -40,10 +35,7 @@ bool isWholeAuth(const Value& message) {
   for (const char* name : {"mac", "client", "dest", "rand", "level"}) {
     if (message[name].as<std::string>() == nullptr) return false;
   }
-  const auto isNumber = [&](const char* name) {
-    return message[name].as<std::int64_t>() != nullptr || message[name].as<double>() != nullptr;
-  };
-  return isNumber("t") && isNumber("end");
+  return message["t"].isNumber() && message["end"].isNumber();
 }
 
 std::string idText(const Value& id) {
@@ -52,40 +44,19 @@ std::string idText(const Value& id) {
 
 }  // namespace
 
-RosSession::RosSession(boost::asio::ip::tcp::socket socket, RosServer& server)
-    : stream_(std::move(socket)), server_(server) {
+RosSession::RosSession(Connection& connection, RosServer& server)
+    : WebSocketLink(connection, kMostMessageBytes, kMostQueuedBytes), server_(server) {
   if (server_.options().ros.status) status_level_ = "error";
 }
 
-void RosSession::accept() {
-  websocket::stream_base::timeout timeout{};
-  timeout.handshake_timeout = std::chrono::seconds(10);
-  timeout.idle_timeout = websocket::stream_base::none();
-  timeout.keep_alive_pings = false;
-  stream_.set_option(timeout);
-  stream_.read_message_max(kMostMessageBytes);
-  stream_.async_accept([self = shared_from_this()](beast::error_code error) {
-    if (error) return;
-    self->open_ = true;
-    self->server_.join(self);
-    self->read();
-  });
+bool RosSession::opened() {
+  server_.links().join(self());
+  return true;
 }
 
-void RosSession::read() {
-  stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-    if (error) {
-      self->open_ = false;
-      self->server_.leave(self.get());
-      return;
-    }
-    const auto bytes = self->buffer_.data();
-    const std::string text(static_cast<const char*>(bytes.data()), bytes.size());
-    self->buffer_.consume(self->buffer_.size());
-    self->understand(text);
-    if (self->open_) self->read();
-  });
-}
+void RosSession::take(const std::string& text, bool) { understand(text); }
+
+void RosSession::gone() { server_.links().leave(this); }
 
 void RosSession::understand(std::string_view text, bool joined) {
   const std::optional<Value> message = fromJson(text);
@@ -151,7 +122,7 @@ void RosSession::subscribe(const Value& message) {
     return complain("Unable to subscribe to " + topic + " as " + wanted.type, id);
   if (!subscriptions_.add(topic, idText(id), std::move(wanted)))
     return complain("Too many subscriptions", id);
-  server_.deliverLatched(shared_from_this(), topic);
+  server_.deliverLatched(self(), topic);
 }
 
 void RosSession::unsubscribe(const Value& message) {
@@ -209,11 +180,8 @@ void RosSession::answer(const std::string& service, const Value& id, bool worked
 }
 
 void RosSession::sendLater(std::string text, const Value& id, std::chrono::milliseconds delay) {
-  auto timer = std::make_shared<boost::asio::steady_timer>(stream_.get_executor(), delay);
-  timer->async_wait(
-      [self = shared_from_this(), timer, text = std::move(text), id](beast::error_code error) mutable {
-        if (!error && self->open_) self->sendText(std::move(text), id);
-      });
+  server_.loop().postAt(std::chrono::steady_clock::now() + delay,
+                        [self = self(), text = std::move(text), id] { self->sendText(text, id); });
 }
 
 void RosSession::complain(std::string_view sentence, const Value& id) {
@@ -224,7 +192,7 @@ void RosSession::complain(std::string_view sentence, const Value& id) {
 }
 
 void RosSession::deliver(const PublicationPtr& message, bool at_once) {
-  if (!open_ || !wants(message->topic())) return;
+  if (!isOpen() || !wants(message->topic())) return;
   if (at_once || subscriptions_.take(message, std::chrono::steady_clock::now())) encode(*message);
 }
 
@@ -234,7 +202,7 @@ void RosSession::tick(Subscriptions::Time now) {
 
 void RosSession::encode(const Publication& message) {
   const std::optional<Subscription> wanted = subscriptions_.of(message.topic());
-  if (!wanted || outgoing_.size() > kMostQueued) return;
+  if (!wanted || queued() > kMostQueued) return;
   switch (wanted->compression) {
     case Compression::None:
       return sendText(message.json(), 0);
@@ -249,38 +217,7 @@ void RosSession::sendText(std::string text, const Value& id) {
   const int forced = server_.faults().fragment_bytes;
   const std::size_t size = forced > 0 ? static_cast<std::size_t>(forced) : fragment_size_;
   for (std::string& piece : fragmentsOf(std::move(text), size, id, server_.options().ros.writer))
-    send({std::make_shared<const std::string>(std::move(piece)), false});
-}
-
-void RosSession::sendRaw(std::string bytes, bool binary) {
-  send({std::make_shared<const std::string>(std::move(bytes)), binary});
-}
-
-void RosSession::send(Frame frame) {
-  if (!open_) return;
-  outgoing_bytes_ += frame.bytes->size();
-  if (outgoing_bytes_ > kMostQueuedBytes) return cut();
-  outgoing_.push_back(std::move(frame));
-  if (outgoing_.size() == 1) write();
-}
-
-void RosSession::write() {
-  stream_.binary(outgoing_.front().binary);
-  stream_.async_write(boost::asio::buffer(*outgoing_.front().bytes),
-                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                        if (error) return self->cut();
-                        self->outgoing_bytes_ -= self->outgoing_.front().bytes->size();
-                        self->outgoing_.pop_front();
-                        if (!self->outgoing_.empty()) self->write();
-                      });
-}
-
-void RosSession::cut() {
-  open_ = false;
-  server_.leave(this);
-  beast::error_code ignored;  // it is being given up either way
-  beast::get_lowest_layer(stream_).socket().shutdown(boost::asio::ip::tcp::socket::shutdown_both, ignored);
-  beast::get_lowest_layer(stream_).close();
+    send(textFrame(std::move(piece)));
 }
 
 }  // namespace mapwright::simulator::ros

@@ -5,8 +5,8 @@
 
 #include "geometry/pose.h"
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
 #include "simulator/simulator.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "simulator/ros/value_cbor.h"
-#include "simulator/ros/value_json.h"
+#include "simulator/value_cbor.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator::ros {
 namespace {

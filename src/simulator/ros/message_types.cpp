@@ -1,10 +1,10 @@
-#include "simulator/ros/type_book.h"
+#include "simulator/ros/message_types.h"
 
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "simulator/ros/value_json.h"
+#include "simulator/value_json.h"
 
 namespace mapwright::simulator::ros {
 namespace {
@@ -69,8 +69,8 @@ std::optional<Range> rangeOf(std::string_view type) {
 }
 
 std::string kindOf(const Value& value) {
-  static constexpr const char* kNames[] = {"NoneType", "bool", "int",  "float", "str", "list",
-                                           "dict",     "str",  "list", "list",  "list"};
+  static constexpr const char* kNames[] = {"NoneType", "bool", "int",  "float", "str",  "list",
+                                           "dict",     "str",  "list", "list",  "list", "str"};
   return kNames[value.data().index()];
 }
 
@@ -82,7 +82,7 @@ std::string mismatch(std::string_view type, std::string_view wanted, std::string
 
 }  // namespace
 
-TypeBook::TypeBook(RosDialect dialect) {
+MessageTypes::MessageTypes(RosDialect dialect) {
   const bool is_ros1 = dialect == RosDialect::Ros1;
   for (const Definition& definition : kDefinitions) {
     std::vector<Field>& fields = types_[std::string(definition.type)];
@@ -103,7 +103,7 @@ TypeBook::TypeBook(RosDialect dialect) {
                            : std::vector<Field>{{"int32", "sec", false}, {"uint32", "nanosec", false}};
 }
 
-TypeBook::Read TypeBook::complete(std::string_view type, const Value& given) const {
+MessageTypes::Read MessageTypes::complete(std::string_view type, const Value& given) const {
   const auto found = types_.find(type);
   if (found == types_.end())
     return tl::make_unexpected("Unable to load the manifest for " + std::string(type));
@@ -126,7 +126,7 @@ TypeBook::Read TypeBook::complete(std::string_view type, const Value& given) con
   return Value(std::move(whole));
 }
 
-TypeBook::Read TypeBook::fromList(std::string_view type, const Value::List& given) const {
+MessageTypes::Read MessageTypes::fromList(std::string_view type, const Value::List& given) const {
   const auto found = types_.find(type);
   if (found == types_.end() || given.size() > found->second.size())
     return tl::make_unexpected("Message type " + std::string(type) + " does not have so many fields");
@@ -135,11 +135,11 @@ TypeBook::Read TypeBook::fromList(std::string_view type, const Value::List& give
   return complete(type, named);
 }
 
-TypeBook::Read TypeBook::field(std::string_view type, const Field& field, const Value* given) const {
+MessageTypes::Read MessageTypes::field(std::string_view type, const Field& field, const Value* given) const {
   return field.is_list ? list(type, field, given) : single(type, field, given);
 }
 
-TypeBook::Read TypeBook::list(std::string_view type, const Field& field, const Value* given) const {
+MessageTypes::Read MessageTypes::list(std::string_view type, const Field& field, const Value* given) const {
   const std::string wanted = field.type + "[]";
   const Value::List* items = given != nullptr ? given->as<Value::List>() : nullptr;
   if (field.type == "uint8") {
@@ -167,7 +167,7 @@ TypeBook::Read TypeBook::list(std::string_view type, const Field& field, const V
   return Value(std::move(read));
 }
 
-TypeBook::Read TypeBook::single(std::string_view type, const Field& field, const Value* given) const {
+MessageTypes::Read MessageTypes::single(std::string_view type, const Field& field, const Value* given) const {
   const auto refuse = [&] { return tl::make_unexpected(mismatch(type, field.type, field.name, *given)); };
   if (field.type == "bool") {
     if (given == nullptr) return Value(false);
@@ -181,7 +181,7 @@ TypeBook::Read TypeBook::single(std::string_view type, const Field& field, const
   }
   if (field.type == "float64") {
     if (given == nullptr) return Value(0.0);
-    if (given->as<double>() == nullptr && given->as<std::int64_t>() == nullptr) return refuse();
+    if (!given->isNumber()) return refuse();
     return Value(given->number());
   }
   if (const std::optional<Range> range = rangeOf(field.type)) {

@@ -1,4 +1,4 @@
-#include "simulator/mapping_book.h"
+#include "simulator/mapping_tasks.h"
 
 #include <cmath>
 
@@ -13,23 +13,23 @@ std::int64_t stampNow(const RobotState& state) {
   return static_cast<std::int64_t>(std::floor(stampOf(state.time())));
 }
 
-PictureWish wholeOf(int trajectory) {
-  PictureWish wish;
-  wish.trajectory = trajectory;
-  return wish;
+PictureSpec wholeOf(int trajectory) {
+  PictureSpec spec;
+  spec.trajectory = trajectory;
+  return spec;
 }
 
 }  // namespace
 
-PictureWish wishOf(const MappingSpan& span, bool new_only) {
-  PictureWish wish = wholeOf(kLiveTrajectory);
-  wish.from_m = span.from_m;
-  wish.scans = span.scans;
-  if (span.mapping == Mapping::Continue && !new_only) wish.base = kFinishedMap;
-  return wish;
+PictureSpec specOf(const MappingSpan& span, bool new_only) {
+  PictureSpec spec = wholeOf(kLiveTrajectory);
+  spec.from_m = span.from_m;
+  spec.scans = span.scans;
+  if (span.mapping == Mapping::Continue && !new_only) spec.base = kFinishedMap;
+  return spec;
 }
 
-MappingBook::MappingBook(RobotState& state) : state_(state) {
+MappingTasks::MappingTasks(RobotState& state) : state_(state) {
   if (state.scene().trajectories.empty()) return;
   tasks_ = {{48, "finished", false, 1717401600, 1717405100, wholeOf(kFinishedMap)},
             {47, "cancelled", false, 1647494329, std::nullopt, std::nullopt},
@@ -38,25 +38,25 @@ MappingBook::MappingBook(RobotState& state) : state_(state) {
   next_id_ = tasks_.front().id + 1;
 }
 
-std::vector<MappingTask> MappingBook::tasks() const {
+std::vector<MappingTask> MappingTasks::tasks() const {
   const std::lock_guard lock(mutex_);
   return tasks_;
 }
 
-std::optional<MappingTask> MappingBook::find(int id) const {
+std::optional<MappingTask> MappingTasks::find(int id) const {
   for (MappingTask& task : tasks()) {
     if (task.id == id) return std::move(task);
   }
   return std::nullopt;
 }
 
-std::optional<MappingTask> MappingBook::running() const {
+std::optional<MappingTask> MappingTasks::running() const {
   const std::lock_guard lock(mutex_);
   if (!runs()) return std::nullopt;
   return tasks_.front();
 }
 
-std::optional<MappingTask> MappingBook::start(Mapping mapping) {
+std::optional<MappingTask> MappingTasks::start(Mapping mapping) {
   const std::lock_guard lock(mutex_);
   if (runs()) return std::nullopt;
   state_.setMapping(mapping);
@@ -69,26 +69,26 @@ std::optional<MappingTask> MappingBook::start(Mapping mapping) {
   return task;
 }
 
-std::optional<MappingTask> MappingBook::end(End how) {
+std::optional<MappingTask> MappingTasks::end(End how) {
   const std::lock_guard lock(mutex_);
   const std::optional<MappingSpan> span = state_.mapping();
   if (!runs() || !span) return std::nullopt;
   MappingTask& task = tasks_.front();
   task.ended_s = stampNow(state_);
   task.state = how == End::Cancelled ? "cancelled" : "finished";
-  if (how != End::Cancelled) task.wish = wishOf(*span, how == End::FinishedNewOnly);
+  if (how != End::Cancelled) task.spec = specOf(*span, how == End::FinishedNewOnly);
   state_.setMapping(Mapping::Off);
   return task;
 }
 
-MappingBook::Removal MappingBook::remove(int id) {
+MappingTasks::Removal MappingTasks::remove(int id) {
   const std::lock_guard lock(mutex_);
   if (runs() && tasks_.front().id == id) return Removal::Running;
   return std::erase_if(tasks_, [&](const MappingTask& task) { return task.id == id; }) > 0 ? Removal::Removed
                                                                                            : Removal::Missing;
 }
 
-MappingBook::Removal MappingBook::removeAll() {
+MappingTasks::Removal MappingTasks::removeAll() {
   const std::lock_guard lock(mutex_);
   if (runs()) return Removal::Running;
   tasks_.clear();

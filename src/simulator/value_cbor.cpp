@@ -1,4 +1,4 @@
-#include "simulator/ros/value_cbor.h"
+#include "simulator/value_cbor.h"
 
 #include <bit>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "simulator/png_writing.h"
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "typed arrays are copied as they lie in memory");
@@ -97,6 +97,7 @@ class CborWriter {
     }
     return true;
   }
+  bool put(const Value::Json&) { return put(std::monostate()); }
   bool put(const Value::Bytes& data) {
     bytes(data.data.data(), data.data.size());
     return true;
@@ -130,4 +131,4 @@ std::string toPng(std::string_view json) {
   return R"({"op":"png","data":")" + base64(writeRgbPng(width, height, padded)) + "\"}";
 }
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator

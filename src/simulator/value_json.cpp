@@ -1,4 +1,4 @@
-#include "simulator/ros/value_json.h"
+#include "simulator/value_json.h"
 
 #include <array>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include "simulator/json_text.h"
 #include "simulator/png_writing.h"
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 namespace {
 
 /// The code point that begins at `at`, which goes on to the next one. The text is UTF-8.
@@ -88,6 +88,7 @@ class JsonWriter {
       appendAscii(out_, text, writer_ == RosWriter::Escaped);
     }
   }
+  void put(const Value::Json& json) { out_ += json.text; }
   void put(const Value::Bytes& bytes) { put(base64(bytes.data)); }
   void put(const Value::Object& members) {
     out_ += '{';
@@ -142,7 +143,7 @@ Value valueOf(const simdjson::dom::element& element) {
   }
   if (element.get(object) == simdjson::SUCCESS) {
     Value::Object members;
-    for (const auto& [name, item] : object) members.emplace_back(std::string(name), valueOf(item));
+    for (const auto& [name, item] : object) members.emplace_back(name, valueOf(item));
     return {std::move(members)};
   }
   return {};
@@ -187,4 +188,4 @@ std::optional<std::string> fromBase64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator

@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 
 /// What is not finite becomes null.
-std::string toJson(const Value& value, RosWriter writer);
+std::string toJson(const Value& value, RosWriter writer = RosWriter::Plain);
 
 /// Whole numbers and others are told apart (2 and 2.0). nullopt when the text is no JSON.
 std::optional<Value> fromJson(std::string_view text);
@@ -19,4 +19,4 @@ std::optional<Value> fromJson(std::string_view text);
 /// nullopt when it is no base64.
 std::optional<std::string> fromBase64(std::string_view text);
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator

@@ -10,14 +10,14 @@
 #include <tl/expected.hpp>
 
 #include "simulator/ros/ros_options.h"
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
 namespace mapwright::simulator::ros {
 
 /// Immutable, safe from any thread. Types are named without the word in the middle: "nav_msgs/Path".
-class TypeBook {
+class MessageTypes {
  public:
-  explicit TypeBook(RosDialect dialect);
+  explicit MessageTypes(RosDialect dialect);
 
   bool knows(std::string_view type) const { return types_.find(type) != types_.end(); }
   /// `given` as a whole message of `type`: what was omitted is zero, and every number is of its field's kind.

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "simulator/ros/value.h"
+#include "simulator/value.h"
 
-namespace mapwright::simulator::ros {
+namespace mapwright::simulator {
 
 /// Typed arrays are tagged little-endian byte strings. nullopt when a list of texts is not empty: servers
 /// lose such messages (docs/protocols/rosbridge.md, "Compression").
@@ -16,4 +16,4 @@ std::optional<std::string> toCbor(const Value& value);
 /// {"op":"png","data":...}: the bytes of `json`, padded with newlines, are the pixels of an RGB picture.
 std::string toPng(std::string_view json);
 
-}  // namespace mapwright::simulator::ros
+}  // namespace mapwright::simulator

@@ -18,16 +18,16 @@ struct MappingTask {
   bool continues = false;
   std::int64_t started_s = 0;
   std::optional<std::int64_t> ended_s;
-  std::optional<PictureWish> wish;  // what it made
+  std::optional<PictureSpec> spec;  // what it made
 };
 
 /// What a mapping has seen so far; `new_only` leaves out the map that it continues.
-PictureWish wishOf(const MappingSpan& span, bool new_only);
+PictureSpec specOf(const MappingSpan& span, bool new_only);
 
 /// Safe from any thread. While a task runs, the robot's SLAM session is that mapping.
-class MappingBook {
+class MappingTasks {
  public:
-  explicit MappingBook(RobotState& state);
+  explicit MappingTasks(RobotState& state);
 
   std::vector<MappingTask> tasks() const;  // newest first
   std::optional<MappingTask> find(int id) const;
