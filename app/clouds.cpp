@@ -13,16 +13,15 @@
 #include <QJsonObject>
 
 #include "app/access_words.h"
-#include "app/cloud_crop.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
 #include "app/option_words.h"
 #include "app/output_paths.h"
 #include "clouds/write_cloud.h"
 #include "disk/written_file.h"
+#include "jobs/fetch_cloud.h"
 #include "reasons/file_reason.h"
 #include "robot/map_dispatch.h"
-#include "sentences/plural.h"
 #include "sentences/reason_sentence.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -75,28 +74,8 @@ CommandResult<CloudOrder> orderFrom(const CloudsWords& words) {
   return order;
 }
 
-/// What people should know of what came, a sentence each.
-QStringList notesOf(const CroppedCloud& came) {
-  const map::SpatialCloud& cloud = *came.cloud;
-  QStringList notes;
-  const auto add = [&notes](const QString& plural, std::uint64_t count) {
-    if (count > 0) notes << sentences::counted(plural, qint64(count));
-  };
-  const auto form = [](std::uint64_t count) { return sentences::formOf(qint64(count)); };
-  add(CloudsText::tr("%1 points that the robot says it sent have not come: its answer is cut off.", nullptr,
-                     form(cloud.missing)),
-      cloud.missing);
-  for (const map::Reason& note : cloud.notes) notes << sentences::sentenceOf(note);
-  add(CloudsText::tr("%1 points that came lie beyond the region that was asked for. They are left out.",
-                     nullptr, form(came.beyond)),
-      came.beyond);
-  add(CloudsText::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
-                     form(cloud.left_out)),
-      cloud.left_out);
-  return notes;
-}
-
-QJsonObject jsonOf(const CloudsWords& words, const CroppedCloud& came, const clouds::CloudWritten& written) {
+QJsonObject jsonOf(const CloudsWords& words, const jobs::FetchedCloud& came,
+                   const clouds::CloudWritten& written) {
   const map::SpatialCloud& cloud = *came.cloud;
   QJsonObject json{
       {QStringLiteral("points"), qint64(written.points)},
@@ -109,7 +88,7 @@ QJsonObject jsonOf(const CloudsWords& words, const CroppedCloud& came, const clo
       {QStringLiteral("intensity"), written.intensity},
       {QStringLiteral("rgb"), written.rgb},
       {QStringLiteral("doubles"), written.doubles},
-      {QStringLiteral("notes"), QJsonArray::fromStringList(notesOf(came))}};
+      {QStringLiteral("notes"), QJsonArray::fromStringList(came.notes())}};
   if (cloud.points.empty()) return json;
   Eigen::Vector3f low = cloud.points.front(), high = low;
   for (const Eigen::Vector3f& point : cloud.points) {
@@ -134,26 +113,21 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   MapReading& reading = **opened;
   robot::MapDispatch* const dispatch = reading.session().robot().mapDispatch();
   if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
-  using Cloud = std::shared_ptr<const map::SpatialCloud>;
-  const auto outcome = reading.ask<Cloud>([&](robot::OutcomeTo<Cloud> reply) {
-    // Asked again: it may have gone while one waited for the event loop.
-    robot::MapDispatch* const now = reading.session().robot().mapDispatch();
-    return (now ? now : dispatch)
-        ->cloud(words.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points, order.region,
-                std::move(reply));
+  const auto came = reading.ask<jobs::FetchedCloud>([&](robot::OutcomeTo<jobs::FetchedCloud> reply) {
+    return jobs::fetchCloud(*dispatch,
+                            words.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points,
+                            order.region, reading.workers(), std::move(reply));
   });
-  if (!outcome) return tl::make_unexpected(reading.failure(outcome.error()));
-  const CroppedCloud came = order.region ? cropped(*outcome, *order.region) : CroppedCloud{*outcome, 0};
-  const map::SpatialCloud& cloud = *came.cloud;
-  if (cloud.points.empty() && came.beyond > 0) {
+  if (!came) return tl::make_unexpected(reading.failure(came.error()));
+  if (came->elsewhere()) {
     return tl::make_unexpected(reading.failure(
         kIncomplete,
         CloudsText::tr("It answered with another region: none of the points that came lies in the one "
                        "that was asked for. Nothing is written.")));
   }
-  for (const QString& note : notesOf(came)) reading.note(note);
+  for (const QString& note : came->notes()) reading.note(note);
   disk::WrittenFile file(order.path.toStdString());
-  const auto written = clouds::writeCloud(cloud, order.format, [&](std::string_view bytes) {
+  const auto written = clouds::writeCloud(*came->cloud, order.format, [&](std::string_view bytes) {
     file.write(bytes);
     return file.good() && !reading.time().over();
   });
@@ -165,10 +139,10 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
     return wrong(sentences::sentenceOf(reasons::notWritten(*fault)));
   }
   if (words.json) {
-    const QByteArray json = QJsonDocument(jsonOf(words, came, *written)).toJson(QJsonDocument::Indented);
+    const QByteArray json = QJsonDocument(jsonOf(words, *came, *written)).toJson(QJsonDocument::Indented);
     printOut(words::escapedJson(json).toStdString());
   }
-  return cloud.missing > 0 ? kIncomplete : kDone;
+  return came->complete() ? kDone : kIncomplete;
 }
 
 }  // namespace
