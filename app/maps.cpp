@@ -21,12 +21,9 @@
 #include "app/robot_access.h"
 #include "app/robot_factory.h"
 #include "app/table.h"
-#include "disk/written_file.h"
-#include "grids/export_grid.h"
-#include "reasons/file_reason.h"
+#include "jobs/export_map.h"
 #include "robot/address.h"
 #include "sentences/plural.h"
-#include "sentences/reason_sentence.h"
 #include "session/lacks_picture.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -258,26 +255,14 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
     const bool png = format == QLatin1String("png");
-    const grids::MapServerFiles pair = grids::mapServerFiles(words.output);
-    QStringList outputs{png ? output : text(pair.pgm)};
-    if (!png) outputs << text(pair.yaml);
-    const QString world_file = QFileInfo(output).absolutePath() + QLatin1Char('/') +
-                               QFileInfo(output).completeBaseName() + QStringLiteral(".pgw");
-    if (words.world_file) outputs << world_file;
-    const auto sources = (*robot)->sourceFiles();
-    if (const auto why = overOwnSource(outputs, sources); why && !words.force) return wrong(*why);
-    std::optional<disk::WrittenFile> placing;
-    if (words.world_file) {
-      placing.emplace(world_file.toStdString());
-      placing->write(grids::worldFileText(placed->reference));
-      if (!placing->finish()) return wrong(sentences::wordsOf(reasons::notWritten(*placing->place())));
-    }
-    const auto error = png ? grids::writeGridPng(*placed->cells, words.output)
-                           : grids::writeMapServer(*placed->cells, placed->reference, words.output);
-    if (error) return wrong(sentences::wordsOf(*error));
-    if (placing) {
-      if (const auto fault = placing->place()) return wrong(sentences::wordsOf(reasons::notWritten(*fault)));
-    }
+    const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
+                                      png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer,
+                                      output, words.world_file};
+    const QStringList outputs = jobs::exportedFiles(output, request.format, words.world_file);
+    const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
+    if (why && !words.force) return wrong(*why);
+    const jobs::ExportResult written = jobs::exportMap(request, nullptr);
+    if (!written.error.isEmpty()) return wrong(written.error);
     if (!printed && !isStandardOutput(text(words.report))) {
       const map::GridReference& grid = placed->reference;
       std::printf("%s\n",

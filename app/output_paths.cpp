@@ -11,6 +11,7 @@
 #include "app/exit_code.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "jobs/export_map.h"
 
 namespace mapwright::app {
 namespace {
@@ -64,16 +65,9 @@ std::optional<QString> whyNotTogether(const QStringList& outputs) {
 }
 
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources) {
-  for (const QString& output : outputs) {
-    for (const std::string& source : sources) {
-      if (output.isEmpty() || isStandardOutput(output) || takesBytes(output)) continue;
-      if (disk::sameFile(output.toStdString(), source)) {
-        return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.")
-            .arg(output);
-      }
-    }
-  }
-  return std::nullopt;
+  const QString own = jobs::firstOwnSource(outputs, sources);
+  if (own.isEmpty()) return std::nullopt;
+  return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.").arg(own);
 }
 
 bool printOut(std::string_view text) {

@@ -9,10 +9,10 @@
 #include <QStandardPaths>
 #include <QTime>
 
+#include "jobs/export_map.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/region_sentence.h"
 #include "window/current_session.h"
-#include "window/files/export_map.h"
 #include "window/files/folders.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
@@ -244,20 +244,20 @@ void MapErrand::endRectangle() {
        tr("Region %1").arg(areaText(fetch->rect())));
 }
 
-void MapErrand::write(const WholeMapExport& map, const QString& path, std::function<void()> then) {
-  export_ = std::make_unique<ExportJob>(context_.workers);
-  connect(
-      export_.get(), &ExportJob::finished, this, [this, then = std::move(then)](const ExportResult& result) {
-        export_.release()->deleteLater();
-        if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
-        if (result.cancelled) return;
-        toast(Mark::Good,
-              tr("Saved %1")
-                  .arg(exportedFiles(QDir::toNativeSeparators(result.path), ExportFormat::MapServer, false)
-                           .join(QStringLiteral(", "))));
-        if (then) then();
-      });
-  export_->start({map, ExportFormat::MapServer, path, false});
+void MapErrand::write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then) {
+  export_ = std::make_unique<jobs::ExportJob>(context_.workers);
+  connect(export_.get(), &jobs::ExportJob::finished, this,
+          [this, then = std::move(then)](const jobs::ExportResult& result) {
+            export_.release()->deleteLater();
+            if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
+            if (result.cancelled) return;
+            toast(Mark::Good, tr("Saved %1")
+                                  .arg(jobs::exportedFiles(QDir::toNativeSeparators(result.path),
+                                                           jobs::ExportFormat::MapServer, false)
+                                           .join(QStringLiteral(", "))));
+            if (then) then();
+          });
+  export_->start({map, jobs::ExportFormat::MapServer, path, false});
 }
 
 std::vector<Fetched> MapErrand::fetched() {

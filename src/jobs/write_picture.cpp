@@ -1,4 +1,4 @@
-#include "scene/write_picture.h"
+#include "jobs/write_picture.h"
 
 #include <QBuffer>
 #include <QImageWriter>
@@ -6,7 +6,7 @@
 #include "disk/written_file.h"
 #include "reasons/file_reason.h"
 
-namespace mapwright::scene {
+namespace mapwright::jobs {
 
 std::optional<map::Reason> writePicture(const QImage& picture, const QString& path) {
   QBuffer png;
@@ -21,4 +21,4 @@ std::optional<map::Reason> writePicture(const QImage& picture, const QString& pa
   return fault ? std::optional(reasons::notWritten(*fault)) : std::nullopt;
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::jobs
