@@ -12,7 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "app/access_words.h"
+#include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
 #include "app/option_words.h"
@@ -145,6 +145,15 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   return came->complete() ? kDone : kIncomplete;
 }
 
+int runClouds(const CloudsWords& words, int& argc, char** argv) {
+  MapsCommand command(words.timeout_s, {});
+  return command.run(argc, argv, [&words](MapsCommand& each) -> CommandResult<int> {
+    const auto order = orderFrom(words);
+    if (!order) return tl::make_unexpected(order.error());
+    return exportCloud(each, words, *order);
+  });
+}
+
 }  // namespace
 
 tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words) {
@@ -176,18 +185,17 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   return std::optional(region);
 }
 
-void addClouds(CLI::App& cli, CloudsWords& words) {
-  CLI::App* const clouds =
-      cli.add_subcommand("clouds", help(CloudsText::tr("The map of a robot in space, as points")));
+void addClouds(Commands& commands) {
+  const auto shared = std::make_shared<CloudsWords>();
+  CloudsWords& words = *shared;
+  CLI::App* const clouds = commands.program().add_subcommand(
+      "clouds", help(CloudsText::tr("The map of a robot in space, as points")));
   clouds->require_subcommand(1);
   CLI::App* const command = clouds->add_subcommand(
       "export",
       help(CloudsText::tr("Write the points of a region, or of the whole map, into a PCD, PLY or CSV file")));
-  // No envname(): see addMaps().
-  command->add_option(
-      "--robot", words.robot,
-      help(CloudsText::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)")));
-  addAccess(*command, words.access);
+  addRobot(*command, words.robot, words.access,
+           CloudsText::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)"));
   command->add_option(
       "--box", words.box,
       help(CloudsText::tr("X,Y,Z,LX,LY,LZ: the middle of a box and how long its sides are, in metres")));
@@ -203,19 +211,8 @@ void addClouds(CLI::App& cli, CloudsWords& words) {
   command->add_flag("--ascii", words.ascii, help(CloudsText::tr("A PCD file as text")));
   command->add_flag("--force", words.force, help(CloudsText::tr("Replace a file that is there")));
   command->add_flag("--json", words.json, help(CloudsText::tr("Print what was written on standard output")));
-  command
-      ->add_option("--timeout", words.timeout_s,
-                   help(CloudsText::tr("Give up waiting after this many seconds")))
-      ->capture_default_str();
-}
-
-int runClouds(const CloudsWords& words, int& argc, char** argv) {
-  MapsCommand command(words.timeout_s, {});
-  return command.run(argc, argv, [&words](MapsCommand& each) -> CommandResult<int> {
-    const auto order = orderFrom(words);
-    if (!order) return tl::make_unexpected(order.error());
-    return exportCloud(each, words, *order);
-  });
+  addTimeout(*command, words.timeout_s);
+  commands.add(command, shared, runClouds);
 }
 
 }  // namespace mapwright::app

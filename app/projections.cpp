@@ -1,6 +1,10 @@
-#include "app/projections.h"
+// `mapwright projections …`: what of a map in space is laid on the plane. Source: rep130.md.
+#include "map/projections.h"
 
 #include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
@@ -8,14 +12,13 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "app/access_words.h"
+#include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
 #include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/robot_access.h"
 #include "app/table.h"
-#include "map/projections.h"
 #include "robot/map_dispatch.h"
 #include "sentences/failure_sentence.h"
 #include "words/qt_plain.h"
@@ -26,6 +29,17 @@ namespace {
 
 class ProjectionsText {
   Q_DECLARE_TR_FUNCTIONS(Projections)
+};
+
+/// The words as typed; empty = not given.
+struct ProjectionsWords {
+  std::string robot;
+  AccessWords access;
+  std::vector<std::string> wanted;  // X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z or the same with ,FRAME
+  std::string report;
+  double timeout_s = 60;
+  bool json = false;
+  bool none = false;  // nothing is to be projected
 };
 
 using Projections = std::vector<map::Projection>;
@@ -122,41 +136,7 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
       kIncomplete, ProjectionsText::tr("It took it, but projects something else than it was told.")));
 }
 
-}  // namespace
-
-void addProjections(CLI::App& cli, ProjectionsWords& words) {
-  CLI::App* projections = cli.add_subcommand(
-      "projections", help(ProjectionsText::tr(
-                         "What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
-  projections->require_subcommand(1);
-  const auto add = [&](const char* name, const std::string& what) {
-    CLI::App* command = projections->add_subcommand(name, what);
-    command->add_option("--robot", words.robot,
-                        help(ProjectionsText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command
-        ->add_option("--timeout", words.timeout_s,
-                     help(ProjectionsText::tr("Give up waiting after this many seconds")))
-        ->capture_default_str();
-    command->add_option("--report", words.report,
-                        help(ProjectionsText::tr("Write what was done, and every warning, as JSON")));
-    command->add_flag("--json", words.json, help(ProjectionsText::tr("Machine-readable")));
-    return command;
-  };
-  add("list", help(ProjectionsText::tr("What is projected now")));
-  CLI::App* command =
-      add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")));
-  command
-      ->add_option(
-          "--projection", words.wanted,
-          help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
-                                   ",FRAME where it is not that of the map; may be repeated")))
-      ->allow_extra_args(false);
-  command->add_flag("--none", words.none, help(ProjectionsText::tr("Nothing is to be projected")));
-}
-
-int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc, char** argv) {
-  const bool sets = cli.get_subcommand("projections")->got_subcommand("set");
+int runProjections(bool sets, const ProjectionsWords& words, int& argc, char** argv) {
   const auto work = [&](MapsCommand& command) -> CommandResult<int> {
     const auto wrong = [](const QString& sentence) {
       return tl::make_unexpected(CommandFailure{kUsage, sentence});
@@ -179,6 +159,38 @@ int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc
     return sets ? set(**reading, words, wanted) : list(**reading, words);
   };
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
+}
+
+}  // namespace
+
+void addProjections(Commands& commands) {
+  const auto shared = std::make_shared<ProjectionsWords>();
+  ProjectionsWords& words = *shared;
+  CLI::App* projections = commands.program().add_subcommand(
+      "projections", help(ProjectionsText::tr(
+                         "What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
+  projections->require_subcommand(1);
+  const auto add = [&](const char* name, const std::string& what, bool sets) {
+    CLI::App* command = projections->add_subcommand(name, what);
+    addRobot(*command, words.robot, words.access, ProjectionsText::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, words.timeout_s);
+    addReport(*command, words.report);
+    addJson(*command, words.json);
+    commands.add(command, shared, [sets](const ProjectionsWords& typed, int& argc, char** argv) {
+      return runProjections(sets, typed, argc, argv);
+    });
+    return command;
+  };
+  add("list", help(ProjectionsText::tr("What is projected now")), false);
+  CLI::App* command =
+      add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")), true);
+  command
+      ->add_option(
+          "--projection", words.wanted,
+          help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
+                                   ",FRAME where it is not that of the map; may be repeated")))
+      ->allow_extra_args(false);
+  command->add_flag("--none", words.none, help(ProjectionsText::tr("Nothing is to be projected")));
 }
 
 }  // namespace mapwright::app
