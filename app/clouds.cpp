@@ -1,6 +1,5 @@
 #include "app/clouds.h"
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <vector>
@@ -34,21 +33,6 @@ class CloudsText {
 };
 
 using words::text;
-
-/// `count` numbers with commas between them; none where they are not.
-std::vector<double> numbersFrom(const std::string& words, int count) {
-  std::vector<double> numbers;
-  for (const QString& part : text(words).split(QLatin1Char(','))) {
-    const std::string word = part.trimmed().toStdString();
-    if (!isDecimal(word)) return {};
-    numbers.push_back(part.trimmed().toDouble());
-  }
-  if (int(numbers.size()) != count) return {};
-  for (const double number : numbers) {
-    if (!(std::abs(number) <= 1e9)) return {};
-  }
-  return numbers;
-}
 
 struct CloudOrder {
   std::optional<map::CloudRegion> region;
@@ -166,8 +150,9 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   if (words.all) return std::optional<map::CloudRegion>();
   map::CloudRegion region;
   if (!words.box.empty()) {
-    const std::vector<double> box = numbersFrom(words.box, 6);
-    if (box.empty() || !(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
+    const auto typed = numbersFrom(words.box);
+    const std::vector<double> box = typed && typed->size() == 6 ? *typed : std::vector<double>(6);
+    if (!(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
       return tl::make_unexpected(CloudsText::tr(
           "--box is X,Y,Z,LX,LY,LZ: its middle and how long its sides are (more than 0), in metres."));
     }
@@ -175,8 +160,9 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
     region.size_m = {box[3], box[4], box[5]};
     return std::optional(region);
   }
-  const std::vector<double> sphere = numbersFrom(words.sphere, 4);
-  if (sphere.empty() || !(sphere[3] > 0)) {
+  const auto typed = numbersFrom(words.sphere);
+  const std::vector<double> sphere = typed && typed->size() == 4 ? *typed : std::vector<double>(4);
+  if (!(sphere[3] > 0)) {
     return tl::make_unexpected(
         CloudsText::tr("--sphere is X,Y,Z,R: its middle and its radius (more than 0), in metres."));
   }

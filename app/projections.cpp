@@ -48,16 +48,10 @@ using words::text;
 
 tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) {
   const QStringList parts = text(typed).split(QLatin1Char(','));
-  std::vector<double> numbers;
-  for (const QString& part : parts.mid(0, 6)) {
-    bool ok = false;
-    const double value = part.trimmed().toDouble(&ok);
-    if (ok) numbers.push_back(value);
-  }
-  const bool whole = parts.size() == 6 || parts.size() == 7;
+  const auto given = numbersFrom(parts.mid(0, 6).join(QLatin1Char(',')).toStdString());
+  const bool whole = given && (parts.size() == 6 || parts.size() == 7);
   map::Projection one;
-  if (numbers.size() == 6)
-    one = {{}, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5]};
+  if (whole) one = {{}, {(*given)[0], (*given)[1]}, {(*given)[2], (*given)[3]}, (*given)[4], (*given)[5]};
   if (!whole || map::flawOf(one) != map::ProjectionFlaw::None) {
     return tl::make_unexpected(
         ProjectionsText::tr(
