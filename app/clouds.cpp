@@ -8,7 +8,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "app/commands.h"
@@ -123,8 +122,7 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
     return wrong(sentences::sentenceOf(reasons::notWritten(*fault)));
   }
   if (words.json) {
-    const QByteArray json = QJsonDocument(jsonOf(words, *came, *written)).toJson(QJsonDocument::Indented);
-    printOut(words::escapedJson(json).toStdString());
+    printJson(jsonOf(words, *came, *written));
   }
   return came->complete() ? kDone : kIncomplete;
 }

@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "app/exit_code.h"
@@ -36,8 +35,6 @@ class MapsText {
 };
 
 using words::text;
-
-void print(const QJsonDocument& json) { printOut(words::escapedJson(json.toJson()).toStdString()); }
 
 QStringList rowOf(const map::CatalogueEntry& row) {
   const QString version = row.is_archived   ? MapsText::tr("archived")
@@ -124,7 +121,7 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
     if (words.json) {
       QJsonArray list;
       for (const map::CatalogueEntry& row : **rows) list << entryJson(row);
-      print(QJsonDocument(list));
+      printJson(list);
       return kDone;
     }
     if ((*rows)->empty()) {
@@ -151,7 +148,7 @@ int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
           kRobotError, MapsText::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
     }
     if (words.json) {
-      print(QJsonDocument(entryJson(*current)));
+      printJson(entryJson(*current));
     } else {
       std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(current->key))),
                   qUtf8Printable(words::plainName(current->name)));
@@ -186,7 +183,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     json[QStringLiteral("waypoints")] = pointsJson(session.wholeMap().waypoints().points);
     if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
     if (words.json) {
-      print(QJsonDocument(json));
+      printJson(json);
       return kDone;
     }
     const map::GridReference& grid = placed->reference;
@@ -320,7 +317,7 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
                        {QStringLiteral("cell_area_m2"), diff->cell_area_m2},
                        {QStringLiteral("levels_differ"), qint64(diff->levels_differ)}};
       for (const auto& [name, what] : kinds) json[QLatin1String(name)] = cells(what);
-      print(QJsonDocument(json));
+      printJson(json);
     } else {
       std::vector<QStringList> table;
       const auto row = [&](const QString& name, qint64 count) {

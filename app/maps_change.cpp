@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include <QCoreApplication>
-#include <QJsonDocument>
 
 #include "app/exit_code.h"
 #include "app/maps_command.h"
+#include "app/output_paths.h"
 #include "app/report.h"
 #include "jobs/change_map.h"
 #include "robot/map_dispatch.h"
@@ -52,7 +52,7 @@ QString whyNotAsked(MapChange change, const MapsWords& words) {
 
 void print(const Entry& entry, bool json) {
   if (json) {
-    std::printf("%s", words::escapedJson(QJsonDocument(entryJson(entry)).toJson()).constData());
+    printJson(entryJson(entry));
   } else if (!entry.key.id.empty()) {
     std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(entry.key))),
                 qUtf8Printable(words::plainName(entry.name)));

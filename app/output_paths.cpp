@@ -7,11 +7,13 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QJsonDocument>
 
 #include "app/exit_code.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "jobs/export_map.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
@@ -74,6 +76,14 @@ bool printOut(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written && why_not_printed == 0) why_not_printed = errno;
   return std::ferror(stdout) == 0;
+}
+
+void printJson(const QJsonObject& json) {
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
+}
+
+void printJson(const QJsonArray& json) {
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
 }
 
 int concludeStandardOutput(int exit_code) {

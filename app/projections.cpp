@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "app/commands.h"
@@ -74,7 +73,7 @@ void print(const Projections& all, bool json) {
   if (json) {
     QJsonArray rows;
     for (const map::Projection& one : all) rows << jsonOf(one);
-    printOut(words::escapedJson(QJsonDocument(rows).toJson()).toStdString());
+    printJson(rows);
     return;
   }
   if (all.empty()) {

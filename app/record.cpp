@@ -23,7 +23,6 @@
 #include "app/say.h"
 #include "app/stop_signals.h"
 #include "app/stream_words.h"
-#include "app/waypoint_list.h"
 #include "reasons/file_reason.h"
 #include "recorder/recorder.h"
 #include "recording/append_file.h"

@@ -23,7 +23,6 @@
 #include "app/say.h"
 #include "app/stop_signals.h"
 #include "app/table.h"
-#include "app/waypoint_list.h"
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
 #include "sentences/absence_sentence.h"
