@@ -128,22 +128,14 @@ void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
   whole_under_way_ = false;
   every_second_.stop();
   whole_ = {};
-  const auto misplaced = [this](regions::Misfit misfit) {
-    toast(Mark::Bad, tr("The whole map was not fetched: %1")
-                         .arg(sentences::sentenceOf(
-                             regions::RegionTrouble{regions::RegionTrouble::Kind::Misplaced, {}, misfit})));
-  };
   if (!outcome) {
     toast(Mark::Bad, tr("The whole map was not fetched: %1")
                          .arg(QString::fromStdString(sentences::sentenceOf(outcome.error()))));
-  } else if (const map::GridPart& part = *outcome;
-             part.grid.width <= 0 || part.grid.height <= 0 || map::whyUnusable(part.grid)) {
-    misplaced(regions::Misfit::Unusable);
-  } else if (!part.cells ||
-             part.cells->size() / std::size_t(part.grid.width) < std::size_t(part.grid.height)) {
-    misplaced(regions::Misfit::FewerCells);
+  } else if (const auto flaw = regions::flawOf(*outcome); flaw != regions::Misfit::None) {
+    const regions::RegionTrouble trouble{regions::RegionTrouble::Kind::Misplaced, {}, flaw};
+    toast(Mark::Bad, tr("The whole map was not fetched: %1").arg(sentences::sentenceOf(trouble)));
   } else {
-    show([part] { return regions::pgmOf(part); }, part.grid, tr("Whole map"));
+    show([part = *outcome] { return regions::pgmOf(part); }, outcome->grid, tr("Whole map"));
   }
   Q_EMIT changed();
 }
