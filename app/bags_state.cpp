@@ -131,25 +131,20 @@ namespace {
 
 /// The words are those of --kind; none = all of them.
 CommandResult<std::set<replay::EventGroup>> groupsFrom(const std::string& kinds) {
-  using Group = replay::EventGroup;
-  static const std::map<QString, Group> known{{QStringLiteral("alerts"), Group::Alerts},
-                                              {QStringLiteral("planner"), Group::Planner},
-                                              {QStringLiteral("position"), Group::Position},
-                                              {QStringLiteral("maps"), Group::Maps},
-                                              {QStringLiteral("stops"), Group::Stops}};
-  std::set<Group> groups;
-  if (kinds.empty()) {
-    for (const auto& [word, group] : known) groups.insert(group);
-    return groups;
-  }
+  std::set<replay::EventGroup> groups;
+  if (kinds.empty()) return std::set(std::begin(replay::kEventGroups), std::end(replay::kEventGroups));
   for (const QString& word : text(kinds).split(QLatin1Char(','))) {
-    const auto found = known.find(word.trimmed().toLower());
-    if (found == known.end())
+    const auto* const found =
+        std::find_if(std::begin(replay::kEventGroups), std::end(replay::kEventGroups),
+                     [asked = word.trimmed().toLower().toStdString()](replay::EventGroup group) {
+                       return replay::wordOf(group) == asked;
+                     });
+    if (found == std::end(replay::kEventGroups))
       return tl::make_unexpected(CommandFailure{
           kUsage,
           BagsStateText::tr("--kind: \"%1\" is none. Choose among: alerts, planner, position, maps, stops.")
               .arg(word)});
-    groups.insert(found->second);
+    groups.insert(*found);
   }
   return groups;
 }

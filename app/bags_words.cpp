@@ -1,13 +1,13 @@
-#include "app/bags_words.h"
-
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
-#include "app/access_words.h"
-#include "app/exit_code.h"
+#include "app/bags.h"
+#include "app/commands.h"
 #include "app/option_words.h"
+#include "app/recording_operand.h"
+#include "app/snapshot.h"
 
 namespace mapwright::app {
 namespace {
@@ -113,37 +113,29 @@ void addOptions(const std::string& name, CLI::App& command, BagsWords& words) {
     command.add_option("--category", words.category,
                        help(BagsOptionText::tr("The robot's own word, such as pos")));
   }
-  command.add_flag("--json", words.json, help(BagsOptionText::tr("Machine-readable")));
+  addJson(command, words.json);
 }
 
 }  // namespace
 
-void addBags(CLI::App& cli, BagsWords& words) {
-  CLI::App* const bags = cli.add_subcommand(
+void addBags(Commands& commands) {
+  const auto words = std::make_shared<BagsWords>();
+  CLI::App* const bags = commands.program().add_subcommand(
       "bags", help(BagsOptionText::tr("What a robot has recorded: list, look into, fetch, record")));
   bags->require_subcommand(1);
   for (const BagCommand& one : bagCommands()) {
     CLI::App* const command = bags->add_subcommand(one.name, help(one.about));
-    // No envname(): see addMaps().
-    command->add_option("--robot", words.robot,
-                        help(BagsOptionText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command
-        ->add_option("--timeout", words.timeout_s,
-                     help(BagsOptionText::tr("Give up waiting after this many seconds")))
-        ->capture_default_str();
-    command->add_option("--report", words.report,
-                        help(BagsOptionText::tr("Write what was done, and every warning, as JSON")));
-    addOptions(one.name, *command, words);
+    addRobot(*command, words->robot, words->access, BagsOptionText::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, words->timeout_s);
+    addReport(*command, words->report);
+    addOptions(one.name, *command, *words);
+    commands.add(command, [words, run = one.run](const Invocation& before) {
+      takeRecording(words->robot, words->name, before.robot);
+      inherit(words->robot, words->access, before);
+      return run(*words, before.argc, before.argv);
+    });
   }
-}
-
-int runBags(const CLI::App& cli, const BagsWords& words, int& argc, char** argv) {
-  const CLI::App& bags = *cli.get_subcommand("bags");
-  for (const BagCommand& one : bagCommands()) {
-    if (bags.got_subcommand(one.name)) return one.run(words, argc, argv);
-  }
-  return kUsage;
+  addBagPictures(commands, *bags);
 }
 
 }  // namespace mapwright::app

@@ -1,6 +1,5 @@
 #include "app/clouds.h"
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <vector>
@@ -9,11 +8,9 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
-#include "app/access_words.h"
-#include "app/cloud_crop.h"
+#include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
 #include "app/option_words.h"
@@ -21,6 +18,7 @@
 #include "clouds/write_cloud.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
+#include "jobs/fetch_cloud.h"
 #include "robot/map_dispatch.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
@@ -35,21 +33,6 @@ class CloudsText {
 };
 
 using words::text;
-
-/// `count` numbers with commas between them; none where they are not.
-std::vector<double> numbersFrom(const std::string& words, int count) {
-  std::vector<double> numbers;
-  for (const QString& part : text(words).split(QLatin1Char(','))) {
-    const std::string word = part.trimmed().toStdString();
-    if (!isDecimal(word)) return {};
-    numbers.push_back(part.trimmed().toDouble());
-  }
-  if (int(numbers.size()) != count) return {};
-  for (const double number : numbers) {
-    if (!(std::abs(number) <= 1e9)) return {};
-  }
-  return numbers;
-}
 
 struct CloudOrder {
   std::optional<map::CloudRegion> region;
@@ -75,28 +58,8 @@ CommandResult<CloudOrder> orderFrom(const CloudsWords& words) {
   return order;
 }
 
-/// What people should know of what came, a sentence each.
-QStringList notesOf(const CroppedCloud& came) {
-  const map::SpatialCloud& cloud = *came.cloud;
-  QStringList notes;
-  const auto add = [&notes](const QString& plural, std::uint64_t count) {
-    if (count > 0) notes << sentences::counted(plural, qint64(count));
-  };
-  const auto form = [](std::uint64_t count) { return sentences::formOf(qint64(count)); };
-  add(CloudsText::tr("%1 points that the robot says it sent have not come: its answer is cut off.", nullptr,
-                     form(cloud.missing)),
-      cloud.missing);
-  for (const Fault& note : cloud.notes) notes << sentences::sentenceOf(note);
-  add(CloudsText::tr("%1 points that came lie beyond the region that was asked for. They are left out.",
-                     nullptr, form(came.beyond)),
-      came.beyond);
-  add(CloudsText::tr("%1 more points are no numbers, or absurdly far away. They are left out.", nullptr,
-                     form(cloud.left_out)),
-      cloud.left_out);
-  return notes;
-}
-
-QJsonObject jsonOf(const CloudsWords& words, const CroppedCloud& came, const clouds::CloudWritten& written) {
+QJsonObject jsonOf(const CloudsWords& words, const jobs::FetchedCloud& came,
+                   const clouds::CloudWritten& written) {
   const map::SpatialCloud& cloud = *came.cloud;
   QJsonObject json{
       {QStringLiteral("points"), qint64(written.points)},
@@ -109,7 +72,7 @@ QJsonObject jsonOf(const CloudsWords& words, const CroppedCloud& came, const clo
       {QStringLiteral("intensity"), written.intensity},
       {QStringLiteral("rgb"), written.rgb},
       {QStringLiteral("doubles"), written.doubles},
-      {QStringLiteral("notes"), QJsonArray::fromStringList(notesOf(came))}};
+      {QStringLiteral("notes"), QJsonArray::fromStringList(came.notes())}};
   if (cloud.points.empty()) return json;
   Eigen::Vector3f low = cloud.points.front(), high = low;
   for (const Eigen::Vector3f& point : cloud.points) {
@@ -134,26 +97,21 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
   MapReading& reading = **opened;
   robot::MapDispatch* const dispatch = reading.session().robot().mapDispatch();
   if (!dispatch) return tl::make_unexpected(reading.lacks(robot::Capability::Dispatch));
-  using Cloud = std::shared_ptr<const map::SpatialCloud>;
-  const auto outcome = reading.ask<Cloud>([&](robot::OutcomeTo<Cloud> reply) {
-    // Asked again: it may have gone while one waited for the event loop.
-    robot::MapDispatch* const now = reading.session().robot().mapDispatch();
-    return (now ? now : dispatch)
-        ->cloud(words.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points, order.region,
-                std::move(reply));
+  const auto came = reading.ask<jobs::FetchedCloud>([&](robot::OutcomeTo<jobs::FetchedCloud> reply) {
+    return jobs::fetchCloud(*dispatch,
+                            words.occupancy ? robot::CloudKind::Occupancy : robot::CloudKind::Points,
+                            order.region, reading.workers(), std::move(reply));
   });
-  if (!outcome) return tl::make_unexpected(reading.failure(outcome.error()));
-  const CroppedCloud came = order.region ? cropped(*outcome, *order.region) : CroppedCloud{*outcome, 0};
-  const map::SpatialCloud& cloud = *came.cloud;
-  if (cloud.points.empty() && came.beyond > 0) {
+  if (!came) return tl::make_unexpected(reading.failure(came.error()));
+  if (came->elsewhere()) {
     return tl::make_unexpected(reading.failure(
         kIncomplete,
         CloudsText::tr("It answered with another region: none of the points that came lies in the one "
                        "that was asked for. Nothing is written.")));
   }
-  for (const QString& note : notesOf(came)) reading.note(note);
+  for (const QString& note : came->notes()) reading.note(note);
   disk::WrittenFile file(order.path.toStdString());
-  const auto written = clouds::writeCloud(cloud, order.format, [&](std::string_view bytes) {
+  const auto written = clouds::writeCloud(*came->cloud, order.format, [&](std::string_view bytes) {
     file.write(bytes);
     return file.good() && !reading.time().over();
   });
@@ -165,10 +123,18 @@ CommandResult<int> exportCloud(MapsCommand& command, const CloudsWords& words, c
     return wrong(sentences::sentenceOf(disk::notWritten(*fault)));
   }
   if (words.json) {
-    const QByteArray json = QJsonDocument(jsonOf(words, came, *written)).toJson(QJsonDocument::Indented);
-    printOut(words::escapedJson(json).toStdString());
+    printJson(jsonOf(words, *came, *written));
   }
-  return cloud.missing > 0 ? kIncomplete : kDone;
+  return came->complete() ? kDone : kIncomplete;
+}
+
+int runClouds(const CloudsWords& words, int& argc, char** argv) {
+  MapsCommand command(words.timeout_s, {});
+  return command.run(argc, argv, [&words](MapsCommand& each) -> CommandResult<int> {
+    const auto order = orderFrom(words);
+    if (!order) return tl::make_unexpected(order.error());
+    return exportCloud(each, words, *order);
+  });
 }
 
 }  // namespace
@@ -183,8 +149,9 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   if (words.all) return std::optional<map::CloudRegion>();
   map::CloudRegion region;
   if (!words.box.empty()) {
-    const std::vector<double> box = numbersFrom(words.box, 6);
-    if (box.empty() || !(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
+    const auto typed = numbersFrom(words.box);
+    const std::vector<double> box = typed && typed->size() == 6 ? *typed : std::vector<double>(6);
+    if (!(box[3] > 0 && box[4] > 0 && box[5] > 0)) {
       return tl::make_unexpected(CloudsText::tr(
           "--box is X,Y,Z,LX,LY,LZ: its middle and how long its sides are (more than 0), in metres."));
     }
@@ -192,8 +159,9 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
     region.size_m = {box[3], box[4], box[5]};
     return std::optional(region);
   }
-  const std::vector<double> sphere = numbersFrom(words.sphere, 4);
-  if (sphere.empty() || !(sphere[3] > 0)) {
+  const auto typed = numbersFrom(words.sphere);
+  const std::vector<double> sphere = typed && typed->size() == 4 ? *typed : std::vector<double>(4);
+  if (!(sphere[3] > 0)) {
     return tl::make_unexpected(
         CloudsText::tr("--sphere is X,Y,Z,R: its middle and its radius (more than 0), in metres."));
   }
@@ -202,18 +170,17 @@ tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const Clo
   return std::optional(region);
 }
 
-void addClouds(CLI::App& cli, CloudsWords& words) {
-  CLI::App* const clouds =
-      cli.add_subcommand("clouds", help(CloudsText::tr("The map of a robot in space, as points")));
+void addClouds(Commands& commands) {
+  const auto shared = std::make_shared<CloudsWords>();
+  CloudsWords& words = *shared;
+  CLI::App* const clouds = commands.program().add_subcommand(
+      "clouds", help(CloudsText::tr("The map of a robot in space, as points")));
   clouds->require_subcommand(1);
   CLI::App* const command = clouds->add_subcommand(
       "export",
       help(CloudsText::tr("Write the points of a region, or of the whole map, into a PCD, PLY or CSV file")));
-  // No envname(): see addMaps().
-  command->add_option(
-      "--robot", words.robot,
-      help(CloudsText::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)")));
-  addAccess(*command, words.access);
+  addRobot(*command, words.robot, words.access,
+           CloudsText::tr("Robot address, for example rep130+ws://HOST:9090 (or MAPWRIGHT_ROBOT)"));
   command->add_option(
       "--box", words.box,
       help(CloudsText::tr("X,Y,Z,LX,LY,LZ: the middle of a box and how long its sides are, in metres")));
@@ -229,19 +196,8 @@ void addClouds(CLI::App& cli, CloudsWords& words) {
   command->add_flag("--ascii", words.ascii, help(CloudsText::tr("A PCD file as text")));
   command->add_flag("--force", words.force, help(CloudsText::tr("Replace a file that is there")));
   command->add_flag("--json", words.json, help(CloudsText::tr("Print what was written on standard output")));
-  command
-      ->add_option("--timeout", words.timeout_s,
-                   help(CloudsText::tr("Give up waiting after this many seconds")))
-      ->capture_default_str();
-}
-
-int runClouds(const CloudsWords& words, int& argc, char** argv) {
-  MapsCommand command(words.timeout_s, {});
-  return command.run(argc, argv, [&words](MapsCommand& each) -> CommandResult<int> {
-    const auto order = orderFrom(words);
-    if (!order) return tl::make_unexpected(order.error());
-    return exportCloud(each, words, *order);
-  });
+  addTimeout(*command, words.timeout_s);
+  commands.add(command, shared, runClouds);
 }
 
 }  // namespace mapwright::app

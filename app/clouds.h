@@ -10,10 +10,6 @@
 #include "app/robot_access.h"
 #include "map/map_part.h"
 
-namespace CLI {
-class App;
-}
-
 namespace mapwright::app {
 
 /// The words as typed; empty = not given.
@@ -26,10 +22,6 @@ struct CloudsWords {
   std::string output;
   double timeout_s = 60;
 };
-
-void addClouds(CLI::App& cli, CloudsWords& words);
-/// The exit code.
-int runClouds(const CloudsWords& words, int& argc, char** argv);
 
 /// What is asked for; nullopt = the whole map. The error is a sentence.
 tl::expected<std::optional<map::CloudRegion>, QString> cloudRegionFrom(const CloudsWords& words);

@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "app/exit_code.h"
@@ -85,7 +84,7 @@ CommandResult<int> showWithoutPicture(MapReading& reading, bool json_wanted) {
                                          {QStringLiteral("name"), slot.name()}};
     json[QStringLiteral("grid")] = QJsonValue();
     json[QStringLiteral("waypoints")] = pointsJson(points);
-    printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
+    printJson(json);
     return tl::make_unexpected(no_picture);
   }
   std::vector<QStringList> table{{MapFactsText::tr("id"), text(map::toText(key))},

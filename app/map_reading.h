@@ -40,6 +40,7 @@ class MapReading {
                                                          std::shared_ptr<work::Workers> workers);
 
   session::Session& session() { return session_; }
+  const std::shared_ptr<work::Workers>& workers() const { return workers_; }
   bool local() const;
   /// The catalogue, once it is in.
   CommandResult<const std::vector<map::CatalogueEntry>*> catalogue();

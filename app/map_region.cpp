@@ -8,6 +8,7 @@
 
 #include "app/exit_code.h"
 #include "app/map_reading.h"
+#include "app/option_words.h"
 #include "grids/grid_pyramid.h"
 #include "regions/region_answer.h"
 #include "robot/map_dispatch.h"
@@ -43,15 +44,9 @@ std::shared_ptr<const grids::GridPyramid> pyramidOf(const map::GridPart& part,
 }  // namespace
 
 tl::expected<map::GridRegion, QString> gridRegionFrom(const std::string& typed) {
-  std::vector<double> numbers;
-  for (const QString& part : QString::fromStdString(typed).split(QLatin1Char(','))) {
-    bool ok = false;
-    const double value = part.trimmed().toDouble(&ok);
-    if (ok && std::abs(value) <= 1e7) numbers.push_back(value);
-    if (!ok) numbers.clear();
-  }
-  const auto commas = std::count(typed.begin(), typed.end(), ',');
-  if (numbers.size() != 4 || commas != 3 || !(numbers[2] > 0) || !(numbers[3] > 0)) {
+  const auto given = numbersFrom(typed);
+  const std::vector<double> numbers = given && given->size() == 4 ? *given : std::vector<double>(4);
+  if (!(numbers[2] > 0) || !(numbers[3] > 0)) {
     return tl::make_unexpected(
         MapRegionText::tr(
             "--region %1: give the centre and the lengths in metres, X,Y,LX,LY, for example 10,-5,40,30.")

@@ -123,9 +123,7 @@ void MapWish::takeWhole(const robot::Outcome<map::GridPart>& outcome) {
   }
   const map::GridPart& part = *outcome;
   const bool none = part.grid.width <= 0 || part.grid.height <= 0;
-  const bool whole = !none && part.cells &&
-                     part.cells->size() / std::size_t(part.grid.width) >= std::size_t(part.grid.height);
-  if (!whole || map::whyUnusable(part.grid)) {
+  if (regions::flawOf(part) != regions::Misfit::None) {
     fail(none ? kIncomplete : kRobotError, none ? MapWishText::tr("There is nothing in its map.")
                                                 : MapWishText::tr("Its whole map cannot be used."));
     return;

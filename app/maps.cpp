@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "app/exit_code.h"
@@ -24,6 +23,7 @@
 #include "disk/file_error.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
+#include "jobs/export_map.h"
 #include "robot/address.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
@@ -39,8 +39,6 @@ class MapsText {
 };
 
 using words::text;
-
-void print(const QJsonDocument& json) { printOut(words::escapedJson(json.toJson()).toStdString()); }
 
 QStringList rowOf(const map::CatalogueEntry& row) {
   const QString version = row.is_archived   ? MapsText::tr("archived")
@@ -127,7 +125,7 @@ int mapsList(const MapsWords& words, int& argc, char** argv) {
     if (words.json) {
       QJsonArray list;
       for (const map::CatalogueEntry& row : **rows) list << entryJson(row);
-      print(QJsonDocument(list));
+      printJson(list);
       return kDone;
     }
     if ((*rows)->empty()) {
@@ -154,7 +152,7 @@ int mapsCurrent(const MapsWords& words, int& argc, char** argv) {
           kRobotError, MapsText::tr("%1: none of its maps is the current one.").arg(text(words.robot))});
     }
     if (words.json) {
-      print(QJsonDocument(entryJson(*current)));
+      printJson(entryJson(*current));
     } else {
       std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(current->key))),
                   qUtf8Printable(words::plainName(current->name)));
@@ -189,7 +187,7 @@ int mapsShow(const MapsWords& words, int& argc, char** argv) {
     json[QStringLiteral("waypoints")] = pointsJson(session.wholeMap().waypoints().points);
     if (shown.display_rotation_rad) json[QStringLiteral("display_rotation")] = *shown.display_rotation_rad;
     if (words.json) {
-      print(QJsonDocument(json));
+      printJson(json);
       return kDone;
     }
     const map::GridReference& grid = placed->reference;
@@ -258,26 +256,14 @@ int mapsExport(const MapsWords& words, int& argc, char** argv) {
     const auto placed = by_part ? (*robot)->part(region) : (*robot)->map(text(words.id), resolutionOf(words));
     if (!placed) return tl::make_unexpected(placed.error());
     const bool png = format == QLatin1String("png");
-    const grids::MapServerFiles pair = grids::mapServerFiles(words.output);
-    QStringList outputs{png ? output : text(pair.pgm)};
-    if (!png) outputs << text(pair.yaml);
-    const QString world_file = QFileInfo(output).absolutePath() + QLatin1Char('/') +
-                               QFileInfo(output).completeBaseName() + QStringLiteral(".pgw");
-    if (words.world_file) outputs << world_file;
-    const auto sources = (*robot)->sourceFiles();
-    if (const auto why = overOwnSource(outputs, sources); why && !words.force) return wrong(*why);
-    std::optional<disk::WrittenFile> placing;
-    if (words.world_file) {
-      placing.emplace(world_file.toStdString());
-      placing->write(grids::worldFileText(placed->reference));
-      if (!placing->finish()) return wrong(sentences::wordsOf(disk::notWritten(*placing->place())));
-    }
-    const auto error = png ? grids::writeGridPng(*placed->cells, words.output)
-                           : grids::writeMapServer(*placed->cells, placed->reference, words.output);
-    if (error) return wrong(sentences::wordsOf(*error));
-    if (placing) {
-      if (const auto fault = placing->place()) return wrong(sentences::wordsOf(disk::notWritten(*fault)));
-    }
+    const jobs::ExportRequest request{jobs::WholeMapExport{placed->cells, placed->reference},
+                                      png ? jobs::ExportFormat::MapPicture : jobs::ExportFormat::MapServer,
+                                      output, words.world_file};
+    const QStringList outputs = jobs::exportedFiles(output, request.format, words.world_file);
+    const auto why = overOwnSource(outputs, (*robot)->sourceFiles());
+    if (why && !words.force) return wrong(*why);
+    const jobs::ExportResult written = jobs::exportMap(request, nullptr);
+    if (!written.error.isEmpty()) return wrong(written.error);
     if (!printed && !isStandardOutput(text(words.report))) {
       const map::GridReference& grid = placed->reference;
       std::printf("%s\n",
@@ -335,7 +321,7 @@ int mapsDiff(const MapsWords& words, int& argc, char** argv) {
                        {QStringLiteral("cell_area_m2"), diff->cell_area_m2},
                        {QStringLiteral("levels_differ"), qint64(diff->levels_differ)}};
       for (const auto& [name, what] : kinds) json[QLatin1String(name)] = cells(what);
-      print(QJsonDocument(json));
+      printJson(json);
     } else {
       std::vector<QStringList> table;
       const auto row = [&](const QString& name, qint64 count) {

@@ -1,14 +1,14 @@
 #include "app/maps_change.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include <QCoreApplication>
-#include <QJsonDocument>
 
 #include "app/exit_code.h"
 #include "app/maps_command.h"
+#include "app/output_paths.h"
 #include "app/report.h"
+#include "jobs/change_map.h"
 #include "robot/map_dispatch.h"
 #include "words/qt_plain.h"
 #include "words/text.h"
@@ -35,12 +35,11 @@ bool names(MapChange change) { return change == MapChange::Rename || change == M
 QString whyNotAsked(MapChange change, const MapsWords& words) {
   if (names(change)) {
     const QString label = text(words.label);
-    if (std::any_of(label.begin(), label.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
-      return MapsChangeText::tr("The name of a map is one line of text, without control characters.");
     if (label.trimmed().isEmpty()) {
       return change == MapChange::Save ? MapsChangeText::tr("A map must have a name: maps save NAME.")
                                        : MapsChangeText::tr("A map must have a name: maps rename ID NAME.");
     }
+    if (const QString why = jobs::whyNoMapName(label); !why.isEmpty()) return why;
   }
   const map::MapKey key = map::mapKeyFromText(words.id);
   if (isOfOneMap(change) && (key.kind != map::MapKind::Stored || key.id.empty()))
@@ -53,25 +52,11 @@ QString whyNotAsked(MapChange change, const MapsWords& words) {
 
 void print(const Entry& entry, bool json) {
   if (json) {
-    std::printf("%s", words::escapedJson(QJsonDocument(entryJson(entry)).toJson()).constData());
+    printJson(entryJson(entry));
   } else if (!entry.key.id.empty()) {
     std::printf("%s  %s\n", qUtf8Printable(words::plainName(map::toText(entry.key))),
                 qUtf8Printable(words::plainName(entry.name)));
   }
-}
-
-/// What the robot says of the map does not fit what it was asked for; empty when it does.
-QString oddity(const robot::MapOrder& order, const Entry& now) {
-  if (names(order.change) && now.name != order.name)
-    return MapsChangeText::tr("The robot took it, but says that the map is called \"%1\".")
-        .arg(words::plainName(now.name));
-  if (order.change == MapChange::Load && !now.is_current)
-    return MapsChangeText::tr("The robot took it, but says that it works with another map.");
-  if (order.change == MapChange::Archive && !now.is_archived)
-    return MapsChangeText::tr("The robot took it, but does not say that the map is archived.");
-  if (order.change == MapChange::Unarchive && now.is_archived)
-    return MapsChangeText::tr("The robot took it, but still says that the map is archived.");
-  return {};
 }
 
 }  // namespace
@@ -94,7 +79,7 @@ int mapsChange(MapChange change, const MapsWords& words, int& argc, char** argv)
     const auto entry = (*robot)->change(order);
     if (!entry) return tl::make_unexpected(entry.error());
     print(*entry, words.json);
-    const QString odd = oddity(order, *entry);
+    const QString odd = jobs::oddity(order, *entry);
     if (odd.isEmpty()) return kDone;
     return wrong(kIncomplete, QStringLiteral("%1: %2").arg(address, odd));
   };
@@ -106,12 +91,8 @@ int mapsSaveOnRobot(const MapsWords& words, int& argc, char** argv) {
     const auto wrong = [](int code, const QString& sentence) {
       return tl::make_unexpected(CommandFailure{code, sentence});
     };
-    const QString name = text(words.filename);
-    const bool control =
-        std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; });
-    if (name.trimmed().isEmpty() || control || words.filename.size() > 4096)
-      return wrong(kUsage,
-                   MapsChangeText::tr("The name of the file is one line of text, such as office.png."));
+    if (const QString why = jobs::whyNoFilename(text(words.filename)); !why.isEmpty())
+      return wrong(kUsage, why);
     const auto access = RobotAccess::read(words.access, text(words.robot));
     if (!access) return wrong(kUsage, access.error());
     const QString address = text(words.robot);

@@ -1,12 +1,11 @@
-#include "app/maps_words.h"
-
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
-#include "app/access_words.h"
+#include "app/commands.h"
+#include "app/maps.h"
 #include "app/maps_change.h"
 #include "app/option_words.h"
 
@@ -44,29 +43,25 @@ std::vector<MapChangeCommand> mapChangeCommands() {
 
 }  // namespace
 
-void addMaps(CLI::App& cli, MapsWords& words) {
-  CLI::App* maps = cli.add_subcommand(
+void addMaps(Commands& commands) {
+  const auto shared = std::make_shared<MapsWords>();
+  MapsWords& words = *shared;
+  CLI::App* maps = commands.program().add_subcommand(
       "maps",
       help(MapsOptionText::tr("The maps that a robot or a folder keeps: list, export, compare, change")));
   maps->require_subcommand(1);
-  const auto addOne = [&](const char* name, const std::string& what) {
+  using Run = std::function<int(const MapsWords&, int&, char**)>;
+  const auto addOne = [&](const char* name, const std::string& what, Run run) {
     CLI::App* command = maps->add_subcommand(name, what);
-    // No envname(): the subcommands share the word, and the variable would be read for those that were not
-    // given, over what was typed. It comes from the option before the subcommand.
-    command->add_option(
-        "--robot", words.robot,
-        help(MapsOptionText::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command
-        ->add_option("--timeout", words.timeout_s,
-                     help(MapsOptionText::tr("Give up waiting after this many seconds")))
-        ->capture_default_str();
-    command->add_option("--report", words.report,
-                        help(MapsOptionText::tr("Write what was done, and every warning, as JSON")));
+    addRobot(*command, words.robot, words.access,
+             MapsOptionText::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, words.timeout_s);
+    addReport(*command, words.report);
+    commands.add(command, shared, std::move(run));
     return command;
   };
-  const auto add = [&](const char* name, const std::string& what) {
-    CLI::App* command = addOne(name, what);
+  const auto add = [&](const char* name, const std::string& what, Run run) {
+    CLI::App* command = addOne(name, what, std::move(run));
     command->add_option(
         "--resolution", words.resolution,
         help(MapsOptionText::tr(
@@ -77,16 +72,18 @@ void addMaps(CLI::App& cli, MapsWords& words) {
   };
   const std::string which = help(MapsOptionText::tr(
       "A stored map by its id, mapping:ID, live, or submaps; without it the live or current one"));
-  for (const auto& [name, what] :
-       {std::pair{"list", help(MapsOptionText::tr("All maps and mapping results; * marks the current one"))},
-        std::pair{"current", help(MapsOptionText::tr("The map that the robot works with"))}}) {
-    add(name, what)->add_flag("--json", words.json, help(MapsOptionText::tr("Machine-readable")));
-  }
-  CLI::App* show = add("show", help(MapsOptionText::tr("Size, place, dates and waypoints of one map")));
+  addJson(*add("list", help(MapsOptionText::tr("All maps and mapping results; * marks the current one")),
+               mapsList),
+          words.json);
+  addJson(*add("current", help(MapsOptionText::tr("The map that the robot works with")), mapsCurrent),
+          words.json);
+  CLI::App* show =
+      add("show", help(MapsOptionText::tr("Size, place, dates and waypoints of one map")), mapsShow);
   show->add_option("id", words.id, which);
-  show->add_flag("--json", words.json, help(MapsOptionText::tr("Machine-readable")));
+  addJson(*show, words.json);
   CLI::App* exported =
-      add("export", help(MapsOptionText::tr("Write a map as PNG, or as PGM and YAML for map_server")));
+      add("export", help(MapsOptionText::tr("Write a map as PNG, or as PGM and YAML for map_server")),
+          mapsExport);
   exported->add_option("id", words.id, which);
   exported
       ->add_option(
@@ -106,7 +103,8 @@ void addMaps(CLI::App& cli, MapsWords& words) {
                               "X,Y,LX,LY, its centre and its lengths in metres")));
   CLI::App* saved =
       addOne("save-on-robot",
-             help(MapsOptionText::tr("Let a map dispatcher (REP 130) write its map into a file of its own")));
+             help(MapsOptionText::tr("Let a map dispatcher (REP 130) write its map into a file of its own")),
+             mapsSaveOnRobot);
   saved
       ->add_option(
           "file", words.filename,
@@ -114,7 +112,8 @@ void addMaps(CLI::App& cli, MapsWords& words) {
                                   "know .png, .pgm or .yaml of grids and .pcd, .ply or .vtk of clouds")))
       ->required();
   CLI::App* diff =
-      add("diff", help(MapsOptionText::tr("Compare two maps cell by cell; exit code 1 when they differ")));
+      add("diff", help(MapsOptionText::tr("Compare two maps cell by cell; exit code 1 when they differ")),
+          mapsDiff);
   diff->add_option(
           "first", words.first,
           help(MapsOptionText::tr("A map of --robot (id, mapping:ID, live, submaps), or a file or address")))
@@ -124,10 +123,13 @@ void addMaps(CLI::App& cli, MapsWords& words) {
                    help(MapsOptionText::tr("Write the difference as a PNG; - is the standard output")));
   diff->add_flag("--force", words.force,
                  help(MapsOptionText::tr("Write even over a file that a map is read from")));
-  diff->add_flag("--json", words.json, help(MapsOptionText::tr("Machine-readable")));
+  addJson(*diff, words.json);
   for (const MapChangeCommand& one : mapChangeCommands()) {
-    CLI::App* command = addOne(one.name, help(one.about));
-    command->add_flag("--json", words.json, help(MapsOptionText::tr("Machine-readable")));
+    CLI::App* command = addOne(one.name, help(one.about),
+                               [change = one.change](const MapsWords& typed, int& argc, char** argv) {
+                                 return mapsChange(change, typed, argc, argv);
+                               });
+    addJson(*command, words.json);
     if (one.of_one_map)
       command->add_option("id", words.id, help(MapsOptionText::tr("A stored map by its id")))->required();
     if (one.names)
@@ -138,19 +140,6 @@ void addMaps(CLI::App& cli, MapsWords& words) {
     if (one.change == MapChange::Delete)
       command->add_flag("--yes", words.yes, help(MapsOptionText::tr("Needed: it cannot be had back")));
   }
-}
-
-int runMaps(const CLI::App& cli, const MapsWords& words, int& argc, char** argv) {
-  const CLI::App& maps = *cli.get_subcommand("maps");
-  if (maps.got_subcommand("list")) return mapsList(words, argc, argv);
-  if (maps.got_subcommand("current")) return mapsCurrent(words, argc, argv);
-  if (maps.got_subcommand("show")) return mapsShow(words, argc, argv);
-  if (maps.got_subcommand("export")) return mapsExport(words, argc, argv);
-  if (maps.got_subcommand("save-on-robot")) return mapsSaveOnRobot(words, argc, argv);
-  for (const MapChangeCommand& one : mapChangeCommands()) {
-    if (maps.got_subcommand(one.name)) return mapsChange(one.change, words, argc, argv);
-  }
-  return mapsDiff(words, argc, argv);
 }
 
 }  // namespace mapwright::app

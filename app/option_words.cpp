@@ -1,5 +1,6 @@
 #include "app/option_words.h"
 
+#include <cmath>
 #include <regex>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,18 @@ class OptionWordsText {
 bool isDecimal(const std::string& word) {
   static const std::regex decimal(R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)");
   return std::regex_match(word, decimal);
+}
+
+std::optional<std::vector<double>> numbersFrom(const std::string& typed) {
+  constexpr double kMost = 1e9;
+  std::vector<double> numbers;
+  for (const QString& part : QString::fromStdString(typed).split(QLatin1Char(','))) {
+    const QString word = part.trimmed();
+    const double number = word.toDouble();
+    if (!isDecimal(word.toStdString()) || !(std::abs(number) <= kMost)) return std::nullopt;
+    numbers.push_back(number);
+  }
+  return numbers;
 }
 
 void refuseOddWords(CLI::App& app) {

@@ -1,7 +1,9 @@
 // What is refused of every option, whatever it means: nothing, and numbers that are none.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <QString>
 
@@ -20,5 +22,9 @@ void refuseOddWords(CLI::App& app);
 
 /// "12", "-0.5", "1e-3".
 bool isDecimal(const std::string& word);
+
+/// "1,-0.5, 2": decimal numbers with commas between them, none further from 0 than 1e9; nullopt = something
+/// else.
+std::optional<std::vector<double>> numbersFrom(const std::string& typed);
 
 }  // namespace mapwright::app

@@ -7,10 +7,13 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QJsonDocument>
 
 #include "app/exit_code.h"
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "jobs/export_map.h"
+#include "words/qt_plain.h"
 
 namespace mapwright::app {
 namespace {
@@ -64,22 +67,23 @@ std::optional<QString> whyNotTogether(const QStringList& outputs) {
 }
 
 std::optional<QString> overOwnSource(const QStringList& outputs, const std::vector<std::string>& sources) {
-  for (const QString& output : outputs) {
-    for (const std::string& source : sources) {
-      if (output.isEmpty() || isStandardOutput(output) || takesBytes(output)) continue;
-      if (disk::sameFile(output.toStdString(), source)) {
-        return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.")
-            .arg(output);
-      }
-    }
-  }
-  return std::nullopt;
+  const QString own = jobs::firstOwnSource(outputs, sources);
+  if (own.isEmpty()) return std::nullopt;
+  return OutputPathsText::tr("%1 is a file that the map is read from. Give --force to replace it.").arg(own);
 }
 
 bool printOut(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written && why_not_printed == 0) why_not_printed = errno;
   return std::ferror(stdout) == 0;
+}
+
+void printJson(const QJsonObject& json) {
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
+}
+
+void printJson(const QJsonArray& json) {
+  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
 }
 
 int concludeStandardOutput(int exit_code) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QString>
 #include <QStringList>
 
@@ -26,6 +28,10 @@ std::optional<QString> overOwnSource(const QStringList& outputs, const std::vect
 /// Writes to standard output, for what may be long; false: it takes nothing any more. Why not is known to
 /// concludeStandardOutput(), whatever the program does until then.
 bool printOut(std::string_view text);
+
+/// As printOut(), for people to read and programs to parse.
+void printJson(const QJsonObject& json);
+void printJson(const QJsonArray& json);
 
 /// Standard output is written out; when that fails, a sentence on standard error and another exit code.
 int concludeStandardOutput(int exit_code);

@@ -1,21 +1,23 @@
-#include "app/projections.h"
+// `mapwright projections …`: what of a map in space is laid on the plane. Source: rep130.md.
+#include "map/projections.h"
 
 #include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
-#include "app/access_words.h"
+#include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/maps_command.h"
 #include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/robot_access.h"
 #include "app/table.h"
-#include "map/projections.h"
 #include "robot/map_dispatch.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
@@ -29,22 +31,27 @@ class ProjectionsText {
   Q_DECLARE_TR_FUNCTIONS(Projections)
 };
 
+/// The words as typed; empty = not given.
+struct ProjectionsWords {
+  std::string robot;
+  AccessWords access;
+  std::vector<std::string> wanted;  // X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z or the same with ,FRAME
+  std::string report;
+  double timeout_s = 60;
+  bool json = false;
+  bool none = false;  // nothing is to be projected
+};
+
 using Projections = std::vector<map::Projection>;
 
 using words::text;
 
 tl::expected<map::Projection, QString> projectionFrom(const std::string& typed) {
   const QStringList parts = text(typed).split(QLatin1Char(','));
-  std::vector<double> numbers;
-  for (const QString& part : parts.mid(0, 6)) {
-    bool ok = false;
-    const double value = part.trimmed().toDouble(&ok);
-    if (ok) numbers.push_back(value);
-  }
-  const bool whole = parts.size() == 6 || parts.size() == 7;
+  const auto given = numbersFrom(parts.mid(0, 6).join(QLatin1Char(',')).toStdString());
+  const bool whole = given && (parts.size() == 6 || parts.size() == 7);
   map::Projection one;
-  if (numbers.size() == 6)
-    one = {{}, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}, numbers[4], numbers[5]};
+  if (whole) one = {{}, {(*given)[0], (*given)[1]}, {(*given)[2], (*given)[3]}, (*given)[4], (*given)[5]};
   if (!whole || map::flawOf(one) != map::ProjectionFlaw::None) {
     return tl::make_unexpected(
         ProjectionsText::tr(
@@ -67,7 +74,7 @@ void print(const Projections& all, bool json) {
   if (json) {
     QJsonArray rows;
     for (const map::Projection& one : all) rows << jsonOf(one);
-    printOut(words::escapedJson(QJsonDocument(rows).toJson()).toStdString());
+    printJson(rows);
     return;
   }
   if (all.empty()) {
@@ -123,41 +130,7 @@ CommandResult<int> set(MapReading& reading, const ProjectionsWords& words, const
       kIncomplete, ProjectionsText::tr("It took it, but projects something else than it was told.")));
 }
 
-}  // namespace
-
-void addProjections(CLI::App& cli, ProjectionsWords& words) {
-  CLI::App* projections = cli.add_subcommand(
-      "projections", help(ProjectionsText::tr(
-                         "What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
-  projections->require_subcommand(1);
-  const auto add = [&](const char* name, const std::string& what) {
-    CLI::App* command = projections->add_subcommand(name, what);
-    command->add_option("--robot", words.robot,
-                        help(ProjectionsText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command
-        ->add_option("--timeout", words.timeout_s,
-                     help(ProjectionsText::tr("Give up waiting after this many seconds")))
-        ->capture_default_str();
-    command->add_option("--report", words.report,
-                        help(ProjectionsText::tr("Write what was done, and every warning, as JSON")));
-    command->add_flag("--json", words.json, help(ProjectionsText::tr("Machine-readable")));
-    return command;
-  };
-  add("list", help(ProjectionsText::tr("What is projected now")));
-  CLI::App* command =
-      add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")));
-  command
-      ->add_option(
-          "--projection", words.wanted,
-          help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
-                                   ",FRAME where it is not that of the map; may be repeated")))
-      ->allow_extra_args(false);
-  command->add_flag("--none", words.none, help(ProjectionsText::tr("Nothing is to be projected")));
-}
-
-int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc, char** argv) {
-  const bool sets = cli.get_subcommand("projections")->got_subcommand("set");
+int runProjections(bool sets, const ProjectionsWords& words, int& argc, char** argv) {
   const auto work = [&](MapsCommand& command) -> CommandResult<int> {
     const auto wrong = [](const QString& sentence) {
       return tl::make_unexpected(CommandFailure{kUsage, sentence});
@@ -180,6 +153,38 @@ int runProjections(const CLI::App& cli, const ProjectionsWords& words, int& argc
     return sets ? set(**reading, words, wanted) : list(**reading, words);
   };
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
+}
+
+}  // namespace
+
+void addProjections(Commands& commands) {
+  const auto shared = std::make_shared<ProjectionsWords>();
+  ProjectionsWords& words = *shared;
+  CLI::App* projections = commands.program().add_subcommand(
+      "projections", help(ProjectionsText::tr(
+                         "What a map dispatcher (REP 130) lays on the plane of a map in space: list, set")));
+  projections->require_subcommand(1);
+  const auto add = [&](const char* name, const std::string& what, bool sets) {
+    CLI::App* command = projections->add_subcommand(name, what);
+    addRobot(*command, words.robot, words.access, ProjectionsText::tr("Robot address (or MAPWRIGHT_ROBOT)"));
+    addTimeout(*command, words.timeout_s);
+    addReport(*command, words.report);
+    addJson(*command, words.json);
+    commands.add(command, shared, [sets](const ProjectionsWords& typed, int& argc, char** argv) {
+      return runProjections(sets, typed, argc, argv);
+    });
+    return command;
+  };
+  add("list", help(ProjectionsText::tr("What is projected now")), false);
+  CLI::App* command =
+      add("set", help(ProjectionsText::tr("Choose all that is projected; prints what then is")), true);
+  command
+      ->add_option(
+          "--projection", words.wanted,
+          help(ProjectionsText::tr("X,Y,WIDTH,HEIGHT,MIN_Z,MAX_Z in metres, from the lower left corner, and "
+                                   ",FRAME where it is not that of the map; may be repeated")))
+      ->allow_extra_args(false);
+  command->add_flag("--none", words.none, help(ProjectionsText::tr("Nothing is to be projected")));
 }
 
 }  // namespace mapwright::app

@@ -10,8 +10,8 @@
 #include "app/snapshot_picture.h"
 #include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "sentences/fault_sentence.h"
 #include "grids/png_writer.h"
+#include "sentences/fault_sentence.h"
 #include "work/budgets.h"
 
 namespace mapwright::app {

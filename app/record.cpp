@@ -1,5 +1,4 @@
-#include "app/record.h"
-
+// `mapwright record`: what a robot sends, into an MCAP file (cli.md; recorder/layout.h).
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -13,8 +12,8 @@
 #include <QJsonObject>
 #include <QTimer>
 
-#include "app/access_words.h"
 #include "app/command_failure.h"
+#include "app/commands.h"
 #include "app/connecting.h"
 #include "app/exit_code.h"
 #include "app/one_line.h"
@@ -41,6 +40,19 @@ namespace {
 
 class RecordText {
   Q_DECLARE_TR_FUNCTIONS(Record)
+};
+
+/// The words as typed; empty = not given.
+struct RecordWords {
+  std::string robot;
+  AccessWords access;
+  std::string output;
+  std::optional<double> duration_s;  // nullopt = until it is told to end
+  double timeout_s = 30;             // for the connection
+  std::string topics;                // comma-separated, by the robot's own names, besides those of `streams`
+  std::string streams = "all";       // comma-separated words of kinds of data, "all" or "none"
+  std::string submaps = "listed";    // "all", "listed" or "none"
+  bool json = false, force = false;
 };
 
 using recorder::Recorder;
@@ -279,14 +291,26 @@ CommandResult<int> carryOut(const RecordWords& words) {
   return RecordRun(words, std::move(*order), std::move(*robot)).carryOut();
 }
 
+/// Until the time is over, or SIGINT or SIGTERM.
+int record(const RecordWords& words, int& argc, char** argv) {
+  holdStopSignals();
+  const QCoreApplication application(argc, argv);
+  const CommandResult<int> done = carryOut(words);
+  std::fflush(stdout);
+  if (done) return *done;
+  say(done.error().sentence);
+  return done.error().exit_code;
+}
+
 }  // namespace
 
-void addRecord(CLI::App& cli, RecordWords& words) {
-  CLI::App* const command = cli.add_subcommand(
+void addRecord(Commands& commands) {
+  const auto shared = std::make_shared<RecordWords>();
+  RecordWords& words = *shared;
+  CLI::App* const command = commands.program().add_subcommand(
       "record",
       help(RecordText::tr("Record what a robot sends into a file, with the maps that belong to it")));
-  command->add_option("--robot", words.robot, help(RecordText::tr("Robot address (or MAPWRIGHT_ROBOT)")));
-  addAccess(*command, words.access);
+  addRobot(*command, words.robot, words.access, RecordText::tr("Robot address (or MAPWRIGHT_ROBOT)"));
   command->add_option("-o,--output", words.output, help(RecordText::tr("The MCAP file to write")))
       ->required();
   command->add_flag("--force", words.force, help(RecordText::tr("Replace a file that is there")));
@@ -303,21 +327,9 @@ void addRecord(CLI::App& cli, RecordWords& words) {
       ->add_option("--submaps", words.submaps,
                    help(RecordText::tr("listed (each that there is), all (every version of them) or none")))
       ->capture_default_str();
-  command
-      ->add_option("--timeout", words.timeout_s,
-                   help(RecordText::tr("Give up connecting after this many seconds")))
-      ->capture_default_str();
-  command->add_flag("--json", words.json, help(RecordText::tr("Machine-readable")));
-}
-
-int record(const RecordWords& words, int& argc, char** argv) {
-  holdStopSignals();
-  const QCoreApplication application(argc, argv);
-  const CommandResult<int> done = carryOut(words);
-  std::fflush(stdout);
-  if (done) return *done;
-  say(done.error().sentence);
-  return done.error().exit_code;
+  addTimeout(*command, words.timeout_s, RecordText::tr("Give up connecting after this many seconds"));
+  addJson(*command, words.json);
+  commands.add(command, shared, record);
 }
 
 }  // namespace mapwright::app

@@ -6,11 +6,11 @@
 #include <QTimer>
 
 #include "app/snapshot_picture.h"
+#include "jobs/write_picture.h"
 #include "scene/bag_track.h"
 #include "scene/map_clouds.h"
 #include "scene/map_scene.h"
 #include "scene/regions_on_map.h"
-#include "scene/write_picture.h"
 #include "sentences/fault_sentence.h"
 
 namespace mapwright::app {
@@ -110,7 +110,7 @@ class ScenePicture : public SnapshotPicture {
     const QRectF whole(QPointF(0, 0), QSizeF(options_.size_px));
     scene_.render(&painter, whole, whole);
     painter.end();
-    const auto problem = scene::writePicture(image, path);
+    const auto problem = jobs::writePicture(image, path);
     return problem ? std::optional(sentences::wordsOf(*problem)) : std::nullopt;
   }
 

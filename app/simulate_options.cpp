@@ -1,11 +1,12 @@
-#include "app/simulate_options.h"
-
 #include <map>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
+#include "app/commands.h"
 #include "app/option_words.h"
+#include "app/simulate.h"
 #include "simulator/simulator.h"
 
 namespace mapwright::app {
@@ -197,12 +198,13 @@ void addRosFaults(CLI::App& command, simulator::RosFaults& f) {
 
 }  // namespace
 
-void addSimulate(CLI::App& cli, SimulateWords& words) {
+void addSimulate(Commands& commands) {
+  const auto words = std::make_shared<SimulateWords>();
   std::string scenes;
   for (const auto& [name, sentence] : simulator::sceneNames()) scenes += (scenes.empty() ? "" : ", ") + name;
-  CLI::App* command =
-      cli.add_subcommand("simulate", help(SimulateOptionsText::tr("Serve a simulated robot on 127.0.0.1")));
-  simulator::Options& o = words.options;
+  CLI::App* command = commands.program().add_subcommand(
+      "simulate", help(SimulateOptionsText::tr("Serve a simulated robot on 127.0.0.1")));
+  simulator::Options& o = words->options;
   command
       ->add_option("--port", o.port,
                    help(SimulateOptionsText::tr("Port of the Autoxing robot, 0 = a free one")))
@@ -236,7 +238,7 @@ void addSimulate(CLI::App& cli, SimulateWords& words) {
                    help(SimulateOptionsText::tr("Simulated time at start, seconds")))
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--paused", o.paused, help(SimulateOptionsText::tr("Let simulated time stand still")));
-  command->add_option("--secret-file", words.secret_file,
+  command->add_option("--secret-file", words->secret_file,
                       help(SimulateOptionsText::tr(
                           "File that holds the secret without which the Autoxing robot answers 401")));
   command->add_flag("!--no-topic-lists", o.enable_topic_list,
@@ -333,6 +335,7 @@ void addSimulate(CLI::App& cli, SimulateWords& words) {
   addRosFaults(*command, f.ros);
   addDispatcher(*command, o.ros.dispatcher);
   addDispatcherFaults(*command, f.ros.dispatcher);
+  commands.add(command, [words](const Invocation&) { return simulate(*words); });
 }
 
 }  // namespace mapwright::app

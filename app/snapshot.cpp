@@ -78,8 +78,7 @@ int sayWhatCame(const SnapshotRun& run, int exit_code) {
     if (const auto problem = writeReport(report_path, report)) return refuse(kUsage, *problem);
   }
   const bool printed = isStandardOutput(report_path) || isStandardOutput(run.options().output);
-  if (run.options().json && !isStandardOutput(report_path))
-    printOut(words::escapedJson(QJsonDocument(report).toJson()).toStdString());
+  if (run.options().json && !isStandardOutput(report_path)) printJson(report);
   if (!run.error().isEmpty()) return refuse(exit_code, run.error());
   if (!run.options().json && !printed) std::printf("%s\n", qUtf8Printable(oneLine(summaryOf(run))));
   if (exit_code == kDone) {

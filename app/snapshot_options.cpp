@@ -9,6 +9,7 @@
 
 #include "app/bag_reading.h"
 #include "app/map_region.h"
+#include "app/option_words.h"
 #include "app/output_paths.h"
 #include "app/robot_factory.h"
 #include "geometry/pose.h"
@@ -30,12 +31,10 @@ constexpr int kMaxEdge = 32'000;
 using words::text;
 
 std::optional<Eigen::Vector2d> parsePoint(const QString& word) {
-  const QStringList parts = word.split(QLatin1Char(','));
-  bool ok_x = false, ok_y = false;
-  if (parts.size() != 2) return std::nullopt;
-  const Eigen::Vector2d point(parts[0].trimmed().toDouble(&ok_x), parts[1].trimmed().toDouble(&ok_y));
-  if (!ok_x || !ok_y || !point.allFinite() || point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM)
-    return std::nullopt;
+  const auto numbers = numbersFrom(word.toStdString());
+  if (!numbers || numbers->size() != 2) return std::nullopt;
+  const Eigen::Vector2d point((*numbers)[0], (*numbers)[1]);
+  if (point.cwiseAbs().maxCoeff() > submap::kMaxCoordinateM) return std::nullopt;
   return point;
 }
 

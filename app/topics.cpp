@@ -1,5 +1,4 @@
-#include "app/topics.h"
-
+// `mapwright topics list|echo|hz`: what a robot sends, by its own names (cli.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +14,7 @@
 #include <QJsonObject>
 #include <QTimer>
 
-#include "app/access_words.h"
+#include "app/commands.h"
 #include "app/connecting.h"
 #include "app/exit_code.h"
 #include "app/option_words.h"
@@ -24,7 +23,6 @@
 #include "app/say.h"
 #include "app/stop_signals.h"
 #include "app/table.h"
-#include "app/waypoint_list.h"
 #include "robot/delivery.h"
 #include "robot/offers_topics.h"
 #include "sentences/absence_sentence.h"
@@ -37,6 +35,17 @@ namespace {
 
 class TopicsText {
   Q_DECLARE_TR_FUNCTIONS(Topics)
+};
+
+/// The words as typed; empty = not given.
+struct TopicsWords {
+  std::string robot;
+  AccessWords access;
+  std::vector<std::string> topics;
+  int count = 0;          // of echo: messages; 0: until it is stopped
+  double seconds = 10;    // of hz
+  double timeout_s = 30;  // for the connection, and of echo for each message
+  bool json = false;
 };
 
 using robot::OfferedTopic;
@@ -265,25 +274,36 @@ CommandResult<int> carryOut(const TopicsWords& words, const std::string& what) {
   return what == "list" ? run.list() : what == "echo" ? run.echo() : run.hz();
 }
 
+int runTopics(const std::string& what, const TopicsWords& words, int& argc, char** argv) {
+  holdStopSignals();
+  const QCoreApplication application(argc, argv);
+  const CommandResult<int> done = carryOut(words, what);
+  std::fflush(stdout);
+  if (done) return *done;
+  say(done.error().sentence);
+  return done.error().exit_code;
+}
+
 }  // namespace
 
-void addTopics(CLI::App& cli, TopicsWords& words) {
-  CLI::App* const topics = cli.add_subcommand(
+void addTopics(Commands& commands) {
+  const auto shared = std::make_shared<TopicsWords>();
+  TopicsWords& words = *shared;
+  CLI::App* const topics = commands.program().add_subcommand(
       "topics", help(TopicsText::tr("What a robot sends, by its own names: list, echo, hz")));
   topics->require_subcommand(1);
   const auto add = [&](const char* name, const QString& what) {
     CLI::App* const command = topics->add_subcommand(name, help(what));
-    command->add_option("--robot", words.robot,
-                        help(TopicsText::tr("Robot address, or of list a recording (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command->add_flag("--json", words.json, help(TopicsText::tr("Machine-readable")));
+    addRobot(*command, words.robot, words.access,
+             TopicsText::tr("Robot address, or of list a recording (or MAPWRIGHT_ROBOT)"));
+    addJson(*command, words.json);
+    commands.add(command, shared, [name](const TopicsWords& typed, int& argc, char** argv) {
+      return runTopics(name, typed, argc, argv);
+    });
     return command;
   };
-  const auto timeout = [&](CLI::App* command, const QString& what) {
-    command->add_option("--timeout", words.timeout_s, help(what))->capture_default_str();
-  };
-  timeout(add("list", TopicsText::tr("Every topic with its type")),
-          TopicsText::tr("Give up connecting after this many seconds"));
+  addTimeout(*add("list", TopicsText::tr("Every topic with its type")), words.timeout_s,
+             TopicsText::tr("Give up connecting after this many seconds"));
   CLI::App* const echo =
       add("echo", TopicsText::tr("The messages of a topic as they come, one JSON text a line, until Ctrl+C"));
   echo->add_option("topic", words.topics, help(TopicsText::tr("As the robot calls it")))
@@ -292,23 +312,13 @@ void addTopics(CLI::App& cli, TopicsWords& words) {
   echo->add_option("--count", words.count,
                    help(TopicsText::tr("Stop after so many messages; without it, when interrupted")))
       ->check(CLI::Range(1, 1'000'000'000));
-  timeout(echo, TopicsText::tr("Give up after this many seconds without a connection, or without a message"));
+  addTimeout(*echo, words.timeout_s,
+             TopicsText::tr("Give up after this many seconds without a connection, or without a message"));
   CLI::App* const hz = add("hz", TopicsText::tr("How often topics come, and how evenly"));
   hz->add_option("topics", words.topics, help(TopicsText::tr("As the robot calls them")))->required();
   hz->add_option("--seconds", words.seconds, help(TopicsText::tr("How long to count")))
       ->capture_default_str();
-  timeout(hz, TopicsText::tr("Give up connecting after this many seconds"));
-}
-
-int runTopics(const CLI::App& cli, const TopicsWords& words, int& argc, char** argv) {
-  const std::string what = cli.get_subcommand("topics")->get_subcommands().front()->get_name();
-  holdStopSignals();
-  const QCoreApplication application(argc, argv);
-  const CommandResult<int> done = carryOut(words, what);
-  std::fflush(stdout);
-  if (done) return *done;
-  say(done.error().sentence);
-  return done.error().exit_code;
+  addTimeout(*hz, words.timeout_s, TopicsText::tr("Give up connecting after this many seconds"));
 }
 
 }  // namespace mapwright::app

@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include <QCoreApplication>
-#include <QJsonDocument>
 
 #include "app/exit_code.h"
 #include "app/output_paths.h"
@@ -156,14 +155,6 @@ CommandResult<const map::Waypoint*> chosen(const ListedWaypoints& list, const st
 int runWaypointsCommand(const WaypointsWords& words, int& argc, char** argv,
                         const std::function<CommandResult<int>(MapsCommand&)>& work) {
   return MapsCommand(words.timeout_s, text(words.report)).run(argc, argv, work);
-}
-
-void printJson(const QJsonObject& json) {
-  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
-}
-
-void printJson(const QJsonArray& json) {
-  printOut(words::escapedJson(QJsonDocument(json).toJson()).toStdString());
 }
 
 }  // namespace mapwright::app

@@ -39,7 +39,5 @@ int runWaypointsCommand(const WaypointsWords& words, int& argc, char** argv,
                         const std::function<CommandResult<int>(MapsCommand&)>& work);
 
 /// On the standard output.
-void printJson(const QJsonObject& json);
-void printJson(const QJsonArray& json);
 
 }  // namespace mapwright::app

@@ -1,11 +1,12 @@
-#include "app/waypoint_words.h"
+#include <memory>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
-#include "app/access_words.h"
-#include "app/exit_code.h"
+#include "app/commands.h"
 #include "app/option_words.h"
+#include "app/waypoints.h"
 
 namespace mapwright::app {
 namespace {
@@ -122,43 +123,30 @@ void addOptions(const std::string& name, CLI::App& command, WaypointsWords& word
   if (!is("list", "get", "export", "plan"))
     command.add_flag("--dry-run", words.dry_run,
                      help(WaypointOptionText::tr("Print what would be done, and send nothing")));
-  if (!is("export")) command.add_flag("--json", words.json, help(WaypointOptionText::tr("Machine-readable")));
+  if (!is("export")) addJson(command, words.json);
 }
 
 }  // namespace
 
-void addWaypoints(CLI::App& cli, WaypointsWords& words) {
-  CLI::App* const waypoints = cli.add_subcommand(
+void addWaypoints(Commands& commands) {
+  const auto words = std::make_shared<WaypointsWords>();
+  CLI::App* const waypoints = commands.program().add_subcommand(
       "waypoints",
       help(WaypointOptionText::tr("The waypoints of a map: list, change, import, export, plan, apply")));
   waypoints->require_subcommand(1);
   for (const WaypointCommand& one : waypointCommands()) {
     CLI::App* const command = waypoints->add_subcommand(one.name, help(one.about));
-    // No envname(): see addMaps().
+    addRobot(*command, words->robot, words->access,
+             WaypointOptionText::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)"));
     command->add_option(
-        "--robot", words.robot,
-        help(WaypointOptionText::tr("Robot address, map.yaml, picture or folder (or MAPWRIGHT_ROBOT)")));
-    addAccess(*command, words.access);
-    command->add_option(
-        "--map", words.map,
+        "--map", words->map,
         help(WaypointOptionText::tr("A stored map by its id (mapwright maps list); without it the current "
                                     "one")));
-    command
-        ->add_option("--timeout", words.timeout_s,
-                     help(WaypointOptionText::tr("Give up waiting after this many seconds")))
-        ->capture_default_str();
-    command->add_option("--report", words.report,
-                        help(WaypointOptionText::tr("Write what was done, and every warning, as JSON")));
-    addOptions(one.name, *command, words);
+    addTimeout(*command, words->timeout_s);
+    addReport(*command, words->report);
+    addOptions(one.name, *command, *words);
+    commands.add(command, words, one.run);
   }
-}
-
-int runWaypoints(const CLI::App& cli, const WaypointsWords& words, int& argc, char** argv) {
-  const CLI::App& waypoints = *cli.get_subcommand("waypoints");
-  for (const WaypointCommand& one : waypointCommands()) {
-    if (waypoints.got_subcommand(one.name)) return one.run(words, argc, argv);
-  }
-  return kUsage;
 }
 
 }  // namespace mapwright::app

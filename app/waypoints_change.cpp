@@ -33,19 +33,14 @@ struct PlaceAt {
 };
 
 CommandResult<PlaceAt> placeAt(const std::string& words) {
-  const QStringList numbers = text(words).split(QLatin1Char(','));
-  bool fits = numbers.size() == 2 || numbers.size() == 3;
-  for (const QString& number : numbers) fits = fits && isDecimal(number.trimmed().toStdString());
-  PlaceAt place;
-  if (fits) {
-    place.position_m = {numbers[0].toDouble(), numbers[1].toDouble()};
-    if (numbers.size() == 3)
-      place.yaw_rad = geometry::normalizeAngle(geometry::radiansFromDegrees(numbers[2].toDouble()));
-  }
-  if (!fits || !place.position_m.allFinite() || !std::isfinite(place.yaw_rad.value_or(0)))
+  const auto numbers = numbersFrom(words);
+  if (!numbers || (numbers->size() != 2 && numbers->size() != 3))
     return wrong(WaypointsChangeText::tr(
                      "--at %1: give X,Y in metres, or X,Y,YAW with degrees, for example 1.5,-2,90.")
                      .arg(text(words)));
+  PlaceAt place{{(*numbers)[0], (*numbers)[1]}, {}};
+  if (numbers->size() == 3)
+    place.yaw_rad = geometry::normalizeAngle(geometry::radiansFromDegrees((*numbers)[2]));
   return place;
 }
 

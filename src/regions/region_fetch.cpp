@@ -25,6 +25,13 @@ char pgmByte(std::uint8_t cell) { return char(cell <= 100 ? cell : grids::kUnkno
 
 }  // namespace
 
+Misfit flawOf(const map::GridPart& part) {
+  const map::GridReference& grid = part.grid;
+  if (grid.width <= 0 || grid.height <= 0 || map::whyUnusable(grid)) return Misfit::Unusable;
+  const bool all = part.cells && part.cells->size() / std::size_t(grid.width) >= std::size_t(grid.height);
+  return all ? Misfit::None : Misfit::FewerCells;
+}
+
 std::string pgmOf(const map::GridPart& part) {
   const std::size_t width = std::size_t(part.grid.width), height = std::size_t(part.grid.height);
   std::string pgm = pgmHead(part.grid.width, part.grid.height);

@@ -25,6 +25,9 @@ enum class CutEdge { Middles, Touched };
 FetchedGrid cutOut(const std::vector<std::shared_ptr<RegionSheet>>& sheets, const geometry::WorldRect& rect,
                    CutEdge edge = CutEdge::Middles);
 
+/// What is wrong with a whole map that came at once: Unusable, FewerCells or None.
+Misfit flawOf(const map::GridPart& part);
+
 /// The same cells as a picture (PGM) that is read back with kPgmReading: what is above 100 is unknown there.
 /// `part` has as many cells as it says, one at least.
 std::string pgmOf(const map::GridPart& part);

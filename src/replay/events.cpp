@@ -108,6 +108,22 @@ EventGroup groupOf(EventKind kind) {
   return EventGroup::Alerts;
 }
 
+std::string wordOf(EventGroup group) {
+  switch (group) {
+    case EventGroup::Alerts:
+      return "alerts";
+    case EventGroup::Planner:
+      return "planner";
+    case EventGroup::Position:
+      return "position";
+    case EventGroup::Maps:
+      return "maps";
+    case EventGroup::Stops:
+      break;
+  }
+  return "stops";
+}
+
 std::vector<Event> eventsOf(const std::map<Tick, Digest>& digests) {
   Telling telling;
   for (const auto& [from, digest] : digests) {

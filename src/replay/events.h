@@ -38,6 +38,8 @@ enum class EventGroup { Alerts, Planner, Position, Maps, Stops };
 inline constexpr EventGroup kEventGroups[] = {EventGroup::Alerts, EventGroup::Planner, EventGroup::Position,
                                               EventGroup::Maps, EventGroup::Stops};
 EventGroup groupOf(EventKind kind);
+/// For settings and options, the same for ever: "alerts".
+std::string wordOf(EventGroup group);
 
 /// In the order of time. Of ranges that are missing nothing is told: what began or ended there shows where
 /// the next one begins. What a bag begins with is an event, but for a move state and the first map.

@@ -3,8 +3,8 @@
 
 #include <QTest>
 
-#include "robot/axbot/faults.h"
 #include "net/json_numbers.h"
+#include "robot/axbot/faults.h"
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
 #include "ros_messages/wrapper.pb.h"

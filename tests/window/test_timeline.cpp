@@ -76,7 +76,7 @@ class TestTimeline : public QObject {
     std::set<QString> words;
     for (const replay::EventGroup group : replay::kEventGroups) {
       QVERIFY(!groupName(group).isEmpty());
-      words.insert(groupWord(group));
+      words.insert(QString::fromStdString(replay::wordOf(group)));
     }
     QCOMPARE(words.size(), std::size(replay::kEventGroups));
     QVERIFY(replay::groupOf(EventKind::QualityLow) == replay::groupOf(EventKind::PositionJump));

@@ -233,6 +233,29 @@ class TestWindowClouds : public QObject {
     QVERIFY(!desk.action("cloudRegion")->isChecked());
   }
 
+  void whatLiesBeyondIsCroppedAndWhatIsMissingIsTold() {
+    Desk desk;
+    desk.open();
+    map::CloudRegion region;
+    region.centre_m = {5, 5, 0};
+    region.size_m = {2, 2, 2};
+    desk.clouds().fetch(region);
+    auto cloud = std::make_shared<map::SpatialCloud>();
+    cloud->points = {{5, 5, 0}, {5.5F, 5, 0}, {7, 5, 0}};
+    cloud->missing = 4;
+    desk.dispatch().answer(cloud);
+    QTRY_VERIFY(desk.held().settled() && desk.held().sums().came == 2);
+    QVERIFY(
+        desk.dock().outcome().contains(QStringLiteral("4 points that the robot says it sent have not come")));
+    QVERIFY(desk.dock().outcome().contains(QStringLiteral("1 point that came lies beyond the region")));
+    // Another region than the one that was asked for.
+    region.centre_m = {50, 50, 0};
+    desk.clouds().fetch(region);
+    desk.dispatch().answer(cloud);
+    QTRY_VERIFY(desk.dock().outcome().contains(QStringLiteral("another region")));
+    QCOMPARE(desk.held().sums().came, std::uint64_t(2));
+  }
+
   void theWholeMapIsFetchedOnlyWhenOneIsSure() {
     Desk desk;
     desk.open();

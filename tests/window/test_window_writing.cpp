@@ -14,6 +14,7 @@
 #include "window_bench.h"
 
 using namespace mapwright;
+using namespace mapwright::jobs;
 using namespace mapwright::window;
 using test::Bench;
 using test::kAddress;

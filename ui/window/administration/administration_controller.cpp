@@ -117,8 +117,8 @@ void AdministrationController::ask(MapChange change, const map::CatalogueEntry* 
       &context_.window);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog_, &ChangeDialog::done, this,
-          [this, change](const map::CatalogueEntry&, const QString& said) {
-            context_.overlay.toasts()->add(Mark::Good, said);
+          [this, change](const map::CatalogueEntry&, const QString& said, bool as_asked) {
+            context_.overlay.toasts()->add(as_asked ? Mark::Good : Mark::Warning, said);
             if (session::Session* const now = context_.current.session()) now->catalogue().refresh();
             // Who stops mapping wants to keep the map, as a rule; not within this call, its dialog is
             // closing.

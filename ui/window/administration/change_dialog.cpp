@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "jobs/change_map.h"
 #include "sentences/failure_sentence.h"
 #include "window/look/dialog_look.h"
 #include "window/look/ui_colors.h"
@@ -111,7 +112,7 @@ QString ChangeDialog::errorShown() const { return error_->text(); }
 
 QString ChangeDialog::whyNot() const {
   if (name_) {
-    if (QString why = whyNoName(name_->text()); !why.isEmpty()) return why;
+    if (QString why = jobs::whyNoMapName(name_->text()); !why.isEmpty()) return why;
     if (question_.order.change == robot::MapChange::Rename && name_->text() == *question_.name)
       return tr("It is called so already.");
   }
@@ -132,7 +133,7 @@ void ChangeDialog::check() {
 
 void ChangeDialog::send() {
   if (waiting() || !whyNot().isEmpty()) return;
-  robot::MapOrder order = question_.order;
+  robot::MapOrder& order = question_.order;
   if (name_) order.name = name_->text().toStdString();
   if (places_) order.place = place();
   for (QWidget* field :
@@ -153,9 +154,12 @@ void ChangeDialog::take(const Outcome& outcome) {
     if (field) field->setEnabled(true);
   check();
   if (outcome) {
-    Q_EMIT done(*outcome, question_.done.contains(QLatin1String("%1"))
-                              ? question_.done.arg(words::plainName(outcome->name).left(80))
-                              : question_.done);
+    QString said = jobs::oddity(question_.order, *outcome);
+    const bool as_asked = said.isEmpty();
+    if (as_asked) said = question_.done;
+    if (as_asked && said.contains(QLatin1String("%1")))
+      said = said.arg(words::plainName(outcome->name).left(80));
+    Q_EMIT done(*outcome, said, as_asked);
     accept();
     return;
   }

@@ -39,7 +39,8 @@ class ChangeDialog : public QDialog {
   void reject() override;
 
  Q_SIGNALS:
-  void done(const mapwright::map::CatalogueEntry& now, const QString& said);
+  /// `as_asked`: false when the robot took it, but says something else of the map.
+  void done(const mapwright::map::CatalogueEntry& now, const QString& said, bool as_asked);
 
  private:
   QString whyNot() const;

@@ -112,13 +112,6 @@ ChangeQuestion questionFor(MapChange change, const map::CatalogueEntry* map,
   return question;
 }
 
-QString whyNoName(const QString& name) {
-  if (name.trimmed().isEmpty()) return ChangeQuestionText::tr("A map must have a name.");
-  if (std::any_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; }))
-    return ChangeQuestionText::tr("The name of a map is one line of text, without control characters.");
-  return {};
-}
-
 std::vector<std::string> placesToStand(const std::vector<map::Waypoint>& points) {
   const auto tagged = [](const map::Waypoint& point, const char* tag) {
     return std::find(point.tags.begin(), point.tags.end(), tag) != point.tags.end();

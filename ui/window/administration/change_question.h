@@ -26,9 +26,6 @@ struct ChangeQuestion {
 ChangeQuestion questionFor(robot::MapChange change, const map::CatalogueEntry* map,
                            const map::CatalogueEntry* current);
 
-/// Why this name is not even sent; empty when it is.
-QString whyNoName(const QString& name);
-
 /// The names of `points` in the order in which somebody looks for the place of the robot: those that are
 /// tagged for localisation, then where a map is entered, then the others; each by name.
 std::vector<std::string> placesToStand(const std::vector<map::Waypoint>& points);

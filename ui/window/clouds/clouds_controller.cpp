@@ -204,16 +204,17 @@ void CloudsController::fetch(const std::optional<map::CloudRegion>& region) {
   const auto kind = dock_->voxels() ? robot::CloudKind::Occupancy : robot::CloudKind::Points;
   dock_->setOutcome({}, false);
   dock_->setProgress(tr("Fetching…"));
-  call_ = offered->cloud(kind, region, [this, kind, region, asked = ++asked_](const auto& outcome) {
-    if (asked == asked_) take(kind, region, outcome);
-  });
+  call_ = jobs::fetchCloud(*offered, kind, region, context_.workers,
+                           [this, kind, region, asked = ++asked_](const auto& outcome) {
+                             if (asked == asked_) take(kind, region, outcome);
+                           });
   call_.onProgress([this, asked = asked_](const robot::Progress& progress) {
     if (asked == asked_) dock_->setProgress(tr("Fetching… %1").arg(megabytesText(progress.bytes)));
   });
 }
 
 void CloudsController::take(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
-                            const robot::Outcome<std::shared_ptr<const map::SpatialCloud>>& outcome) {
+                            const robot::Outcome<jobs::FetchedCloud>& outcome) {
   call_ = {};
   dock_->setProgress({});
   if (!outcome) {
@@ -225,20 +226,21 @@ void CloudsController::take(robot::CloudKind kind, const std::optional<map::Clou
     }
     return;
   }
-  if (!*outcome) return;
-  const map::SpatialCloud& cloud = **outcome;
+  const map::SpatialCloud& cloud = *outcome->cloud;
   QStringList said;
-  if (cloud.points.empty()) {
+  if (outcome->elsewhere()) {
+    said << tr("The robot answered with another region.");
+  } else if (cloud.points.empty()) {
     said << tr("The robot has no points there.");
   } else {
     const auto points = qint64(cloud.points.size());
     said << sentences::counted(tr("%1 points have come.", nullptr, sentences::formOf(points)), points);
   }
-  for (const Fault& note : cloud.notes) said << sentences::sentenceOf(note);
-  dock_->setOutcome(said.join(QLatin1Char('\n')), false);
+  said << outcome->notes();
+  dock_->setOutcome(said.join(QLatin1Char('\n')), outcome->elsewhere() || !outcome->complete());
   const bool first = clouds_.empty() && !cloud.points.empty();
-  if (!cloud.points.empty()) unsaved_ = true;
-  clouds_.add({*outcome, kind == robot::CloudKind::Occupancy, region});
+  if (!cloud.points.empty() && !outcome->elsewhere()) unsaved_ = true;
+  if (!outcome->elsewhere()) clouds_.add({outcome->cloud, kind == robot::CloudKind::Occupancy, region});
   if (!clouds_.settled()) dock_->setSorting();
   if (!context_.scene.layerVisible(scene::Layer::DispatchedCloud)) {
     context_.scene.setLayerVisible(scene::Layer::DispatchedCloud, true);

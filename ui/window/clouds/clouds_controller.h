@@ -1,6 +1,7 @@
 // Clouds of the robot's map: fetched by region, shown, cut, saved.
 #pragma once
 
+#include "jobs/fetch_cloud.h"
 #include "robot/call.h"
 #include "robot/map_dispatch.h"
 #include "scene/map_clouds.h"
@@ -38,7 +39,7 @@ class CloudsController : public Controller {
  private:
   void fetchBox(const geometry::WorldRect& box);
   void take(robot::CloudKind kind, const std::optional<map::CloudRegion>& region,
-            const robot::Outcome<std::shared_ptr<const map::SpatialCloud>>& outcome);
+            const robot::Outcome<jobs::FetchedCloud>& outcome);
   robot::MapDispatch* dispatch() const;
   void refreshOffer();
   void refreshClouds();

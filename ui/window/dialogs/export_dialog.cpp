@@ -113,7 +113,7 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
     button->setToolTip(has_map ? QString() : offer_.why_not_whole);
   }
   (has_map ? map_picture_ : view_picture_)->setChecked(true);
-  path_->setText(QDir(offer_.folder).filePath(fileNameFrom(offer_.name)));
+  path_->setText(QDir(offer_.folder).filePath(jobs::fileNameFrom(offer_.name)));
   for (QRadioButton* button : {map_picture_, map_server_, view_picture_})
     connect(button, &QRadioButton::toggled, this, &ExportDialog::sync);
   connect(source_, &QComboBox::currentIndexChanged, this, &ExportDialog::sync);
@@ -127,25 +127,25 @@ ExportDialog::ExportDialog(ExportOffer offer, const std::shared_ptr<work::Worker
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::browse);
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::reject);
-  connect(&job_, &ExportJob::progressed, this,
+  connect(&job_, &jobs::ExportJob::progressed, this,
           [this](double done) { progress_->setValue(int(done * 1000)); });
-  connect(&job_, &ExportJob::finished, this, &ExportDialog::take);
+  connect(&job_, &jobs::ExportJob::finished, this, &ExportDialog::take);
   sync();
 }
 
-ExportFormat ExportDialog::format() const {
-  if (map_server_->isChecked()) return ExportFormat::MapServer;
-  return view_picture_->isChecked() ? ExportFormat::ViewPicture : ExportFormat::MapPicture;
+jobs::ExportFormat ExportDialog::format() const {
+  if (map_server_->isChecked()) return jobs::ExportFormat::MapServer;
+  return view_picture_->isChecked() ? jobs::ExportFormat::ViewPicture : jobs::ExportFormat::MapPicture;
 }
 
-QRadioButton* ExportDialog::formatButton(ExportFormat format) const {
-  return format == ExportFormat::MapServer     ? map_server_
-         : format == ExportFormat::ViewPicture ? view_picture_
-                                               : map_picture_;
+QRadioButton* ExportDialog::formatButton(jobs::ExportFormat format) const {
+  return format == jobs::ExportFormat::MapServer     ? map_server_
+         : format == jobs::ExportFormat::ViewPicture ? view_picture_
+                                                     : map_picture_;
 }
 
 bool ExportDialog::fromSubmaps() const {
-  return format() != ExportFormat::ViewPicture && source_->currentData().toBool();
+  return format() != jobs::ExportFormat::ViewPicture && source_->currentData().toBool();
 }
 
 bool ExportDialog::withHidden() const { return offer_.hidden.empty() || hidden_->isChecked(); }
@@ -159,7 +159,7 @@ std::vector<render::PlacedTexture> ExportDialog::chosenSubmaps() const {
 }
 
 QString ExportDialog::describeContent() const {
-  if (format() == ExportFormat::ViewPicture) return tr("What is hidden on the map is not in it.");
+  if (format() == jobs::ExportFormat::ViewPicture) return tr("What is hidden on the map is not in it.");
   if (!fromSubmaps()) return offer_.unsaved ? tr("Changes that are not saved are not in it.") : QString();
   const int all = int(offer_.submaps.size()) + offer_.without_picture;
   const int chosen = int(offer_.submaps.size()) - (withHidden() ? 0 : int(offer_.hidden.size()));
@@ -170,7 +170,7 @@ QString ExportDialog::describeContent() const {
 }
 
 void ExportDialog::sync() {
-  const bool view = format() == ExportFormat::ViewPicture;
+  const bool view = format() == jobs::ExportFormat::ViewPicture;
   source_->setEnabled(!view && source_->count() > 1);
   resolution_->setEnabled(!view && fromSubmaps());
   resolution_label_->setEnabled(resolution_->isEnabled());
@@ -179,7 +179,7 @@ void ExportDialog::sync() {
   content_->setText(describeContent());
   content_->setVisible(!content_->text().isEmpty());
   export_->setEnabled(!fromSubmaps() || !chosenSubmaps().empty());
-  world_file_->setEnabled(format() != ExportFormat::MapServer);
+  world_file_->setEnabled(format() != jobs::ExportFormat::MapServer);
   // The name stays, its ending follows the format.
   QString path = path_->text();
   for (const char* suffix : {".png", ".yaml", ".pgm"}) {
@@ -188,7 +188,7 @@ void ExportDialog::sync() {
       break;
     }
   }
-  path_->setText(path + QLatin1Char('.') + exportSuffix(format()));
+  path_->setText(path + QLatin1Char('.') + jobs::exportSuffix(format()));
   confirmed_ = source_confirmed_ = false;
   letEnterPress(*export_, true);
   error_->hide();
@@ -196,7 +196,7 @@ void ExportDialog::sync() {
 
 void ExportDialog::browse() {
   const QString filter =
-      format() == ExportFormat::MapServer ? tr("ROS maps (*.yaml)") : tr("PNG pictures (*.png)");
+      format() == jobs::ExportFormat::MapServer ? tr("ROS maps (*.yaml)") : tr("PNG pictures (*.png)");
   const QString path = QFileDialog::getSaveFileName(this, tr("Export to"), path_->text(), filter);
   if (path.isEmpty()) return;
   path_->setText(path);
@@ -208,13 +208,13 @@ void ExportDialog::start() {
   if (job_.running()) return;
   const QString path = QFileInfo(path_->text().trimmed()).absoluteFilePath();
   const bool with_world_file = world_file_->isChecked() && world_file_->isEnabled();
-  const QStringList files = exportedFiles(path, format(), with_world_file);
+  const QStringList files = jobs::exportedFiles(path, format(), with_world_file);
   const auto askAgain = [this](const QString& sentence) {
     letEnterPress(*export_, false);
     error_->setText(sentence);
     error_->show();
   };
-  if (const QString own = firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
+  if (const QString own = jobs::firstOwnSource(files, offer_.sources); !own.isEmpty() && !source_confirmed_) {
     confirmed_ = source_confirmed_ = true;
     askAgain(tr("%1 is a file that this map is read from. Press Export again to replace it, or choose "
                 "another name.")
@@ -228,14 +228,14 @@ void ExportDialog::start() {
     askAgain(tr("%1 exists. Press Export again to replace it.").arg(QDir::toNativeSeparators(*present)));
     return;
   }
-  ExportRequest request;
+  jobs::ExportRequest request;
   request.path = path;
   request.format = format();
   request.world_file = with_world_file;
-  if (request.format == ExportFormat::ViewPicture) {
+  if (request.format == jobs::ExportFormat::ViewPicture) {
     request.source = offer_.view();
   } else if (fromSubmaps()) {
-    request.source = SubmapsExport{chosenSubmaps(), resolution_->value()};
+    request.source = jobs::SubmapsExport{chosenSubmaps(), resolution_->value()};
   } else if (offer_.whole) {
     request.source = *offer_.whole;
   } else {
@@ -263,7 +263,7 @@ void ExportDialog::setRunning(bool running) {
   path_->setText(path);
 }
 
-void ExportDialog::take(const ExportResult& result) {
+void ExportDialog::take(const jobs::ExportResult& result) {
   setRunning(false);
   if (result.cancelled) {
     error_->setText(tr("Cancelled. Nothing was written."));

@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "window/files/export_map.h"
+#include "jobs/export_map.h"
 
 class QCheckBox;
 class QComboBox;
@@ -22,7 +22,7 @@ namespace mapwright::window {
 /// What there is to export at present.
 struct ExportOffer {
   QString name;                                // of the map, for the proposed file
-  std::optional<WholeMapExport> whole;         // nullopt: none is complete
+  std::optional<jobs::WholeMapExport> whole;   // nullopt: none is complete
   QString why_not_whole;                       // the sentence then
   std::vector<render::PlacedTexture> submaps;  // hidden ones too
   std::set<map::SubmapId> hidden;              // those of them that the user has hidden
@@ -30,7 +30,7 @@ struct ExportOffer {
   bool unsaved = false;                        // on screen `whole` has changes that are not saved
   double submap_resolution_m = 0.05;           // of the finest one
   bool prefers_submaps = false;                // they are what is on screen
-  std::function<ViewExport()> view;
+  std::function<jobs::ViewExport()> view;
   std::vector<std::string> sources;  // the files that what is on screen was read from
   QString folder;
 };
@@ -40,7 +40,7 @@ class ExportDialog : public QDialog {
  public:
   ExportDialog(ExportOffer offer, const std::shared_ptr<work::Workers>& workers, QWidget* parent = nullptr);
 
-  QRadioButton* formatButton(ExportFormat format) const;
+  QRadioButton* formatButton(jobs::ExportFormat format) const;
   QComboBox* sourceBox() const { return source_; }
   /// Shown where submaps are hidden.
   QCheckBox* hiddenBox() const { return hidden_; }
@@ -59,18 +59,18 @@ class ExportDialog : public QDialog {
   void reject() override;
 
  private:
-  ExportFormat format() const;
+  jobs::ExportFormat format() const;
   bool fromSubmaps() const;
   bool withHidden() const;
   std::vector<render::PlacedTexture> chosenSubmaps() const;
   QString describeContent() const;
   void sync();
   void browse();
-  void take(const ExportResult& result);
+  void take(const jobs::ExportResult& result);
   void setRunning(bool running);
 
   ExportOffer offer_;
-  ExportJob job_;
+  jobs::ExportJob job_;
   QRadioButton *map_picture_, *map_server_, *view_picture_;
   QComboBox* source_;
   QDoubleSpinBox* resolution_;

@@ -15,12 +15,12 @@
 #include <QRadioButton>
 #include <QStandardPaths>
 
+#include "jobs/export_map.h"
+#include "jobs/write_picture.h"
 #include "robot/address.h"
-#include "scene/write_picture.h"
 #include "sentences/fault_sentence.h"
 #include "window/current_session.h"
 #include "window/dialogs/export_dialog.h"
-#include "window/files/export_map.h"
 #include "window/files/folders.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -96,11 +96,11 @@ QImage ExportController::mapPicture() const {
 }
 
 std::optional<QString> ExportController::saveMapPicture(const QString& path) {
-  if (!firstOwnSource({path}, sourceFiles()).isEmpty()) {
+  if (!jobs::firstOwnSource({path}, sourceFiles()).isEmpty()) {
     return tr("%1 is a file that this map is read from. Choose another name.")
         .arg(QDir::toNativeSeparators(path));
   }
-  const auto problem = scene::writePicture(mapPicture(), path);
+  const auto problem = jobs::writePicture(mapPicture(), path);
   return problem ? std::optional(sentences::wordsOf(*problem)) : std::nullopt;
 }
 
@@ -157,7 +157,7 @@ void ExportController::exportMap() {
   }
   if (std::isfinite(finest)) offer.submap_resolution_m = finest;
   if (slot.cells() && slot.cells()->complete() && slot.settled()) {
-    offer.whole = WholeMapExport{slot.cells(), slot.reference()};
+    offer.whole = jobs::WholeMapExport{slot.cells(), slot.reference()};
     const auto on_screen = context_.scene.wholeMap();
     offer.unsaved = on_screen && on_screen->cells != slot.cells();
   } else {
@@ -170,7 +170,7 @@ void ExportController::exportMap() {
   if (offer.name.trimmed().isEmpty()) offer.name = QStringLiteral("map");
   offer.view = [this] {
     const QImage picture = mapPicture();
-    return ViewExport{picture, referenceOf(context_.scene.view(), picture.size())};
+    return jobs::ViewExport{picture, referenceOf(context_.scene.view(), picture.size())};
   };
   offer.sources = sourceFiles();
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -181,7 +181,7 @@ void ExportController::exportMap() {
   connect(dialog_, &ExportDialog::exported, this, [this](const QString& path) {
     context_.settings.setValue(kExportFolderKey, QFileInfo(path).absolutePath());
     context_.overlay.toasts()->add(Mark::Good, tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-    const bool view = dialog_->formatButton(ExportFormat::ViewPicture)->isChecked();
+    const bool view = dialog_->formatButton(jobs::ExportFormat::ViewPicture)->isChecked();
     const bool submaps = dialog_->sourceBox()->currentData().toBool();
     if (!view && !submaps) Q_EMIT wholeExported();
   });

@@ -6,7 +6,7 @@
 #include <QRegularExpression>
 
 #include "grids/export_grid.h"
-#include "window/files/export_map.h"
+#include "jobs/export_map.h"
 
 namespace mapwright::window {
 
@@ -24,7 +24,7 @@ QStringList copiesIn(const QDir& folder) {
 QString copiesFolder(const QString& drafts_folder, const QString& robot, const QString& map) {
   if (drafts_folder.isEmpty()) return {};
   return QDir(QFileInfo(QDir(drafts_folder).absolutePath()).path())
-      .filePath(QStringLiteral("overwritten/%1/%2").arg(fileNameFrom(robot), fileNameFrom(map)));
+      .filePath(QStringLiteral("overwritten/%1/%2").arg(jobs::fileNameFrom(robot), jobs::fileNameFrom(map)));
 }
 
 QString copyPath(const QString& folder, const QDateTime& now) {

@@ -9,10 +9,10 @@
 #include <QStandardPaths>
 #include <QTime>
 
+#include "jobs/export_map.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/region_sentence.h"
 #include "window/current_session.h"
-#include "window/files/export_map.h"
 #include "window/files/folders.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
@@ -128,22 +128,14 @@ void MapErrand::endWhole(const robot::Outcome<map::GridPart>& outcome) {
   whole_under_way_ = false;
   every_second_.stop();
   whole_ = {};
-  const auto misplaced = [this](regions::Misfit misfit) {
-    toast(Mark::Bad, tr("The whole map was not fetched: %1")
-                         .arg(sentences::sentenceOf(
-                             regions::RegionTrouble{regions::RegionTrouble::Kind::Misplaced, {}, misfit})));
-  };
   if (!outcome) {
     toast(Mark::Bad, tr("The whole map was not fetched: %1")
                          .arg(QString::fromStdString(sentences::sentenceOf(outcome.error()))));
-  } else if (const map::GridPart& part = *outcome;
-             part.grid.width <= 0 || part.grid.height <= 0 || map::whyUnusable(part.grid)) {
-    misplaced(regions::Misfit::Unusable);
-  } else if (!part.cells ||
-             part.cells->size() / std::size_t(part.grid.width) < std::size_t(part.grid.height)) {
-    misplaced(regions::Misfit::FewerCells);
+  } else if (const auto flaw = regions::flawOf(*outcome); flaw != regions::Misfit::None) {
+    const regions::RegionTrouble trouble{regions::RegionTrouble::Kind::Misplaced, {}, flaw};
+    toast(Mark::Bad, tr("The whole map was not fetched: %1").arg(sentences::sentenceOf(trouble)));
   } else {
-    show([part] { return regions::pgmOf(part); }, part.grid, tr("Whole map"));
+    show([part = *outcome] { return regions::pgmOf(part); }, outcome->grid, tr("Whole map"));
   }
   Q_EMIT changed();
 }
@@ -244,20 +236,20 @@ void MapErrand::endRectangle() {
        tr("Region %1").arg(areaText(fetch->rect())));
 }
 
-void MapErrand::write(const WholeMapExport& map, const QString& path, std::function<void()> then) {
-  export_ = std::make_unique<ExportJob>(context_.workers);
-  connect(
-      export_.get(), &ExportJob::finished, this, [this, then = std::move(then)](const ExportResult& result) {
-        export_.release()->deleteLater();
-        if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
-        if (result.cancelled) return;
-        toast(Mark::Good,
-              tr("Saved %1")
-                  .arg(exportedFiles(QDir::toNativeSeparators(result.path), ExportFormat::MapServer, false)
-                           .join(QStringLiteral(", "))));
-        if (then) then();
-      });
-  export_->start({map, ExportFormat::MapServer, path, false});
+void MapErrand::write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then) {
+  export_ = std::make_unique<jobs::ExportJob>(context_.workers);
+  connect(export_.get(), &jobs::ExportJob::finished, this,
+          [this, then = std::move(then)](const jobs::ExportResult& result) {
+            export_.release()->deleteLater();
+            if (!result.error.isEmpty()) return toast(Mark::Bad, result.error);
+            if (result.cancelled) return;
+            toast(Mark::Good, tr("Saved %1")
+                                  .arg(jobs::exportedFiles(QDir::toNativeSeparators(result.path),
+                                                           jobs::ExportFormat::MapServer, false)
+                                           .join(QStringLiteral(", "))));
+            if (then) then();
+          });
+  export_->start({map, jobs::ExportFormat::MapServer, path, false});
 }
 
 std::vector<Fetched> MapErrand::fetched() {

@@ -15,10 +15,12 @@
 #include "window/notices.h"
 #include "window/window_context.h"
 
-namespace mapwright::window {
-
+namespace mapwright::jobs {
 class ExportJob;
 struct WholeMapExport;
+}  // namespace mapwright::jobs
+
+namespace mapwright::window {
 
 class MapErrand : public QObject {
   Q_OBJECT
@@ -61,7 +63,7 @@ class MapErrand : public QObject {
   void startRectangle(const geometry::WorldRect& rect, Then then, const QString& path);
   void endRectangle();
   void show(std::function<std::string()> picture, const map::GridReference& grid, const QString& name);
-  void write(const WholeMapExport& map, const QString& path, std::function<void()> then);
+  void write(const jobs::WholeMapExport& map, const QString& path, std::function<void()> then);
   QString askWhere();  // empty = nowhere
   void saveKept(const std::function<void()>& then);
   void toast(Mark mark, const QString& text);
@@ -79,7 +81,7 @@ class MapErrand : public QObject {
   QElapsedTimer whole_began_;
   QTimer every_second_;
   std::uint64_t job_ = 0;  // what still comes of an older one is not taken
-  std::unique_ptr<ExportJob> export_;
+  std::unique_ptr<jobs::ExportJob> export_;
   std::optional<map::MapKey> kept_;  // on screen, and not written
   work::Share share_;                // the last: it waits for what runs
 };

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "jobs/change_map.h"
 #include "sentences/failure_sentence.h"
 #include "window/regions/save_map_dialog.h"
 #include "words/qt_plain.h"
@@ -27,6 +28,7 @@ void MapSaving::ask(robot::MapDispatch* dispatch) {
   });
   connect(dialog_, &SaveMapDialog::saveWanted, this, [this](const QString& filename) {
     if (!dispatch_) return dialog_->refuse(tr("The robot is not there any more."));
+    if (const QString why = jobs::whyNoFilename(filename); !why.isEmpty()) return dialog_->refuse(why);
     dialog_->wait();
     saving_ = dispatch_->save(filename.toStdString(), [self = QPointer(this)](
                                                           const robot::Outcome<std::string>& outcome) {

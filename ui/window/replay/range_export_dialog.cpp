@@ -17,10 +17,10 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include "jobs/export_map.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "sentences/plural.h"
-#include "window/files/export_map.h"
 #include "window/look/dialog_look.h"
 #include "window/look/plain_label.h"
 #include "window/look/ui_colors.h"
@@ -240,7 +240,7 @@ std::optional<QString> RangeExportDialog::whyNot(const QString& path) const {
     return tr("%1 is a folder. Say which file it is to be.").arg(QDir::toNativeSeparators(path));
   if (!about.dir().exists())
     return tr("There is no folder %1.").arg(QDir::toNativeSeparators(about.absolutePath()));
-  if (!offer_.source.recording.empty() && !firstOwnSource({path}, {offer_.source.recording}).isEmpty())
+  if (!offer_.source.recording.empty() && !jobs::firstOwnSource({path}, {offer_.source.recording}).isEmpty())
     return tr("%1 is the recording that is played. Choose another name.").arg(QDir::toNativeSeparators(path));
   return std::nullopt;
 }

@@ -158,13 +158,15 @@ void TimelineDock::takeGroups() {
 
 QStringList TimelineDock::hiddenGroups() const {
   QStringList words;
-  for (const replay::EventGroup group : view_->hiddenGroups()) words << groupWord(group);
+  for (const replay::EventGroup group : view_->hiddenGroups())
+    words << QString::fromStdString(replay::wordOf(group));
   return words;
 }
 
 void TimelineDock::setHiddenGroups(const QStringList& words) {
   for (QAction* const shown : events_->menu()->actions())
-    shown->setChecked(!words.contains(groupWord(replay::EventGroup(shown->data().toInt()))));
+    shown->setChecked(
+        !words.contains(QString::fromStdString(replay::wordOf(replay::EventGroup(shown->data().toInt())))));
 }
 
 void TimelineDock::layOut() {

@@ -122,22 +122,6 @@ QString groupName(replay::EventGroup group) {
   return {};
 }
 
-QString groupWord(replay::EventGroup group) {
-  switch (group) {
-    case replay::EventGroup::Alerts:
-      return QStringLiteral("alerts");
-    case replay::EventGroup::Planner:
-      return QStringLiteral("planner");
-    case replay::EventGroup::Position:
-      return QStringLiteral("position");
-    case replay::EventGroup::Maps:
-      return QStringLiteral("maps");
-    case replay::EventGroup::Stops:
-      return QStringLiteral("stops");
-  }
-  return {};
-}
-
 std::vector<EventCluster> clustersOf(std::span<const Event> events, const TimelineAxis& axis,
                                      const ClusterSizes& sizes) {
   constexpr double kBesidePx = 60;

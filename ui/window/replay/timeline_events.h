@@ -28,8 +28,6 @@ QString kindName(replay::EventKind kind);
 
 /// What the kinds of a group are called: "Alerts".
 QString groupName(replay::EventGroup group);
-/// The word of a group in the settings.
-QString groupWord(replay::EventGroup group);
 
 /// Events that would lie on top of each other are one mark, which tells how many they are.
 struct EventCluster {

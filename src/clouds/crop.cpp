@@ -1,8 +1,8 @@
-#include "app/cloud_crop.h"
+#include "clouds/crop.h"
 
 #include <cmath>
 
-namespace mapwright::app {
+namespace mapwright::clouds {
 namespace {
 
 constexpr double kRimM = 1e-3;  // numbers of 32 bits, far from 0
@@ -41,4 +41,4 @@ CroppedCloud cropped(std::shared_ptr<const map::SpatialCloud> cloud, const map::
   return {std::move(part), beyond};
 }
 
-}  // namespace mapwright::app
+}  // namespace mapwright::clouds

@@ -1,5 +1,5 @@
 // What of a cloud lies in the region that was asked for: what came is placed by itself, and may be more, or
-// another part of the map. Pure.
+// another part of the map. Pure: any thread.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "map/map_part.h"
 
-namespace mapwright::app {
+namespace mapwright::clouds {
 
 struct CroppedCloud {
   std::shared_ptr<const map::SpatialCloud> cloud;  // the same one where nothing lies beyond
@@ -16,4 +16,4 @@ struct CroppedCloud {
 
 CroppedCloud cropped(std::shared_ptr<const map::SpatialCloud> cloud, const map::CloudRegion& region);
 
-}  // namespace mapwright::app
+}  // namespace mapwright::clouds

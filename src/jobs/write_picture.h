@@ -8,9 +8,9 @@
 
 #include "fault/fault.h"
 
-namespace mapwright::scene {
+namespace mapwright::jobs {
 
 /// Whole or not at all; what a path may be says disk::WrittenFile. nullopt = written, else why not.
 std::optional<Fault> writePicture(const QImage& picture, const QString& path);
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::jobs

@@ -3,13 +3,13 @@
 
 #include "fault/fault.h"
 
-namespace mapwright::scene::fault {
+namespace mapwright::jobs::fault {
 
 using namespace mapwright::fault;  // what all rooms share
 
 // Making and writing pictures.
 /// path, the library's words
 inline constexpr FaultCode PictureNotEncoded{
-    "scene", QT_TRANSLATE_NOOP("scene", "The picture for %1 cannot be encoded: %2.")};
+    "jobs", QT_TRANSLATE_NOOP("jobs", "The picture for %1 cannot be encoded: %2.")};
 
-}  // namespace mapwright::scene::fault
+}  // namespace mapwright::jobs::fault

@@ -1,13 +1,13 @@
-#include "scene/write_picture.h"
+#include "jobs/write_picture.h"
 
 #include <QBuffer>
 #include <QImageWriter>
 
 #include "disk/file_error.h"
 #include "disk/written_file.h"
-#include "scene/faults.h"
+#include "jobs/faults.h"
 
-namespace mapwright::scene {
+namespace mapwright::jobs {
 
 std::optional<Fault> writePicture(const QImage& picture, const QString& path) {
   QBuffer png;
@@ -21,4 +21,4 @@ std::optional<Fault> writePicture(const QImage& picture, const QString& path) {
   return fault ? std::optional(disk::notWritten(*fault)) : std::nullopt;
 }
 
-}  // namespace mapwright::scene
+}  // namespace mapwright::jobs

@@ -1,4 +1,5 @@
-// Writing what is on screen into files. The work runs on any thread; ExportJob runs it beside the window.
+// Writes a map, or the view of it, into files. The work runs on any thread; ExportJob runs it beside the
+// window.
 #pragma once
 
 #include <atomic>
@@ -18,7 +19,7 @@
 #include "render/compositor.h"
 #include "work/workers.h"
 
-namespace mapwright::window {
+namespace mapwright::jobs {
 
 enum class ExportFormat { MapPicture, MapServer, ViewPicture };
 
@@ -42,8 +43,8 @@ using ExportSource = std::variant<WholeMapExport, SubmapsExport, ViewExport>;
 struct ExportRequest {
   ExportSource source;
   ExportFormat format = ExportFormat::MapPicture;  // of a ViewExport: ViewPicture
-  QString path;                                    // MapServer: of the .yaml or the .pgm
-  bool world_file = false;                         // beside a PNG, as .pgw
+  QString path;             // MapServer: of the .yaml or the .pgm; "-" only takes a PNG
+  bool world_file = false;  // beside it, as .pgw
 };
 
 /// What came of it.
@@ -60,7 +61,8 @@ ExportResult exportMap(const ExportRequest& request, const std::function<bool(do
 QString worldFilePath(const QString& picture_path);
 /// What will be written.
 QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file);
-/// The first of `files` that is one of `sources`, whatever links lead to it; empty = none.
+/// The first of `files` that is one of `sources`, whatever links lead to it; empty = none. Into pipes,
+/// devices and the standard output bytes go, and nothing is replaced.
 QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources);
 /// The extension that the format takes: "png", "yaml".
 QString exportSuffix(ExportFormat format);
@@ -79,7 +81,7 @@ class ExportJob : public QObject {
 
  Q_SIGNALS:
   void progressed(double done);
-  void finished(const mapwright::window::ExportResult& result);
+  void finished(const mapwright::jobs::ExportResult& result);
 
  private:
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
@@ -88,4 +90,4 @@ class ExportJob : public QObject {
   work::Share share_;  // last: it waits for what runs
 };
 
-}  // namespace mapwright::window
+}  // namespace mapwright::jobs

@@ -1,4 +1,4 @@
-#include "window/files/export_map.h"
+#include "jobs/export_map.h"
 
 #include <utility>
 
@@ -12,12 +12,12 @@
 #include "disk/read_file.h"
 #include "disk/written_file.h"
 #include "grids/export_grid.h"
+#include "jobs/write_picture.h"
 #include "render/compose_grid.h"
-#include "scene/write_picture.h"
 #include "sentences/fault_sentence.h"
 #include "words/qt_plain.h"
 
-namespace mapwright::window {
+namespace mapwright::jobs {
 
 namespace {
 
@@ -46,21 +46,24 @@ Problem writeGrid(const WholeMapExport& map, const ExportRequest& request, const
 
 QString worldFilePath(const QString& picture_path) {
   const QFileInfo info(picture_path);
-  return info.dir().filePath(info.completeBaseName() + QStringLiteral(".pgw"));
+  return info.absolutePath() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".pgw");
 }
 
 QStringList exportedFiles(const QString& path, ExportFormat format, bool with_world_file) {
-  if (format == ExportFormat::MapServer) {
-    const grids::MapServerFiles files = grids::mapServerFiles(path.toStdString());
-    return {QString::fromStdString(files.yaml), QString::fromStdString(files.pgm)};
-  }
   QStringList files(path);
+  if (format == ExportFormat::MapServer) {
+    const grids::MapServerFiles pair = grids::mapServerFiles(path.toStdString());
+    files = {QString::fromStdString(pair.yaml), QString::fromStdString(pair.pgm)};
+  }
   if (with_world_file) files << worldFilePath(path);
   return files;
 }
 
 QString firstOwnSource(const QStringList& files, const std::vector<std::string>& sources) {
   for (const QString& file : files) {
+    const QFileInfo info(file);
+    const bool takes_bytes = disk::isStandardOutput(file.toStdString()) || (info.exists() && !info.isFile());
+    if (file.isEmpty() || takes_bytes) continue;
     for (const std::string& source : sources) {
       if (disk::sameFile(file.toStdString(), source)) return file;
     }
@@ -93,7 +96,7 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
   // Written before the picture, and put in its place after it: both are there, or neither.
   std::optional<disk::WrittenFile> world_file;
   const auto writeWorldFile = [&] {
-    if (!request.world_file || request.format == ExportFormat::MapServer) return true;
+    if (!request.world_file) return true;
     world_file.emplace(worldFilePath(request.path).toStdString());
     world_file->write(grids::worldFileText(reference));
     if (!world_file->finish()) problem = told(world_file->place());
@@ -101,7 +104,7 @@ ExportResult exportMap(const ExportRequest& request, const Proceed& proceed, con
   };
   if (const auto* view = std::get_if<ViewExport>(&request.source)) {
     reference = view->reference;
-    if (writeWorldFile()) problem = told(scene::writePicture(view->picture, request.path));
+    if (writeWorldFile()) problem = told(writePicture(view->picture, request.path));
   } else if (const auto* whole = std::get_if<WholeMapExport>(&request.source)) {
     reference = whole->reference;
     if (writeWorldFile()) problem = writeGrid(*whole, request, watched);
@@ -158,6 +161,6 @@ void ExportJob::start(ExportRequest request) {
   });
 }
 
-}  // namespace mapwright::window
+}  // namespace mapwright::jobs
 
 #include "moc_export_map.cpp"

@@ -1,0 +1,145 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+
+#include "app/bags_film.h"
+#include "app/commands.h"
+#include "app/option_words.h"
+#include "app/recording_operand.h"
+#include "app/snapshot.h"
+#include "scene/layer.h"
+
+namespace mapwright::app {
+namespace {
+
+class SnapshotWordsText {
+  Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
+
+QString layersHelp() {
+  QStringList names;
+  for (const scene::Layer layer : scene::allLayers()) names << scene::layerName(layer);
+  return SnapshotWordsText::tr(
+             "Comma-separated: %1; or all (but track, for which a whole bag is read, and "
+             "dispatched-cloud, which may be large); or none (the map alone). NAME=TOPIC takes a "
+             "grid, a path or a target of a ROS robot from another topic")
+      .arg(names.join(QLatin1Char(',')));
+}
+
+/// What a picture is asked for with, of a robot or of a bag.
+void addSnapshotOptions(CLI::App* command, SnapshotWords& words) {
+  addRobot(*command, words.robot, words.access,
+           SnapshotWordsText::tr("Robot address, for example axbot+http://192.168.25.25:8090 or demo: (or "
+                                 "MAPWRIGHT_ROBOT)"));
+  command
+      ->add_option("-o,--output", words.output,
+                   help(SnapshotWordsText::tr("The PNG to write; - is the standard output")))
+      ->required();
+  command->add_flag("--force", words.force,
+                    help(SnapshotWordsText::tr("Write even over a file that the map is read from")));
+  command->add_option("--mode", words.mode,
+                      help(SnapshotWordsText::tr(
+                          "submaps, or whole (grid: the same for robots and files that give "
+                          "their occupancy grid as a whole map). Without it: submaps where there are some")));
+  command->add_option(
+      "--map", words.map,
+      help(SnapshotWordsText::tr(
+          "A stored map by its id, or mapping:ID (see mapwright maps list); without it the live or current "
+          "one")));
+  command->add_flag("--average", words.average,
+                    help(SnapshotWordsText::tr(
+                        "Zoomed out, whole maps show the average instead of letting the occupied win")));
+  command->add_flag(
+      "--robot-anyway", words.robot_anyway,
+      help(SnapshotWordsText::tr("Draw the robot, and what it sees, also on a map that it is not in")));
+  command->add_flag("--fit", words.fit,
+                    help(SnapshotWordsText::tr("Show everything (the default without --center)")));
+  command->add_option(
+      "--region", words.region,
+      help(SnapshotWordsText::tr(
+          "A part of a map that the robot gives by regions (rep130+ws://): X,Y,LX,LY in metres, the "
+          "middle and the lengths of the sides. A pixel is a cell, or as large as --scale says")));
+  command->add_option("--center", words.center,
+                      help(SnapshotWordsText::tr("World point in the middle: X,Y in metres")));
+  command->add_option("--scale", words.scale, help(SnapshotWordsText::tr("Metres per pixel")));
+  command
+      ->add_option("--size", words.size, help(SnapshotWordsText::tr("Picture size: WIDTHxHEIGHT in pixels")))
+      ->capture_default_str();
+  command->add_option("--rotate", words.rotate_deg,
+                      help(SnapshotWordsText::tr("Turn the picture counter-clockwise by this many degrees")));
+  command->add_option("--layers", words.layers, help(layersHelp()));
+  command->add_option("--resolution", words.resolution,
+                      help(SnapshotWordsText::tr("Metres per pixel of a bare picture file")));
+  command->add_option("--origin", words.origin,
+                      help(SnapshotWordsText::tr(
+                          "Lower left corner of a bare picture file: X,Y or X,Y,YAW in metres and radians")));
+  command->add_option("--slice", words.slice, help(SnapshotWordsText::tr("Which slice of each submap")))
+      ->capture_default_str();
+  command->add_option("--colors", words.colors, help(SnapshotWordsText::tr("normal, incremental or active")))
+      ->capture_default_str();
+  command->add_option("--theme", words.theme, help(SnapshotWordsText::tr("light or dark")))
+      ->capture_default_str();
+  command->add_flag(
+      "--raw", words.raw,
+      help(SnapshotWordsText::tr("Only the map raster: gray = intensity, alpha 0 = not observed")));
+  command
+      ->add_option("--settle", words.settle,
+                   help(SnapshotWordsText::tr("complete, or how many seconds to collect")))
+      ->capture_default_str();
+  addTimeout(*command, words.timeout_s);
+  command->add_option("--report", words.report,
+                      help(SnapshotWordsText::tr("Write what was done as JSON; - is the standard output")));
+  command->add_flag("--json", words.json, help(SnapshotWordsText::tr("Print the report on standard output")));
+}
+
+/// What a recording is called tells of a robot, too.
+int snapshotOf(SnapshotWords& words, const Invocation& before) {
+  takeRecording(words.robot, words.bag, before.robot);
+  inherit(words.robot, words.access, before);
+  return snapshot(words, before.argc, before.argv);
+}
+
+}  // namespace
+
+void addSnapshot(Commands& commands) {
+  const auto words = std::make_shared<SnapshotWords>();
+  CLI::App* const command = commands.program().add_subcommand(
+      "snapshot", help(SnapshotWordsText::tr("Draw a robot's map into a PNG, without a window")));
+  addSnapshotOptions(command, *words);
+  command->add_option("--bag", words->bag,
+                      help(SnapshotWordsText::tr(
+                          "What was recorded, not what is: the name of a bag, or a file (with --at)")));
+  command->add_option(
+      "--at", words->at,
+      help(SnapshotWordsText::tr("When in the bag: seconds since 1970, or 2024-06-03T09:00:00Z")));
+  commands.add(command, [words](const Invocation& before) { return snapshotOf(*words, before); });
+}
+
+void addBagPictures(Commands& commands, CLI::App& bags) {
+  const auto words = std::make_shared<SnapshotWords>();
+  CLI::App* const one = bags.add_subcommand(
+      "snapshot", help(SnapshotWordsText::tr("Draw what a bag holds at a time into a PNG")));
+  one->add_option("name", words->bag,
+                  help(SnapshotWordsText::tr("Its name (mapwright bags list), or a file")))
+      ->required();
+  one->add_option("--at", words->at,
+                  help(SnapshotWordsText::tr("Seconds since 1970, or 2024-06-03T09:00:00Z")))
+      ->required();
+  addSnapshotOptions(one, *words);
+  commands.add(one, [words](const Invocation& before) { return snapshotOf(*words, before); });
+
+  const auto film = std::make_shared<FilmWords>();
+  CLI::App* const many = bags.add_subcommand(
+      "film",
+      help(SnapshotWordsText::tr("Draw what a bag holds, time after time, into PNG files or a film")));
+  addFilm(*many, *film);
+  addSnapshotOptions(many, film->picture);
+  commands.add(many, [film](const Invocation& before) {
+    takeRecording(film->picture.robot, film->name, before.robot);
+    inherit(film->picture.robot, film->picture.access, before);
+    return bagsFilm(*film, before.argc, before.argv);
+  });
+}
+
+}  // namespace mapwright::app

@@ -1,0 +1,51 @@
+#include "jobs/change_map.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+
+#include "words/qt_plain.h"
+
+namespace mapwright::jobs {
+namespace {
+
+class ChangeMapText {
+  Q_DECLARE_TR_FUNCTIONS(ChangeMap)
+};
+
+using robot::MapChange;
+
+bool isOneLine(const QString& name) {
+  return std::none_of(name.begin(), name.end(), [](QChar c) { return c.category() == QChar::Other_Control; });
+}
+
+}  // namespace
+
+QString whyNoMapName(const QString& name) {
+  if (name.trimmed().isEmpty()) return ChangeMapText::tr("A map must have a name.");
+  if (!isOneLine(name))
+    return ChangeMapText::tr("The name of a map is one line of text, without control characters.");
+  return {};
+}
+
+QString whyNoFilename(const QString& name) {
+  constexpr qsizetype kMostBytes = 4096;
+  if (!name.trimmed().isEmpty() && isOneLine(name) && name.toUtf8().size() <= kMostBytes) return {};
+  return ChangeMapText::tr("The name of the file is one line of text, such as office.png.");
+}
+
+QString oddity(const robot::MapOrder& order, const map::CatalogueEntry& now) {
+  const bool names = order.change == MapChange::Rename || order.change == MapChange::Save;
+  if (names && now.name != order.name)
+    return ChangeMapText::tr("The robot took it, but says that the map is called \"%1\".")
+        .arg(words::plainName(now.name));
+  if (order.change == MapChange::Load && !now.is_current)
+    return ChangeMapText::tr("The robot took it, but says that it works with another map.");
+  if (order.change == MapChange::Archive && !now.is_archived)
+    return ChangeMapText::tr("The robot took it, but does not say that the map is archived.");
+  if (order.change == MapChange::Unarchive && now.is_archived)
+    return ChangeMapText::tr("The robot took it, but still says that the map is archived.");
+  return {};
+}
+
+}  // namespace mapwright::jobs

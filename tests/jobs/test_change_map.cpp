@@ -1,0 +1,41 @@
+// What is checked before a map of the robot is changed, and afterwards.
+#include <QtTest>
+
+#include "jobs/change_map.h"
+
+using namespace mapwright;
+using robot::MapChange;
+
+class TestChangeMap : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void namesAreOneLine() {
+    QVERIFY(jobs::whyNoMapName(QStringLiteral("hall 2")).isEmpty());
+    QVERIFY(jobs::whyNoMapName(QStringLiteral("  ")).contains(QStringLiteral("must have a name")));
+    QVERIFY(jobs::whyNoMapName(QStringLiteral("a\nb")).contains(QStringLiteral("one line")));
+    QVERIFY(jobs::whyNoFilename(QStringLiteral("office.png")).isEmpty());
+    QVERIFY(!jobs::whyNoFilename(QString()).isEmpty());
+    QVERIFY(!jobs::whyNoFilename(QStringLiteral("a\tb.png")).isEmpty());
+    QVERIFY(!jobs::whyNoFilename(QString(4097, QLatin1Char('a'))).isEmpty());
+  }
+
+  void anAnswerThatDoesNotFitIsTold() {
+    map::CatalogueEntry now;
+    now.name = "other";
+    QVERIFY(
+        jobs::oddity({.change = MapChange::Rename, .name = "wanted"}, now).contains(QStringLiteral("other")));
+    QVERIFY(!jobs::oddity({.change = MapChange::Load}, now).isEmpty());
+    QVERIFY(!jobs::oddity({.change = MapChange::Archive}, now).isEmpty());
+    QVERIFY(jobs::oddity({.change = MapChange::Unarchive}, now).isEmpty());
+    now.name = "wanted";
+    now.is_current = now.is_archived = true;
+    QVERIFY(jobs::oddity({.change = MapChange::Rename, .name = "wanted"}, now).isEmpty());
+    QVERIFY(jobs::oddity({.change = MapChange::Load}, now).isEmpty());
+    QVERIFY(jobs::oddity({.change = MapChange::Archive}, now).isEmpty());
+    QVERIFY(!jobs::oddity({.change = MapChange::Unarchive}, now).isEmpty());
+    QVERIFY(jobs::oddity({.change = MapChange::Delete}, now).isEmpty());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestChangeMap)
+#include "test_change_map.moc"
