@@ -6,6 +6,7 @@
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
 #include "secure_server.h"
+#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -96,7 +97,7 @@ class TestCertificates : public QObject {
     if (authority_known) trust.authorities = {testing::certificate(QStringLiteral("authority"))};
     const Ending ending = connectTo(web_socket, server, trust);
     QVERIFY(!ending.connected);
-    QVERIFY2(ending.fault, qPrintable(ending.reason.arguments.join(QLatin1Char('|'))));
+    QVERIFY2(ending.fault, qPrintable(argumentsOf(ending.reason).join(QLatin1Char('|'))));
     for (const int reason : reasons) QVERIFY(ending.fault->reasons.contains(Kind(reason)));
     QCOMPARE(ending.fault->reasons.size(), reasons.size());
     QCOMPARE(ending.fault->sha256, testing::sha256(certificate));
@@ -104,7 +105,7 @@ class TestCertificates : public QObject {
     QCOMPARE(ending.reason.code, net::fault::CertificateUntrusted);
     QCOMPARE(ending.reason.because.size(), std::size_t(reasons.size()));
     QStringList details;
-    for (const Fault& why : ending.reason.because) details << why.arguments;
+    for (const Fault& why : ending.reason.because) details << argumentsOf(why);
     QCOMPARE(details, words);
     QCOMPARE(ending.reason.arguments, (QStringList{QStringLiteral("127.0.0.1:%1").arg(server.port()),
                                                    fingerprintText(testing::sha256(certificate))}));
@@ -120,7 +121,7 @@ class TestCertificates : public QObject {
     Trust trust;
     trust.authorities = *authorities;
     const Ending ending = connectTo(web_socket, server, trust);
-    QVERIFY2(ending.connected, qPrintable(ending.reason.arguments.value(0)));
+    QVERIFY2(ending.connected, qPrintable(argumentsOf(ending.reason).value(0)));
     QCOMPARE(server.seen.size(), 1);
     QVERIFY(server.seen[0].contains("hush"));
   }
@@ -150,7 +151,7 @@ class TestCertificates : public QObject {
     Trust trust;
     trust.pinned_sha256 = testing::sha256(certificate);
     const Ending ending = connectTo(web_socket, server, trust);
-    QVERIFY2(ending.connected, qPrintable(ending.reason.arguments.value(0)));
+    QVERIFY2(ending.connected, qPrintable(argumentsOf(ending.reason).value(0)));
     QVERIFY(server.seen.value(0).contains("hush"));
   }
 
@@ -175,8 +176,8 @@ class TestCertificates : public QObject {
     QVERIFY(ending.fault);
     QCOMPARE(ending.fault->reasons, QList<Kind>{Kind::Changed});
     QCOMPARE(ending.reason.code, net::fault::CertificateChanged);
-    QVERIFY(ending.reason.arguments.contains(fingerprintText(trust.pinned_sha256)));
-    QVERIFY(ending.reason.arguments.contains(fingerprintText(testing::sha256(certificate))));
+    QVERIFY(argumentsOf(ending.reason).contains(fingerprintText(trust.pinned_sha256)));
+    QVERIFY(argumentsOf(ending.reason).contains(fingerprintText(testing::sha256(certificate))));
     QVERIFY(server.seen.isEmpty());
   }
 
@@ -215,7 +216,7 @@ class TestCertificates : public QObject {
       QVERIFY(fault);
       QVERIFY(fault->subject.size() <= 40);
       for (const Fault& why : fault->whys)
-        QVERIFY(!why.arguments.join(QLatin1Char(' ')).contains(QLatin1Char('<')));
+        QVERIFY(!argumentsOf(why).join(QLatin1Char(' ')).contains(QLatin1Char('<')));
     }
   }
 
@@ -245,7 +246,7 @@ class TestCertificates : public QObject {
     file.close();
     const auto authorities = readAuthorities(file.fileName());
     QVERIFY(!authorities);
-    QCOMPARE(authorities.error().arguments.value(0), file.fileName());
+    QCOMPARE(argumentsOf(authorities.error()).value(0), file.fileName());
     QVERIFY(!readAuthorities(folder.filePath(QStringLiteral("none.pem"))));
   }
 

@@ -10,6 +10,7 @@
 
 #include "net/cache_control.h"
 #include "net/http_cache.h"
+#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -303,7 +304,7 @@ class TestHttpCache : public QObject {
     for (int i = 0; i < 5; ++i) cache.store(numbered(i), "body", {}, "immutable", {}, true);
     cache.flush();
     QCOMPARE(told.size(), qsizetype(1));
-    QVERIFY(told.first().arguments.value(0).startsWith(in_the_way.fileName()));
+    QVERIFY(argumentsOf(told.first()).value(0).startsWith(in_the_way.fileName()));
     cache.store(kUrl, "body", {}, "immutable", {}, true);
     cache.flush();
     QCoreApplication::processEvents();

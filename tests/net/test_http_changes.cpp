@@ -3,6 +3,7 @@
 
 #include "net/http_client.h"
 #include "scripted_server.h"
+#include "fault_arguments.h"
 
 using namespace mapwright::net;
 using testing::ScriptedServer;
@@ -135,7 +136,7 @@ class TestHttpChanges : public QObject {
       ScriptedServer server([](const SeenRequest&) { return ScriptedServer::reply(200, "", "fine"); });
       HttpClient client(server.url(), "hush", nullptr);
       const HttpAnswer answer = send(client, method, server.url(QStringLiteral("/rpc")), body);
-      QVERIFY2(answer.ok(), qPrintable(answer.reason.arguments.join(QLatin1Char('|'))));
+      QVERIFY2(answer.ok(), qPrintable(argumentsOf(answer.reason).join(QLatin1Char('|'))));
       QVERIFY(answer.sent);
       QCOMPARE(answer.body, QByteArray("fine"));
       QCOMPARE(server.seen.size(), 1);
@@ -283,7 +284,7 @@ class TestHttpChanges : public QObject {
     Asked asked;
     client.send(asked.request(HttpMethod::Post, server.url(), body), asked.reply());
     QVERIFY(asked.wait());
-    QVERIFY2(asked.answer->ok(), qPrintable(asked.answer->reason.arguments.join(QLatin1Char('|'))));
+    QVERIFY2(asked.answer->ok(), qPrintable(argumentsOf(asked.answer->reason).join(QLatin1Char('|'))));
     qint64 up = 0, down = 0;
     for (const HttpProgress& one : std::as_const(asked.progress)) {
       qint64& before = one.up ? up : down;

@@ -6,6 +6,7 @@
 #include "net/http_cache.h"
 #include "net/http_client.h"
 #include "scripted_server.h"
+#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -35,7 +36,7 @@ HttpAnswer ask(HttpClient& client, HttpRequest request) {
   if (immediate || !arrived || asked.replies != 1) {
     HttpAnswer wrong;
     wrong.reason =
-        faultOf(fault::Said, {QStringLiteral("not answered exactly once and later: %1").arg(asked.replies)});
+        faultOf(mapwright::fault::Said, {QStringLiteral("not answered exactly once and later: %1").arg(asked.replies)});
     return wrong;
   }
   return asked.answer;
@@ -122,7 +123,7 @@ class TestHttpClient : public QObject {
     QVERIFY(elsewhere.seen.isEmpty());
 
     const HttpAnswer here = ask(client, to(server.url(QStringLiteral("/here"))));
-    QVERIFY2(here.ok(), qPrintable(here.reason.arguments.join(QLatin1Char('|'))));
+    QVERIFY2(here.ok(), qPrintable(argumentsOf(here.reason).join(QLatin1Char('|'))));
     QCOMPARE(here.body, QByteArray("moved"));
     QCOMPARE(server.seen.last().path, QByteArray("/there?x=1"));
     QCOMPARE(server.seen.last().headers.value("secret"), QByteArray("hush"));
@@ -205,7 +206,7 @@ class TestHttpClient : public QObject {
     const HttpAnswer answer = ask(client, request);
     QCOMPARE(answer.kind, Kind::TooLarge);
     QVERIFY(answer.body.isEmpty());
-    QCOMPARE(answer.reason, faultOf(fault::AnswerTooLong, {QStringLiteral("2,999,999")}));
+    QCOMPARE(answer.reason, faultOf(mapwright::fault::AnswerTooLong, {QStringLiteral("2,999,999")}));
     request.max_bytes = 3'000'000;
     QCOMPARE(ask(client, request).body.size(), 3'000'000);
   }

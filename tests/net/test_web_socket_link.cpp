@@ -7,6 +7,7 @@
 #include "net/web_socket_link.h"
 #include "scripted_server.h"
 #include "secure_server.h"
+#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -17,7 +18,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-QString argumentsOf(const WebSocketLink& link) { return link.reason().arguments.join(QLatin1Char('|')); }
+QString argumentsOf(const WebSocketLink& link) { return argumentsOf(link.reason()).join(QLatin1Char('|')); }
 
 /// A WebSocket server that keeps its peers.
 class EchoServer {
@@ -165,7 +166,7 @@ class TestWebSocketLink : public QObject {
     const quint16 port = server->port();
     WebSocketLink link({server->url()}, {}, quick());
     QSignalSpy opened(&link, &WebSocketLink::opened);
-    QList<Reason> reasons;
+    QList<Fault> reasons;
     int most_attempts = 0;
     connect(&link, &WebSocketLink::changed, this, [&] {
       if (link.state() == State::Waiting) {
@@ -215,7 +216,7 @@ class TestWebSocketLink : public QObject {
     options.silent_after = milliseconds(60);
     WebSocketLink link({mute.url()}, {}, options);
     QSignalSpy opened(&link, &WebSocketLink::opened);
-    QList<Reason> reasons;
+    QList<Fault> reasons;
     connect(&link, &WebSocketLink::changed, this, [&] {
       if (link.state() == State::Waiting) {
         reasons.append(link.reason());

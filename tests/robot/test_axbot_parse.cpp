@@ -195,7 +195,7 @@ class AxbotParseTest : public QObject {
     QCOMPARE(outcome(ros_messages::slam::UUID_MISMATCH).outcome, Outcome::WrongUuid);
     QCOMPARE(outcome(ros_messages::slam::UNAVAILABLE).outcome, Outcome::Failed);
     QVERIFY(outcome(ros_messages::slam::UNAVAILABLE).reason ==
-            Fault(robot::axbot::fault::RobotAnswered, {"UNAVAILABLE"}, {fault::said("why")}));
+            Fault(robot::axbot::fault::RobotAnswered, {"UNAVAILABLE"}, {mapwright::fault::said("why")}));
     QCOMPARE(outcome(ros_messages::slam::StatusCode(77)).outcome, Outcome::Failed);
   }
 

@@ -5,6 +5,7 @@
 #include "frames_for_tests.h"
 #include "net/faults.h"
 #include "rosbridge_server.h"
+#include "../net/fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net::rosbridge;
@@ -318,8 +319,8 @@ class TestRosbridgeTopics : public QObject {
     bool told = false;
     connect(&heard.client, &Client::changed, this, [&] {
       const Fault reason = heard.client.link().reason();
-      told |= reason.code == mapwright::net::net::fault::MessageTooLong &&
-              reason.arguments.value(0) == QLatin1String("1000");
+      told |= reason.code == mapwright::net::fault::MessageTooLong &&
+              argumentsOf(reason).value(0) == QLatin1String("1000");
     });
     heard.client.subscribe(topic("/a"));
     heard.client.open();

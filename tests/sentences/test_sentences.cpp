@@ -248,23 +248,22 @@ class SentencesTest : public QObject {
   }
 
   void whatARobotLacksIsSaidWithItsReason() {
-    using Fault = Absence::Reason;
     QCOMPARE(sentences::whyAbsent(Capability::Submaps, {}),
              QStringLiteral("There are no submaps here, only whole maps."));
-    QCOMPARE(sentences::whyAbsent(Capability::Administration, {Reason::ReadOnly, {"Agibot"}}),
+    QCOMPARE(sentences::whyAbsent(Capability::Administration, {Absence::Reason::ReadOnly, {"Agibot"}}),
              QStringLiteral("Read only: Agibot's interface offers no editing."));
-    QCOMPARE(sentences::whyAbsent(Capability::Overview, {Reason::FirmwareLacks, {"404"}}),
+    QCOMPARE(sentences::whyAbsent(Capability::Overview, {Absence::Reason::FirmwareLacks, {"404"}}),
              QStringLiteral("This robot offers no overview of its map. Its firmware does not know the "
                             "question (404)."));
-    QCOMPARE(sentences::whyAbsent(Capability::Live, {Reason::LocalFiles, {}}),
+    QCOMPARE(sentences::whyAbsent(Capability::Live, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("A local map: there is no robot, so nothing moves on it."));
-    QCOMPARE(sentences::whyAbsent(Capability::Administration, {Reason::LocalFiles, {}}),
+    QCOMPARE(sentences::whyAbsent(Capability::Administration, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("Local maps are called like their files, and no robot works with them."));
-    QCOMPARE(sentences::whyAbsent(Capability::Submaps, {Reason::LocalFiles, {}}),
+    QCOMPARE(sentences::whyAbsent(Capability::Submaps, {Absence::Reason::LocalFiles, {}}),
              QStringLiteral("There are no submaps here, only whole maps."));
     for (const Capability changing :
          {Capability::WaypointEditing, Capability::Administration, Capability::PictureEditing})
-      QCOMPARE(sentences::whyAbsent(changing, {Reason::LocalFiles, {"drive.bag"}}),
+      QCOMPARE(sentences::whyAbsent(changing, {Absence::Reason::LocalFiles, {"drive.bag"}}),
                QStringLiteral("This is a replay of drive.bag: nothing can be changed."));
   }
 };
