@@ -3,10 +3,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "fault_arguments.h"
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
 #include "secure_server.h"
-#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -107,8 +107,8 @@ class TestCertificates : public QObject {
     QStringList details;
     for (const Fault& why : ending.reason.because) details << argumentsOf(why);
     QCOMPARE(details, words);
-    QCOMPARE(ending.reason.arguments, (QStringList{QStringLiteral("127.0.0.1:%1").arg(server.port()),
-                                                   fingerprintText(testing::sha256(certificate))}));
+    QCOMPARE(argumentsOf(ending.reason), (QStringList{QStringLiteral("127.0.0.1:%1").arg(server.port()),
+                                                      fingerprintText(testing::sha256(certificate))}));
     QVERIFY(server.seen.isEmpty());
   }
 

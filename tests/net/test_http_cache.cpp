@@ -8,9 +8,9 @@
 #include <QThread>
 #include <QtTest>
 
+#include "fault_arguments.h"
 #include "net/cache_control.h"
 #include "net/http_cache.h"
-#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;

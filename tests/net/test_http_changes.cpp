@@ -1,9 +1,9 @@
 // Requests that change something: sent as they are, once at most, and with it known whether they left.
 #include <QtTest>
 
+#include "fault_arguments.h"
 #include "net/http_client.h"
 #include "scripted_server.h"
-#include "fault_arguments.h"
 
 using namespace mapwright::net;
 using testing::ScriptedServer;

@@ -3,10 +3,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "fault_arguments.h"
 #include "net/http_cache.h"
 #include "net/http_client.h"
 #include "scripted_server.h"
-#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -35,8 +35,8 @@ HttpAnswer ask(HttpClient& client, HttpRequest request) {
   const bool arrived = QTest::qWaitFor([&] { return asked.replies > 0; }, 20'000);
   if (immediate || !arrived || asked.replies != 1) {
     HttpAnswer wrong;
-    wrong.reason =
-        faultOf(mapwright::fault::Said, {QStringLiteral("not answered exactly once and later: %1").arg(asked.replies)});
+    wrong.reason = faultOf(mapwright::fault::Said,
+                           {QStringLiteral("not answered exactly once and later: %1").arg(asked.replies)});
     return wrong;
   }
   return asked.answer;

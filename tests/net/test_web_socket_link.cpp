@@ -3,11 +3,11 @@
 #include <QWebSocketServer>
 #include <QtTest>
 
+#include "fault_arguments.h"
 #include "net/backoff.h"
 #include "net/web_socket_link.h"
 #include "scripted_server.h"
 #include "secure_server.h"
-#include "fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-QString argumentsOf(const WebSocketLink& link) { return argumentsOf(link.reason()).join(QLatin1Char('|')); }
+QString argumentsOf(const WebSocketLink& link) { return ::argumentsOf(link.reason()).join(QLatin1Char('|')); }
 
 /// A WebSocket server that keeps its peers.
 class EchoServer {

@@ -2,10 +2,10 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "../net/fault_arguments.h"
 #include "frames_for_tests.h"
 #include "net/faults.h"
 #include "rosbridge_server.h"
-#include "../net/fault_arguments.h"
 
 using namespace mapwright;
 using namespace mapwright::net::rosbridge;

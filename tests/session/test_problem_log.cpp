@@ -4,6 +4,7 @@
 #include "session/problem_log.h"
 
 using namespace mapwright;
+using fault::said;
 using map::ProblemCode;
 using map::Severity;
 using map::Subject;
