@@ -33,7 +33,7 @@ void inherit(std::string& robot, AccessWords& access, const Invocation& before);
 
 class Commands {
  public:
-  /// The exit code (cli.md).
+  /// The exit code (docs/command-line.md).
   using Run = std::function<int(const Invocation&)>;
 
   /// `program` outlives this.

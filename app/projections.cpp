@@ -1,4 +1,5 @@
-// `mapwright projections …`: what of a map in space is laid on the plane. Source: rep130.md.
+// `mapwright projections …`: what of a map in space is laid on the plane. Source:
+// docs/protocols/rep130-map-dispatcher.md, "Projections".
 #include "map/projections.h"
 
 #include <cstdio>

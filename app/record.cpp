@@ -1,4 +1,5 @@
-// `mapwright record`: what a robot sends, into an MCAP file (cli.md; recorder/layout.h).
+// `mapwright record`: what a robot sends, into an MCAP file (docs/command-line.md,
+// "mapwright record"; recorder/layout.h).
 #include <cmath>
 #include <cstdio>
 #include <memory>

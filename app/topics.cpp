@@ -1,4 +1,5 @@
-// `mapwright topics list|echo|hz`: what a robot sends, by its own names (cli.md).
+// `mapwright topics list|echo|hz`: what a robot sends, by its own names (docs/command-line.md,
+// "mapwright topics").
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // Where a map ends, for dispatchers that answer a region partly beyond their map with nothing
-// (rep130.md: "cut, padded with -1 or empty"). Pure value.
+// (docs/protocols/rep130-map-dispatcher.md, "Regions"). Pure value.
 #pragma once
 
 #include <array>

@@ -30,7 +30,8 @@ struct Robot {
   FaultPlan& faults;
 };
 
-// Parts of what the Autoxing robot answers (axbot.md, "Requests"); nullopt for paths that are not theirs.
+// Parts of what the Autoxing robot answers (docs/protocols/autoxing.md, "Requests"); nullopt
+// for paths that are not theirs.
 /// The current map, the pose, the live overlays and what the wheels are told.
 std::optional<HttpAnswer> chassisAnswer(const Robot& robot, const HttpQuestion& question);
 /// What it tells about its make.
@@ -83,8 +84,8 @@ class HttpRoutes : public Answerer {
   BagRoutes bags_;
 };
 
-/// The Agibot robot's: JSON by POST to /rpc/<service>/<method> (aimdk.md). Its building is the Autoxing
-/// robot's.
+/// The Agibot robot's: JSON by POST to /rpc/<service>/<method>
+/// (docs/protocols/agibot-aimdk.md). Its building is the Autoxing robot's.
 class AimdkRoutes : public Answerer {
  public:
   explicit AimdkRoutes(const Robot& robot) : library_(robot.library), faults_(robot.faults) {}

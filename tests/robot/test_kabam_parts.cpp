@@ -151,7 +151,7 @@ class KabamPartsTest : public QObject {
     const QByteArray list = "{\"waypoints\":[" + row + "]}";
     const auto stored = readWaypoints(byJson(list).msg, "m1", {});
     QVERIFY(stored && stored->points.size() == 1);
-    QCOMPARE(stored->notes, std::vector<Fault>({{robot::ros::fault::WaypointInOtherFrame,
+    QCOMPARE(stored->notes, std::vector<Fault>({{robot::ros::fault::WaypointFrameUnknown,
                                                  {stored->points.front().name, "odom"}}}));
     QVERIFY(readWaypoints(byJson(list).msg, "m1", "odom")->notes.empty());
     QVERIFY(readWaypoints(byJson(list).msg, "m1", "map")->points.empty());

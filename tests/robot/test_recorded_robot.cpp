@@ -705,7 +705,7 @@ class RecordedRobotTest : public QObject {
     QVERIFY(waitFor([&] { return !problems.empty(); }));
     QCOMPARE(problems.size(), std::size_t(1));
     QCOMPARE(problems.front().reason,
-             Fault(robot::ros::fault::RosFramesApart, {mounted ? "base_link" : "laser"}));
+             Fault(robot::ros::fault::RosFrameAlone, {mounted ? "base_link" : "laser"}));
     QCOMPARE(problems.front().subject, map::Subject(map::SubjectKind::Topic, "/base_scan"));
   }
 

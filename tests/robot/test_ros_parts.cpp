@@ -372,7 +372,7 @@ class RosPartsTest : public QObject {
     const auto shown = messageOf<map::PointCloudMessage>(late);
     QVERIFY(shown);
     QCOMPARE(shown->points->front().x_m, 1.0);
-    QCOMPARE(late.front().notes, std::vector<Fault>({{robot::ros::fault::RosFramesApart, {"laser"}}}));
+    QCOMPARE(late.front().notes, std::vector<Fault>({{robot::ros::fault::RosFrameAlone, {"laser"}}}));
     const WorldResults next = give(world, kScan, scan(kNow + 2), kNow + 2);
     QVERIFY(messageOf<map::PointCloudMessage>(next));
     QCOMPARE(next.back().notes.size(), std::size_t(1));  // as long as it is so
