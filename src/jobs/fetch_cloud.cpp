@@ -80,9 +80,12 @@ robot::Call fetchCloud(robot::MapDispatch& dispatch, robot::CloudKind kind,
         cropping->crop(std::move(*came), *region, end);
       });
   state->cancel = [asked] { asked.cancel(); };
-  asked.onProgress([state](const robot::Progress& progress) {
-    state->progress = progress;
-    if (state->on_progress) state->on_progress(progress);
+  // Weak, because the state already holds the request: each would keep the other alive.
+  asked.onProgress([heard = std::weak_ptr(state)](const robot::Progress& progress) {
+    const auto asking = heard.lock();
+    if (!asking) return;
+    asking->progress = progress;
+    if (asking->on_progress) asking->on_progress(progress);
   });
   return robot::Call(state);
 }
