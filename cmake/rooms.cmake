@@ -83,23 +83,22 @@ function(rooms_within_reach result)
 endfunction()
 
 # A test's class stands in its source, which includes what moc says of it. AUTOMOC would look through every header
-# that the test reaches and compile one more file: a third of the time that all tests take to build.
+# that the test reaches and compile one more file.
 function(moc_of_tests target)
-  set_target_properties(${target} PROPERTIES AUTOMOC OFF AUTORCC OFF)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_moc)
   foreach(source ${ARGN})
     get_filename_component(noun ${source} NAME_WE)
     if(source MATCHES "\\.cpp$" AND noun MATCHES "^test_")
       get_filename_component(path ${source} ABSOLUTE)
       qt6_generate_moc(${path} ${folder}/${noun}.moc)
-      set_source_files_properties(${path} PROPERTIES OBJECT_DEPENDS ${folder}/${noun}.moc)
-      target_include_directories(${target} PRIVATE ${folder})
+      add_custom_target(${target}_${noun}_moc DEPENDS ${folder}/${noun}.moc)
+      add_dependencies(${target} ${target}_${noun}_moc)
     endif()
   endforeach()
 endfunction()
 
-# Tests are many and each is linked for itself: lld takes a fifth of the time that the usual linker takes, gold a
-# quarter. The product is linked by the usual one.
+# Programs of tests are large: lld takes a fifth of the time that the usual linker takes, gold a quarter. The product
+# is linked by the usual one.
 include(CheckLinkerFlag)
 foreach(linker lld gold)
   check_linker_flag(CXX -fuse-ld=${linker} MAPWRIGHT_HAS_${linker})
@@ -109,26 +108,40 @@ foreach(linker lld gold)
   endif()
 endforeach()
 
-# A Qt Test program that runs offscreen under ctest: mapwright_test(name [WITH_DATA] SOURCES ... USES ...
-# [LIBRARIES ...]). Only one WITH_DATA knows where this build lies: ccache can take the others from another clone.
-# It sees the rooms that it USES and those that they see.
+# A class of Qt Test that runs offscreen under ctest: mapwright_test(name [WITH_DATA] SOURCES ... USES ...
+# [LIBRARIES ...]). All of a folder are one program, tests_<folder>, compiled several at once: each stands in a
+# namespace of its own (test_program.h). Only one WITH_DATA knows where this build lies: ccache can take the others
+# from another clone. The program sees the rooms that its tests USE and those that they see.
 function(mapwright_test name)
   cmake_parse_arguments(TEST "WITH_DATA" "" "SOURCES;USES;LIBRARIES" ${ARGN})
-  add_executable(test_${name} ${TEST_SOURCES})
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set(program tests_${folder})
+  if(NOT TARGET ${program})
+    add_executable(${program} ${CMAKE_SOURCE_DIR}/tests/test_program.cpp)
+    target_link_libraries(${program} PRIVATE mw_warnings ${PRELUDE_LIBRARIES_test})
+    target_compile_options(${program} PRIVATE ${MAPWRIGHT_TEST_OPTIONS})
+    target_link_options(${program} PRIVATE ${MAPWRIGHT_TEST_LINKER})
+    target_include_directories(${program} PRIVATE ${CMAKE_SOURCE_DIR}/tests ${CMAKE_CURRENT_BINARY_DIR}/${program}_moc)
+    set_target_properties(${program} PROPERTIES AUTOMOC OFF AUTORCC OFF
+      UNITY_BUILD ${MAPWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+    take_prelude(${program} test)
+  endif()
+  set(sources ${TEST_SOURCES})
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  list(GET sources 0 first)
+  get_filename_component(noun ${first} NAME_WE)
+  target_sources(${program} PRIVATE ${sources})
   rooms_within_reach(seen ${TEST_USES})
   foreach(used ${seen})
-    target_link_libraries(test_${name} PRIVATE mw_${used})
+    target_link_libraries(${program} PRIVATE mw_${used})
   endforeach()
-  target_link_libraries(test_${name} PRIVATE mw_warnings ${PRELUDE_LIBRARIES_test} ${TEST_LIBRARIES})
-  target_compile_options(test_${name} PRIVATE ${MAPWRIGHT_TEST_OPTIONS})
-  target_link_options(test_${name} PRIVATE ${MAPWRIGHT_TEST_LINKER})
-  take_prelude(test_${name} test)
-  moc_of_tests(test_${name} ${TEST_SOURCES})
+  target_link_libraries(${program} PRIVATE ${TEST_LIBRARIES})
+  moc_of_tests(${program} ${sources})
   if(TEST_WITH_DATA)
-    target_compile_definitions(test_${name} PRIVATE MAPWRIGHT_TEST_DATA="${CMAKE_BINARY_DIR}/test-data")
-    add_dependencies(test_${name} test_data)
+    target_compile_definitions(${program} PRIVATE MAPWRIGHT_TEST_DATA="${CMAKE_BINARY_DIR}/test-data")
+    add_dependencies(${program} test_data)
   endif()
-  add_test(NAME ${name} COMMAND test_${name})
+  add_test(NAME ${name} COMMAND ${program} ${noun})
   set_tests_properties(${name} PROPERTIES
     TIMEOUT 600
     ENVIRONMENT "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/leaks.supp:print_suppressions=0;QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;TZ=UTC;XDG_CONFIG_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/config;XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/cache;XDG_DATA_HOME=${CMAKE_BINARY_DIR}/test-home/${name}/data")

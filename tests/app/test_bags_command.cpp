@@ -19,6 +19,9 @@
 #include "recording/mcap_writer.h"
 #include "recording/source.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_bags_command {
 
 using namespace mapwright;
 
@@ -779,5 +782,7 @@ class BagsCommandTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(BagsCommandTest)
+}  // namespace test_bags_command
+
+MAPWRIGHT_TEST(test_bags_command, BagsCommandTest, Core)
 #include "test_bags_command.moc"

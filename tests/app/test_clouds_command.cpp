@@ -5,6 +5,9 @@
 #include <QtTest>
 
 #include "app/clouds.h"
+#include "test_program.h"
+
+namespace test_clouds_command {
 
 using namespace mapwright;
 
@@ -111,5 +114,7 @@ class CloudsCommandTest : public QObject {
   }
 };
 
-QTEST_MAIN(CloudsCommandTest)
+}  // namespace test_clouds_command
+
+MAPWRIGHT_TEST(test_clouds_command, CloudsCommandTest, Widgets)
 #include "test_clouds_command.moc"

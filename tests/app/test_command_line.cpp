@@ -9,6 +9,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "test_program.h"
+
+namespace test_command_line {
+
 namespace {
 
 struct Outcome {
@@ -330,5 +334,7 @@ class CommandLineTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(CommandLineTest)
+}  // namespace test_command_line
+
+MAPWRIGHT_TEST(test_command_line, CommandLineTest, Core)
 #include "test_command_line.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "app/deadline.h"
+#include "test_program.h"
+
+namespace test_deadline {
 
 using namespace mapwright;
 
@@ -72,5 +75,7 @@ class DeadlineTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DeadlineTest)
+}  // namespace test_deadline
+
+MAPWRIGHT_TEST(test_deadline, DeadlineTest, Core)
 #include "test_deadline.moc"

@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "app/demo_robot.h"
+#include "test_program.h"
+
+namespace test_demo_query {
 
 using namespace mapwright::app;
 
@@ -33,5 +36,7 @@ class DemoQueryTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DemoQueryTest)
+}  // namespace test_demo_query
+
+MAPWRIGHT_TEST(test_demo_query, DemoQueryTest, Core)
 #include "test_demo_query.moc"

@@ -13,6 +13,9 @@
 
 #include "app/map_region.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_dispatch_commands {
 
 using namespace mapwright;
 
@@ -347,5 +350,7 @@ class DispatchCommandsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DispatchCommandsTest)
+}  // namespace test_dispatch_commands
+
+MAPWRIGHT_TEST(test_dispatch_commands, DispatchCommandsTest, Core)
 #include "test_dispatch_commands.moc"

@@ -14,6 +14,7 @@
 #include "robot/address.h"
 #include "robot/recorded/recorded_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "window/main_window.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -21,6 +22,8 @@
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_controller.h"
 #include "window/replay/replay_state.h"
+
+namespace test_idle_window {
 
 using namespace mapwright;
 using recordings::Drive;
@@ -262,5 +265,7 @@ class IdleWindowTest : public QObject {
   }
 };
 
-QTEST_MAIN(IdleWindowTest)
+}  // namespace test_idle_window
+
+MAPWRIGHT_TEST(test_idle_window, IdleWindowTest, Widgets)
 #include "test_idle_window.moc"

@@ -9,6 +9,9 @@
 #include <QTest>
 
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_kabam_waypoints {
 
 using namespace mapwright;
 
@@ -170,5 +173,7 @@ class KabamWaypointsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(KabamWaypointsTest)
+}  // namespace test_kabam_waypoints
+
+MAPWRIGHT_TEST(test_kabam_waypoints, KabamWaypointsTest, Core)
 #include "test_kabam_waypoints.moc"

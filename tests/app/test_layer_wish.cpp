@@ -4,6 +4,9 @@
 #include "../session/fake_robot.h"
 #include "app/layer_wish.h"
 #include "robot/offers_topics.h"
+#include "test_program.h"
+
+namespace test_layer_wish {
 
 using namespace mapwright;
 using scene::Layer;
@@ -120,5 +123,7 @@ class LayerWishTest : public QObject {
   }
 };
 
-QTEST_MAIN(LayerWishTest)
+}  // namespace test_layer_wish
+
+MAPWRIGHT_TEST(test_layer_wish, LayerWishTest, Widgets)
 #include "test_layer_wish.moc"

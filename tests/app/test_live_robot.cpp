@@ -10,6 +10,9 @@
 #include "sentences/fault_sentence.h"
 #include "session/session.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_live_robot {
 
 using namespace mapwright;
 using session::Session;
@@ -284,5 +287,7 @@ class LiveRobotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(LiveRobotTest)
+}  // namespace test_live_robot
+
+MAPWRIGHT_TEST(test_live_robot, LiveRobotTest, Core)
 #include "test_live_robot.moc"

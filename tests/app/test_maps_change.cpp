@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_maps_change {
 
 using namespace mapwright;
 
@@ -165,5 +168,7 @@ class MapsChangeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MapsChangeTest)
+}  // namespace test_maps_change
+
+MAPWRIGHT_TEST(test_maps_change, MapsChangeTest, Core)
 #include "test_maps_change.moc"

@@ -14,6 +14,9 @@
 #include "exchange/temporary_names.h"
 #include "exchange/waypoint_plan.h"
 #include "robot/ros/kabam_plan.h"
+#include "test_program.h"
+
+namespace test_name_swaps {
 
 using namespace mapwright;
 using test::FakeWaypointStore;
@@ -395,5 +398,7 @@ class NameSwapsTest : public QObject {
   }
 };
 
-QTEST_MAIN(NameSwapsTest)
+}  // namespace test_name_swaps
+
+MAPWRIGHT_TEST(test_name_swaps, NameSwapsTest, Widgets)
 #include "test_name_swaps.moc"

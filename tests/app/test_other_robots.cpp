@@ -12,6 +12,9 @@
 #include "../robot/scripted_robot.h"
 #include "net/trust.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_other_robots {
 
 using namespace mapwright;
 using net::testing::ScriptedServer;
@@ -342,5 +345,7 @@ class OtherRobotsTest : public QObject {
   }
 };
 
-QTEST_MAIN(OtherRobotsTest)
+}  // namespace test_other_robots
+
+MAPWRIGHT_TEST(test_other_robots, OtherRobotsTest, Widgets)
 #include "test_other_robots.moc"

@@ -12,6 +12,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "test_program.h"
+
+namespace test_outputs {
+
 namespace {
 
 struct Outcome {
@@ -241,5 +245,7 @@ class OutputsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(OutputsTest)
+}  // namespace test_outputs
+
+MAPWRIGHT_TEST(test_outputs, OutputsTest, Core)
 #include "test_outputs.moc"

@@ -11,6 +11,9 @@
 
 #include "recording/source.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_record_command {
 
 using namespace mapwright;
 
@@ -221,5 +224,7 @@ class RecordCommandTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordCommandTest)
+}  // namespace test_record_command
+
+MAPWRIGHT_TEST(test_record_command, RecordCommandTest, Core)
 #include "test_record_command.moc"

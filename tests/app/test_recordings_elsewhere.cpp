@@ -10,6 +10,9 @@
 #include <QtTest>
 
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_recordings_elsewhere {
 
 using namespace mapwright;
 
@@ -113,5 +116,7 @@ class RecordingsElsewhereTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordingsElsewhereTest)
+}  // namespace test_recordings_elsewhere
+
+MAPWRIGHT_TEST(test_recordings_elsewhere, RecordingsElsewhereTest, Core)
 #include "test_recordings_elsewhere.moc"

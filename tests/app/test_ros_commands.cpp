@@ -9,6 +9,9 @@
 #include <QTest>
 
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_ros_commands {
 
 using namespace mapwright;
 
@@ -363,5 +366,7 @@ class RosCommandsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosCommandsTest)
+}  // namespace test_ros_commands
+
+MAPWRIGHT_TEST(test_ros_commands, RosCommandsTest, Core)
 #include "test_ros_commands.moc"

@@ -10,6 +10,9 @@
 
 #include "app/settings_file.h"
 #include "app/xdg.h"
+#include "test_program.h"
+
+namespace test_settings_file {
 
 using namespace mapwright::app;
 
@@ -131,5 +134,7 @@ class SettingsFileTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SettingsFileTest)
+}  // namespace test_settings_file
+
+MAPWRIGHT_TEST(test_settings_file, SettingsFileTest, Core)
 #include "test_settings_file.moc"

@@ -8,6 +8,10 @@
 #include <QTest>
 #include <QUrl>
 
+#include "test_program.h"
+
+namespace test_simulate {
+
 namespace {
 
 /// A running `mapwright simulate`; ends with this object.
@@ -103,5 +107,7 @@ class TestSimulate : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestSimulate)
+}  // namespace test_simulate
+
+MAPWRIGHT_TEST(test_simulate, TestSimulate, Core)
 #include "test_simulate.moc"

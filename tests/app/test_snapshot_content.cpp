@@ -11,6 +11,9 @@
 #include "../session/fake_robot.h"
 #include "app/exit_code.h"
 #include "app/snapshot_run.h"
+#include "test_program.h"
+
+namespace test_snapshot_content {
 
 using namespace mapwright;
 using app::SnapshotRun;
@@ -292,5 +295,7 @@ class SnapshotContentTest : public QObject {
   }
 };
 
-QTEST_MAIN(SnapshotContentTest)
+}  // namespace test_snapshot_content
+
+MAPWRIGHT_TEST(test_snapshot_content, SnapshotContentTest, Widgets)
 #include "test_snapshot_content.moc"

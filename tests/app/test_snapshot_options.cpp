@@ -4,13 +4,14 @@
 
 #include "app/option_words.h"
 #include "app/snapshot_options.h"
+#include "test_program.h"
+
+namespace test_snapshot_options {
 
 using namespace mapwright;
 using app::parseSnapshotOptions;
 using app::SnapshotMode;
 using app::SnapshotWords;
-
-Q_DECLARE_METATYPE(SnapshotWords)
 
 class SnapshotOptionsTest : public QObject {
   Q_OBJECT
@@ -196,5 +197,7 @@ class SnapshotOptionsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SnapshotOptionsTest)
+}  // namespace test_snapshot_options
+
+MAPWRIGHT_TEST(test_snapshot_options, SnapshotOptionsTest, Core)
 #include "test_snapshot_options.moc"

@@ -12,6 +12,9 @@
 #include "app/demo_robot.h"
 #include "app/exit_code.h"
 #include "app/snapshot_run.h"
+#include "test_program.h"
+
+namespace test_snapshot_run {
 
 using namespace mapwright;
 using app::SnapshotOptions;
@@ -238,5 +241,7 @@ class SnapshotRunTest : public QObject {
   }
 };
 
-QTEST_MAIN(SnapshotRunTest)
+}  // namespace test_snapshot_run
+
+MAPWRIGHT_TEST(test_snapshot_run, SnapshotRunTest, Widgets)
 #include "test_snapshot_run.moc"

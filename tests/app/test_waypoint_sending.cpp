@@ -10,6 +10,9 @@
 #include "exchange/waypoint_plan.h"
 #include "robot/ros/faults.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_waypoint_sending {
 
 using namespace mapwright;
 using test::FakeWaypointStore;
@@ -241,5 +244,7 @@ class WaypointSendingTest : public QObject {
   }
 };
 
-QTEST_MAIN(WaypointSendingTest)
+}  // namespace test_waypoint_sending
+
+MAPWRIGHT_TEST(test_waypoint_sending, WaypointSendingTest, Widgets)
 #include "test_waypoint_sending.moc"

@@ -13,6 +13,9 @@
 #include <QTest>
 
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_waypoints_command {
 
 using namespace mapwright;
 
@@ -464,5 +467,7 @@ class WaypointsCommandTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WaypointsCommandTest)
+}  // namespace test_waypoints_command
+
+MAPWRIGHT_TEST(test_waypoints_command, WaypointsCommandTest, Core)
 #include "test_waypoints_command.moc"

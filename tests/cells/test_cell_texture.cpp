@@ -5,6 +5,9 @@
 
 #include "cell_samples.h"
 #include "cells/cell_texture.h"
+#include "test_program.h"
+
+namespace test_cell_texture {
 
 using namespace mapwright::cells;
 
@@ -291,5 +294,7 @@ class TestCellTexture : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCellTexture)
+}  // namespace test_cell_texture
+
+MAPWRIGHT_TEST(test_cell_texture, TestCellTexture, Nothing)
 #include "test_cell_texture.moc"

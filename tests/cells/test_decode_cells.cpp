@@ -6,6 +6,9 @@
 #include "cells/decode_cells.h"
 #include "packed_samples.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_decode_cells {
 
 using namespace mapwright;
 using namespace mapwright::cells;
@@ -298,5 +301,7 @@ class TestDecodeCells : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestDecodeCells)
+}  // namespace test_decode_cells
+
+MAPWRIGHT_TEST(test_decode_cells, TestDecodeCells, Core)
 #include "test_decode_cells.moc"

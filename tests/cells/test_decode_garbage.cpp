@@ -6,6 +6,9 @@
 #include "cells/decode_cells.h"
 #include "packed_samples.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_decode_garbage {
 
 using namespace mapwright;
 using namespace mapwright::cells;
@@ -163,5 +166,7 @@ class TestDecodeGarbage : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestDecodeGarbage)
+}  // namespace test_decode_garbage
+
+MAPWRIGHT_TEST(test_decode_garbage, TestDecodeGarbage, Core)
 #include "test_decode_garbage.moc"

@@ -9,6 +9,9 @@
 
 #include "cells/texture_store.h"
 #include "scratch_files.h"
+#include "test_program.h"
+
+namespace test_texture_store {
 
 using namespace mapwright::cells;
 
@@ -154,5 +157,7 @@ class TextureStoreTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TextureStoreTest)
+}  // namespace test_texture_store
+
+MAPWRIGHT_TEST(test_texture_store, TextureStoreTest, Core)
 #include "test_texture_store.moc"

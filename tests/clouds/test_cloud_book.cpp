@@ -5,6 +5,9 @@
 
 #include "clouds/heights.h"
 #include "made_clouds.h"
+#include "test_program.h"
+
+namespace test_cloud_book {
 
 using namespace mapwright;
 using namespace mapwright::clouds;
@@ -124,5 +127,7 @@ class TestCloudBook : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCloudBook)
+}  // namespace test_cloud_book
+
+MAPWRIGHT_TEST(test_cloud_book, TestCloudBook, Nothing)
 #include "test_cloud_book.moc"

@@ -3,6 +3,9 @@
 
 #include "clouds/voxel_size.h"
 #include "made_clouds.h"
+#include "test_program.h"
+
+namespace test_cloud_tree {
 
 using namespace mapwright;
 using namespace mapwright::clouds;
@@ -100,5 +103,7 @@ class TestCloudTree : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestCloudTree)
+}  // namespace test_cloud_tree
+
+MAPWRIGHT_TEST(test_cloud_tree, TestCloudTree, Nothing)
 #include "test_cloud_tree.moc"

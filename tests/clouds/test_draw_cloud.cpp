@@ -3,6 +3,9 @@
 
 #include "clouds/shades.h"
 #include "made_clouds.h"
+#include "test_program.h"
+
+namespace test_draw_cloud {
 
 using namespace mapwright;
 using namespace mapwright::clouds;
@@ -230,5 +233,7 @@ class TestDrawCloud : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestDrawCloud)
+}  // namespace test_draw_cloud
+
+MAPWRIGHT_TEST(test_draw_cloud, TestDrawCloud, Nothing)
 #include "test_draw_cloud.moc"

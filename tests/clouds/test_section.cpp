@@ -3,6 +3,9 @@
 
 #include "clouds/section.h"
 #include "made_clouds.h"
+#include "test_program.h"
+
+namespace test_section {
 
 using namespace mapwright;
 using namespace mapwright::clouds;
@@ -80,5 +83,7 @@ class TestSection : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSection)
+}  // namespace test_section
+
+MAPWRIGHT_TEST(test_section, TestSection, Nothing)
 #include "test_section.moc"

@@ -7,6 +7,9 @@
 
 #include "clouds/write_cloud.h"
 #include "made_clouds.h"
+#include "test_program.h"
+
+namespace test_write_cloud {
 
 using namespace mapwright;
 using namespace mapwright::clouds;
@@ -138,5 +141,7 @@ class TestWriteCloud : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestWriteCloud)
+}  // namespace test_write_cloud
+
+MAPWRIGHT_TEST(test_write_cloud, TestWriteCloud, Nothing)
 #include "test_write_cloud.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "disk/scratch_file.h"
+#include "test_program.h"
+
+namespace test_scratch_file {
 
 using mapwright::disk::ScratchFile;
 
@@ -37,5 +40,7 @@ class ScratchFileTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ScratchFileTest)
+}  // namespace test_scratch_file
+
+MAPWRIGHT_TEST(test_scratch_file, ScratchFileTest, Core)
 #include "test_scratch_file.moc"

@@ -13,6 +13,9 @@
 
 #include "disk/read_file.h"
 #include "disk/written_file.h"
+#include "test_program.h"
+
+namespace test_written_file {
 
 using namespace mapwright::disk;
 
@@ -241,5 +244,7 @@ class WrittenFileTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WrittenFileTest)
+}  // namespace test_written_file
+
+MAPWRIGHT_TEST(test_written_file, WrittenFileTest, Core)
 #include "test_written_file.moc"

@@ -5,6 +5,9 @@
 #include <QtTest>
 
 #include "edit/waypoint_fields.h"
+#include "test_program.h"
+
+namespace test_document {
 
 using namespace mapwright;
 using namespace mapwright::edit;
@@ -407,5 +410,7 @@ class TestDocument : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestDocument)
+}  // namespace test_document
+
+MAPWRIGHT_TEST(test_document, TestDocument, Core)
 #include "test_document.moc"

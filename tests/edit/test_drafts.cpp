@@ -8,6 +8,9 @@
 #include "edit/draft_keeper.h"
 #include "edit/faults.h"
 #include "edit/waypoint_fields.h"
+#include "test_program.h"
+
+namespace test_drafts {
 
 using namespace mapwright;
 using namespace mapwright::edit;
@@ -193,5 +196,7 @@ class TestDrafts : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestDrafts)
+}  // namespace test_drafts
+
+MAPWRIGHT_TEST(test_drafts, TestDrafts, Core)
 #include "test_drafts.moc"

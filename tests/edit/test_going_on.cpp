@@ -4,6 +4,9 @@
 
 #include "edit/open_waypoints.h"
 #include "fake_waypoint_store.h"
+#include "test_program.h"
+
+namespace test_going_on {
 
 using namespace mapwright;
 using namespace mapwright::edit;
@@ -100,5 +103,7 @@ class TestGoingOn : public QObject {
   }
 };
 
-QTEST_MAIN(TestGoingOn)
+}  // namespace test_going_on
+
+MAPWRIGHT_TEST(test_going_on, TestGoingOn, Widgets)
 #include "test_going_on.moc"

@@ -5,6 +5,9 @@
 
 #include "edit/open_waypoints.h"
 #include "fake_waypoint_store.h"
+#include "test_program.h"
+
+namespace test_open_waypoints {
 
 using namespace mapwright;
 using namespace mapwright::edit;
@@ -319,5 +322,7 @@ class TestOpenWaypoints : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestOpenWaypoints)
+}  // namespace test_open_waypoints
+
+MAPWRIGHT_TEST(test_open_waypoints, TestOpenWaypoints, Core)
 #include "test_open_waypoints.moc"

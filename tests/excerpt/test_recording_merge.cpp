@@ -13,6 +13,9 @@
 #include "excerpt/recording_slice.h"
 #include "recording/seconds.h"
 #include "robot/recorded/interruption.h"
+#include "test_program.h"
+
+namespace test_recording_merge {
 
 using namespace mapwright;
 
@@ -310,5 +313,7 @@ class RecordingMergeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordingMergeTest)
+}  // namespace test_recording_merge
+
+MAPWRIGHT_TEST(test_recording_merge, RecordingMergeTest, Core)
 #include "test_recording_merge.moc"

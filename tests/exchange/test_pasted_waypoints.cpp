@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "exchange/pasted_waypoints.h"
+#include "test_program.h"
+
+namespace test_pasted_waypoints {
 
 using namespace mapwright::exchange;
 using mapwright::map::Waypoint;
@@ -100,5 +103,7 @@ class TestPastedWaypoints : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPastedWaypoints)
+}  // namespace test_pasted_waypoints
+
+MAPWRIGHT_TEST(test_pasted_waypoints, TestPastedWaypoints, Nothing)
 #include "test_pasted_waypoints.moc"

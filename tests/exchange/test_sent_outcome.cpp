@@ -3,6 +3,9 @@
 #include <QTest>
 
 #include "exchange/sent_outcome.h"
+#include "test_program.h"
+
+namespace test_sent_outcome {
 
 using namespace mapwright;
 using exchange::SentOutcome;
@@ -10,10 +13,6 @@ using exchange::SentState;
 using map::Applied;
 using map::FailureKind;
 using Row = exchange::SentRequest;
-Q_DECLARE_METATYPE(mapwright::map::FailureKind)
-Q_DECLARE_METATYPE(mapwright::map::Applied)
-Q_DECLARE_METATYPE(mapwright::exchange::SentState)
-
 namespace {
 
 Row failedRow(FailureKind kind, Applied applied) {
@@ -77,5 +76,7 @@ class SentOutcomeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SentOutcomeTest)
+}  // namespace test_sent_outcome
+
+MAPWRIGHT_TEST(test_sent_outcome, SentOutcomeTest, Core)
 #include "test_sent_outcome.moc"

@@ -3,6 +3,9 @@
 
 #include "exchange/waypoint_csv.h"
 #include "exchange/waypoint_json.h"
+#include "test_program.h"
+
+namespace test_waypoint_csv {
 
 using namespace mapwright;
 
@@ -168,5 +171,7 @@ class WaypointCsvTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WaypointCsvTest)
+}  // namespace test_waypoint_csv
+
+MAPWRIGHT_TEST(test_waypoint_csv, WaypointCsvTest, Core)
 #include "test_waypoint_csv.moc"

@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "exchange/waypoint_plan.h"
+#include "test_program.h"
+
+namespace test_waypoint_plan {
 
 using namespace mapwright;
 
@@ -226,5 +229,7 @@ class WaypointPlanTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WaypointPlanTest)
+}  // namespace test_waypoint_plan
+
+MAPWRIGHT_TEST(test_waypoint_plan, WaypointPlanTest, Core)
 #include "test_waypoint_plan.moc"

@@ -9,6 +9,9 @@
 #include "geometry/pose.h"
 #include "geometry/rect_union.h"
 #include "geometry/view_transform.h"
+#include "test_program.h"
+
+namespace test_geometry {
 
 using namespace mapwright::geometry;
 
@@ -136,5 +139,7 @@ class GeometryTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GeometryTest)
+}  // namespace test_geometry
+
+MAPWRIGHT_TEST(test_geometry, GeometryTest, Core)
 #include "test_geometry.moc"

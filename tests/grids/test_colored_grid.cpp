@@ -4,6 +4,9 @@
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_colored_grid {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -171,5 +174,7 @@ class TestColoredGrid : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestColoredGrid)
+}  // namespace test_colored_grid
+
+MAPWRIGHT_TEST(test_colored_grid, TestColoredGrid, Core)
 #include "test_colored_grid.moc"

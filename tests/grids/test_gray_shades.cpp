@@ -6,6 +6,9 @@
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_gray_shades {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -50,8 +53,6 @@ int robotShade(int x, int y) { return x < 90 ? 128 : (x % 40 == 0 || y % 50 == 0
 int manyShades(int x, int y) { return int(dice(x, y) % 256); }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(Shade)
 
 class TestGrayShades : public QObject {
   Q_OBJECT
@@ -192,5 +193,7 @@ class TestGrayShades : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestGrayShades)
+}  // namespace test_gray_shades
+
+MAPWRIGHT_TEST(test_gray_shades, TestGrayShades, Core)
 #include "test_gray_shades.moc"

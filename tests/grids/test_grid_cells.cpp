@@ -4,6 +4,9 @@
 #include <QtTest>
 
 #include "grids/grid_cells.h"
+#include "test_program.h"
+
+namespace test_grid_cells {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -143,5 +146,7 @@ class TestGridCells : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestGridCells)
+}  // namespace test_grid_cells
+
+MAPWRIGHT_TEST(test_grid_cells, TestGridCells, Core)
 #include "test_grid_cells.moc"

@@ -4,6 +4,9 @@
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_grid_damage {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -324,5 +327,7 @@ class TestGridDamage : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestGridDamage)
+}  // namespace test_grid_damage
+
+MAPWRIGHT_TEST(test_grid_damage, TestGridDamage, Core)
 #include "test_grid_damage.moc"

@@ -7,6 +7,9 @@
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_grid_export {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -70,8 +73,6 @@ map::GridReference somewhere() {
 }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(CellCode)
 
 class TestGridExport : public QObject {
   Q_OBJECT
@@ -213,5 +214,7 @@ class TestGridExport : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestGridExport)
+}  // namespace test_grid_export
+
+MAPWRIGHT_TEST(test_grid_export, TestGridExport, Core)
 #include "test_grid_export.moc"

@@ -7,6 +7,9 @@
 #include "grids/grid_pyramid.h"
 #include "picture_samples.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_grid_pictures {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -316,5 +319,7 @@ class TestGridPictures : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestGridPictures)
+}  // namespace test_grid_pictures
+
+MAPWRIGHT_TEST(test_grid_pictures, TestGridPictures, Core)
 #include "test_grid_pictures.moc"

@@ -7,6 +7,9 @@
 #include "grids/grid_pyramid.h"
 #include "grids/tile_cache.h"
 #include "picture_samples.h"
+#include "test_program.h"
+
+namespace test_grid_pyramid {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -289,5 +292,7 @@ class TestGridPyramid : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestGridPyramid)
+}  // namespace test_grid_pyramid
+
+MAPWRIGHT_TEST(test_grid_pyramid, TestGridPyramid, Core)
 #include "test_grid_pyramid.moc"

@@ -8,6 +8,9 @@
 #include "grids/grid_pyramid.h"
 #include "grids/sidecar.h"
 #include "picture_samples.h"
+#include "test_program.h"
+
+namespace test_grid_sidecar {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -402,5 +405,7 @@ class TestGridSidecar : public QObject {
   bool mended_ = false;
 };
 
-QTEST_GUILESS_MAIN(TestGridSidecar)
+}  // namespace test_grid_sidecar
+
+MAPWRIGHT_TEST(test_grid_sidecar, TestGridSidecar, Core)
 #include "test_grid_sidecar.moc"

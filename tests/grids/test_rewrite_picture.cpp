@@ -6,6 +6,9 @@
 #include "grids/picture_shades.h"
 #include "grids/rewrite_picture.h"
 #include "picture_samples.h"
+#include "test_program.h"
+
+namespace test_rewrite_picture {
 
 using namespace mapwright;
 using namespace mapwright::grids;
@@ -171,5 +174,7 @@ class TestRewritePicture : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRewritePicture)
+}  // namespace test_rewrite_picture
+
+MAPWRIGHT_TEST(test_rewrite_picture, TestRewritePicture, Core)
 #include "test_rewrite_picture.moc"

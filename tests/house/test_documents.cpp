@@ -7,6 +7,10 @@
 #include <QSet>
 #include <QtTest>
 
+#include "test_program.h"
+
+namespace test_documents {
+
 namespace {
 
 const QDir& repository() {
@@ -115,5 +119,7 @@ void TestDocuments::linksOfDocumentsLeadSomewhere() {
 
 }  // namespace
 
-QTEST_APPLESS_MAIN(TestDocuments)
+}  // namespace test_documents
+
+MAPWRIGHT_TEST(test_documents, TestDocuments, Nothing)
 #include "test_documents.moc"

@@ -9,6 +9,9 @@
 #include <QTest>
 
 #include "sentences/plural.h"
+#include "test_program.h"
+
+namespace test_texts {
 
 using namespace mapwright;
 
@@ -212,5 +215,7 @@ void TestTexts::faultsNameTheirRoomAndEachArgumentOnce() {
 
 }  // namespace
 
-QTEST_GUILESS_MAIN(TestTexts)
+}  // namespace test_texts
+
+MAPWRIGHT_TEST(test_texts, TestTexts, Core)
 #include "test_texts.moc"

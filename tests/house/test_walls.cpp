@@ -7,6 +7,10 @@
 #include <QRegularExpression>
 #include <QtTest>
 
+#include "test_program.h"
+
+namespace test_walls {
+
 namespace {
 
 struct Room {
@@ -240,5 +244,7 @@ void TestWalls::thePictureShowsTheSameRooms() {
 
 }  // namespace
 
-QTEST_APPLESS_MAIN(TestWalls)
+}  // namespace test_walls
+
+MAPWRIGHT_TEST(test_walls, TestWalls, Nothing)
 #include "test_walls.moc"

@@ -2,6 +2,9 @@
 #include <QtTest>
 
 #include "jobs/change_map.h"
+#include "test_program.h"
+
+namespace test_change_map {
 
 using namespace mapwright;
 using robot::MapChange;
@@ -37,5 +40,7 @@ class TestChangeMap : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestChangeMap)
+}  // namespace test_change_map
+
+MAPWRIGHT_TEST(test_change_map, TestChangeMap, Core)
 #include "test_change_map.moc"

@@ -7,6 +7,9 @@
 #include "map/catalogue.h"
 #include "map/grid_reference.h"
 #include "map/overlay.h"
+#include "test_program.h"
+
+namespace test_grid_reference {
 
 using namespace mapwright;
 using map::GridReference;
@@ -67,5 +70,7 @@ class GridReferenceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GridReferenceTest)
+}  // namespace test_grid_reference
+
+MAPWRIGHT_TEST(test_grid_reference, GridReferenceTest, Core)
 #include "test_grid_reference.moc"

@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "map/live_state.h"
+#include "test_program.h"
+
+namespace test_live_state {
 
 using namespace mapwright::map;
 
@@ -263,5 +266,7 @@ class LiveStateTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(LiveStateTest)
+}  // namespace test_live_state
+
+MAPWRIGHT_TEST(test_live_state, LiveStateTest, Core)
 #include "test_live_state.moc"

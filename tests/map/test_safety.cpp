@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "map/live_state.h"
+#include "test_program.h"
+
+namespace test_safety {
 
 using namespace mapwright::map;
 
@@ -183,5 +186,7 @@ class SafetyTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SafetyTest)
+}  // namespace test_safety
+
+MAPWRIGHT_TEST(test_safety, SafetyTest, Nothing)
 #include "test_safety.moc"

@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "map/whereabouts.h"
+#include "test_program.h"
+
+namespace test_whereabouts {
 
 using namespace mapwright::map;
 
@@ -33,8 +36,6 @@ LiveState mapping(LiveState live) {
 const MapKey kGround{MapKind::Stored, "1"}, kAttic{MapKind::Stored, "2"};
 
 }  // namespace
-
-Q_DECLARE_METATYPE(mapwright::map::Whereabouts)
 
 class WhereaboutsTest : public QObject {
   Q_OBJECT
@@ -118,5 +119,7 @@ class WhereaboutsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(WhereaboutsTest)
+}  // namespace test_whereabouts
+
+MAPWRIGHT_TEST(test_whereabouts, WhereaboutsTest, Nothing)
 #include "test_whereabouts.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "map/world.h"
+#include "test_program.h"
+
+namespace test_world {
 
 using namespace mapwright::map;
 
@@ -146,5 +149,7 @@ class WorldTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(WorldTest)
+}  // namespace test_world
+
+MAPWRIGHT_TEST(test_world, WorldTest, Nothing)
 #include "test_world.moc"

@@ -7,6 +7,9 @@
 #include "net/http_client.h"
 #include "net/web_socket_link.h"
 #include "secure_server.h"
+#include "test_program.h"
+
+namespace test_certificates {
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -290,5 +293,7 @@ class TestCertificates : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestCertificates)
+}  // namespace test_certificates
+
+MAPWRIGHT_TEST(test_certificates, TestCertificates, Core)
 #include "test_certificates.moc"

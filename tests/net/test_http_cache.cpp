@@ -11,6 +11,9 @@
 #include "fault_arguments.h"
 #include "net/cache_control.h"
 #include "net/http_cache.h"
+#include "test_program.h"
+
+namespace test_http_cache {
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -488,5 +491,7 @@ class TestHttpCache : public QObject {
   QDateTime now_;
 };
 
-QTEST_GUILESS_MAIN(TestHttpCache)
+}  // namespace test_http_cache
+
+MAPWRIGHT_TEST(test_http_cache, TestHttpCache, Core)
 #include "test_http_cache.moc"

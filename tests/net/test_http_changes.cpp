@@ -4,13 +4,14 @@
 #include "fault_arguments.h"
 #include "net/http_client.h"
 #include "scripted_server.h"
+#include "test_program.h"
+
+namespace test_http_changes {
 
 using namespace mapwright::net;
 using testing::ScriptedServer;
 using testing::SeenRequest;
 using Kind = HttpAnswer::Kind;
-
-Q_DECLARE_METATYPE(mapwright::net::HttpMethod)
 
 namespace {
 
@@ -331,5 +332,7 @@ class TestHttpChanges : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestHttpChanges)
+}  // namespace test_http_changes
+
+MAPWRIGHT_TEST(test_http_changes, TestHttpChanges, Core)
 #include "test_http_changes.moc"

@@ -7,6 +7,9 @@
 #include "net/http_cache.h"
 #include "net/http_client.h"
 #include "scripted_server.h"
+#include "test_program.h"
+
+namespace test_http_client {
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -372,5 +375,7 @@ class TestHttpClient : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestHttpClient)
+}  // namespace test_http_client
+
+MAPWRIGHT_TEST(test_http_client, TestHttpClient, Core)
 #include "test_http_client.moc"

@@ -1,6 +1,9 @@
 #include <QtTest>
 
 #include "net/plain_sentences.h"
+#include "test_program.h"
+
+namespace test_plain_sentences {
 
 using namespace mapwright::net;
 
@@ -83,5 +86,7 @@ class TestPlainSentences : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPlainSentences)
+}  // namespace test_plain_sentences
+
+MAPWRIGHT_TEST(test_plain_sentences, TestPlainSentences, Core)
 #include "test_plain_sentences.moc"

@@ -2,6 +2,9 @@
 #include <QtTest>
 
 #include "net/secret.h"
+#include "test_program.h"
+
+namespace test_secret {
 
 using mapwright::net::Secret;
 
@@ -53,5 +56,7 @@ class TestSecret : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestSecret)
+}  // namespace test_secret
+
+MAPWRIGHT_TEST(test_secret, TestSecret, Core)
 #include "test_secret.moc"

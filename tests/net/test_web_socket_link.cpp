@@ -8,6 +8,9 @@
 #include "net/web_socket_link.h"
 #include "scripted_server.h"
 #include "secure_server.h"
+#include "test_program.h"
+
+namespace test_web_socket_link {
 
 using namespace mapwright;
 using namespace mapwright::net;
@@ -654,5 +657,7 @@ class TestWebSocketLink : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestWebSocketLink)
+}  // namespace test_web_socket_link
+
+MAPWRIGHT_TEST(test_web_socket_link, TestWebSocketLink, Core)
 #include "test_web_socket_link.moc"

@@ -4,6 +4,9 @@
 #include "cells.h"
 #include "picture/canvas.h"
 #include "picture/draw.h"
+#include "test_program.h"
+
+namespace test_edited_grid {
 
 using namespace mapwright;
 using namespace mapwright::picture;
@@ -138,5 +141,7 @@ class TestEditedGrid : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestEditedGrid)
+}  // namespace test_edited_grid
+
+MAPWRIGHT_TEST(test_edited_grid, TestEditedGrid, Core)
 #include "test_edited_grid.moc"

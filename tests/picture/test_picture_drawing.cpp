@@ -7,6 +7,9 @@
 #include "picture/clip.h"
 #include "picture/draw.h"
 #include "picture/fill.h"
+#include "test_program.h"
+
+namespace test_picture_drawing {
 
 using namespace mapwright;
 using namespace mapwright::picture;
@@ -234,5 +237,7 @@ class TestPictureDrawing : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPictureDrawing)
+}  // namespace test_picture_drawing
+
+MAPWRIGHT_TEST(test_picture_drawing, TestPictureDrawing, Core)
 #include "test_picture_drawing.moc"

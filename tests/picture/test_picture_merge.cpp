@@ -4,6 +4,9 @@
 #include "cells.h"
 #include "picture/draw.h"
 #include "picture/merge.h"
+#include "test_program.h"
+
+namespace test_picture_merge {
 
 using namespace mapwright;
 using namespace mapwright::picture;
@@ -125,5 +128,7 @@ class TestPictureMerge : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPictureMerge)
+}  // namespace test_picture_merge
+
+MAPWRIGHT_TEST(test_picture_merge, TestPictureMerge, Core)
 #include "test_picture_merge.moc"

@@ -3,6 +3,9 @@
 
 #include "cells.h"
 #include "picture/tidy.h"
+#include "test_program.h"
+
+namespace test_picture_tidying {
 
 using namespace mapwright;
 using namespace mapwright::picture;
@@ -129,5 +132,7 @@ class TestPictureTidying : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPictureTidying)
+}  // namespace test_picture_tidying
+
+MAPWRIGHT_TEST(test_picture_tidying, TestPictureTidying, Core)
 #include "test_picture_tidying.moc"

@@ -4,6 +4,9 @@
 #include "geometry/pose.h"
 #include "placing/arrange.h"
 #include "placing/names.h"
+#include "test_program.h"
+
+namespace test_arrange {
 
 using namespace mapwright;
 using namespace mapwright::placing;
@@ -111,5 +114,7 @@ class TestArrange : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestArrange)
+}  // namespace test_arrange
+
+MAPWRIGHT_TEST(test_arrange, TestArrange, Nothing)
 #include "test_arrange.moc"

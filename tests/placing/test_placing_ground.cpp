@@ -5,6 +5,9 @@
 #include "ground_maps.h"
 #include "map/live_topics.h"
 #include "placing/warnings.h"
+#include "test_program.h"
+
+namespace test_placing_ground {
 
 using namespace mapwright;
 using namespace mapwright::placing;
@@ -221,5 +224,7 @@ class TestPlacingGround : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPlacingGround)
+}  // namespace test_placing_ground
+
+MAPWRIGHT_TEST(test_placing_ground, TestPlacingGround, Nothing)
 #include "test_placing_ground.moc"

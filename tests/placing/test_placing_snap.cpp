@@ -4,6 +4,9 @@
 #include "geometry/pose.h"
 #include "ground_maps.h"
 #include "placing/snap.h"
+#include "test_program.h"
+
+namespace test_placing_snap {
 
 using namespace mapwright;
 using namespace mapwright::placing;
@@ -173,5 +176,7 @@ class TestPlacingSnap : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPlacingSnap)
+}  // namespace test_placing_snap
+
+MAPWRIGHT_TEST(test_placing_snap, TestPlacingSnap, Nothing)
 #include "test_placing_snap.moc"

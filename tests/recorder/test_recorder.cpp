@@ -20,6 +20,9 @@
 #include "robot/delivery.h"
 #include "robot/ros/ros_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_recorder {
 
 using namespace mapwright;
 using namespace mapwright::recorder;
@@ -441,5 +444,7 @@ class RecorderTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecorderTest)
+}  // namespace test_recorder
+
+MAPWRIGHT_TEST(test_recorder, RecorderTest, Core)
 #include "test_recorder.moc"

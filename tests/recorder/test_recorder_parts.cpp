@@ -14,6 +14,9 @@
 #include "recorder/tape.h"
 #include "recording/bytes.h"
 #include "recording/source.h"
+#include "test_program.h"
+
+namespace test_recorder_parts {
 
 using namespace mapwright;
 using namespace mapwright::recorder;
@@ -337,5 +340,7 @@ class RecorderPartsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecorderPartsTest)
+}  // namespace test_recorder_parts
+
+MAPWRIGHT_TEST(test_recorder_parts, RecorderPartsTest, Core)
 #include "test_recorder_parts.moc"

@@ -10,6 +10,9 @@
 #include "net/rosbridge/frame.h"
 #include "recorder/ros_encode.h"
 #include "recording/ros_cbor.h"
+#include "test_program.h"
+
+namespace test_ros_encode {
 
 using namespace mapwright;
 using net::rosbridge::Frame;
@@ -219,5 +222,7 @@ class RosEncodeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosEncodeTest)
+}  // namespace test_ros_encode
+
+MAPWRIGHT_TEST(test_ros_encode, RosEncodeTest, Core)
 #include "test_ros_encode.moc"

@@ -1,6 +1,9 @@
 #include <QtTest>
 
 #include "recordings.h"
+#include "test_program.h"
+
+namespace test_mcap {
 
 using namespace recordings;
 
@@ -257,5 +260,7 @@ void TestMcap::otherFilesAreNoRecordings() {
   QVERIFY(!folder && folder.error().file.cause.code == mapwright::disk::fault::IsAFolder);
 }
 
-QTEST_GUILESS_MAIN(TestMcap)
+}  // namespace test_mcap
+
+MAPWRIGHT_TEST(test_mcap, TestMcap, Core)
 #include "test_mcap.moc"

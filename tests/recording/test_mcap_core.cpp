@@ -7,6 +7,9 @@
 #include <QtTest>
 
 #include "recordings.h"
+#include "test_program.h"
+
+namespace test_mcap_core {
 
 using namespace recordings;
 
@@ -131,5 +134,7 @@ void TestMcapCore::weReadWhatOthersWrite() {
   QCOMPARE((*opened)->metadata().at(0).words.at("a"), std::string("b"));
 }
 
-QTEST_GUILESS_MAIN(TestMcapCore)
+}  // namespace test_mcap_core
+
+MAPWRIGHT_TEST(test_mcap_core, TestMcapCore, Core)
 #include "test_mcap_core.moc"

@@ -4,6 +4,9 @@
 
 #include "packed/codec.h"
 #include "recordings.h"
+#include "test_program.h"
+
+namespace test_mcap_damage {
 
 using namespace recordings;
 
@@ -314,5 +317,7 @@ void TestMcapDamage::garbageNeverDoesHarm() {
   }
 }
 
-QTEST_GUILESS_MAIN(TestMcapDamage)
+}  // namespace test_mcap_damage
+
+MAPWRIGHT_TEST(test_mcap_damage, TestMcapDamage, Core)
 #include "test_mcap_damage.moc"

@@ -5,6 +5,9 @@
 #include <QtTest>
 
 #include "recordings.h"
+#include "test_program.h"
+
+namespace test_mcap_writer {
 
 using namespace recordings;
 
@@ -206,5 +209,7 @@ void TestMcapWriter::bytesThatCannotBePackedAreStoredAsTheyAre() {
   QCOMPARE(readBack(bytes)[0].bytes == message, true);
 }
 
-QTEST_GUILESS_MAIN(TestMcapWriter)
+}  // namespace test_mcap_writer
+
+MAPWRIGHT_TEST(test_mcap_writer, TestMcapWriter, Core)
 #include "test_mcap_writer.moc"

@@ -5,6 +5,9 @@
 #include "recording/seconds.h"
 #include "recordings.h"
 #include "robot/ros/read_messages.h"
+#include "test_program.h"
+
+namespace test_recorded_messages {
 
 using namespace recordings;
 namespace ros = mapwright::robot::ros;
@@ -322,5 +325,7 @@ void TestRecordedMessages::garbageNeverDoesHarm() {
   }
 }
 
-QTEST_GUILESS_MAIN(TestRecordedMessages)
+}  // namespace test_recorded_messages
+
+MAPWRIGHT_TEST(test_recorded_messages, TestRecordedMessages, Core)
 #include "test_recorded_messages.moc"

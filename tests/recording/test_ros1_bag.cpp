@@ -1,6 +1,9 @@
 #include <QtTest>
 
 #include "bags.h"
+#include "test_program.h"
+
+namespace test_ros1_bag {
 
 using namespace recordings;
 
@@ -200,5 +203,7 @@ void TestRos1Bag::garbageNeverDoesHarm() {
   }
 }
 
-QTEST_GUILESS_MAIN(TestRos1Bag)
+}  // namespace test_ros1_bag
+
+MAPWRIGHT_TEST(test_ros1_bag, TestRos1Bag, Core)
 #include "test_ros1_bag.moc"

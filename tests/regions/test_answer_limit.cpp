@@ -5,6 +5,9 @@
 #include "fake_dispatch.h"
 #include "map_shown.h"
 #include "regions/map_regions.h"
+#include "test_program.h"
+
+namespace test_answer_limit {
 
 using namespace mapwright;
 using namespace mapwright::regions;
@@ -119,8 +122,6 @@ MapRegions regionsOf(std::optional<WorldRect> only = {}) {
 void look(MapRegions& regions, const WorldRect& view) { regions.setView(view, view.center()); }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(Habit)
 
 class TestAnswerLimit : public QObject {
   Q_OBJECT
@@ -269,5 +270,7 @@ class TestAnswerLimit : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestAnswerLimit)
+}  // namespace test_answer_limit
+
+MAPWRIGHT_TEST(test_answer_limit, TestAnswerLimit, Nothing)
 #include "test_answer_limit.moc"

@@ -7,6 +7,9 @@
 #include "fake_dispatch.h"
 #include "map_shown.h"
 #include "regions/map_regions.h"
+#include "test_program.h"
+
+namespace test_map_regions {
 
 using namespace mapwright;
 using namespace mapwright::regions;
@@ -251,5 +254,7 @@ class TestMapRegions : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestMapRegions)
+}  // namespace test_map_regions
+
+MAPWRIGHT_TEST(test_map_regions, TestMapRegions, Nothing)
 #include "test_map_regions.moc"

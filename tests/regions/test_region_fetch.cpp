@@ -4,6 +4,9 @@
 #include "../patience.h"
 #include "fake_dispatch.h"
 #include "regions/region_fetch.h"
+#include "test_program.h"
+
+namespace test_region_fetch {
 
 using namespace mapwright;
 using namespace mapwright::regions;
@@ -280,5 +283,7 @@ class TestRegionFetch : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRegionFetch)
+}  // namespace test_region_fetch
+
+MAPWRIGHT_TEST(test_region_fetch, TestRegionFetch, Core)
 #include "test_region_fetch.moc"

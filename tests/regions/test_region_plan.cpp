@@ -2,6 +2,9 @@
 #include <QtTest>
 
 #include "regions/region_plan.h"
+#include "test_program.h"
+
+namespace test_region_plan {
 
 using namespace mapwright;
 using namespace mapwright::regions;
@@ -172,5 +175,7 @@ class TestRegionPlan : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRegionPlan)
+}  // namespace test_region_plan
+
+MAPWRIGHT_TEST(test_region_plan, TestRegionPlan, Nothing)
 #include "test_region_plan.moc"

@@ -7,6 +7,9 @@
 #include "fake_dispatch.h"
 #include "map_shown.h"
 #include "regions/region_answer.h"
+#include "test_program.h"
+
+namespace test_region_rim {
 
 using namespace mapwright;
 using namespace mapwright::regions;
@@ -411,5 +414,7 @@ class TestRegionRim : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRegionRim)
+}  // namespace test_region_rim
+
+MAPWRIGHT_TEST(test_region_rim, TestRegionRim, Nothing)
 #include "test_region_rim.moc"

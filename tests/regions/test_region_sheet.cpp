@@ -6,6 +6,9 @@
 
 #include "grids/reduce_grid.h"
 #include "regions/region_cells.h"
+#include "test_program.h"
+
+namespace test_region_sheet {
 
 using namespace mapwright;
 using regions::kNotFetched;
@@ -233,5 +236,7 @@ class TestRegionSheet : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestRegionSheet)
+}  // namespace test_region_sheet
+
+MAPWRIGHT_TEST(test_region_sheet, TestRegionSheet, Nothing)
 #include "test_region_sheet.moc"

@@ -5,6 +5,9 @@
 
 #include "reference.h"
 #include "render/compositor.h"
+#include "test_program.h"
+
+namespace test_composition_rules {
 
 using namespace mapwright;
 using render::Composition;
@@ -240,5 +243,7 @@ void TestCompositionRules::finerTexturesAreSampledFinely() {
   for (const auto intensity : picture.intensity) QCOMPARE(int(intensity), expected);
 }
 
-QTEST_GUILESS_MAIN(TestCompositionRules)
+}  // namespace test_composition_rules
+
+MAPWRIGHT_TEST(test_composition_rules, TestCompositionRules, Core)
 #include "test_composition_rules.moc"

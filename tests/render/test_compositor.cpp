@@ -5,6 +5,9 @@
 
 #include "reference.h"
 #include "render/compositor.h"
+#include "test_program.h"
+
+namespace test_compositor {
 
 using namespace mapwright;
 using render::Composition;
@@ -288,5 +291,7 @@ void TestCompositor::cacheKeepsItsBudgetAndKnowsTexturesApart() {
   QCOMPARE(cells->level.width, 20);  // still alive in our hands
 }
 
-QTEST_GUILESS_MAIN(TestCompositor)
+}  // namespace test_compositor
+
+MAPWRIGHT_TEST(test_compositor, TestCompositor, Core)
 #include "test_compositor.moc"

@@ -5,7 +5,10 @@
 #include "grids.h"
 #include "render/grid_palettes.h"
 #include "render/grid_renderer.h"
+#include "test_program.h"
 #include "work/workers.h"
+
+namespace test_grid_renderer {
 
 using namespace mapwright;
 using render::GridRenderer;
@@ -246,5 +249,7 @@ class GridRendererTest : public QObject {
   }
 };
 
-QTEST_MAIN(GridRendererTest)
+}  // namespace test_grid_renderer
+
+MAPWRIGHT_TEST(test_grid_renderer, GridRendererTest, Widgets)
 #include "test_grid_renderer.moc"

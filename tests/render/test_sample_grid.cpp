@@ -7,6 +7,9 @@
 #include "render/compose_grid.h"
 #include "render/faults.h"
 #include "render/sample_grid.h"
+#include "test_program.h"
+
+namespace test_sample_grid {
 
 using namespace mapwright;
 using render::Composition;
@@ -227,5 +230,7 @@ class SampleGridTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SampleGridTest)
+}  // namespace test_sample_grid
+
+MAPWRIGHT_TEST(test_sample_grid, SampleGridTest, Core)
 #include "test_sample_grid.moc"

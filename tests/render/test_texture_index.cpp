@@ -9,6 +9,9 @@
 
 #include "render/texture_index.h"
 #include "scenes.h"
+#include "test_program.h"
+
+namespace test_texture_index {
 
 using namespace mapwright;
 using render::PlacedTexture;
@@ -150,5 +153,7 @@ void TestTextureIndex::qPainterDoesNotComposeAsSpecified() {
   QVERIFY(qRed(target.pixel(20, 20)) != 255);  // 128 + 200, saturated
 }
 
-QTEST_GUILESS_MAIN(TestTextureIndex)
+}  // namespace test_texture_index
+
+MAPWRIGHT_TEST(test_texture_index, TestTextureIndex, Core)
 #include "test_texture_index.moc"

@@ -10,7 +10,10 @@
 #include "reference.h"
 #include "render/tile_renderer.h"
 #include "scenes.h"
+#include "test_program.h"
 #include "work/workers.h"
+
+namespace test_tile_renderer {
 
 using namespace mapwright;
 using render::ColorMode;
@@ -351,5 +354,7 @@ void TestTileRenderer::holesAreFilledBeforeWhatIsThereGetsNewer() {
                             kPatience);
 }
 
-QTEST_GUILESS_MAIN(TestTileRenderer)
+}  // namespace test_tile_renderer
+
+MAPWRIGHT_TEST(test_tile_renderer, TestTileRenderer, Core)
 #include "test_tile_renderer.moc"

@@ -8,7 +8,10 @@
 #include "painted.h"
 #include "render/tile_renderer.h"
 #include "scenes.h"
+#include "test_program.h"
 #include "work/workers.h"
+
+namespace test_tile_views {
 
 using namespace mapwright;
 using render::Composition;
@@ -343,5 +346,7 @@ void TestTileViews::survivesAbsurdViews() {
   }
 }
 
-QTEST_GUILESS_MAIN(TestTileViews)
+}  // namespace test_tile_views
+
+MAPWRIGHT_TEST(test_tile_views, TestTileViews, Core)
 #include "test_tile_views.moc"

@@ -9,6 +9,9 @@
 
 #include "grids.h"
 #include "render/sample_grid.h"
+#include "test_program.h"
+
+namespace test_touched_cells {
 
 using namespace mapwright;
 using grids::CellCode;
@@ -161,8 +164,6 @@ PixelGrid windowOn(const render::PlacedGrid& placed, double zoom, double rotatio
 }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(Reduction)
 
 class TouchedCellsTest : public QObject {
   Q_OBJECT
@@ -345,5 +346,7 @@ class TouchedCellsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TouchedCellsTest)
+}  // namespace test_touched_cells
+
+MAPWRIGHT_TEST(test_touched_cells, TouchedCellsTest, Core)
 #include "test_touched_cells.moc"

@@ -5,6 +5,9 @@
 
 #include "replay/player.h"
 #include "replay/presentation.h"
+#include "test_program.h"
+
+namespace test_replay_player {
 
 using namespace mapwright;
 using namespace mapwright::replay;
@@ -138,5 +141,7 @@ class ReplayPlayerTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ReplayPlayerTest)
+}  // namespace test_replay_player
+
+MAPWRIGHT_TEST(test_replay_player, ReplayPlayerTest, Nothing)
 #include "test_replay_player.moc"

@@ -6,6 +6,9 @@
 
 #include "generated_bag.h"
 #include "replay/replay_robot.h"
+#include "test_program.h"
+
+namespace test_replay_robot {
 
 using namespace mapwright;
 using namespace mapwright::replay;
@@ -200,5 +203,7 @@ class ReplayRobotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ReplayRobotTest)
+}  // namespace test_replay_robot
+
+MAPWRIGHT_TEST(test_replay_robot, ReplayRobotTest, Core)
 #include "test_replay_robot.moc"

@@ -7,6 +7,9 @@
 #include "generated_bag.h"
 #include "replay/digest.h"
 #include "replay/track.h"
+#include "test_program.h"
+
+namespace test_replay_track {
 
 using namespace mapwright;
 using namespace mapwright::replay;
@@ -211,5 +214,7 @@ class ReplayTrackTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ReplayTrackTest)
+}  // namespace test_replay_track
+
+MAPWRIGHT_TEST(test_replay_track, ReplayTrackTest, Core)
 #include "test_replay_track.moc"

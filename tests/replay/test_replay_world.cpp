@@ -9,6 +9,9 @@
 #include "generated_bag.h"
 #include "replay/events.h"
 #include "replay/reading.h"
+#include "test_program.h"
+
+namespace test_replay_world {
 
 using namespace mapwright;
 using namespace mapwright::replay;
@@ -349,5 +352,7 @@ class ReplayWorldTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ReplayWorldTest)
+}  // namespace test_replay_world
+
+MAPWRIGHT_TEST(test_replay_world, ReplayWorldTest, Core)
 #include "test_replay_world.moc"

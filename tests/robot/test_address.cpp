@@ -4,6 +4,9 @@
 #include "robot/aimdk/aimdk_address.h"
 #include "robot/axbot/axbot_address.h"
 #include "robot/files/file_address.h"
+#include "test_program.h"
+
+namespace test_address {
 
 using namespace mapwright::robot;
 
@@ -181,5 +184,7 @@ class AddressTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AddressTest)
+}  // namespace test_address
+
+MAPWRIGHT_TEST(test_address, AddressTest, Core)
 #include "test_address.moc"

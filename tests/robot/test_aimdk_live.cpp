@@ -10,6 +10,9 @@
 #include "sentences/absence_sentence.h"
 #include "sentences/fault_sentence.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_aimdk_live {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -151,5 +154,7 @@ class AimdkLiveTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AimdkLiveTest)
+}  // namespace test_aimdk_live
+
+MAPWRIGHT_TEST(test_aimdk_live, AimdkLiveTest, Core)
 #include "test_aimdk_live.moc"

@@ -2,6 +2,9 @@
 
 #include "robot/aimdk/parse_rpc.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_aimdk_parse {
 
 using namespace mapwright;
 using namespace mapwright::robot::aimdk;
@@ -174,5 +177,7 @@ class AimdkParseTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AimdkParseTest)
+}  // namespace test_aimdk_parse
+
+MAPWRIGHT_TEST(test_aimdk_parse, AimdkParseTest, Core)
 #include "test_aimdk_parse.moc"

@@ -5,6 +5,9 @@
 #include "scripted_robot.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_aimdk_robot {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -210,5 +213,7 @@ class AimdkRobotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AimdkRobotTest)
+}  // namespace test_aimdk_robot
+
+MAPWRIGHT_TEST(test_aimdk_robot, AimdkRobotTest, Core)
 #include "test_aimdk_robot.moc"

@@ -12,6 +12,9 @@
 #include "robot/axbot/parse_bags.h"
 #include "sentences/failure_sentence.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_axbot_bags {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -524,5 +527,7 @@ class AxbotBagsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AxbotBagsTest)
+}  // namespace test_axbot_bags
+
+MAPWRIGHT_TEST(test_axbot_bags, AxbotBagsTest, Core)
 #include "test_axbot_bags.moc"

@@ -5,6 +5,9 @@
 
 #include "robot/axbot/parse_topics.h"
 #include "ros_messages/wrapper.pb.h"
+#include "test_program.h"
+
+namespace test_axbot_clouds {
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
@@ -188,5 +191,7 @@ class AxbotCloudsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AxbotCloudsTest)
+}  // namespace test_axbot_clouds
+
+MAPWRIGHT_TEST(test_axbot_clouds, AxbotCloudsTest, Core)
 #include "test_axbot_clouds.moc"

@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "robot/axbot/parse_overlays.h"
+#include "test_program.h"
+
+namespace test_axbot_overlays {
 
 using namespace mapwright;
 using robot::axbot::parseOverlays;
@@ -76,5 +79,7 @@ class AxbotOverlaysTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AxbotOverlaysTest)
+}  // namespace test_axbot_overlays
+
+MAPWRIGHT_TEST(test_axbot_overlays, AxbotOverlaysTest, Core)
 #include "test_axbot_overlays.moc"

@@ -8,6 +8,9 @@
 #include "robot/axbot/parse_submap.h"
 #include "robot/axbot/parse_topics.h"
 #include "ros_messages/wrapper.pb.h"
+#include "test_program.h"
+
+namespace test_axbot_parse {
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
@@ -205,5 +208,7 @@ class AxbotParseTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AxbotParseTest)
+}  // namespace test_axbot_parse
+
+MAPWRIGHT_TEST(test_axbot_parse, AxbotParseTest, Core)
 #include "test_axbot_parse.moc"

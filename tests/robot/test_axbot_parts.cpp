@@ -7,6 +7,9 @@
 #include "robot/wire/base64.h"
 #include "robot/wire/raw_limit.h"
 #include "robot/wire/topic_mailbox.h"
+#include "test_program.h"
+
+namespace test_axbot_parts {
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
@@ -134,5 +137,7 @@ class AxbotPartsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AxbotPartsTest)
+}  // namespace test_axbot_parts
+
+MAPWRIGHT_TEST(test_axbot_parts, AxbotPartsTest, Core)
 #include "test_axbot_parts.moc"

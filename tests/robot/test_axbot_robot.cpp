@@ -11,6 +11,9 @@
 #include "scripted_robot.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_axbot_robot {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -619,5 +622,7 @@ class AxbotRobotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AxbotRobotTest)
+}  // namespace test_axbot_robot
+
+MAPWRIGHT_TEST(test_axbot_robot, AxbotRobotTest, Core)
 #include "test_axbot_robot.moc"

@@ -3,6 +3,9 @@
 #include <QTest>
 
 #include "robot/axbot/parse_topics.h"
+#include "test_program.h"
+
+namespace test_axbot_topics {
 
 using namespace mapwright;
 using namespace mapwright::robot::axbot;
@@ -276,5 +279,7 @@ class AxbotTopicsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AxbotTopicsTest)
+}  // namespace test_axbot_topics
+
+MAPWRIGHT_TEST(test_axbot_topics, AxbotTopicsTest, Core)
 #include "test_axbot_topics.moc"

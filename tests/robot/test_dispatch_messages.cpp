@@ -13,6 +13,9 @@
 #include "robot/ros/dispatch_names.h"
 #include "robot/ros/faults.h"
 #include "ros_messages.h"
+#include "test_program.h"
+
+namespace test_dispatch_messages {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -481,5 +484,7 @@ class DispatchMessagesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DispatchMessagesTest)
+}  // namespace test_dispatch_messages
+
+MAPWRIGHT_TEST(test_dispatch_messages, DispatchMessagesTest, Nothing)
 #include "test_dispatch_messages.moc"

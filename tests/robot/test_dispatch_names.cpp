@@ -3,6 +3,9 @@
 
 #include "robot/ros/dispatch_names.h"
 #include "robot/ros/ros_address.h"
+#include "test_program.h"
+
+namespace test_dispatch_names {
 
 using namespace mapwright::robot;
 using namespace mapwright::robot::ros;
@@ -157,5 +160,7 @@ class DispatchNamesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DispatchNamesTest)
+}  // namespace test_dispatch_names
+
+MAPWRIGHT_TEST(test_dispatch_names, DispatchNamesTest, Nothing)
 #include "test_dispatch_names.moc"

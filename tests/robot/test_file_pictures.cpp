@@ -4,6 +4,9 @@
 
 #include "robot/files/file_robot.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_file_pictures {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -113,5 +116,7 @@ class TestFilePictures : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestFilePictures)
+}  // namespace test_file_pictures
+
+MAPWRIGHT_TEST(test_file_pictures, TestFilePictures, Core)
 #include "test_file_pictures.moc"

@@ -14,6 +14,9 @@
 #include "robot/files/yaml_shelf.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_file_robot {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -360,5 +363,7 @@ class FileRobotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FileRobotTest)
+}  // namespace test_file_robot
+
+MAPWRIGHT_TEST(test_file_robot, FileRobotTest, Core)
 #include "test_file_robot.moc"

@@ -14,6 +14,9 @@
 #include "robot/ros/kabam_results.h"
 #include "ros_messages.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_kabam_parts {
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
@@ -382,5 +385,7 @@ class KabamPartsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(KabamPartsTest)
+}  // namespace test_kabam_parts
+
+MAPWRIGHT_TEST(test_kabam_parts, KabamPartsTest, Core)
 #include "test_kabam_parts.moc"

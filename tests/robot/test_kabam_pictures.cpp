@@ -11,6 +11,9 @@
 #include "scripted_bridge.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_kabam_pictures {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -455,5 +458,7 @@ class KabamPicturesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(KabamPicturesTest)
+}  // namespace test_kabam_pictures
+
+MAPWRIGHT_TEST(test_kabam_pictures, KabamPicturesTest, Core)
 #include "test_kabam_pictures.moc"

@@ -25,14 +25,15 @@
 #include "ros_messages/slam.pb.h"
 #include "ros_recordings.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_recorded_robot {
 
 using namespace mapwright;
 using namespace mapwright::robot;
 using recordings::Drive;
 using recordings::Encoding;
 using recordings::RosOut;
-
-Q_DECLARE_METATYPE(recordings::Encoding)
 
 namespace {
 
@@ -287,6 +288,10 @@ class Curve {
 };
 
 }  // namespace
+
+}  // namespace test_recorded_robot
+
+namespace test_recorded_robot {  // opened again: moc loses count of the braces in raw strings above
 
 class RecordedRobotTest : public QObject {
   Q_OBJECT
@@ -1358,5 +1363,7 @@ class RecordedRobotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordedRobotTest)
+}  // namespace test_recorded_robot
+
+MAPWRIGHT_TEST(test_recorded_robot, RecordedRobotTest, Core)
 #include "test_recorded_robot.moc"

@@ -10,6 +10,9 @@
 #include "robot/axbot/axbot_robot.h"
 #include "scripted_robot.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_robot_failures {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -19,8 +22,6 @@ using net::testing::SecureServer;
 using net::testing::SeenRequest;
 using std::chrono::milliseconds;
 using testing::ScriptedRobot;
-
-Q_DECLARE_METATYPE(mapwright::map::FailureKind)
 
 namespace {
 
@@ -257,5 +258,7 @@ class RobotFailuresTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RobotFailuresTest)
+}  // namespace test_robot_failures
+
+MAPWRIGHT_TEST(test_robot_failures, RobotFailuresTest, Core)
 #include "test_robot_failures.moc"

@@ -11,6 +11,9 @@
 #include "robot/ros/read_messages.h"
 #include "robot/wire/faults.h"
 #include "ros_messages.h"
+#include "test_program.h"
+
+namespace test_ros_clouds {
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
@@ -378,5 +381,7 @@ class RosCloudsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosCloudsTest)
+}  // namespace test_ros_clouds
+
+MAPWRIGHT_TEST(test_ros_clouds, RosCloudsTest, Core)
 #include "test_ros_clouds.moc"

@@ -10,6 +10,9 @@
 #include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
+#include "test_program.h"
+
+namespace test_ros_dispatch {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -554,5 +557,7 @@ class RosDispatchTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosDispatchTest)
+}  // namespace test_ros_dispatch
+
+MAPWRIGHT_TEST(test_ros_dispatch, RosDispatchTest, Core)
 #include "test_ros_dispatch.moc"

@@ -5,6 +5,9 @@
 #include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
+#include "test_program.h"
+
+namespace test_ros_map_service {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -172,5 +175,7 @@ class RosMapServiceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosMapServiceTest)
+}  // namespace test_ros_map_service
+
+MAPWRIGHT_TEST(test_ros_map_service, RosMapServiceTest, Core)
 #include "test_ros_map_service.moc"

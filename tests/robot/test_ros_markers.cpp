@@ -8,6 +8,9 @@
 #include "robot/ros/marker_board.h"
 #include "robot/ros/read_messages.h"
 #include "ros_messages.h"
+#include "test_program.h"
+
+namespace test_ros_markers {
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
@@ -161,5 +164,7 @@ class RosMarkersTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosMarkersTest)
+}  // namespace test_ros_markers
+
+MAPWRIGHT_TEST(test_ros_markers, RosMarkersTest, Core)
 #include "test_ros_markers.moc"

@@ -11,6 +11,9 @@
 #include "robot/ros/map_values.h"
 #include "robot/ros/read_messages.h"
 #include "ros_messages.h"
+#include "test_program.h"
+
+namespace test_ros_messages {
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
@@ -401,5 +404,7 @@ class RosMessagesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosMessagesTest)
+}  // namespace test_ros_messages
+
+MAPWRIGHT_TEST(test_ros_messages, RosMessagesTest, Core)
 #include "test_ros_messages.moc"

@@ -7,6 +7,9 @@
 #include "robot/ros/ros_topics.h"
 #include "robot/ros/ros_world.h"
 #include "ros_messages.h"
+#include "test_program.h"
+
+namespace test_ros_parts {
 
 using namespace mapwright;
 using namespace mapwright::robot::ros;
@@ -104,6 +107,10 @@ QString normal(const QString& typed) {
 }
 
 }  // namespace
+
+}  // namespace test_ros_parts
+
+namespace test_ros_parts {  // opened again: moc loses count of the braces in raw strings above
 
 class RosPartsTest : public QObject {
   Q_OBJECT
@@ -576,5 +583,7 @@ class RosPartsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosPartsTest)
+}  // namespace test_ros_parts
+
+MAPWRIGHT_TEST(test_ros_parts, RosPartsTest, Core)
 #include "test_ros_parts.moc"

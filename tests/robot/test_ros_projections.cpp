@@ -6,6 +6,9 @@
 #include "robot/ros/faults.h"
 #include "robot/ros/ros_robot.h"
 #include "scripted_bridge.h"
+#include "test_program.h"
+
+namespace test_ros_projections {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -242,5 +245,7 @@ class RosProjectionsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosProjectionsTest)
+}  // namespace test_ros_projections
+
+MAPWRIGHT_TEST(test_ros_projections, RosProjectionsTest, Core)
 #include "test_ros_projections.moc"

@@ -8,6 +8,9 @@
 #include "scripted_bridge.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_ros_robot {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -62,6 +65,10 @@ Outcome<T> answerTo(Ask ask) {
 }
 
 }  // namespace
+
+}  // namespace test_ros_robot
+
+namespace test_ros_robot {  // opened again: moc loses count of the braces in raw strings above
 
 class RosRobotTest : public QObject {
   Q_OBJECT
@@ -970,5 +977,7 @@ class RosRobotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosRobotTest)
+}  // namespace test_ros_robot
+
+MAPWRIGHT_TEST(test_ros_robot, RosRobotTest, Core)
 #include "test_ros_robot.moc"

@@ -7,6 +7,9 @@
 
 #include "robot/ros/faults.h"
 #include "robot/ros/transforms.h"
+#include "test_program.h"
+
+namespace test_ros_transforms {
 
 using namespace mapwright;
 using robot::ros::frameName;
@@ -278,5 +281,7 @@ class RosTransformsTest : public QObject {
   static double radians(double deg) { return geometry::radiansFromDegrees(deg); }
 };
 
-QTEST_GUILESS_MAIN(RosTransformsTest)
+}  // namespace test_ros_transforms
+
+MAPWRIGHT_TEST(test_ros_transforms, RosTransformsTest, Core)
 #include "test_ros_transforms.moc"

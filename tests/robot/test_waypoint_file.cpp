@@ -13,6 +13,9 @@
 #include "robot/files/waypoint_file.h"
 #include "sentences/failure_sentence.h"
 #include "sentences/fault_sentence.h"
+#include "test_program.h"
+
+namespace test_waypoint_file {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -314,5 +317,7 @@ class TestWaypointFile : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestWaypointFile)
+}  // namespace test_waypoint_file
+
+MAPWRIGHT_TEST(test_waypoint_file, TestWaypointFile, Core)
 #include "test_waypoint_file.moc"

@@ -1,6 +1,9 @@
 #include <QtTest>
 
 #include "rosbridge_server.h"
+#include "test_program.h"
+
+namespace test_rosbridge_calls {
 
 using namespace mapwright::net::rosbridge;
 using testing::quick;
@@ -503,5 +506,7 @@ class TestRosbridgeCalls : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosbridgeCalls)
+}  // namespace test_rosbridge_calls
+
+MAPWRIGHT_TEST(test_rosbridge_calls, TestRosbridgeCalls, Core)
 #include "test_rosbridge_calls.moc"

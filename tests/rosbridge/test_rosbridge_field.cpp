@@ -5,6 +5,9 @@
 
 #include "frames_for_tests.h"
 #include "net/rosbridge/field.h"
+#include "test_program.h"
+
+namespace test_rosbridge_field {
 
 using namespace mapwright::net::rosbridge;
 using testing::cbor;
@@ -320,5 +323,7 @@ class TestRosbridgeField : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosbridgeField)
+}  // namespace test_rosbridge_field
+
+MAPWRIGHT_TEST(test_rosbridge_field, TestRosbridgeField, Core)
 #include "test_rosbridge_field.moc"

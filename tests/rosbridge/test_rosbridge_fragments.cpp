@@ -5,6 +5,9 @@
 #include "frames_for_tests.h"
 #include "net/rosbridge/fragment_joiner.h"
 #include "net/rosbridge/requests.h"
+#include "test_program.h"
+
+namespace test_rosbridge_fragments {
 
 using namespace mapwright::net::rosbridge;
 using testing::json;
@@ -183,5 +186,7 @@ class TestRosbridgeFragments : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosbridgeFragments)
+}  // namespace test_rosbridge_fragments
+
+MAPWRIGHT_TEST(test_rosbridge_fragments, TestRosbridgeFragments, Core)
 #include "test_rosbridge_fragments.moc"

@@ -2,6 +2,9 @@
 
 #include "frames_for_tests.h"
 #include "net/rosbridge/png_text.h"
+#include "test_program.h"
+
+namespace test_rosbridge_frame {
 
 using namespace mapwright::net::rosbridge;
 using Fault = Frame::Fault;
@@ -197,5 +200,7 @@ class TestRosbridgeFrame : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosbridgeFrame)
+}  // namespace test_rosbridge_frame
+
+MAPWRIGHT_TEST(test_rosbridge_frame, TestRosbridgeFrame, Core)
 #include "test_rosbridge_frame.moc"

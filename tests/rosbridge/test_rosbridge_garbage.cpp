@@ -8,6 +8,9 @@
 #include "frames_for_tests.h"
 #include "net/rosbridge/fragment_joiner.h"
 #include "rosbridge_server.h"
+#include "test_program.h"
+
+namespace test_rosbridge_garbage {
 
 using namespace mapwright::net::rosbridge;
 using testing::cbor;
@@ -231,5 +234,7 @@ class TestRosbridgeGarbage : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosbridgeGarbage)
+}  // namespace test_rosbridge_garbage
+
+MAPWRIGHT_TEST(test_rosbridge_garbage, TestRosbridgeGarbage, Core)
 #include "test_rosbridge_garbage.moc"

@@ -5,6 +5,9 @@
 #include <QtTest>
 
 #include "rosbridge_server.h"
+#include "test_program.h"
+
+namespace test_rosbridge_one_connection {
 
 using namespace mapwright::net::rosbridge;
 using testing::quick;
@@ -172,5 +175,7 @@ class RosbridgeOneConnectionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RosbridgeOneConnectionTest)
+}  // namespace test_rosbridge_one_connection
+
+MAPWRIGHT_TEST(test_rosbridge_one_connection, RosbridgeOneConnectionTest, Core)
 #include "test_rosbridge_one_connection.moc"

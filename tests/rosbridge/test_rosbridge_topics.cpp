@@ -6,6 +6,9 @@
 #include "frames_for_tests.h"
 #include "net/faults.h"
 #include "rosbridge_server.h"
+#include "test_program.h"
+
+namespace test_rosbridge_topics {
 
 using namespace mapwright;
 using namespace mapwright::net::rosbridge;
@@ -338,5 +341,7 @@ class TestRosbridgeTopics : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosbridgeTopics)
+}  // namespace test_rosbridge_topics
+
+MAPWRIGHT_TEST(test_rosbridge_topics, TestRosbridgeTopics, Core)
 #include "test_rosbridge_topics.moc"

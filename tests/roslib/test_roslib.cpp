@@ -3,6 +3,9 @@
 #include <QTest>
 
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_roslib {
 
 using namespace mapwright;
 
@@ -48,5 +51,7 @@ class RoslibTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RoslibTest)
+}  // namespace test_roslib
+
+MAPWRIGHT_TEST(test_roslib, RoslibTest, Core)
 #include "test_roslib.moc"

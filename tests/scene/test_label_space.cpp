@@ -4,6 +4,9 @@
 #include <QtTest>
 
 #include "scene/label_space.h"
+#include "test_program.h"
+
+namespace test_label_space {
 
 using mapwright::scene::LabelSpace;
 
@@ -51,5 +54,7 @@ class LabelSpaceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(LabelSpaceTest)
+}  // namespace test_label_space
+
+MAPWRIGHT_TEST(test_label_space, LabelSpaceTest, Core)
 #include "test_label_space.moc"

@@ -9,6 +9,9 @@
 
 #include "fake_robot.h"
 #include "scene/map_scene.h"
+#include "test_program.h"
+
+namespace test_live_scene {
 
 using namespace mapwright;
 using scene::CompareMode;
@@ -346,5 +349,7 @@ class LiveSceneTest : public QObject {
   }
 };
 
-QTEST_MAIN(LiveSceneTest)
+}  // namespace test_live_scene
+
+MAPWRIGHT_TEST(test_live_scene, LiveSceneTest, Widgets)
 #include "test_live_scene.moc"

@@ -6,6 +6,9 @@
 
 #include "scene/map_clouds.h"
 #include "scene/map_scene.h"
+#include "test_program.h"
+
+namespace test_map_clouds {
 
 using namespace mapwright;
 using scene::Layer;
@@ -228,5 +231,7 @@ class TestMapClouds : public QObject {
   }
 };
 
-QTEST_MAIN(TestMapClouds)
+}  // namespace test_map_clouds
+
+MAPWRIGHT_TEST(test_map_clouds, TestMapClouds, Widgets)
 #include "test_map_clouds.moc"

@@ -6,6 +6,9 @@
 
 #include "fake_robot.h"
 #include "scene/map_scene.h"
+#include "test_program.h"
+
+namespace test_map_scene {
 
 using namespace mapwright;
 using Outcome = map::SubmapAnswer::Outcome;
@@ -191,5 +194,7 @@ class MapSceneTest : public QObject {
   }
 };
 
-QTEST_MAIN(MapSceneTest)
+}  // namespace test_map_scene
+
+MAPWRIGHT_TEST(test_map_scene, MapSceneTest, Widgets)
 #include "test_map_scene.moc"

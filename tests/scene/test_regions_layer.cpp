@@ -8,6 +8,9 @@
 #include "fake_robot.h"
 #include "scene/map_scene.h"
 #include "scene/regions_on_map.h"
+#include "test_program.h"
+
+namespace test_regions_layer {
 
 using namespace mapwright;
 using regions::FakeDispatch;
@@ -156,5 +159,7 @@ class RegionsLayerTest : public QObject {
   }
 };
 
-QTEST_MAIN(RegionsLayerTest)
+}  // namespace test_regions_layer
+
+MAPWRIGHT_TEST(test_regions_layer, RegionsLayerTest, Widgets)
 #include "test_regions_layer.moc"

@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "scene/repaint_pace.h"
+#include "test_program.h"
+
+namespace test_repaint_pace {
 
 using mapwright::scene::RepaintPace;
 
@@ -32,5 +35,7 @@ class RepaintPaceTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RepaintPaceTest)
+}  // namespace test_repaint_pace
+
+MAPWRIGHT_TEST(test_repaint_pace, RepaintPaceTest, Nothing)
 #include "test_repaint_pace.moc"

@@ -7,6 +7,9 @@
 #include "fake_robot.h"
 #include "scene/bag_track.h"
 #include "scene/map_scene.h"
+#include "test_program.h"
+
+namespace test_robot_place {
 
 using namespace mapwright;
 using map::Whereabouts;
@@ -327,5 +330,7 @@ class RobotPlaceTest : public QObject {
   }
 };
 
-QTEST_MAIN(RobotPlaceTest)
+}  // namespace test_robot_place
+
+MAPWRIGHT_TEST(test_robot_place, RobotPlaceTest, Widgets)
 #include "test_robot_place.moc"

@@ -1,6 +1,9 @@
 #include <QTest>
 
 #include "scene/map_layers.h"
+#include "test_program.h"
+
+namespace test_scale_bar {
 
 using namespace mapwright::scene;
 
@@ -37,5 +40,7 @@ class ScaleBarTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ScaleBarTest)
+}  // namespace test_scale_bar
+
+MAPWRIGHT_TEST(test_scale_bar, ScaleBarTest, Core)
 #include "test_scale_bar.moc"

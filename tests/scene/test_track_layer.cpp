@@ -10,6 +10,9 @@
 #include "scene/bag_track.h"
 #include "scene/map_scene.h"
 #include "scene/track_layer.h"
+#include "test_program.h"
+
+namespace test_track_layer {
 
 using namespace mapwright;
 using namespace mapwright::scene;
@@ -132,5 +135,7 @@ class TrackLayerTest : public QObject {
   }
 };
 
-QTEST_MAIN(TrackLayerTest)
+}  // namespace test_track_layer
+
+MAPWRIGHT_TEST(test_track_layer, TrackLayerTest, Widgets)
 #include "test_track_layer.moc"

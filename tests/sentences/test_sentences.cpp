@@ -21,6 +21,9 @@
 #include "sentences/subject_name.h"
 #include "session/faults.h"
 #include "submap/faults.h"
+#include "test_program.h"
+
+namespace test_sentences {
 
 using namespace mapwright;
 using map::Applied;
@@ -32,8 +35,6 @@ using map::Subject;
 using map::SubjectKind;
 using robot::Absence;
 using robot::Capability;
-
-Q_DECLARE_METATYPE(mapwright::map::Failure)
 
 class SentencesTest : public QObject {
   Q_OBJECT
@@ -268,5 +269,7 @@ class SentencesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SentencesTest)
+}  // namespace test_sentences
+
+MAPWRIGHT_TEST(test_sentences, SentencesTest, Core)
 #include "test_sentences.moc"

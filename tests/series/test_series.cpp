@@ -8,6 +8,9 @@
 
 #include "series/series.h"
 #include "series/speed.h"
+#include "test_program.h"
+
+namespace test_series {
 
 using namespace mapwright::series;
 
@@ -355,5 +358,7 @@ void TestSeries::beingPlacedAnewIsNoSpeed() {
     QVERIFY(std::isnan(each.value) || each.value < 0.001);
 }
 
-QTEST_APPLESS_MAIN(TestSeries)
+}  // namespace test_series
+
+MAPWRIGHT_TEST(test_series, TestSeries, Nothing)
 #include "test_series.moc"

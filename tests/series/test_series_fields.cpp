@@ -6,6 +6,9 @@
 
 #include "series/quantity.h"
 #include "series/read_fields.h"
+#include "test_program.h"
+
+namespace test_series_fields {
 
 using namespace mapwright;
 using namespace mapwright::series;
@@ -167,5 +170,7 @@ void TestSeriesFields::quantitiesAreThoseOfTheMessages() {
   QCOMPARE(*valueOf(Quantity::Battery, map::TopicMessage(battery)), 42.0);
 }
 
-QTEST_APPLESS_MAIN(TestSeriesFields)
+}  // namespace test_series_fields
+
+MAPWRIGHT_TEST(test_series_fields, TestSeriesFields, Nothing)
 #include "test_series_fields.moc"

@@ -7,6 +7,9 @@
 #include "map/faults.h"
 #include "sentences/problem_sentence.h"
 #include "session/map_slot.h"
+#include "test_program.h"
+
+namespace test_map_slot {
 
 using namespace mapwright;
 using session::MapSlot;
@@ -273,5 +276,7 @@ class MapSlotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MapSlotTest)
+}  // namespace test_map_slot
+
+MAPWRIGHT_TEST(test_map_slot, MapSlotTest, Core)
 #include "test_map_slot.moc"

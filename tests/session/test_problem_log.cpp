@@ -2,6 +2,9 @@
 
 #include "robot/axbot/faults.h"
 #include "session/problem_log.h"
+#include "test_program.h"
+
+namespace test_problem_log {
 
 using namespace mapwright;
 using fault::said;
@@ -226,5 +229,7 @@ class ProblemLogTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ProblemLogTest)
+}  // namespace test_problem_log
+
+MAPWRIGHT_TEST(test_problem_log, ProblemLogTest, Core)
 #include "test_problem_log.moc"

@@ -3,12 +3,13 @@
 #include <QTest>
 
 #include "session/safety_watch.h"
+#include "test_program.h"
+
+namespace test_safety_watch {
 
 using namespace mapwright;
 using map::reduce;
 using session::SafetyWatch;
-
-Q_DECLARE_METATYPE(mapwright::map::SafetyCondition)
 
 class SafetyWatchTest : public QObject {
   Q_OBJECT
@@ -92,5 +93,7 @@ class SafetyWatchTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SafetyWatchTest)
+}  // namespace test_safety_watch
+
+MAPWRIGHT_TEST(test_safety_watch, SafetyWatchTest, Core)
 #include "test_safety_watch.moc"

@@ -8,6 +8,9 @@
 #include "robot/axbot/faults.h"
 #include "session/faults.h"
 #include "session/session.h"
+#include "test_program.h"
+
+namespace test_session {
 
 using namespace mapwright;
 using Outcome = map::SubmapAnswer::Outcome;
@@ -491,5 +494,7 @@ class SessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SessionTest)
+}  // namespace test_session
+
+MAPWRIGHT_TEST(test_session, SessionTest, Core)
 #include "test_session.moc"

@@ -8,6 +8,9 @@
 #include "robot/map_dispatch.h"
 #include "sentences/problem_sentence.h"
 #include "session/session.h"
+#include "test_program.h"
+
+namespace test_session_maps {
 
 using namespace mapwright;
 using session::MapSlot;
@@ -794,5 +797,7 @@ class SessionMapsTest : public QObject {
   }
 };
 
-QTEST_MAIN(SessionMapsTest)
+}  // namespace test_session_maps
+
+MAPWRIGHT_TEST(test_session_maps, SessionMapsTest, Widgets)
 #include "test_session_maps.moc"

@@ -7,6 +7,9 @@
 
 #include "fake_robot.h"
 #include "session/session.h"
+#include "test_program.h"
+
+namespace test_standing_still {
 
 using namespace mapwright;
 using Outcome = map::SubmapAnswer::Outcome;
@@ -155,5 +158,7 @@ class StandingStillTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(StandingStillTest)
+}  // namespace test_standing_still
+
+MAPWRIGHT_TEST(test_standing_still, StandingStillTest, Core)
 #include "test_standing_still.moc"

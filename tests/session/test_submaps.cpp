@@ -8,6 +8,9 @@
 
 #include "../cells/scratch_files.h"
 #include "session/submaps.h"
+#include "test_program.h"
+
+namespace test_submaps {
 
 using namespace mapwright;
 using map::SubmapAnswer;
@@ -259,5 +262,7 @@ class SubmapsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubmapsTest)
+}  // namespace test_submaps
+
+MAPWRIGHT_TEST(test_submaps, SubmapsTest, Core)
 #include "test_submaps.moc"

@@ -7,6 +7,9 @@
 
 #include "raw_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_aimdk {
 
 using mapwright::simulator::Faults;
 using mapwright::simulator::Options;
@@ -53,6 +56,10 @@ raw::HttpReply topo(const Simulator& robot, const QString& id) {
 }
 
 }  // namespace
+
+}  // namespace test_aimdk
+
+namespace test_aimdk {  // opened again: moc loses count of the braces in raw strings above
 
 class TestAimdk : public QObject {
   Q_OBJECT
@@ -199,5 +206,7 @@ class TestAimdk : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestAimdk)
+}  // namespace test_aimdk
+
+MAPWRIGHT_TEST(test_aimdk, TestAimdk, Core)
 #include "test_aimdk.moc"

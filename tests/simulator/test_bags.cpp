@@ -9,6 +9,9 @@
 
 #include "listening.h"
 #include "raw_robot.h"
+#include "test_program.h"
+
+namespace test_bags {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::Simulator;
@@ -381,5 +384,7 @@ class TestBags : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestBags)
+}  // namespace test_bags
+
+MAPWRIGHT_TEST(test_bags, TestBags, Core)
 #include "test_bags.moc"

@@ -5,7 +5,10 @@
 
 #include "raw_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "topic_socket.h"
+
+namespace test_faults {
 
 using mapwright::simulator::Faults;
 using mapwright::simulator::Options;
@@ -182,5 +185,7 @@ class TestFaults : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestFaults)
+}  // namespace test_faults
+
+MAPWRIGHT_TEST(test_faults, TestFaults, Core)
 #include "test_faults.moc"

@@ -9,6 +9,9 @@
 
 #include "raw_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_http {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::RequestRecord;
@@ -304,5 +307,7 @@ class TestHttp : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestHttp)
+}  // namespace test_http
+
+MAPWRIGHT_TEST(test_http, TestHttp, Core)
 #include "test_http.moc"

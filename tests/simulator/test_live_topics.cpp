@@ -13,7 +13,10 @@
 #include "raw_robot.h"
 #include "ros_messages/wrapper.pb.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "topic_socket.h"
+
+namespace test_live_topics {
 
 using mapwright::simulator::Faults;
 using mapwright::simulator::Options;
@@ -418,5 +421,7 @@ class TestLiveTopics : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestLiveTopics)
+}  // namespace test_live_topics
+
+MAPWRIGHT_TEST(test_live_topics, TestLiveTopics, Core)
 #include "test_live_topics.moc"

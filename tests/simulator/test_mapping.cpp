@@ -5,6 +5,9 @@
 
 #include "listening.h"
 #include "raw_robot.h"
+#include "test_program.h"
+
+namespace test_mapping {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::Simulator;
@@ -185,5 +188,7 @@ class TestMapping : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestMapping)
+}  // namespace test_mapping
+
+MAPWRIGHT_TEST(test_mapping, TestMapping, Core)
 #include "test_mapping.moc"

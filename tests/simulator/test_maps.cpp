@@ -8,6 +8,9 @@
 
 #include "raw_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_maps {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::Simulator;
@@ -304,5 +307,7 @@ class TestMaps : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestMaps)
+}  // namespace test_maps
+
+MAPWRIGHT_TEST(test_maps, TestMaps, Core)
 #include "test_maps.moc"

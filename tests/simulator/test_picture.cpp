@@ -9,7 +9,10 @@
 
 #include "raw_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "topic_socket.h"
+
+namespace test_picture {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::Simulator;
@@ -224,5 +227,7 @@ class TestPicture : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestPicture)
+}  // namespace test_picture
+
+MAPWRIGHT_TEST(test_picture, TestPicture, Core)
 #include "test_picture.moc"

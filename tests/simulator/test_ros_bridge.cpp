@@ -5,6 +5,9 @@
 
 #include "ros_socket.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_ros_bridge {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::RosWriter;
@@ -372,5 +375,7 @@ class TestRosBridge : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosBridge)
+}  // namespace test_ros_bridge
+
+MAPWRIGHT_TEST(test_ros_bridge, TestRosBridge, Core)
 #include "test_ros_bridge.moc"

@@ -7,6 +7,9 @@
 
 #include "ros_socket.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_ros_dispatcher {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::RosDialect;
@@ -289,5 +292,7 @@ class TestRosDispatcher : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosDispatcher)
+}  // namespace test_ros_dispatcher
+
+MAPWRIGHT_TEST(test_ros_dispatcher, TestRosDispatcher, Core)
 #include "test_ros_dispatcher.moc"

@@ -6,6 +6,9 @@
 
 #include "ros_socket.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_ros_faults {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::RosFaults;
@@ -269,5 +272,7 @@ class TestRosFaults : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosFaults)
+}  // namespace test_ros_faults
+
+MAPWRIGHT_TEST(test_ros_faults, TestRosFaults, Core)
 #include "test_ros_faults.moc"

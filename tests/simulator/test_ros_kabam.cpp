@@ -4,6 +4,9 @@
 
 #include "ros_socket.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_ros_kabam {
 
 using mapwright::simulator::Options;
 
@@ -346,5 +349,7 @@ class TestRosKabam : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosKabam)
+}  // namespace test_ros_kabam
+
+MAPWRIGHT_TEST(test_ros_kabam, TestRosKabam, Core)
 #include "test_ros_kabam.moc"

@@ -7,6 +7,9 @@
 
 #include "ros_socket.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_ros_scene {
 
 using mapwright::simulator::Options;
 
@@ -244,5 +247,7 @@ class TestRosScene : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRosScene)
+}  // namespace test_ros_scene
+
+MAPWRIGHT_TEST(test_ros_scene, TestRosScene, Core)
 #include "test_ros_scene.moc"

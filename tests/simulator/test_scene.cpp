@@ -8,6 +8,9 @@
 #include "simulator/scan_grid.h"
 #include "simulator/scene.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
+
+namespace test_scene {
 
 using namespace mapwright;
 using namespace mapwright::simulator;
@@ -126,5 +129,7 @@ class TestScene : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestScene)
+}  // namespace test_scene
+
+MAPWRIGHT_TEST(test_scene, TestScene, Core)
 #include "test_scene.moc"

@@ -9,7 +9,10 @@
 #include "raw_robot.h"
 #include "ros_messages/wrapper.pb.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "topic_socket.h"
+
+namespace test_topics {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::Simulator;
@@ -378,5 +381,7 @@ class TestTopics : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestTopics)
+}  // namespace test_topics
+
+MAPWRIGHT_TEST(test_topics, TestTopics, Core)
 #include "test_topics.moc"

@@ -4,6 +4,9 @@
 
 #include "listening.h"
 #include "raw_robot.h"
+#include "test_program.h"
+
+namespace test_vitals {
 
 using mapwright::simulator::Options;
 using mapwright::simulator::Simulator;
@@ -64,5 +67,7 @@ class TestVitals : public QObject {
   void posesComeTenTimesASecondAsRobotsSendThem() { QCOMPARE(Options().pose_hz, 10.0); }
 };
 
-QTEST_GUILESS_MAIN(TestVitals)
+}  // namespace test_vitals
+
+MAPWRIGHT_TEST(test_vitals, TestVitals, Core)
 #include "test_vitals.moc"

@@ -9,6 +9,9 @@
 
 #include "listening.h"
 #include "raw_robot.h"
+#include "test_program.h"
+
+namespace test_writing {
 
 using mapwright::simulator::Faults;
 using mapwright::simulator::Options;
@@ -456,5 +459,7 @@ class TestWriting : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestWriting)
+}  // namespace test_writing
+
+MAPWRIGHT_TEST(test_writing, TestWriting, Core)
 #include "test_writing.moc"

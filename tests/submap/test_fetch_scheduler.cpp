@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "submap/fetch_scheduler.h"
+#include "test_program.h"
+
+namespace test_fetch_scheduler {
 
 using namespace mapwright::submap;
 using mapwright::map::SubmapAnswer;
@@ -346,5 +349,7 @@ class FetchSchedulerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FetchSchedulerTest)
+}  // namespace test_fetch_scheduler
+
+MAPWRIGHT_TEST(test_fetch_scheduler, FetchSchedulerTest, Core)
 #include "test_fetch_scheduler.moc"

@@ -4,6 +4,9 @@
 
 #include "submap/faults.h"
 #include "submap/submap_book.h"
+#include "test_program.h"
+
+namespace test_submap_book {
 
 using namespace mapwright;
 using submap::BookChange;
@@ -201,5 +204,7 @@ class SubmapBookTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubmapBookTest)
+}  // namespace test_submap_book
+
+MAPWRIGHT_TEST(test_submap_book, SubmapBookTest, Core)
 #include "test_submap_book.moc"

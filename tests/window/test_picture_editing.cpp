@@ -8,7 +8,10 @@
 #include <QtTest>
 
 #include "grids/grid_pyramid.h"
+#include "test_program.h"
 #include "window/picture/picture_editing.h"
+
+namespace test_picture_editing {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -391,5 +394,7 @@ class TestPictureEditing : public QObject {
   }
 };
 
-QTEST_MAIN(TestPictureEditing)
+}  // namespace test_picture_editing
+
+MAPWRIGHT_TEST(test_picture_editing, TestPictureEditing, Widgets)
 #include "test_picture_editing.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "series/read_fields.h"
+#include "test_program.h"
 #include "window/docks/field_at.h"
 #include "window/docks/message_view.h"
 #include "window/docks/pretty_json.h"
@@ -13,6 +14,8 @@
 #include "window/plots/field_drag.h"
 #include "window/plots/plot_look.h"
 #include "window/plots/plot_ticks.h"
+
+namespace test_plot_parts {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -213,5 +216,7 @@ void TestPlotParts::whatIsDroppedIsAFieldOrNothing() {
   QVERIFY(!wishFromMime(broken));
 }
 
-QTEST_MAIN(TestPlotParts)
+}  // namespace test_plot_parts
+
+MAPWRIGHT_TEST(test_plot_parts, TestPlotParts, Widgets)
 #include "test_plot_parts.moc"

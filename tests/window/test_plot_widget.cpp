@@ -12,7 +12,10 @@
 #include <QtTest>
 
 #include "ink.h"
+#include "test_program.h"
 #include "window/plots/plot_widget.h"
+
+namespace test_plot_widget {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -263,5 +266,7 @@ void TestPlotWidget::aRangeOfValuesIsTyped() {
   QCOMPARE(shown.plot.values(), (PlotWidget::Range{-2.5, 7}));
 }
 
-QTEST_MAIN(TestPlotWidget)
+}  // namespace test_plot_widget
+
+MAPWRIGHT_TEST(test_plot_widget, TestPlotWidget, Widgets)
 #include "test_plot_widget.moc"

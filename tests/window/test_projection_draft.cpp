@@ -3,8 +3,11 @@
 
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/clouds/section_bands.h"
 #include "window/projections/projection_draft.h"
+
+namespace test_projection_draft {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -132,5 +135,7 @@ class TestProjectionDraft : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestProjectionDraft)
+}  // namespace test_projection_draft
+
+MAPWRIGHT_TEST(test_projection_draft, TestProjectionDraft, Core)
 #include "test_projection_draft.moc"

@@ -3,8 +3,11 @@
 
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/replay/timeline_axis.h"
 #include "window/replay/timeline_events.h"
+
+namespace test_timeline {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -214,5 +217,7 @@ class TestTimeline : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestTimeline)
+}  // namespace test_timeline
+
+MAPWRIGHT_TEST(test_timeline, TestTimeline, Core)
 #include "test_timeline.moc"

@@ -5,11 +5,14 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/administration/administration_controller.h"
 #include "window/docks/maps_dock.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
 #include "window_bench.h"
+
+namespace test_window_administration {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -344,5 +347,7 @@ class TestWindowAdministration : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowAdministration)
+}  // namespace test_window_administration
+
+MAPWRIGHT_TEST(test_window_administration, TestWindowAdministration, Widgets)
 #include "test_window_administration.moc"

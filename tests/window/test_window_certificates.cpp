@@ -3,6 +3,7 @@
 #include <QPushButton>
 
 #include "net/faults.h"
+#include "test_program.h"
 #include "window/dialogs/certificate_dialog.h"
 #include "window/dialogs/recent_robots.h"
 #include "window/dialogs/trusted_certificates.h"
@@ -10,6 +11,8 @@
 #include "window/map/map_overlay.h"
 #include "window/map/notice_bar.h"
 #include "window_bench.h"
+
+namespace test_window_certificates {
 
 using namespace mapwright;
 using namespace mapwright::test;
@@ -200,5 +203,7 @@ class WindowCertificatesTest : public QObject {
   }
 };
 
-QTEST_MAIN(WindowCertificatesTest)
+}  // namespace test_window_certificates
+
+MAPWRIGHT_TEST(test_window_certificates, WindowCertificatesTest, Widgets)
 #include "test_window_certificates.moc"

@@ -11,6 +11,7 @@
 #include "known_addresses.h"
 #include "robot/map_dispatch.h"
 #include "scene/map_clouds.h"
+#include "test_program.h"
 #include "window/clouds/clouds_controller.h"
 #include "window/clouds/clouds_dock.h"
 #include "window/clouds/region_tool.h"
@@ -20,6 +21,8 @@
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
 #include "window/map/toast_stack.h"
+
+namespace test_window_clouds {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -488,5 +491,7 @@ class TestWindowClouds : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowClouds)
+}  // namespace test_window_clouds
+
+MAPWRIGHT_TEST(test_window_clouds, TestWindowClouds, Widgets)
 #include "test_window_clouds.moc"

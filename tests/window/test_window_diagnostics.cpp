@@ -8,10 +8,13 @@
 #include <QSpinBox>
 #include <QTest>
 
+#include "test_program.h"
 #include "window/help/diagnostics_dialog.h"
 #include "window/help/work_settings.h"
 #include "window/look/plain_label.h"
 #include "window_bench.h"
+
+namespace test_window_diagnostics {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -169,5 +172,7 @@ class WindowDiagnosticsTest : public QObject {
   }
 };
 
-QTEST_MAIN(WindowDiagnosticsTest)
+}  // namespace test_window_diagnostics
+
+MAPWRIGHT_TEST(test_window_diagnostics, WindowDiagnosticsTest, Widgets)
 #include "test_window_diagnostics.moc"

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "known_addresses.h"
+#include "test_program.h"
 #include "window/actions.h"
 #include "window/dialogs/command_palette.h"
 #include "window/dialogs/connect_dialog.h"
@@ -17,6 +18,8 @@
 #include "window/dialogs/shortcut_sheet.h"
 #include "window/look/icons.h"
 #include "window/look/plain_label.h"
+
+namespace test_window_dialogs {
 
 using namespace mapwright::window;
 
@@ -217,5 +220,7 @@ class TestWindowDialogs : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowDialogs)
+}  // namespace test_window_dialogs
+
+MAPWRIGHT_TEST(test_window_dialogs, TestWindowDialogs, Widgets)
 #include "test_window_dialogs.moc"

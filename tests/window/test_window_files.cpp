@@ -8,6 +8,7 @@
 #include <QSemaphore>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/dialogs/export_dialog.h"
 #include "window/dialogs/picture_dialog.h"
 #include "window/dialogs/recent_robots.h"
@@ -16,6 +17,8 @@
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
 #include "window_bench.h"
+
+namespace test_window_files {
 
 using namespace mapwright;
 using namespace mapwright::jobs;
@@ -383,5 +386,7 @@ class TestWindowFiles : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowFiles)
+}  // namespace test_window_files
+
+MAPWRIGHT_TEST(test_window_files, TestWindowFiles, Widgets)
 #include "test_window_files.moc"

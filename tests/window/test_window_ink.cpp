@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "ink.h"
+#include "test_program.h"
 #include "window/look/plain_label.h"
 #include "window/map/empty_state.h"
 #include "window/map/map_overlay.h"
@@ -13,6 +14,8 @@
 #include "window/status/safety_badge.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
+
+namespace test_window_ink {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -210,5 +213,7 @@ class TestWindowInk : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowInk)
+}  // namespace test_window_ink
+
+MAPWRIGHT_TEST(test_window_ink, TestWindowInk, Widgets)
 #include "test_window_ink.moc"

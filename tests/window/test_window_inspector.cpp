@@ -5,6 +5,7 @@
 #include <QTreeView>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/docks/inspector_controls.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/submap_columns.h"
@@ -13,6 +14,8 @@
 #include "window/status/status_text.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
+
+namespace test_window_inspector {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -280,5 +283,7 @@ class TestWindowInspector : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowInspector)
+}  // namespace test_window_inspector
+
+MAPWRIGHT_TEST(test_window_inspector, TestWindowInspector, Widgets)
 #include "test_window_inspector.moc"

@@ -8,6 +8,7 @@
 #include "robot/ros/ros_address.h"
 #include "robot/ros/ros_robot.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "window/main_window.h"
 #include "window/map/map_overlay.h"
 #include "window/map/map_view.h"
@@ -16,6 +17,8 @@
 #include "window/picture/picture_copies.h"
 #include "window/picture/picture_dock.h"
 #include "window/picture/picture_tool.h"
+
+namespace test_window_kabam_picture {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -281,5 +284,7 @@ class TestWindowKabamPicture : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowKabamPicture)
+}  // namespace test_window_kabam_picture
+
+MAPWRIGHT_TEST(test_window_kabam_picture, TestWindowKabamPicture, Widgets)
 #include "test_window_kabam_picture.moc"

@@ -7,10 +7,13 @@
 #include <QtTest>
 
 #include "robot/offers_topics.h"
+#include "test_program.h"
 #include "window/docks/layer_row.h"
 #include "window/docks/layer_style_editor.h"
 #include "window/docks/layers_dock.h"
 #include "window_bench.h"
+
+namespace test_window_layers {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -229,5 +232,7 @@ class TestWindowLayers : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowLayers)
+}  // namespace test_window_layers
+
+MAPWRIGHT_TEST(test_window_layers, TestWindowLayers, Widgets)
 #include "test_window_layers.moc"

@@ -20,12 +20,15 @@
 #include <QVBoxLayout>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/docks/opacity_slider.h"
 #include "window/docks/tree_view.h"
 #include "window/look/icons.h"
 #include "window/look/theme.h"
 #include "window/look/ui_colors.h"
 #include "window/status/state_mark.h"
+
+namespace test_window_look {
 
 using namespace mapwright::window;
 
@@ -291,5 +294,7 @@ class TestWindowLook : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowLook)
+}  // namespace test_window_look
+
+MAPWRIGHT_TEST(test_window_look, TestWindowLook, Widgets)
 #include "test_window_look.moc"

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/dialogs/connect_dialog.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
@@ -26,6 +27,8 @@
 #include "window/status/connection_chip.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
+
+namespace test_window_main {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -438,5 +441,7 @@ class TestWindowMain : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowMain)
+}  // namespace test_window_main
+
+MAPWRIGHT_TEST(test_window_main, TestWindowMain, Widgets)
 #include "test_window_main.moc"

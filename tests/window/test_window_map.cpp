@@ -9,6 +9,7 @@
 #include <QTreeView>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/docks/inspector_controls.h"
 #include "window/docks/inspector_dock.h"
 #include "window/docks/layers_dock.h"
@@ -22,6 +23,8 @@
 #include "window/map/toast_stack.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
+
+namespace test_window_map {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -399,5 +402,7 @@ class TestWindowMap : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowMap)
+}  // namespace test_window_map
+
+MAPWRIGHT_TEST(test_window_map, TestWindowMap, Widgets)
 #include "test_window_map.moc"

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/docks/layers_dock.h"
 #include "window/docks/maps_dock.h"
 #include "window/docks/robot_dock.h"
@@ -19,6 +20,8 @@
 #include "window/on_screen.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
+
+namespace test_window_maps {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -485,5 +488,7 @@ class TestWindowMaps : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowMaps)
+}  // namespace test_window_maps
+
+MAPWRIGHT_TEST(test_window_maps, TestWindowMaps, Widgets)
 #include "test_window_maps.moc"

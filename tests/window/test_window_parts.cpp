@@ -10,6 +10,7 @@
 #include <QToolBar>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/action_bars.h"
 #include "window/controller.h"
 #include "window/current_session.h"
@@ -18,6 +19,8 @@
 #include "window/panels.h"
 #include "window/unsaved_changes.h"
 #include "window_bench.h"
+
+namespace test_window_parts {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -307,5 +310,7 @@ class TestWindowParts : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowParts)
+}  // namespace test_window_parts
+
+MAPWRIGHT_TEST(test_window_parts, TestWindowParts, Widgets)
 #include "test_window_parts.moc"

@@ -12,6 +12,7 @@
 
 #include "robot/files/file_address.h"
 #include "robot/files/file_robot.h"
+#include "test_program.h"
 #include "window/look/ui_colors.h"
 #include "window/main_window.h"
 #include "window/map/compare_control.h"
@@ -24,6 +25,8 @@
 #include "window/picture/picture_text.h"
 #include "window/picture/picture_tool.h"
 #include "window_bench.h"
+
+namespace test_window_picture {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -547,5 +550,7 @@ class TestWindowPicture : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowPicture)
+}  // namespace test_window_picture
+
+MAPWRIGHT_TEST(test_window_picture, TestWindowPicture, Widgets)
 #include "test_window_picture.moc"

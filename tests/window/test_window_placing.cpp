@@ -9,6 +9,7 @@
 
 #include "../edit/fake_waypoint_store.h"
 #include "geometry/pose.h"
+#include "test_program.h"
 #include "window/map/map_overlay.h"
 #include "window/waypoints/line_bar.h"
 #include "window/waypoints/line_tool.h"
@@ -19,6 +20,8 @@
 #include "window/waypoints/waypoints_controller.h"
 #include "window/waypoints/waypoints_dock.h"
 #include "window_bench.h"
+
+namespace test_window_placing {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -510,5 +513,7 @@ class TestWindowPlacing : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowPlacing)
+}  // namespace test_window_placing
+
+MAPWRIGHT_TEST(test_window_placing, TestWindowPlacing, Widgets)
 #include "test_window_placing.moc"

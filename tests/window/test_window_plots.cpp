@@ -13,9 +13,12 @@
 
 #include "fake_robot.h"
 #include "ink.h"
+#include "test_program.h"
 #include "text_bag.h"
 #include "window/plots/field_drag.h"
 #include "window/plots/plots_dock.h"
+
+namespace test_window_plots {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -389,5 +392,7 @@ void TestWindowPlots::closingTheBagLeavesNothingOfIt() {
   QCOMPARE(seeks.size(), 0);
 }
 
-QTEST_MAIN(TestWindowPlots)
+}  // namespace test_window_plots
+
+MAPWRIGHT_TEST(test_window_plots, TestWindowPlots, Widgets)
 #include "test_window_plots.moc"

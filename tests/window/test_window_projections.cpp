@@ -10,6 +10,7 @@
 #include "fake_robot.h"
 #include "known_addresses.h"
 #include "robot/map_dispatch.h"
+#include "test_program.h"
 #include "window/clouds/clouds_controller.h"
 #include "window/clouds/section_dock.h"
 #include "window/main_window.h"
@@ -17,6 +18,8 @@
 #include "window/projections/projection_tool.h"
 #include "window/projections/projections_controller.h"
 #include "window/projections/projections_dock.h"
+
+namespace test_window_projections {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -384,5 +387,7 @@ class TestWindowProjections : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowProjections)
+}  // namespace test_window_projections
+
+MAPWRIGHT_TEST(test_window_projections, TestWindowProjections, Widgets)
 #include "test_window_projections.moc"

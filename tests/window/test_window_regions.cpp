@@ -18,6 +18,7 @@
 #include "fake_robot.h"
 #include "known_addresses.h"
 #include "scene/regions_on_map.h"
+#include "test_program.h"
 #include "window/docks/maps_dock.h"
 #include "window/main_window.h"
 #include "window/map/empty_state.h"
@@ -30,6 +31,8 @@
 #include "window/regions/regions_controller.h"
 #include "window/regions/regions_text.h"
 #include "window/regions/save_map_dialog.h"
+
+namespace test_window_regions {
 
 using namespace mapwright;
 using regions::FakeDispatch;
@@ -645,5 +648,7 @@ class TestWindowRegions : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowRegions)
+}  // namespace test_window_regions
+
+MAPWRIGHT_TEST(test_window_regions, TestWindowRegions, Widgets)
 #include "test_window_regions.moc"

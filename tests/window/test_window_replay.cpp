@@ -20,6 +20,7 @@
 #include "robot/axbot/axbot_robot.h"
 #include "scene/pose_between.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "window/docks/messages_dock.h"
 #include "window/look/plain_label.h"
 #include "window/main_window.h"
@@ -36,6 +37,8 @@
 #include "window/replay/replay_clock.h"
 #include "window/replay/replay_controller.h"
 #include "window/replay/timeline_dock.h"
+
+namespace test_window_replay {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -979,5 +982,7 @@ class TestWindowReplay : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowReplay)
+}  // namespace test_window_replay
+
+MAPWRIGHT_TEST(test_window_replay, TestWindowReplay, Widgets)
 #include "test_window_replay.moc"

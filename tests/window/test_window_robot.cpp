@@ -6,12 +6,15 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/docks/message_view.h"
 #include "window/docks/messages_dock.h"
 #include "window/docks/pretty_json.h"
 #include "window/docks/robot_dock.h"
 #include "window/docks/robot_status.h"
 #include "window_bench.h"
+
+namespace test_window_robot {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -262,5 +265,7 @@ class TestWindowRobot : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowRobot)
+}  // namespace test_window_robot
+
+MAPWRIGHT_TEST(test_window_robot, TestWindowRobot, Widgets)
 #include "test_window_robot.moc"

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "ink.h"
+#include "test_program.h"
 #include "window/docks/inspector_summary.h"
 #include "window/docks/maps_dock.h"
 #include "window/docks/problems_dock.h"
@@ -14,6 +15,8 @@
 #include "window/status/safety_badge.h"
 #include "window/status/window_status_bar.h"
 #include "window_bench.h"
+
+namespace test_window_safety {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -333,5 +336,7 @@ class TestWindowSafety : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowSafety)
+}  // namespace test_window_safety
+
+MAPWRIGHT_TEST(test_window_safety, TestWindowSafety, Widgets)
 #include "test_window_safety.moc"

@@ -7,12 +7,15 @@
 #include "robot/ros/ros_robot.h"
 #include "robot/silence.h"
 #include "simulator/simulator.h"
+#include "test_program.h"
 #include "window/main_window.h"
 #include "window/map/map_view.h"
 #include "window/status/window_status_bar.h"
 #include "window/waypoints/waypoint_review.h"
 #include "window/waypoints/waypoints_controller.h"
 #include "window/waypoints/waypoints_dock.h"
+
+namespace test_window_stalls {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -138,5 +141,7 @@ class TestWindowStalls : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowStalls)
+}  // namespace test_window_stalls
+
+MAPWRIGHT_TEST(test_window_stalls, TestWindowStalls, Widgets)
 #include "test_window_stalls.moc"

@@ -1,6 +1,7 @@
 // The sentences and numbers of the window, the filter, the colours.
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/dialogs/command_palette.h"
 #include "window/dialogs/go_to_dialog.h"
 #include "window/docks/maps_model.h"
@@ -17,6 +18,8 @@
 #include "window/status/link_text.h"
 #include "window/status/status_text.h"
 #include "words/qt_plain.h"
+
+namespace test_window_text {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -350,5 +353,7 @@ class TestWindowText : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowText)
+}  // namespace test_window_text
+
+MAPWRIGHT_TEST(test_window_text, TestWindowText, Widgets)
 #include "test_window_text.moc"

@@ -8,8 +8,11 @@
 
 #include "fake_robot.h"
 #include "session/session.h"
+#include "test_program.h"
 #include "window/docks/submap_filter_model.h"
 #include "window/docks/submap_tree_model.h"
+
+namespace test_window_tree {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -271,5 +274,7 @@ class TestWindowTree : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowTree)
+}  // namespace test_window_tree
+
+MAPWRIGHT_TEST(test_window_tree, TestWindowTree, Widgets)
 #include "test_window_tree.moc"

@@ -2,8 +2,11 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "test_program.h"
 #include "window/map/map_view.h"
 #include "window/map/measure_tool.h"
+
+namespace test_window_view {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -242,5 +245,7 @@ class TestWindowView : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowView)
+}  // namespace test_window_view
+
+MAPWRIGHT_TEST(test_window_view, TestWindowView, Widgets)
 #include "test_window_view.moc"

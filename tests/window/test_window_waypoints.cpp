@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "session/lacks_picture.h"
+#include "test_program.h"
 #include "waypoints_desk.h"
 #include "window/action_bars.h"
 #include "window/map/empty_state.h"
@@ -25,6 +26,8 @@
 #include "window/waypoints/waypoint_tool.h"
 #include "window/waypoints/waypoints_controller.h"
 #include "window/waypoints/waypoints_dock.h"
+
+namespace test_window_waypoints {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -742,5 +745,7 @@ class TestWindowWaypoints : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowWaypoints)
+}  // namespace test_window_waypoints
+
+MAPWRIGHT_TEST(test_window_waypoints, TestWindowWaypoints, Widgets)
 #include "test_window_waypoints.moc"

@@ -6,8 +6,11 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "test_program.h"
 #include "waypoints_desk.h"
 #include "window/waypoints/waypoint_review.h"
+
+namespace test_window_waypoints_review {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -456,5 +459,7 @@ class TestWindowWaypointsReview : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowWaypointsReview)
+}  // namespace test_window_waypoints_review
+
+MAPWRIGHT_TEST(test_window_waypoints_review, TestWindowWaypointsReview, Widgets)
 #include "test_window_waypoints_review.moc"

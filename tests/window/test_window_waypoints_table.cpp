@@ -17,6 +17,7 @@
 #include <QUndoView>
 #include <QtTest>
 
+#include "test_program.h"
 #include "waypoints_desk.h"
 #include "window/waypoints/conflict_box.h"
 #include "window/waypoints/group_form.h"
@@ -24,6 +25,8 @@
 #include "window/waypoints/waypoint_form.h"
 #include "window/waypoints/waypoint_text.h"
 #include "window/waypoints/waypoint_transfer.h"
+
+namespace test_window_waypoints_table {
 
 using namespace mapwright;
 using namespace mapwright::window;
@@ -314,5 +317,7 @@ class TestWindowWaypointsTable : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowWaypointsTable)
+}  // namespace test_window_waypoints_table
+
+MAPWRIGHT_TEST(test_window_waypoints_table, TestWindowWaypointsTable, Widgets)
 #include "test_window_waypoints_table.moc"

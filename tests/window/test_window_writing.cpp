@@ -8,10 +8,13 @@
 #include <QtTest>
 
 #include "grids/export_grid.h"
+#include "test_program.h"
 #include "window/dialogs/export_dialog.h"
 #include "window/map/map_overlay.h"
 #include "window/map/toast_stack.h"
 #include "window_bench.h"
+
+namespace test_window_writing {
 
 using namespace mapwright;
 using namespace mapwright::jobs;
@@ -181,5 +184,7 @@ class TestWindowWriting : public QObject {
   }
 };
 
-QTEST_MAIN(TestWindowWriting)
+}  // namespace test_window_writing
+
+MAPWRIGHT_TEST(test_window_writing, TestWindowWriting, Widgets)
 #include "test_window_writing.moc"

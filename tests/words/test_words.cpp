@@ -2,7 +2,10 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include "test_program.h"
 #include "words/qt_plain.h"
+
+namespace test_words {
 
 using namespace mapwright;
 
@@ -108,5 +111,7 @@ class WordsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WordsTest)
+}  // namespace test_words
+
+MAPWRIGHT_TEST(test_words, WordsTest, Core)
 #include "test_words.moc"

@@ -6,8 +6,11 @@
 
 #include <QTest>
 
+#include "test_program.h"
 #include "work/budgets.h"
 #include "work/workers.h"
+
+namespace test_workers {
 
 using namespace mapwright::work;
 
@@ -145,5 +148,7 @@ class WorkersTest : public QObject {
 
 }  // namespace
 
-QTEST_APPLESS_MAIN(WorkersTest)
+}  // namespace test_workers
+
+MAPWRIGHT_TEST(test_workers, WorkersTest, Nothing)
 #include "test_workers.moc"

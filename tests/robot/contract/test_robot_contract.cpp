@@ -4,6 +4,9 @@
 #include "contract_bench.h"
 #include "sentences/absence_sentence.h"
 #include "sentences/failure_sentence.h"
+#include "test_program.h"
+
+namespace test_robot_contract {
 
 using namespace mapwright;
 using namespace mapwright::robot;
@@ -14,8 +17,6 @@ using testing::AnswerGate;
 using testing::Bench;
 using testing::Ended;
 using testing::Question;
-
-Q_DECLARE_METATYPE(mapwright::robot::testing::Adapter)
 
 namespace {
 
@@ -448,5 +449,7 @@ class RobotContractTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RobotContractTest)
+}  // namespace test_robot_contract
+
+MAPWRIGHT_TEST(test_robot_contract, RobotContractTest, Core)
 #include "test_robot_contract.moc"
