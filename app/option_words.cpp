@@ -1,7 +1,7 @@
 #include "app/option_words.h"
 
+#include <charconv>
 #include <cmath>
-#include <regex>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
@@ -16,8 +16,13 @@ class OptionWordsText {
 }  // namespace
 
 bool isDecimal(const std::string& word) {
-  static const std::regex decimal(R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)");
-  return std::regex_match(word, decimal);
+  const char* first = word.data();
+  const char* const last = first + word.size();
+  if (first != last && (*first == '+' || *first == '-')) ++first;
+  if (first == last || !(*first == '.' || (*first >= '0' && *first <= '9'))) return false;  // "inf", "nan"
+  double number = 0;
+  const auto [end, error] = std::from_chars(first, last, number);
+  return end == last && error != std::errc::invalid_argument;
 }
 
 std::optional<std::vector<double>> numbersFrom(const std::string& typed) {

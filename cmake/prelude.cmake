@@ -15,7 +15,10 @@ set(PRELUDE_widgets ${PRELUDE_core}
 # How long tests wait is the one thing of ours in it.
 set(PRELUDE_test ${PRELUDE_widgets} <QtTest> <QTcpServer> <patience.h>)
 
+set(PRELUDE_plain_unoptimized ${PRELUDE_plain})
+
 set(PRELUDE_LIBRARIES_plain PkgConfig::EIGEN)
+set(PRELUDE_LIBRARIES_plain_unoptimized ${PRELUDE_LIBRARIES_plain})
 set(PRELUDE_LIBRARIES_core ${PRELUDE_LIBRARIES_plain} Qt6::Core)
 set(PRELUDE_LIBRARIES_widgets ${PRELUDE_LIBRARIES_core} Qt6::Widgets)
 set(PRELUDE_LIBRARIES_test ${PRELUDE_LIBRARIES_widgets} Qt6::Network Qt6::Test)
@@ -26,7 +29,7 @@ set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TEST
 
 file(WRITE ${CMAKE_BINARY_DIR}/prelude.cpp.in "")
 configure_file(${CMAKE_BINARY_DIR}/prelude.cpp.in ${CMAKE_BINARY_DIR}/prelude.cpp COPYONLY)
-foreach(kind plain core widgets test)
+foreach(kind plain plain_unoptimized core widgets test)
   add_library(mw_prelude_${kind} OBJECT ${CMAKE_BINARY_DIR}/prelude.cpp)
   target_link_libraries(mw_prelude_${kind} PRIVATE mw_warnings ${PRELUDE_LIBRARIES_${kind}})
   target_precompile_headers(mw_prelude_${kind} PRIVATE ${PRELUDE_${kind}})
@@ -36,6 +39,9 @@ endforeach()
 # Tests are compiled without optimising: half of the time that it takes to build them, and what they test is optimised.
 set(MAPWRIGHT_TEST_OPTIONS -O0)
 target_compile_options(mw_prelude_test PRIVATE ${MAPWRIGHT_TEST_OPTIONS})
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  target_compile_options(mw_prelude_plain_unoptimized PRIVATE -O0)
+endif()
 target_include_directories(mw_prelude_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 
 function(take_prelude target kind)

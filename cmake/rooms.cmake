@@ -2,9 +2,10 @@
 # other. Each room's headers are reached through an include root of its own that holds a link to each of them, and
 # USES is linked PRIVATE, so neither an #include over a wall nor one through a neighbour compiles. tests/house proves
 # it.
-#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE 1|2|3] SOURCES ... USES ...
+#   mapwright_room(NAME [PREFIX <include prefix>] [PRELUDE plain|core|widgets] [OPTIMIZE 0|1|2|3] SOURCES ... USES ...
 #                  [LIBRARIES ...])
-# OPTIMIZE (2 where nothing is said): 3 where cells become pixels, 1 where people are what is waited for.
+# OPTIMIZE (2 where nothing is said): 3 where cells become pixels, 1 where people are what is waited for, 0 for what
+# only plays a robot. A program links rooms of 0 last, or it takes their copies of what the headers of libraries hold.
 # Several sources of a room are compiled as one (MAPWRIGHT_UNITY: a third of the time): what they keep to themselves
 # must not have the same name.
 function(mapwright_room name)
@@ -15,10 +16,13 @@ function(mapwright_room name)
   add_library(mw_${name} STATIC ${ROOM_SOURCES})
   set_target_properties(mw_${name} PROPERTIES UNITY_BUILD ${MAPWRIGHT_UNITY} UNITY_BUILD_BATCH_SIZE 64)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
-    if(NOT ROOM_OPTIMIZE)
+    if(NOT DEFINED ROOM_OPTIMIZE)
       set(ROOM_OPTIMIZE 2)
     endif()
     target_compile_options(mw_${name} PRIVATE -O${ROOM_OPTIMIZE})
+    if(ROOM_OPTIMIZE EQUAL 0 AND ROOM_PRELUDE)
+      set(ROOM_PRELUDE ${ROOM_PRELUDE}_unoptimized)
+    endif()
   endif()
   open_door(${name} ${ROOM_PREFIX})
   foreach(used ${ROOM_USES})
@@ -32,6 +36,15 @@ function(mapwright_room name)
   set_property(GLOBAL PROPERTY ROOM_PREFIX_${name} ${ROOM_PREFIX})
   if(ROOM_PRELUDE)
     take_prelude(mw_${name} ${ROOM_PRELUDE})
+  endif()
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  set(objects)
+  foreach(header ${headers})
+    file(STRINGS ${header} found REGEX "Q_OBJECT|Q_GADGET|Q_NAMESPACE" LIMIT_COUNT 1)
+    list(APPEND objects ${found})
+  endforeach()
+  if(NOT objects)
+    set_target_properties(mw_${name} PROPERTIES AUTOMOC OFF)
   endif()
 endfunction()
 
