@@ -115,7 +115,7 @@ BENCHMARK(RegionsCutOut)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// A view of 1920 x 1080 is panned by 8 pixels a frame over `placed`, and painted when its tiles are there.
 void pan(benchmark::State& state, const render::PlacedGrid& placed) {
-  render::GridRenderer::Options options;
+  render::RasterTiles::Options options;
   options.workers = std::make_shared<work::Workers>();
   render::GridRenderer renderer(options);
   render::GridPalette palette;

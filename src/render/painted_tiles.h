@@ -6,9 +6,8 @@
 #include <memory>
 
 #include <QImage>
-#include <QObject>
 
-#include "render/grid_renderer.h"
+#include "render/raster_tiles.h"
 
 namespace mapwright::render {
 
@@ -16,34 +15,21 @@ namespace mapwright::render {
 /// pure function that any thread may call; polls the flag, after which its result does not matter.
 using TilePainter = std::function<QImage(const PixelGrid&, const std::atomic<bool>& cancelled)>;
 
-/// GUI-thread object; paints on the crew, like GridRenderer: tiles lie in the grid of the view and are drawn
-/// at integer offsets; a picture of another view or of older content stands in until the new one is there.
-class PaintedTiles : public QObject {
+/// Without previews there are no stand-ins.
+class PaintedTiles : public RasterTiles {
   Q_OBJECT
  public:
-  /// `previews` false: no stand-ins.
-  explicit PaintedTiles(GridRenderer::Options options, QObject* parent = nullptr);
-  ~PaintedTiles() override;
+  explicit PaintedTiles(Options options, QObject* parent = nullptr);
 
   /// From now on this is painted; null = nothing is.
   void setPainter(TilePainter painter);
-  /// A view without pixels shows nothing. Device pixels.
-  void setView(const geometry::ViewTransform& view);
-  /// While switched off nothing is painted.
-  void setActive(bool active);
 
-  GridRenderer::Drawing drawing();
-  /// Every visible tile shows the present content.
-  bool settled() const;
-  std::size_t cacheBytes() const;
-
- Q_SIGNALS:
-  void tilesChanged();  // repaint; coalesced
-  void settledChanged();
+ protected:
+  bool hasContent() const override { return painter_ != nullptr; }
+  void startMissing() override;
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::shared_ptr<const TilePainter> painter_;
 };
 
 }  // namespace mapwright::render

@@ -7,7 +7,7 @@
 namespace mapwright::scene {
 
 DispatchedCloudLayer::DispatchedCloudLayer(const LayerContext& context,
-                                           const render::GridRenderer::Options& options)
+                                           const render::RasterTiles::Options& options)
     : DeviceLayer(context), tiles_(options) {
   QObject::connect(&tiles_, &render::PaintedTiles::tilesChanged, &tiles_, [this] { update(); });
 }
@@ -29,14 +29,7 @@ void DispatchedCloudLayer::takeView(const geometry::ViewTransform& device_view) 
 }
 
 void DispatchedCloudLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
-  const render::GridRenderer::Drawing drawing = tiles_.drawing();
-  if (!drawing.stand_ins.empty()) {
-    painter.save();
-    painter.setClipRegion(QRegion(exposed.toAlignedRect()) - drawing.covered, Qt::IntersectClip);
-    drawTiles(painter, exposed, drawing.stand_ins);
-    painter.restore();
-  }
-  drawTiles(painter, exposed, drawing.tiles);
+  drawRaster(painter, exposed, tiles_.drawing());
 }
 
 }  // namespace mapwright::scene

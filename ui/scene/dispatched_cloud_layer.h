@@ -10,7 +10,7 @@ class MapClouds;
 
 class DispatchedCloudLayer : public DeviceLayer {
  public:
-  DispatchedCloudLayer(const LayerContext& context, const render::GridRenderer::Options& options);
+  DispatchedCloudLayer(const LayerContext& context, const render::RasterTiles::Options& options);
 
   /// Not owned; outlives this or is taken away before.
   void setClouds(const MapClouds* clouds);

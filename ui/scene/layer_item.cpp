@@ -164,8 +164,17 @@ void DeviceLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* optio
   painter->restore();
 }
 
-void DeviceLayer::drawTiles(QPainter& painter, const QRectF& exposed,
-                            std::span<const render::DrawnTile> tiles) {
+void drawRaster(QPainter& painter, const QRectF& exposed, const render::RasterTiles::Drawing& drawing) {
+  if (!drawing.stand_ins.empty()) {
+    painter.save();
+    painter.setClipRegion(QRegion(exposed.toAlignedRect()) - drawing.covered, Qt::IntersectClip);
+    drawTiles(painter, exposed, drawing.stand_ins);
+    painter.restore();
+  }
+  drawTiles(painter, exposed, drawing.tiles);
+}
+
+void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles) {
   const QTransform base = painter.transform();
   for (const render::DrawnTile& tile : tiles) {
     if (tile.image.isNull() || !tile.to_viewport.mapRect(QRectF(tile.image.rect())).intersects(exposed))

@@ -10,7 +10,7 @@
 
 #include "geometry/view_transform.h"
 #include "map/live_state.h"
-#include "render/tile_renderer.h"
+#include "render/raster_tiles.h"
 #include "scene/label_space.h"
 #include "scene/layer.h"
 #include "scene/map_theme.h"
@@ -77,6 +77,11 @@ class LayerItem : public QGraphicsItem {
   std::optional<QRectF> part_;
 };
 
+/// Draws the tiles that touch `exposed`, both in device pixels.
+void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles);
+/// The stand-ins where nothing finished covers them, and the tiles.
+void drawRaster(QPainter& painter, const QRectF& exposed, const render::RasterTiles::Drawing& drawing);
+
 /// A layer made of finished pixels of the device.
 class DeviceLayer : public LayerItem {
  public:
@@ -89,8 +94,6 @@ class DeviceLayer : public LayerItem {
   virtual void takeView(const geometry::ViewTransform& device_view) = 0;
   /// `painter` and `exposed` are in device pixels.
   virtual void paintPixels(QPainter& painter, const QRectF& exposed) = 0;
-  /// Draws the tiles that touch `exposed`.
-  static void drawTiles(QPainter& painter, const QRectF& exposed, std::span<const render::DrawnTile> tiles);
 
  private:
   qreal pixel_ratio_ = 1;

@@ -17,14 +17,7 @@ RasterLayer::RasterLayer(const LayerContext& context, render::GridRenderer& rend
     : DeviceLayer(context), renderer_(renderer) {}
 
 void RasterLayer::paintPixels(QPainter& painter, const QRectF& exposed) {
-  const render::GridRenderer::Drawing drawing = renderer_.drawing();
-  if (!drawing.stand_ins.empty()) {
-    painter.save();
-    painter.setClipRegion(QRegion(exposed.toAlignedRect()) - drawing.covered, Qt::IntersectClip);
-    drawTiles(painter, exposed, drawing.stand_ins);
-    painter.restore();
-  }
-  drawTiles(painter, exposed, drawing.tiles);
+  drawRaster(painter, exposed, renderer_.drawing());
 }
 
 CloudLayer::Key CloudLayer::keyNow() const {

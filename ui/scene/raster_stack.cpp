@@ -45,7 +45,7 @@ render::GridPalette regionsPalette(const render::MapColors& colors) {
 
 }  // namespace
 
-RasterStack::RasterStack(const LayerContext& context, render::GridRenderer::Options options, QObject* parent)
+RasterStack::RasterStack(const LayerContext& context, render::RasterTiles::Options options, QObject* parent)
     : QObject(parent), context_(context), options_(options), theme_(context.theme) {
   whole_ = makeSheet();
   overview_ = makeSheet();

@@ -20,11 +20,11 @@ namespace mapwright::scene {
 class RasterStack : public QObject {
   Q_OBJECT
  public:
-  RasterStack(const LayerContext& context, render::GridRenderer::Options options, QObject* parent);
+  RasterStack(const LayerContext& context, render::RasterTiles::Options options, QObject* parent);
   ~RasterStack() override;
 
   /// What the renderers were made with: the budget is one for all.
-  const render::GridRenderer::Options& options() const { return options_; }
+  const render::RasterTiles::Options& options() const { return options_; }
 
   /// The item of a raster layer; nullptr for any other.
   RasterLayer* item(Layer layer) const;
@@ -83,7 +83,7 @@ class RasterStack : public QObject {
   void syncGrid(map::GridKind kind);
 
   const LayerContext& context_;
-  render::GridRenderer::Options options_;
+  render::RasterTiles::Options options_;
   session::Session* session_ = nullptr;
   MapTheme theme_;
   Sheet whole_, overview_, compared_, difference_;

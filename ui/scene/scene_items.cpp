@@ -10,8 +10,8 @@
 namespace mapwright::scene {
 namespace {
 
-render::GridRenderer::Options rasterOptions(const render::TileRenderer::Options& options) {
-  render::GridRenderer::Options raster_options;
+render::RasterTiles::Options rasterOptions(const render::TileRenderer::Options& options) {
+  render::RasterTiles::Options raster_options;
   raster_options.previews = options.previews;
   raster_options.workers = options.workers;
   raster_options.budget = std::make_shared<render::TileBudget>();

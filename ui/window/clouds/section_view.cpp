@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "scene/layer_item.h"
 #include "window/look/ui_colors.h"
 #include "window/plots/plot_ticks.h"
 
@@ -18,8 +19,8 @@ namespace {
 constexpr int kLeftPx = 52, kBottomPx = 22, kTopPx = 6, kRightPx = 8;
 constexpr double kReachPx = 8, kEdgePx = 6, kStepPx = 40, kMarginPx = 12;
 
-render::GridRenderer::Options options(std::shared_ptr<work::Workers> workers) {
-  render::GridRenderer::Options made;
+render::RasterTiles::Options options(std::shared_ptr<work::Workers> workers) {
+  render::RasterTiles::Options made;
   made.workers = std::move(workers);
   made.budget = std::make_shared<render::TileBudget>();
   made.budget->bytes = std::size_t(24) << 20;
@@ -243,23 +244,8 @@ void SectionView::paintEvent(QPaintEvent*) {
   const double ratio = devicePixelRatioF();
   painter.translate(room.topLeft());
   painter.scale(1 / ratio, 1 / ratio);
-  const render::GridRenderer::Drawing drawing = tiles_.drawing();
-  const auto draw = [&painter](const std::vector<render::DrawnTile>& tiles) {
-    const QTransform base = painter.transform();
-    for (const render::DrawnTile& tile : tiles) {
-      painter.setTransform(tile.to_viewport * base);
-      painter.drawImage(QPointF(0, 0), tile.image);
-    }
-    painter.setTransform(base);
-  };
-  if (!drawing.stand_ins.empty()) {
-    painter.save();
-    const QRegion all(0, 0, int(std::ceil(room.width() * ratio)), int(std::ceil(room.height() * ratio)));
-    painter.setClipRegion(all - drawing.covered, Qt::IntersectClip);
-    draw(drawing.stand_ins);
-    painter.restore();
-  }
-  draw(drawing.tiles);
+  scene::drawRaster(painter, QRectF(0, 0, std::ceil(room.width() * ratio), std::ceil(room.height() * ratio)),
+                    tiles_.drawing());
   painter.restore();
   paintBands(painter);
   painter.setPen(hasFocus() ? colors.focus : colors.border);
