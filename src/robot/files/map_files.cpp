@@ -136,6 +136,13 @@ Outcome<map::CatalogueEntry> MapFiles::describe(const map::MapKey& key) {
   return entryOf(key, path, options_.place, yamls_);
 }
 
+Outcome<std::string> MapFiles::thumbnail(const map::MapKey& key) {
+  map::Failure none = failure(key, map::FailureKind::Unsupported);
+  none.asked_for = map::AskedFor::SmallPicture;
+  none.reason = map::FailureReason::NotOffered;
+  return fail(std::move(none));
+}
+
 Outcome<map::WholeMap> MapFiles::fetch(const map::MapKey& key) {
   const QString path = pathOf(key);
   if (path.isEmpty()) return tl::make_unexpected(failure(key, map::FailureKind::RejectedByRobot));

@@ -29,6 +29,7 @@ class MapFiles : public QObject {
 
   Outcome<std::vector<map::CatalogueEntry>> list();
   Outcome<map::CatalogueEntry> describe(const map::MapKey& key);
+  Outcome<std::string> thumbnail(const map::MapKey& key);  // there is none
   Outcome<map::WholeMap> fetch(const map::MapKey& key);
 
  Q_SIGNALS:

@@ -57,10 +57,7 @@ bool FilePictureStore::holdsUnknown(const map::WholeMap& map) const {
 
 // What is asked of the disk cannot be taken back: cancelled, it tells how it went all the same.
 Call FilePictureStore::write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) {
-  return wire::askAcross(
-      this, files_, writes_, map::subjectOf(change.map), std::move(reply),
-      [change](PictureFiles& files, const auto&, auto answer) { answer(files.write(change)); },
-      wire::Stopping::AsItStands);
+  return files_.change(map::subjectOf(change.map), std::move(reply), &PictureFiles::write, change);
 }
 
 }  // namespace mapwright::robot::files

@@ -3,7 +3,7 @@
 
 #include "robot/files/map_files.h"
 #include "robot/picture_store.h"
-#include "robot/wire/pending_calls.h"
+#include "robot/wire/link_ref.h"
 
 namespace mapwright::robot::files {
 
@@ -31,8 +31,7 @@ class FilePictureStore : public PictureStore {
   Call write(const PictureChange& change, OutcomeTo<PictureReceipt> reply) override;
 
  private:
-  PictureFiles* files_;
-  wire::PendingCalls<PictureReceipt> writes_;
+  wire::LinkRef<PictureFiles> files_;
 };
 
 }  // namespace mapwright::robot::files
