@@ -14,6 +14,7 @@
 #include "robot/axbot/stream_topics.h"
 #include "robot/recorded/interruption.h"
 #include "robot/recorded/recording_reasons.h"
+#include "robot/wire/entry_of.h"
 
 namespace mapwright::robot::recorded {
 namespace {
@@ -213,7 +214,7 @@ RecordingFacts RecordedFile::facts() const {
   return facts;
 }
 
-Outcome<std::vector<BagEntry>> RecordedFile::list() {
+Outcome<std::vector<BagEntry>> RecordedFile::bags() {
   if (auto failure = whyNot({map::SubjectKind::Bag, ownKey().name}))
     return tl::make_unexpected(std::move(*failure));
   refresh();
@@ -388,7 +389,7 @@ map::SubmapAnswer RecordedFile::submap(const map::SubmapKey& key) {
   return answer;
 }
 
-Outcome<map::WholeMap> RecordedFile::wholeMap(const map::MapKey& key) {
+Outcome<map::WholeMap> RecordedFile::fetch(const map::MapKey& key) {
   if (auto failure = whyNot(map::subjectOf(key))) return tl::make_unexpected(std::move(*failure));
   return parts_->kept.wholeMap(key);
 }
@@ -398,10 +399,14 @@ Outcome<map::WaypointList> RecordedFile::waypoints(const map::MapKey& key) {
   return parts_->kept.waypoints(key);
 }
 
-Outcome<std::vector<map::CatalogueEntry>> RecordedFile::maps() {
+Outcome<std::vector<map::CatalogueEntry>> RecordedFile::list() {
   if (auto failure = whyNot({map::SubjectKind::Catalogue, map::kMapsPart}))
     return tl::make_unexpected(std::move(*failure));
   return parts_->kept.maps();
+}
+
+Outcome<map::CatalogueEntry> RecordedFile::describe(const map::MapKey& key) {
+  return wire::entryOf(key, list());
 }
 
 }  // namespace mapwright::robot::recorded
