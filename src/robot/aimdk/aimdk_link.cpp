@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robot/aimdk/faults.h"
+#include "robot/wire/entry_of.h"
 #include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 #include "sentences/failure_sentence.h"
@@ -49,9 +50,8 @@ map::Failure unasked(map::Subject subject, const char* ids) {
 
 }  // namespace
 
-AimdkLink::AimdkLink(LinkOptions options, std::shared_ptr<wire::DeliveryPlace> deliveries)
+AimdkLink::AimdkLink(LinkOptions options)
     : options_(std::move(options)),
-      deliveries_(std::move(deliveries)),
       backoff_(options_.backoff_first, options_.backoff_limit, options_.jitter_seed) {}
 
 AimdkLink::~AimdkLink() = default;
@@ -96,17 +96,13 @@ void AimdkLink::ask(const char* method, const QByteArray& body, Taken taken) {
 void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
   if (!answer.ok()) return;
   const std::string_view call = method;
-  const auto body = std::make_shared<const QByteArray>(answer.body);
-  wire::DeliveryPlace::Parcel parcel;
-  parcel.name = "/aimdk/" + std::string(call.substr(call.rfind('/') + 1));
+  wire::DeliveryPlace::Parcel parcel =
+      parcelOf("/aimdk/" + std::string(call.substr(call.rfind('/') + 1)),
+               std::make_shared<const std::string>(answer.body.toStdString()),
+               options_.wall_s ? options_.wall_s() : double(QDateTime::currentMSecsSinceEpoch()) / 1000);
   parcel.encoding = "json";
   parcel.slot = parcel.name;
-  parcel.bytes = wire::view(*body);
-  parcel.held_bytes = std::size_t(body->size());
-  parcel.keeps = body;
-  parcel.received_s =
-      options_.wall_s ? options_.wall_s() : double(QDateTime::currentMSecsSinceEpoch()) / 1000;
-  deliveries_->pass(std::move(parcel));
+  places_->deliveries.pass(std::move(parcel));
 }
 
 void AimdkLink::open() {
@@ -287,6 +283,14 @@ void AimdkLink::list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::Catalogu
                             reply(std::move(entries));
                           });
              });
+}
+
+// There is no question for one map alone that does not send its picture.
+void AimdkLink::describe(wire::ErrandPtr errand, const map::MapKey& key,
+                         OutcomeTo<map::CatalogueEntry> reply) {
+  list(std::move(errand), [key, reply = std::move(reply)](Outcome<std::vector<map::CatalogueEntry>> entries) {
+    reply(wire::entryOf(key, std::move(entries)));
+  });
 }
 
 void AimdkLink::fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key,

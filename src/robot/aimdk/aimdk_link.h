@@ -18,9 +18,8 @@
 #include "net/backoff.h"
 #include "net/http_client.h"
 #include "robot/aimdk/parse_rpc.h"
-#include "robot/robot.h"
-#include "robot/wire/delivery_place.h"
 #include "robot/wire/errand.h"
+#include "robot/wire/robot_link.h"
 
 namespace mapwright::robot::aimdk {
 
@@ -37,25 +36,21 @@ struct LinkOptions {
   std::function<double()> wall_s = {};  // seconds since the epoch, on any thread; null = the system's clock
 };
 
-class AimdkLink : public QObject {
+class AimdkLink : public wire::RobotLink {
   Q_OBJECT
  public:
-  /// Answers go to whoever sits in `deliveries`, which is shared with others.
-  AimdkLink(LinkOptions options, std::shared_ptr<wire::DeliveryPlace> deliveries);
+  explicit AimdkLink(LinkOptions options);
   ~AimdkLink() override;
 
-  void open();
-  void close();
-  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
+  void open() override;
+  void close() override;
+  void trust(const QByteArray& pinned_sha256) override;
   void list(wire::ErrandPtr errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply);
+  void describe(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::CatalogueEntry> reply);
   void fetch(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply);
   void waypoints(wire::ErrandPtr errand, const map::MapKey& key, OutcomeTo<map::WaypointList> reply);
 
  Q_SIGNALS:
-  void stateChanged(const mapwright::robot::ConnectionState& state);
-  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
-  void problemFound(const mapwright::map::Problem& problem);
-  void recovered(const mapwright::map::Recovery& recovery);
   void currentMapChanged();
 
  private:
@@ -80,7 +75,6 @@ class AimdkLink : public QObject {
   void fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 
   LinkOptions options_;
-  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   std::unique_ptr<net::HttpClient> http_;
   std::unique_ptr<QTimer> timer_;    // until the next try, or the next poll
   std::unique_ptr<QTimer> healthy_;  // while online, until it counts as healthy
