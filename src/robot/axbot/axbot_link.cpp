@@ -14,6 +14,7 @@
 #include "robot/axbot/robot_urls.h"
 #include "robot/axbot/stream_topics.h"
 #include "robot/faults.h"
+#include "robot/wire/http_errand.h"
 #include "robot/wire/http_failure.h"
 #include "robot/wire/link_state.h"
 
@@ -60,12 +61,7 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
 
-AxbotLink::AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-                     std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries)
-    : options_(std::move(options)),
-      mailbox_(std::move(mailbox)),
-      tap_(std::move(tap)),
-      deliveries_(std::move(deliveries)) {}
+AxbotLink::AxbotLink(LinkOptions options) : options_(std::move(options)) {}
 
 AxbotLink::~AxbotLink() {
   // Replies of what is under way must not reach a half-destroyed object.
@@ -100,16 +96,11 @@ void AxbotLink::start() {
   });
   grids_->setKeeper([this](const std::string& topic, const std::string& data_url, const char* media_type,
                            std::shared_ptr<const std::string> picture) {
-    wire::DeliveryPlace::Parcel parcel;
+    wire::DeliveryPlace::Parcel parcel = parcelOf(data_url, std::move(picture), options_.wall_s());
     parcel.kind = Delivery::Kind::Picture;
-    parcel.name = data_url;
     parcel.encoding = media_type;
     parcel.slot = "picture of " + topic;
-    parcel.bytes = *picture;
-    parcel.held_bytes = picture->size();
-    parcel.keeps = std::move(picture);
-    parcel.received_s = options_.wall_s();
-    deliveries_->pass(std::move(parcel));
+    places_->deliveries.pass(std::move(parcel));
   });
   clock_.start();
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
@@ -142,7 +133,7 @@ void AxbotLink::start() {
   });
   connect(socket_.get(), &net::WebSocketLink::changed, this, &AxbotLink::publishState);
   connect(socket_.get(), &net::WebSocketLink::opened, this, [this] {
-    deliveries_->forget();
+    places_->deliveries.forget();
     delivered_definition_ = false;
     topics_confirmed_ = false;
     subscribed_ = false;
@@ -291,37 +282,27 @@ void AxbotLink::send(const QStringList& requests) {
 
 void AxbotLink::deliver(std::shared_ptr<const std::string> bytes, const std::string& topic,
                         const char* encoding, std::optional<double> said_s) {
-  wire::DeliveryPlace::Parcel parcel;
-  parcel.name = topic;
+  wire::DeliveryPlace::Parcel parcel = parcelOf(topic, std::move(bytes), options_.wall_s());
   parcel.encoding = encoding;
   if (std::string_view(encoding) == "protobuf") parcel.schema = kBinaryType;
   // One topic may come both ways; what has no topic is about what was asked a moment ago.
   if (!topic.empty()) parcel.slot = encoding + topic;
-  parcel.bytes = *bytes;
-  parcel.held_bytes = bytes->size();
-  parcel.keeps = std::move(bytes);
-  parcel.received_s = options_.wall_s();
   parcel.said_s = said_s;
-  deliveries_->pass(std::move(parcel));
+  places_->deliveries.pass(std::move(parcel));
 }
 
 void AxbotLink::deliverDefinition() {
   if (std::exchange(delivered_definition_, true)) return;
-  const auto definition = std::make_shared<const std::string>(binaryTypeDefinition());
-  wire::DeliveryPlace::Parcel parcel;
+  wire::DeliveryPlace::Parcel parcel =
+      parcelOf(kBinaryType, std::make_shared<const std::string>(binaryTypeDefinition()), options_.wall_s());
   parcel.kind = Delivery::Kind::Definition;
-  parcel.name = kBinaryType;
   parcel.encoding = "protobuf";
   parcel.slot = "definition";
-  parcel.bytes = *definition;
-  parcel.held_bytes = definition->size();
-  parcel.keeps = definition;
-  parcel.received_s = options_.wall_s();
-  deliveries_->pass(std::move(parcel));
+  places_->deliveries.pass(std::move(parcel));
 }
 
 void AxbotLink::takeText(const QByteArray& utf8) {
-  tap_->pass({wire::view(utf8), false, options_.wall_s()});
+  places_->tap.pass({wire::view(utf8), false, options_.wall_s()});
   TextFrame frame = topic_reader_.read(wire::view(utf8));
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
   if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
@@ -344,7 +325,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
 }
 
 void AxbotLink::takeBinary(const QByteArray& bytes) {
-  tap_->pass({wire::view(bytes), true, options_.wall_s()});
+  places_->tap.pass({wire::view(bytes), true, options_.wall_s()});
   auto frame = unpackBinaryFrame(wire::view(bytes));
   const std::string topic = topicOfBinaryFrame(wire::view(bytes));
   if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
@@ -383,13 +364,7 @@ void AxbotLink::emitTopic(const std::string& topic, map::TopicMessage message) {
     topics_confirmed_ = true;
     list_timer_->stop();
   }
-  const bool by_mail = wire::TopicMailbox::takes(message);
-  map::StampedMessage stamped{std::move(message), options_.wall_s(), std::nullopt, topic};
-  if (!by_mail) {
-    Q_EMIT topicReceived(stamped);
-  } else if (mailbox_->put(std::move(stamped))) {
-    Q_EMIT mailArrived();
-  }
+  pass({std::move(message), options_.wall_s(), std::nullopt, topic});
 }
 
 MapRequests& AxbotLink::maps() {
@@ -414,12 +389,7 @@ void AxbotLink::fetchOverview(wire::ErrandPtr errand, double resolution_m, Outco
                        });
 }
 
-void AxbotLink::fetch(quint64 ticket, const map::SubmapKey& key) {
-  start();
-  ask(ticket, key);
-}
-
-void AxbotLink::discard(const map::SubmapKey& key, std::int32_t answered_version) {
+void AxbotLink::discardSubmap(const map::SubmapKey& key, std::int32_t answered_version) {
   start();
   http_->discard(submapUrl(key, key.version));
   if (answered_version > 0 && answered_version != key.version) {
@@ -433,7 +403,9 @@ void AxbotLink::discardPicture(const std::string& fingerprint) {
   grids_->discardPicture(fingerprint);
 }
 
-void AxbotLink::ask(quint64 ticket, const map::SubmapKey& key) {
+void AxbotLink::submap(const wire::ErrandPtr& errand, const map::SubmapKey& key,
+                       OutcomeTo<map::SubmapAnswer> reply) {
+  start();
   net::HttpRequest request;
   request.url = submapUrl(key, key.version);
   request.accept = "application/x-protobuf";
@@ -441,25 +413,23 @@ void AxbotLink::ask(quint64 ticket, const map::SubmapKey& key) {
   request.content_addressed = true;
   request.timeout = options_.fetch_timeout;
   request.most_at_once = kSubmapsAtOnce;
-  const auto id = http_->send(request, [this, key, ticket, url = request.url](const net::HttpAnswer& answer) {
-    takeSubmap(key, url, answer, ticket);
-  });
-  under_way_[ticket] = {key, id};
+  wire::send(errand, *http_, request,
+             [this, errand, key, url = request.url, reply = std::move(reply)](const net::HttpAnswer& http) {
+               map::SubmapAnswer answer = takeSubmap(key, url, http);
+               if (answer.outcome == map::SubmapAnswer::Outcome::Ok || !http.ok() || !http.from_cache)
+                 return reply(std::move(answer));
+               // What lies on the disk is none of the robot's business: it is asked itself.
+               http_->discard(url);
+               submap(errand, key, reply);
+             });
 }
 
-void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http,
-                           quint64 ticket) {
+map::SubmapAnswer AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url,
+                                        const net::HttpAnswer& http) {
   using Outcome = map::SubmapAnswer::Outcome;
-  under_way_.erase(ticket);
   map::SubmapAnswer answer;
   if (http.ok()) {
     answer = parseSubmapResponse(key, wire::view(http.body));
-    if (http.from_cache && answer.outcome != Outcome::Ok) {
-      // What lies on the disk is none of the robot's business: it is asked itself.
-      http_->discard(url);
-      ask(ticket, key);
-      return;
-    }
     answer.from_cache = http.from_cache;
     if (answer.outcome == Outcome::Ok) {
       wire::DeliveryPlace::Parcel parcel;
@@ -469,7 +439,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
       if (answer.version > 0) parcel.submap.version = answer.version;
       parcel.bytes = wire::view(http.body);
       parcel.received_s = options_.wall_s();
-      deliveries_->pass(std::move(parcel));
+      places_->deliveries.pass(std::move(parcel));
     }
     if (cache_ && !http.from_cache) {
       // The address names the version asked for; the body is the version that the robot has. Keep it under
@@ -491,21 +461,7 @@ void AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& url, const net
                      : http.status == 404                          ? Outcome::NotFound
                                                                    : Outcome::Failed;
   }
-  Q_EMIT answered(ticket, answer);
-}
-
-void AxbotLink::cancel(const map::SubmapKey& key) {
-  for (const auto& [ticket, fetch] : under_way_) {
-    if (fetch.key == key) http_->cancel(fetch.request);
-  }
-}
-
-void AxbotLink::cancelFetch(quint64 ticket) {
-  if (const auto it = under_way_.find(ticket); it != under_way_.end()) http_->cancel(it->second.request);
-}
-
-void AxbotLink::cancelAll() {
-  for (const auto& [ticket, fetch] : under_way_) http_->cancel(fetch.request);
+  return answer;
 }
 
 Fault AxbotLink::whyNot() const {

@@ -23,11 +23,7 @@
 #include "robot/axbot/parse_topics.h"
 #include "robot/axbot/raw_messages.h"
 #include "robot/axbot/topic_subscriptions.h"
-#include "robot/robot.h"
-#include "robot/wire/delivery_place.h"
-#include "robot/wire/raw_limit.h"
-#include "robot/wire/tap_place.h"
-#include "robot/wire/topic_mailbox.h"
+#include "robot/wire/robot_link.h"
 
 namespace mapwright::net {
 class HttpCache;
@@ -55,23 +51,20 @@ struct LinkOptions {
   std::function<double()> wall_s = secondsOfDay;
 };
 
-class AxbotLink : public QObject {
+class AxbotLink : public wire::RobotLink {
   Q_OBJECT
  public:
-  /// Large messages go into `mailbox`, frames to whoever sits in `tap`, all that comes to whoever sits in
-  /// `deliveries`: they are shared with others.
-  AxbotLink(LinkOptions options, std::shared_ptr<wire::TopicMailbox> mailbox,
-            std::shared_ptr<wire::TapPlace> tap, std::shared_ptr<wire::DeliveryPlace> deliveries);
+  explicit AxbotLink(LinkOptions options);
   ~AxbotLink() override;
 
-  void open();
-  void close();
-  void trust(const QByteArray& pinned_sha256);  // from now on, and connects
-  void fetch(quint64 ticket, const map::SubmapKey& key);
-  void cancel(const map::SubmapKey& key);
-  void cancelFetch(quint64 ticket);
-  void cancelAll();  // the fetches of submaps
-  void discard(const map::SubmapKey& key, std::int32_t answered_version);
+  void open() override;
+  void close() override;
+  void trust(const QByteArray& pinned_sha256) override;
+  void submap(const wire::ErrandPtr& errand, const map::SubmapKey& key, OutcomeTo<map::SubmapAnswer> reply);
+  void discardSubmap(const map::SubmapKey& key, std::int32_t answered_version);
+  void fetch(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<map::WholeMap> reply) {
+    maps().fetch(errand, key, std::move(reply));
+  }
   void discardPicture(const std::string& fingerprint);
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
@@ -82,15 +75,7 @@ class AxbotLink : public QObject {
   void fetchOverview(wire::ErrandPtr errand, double resolution_m, OutcomeTo<map::WholeMap> reply);
 
  Q_SIGNALS:
-  void stateChanged(const mapwright::robot::ConnectionState& state);
-  void silenceChanged(const QDateTime& since);  // as MeasuresSilence says; comes before stateChanged()
   void identityChanged(const mapwright::robot::RobotIdentity& identity);
-  void topicReceived(const mapwright::map::StampedMessage& message);
-  void mailArrived();  // the mailbox was empty and is no more
-  void rawReceived(const mapwright::robot::RawMessage& message);
-  void problemFound(const mapwright::map::Problem& problem);
-  void recovered(const mapwright::map::Recovery& recovery);
-  void answered(quint64 ticket, const mapwright::map::SubmapAnswer& answer);
   /// It was asked for an overview and answered so, which is how one answers who knows no such question.
   void overviewUnknown(const QString& answer);
 
@@ -111,8 +96,7 @@ class AxbotLink : public QObject {
   void deliverDefinition();
   void takeText(const QByteArray& utf8);
   void takeBinary(const QByteArray& bytes);
-  void ask(quint64 ticket, const map::SubmapKey& key);
-  void takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http, quint64 ticket);
+  map::SubmapAnswer takeSubmap(const map::SubmapKey& key, const QUrl& url, const net::HttpAnswer& http);
   /// `topic` as it was sent, whatever the message became of it.
   void emitTopic(const std::string& topic, map::TopicMessage message);
   void publishState();
@@ -121,9 +105,6 @@ class AxbotLink : public QObject {
   map::Problem problem(map::Severity severity, Fault reason) const;
 
   LinkOptions options_;
-  std::shared_ptr<wire::TopicMailbox> mailbox_;
-  std::shared_ptr<wire::TapPlace> tap_;
-  std::shared_ptr<wire::DeliveryPlace> deliveries_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
   std::set<std::string> unreadable_topics_;  // whose last message could not be read
@@ -147,11 +128,6 @@ class AxbotLink : public QObject {
   bool subscribed_ = false;  // on this connection
   bool topics_confirmed_ = false;
   bool watching_ = false;
-  struct Fetch {
-    map::SubmapKey key;
-    net::HttpClient::RequestId request = 0;
-  };
-  std::map<quint64, Fetch> under_way_;  // by ticket
 };
 
 }  // namespace mapwright::robot::axbot
