@@ -60,11 +60,16 @@ bool saysNotThere(const CallAnswer& answer) {
 
 }  // namespace
 
+DispatchService cloudService(CloudKind kind, bool region) {
+  if (kind == CloudKind::Points) return region ? DispatchService::CloudRegion : DispatchService::Cloud;
+  return region ? DispatchService::OccupancyRegion : DispatchService::Occupancy;
+}
+
 map::Failure notDispatched(DispatchService service, const FoundDispatch& found) {
   map::Failure failure;
   failure.kind = map::FailureKind::Unsupported;
   const auto there = found.serviceOf(service);
-  failure.subject = map::Subject(there ? there->name : std::string("map dispatcher (REP 130)"));
+  failure.subject = map::Subject(there ? there->name : std::string(kDispatcher));
   failure.reason = map::FailureReason::NotOffered;
   return failure;
 }
@@ -104,7 +109,7 @@ void DispatchRequests::take(FoundDispatch found) {
   });
   tellExtent();
   looked();
-  if (other_offers) Q_EMIT offersChanged();
+  if (other_offers) Q_EMIT offersChanged(found_);
 }
 
 void DispatchRequests::looked() {
@@ -262,7 +267,7 @@ void DispatchRequests::withdraw(DispatchService service) {
   if (!there || !there->type.empty()) return;
   not_there_.insert(there->name);
   std::erase_if(found_.services, [&](const auto& one) { return one.second.name == there->name; });
-  Q_EMIT offersChanged();
+  Q_EMIT offersChanged(found_);
 }
 
 void DispatchRequests::ask(const wire::ErrandPtr& errand, DispatchService service, QByteArray args,
@@ -311,10 +316,7 @@ void DispatchRequests::grid(const wire::ErrandPtr& errand, const std::optional<m
 void DispatchRequests::cloud(const wire::ErrandPtr& errand, CloudKind kind,
                              const std::optional<map::CloudRegion>& region,
                              OutcomeTo<std::shared_ptr<const map::SpatialCloud>> reply) {
-  const bool points = kind == CloudKind::Points;
-  const DispatchService service =
-      points ? (region ? DispatchService::CloudRegion : DispatchService::Cloud)
-             : (region ? DispatchService::OccupancyRegion : DispatchService::Occupancy);
+  const DispatchService service = cloudService(kind, region.has_value());
   const auto there = found_.serviceOf(service);
   ask(
       errand, service, region ? regionArgs(*region) : QByteArray("{}"),

@@ -69,7 +69,7 @@ class DispatchRequests : public QObject {
                OutcomeTo<std::vector<map::Projection>> reply);
 
  Q_SIGNALS:
-  void offersChanged();
+  void offersChanged(const mapwright::robot::ros::FoundDispatch& found);
   void topicsChanged();
   void lookWanted();  // there may be other topics now
   void mapChanged();
@@ -141,6 +141,10 @@ class DispatchRequests : public QObject {
   std::list<WatchPtr> watches_;
 };
 
+/// What a dispatcher is called of which nothing is known.
+inline constexpr const char* kDispatcher = "map dispatcher (REP 130)";
+/// The service that gives points or occupied cells, all or a region of them.
+DispatchService cloudService(CloudKind kind, bool region);
 /// What is said where there is no dispatcher, or where it lacks a service.
 map::Failure notDispatched(DispatchService service, const FoundDispatch& found);
 

@@ -6,6 +6,21 @@
 
 namespace mapwright::robot::ros {
 
+map::Failure notThere(map::Subject subject) {
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = std::move(subject),
+          .reason = map::FailureReason::NotThere};
+}
+
+map::Failure unsupported(map::Subject subject, Fault cause) {
+  map::Failure failure;
+  failure.kind = map::FailureKind::Unsupported;
+  failure.subject = std::move(subject);
+  failure.reason = cause.any() ? map::FailureReason::Unfit : map::FailureReason::NotOffered;
+  failure.cause = std::move(cause);
+  return failure;
+}
+
 map::Failure unconfirmed(map::Subject subject, std::chrono::milliseconds within) {
   map::Failure failure;
   failure.kind = map::FailureKind::TimedOut;

@@ -15,12 +15,6 @@ namespace {
 using net::rosbridge::CallAnswer;
 using std::chrono::steady_clock;
 
-map::Failure notThere(map::Subject subject) {
-  return {.kind = map::FailureKind::RejectedByRobot,
-          .subject = std::move(subject),
-          .reason = map::FailureReason::NotThere};
-}
-
 map::Failure tagsKept(map::Subject subject, const std::string& name) {
   map::Failure failure;
   failure.kind = map::FailureKind::RejectedByRobot;
@@ -56,9 +50,30 @@ std::optional<map::Failure> conflictIn(const StoredWaypoints& stored, const Wayp
 
 }  // namespace
 
-KabamRequests::KabamRequests(net::rosbridge::Client& client, KabamPatience patience,
-                             std::function<std::string()> fixed_frame, QObject* parent)
-    : QObject(parent), client_(client), patience_(patience), fixed_frame_(std::move(fixed_frame)) {}
+KabamRequests::KabamRequests(net::rosbridge::Client& client, KabamPatience patience, WhenKnown when_known,
+                             std::function<std::string()> fixed_frame)
+    : client_(client),
+      patience_(patience),
+      when_known_(std::move(when_known)),
+      fixed_frame_(std::move(fixed_frame)) {}
+
+bool KabamRequests::setPlace(const std::optional<std::string>& place) {
+  if (place) {
+    book_.setPlace(*place);
+  } else {
+    book_.forget();
+  }
+  return std::exchange(there_, place.has_value()) != there_;
+}
+
+void KabamRequests::tell(const KabamBook::Taken& taken) {
+  if (taken.maps) {
+    Q_EMIT stands(QString::fromStdString(book_.state()));
+    Q_EMIT mapsChanged();
+  }
+  waits_.look();
+  if (taken.waypoints) Q_EMIT waypointsChanged();
+}
 
 net::rosbridge::CallRequest KabamRequests::request(const char* service, QByteArray args) const {
   net::rosbridge::CallRequest request;
@@ -68,62 +83,26 @@ net::rosbridge::CallRequest KabamRequests::request(const char* service, QByteArr
   return request;
 }
 
-void KabamRequests::await(const wire::ErrandPtr& errand, std::chrono::milliseconds within,
-                          std::function<bool()> holds, Then then) {
-  if (holds()) return then(Awaited::Held);
-  const auto entry = std::make_shared<Waiting>();
-  entry->holds = std::move(holds);
-  entry->then = std::move(then);
-  entry->errand = errand;
-  entry->patience = std::make_unique<QTimer>();
-  entry->patience->setSingleShot(true);
-  connect(entry->patience.get(), &QTimer::timeout, this,
-          [this, held = std::weak_ptr(entry)] { end(held.lock(), Awaited::TooLate); });
-  entry->patience->start(within);
-  waiting_.push_back(entry);
-  // Later: nothing ends from within its beginning.
-  entry->number = errand->begun([this, held = std::weak_ptr(entry)] {
-    QMetaObject::invokeMethod(
-        this, [this, held] { end(held.lock(), Awaited::Cancelled); }, Qt::QueuedConnection);
-  });
-}
-
-void KabamRequests::end(const Entry& entry, Awaited how) {
-  if (!entry) return;
-  const auto found = std::find(waiting_.begin(), waiting_.end(), entry);
-  if (found == waiting_.end()) return;
-  waiting_.erase(found);
-  entry->patience->stop();
-  entry->patience->setParent(this);          // and goes with this at the latest
-  entry->patience.release()->deleteLater();  // it may be the one that is speaking
-  entry->errand->ended(entry->number);
-  entry->then(how);
-}
-
-void KabamRequests::look() {
-  const std::list<Entry> now = waiting_;
-  for (const Entry& entry : now) {
-    if (entry->holds()) end(entry, Awaited::Held);
-  }
-}
-
 void KabamRequests::whenListed(const wire::ErrandPtr& errand, const map::Subject& subject,
                                std::function<void(std::optional<map::Failure>)> then) {
-  await(
-      errand, patience_.lists, [this] { return book_.listed(); },
-      [this, subject, then = std::move(then)](Awaited how) {
-        // A manager without a current map may say nothing of it.
-        const bool enough = how == Awaited::TooLate && book_.partlyListed();
-        if (how == Awaited::Held || enough) return then(std::nullopt);
-        map::Failure failure;
-        failure.subject = subject;
-        failure.kind = map::FailureKind::Cancelled;
-        if (how == Awaited::TooLate) {
-          failure.kind = map::FailureKind::TimedOut;
-          failure.cause = {fault::ListsNotTold};
-        }
-        then(std::move(failure));
-      });
+  when_known_(errand, subject, map::AskedFor::All,
+              [this, errand, subject, then = std::move(then)](std::optional<map::Failure> failure) {
+                if (!failure && !there_) failure = unsupported(subject);
+                if (failure) return then(std::move(failure));
+                waits_.await(
+                    errand, patience_.lists, [this] { return book_.listed(); },
+                    [this, subject, then](Awaited how) {
+                      // A manager without a current map may say nothing of it.
+                      const bool enough = how == Awaited::TooLate && book_.partlyListed();
+                      if (how == Awaited::Held || enough) return then(std::nullopt);
+                      map::Failure late{.kind = map::FailureKind::Cancelled, .subject = subject};
+                      if (how == Awaited::TooLate) {
+                        late.kind = map::FailureKind::TimedOut;
+                        late.cause = {fault::ListsNotTold};
+                      }
+                      then(std::move(late));
+                    });
+              });
 }
 
 void KabamRequests::list(const wire::ErrandPtr& errand, OutcomeTo<std::vector<map::CatalogueEntry>> reply) {
@@ -271,7 +250,7 @@ void KabamRequests::confirm(const wire::ErrandPtr& errand, const ChangePtr& chan
   const bool told = book_.isCurrent(change->key.id) && book_.waypoints(fixed_frame_());
   const auto left =
       std::chrono::duration_cast<std::chrono::milliseconds>(change->until - steady_clock::now());
-  await(
+  waits_.await(
       errand, std::clamp(left, std::chrono::milliseconds(0), told ? patience_.topic : change->pause),
       [this, told, change, shown] {
         const auto stored = told ? book_.waypoints(fixed_frame_()) : std::nullopt;
