@@ -12,17 +12,14 @@ FileRobot::FileRobot(QString address, FileOptions options, QObject* parent)
       files_(new MapFiles(options)),
       catalogue_(files_),
       whole_maps_(files_),
-      waypoint_files_(new WaypointFiles(options)),
+      waypoint_files_(new WaypointFiles(std::move(options))),
       waypoints_(waypoint_files_),
-      picture_files_(new PictureFiles(std::move(options))),
-      pictures_(picture_files_) {
+      pictures_(files_) {
   files_->moveToThread(&thread_);
   waypoint_files_->moveToThread(&thread_);
-  picture_files_->moveToThread(&thread_);
   thread_.setObjectName(QStringLiteral("map files"));
   connect(&thread_, &QThread::finished, files_, &QObject::deleteLater);
   connect(&thread_, &QThread::finished, waypoint_files_, &QObject::deleteLater);
-  connect(&thread_, &QThread::finished, picture_files_, &QObject::deleteLater);
   connect(files_, &MapFiles::looked, this, [this](bool folder, const Fault& trouble) {
     if (!wanted_) return;
     if (std::exchange(folder_, folder) != folder) Q_EMIT identityChanged();

@@ -3,9 +3,9 @@
 
 #include <QThread>
 
+#include "robot/files/file_picture_store.h"
 #include "robot/files/file_waypoint_store.h"
 #include "robot/files/map_files.h"
-#include "robot/files/picture_files.h"
 #include "robot/robot.h"
 #include "robot/wire/forwarded.h"
 
@@ -46,7 +46,6 @@ class FileRobot : public Robot {
   WaypointFiles* waypoint_files_;  // lives on thread_, deleted when it ends
   FileWaypointStore waypoints_;
   wire::WaypointsOfStore told_waypoints_{waypoints_};
-  PictureFiles* picture_files_;  // lives on thread_, deleted when it ends
   FilePictureStore pictures_;
 };
 
