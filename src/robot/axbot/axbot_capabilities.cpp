@@ -25,10 +25,7 @@ Call Administration::carryOut(const MapOrder& order, OutcomeTo<map::CatalogueEnt
     case MapChange::Load:
       return maps_.change(subject, maps_.telling(changed_, std::move(reply)), &MapRequests::load, order.key);
     default:
-      return maps_.refuse(std::move(reply), {.kind = map::FailureKind::Unsupported,
-                                             .subject = subject,
-                                             .asked_for = map::AskedFor::Change,
-                                             .reason = map::FailureReason::NotOffered});
+      return maps_.refuse(std::move(reply), wire::notOffered(subject, map::AskedFor::Change));
   }
 }
 

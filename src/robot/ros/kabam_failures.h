@@ -7,8 +7,6 @@
 
 namespace mapwright::robot::ros {
 
-/// There is no such map.
-map::Failure notThere(map::Subject subject);
 /// No answer can be had; `cause` says why, if there is more to be said of it.
 map::Failure unsupported(map::Subject subject, Fault cause = {});
 /// The robot said that it was done, and does not show it.

@@ -18,13 +18,11 @@ using std::chrono::milliseconds;
 constexpr std::int64_t kBytesPerMs = 1024;
 
 map::Failure unfit(const map::Subject& subject, Fault cause) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::Unsupported;
-  failure.subject = subject;
-  failure.asked_for = map::AskedFor::Change;
-  failure.reason = map::FailureReason::Unfit;
-  failure.cause = std::move(cause);
-  return failure;
+  return {.kind = map::FailureKind::Unsupported,
+          .subject = subject,
+          .asked_for = map::AskedFor::Change,
+          .reason = map::FailureReason::Unfit,
+          .cause = std::move(cause)};
 }
 
 milliseconds timeFor(const grids::GridPyramid& cells) {
@@ -89,12 +87,10 @@ std::optional<map::Failure> KabamPictures::conflict(const Writing& writing) cons
   const bool fits = !last || (last->fingerprint == writing.change.revision &&
                               last->grid.width == cells.width() && last->grid.height == cells.height());
   if (fits) return std::nullopt;
-  map::Failure failure;
-  failure.kind = map::FailureKind::Conflict;
-  failure.subject = writing.subject();
-  failure.asked_for = map::AskedFor::Change;
-  failure.cause = {fault::PictureChangedMeanwhile, {writing.name}};
-  return failure;
+  return map::Failure{.kind = map::FailureKind::Conflict,
+                      .subject = writing.subject(),
+                      .asked_for = map::AskedFor::Change,
+                      .cause = {fault::PictureChangedMeanwhile, {writing.name}}};
 }
 
 bool KabamPictures::shows(const std::string& fingerprint) const {

@@ -7,6 +7,7 @@
 #include "robot/ros/kabam_failures.h"
 #include "robot/ros/kabam_results.h"
 #include "robot/ros/ros_calls.h"
+#include "robot/wire/failures.h"
 #include "robot/wire/faults.h"
 
 namespace mapwright::robot::ros {
@@ -16,13 +17,11 @@ using net::rosbridge::CallAnswer;
 using std::chrono::steady_clock;
 
 map::Failure tagsKept(map::Subject subject, const std::string& name) {
-  map::Failure failure;
-  failure.kind = map::FailureKind::RejectedByRobot;
-  failure.subject = std::move(subject);
-  failure.applied = map::Applied::Yes;
-  failure.reason = map::FailureReason::Unfit;
-  failure.cause = {fault::TagsNotTaken, {name}};
-  return failure;
+  return {.kind = map::FailureKind::RejectedByRobot,
+          .subject = std::move(subject),
+          .applied = map::Applied::Yes,
+          .reason = map::FailureReason::Unfit,
+          .cause = {fault::TagsNotTaken, {name}}};
 }
 
 bool sameAsKept(const map::Waypoint& kept, const map::Waypoint& now) {
@@ -40,12 +39,10 @@ std::optional<map::Failure> conflictIn(const StoredWaypoints& stored, const Wayp
                                        const map::Subject& subject) {
   const map::Waypoint* const kept = find(stored, change.id);
   if (kept && sameAsKept(*kept, *change.before)) return std::nullopt;
-  map::Failure failure;
-  failure.kind = map::FailureKind::Conflict;
-  failure.subject = subject;
-  failure.asked_for = map::AskedFor::Change;
-  failure.cause = {fault::ChangedMeanwhile, {change.before->name}};
-  return failure;
+  return map::Failure{.kind = map::FailureKind::Conflict,
+                      .subject = subject,
+                      .asked_for = map::AskedFor::Change,
+                      .cause = {fault::ChangedMeanwhile, {change.before->name}}};
 }
 
 }  // namespace
@@ -119,7 +116,7 @@ void KabamRequests::describe(const wire::ErrandPtr& errand, const map::MapKey& k
              [this, key, reply = std::move(reply)](std::optional<map::Failure> failure) {
                if (failure) return reply(fail(std::move(*failure)));
                auto entry = key.kind == map::MapKind::Stored ? book_.entry(key.id) : std::nullopt;
-               if (!entry) return reply(fail(notThere(map::subjectOf(key))));
+               if (!entry) return reply(fail(wire::notThere(map::subjectOf(key))));
                reply(std::move(*entry));
              });
 }
@@ -129,7 +126,7 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
   const map::Subject subject = map::placesOf(key);
   whenListed(errand, subject, [this, errand, key, subject, reply](std::optional<map::Failure> failure) {
     if (failure) return reply(fail(std::move(*failure)));
-    if (key.kind != map::MapKind::Stored || !book_.find(key.id)) return reply(fail(notThere(subject)));
+    if (key.kind != map::MapKind::Stored || !book_.find(key.id)) return reply(fail(wire::notThere(subject)));
     if (book_.isCurrent(key.id)) {
       if (auto stored = book_.waypoints(fixed_frame_())) return reply(std::move(*stored));
     }
@@ -139,10 +136,7 @@ void KabamRequests::waypoints(const wire::ErrandPtr& errand, const map::MapKey& 
       if (answer.kind != CallAnswer::Kind::Answered) return reply(fail(failed(answer, subject)));
       auto stored = readWaypoints(answer.values, key.id, fixed_frame_());
       if (stored) return reply(std::move(*stored));
-      reply(fail({.kind = map::FailureKind::MalformedAnswer,
-                  .subject = subject,
-                  .reason = map::FailureReason::Unfit,
-                  .cause = {robot::wire::fault::PointsAreNoList}}));
+      reply(fail(wire::unfit(subject, robot::wire::fault::PointsAreNoList)));
     });
   });
 }
@@ -152,12 +146,8 @@ void KabamRequests::perform(const wire::ErrandPtr& errand, const map::MapKey& ke
   const map::Subject subject = map::placesOf(key);
   whenListed(errand, subject,
              [this, errand, key, request, subject, reply](std::optional<map::Failure> failure) {
-               if (!failure && !book_.find(key.id)) failure = notThere(subject);
-               if (!failure && request.changes.size() != 1) {
-                 failure = map::Failure{.kind = map::FailureKind::Unsupported,
-                                        .subject = subject,
-                                        .reason = map::FailureReason::NotOffered};
-               }
+               if (!failure && !book_.find(key.id)) failure = wire::notThere(subject);
+               if (!failure && request.changes.size() != 1) failure = wire::notOffered(subject);
                if (failure) {
                  failure->asked_for = map::AskedFor::Change;
                  return reply(fail(std::move(*failure)));

@@ -5,6 +5,8 @@
 #include "robot/ros/faults.h"
 #include "robot/ros/kabam_failures.h"
 #include "robot/ros/projected_maps.h"
+#include "robot/wire/failures.h"
+#include "robot/wire/forwarded.h"
 
 namespace mapwright::robot::ros {
 namespace {
@@ -94,14 +96,14 @@ void RosMaps::describeNow(const wire::ErrandPtr& errand, const map::MapKey& key,
   if (projectedIndex(key)) {
     const auto projected = findProjected(key);
     return reply(projected ? Outcome<map::CatalogueEntry>(entryOf(*projected))
-                           : fail(notThere(map::subjectOf(key))));
+                           : fail(wire::notThere(map::subjectOf(key))));
   }
   if (key == kLive) {
     auto entry = liveEntry();
     return reply(entry ? Outcome<map::CatalogueEntry>(std::move(*entry))
-                       : fail(notThere(map::subjectOf(key))));
+                       : fail(wire::notThere(map::subjectOf(key))));
   }
-  if (!of_.kabam.there()) return reply(fail(notThere(map::subjectOf(key))));
+  if (!of_.kabam.there()) return reply(fail(wire::notThere(map::subjectOf(key))));
   of_.kabam.describe(errand, key, [this, reply](Outcome<map::CatalogueEntry> told) {
     if (told && told->is_current && of_.live_map.last()) told->grid = of_.live_map.last()->grid;
     reply(std::move(told));

@@ -6,6 +6,7 @@
 
 #include "map/catalogue.h"
 #include "robot/call.h"
+#include "robot/wire/failures.h"
 
 namespace mapwright::robot::wire {
 
@@ -18,9 +19,7 @@ inline Outcome<map::CatalogueEntry> entryOf(const map::MapKey& key,
   for (map::CatalogueEntry& entry : *entries) {
     if (entry.key == key) return std::move(entry);
   }
-  return fail({.kind = map::FailureKind::RejectedByRobot,
-               .subject = map::subjectOf(key),
-               .reason = map::FailureReason::NotThere});
+  return fail(notThere(map::subjectOf(key)));
 }
 
 }  // namespace mapwright::robot::wire

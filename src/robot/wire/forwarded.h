@@ -10,6 +10,7 @@
 #include "robot/bag_library.h"
 #include "robot/robot.h"
 #include "robot/waypoint_store.h"
+#include "robot/wire/failures.h"
 #include "robot/wire/link_ref.h"
 #include "robot/wire/robot_link.h"
 
@@ -35,10 +36,7 @@ class CatalogueOf : public MapCatalogue {
     if constexpr (requires { &Maps::thumbnail; }) {
       return maps_.ask(map::subjectOf(key), std::move(reply), &Maps::thumbnail, key);
     } else {
-      return maps_.refuse(std::move(reply), {.kind = map::FailureKind::Unsupported,
-                                             .subject = map::subjectOf(key),
-                                             .asked_for = map::AskedFor::SmallPicture,
-                                             .reason = map::FailureReason::NotOffered});
+      return maps_.refuse(std::move(reply), notOffered(map::subjectOf(key), map::AskedFor::SmallPicture));
     }
   }
   void discardThumbnail(const map::MapKey& key) override {
