@@ -39,8 +39,8 @@ struct LinkOptions {
 class AimdkLink : public wire::RobotLink {
   Q_OBJECT
  public:
+  /// To be made on its own thread.
   explicit AimdkLink(LinkOptions options);
-  ~AimdkLink() override;
 
   void open() override;
   void close() override;
@@ -55,7 +55,6 @@ class AimdkLink : public wire::RobotLink {
 
  private:
   using Taken = std::function<void(const net::HttpAnswer&)>;
-  void start();  // makes the network objects, on this object's thread
   net::HttpRequest request(const char* method, const QByteArray& body,
                            std::chrono::milliseconds patience) const;
   /// The connection's own question.
@@ -75,10 +74,10 @@ class AimdkLink : public wire::RobotLink {
   void fetchParsed(const wire::ErrandPtr& errand, const map::MapKey& key, OutcomeTo<ParsedMap> reply);
 
   LinkOptions options_;
-  std::unique_ptr<net::HttpClient> http_;
-  std::unique_ptr<QTimer> timer_;    // until the next try, or the next poll
-  std::unique_ptr<QTimer> healthy_;  // while online, until it counts as healthy
-  std::unique_ptr<QTimer> quiet_;    // while a poll is under way, until it takes longer than is usual here
+  net::HttpClient http_;
+  QTimer timer_;    // until the next try, or the next poll
+  QTimer healthy_;  // while online, until it counts as healthy
+  QTimer quiet_;    // while a poll is under way, until it takes longer than is usual here
   net::Backoff backoff_;
   bool wanted_ = false;
   net::HttpClient::RequestId asking_ = 0;  // the connection's own question under way
