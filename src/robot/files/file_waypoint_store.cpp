@@ -2,8 +2,7 @@
 
 namespace mapwright::robot::files {
 
-FileWaypointStore::FileWaypointStore(WaypointFiles* files, QObject* parent)
-    : WaypointStore(parent), files_(files) {
+FileWaypointStore::FileWaypointStore(WaypointFiles* files) : files_(files) {
   connect(files, &WaypointFiles::changed, this, &WaypointStore::changed);
 }
 

@@ -12,7 +12,7 @@ class FileWaypointStore : public WaypointStore {
   Q_OBJECT
  public:
   /// `files` lives on a thread that ends before this does, and is deleted there.
-  explicit FileWaypointStore(WaypointFiles* files, QObject* parent = nullptr);
+  explicit FileWaypointStore(WaypointFiles* files);
 
   Call read(const map::MapKey& map, OutcomeTo<StoredWaypoints> reply) override;
   std::vector<WaypointRequest> plan(const StoredWaypoints& now,

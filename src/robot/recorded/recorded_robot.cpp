@@ -1,7 +1,5 @@
 #include "robot/recorded/recorded_robot.h"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include <QFile>

@@ -60,13 +60,8 @@ map::Failure notDispatched(DispatchService service, const FoundDispatch& found) 
 }
 
 DispatchRequests::DispatchRequests(net::rosbridge::Client& client, DispatchWish wish,
-                                   DispatchPatience patience, std::function<std::string()> map_frame,
-                                   QObject* parent)
-    : QObject(parent),
-      client_(client),
-      wish_(std::move(wish)),
-      patience_(patience),
-      map_frame_(std::move(map_frame)) {}
+                                   DispatchPatience patience, std::function<std::string()> map_frame)
+    : client_(client), wish_(std::move(wish)), patience_(patience), map_frame_(std::move(map_frame)) {}
 
 void DispatchRequests::take(FoundDispatch found) {
   std::erase_if(found.services, [&](const auto& one) {

@@ -36,7 +36,7 @@ class DispatchRequests : public QObject {
  public:
   /// `map_frame` tells the frame of the robot's map; empty while it is not known.
   DispatchRequests(net::rosbridge::Client& client, DispatchWish wish, DispatchPatience patience,
-                   std::function<std::string()> map_frame, QObject* parent = nullptr);
+                   std::function<std::string()> map_frame);
 
   /// What there is, as far as the server tells.
   void take(FoundDispatch found);

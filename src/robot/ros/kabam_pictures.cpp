@@ -1,6 +1,5 @@
 #include "robot/ros/kabam_pictures.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "robot/ros/faults.h"

@@ -1,6 +1,5 @@
 #include "robot/ros/live_map.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "robot/ros/faults.h"

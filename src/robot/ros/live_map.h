@@ -17,8 +17,7 @@ namespace mapwright::robot::ros {
 class LiveMap : public QObject {
   Q_OBJECT
  public:
-  explicit LiveMap(std::chrono::milliseconds patience, QObject* parent = nullptr)
-      : QObject(parent), patience_(patience) {}
+  explicit LiveMap(std::chrono::milliseconds patience) : patience_(patience) {}
 
   void take(const map::GridMessage& grid);
   /// What came is not what the robot works with any more.
