@@ -88,8 +88,7 @@ void AimdkLink::deliver(const char* method, const net::HttpAnswer& answer) {
   const std::string_view call = method;
   wire::DeliveryPlace::Parcel parcel =
       parcelOf("/aimdk/" + std::string(call.substr(call.rfind('/') + 1)),
-               std::make_shared<const std::string>(answer.body.toStdString()),
-               options_.wall_s ? options_.wall_s() : double(QDateTime::currentMSecsSinceEpoch()) / 1000);
+               std::make_shared<const std::string>(answer.body.toStdString()), options_.wall_s());
   parcel.encoding = "json";
   parcel.slot = parcel.name;
   places_->deliveries.pass(std::move(parcel));

@@ -33,7 +33,7 @@ struct LinkOptions {
   std::chrono::milliseconds backoff_first{500}, backoff_limit{30'000};
   std::chrono::milliseconds healthy_after{30'000};  // online for so long = the next loss is a first one
   quint32 jitter_seed = 1;
-  std::function<double()> wall_s = {};  // seconds since the epoch, on any thread; null = the system's clock
+  std::function<double()> wall_s = wire::secondsOfDay;  // seconds since the epoch, on any thread
 };
 
 class AimdkLink : public wire::RobotLink {

@@ -22,6 +22,8 @@ namespace mapwright::robot::axbot {
 namespace {
 
 constexpr int kSubscribeAnswerMs = 3'000;
+constexpr std::chrono::milliseconds kListExpectedWithin{10'000};  // before it is remarked upon
+constexpr qint64 kCacheBudgetBytes = qint64(2) << 30;
 constexpr std::chrono::milliseconds kLongestAskAgain{60'000};
 constexpr int kSubmapsAtOnce = 4;  // on the network, however many are asked for; those on disk come besides
 
@@ -59,8 +61,6 @@ QUrl socketUrl(const QUrl& base, bool binary) {
 
 }  // namespace
 
-double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
-
 AxbotLink::AxbotLink(LinkOptions options) : options_(std::move(options)) {}
 
 AxbotLink::~AxbotLink() {
@@ -73,7 +73,7 @@ AxbotLink::~AxbotLink() {
 void AxbotLink::start() {
   if (http_) return;
   if (!options_.cache_folder.isEmpty()) {
-    cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, options_.cache_budget_bytes);
+    cache_ = std::make_unique<net::HttpCache>(options_.cache_folder, kCacheBudgetBytes);
     cache_->setTrouble([this](const Fault& why) {
       Q_EMIT problemFound({map::Severity::Warning,
                            map::SubjectKind::DiskCache,
@@ -102,7 +102,6 @@ void AxbotLink::start() {
     parcel.slot = "picture of " + topic;
     places_->deliveries.pass(std::move(parcel));
   });
-  clock_.start();
   // The query is unknown to old firmware; where the handshake is refused for it, it goes without.
   socket_ = std::make_unique<net::WebSocketLink>(
       QList<QUrl>{socketUrl(options_.base, true), socketUrl(options_.base, false)}, options_.secret,
@@ -184,11 +183,6 @@ QUrl AxbotLink::submapUrl(const map::SubmapKey& key, std::int32_t version) const
   return url;
 }
 
-map::Problem AxbotLink::problem(map::Severity severity, Fault reason) const {
-  const QString host = QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port());
-  return {severity, map::Subject(map::SubjectKind::Robot, host.toStdString()), std::move(reason)};
-}
-
 void AxbotLink::askDeviceInfo() {
   if (device_info_asked_) return;
   device_info_asked_ = true;
@@ -212,7 +206,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
     Q_EMIT identityChanged(identity);
   } else if (answer.kind != net::HttpAnswer::Kind::Cancelled) {
     // Not fatal: the robot is then taken for the oldest kind.
-    Q_EMIT problemFound(problem(map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}}));
+    report(options_.base, map::Severity::Info, {fault::DoesNotSayWhatItIs, {}, {answer.reason}});
   }
   device_info_answered_ = answer.kind == net::HttpAnswer::Kind::Answered;
   if (socket_->state() == net::WebSocketLink::State::Open) subscribe();
@@ -221,7 +215,7 @@ void AxbotLink::takeDeviceInfo(const net::HttpAnswer& answer) {
 void AxbotLink::subscribe() {
   subscribed_ = true;
   const QStringList names = subscriptions_.names();
-  if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(options_.list_expected_within);
+  if (names.contains(QLatin1String("/submap_list"))) list_timer_->start(kListExpectedWithin);
   send(subscriptions_.all());
   if (!silentStreams().empty()) older_timer_->start(options_.older_names_after);
   // Some firmware claims lists and ignores them.
@@ -305,9 +299,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
   places_->tap.pass({wire::view(utf8), false, options_.wall_s()});
   TextFrame frame = topic_reader_.read(wire::view(utf8));
   deliver(std::make_shared<const std::string>(wire::view(utf8)), frame.topic, "json", frame.stamp_s);
-  if (watching_ && raw_limit_.allow(clock_.elapsed(), utf8.size())) {
-    Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
-  }
+  if (passesRaw(utf8.size())) Q_EMIT rawReceived(rawText(frame.topic, wire::view(utf8)));
   if (frame.message) {
     emitTopic(frame.topic, std::move(*frame.message));
     if (frame.left_out) emitTopic(frame.topic, std::move(*frame.left_out));
@@ -319,8 +311,7 @@ void AxbotLink::takeText(const QByteArray& utf8) {
         std::any_of(frame.enabled_topics->begin(), frame.enabled_topics->end(),
                     [&](const std::string& name) { return asked.contains(QString::fromStdString(name)); });
   } else if (!frame.error.empty()) {
-    Q_EMIT problemFound(
-        problem(map::Severity::Warning, {robot::fault::ItAnswered, {frame.error.substr(0, 300)}}));
+    report(options_.base, map::Severity::Warning, {robot::fault::ItAnswered, {frame.error.substr(0, 300)}});
   }
 }
 
@@ -328,8 +319,7 @@ void AxbotLink::takeBinary(const QByteArray& bytes) {
   places_->tap.pass({wire::view(bytes), true, options_.wall_s()});
   auto frame = unpackBinaryFrame(wire::view(bytes));
   const std::string topic = topicOfBinaryFrame(wire::view(bytes));
-  if (watching_ && raw_limit_.allow(clock_.elapsed(), bytes.size()))
-    Q_EMIT rawReceived(rawBinary(wire::view(bytes)));
+  if (passesRaw(bytes.size())) Q_EMIT rawReceived(rawBinary(wire::view(bytes)));
   std::optional<map::TopicMessage> message;
   if (frame) {
     message = parseBinaryBody(topic, frame->body);
@@ -466,9 +456,7 @@ map::SubmapAnswer AxbotLink::takeSubmap(const map::SubmapKey& key, const QUrl& u
 
 Fault AxbotLink::whyNot() const {
   if (socket_->failure() != net::WebSocketLink::Failure::NotAWebSocket) return socket_->reason();
-  const std::string host =
-      QStringLiteral("%1:%2").arg(options_.base.host()).arg(options_.base.port()).toStdString();
-  return {fault::NoAutoxingRobotThere, {host}, {socket_->reason()}};
+  return {fault::NoAutoxingRobotThere, {wire::hostOf(options_.base)}, {socket_->reason()}};
 }
 
 void AxbotLink::trust(const QByteArray& pinned_sha256) {

@@ -31,24 +31,19 @@ class HttpCache;
 
 namespace mapwright::robot::axbot {
 
-/// The system's clock.
-double secondsOfDay();
-
 /// How to reach a robot. `secret` is sent to `base` only.
 struct LinkOptions {
   QUrl base;  // http(s)://host:port[/prefix]
   QByteArray secret;
   net::Trust trust;
   QString cache_folder;  // empty = nothing is kept on disk
-  qint64 cache_budget_bytes = qint64(2) << 30;
   net::WebSocketLinkOptions socket;
-  std::chrono::milliseconds fetch_timeout{30'000};         // of submaps
-  std::chrono::milliseconds patience{30'000};              // of questions about maps: without a byte
-  std::chrono::milliseconds list_expected_within{10'000};  // after subscribing, before it is remarked upon
-  std::chrono::milliseconds ask_again_after{1'000};        // after a message that nobody could read, at first
-  std::chrono::milliseconds older_names_after{2'500};      // of silence of a stream that was asked for
+  std::chrono::milliseconds fetch_timeout{30'000};     // of submaps
+  std::chrono::milliseconds patience{30'000};          // of questions about maps: without a byte
+  std::chrono::milliseconds ask_again_after{1'000};    // after a message that nobody could read, at first
+  std::chrono::milliseconds older_names_after{2'500};  // of silence of a stream that was asked for
   /// The time of day, in seconds since the epoch, that arriving messages are stamped with. On any thread.
-  std::function<double()> wall_s = secondsOfDay;
+  std::function<double()> wall_s = wire::secondsOfDay;
 };
 
 class AxbotLink : public wire::RobotLink {
@@ -68,7 +63,6 @@ class AxbotLink : public wire::RobotLink {
   void discardPicture(const std::string& fingerprint);
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
-  void setWatching(bool on) { watching_ = on; }
   MapRequests& maps();
   BagRequests& bags();
   /// A question of the overview, to be noted when this robot does not know it.
@@ -102,14 +96,11 @@ class AxbotLink : public wire::RobotLink {
   void publishState();
   Fault whyNot() const;
   QUrl submapUrl(const map::SubmapKey& key, std::int32_t version) const;
-  map::Problem problem(map::Severity severity, Fault reason) const;
 
   LinkOptions options_;
   TopicReader topic_reader_;
   TopicSubscriptions subscriptions_;
   std::set<std::string> unreadable_topics_;  // whose last message could not be read
-  wire::RawLimit raw_limit_;
-  QElapsedTimer clock_;
   std::unique_ptr<net::HttpCache> cache_;
   std::unique_ptr<net::HttpClient> http_;
   std::unique_ptr<MapRequests> maps_;
@@ -127,7 +118,6 @@ class AxbotLink : public wire::RobotLink {
   bool device_info_asked_ = false;
   bool subscribed_ = false;  // on this connection
   bool topics_confirmed_ = false;
-  bool watching_ = false;
 };
 
 }  // namespace mapwright::robot::axbot

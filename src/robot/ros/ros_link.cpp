@@ -6,7 +6,6 @@
 #include <QDateTime>
 
 #include "robot/faults.h"
-#include "robot/ros/dispatch_messages.h"
 #include "robot/ros/faults.h"
 #include "robot/wire/link_state.h"
 
@@ -77,13 +76,15 @@ void RosLink::listen() {
           });
   connect(client_.get(), &Client::statusReceived, this, [this](const QString& level, const QString& words) {
     const bool serious = level == QLatin1String("error") || level == QLatin1String("warning");
-    if (serious) report(map::Severity::Warning, {robot::fault::ItAnswered, {words.left(300).toStdString()}});
+    if (serious)
+      report(options_.url, map::Severity::Warning,
+             {robot::fault::ItAnswered, {words.left(300).toStdString()}});
   });
   connect(client_.get(), &Client::sharesOneConnection, this, [this](const Fault& why) {
-    report(map::Severity::Info, {fault::RosOneConnection, {}, {why}});
+    report(options_.url, map::Severity::Info, {fault::RosOneConnection, {}, {why}});
   });
   connect(client_.get(), &Client::odd, this,
-          [this] { report(map::Severity::Info, {fault::MessageNotUnderstood}); });
+          [this] { report(options_.url, map::Severity::Info, {fault::MessageNotUnderstood}); });
   connect(&subscriptions_, &RosSubscriptions::problemFound, this, &RosLink::problemFound);
   connect(&subscriptions_, &RosSubscriptions::recovered, this, &RosLink::recovered);
   connect(&subscriptions_, &RosSubscriptions::dropped, this, [this](const std::string& topic) {
@@ -112,8 +113,7 @@ void RosLink::listen() {
 }
 
 double RosLink::wall() const {
-  return options_.client.wall_s ? options_.client.wall_s()
-                                : double(QDateTime::currentMSecsSinceEpoch()) / 1000;
+  return options_.client.wall_s ? options_.client.wall_s() : wire::secondsOfDay();
 }
 
 void RosLink::open() {
@@ -217,25 +217,18 @@ void RosLink::noteLink() {
 void RosLink::publishState() {
   ConnectionState state = wire::stateOf(client_->link(), wanted_);
   if (state.phase == ConnectionPhase::Online && !known_) state.phase = ConnectionPhase::Connecting;
+  const std::string host = wire::hostOf(options_.url);
   if (state.failure == map::FailureKind::NotARobot) {
-    state.reason = {fault::NoRosbridgeThere, {host()}, {state.reason}};
+    state.reason = {fault::NoRosbridgeThere, {host}, {state.reason}};
   }
   if (awaits_manager_) {
     state.phase = ConnectionPhase::Interrupted;
     state.failure = map::FailureKind::NotARobot;
-    state.reason = {fault::NoMapManagerThere, {host()}};
+    state.reason = {fault::NoMapManagerThere, {host}};
     state.retry_in_ms = std::max(0, look_timer_.remainingTime());
   }
   Q_EMIT silenceChanged(client_->link().silentSince().value_or(QDateTime()));
   Q_EMIT stateChanged(state);
-}
-
-void RosLink::report(map::Severity severity, Fault reason) {
-  Q_EMIT problemFound({severity, map::Subject(map::SubjectKind::Robot, host()), std::move(reason)});
-}
-
-std::string RosLink::host() const {
-  return QStringLiteral("%1:%2").arg(options_.url.host()).arg(options_.url.port()).toStdString();
 }
 
 /// What is being told now may be of before.

@@ -41,7 +41,6 @@ struct LinkOptions {
   net::rosbridge::ClientOptions client;
   std::chrono::milliseconds look_every{10'000};  // which topics and services there are
   std::chrono::milliseconds look_patience{3'000};
-  std::chrono::milliseconds pose_every{50};  // told at most so often
   std::chrono::milliseconds map_patience{10'000};
   AskedMap::Patience asked_map;
   DispatchWish dispatch;
@@ -72,7 +71,6 @@ class RosLink : public wire::RobotLink {
   void trust(const QByteArray& pinned_sha256) override;
   void setWanted(const map::Streams& streams, const QStringList& topics);
   void setBasics(const LiveTopics::Basics& basics);
-  void setWatching(bool on) { watching_ = on; }
   /// Somebody records, or not any more: nothing is left out to spare the network, and types are defined.
   void setRecorded(bool on);
   void setEveryMessage(bool on);
@@ -125,8 +123,6 @@ class RosLink : public wire::RobotLink {
   bool framesComplete() const;
   void emitTopic(const std::string& topic, map::TopicMessage message, double received_s,
                  std::optional<double> recorded_s);
-  void report(map::Severity severity, Fault reason);
-  std::string host() const;
   bool isOpen() const { return client_->link().state() == net::WebSocketLink::State::Open; }
   double wall() const;
 
@@ -151,7 +147,7 @@ class RosLink : public wire::RobotLink {
   std::size_t before_ = 0;              // what made way on connections before
   std::optional<double> least_late_s_;  // arrival less stamp, at best
   QElapsedTimer reception_told_;
-  bool wanted_ = false, watching_ = false;
+  bool wanted_ = false;
   bool looking_ = false;
   bool look_again_ = false;      // when this look is over: it may tell of before
   bool known_ = false;           // what this connection's robot has
@@ -160,8 +156,7 @@ class RosLink : public wire::RobotLink {
   int round_ = 0;                // of connections
   wire::WaitList early_;         // for what the robot has to be known
   std::map<std::string, std::map<map::ProblemCode, Trouble>> troubles_;  // by topic
-  wire::RawLimit raw_limit_;
-  QElapsedTimer known_since_;  // of this connection
+  QElapsedTimer known_since_;                                            // of this connection
   QElapsedTimer clock_, pose_told_, pose_missing_;
   std::optional<geometry::Pose2> last_pose_;
 };

@@ -12,9 +12,10 @@ namespace {
 
 using net::rosbridge::TopicMessage;
 
-constexpr qint64 kPoseAnywayMs = 1'000;   // a robot that stands still is told of, too
-constexpr qint64 kFramesMs = 2'000;       // for the frames of map and robot to be known
-constexpr qint64 kPoseMissingMs = 2'000;  // before it is told that it has none
+constexpr std::chrono::milliseconds kPoseEvery{50};  // told at most so often
+constexpr qint64 kPoseAnywayMs = 1'000;              // a robot that stands still is told of, too
+constexpr qint64 kFramesMs = 2'000;                  // for the frames of map and robot to be known
+constexpr qint64 kPoseMissingMs = 2'000;             // before it is told that it has none
 
 constexpr qint64 kTellAgainMs = 5'000;
 constexpr qint64 kReceptionEveryMs = 1'000;
@@ -37,7 +38,7 @@ RawMessage rawOf(const TopicMessage& message) {
 
 void RosLink::take(const TopicMessage& message) {
   deliveries_.take(message);
-  if (watching_ && raw_limit_.allow(clock_.elapsed(), message.bytes)) Q_EMIT rawReceived(rawOf(message));
+  if (passesRaw(message.bytes)) Q_EMIT rawReceived(rawOf(message));
   const WantedTopic* const wanted = subscriptions_.heard(message.topic);
   if (!wanted) return;
   takeOfManager(message);
@@ -54,9 +55,8 @@ void RosLink::take(const TopicMessage& message) {
     if (source.stream == map::Stream::WholeMap && source.form == Form::Grid) asked_map_.heard();
   }
   if (of_pose && wish_.basics.pose && !pose_timer_.isActive()) {
-    const qint64 since = pose_told_.isValid() ? pose_told_.elapsed() : options_.pose_every.count();
-    pose_timer_.start(
-        std::max(std::chrono::milliseconds(0), options_.pose_every - std::chrono::milliseconds(since)));
+    const qint64 since = pose_told_.isValid() ? pose_told_.elapsed() : qint64(kPoseEvery.count());
+    pose_timer_.start(std::max(std::chrono::milliseconds(0), kPoseEvery - std::chrono::milliseconds(since)));
   }
 }
 

@@ -4,6 +4,18 @@
 
 namespace mapwright::robot::wire {
 
+double secondsOfDay() { return double(QDateTime::currentMSecsSinceEpoch()) / 1000; }
+
+std::string hostOf(const QUrl& url) {
+  return QStringLiteral("%1:%2").arg(url.host()).arg(url.port()).toStdString();
+}
+
+void RobotLink::report(const QUrl& server, map::Severity severity, Fault reason) {
+  Q_EMIT problemFound({severity, map::Subject(map::SubjectKind::Robot, hostOf(server)), std::move(reason)});
+}
+
+bool RobotLink::passesRaw(qint64 bytes) { return watching_ && raw_limit_.allow(clock_.elapsed(), bytes); }
+
 void RobotLink::pass(map::StampedMessage message) {
   if (!TopicMailbox::takes(message.message)) {
     Q_EMIT topicReceived(message);

@@ -6,7 +6,9 @@
 #include <string>
 
 #include <QDateTime>
+#include <QElapsedTimer>
 #include <QObject>
+#include <QUrl>
 
 #include "robot/robot.h"
 #include "robot/wire/delivery_place.h"
@@ -15,6 +17,11 @@
 #include "robot/wire/topic_mailbox.h"
 
 namespace mapwright::robot::wire {
+
+/// By the system's clock: seconds since the epoch. Any thread.
+double secondsOfDay();
+/// "192.0.2.7:8090"
+std::string hostOf(const QUrl& url);
 
 /// What a robot shares with its link. Thread-safe: each of them for itself.
 struct Places {
@@ -27,11 +34,13 @@ struct Places {
 class RobotLink : public QObject {
   Q_OBJECT
  public:
+  RobotLink() { clock_.start(); }
   const std::shared_ptr<Places>& places() const { return places_; }
 
   virtual void open() = 0;
   virtual void close() = 0;
   virtual void trust(const QByteArray& pinned_sha256) = 0;  // from now on, and connects
+  void setWatching(bool on) { watching_ = on; }             // raw messages are told
 
  Q_SIGNALS:
   void stateChanged(const mapwright::robot::ConnectionState& state);
@@ -43,6 +52,10 @@ class RobotLink : public QObject {
   void recovered(const mapwright::map::Recovery& recovery);
 
  protected:
+  /// `server`: whom the problem is about.
+  void report(const QUrl& server, map::Severity severity, Fault reason);
+  /// Somebody watches, and can take one of this size now.
+  bool passesRaw(qint64 bytes);
   /// To whoever shows it, by mail where it is large.
   void pass(map::StampedMessage message);
   /// A body that is kept as long as somebody may want it.
@@ -50,6 +63,11 @@ class RobotLink : public QObject {
                                         double received_s);
 
   const std::shared_ptr<Places> places_ = std::make_shared<Places>();
+
+ private:
+  bool watching_ = false;
+  RawLimit raw_limit_;
+  QElapsedTimer clock_;
 };
 
 }  // namespace mapwright::robot::wire
